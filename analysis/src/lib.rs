@@ -1,0 +1,1 @@
+//! Names, types, the program model and the diagnostics of ladder text.

@@ -1,0 +1,1 @@
+//! The programs ladder and ldfmt.

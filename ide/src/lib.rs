@@ -1,0 +1,1 @@
+//! What an editor asks of ladder text, without a protocol.

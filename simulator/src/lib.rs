@@ -1,0 +1,1 @@
+//! The deterministic scan engine for ladder programs.

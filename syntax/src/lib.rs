@@ -1,0 +1,1 @@
+//! Lexer, parser, lossless tree and wiring of the ladder text language.

@@ -1,0 +1,1 @@
+//! Ladder files on disk: search, limits, atomic writes.
