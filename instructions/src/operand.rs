@@ -1,0 +1,173 @@
+//! What an operand of an instruction is: its name, direction, and what may stand in its place.
+
+/// One operand of an instruction.
+#[derive(Debug)]
+pub struct Operand {
+    /// The name used in signatures, and written before `:=` for a named one.
+    pub name: &'static str,
+    /// Read, written, or both.
+    pub direction: Direction,
+    /// What may stand here.
+    pub accepts: Accepts,
+    /// Whether and how it must be given.
+    pub presence: Presence,
+    /// One line for hover and completion.
+    pub doc: &'static str,
+}
+
+/// Which way the value goes.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum Direction {
+    /// The block reads it.
+    In,
+    /// The block writes it.
+    Out,
+    /// The block reads and writes it.
+    InOut,
+}
+
+/// Whether an operand must be given, and how.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum Presence {
+    /// By place, always.
+    Required,
+    /// By place, may be left out from the right (`[SCANTIME]`).
+    Trailing,
+    /// By place, none or more of them behind the required ones (`...` in LANGUAGE §5). `group` operands come
+    /// and go together (`[PWL]` takes pairs); every operand of the group has this presence.
+    Repeated {
+        /// How many operands one repetition has.
+        group: u8,
+    },
+    /// By name: `R := reset`; may be left out.
+    Named,
+}
+
+/// The block type whose state an operand holds (LANGUAGE §4).
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
+#[allow(missing_docs)]
+pub enum StateType {
+    Ton,
+    Tof,
+    Tp,
+    Rto,
+    Rtof,
+    Ctu,
+    Ctd,
+    Ctud,
+    Ctc,
+    Sr,
+    Rs,
+}
+
+impl StateType {
+    /// All of them, in the order of LANGUAGE §4.
+    pub const ALL: [StateType; 11] = [
+        StateType::Ton,
+        StateType::Tof,
+        StateType::Tp,
+        StateType::Rto,
+        StateType::Rtof,
+        StateType::Ctu,
+        StateType::Ctd,
+        StateType::Ctud,
+        StateType::Ctc,
+        StateType::Sr,
+        StateType::Rs,
+    ];
+
+    /// The type's name in capitals.
+    pub const fn name(self) -> &'static str {
+        match self {
+            StateType::Ton => "TON",
+            StateType::Tof => "TOF",
+            StateType::Tp => "TP",
+            StateType::Rto => "RTO",
+            StateType::Rtof => "RTOF",
+            StateType::Ctu => "CTU",
+            StateType::Ctd => "CTD",
+            StateType::Ctud => "CTUD",
+            StateType::Ctc => "CTC",
+            StateType::Sr => "SR",
+            StateType::Rs => "RS",
+        }
+    }
+
+    /// Whether it is a timer (`TON TOF TP RTO RTOF`).
+    pub const fn is_timer(self) -> bool {
+        matches!(self, StateType::Ton | StateType::Tof | StateType::Tp | StateType::Rto | StateType::Rtof)
+    }
+
+    /// Whether it is a counter (`CTU CTD CTUD CTC`).
+    pub const fn is_counter(self) -> bool {
+        matches!(self, StateType::Ctu | StateType::Ctd | StateType::Ctud | StateType::Ctc)
+    }
+}
+
+/// The types that an instruction's result may have (LANGUAGE §5.2, "Without `[TYP]` a value passes").
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum TypeClass {
+    /// Integers and reals.
+    Number,
+    /// Integers, reals and TIME (ADD, SUB, MIN, MAX, LIMIT, MUL, DIV; dates for ADD and SUB).
+    NumberOrTime,
+    /// REAL and LREAL.
+    Real,
+    /// Integers, or bit strings of 8 bits and more.
+    BitsOrInteger,
+    /// BOOL, bit strings and integers.
+    BoolBitsOrInteger,
+    /// Any integer.
+    Integer,
+    /// STRING.
+    String,
+    /// Any elementary type.
+    Any,
+}
+
+/// What may stand in an operand's place.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum Accepts {
+    /// A BOOL tag, member or bit; for inputs also a BOOL literal.
+    Bool,
+    /// As `Bool`, or a range of a BOOL array (`a[3..9]`).
+    BoolOrRange,
+    /// As `BoolOrRange`, or a timer or counter tag (`(R)`).
+    BoolRangeOrState,
+    /// A tag of this block type.
+    State(StateType),
+    /// A tag of any timer or counter type (`(RES)`).
+    TimerOrCounter,
+    /// The result: a tag of a type in this class. It types the operands that say `Value`.
+    Result(TypeClass),
+    /// A tag or literal that passes to the result's type.
+    Value,
+    /// A tag or literal of a comparison: the operands agree among themselves.
+    Compared,
+    /// A tag or literal of any elementary type, converted (`[TYP]`).
+    Convertible,
+    /// Any integer: a count, selector or index; it takes no part in the result's type.
+    Integer,
+    /// A STRING tag or literal, beside a result of another type (`[LEN]`, `[FIND]`).
+    String,
+    /// A TIME, or a plain integer in milliseconds (PT).
+    Duration,
+    /// A TIME (the time base `B` of profile `iot`).
+    Time,
+    /// A DINT (PV of a counter).
+    Count,
+    /// A `[CALC]` expression; it may hold everything of LANGUAGE §5.2's list.
+    Expression,
+    /// An array range, or an element from which on a range of matching length is meant.
+    Range,
+    /// A range, or one tag or literal (`[PACK]`, `[UNPACK]`).
+    RangeOrValue,
+    /// A label's name.
+    Label,
+    /// A function's name.
+    Function,
+    /// One of `EQ NE GT GE LT LE`.
+    SearchOperator,
+    /// Any tag (`[PERSIST]`).
+    Tag,
+}
