@@ -4,19 +4,34 @@
 //! type inference, the formatter (what acts and what is a condition), hover and completion, the simulator and
 //! the language reference. It is data only: no parsing, no evaluation.
 //!
-//! [`TABLE`] holds one [`Instruction`] per row of LANGUAGE §5, [`lookup`] finds the rows of a mnemonic.
-//! A mnemonic may have two rows that differ in their operands (`[NOT]` the inverter and `[NOT]( y, a )` the
-//! bitwise one); [`Instruction::takes`] tells them apart.
+//! [`TABLE`] holds one [`Instruction`] per row of LANGUAGE §5, in the order of [`Op`]. From a text one comes to a
+//! row by its brackets and its spelling:
 //!
-//! Adding an instruction is one row here, one variant of [`Op`], one function in the simulator (the compiler
-//! refuses the variant without it) and one scenario.
+//! ```
+//! use ladder_instructions::{Shape, closest, in_other_shape, lookup};
+//!
+//! let timer = lookup(Shape::Logical, "ton").next().unwrap();
+//! assert_eq!(timer.signature(), "[TON]( t, PT, R := )");
+//! // `<TON>` exists in other brackets, `[TOM]` is a slip of the finger.
+//! assert_eq!(in_other_shape(Shape::Function, "TON").next().unwrap().op, timer.op);
+//! assert_eq!(closest(Shape::Logical, "TOM").unwrap().op, timer.op);
+//! ```
+//!
+//! A mnemonic may have two rows that differ in their operands (`[NOT]` the inverter and `[NOT]( y, a )` the
+//! bitwise one); [`Instruction::takes`] tells them apart. Everything here is made when the crate is compiled:
+//! a look-up allocates nothing.
+//!
+//! Adding an instruction is one row in its section under `table/`, one variant of [`Op`] (the compiler refuses
+//! one without the other), one function in the simulator (refused likewise) and one scenario.
 
+mod likeness;
 mod lookup;
 mod op;
 mod operand;
+mod spelling;
 mod table;
 
-pub use lookup::{by_op, closest, lookup};
+pub use lookup::{by_op, closest, in_other_shape, lookup};
 pub use op::Op;
 pub use operand::{Accepts, Direction, Operand, Presence, StateType, TypeClass};
 pub use table::TABLE;
@@ -33,6 +48,9 @@ pub enum Shape {
 }
 
 impl Shape {
+    /// All of them.
+    pub const ALL: [Shape; 3] = [Shape::Logical, Shape::Coil, Shape::Function];
+
     /// The opening and closing bracket of the first part.
     pub const fn brackets(self) -> (char, char) {
         match self {
@@ -53,6 +71,16 @@ pub enum Role {
     Acting,
 }
 
+/// When a block does its work.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum Acts {
+    /// Only while EN is high: with EN low it neither reads nor writes its operands (an index outside its array
+    /// is then no fault).
+    WhenPowered,
+    /// At every evaluation, whatever EN is: edges, timers, counters, coils, `<MCR>`.
+    Always,
+}
+
 /// The section of LANGUAGE §5 that a row belongs to.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub enum Group {
@@ -71,18 +99,22 @@ pub enum Group {
 }
 
 /// One row of the table.
-#[derive(Debug)]
+#[derive(Debug, Clone, Copy)]
 pub struct Instruction {
     /// Which instruction this is, for exhaustive matches elsewhere.
     pub op: Op,
     /// The canonical spelling between the brackets, in capitals; a blank for the open contact and the coil.
     pub mnemonic: &'static str,
-    /// Spellings that are also accepted (`EQU` for `EQ`).
+    /// Spellings of equal standing (`SET` for `MOV`): no rule asks for the canonical one.
+    pub synonyms: &'static [&'static str],
+    /// Spellings that are also accepted (`EQU` for `EQ`); `alternative-mnemonic` is about these.
     pub aliases: &'static [&'static str],
     /// The brackets it is written in.
     pub shape: Shape,
     /// Condition or acting.
     pub role: Role,
+    /// Whether it does its work at every evaluation, or only when EN is high.
+    pub acts: Acts,
     /// Section of LANGUAGE §5.
     pub group: Group,
     /// The operands in their order; optional named ones last.
@@ -100,73 +132,114 @@ pub struct Instruction {
 impl Instruction {
     /// Number of operands that must be given by place.
     pub fn required(&self) -> usize {
-        self.operands.iter().filter(|o| o.presence == Presence::Required).count()
+        self.operands
+            .iter()
+            .map(|operand| match operand.presence {
+                Presence::Required => 1,
+                Presence::Repeated { least, .. } => usize::from(least),
+                Presence::Trailing | Presence::Named => 0,
+            })
+            .sum()
     }
 
-    /// Whether the last positional operand may be given again and again.
+    /// The largest number of operands by place; none if the last ones may be given again and again.
+    pub fn limit(&self) -> Option<usize> {
+        if self.repeats() {
+            return None;
+        }
+        Some(
+            self.operands
+                .iter()
+                .filter(|operand| operand.presence != Presence::Named)
+                .count(),
+        )
+    }
+
+    /// Whether the last positional operands may be given again and again.
     pub fn repeats(&self) -> bool {
-        self.operands.iter().any(|o| matches!(o.presence, Presence::Repeated { .. }))
+        self.group_size().is_some()
+    }
+
+    /// How many operands one repetition has.
+    fn group_size(&self) -> Option<usize> {
+        self.operands.iter().find_map(|operand| match operand.presence {
+            Presence::Repeated { group, .. } => Some(usize::from(group)),
+            _ => None,
+        })
     }
 
     /// Whether `count` operands by place fit this row.
     pub fn takes(&self, count: usize) -> bool {
         let least = self.required();
-        let most = self.operands.iter().filter(|o| o.presence == Presence::Trailing).count() + least;
-        match self.operands.iter().find_map(|o| match o.presence {
-            Presence::Repeated { group } => Some(group),
-            _ => None,
-        }) {
-            Some(group) => count >= least && (count - least).is_multiple_of(group as usize),
-            None => (least..=most).contains(&count),
+        match (self.group_size(), self.limit()) {
+            (Some(group), _) => count >= least && (count - least).is_multiple_of(group),
+            (None, Some(most)) => (least..=most).contains(&count),
+            (None, None) => unreachable!("a row without repetition has a limit"),
         }
     }
 
     /// The operand that the `index`-th positional value (from 0) stands for.
     pub fn positional(&self, index: usize) -> Option<&'static Operand> {
-        let fixed: Vec<&'static Operand> = self
+        // The named operands stand last in every row, the repeated ones directly before them.
+        let places = self
             .operands
             .iter()
-            .filter(|o| matches!(o.presence, Presence::Required | Presence::Trailing))
-            .collect();
-        if let Some(operand) = fixed.get(index) {
-            return Some(operand);
+            .take_while(|operand| operand.presence != Presence::Named)
+            .count();
+        if index < places {
+            return Some(&self.operands[index]);
         }
-        let repeated: Vec<&'static Operand> =
-            self.operands.iter().filter(|o| matches!(o.presence, Presence::Repeated { .. })).collect();
-        if repeated.is_empty() {
-            return None;
-        }
-        Some(repeated[(index - fixed.len()) % repeated.len()])
+        let group = self.group_size()?;
+        Some(&self.operands[places - group + (index - places) % group])
     }
 
     /// The optional operand with this name, compared without case.
     pub fn named(&self, name: &str) -> Option<&'static Operand> {
         self.operands
             .iter()
-            .find(|o| matches!(o.presence, Presence::Named) && o.name.eq_ignore_ascii_case(name))
+            .find(|operand| operand.presence == Presence::Named && operand.name.eq_ignore_ascii_case(name))
     }
 
-    /// The signature as a person writes it: `[TON]( t, PT, R := )`.
-    pub fn signature(&self) -> String {
+    /// Every spelling that finds this row: the canonical one, its equals, those also accepted.
+    pub fn spellings(&self) -> impl Iterator<Item = &'static str> + use<> {
+        std::iter::once(self.mnemonic)
+            .chain(self.synonyms.iter().copied())
+            .chain(self.aliases.iter().copied())
+    }
+
+    /// Whether it does its work at every evaluation, whatever EN is.
+    pub fn always_acts(&self) -> bool {
+        self.acts == Acts::Always
+    }
+
+    /// The block without its operands, as it is written: `[TON]`, `( )`, `<RET>`.
+    pub fn block(&self) -> String {
         let (open, close) = self.shape.brackets();
-        let mut text = format!("{open}{}{close}", self.mnemonic);
+        format!("{open}{}{close}", self.mnemonic)
+    }
+
+    /// The signature as a person writes it: `[TON]( t, PT, R := )`. Operands that only one profile knows are
+    /// left out.
+    pub fn signature(&self) -> String {
         if self.operands.is_empty() {
-            return text;
+            return self.block();
         }
-        text.push_str("( ");
-        for (index, operand) in self.operands.iter().enumerate() {
-            if index > 0 {
-                text.push_str(", ");
-            }
-            text.push_str(operand.name);
-            if operand.presence == Presence::Named {
-                text.push_str(if operand.direction == Direction::Out { " =>" } else { " :=" });
-            }
-        }
-        if self.repeats() {
-            text.push_str(", ...");
-        }
-        text.push_str(" )");
-        text
+        let repeats_behind = self
+            .operands
+            .iter()
+            .rposition(|o| matches!(o.presence, Presence::Repeated { .. }));
+        let parts: Vec<String> = self
+            .operands
+            .iter()
+            .enumerate()
+            .filter(|(_, operand)| operand.only_in_profile().is_none())
+            .map(|(index, operand)| match (operand.presence, operand.direction) {
+                (Presence::Named, Direction::Out) => format!("{} =>", operand.name),
+                (Presence::Named, _) => format!("{} :=", operand.name),
+                _ if repeats_behind == Some(index) => format!("{}, ...", operand.name),
+                _ => operand.name.to_owned(),
+            })
+            .collect();
+        format!("{}( {} )", self.block(), parts.join(", "))
     }
 }

@@ -1,21 +1,51 @@
 //! Finding rows by mnemonic, by identity, and by likeness.
 
-use crate::{Instruction, Op, Shape, TABLE};
+use crate::spelling::{INDEX, Spelling};
+use crate::{Instruction, Op, Shape, TABLE, likeness};
 
-/// The rows with this spelling in these brackets, compared without case; an empty spelling is a blank one.
-/// Two rows for `NOT`, at most one otherwise.
-pub fn lookup(shape: Shape, mnemonic: &str) -> impl Iterator<Item = &'static Instruction> {
-    let _ = (shape, mnemonic);
-    TABLE.iter().filter(|_| false)
+/// The rows with this spelling in these brackets, compared without case; blanks around it do not count, and an
+/// empty spelling is a blank one. Two rows for `NOT`, at most one otherwise.
+pub fn lookup(shape: Shape, mnemonic: &str) -> impl ExactSizeIterator<Item = &'static Instruction> + Clone {
+    rows_of(shape, Spelling::read(mnemonic))
+}
+
+/// The rows with this spelling in other brackets: `(S)` for `[S]`, `[TON]` for `<TON>`, both `[ ]` and `( )` for
+/// `< >`. A spelling that people know from elsewhere counts too, so `[SET]`, which is a `[MOV]`, leads to `(S)`,
+/// and `[RESET]` to `(R)`. Ask [`Instruction::takes`] which of them fits the operands.
+pub fn in_other_shape(shape: Shape, mnemonic: &str) -> impl Iterator<Item = &'static Instruction> + Clone {
+    let spelling = Spelling::read(mnemonic);
+    Shape::ALL
+        .into_iter()
+        .flat_map(move |other| rows_of(other, spelling))
+        .chain(likeness::known_elsewhere(spelling))
+        .filter(move |row| row.shape != shape)
 }
 
 /// The row of an instruction.
 pub fn by_op(op: Op) -> &'static Instruction {
-    TABLE.iter().find(|row| row.op == op).expect("a test checks that every Op has its row")
+    &TABLE[op as usize]
 }
 
-/// The spelling nearest to an unknown one (edit distance, ties by table order), in these brackets first.
+/// The row that an unknown spelling probably means: what other controllers call by that name (`XIC`, `JSR`),
+/// else the spelling that fewest slips lead to (a letter too many, missing, wrong, or two swapped). Two slips
+/// are forgiven, one where a spelling has three letters or fewer. At the same number of slips these brackets
+/// come before others, then the order of the table decides.
 pub fn closest(shape: Shape, mnemonic: &str) -> Option<&'static Instruction> {
-    let _ = (shape, mnemonic);
-    None
+    likeness::closest(shape, mnemonic)
+}
+
+fn rows_of(
+    shape: Shape,
+    spelling: Option<Spelling>,
+) -> impl ExactSizeIterator<Item = &'static Instruction> + Clone {
+    let found = match spelling {
+        Some(spelling) => {
+            let key = (shape as u8, spelling);
+            let start = INDEX.partition_point(|entry| (entry.shape, entry.spelling) < key);
+            let rest = &INDEX[start..];
+            &rest[..rest.partition_point(|entry| (entry.shape, entry.spelling) == key)]
+        }
+        None => &[],
+    };
+    found.iter().map(|entry| &TABLE[usize::from(entry.row)])
 }

@@ -115,3 +115,8 @@ pub enum Op {
     Persist,
     Scantime,
 }
+
+impl Op {
+    /// How many instructions there are.
+    pub const COUNT: usize = Op::Scantime as usize + 1;
+}

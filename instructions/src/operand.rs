@@ -1,7 +1,7 @@
 //! What an operand of an instruction is: its name, direction, and what may stand in its place.
 
 /// One operand of an instruction.
-#[derive(Debug)]
+#[derive(Debug, Clone, Copy)]
 pub struct Operand {
     /// The name used in signatures, and written before `:=` for a named one.
     pub name: &'static str,
@@ -13,6 +13,86 @@ pub struct Operand {
     pub presence: Presence,
     /// One line for hover and completion.
     pub doc: &'static str,
+}
+
+impl Operand {
+    /// The only profile (LANGUAGE §5.8) that knows this operand; none if all do.
+    pub fn only_in_profile(&self) -> Option<&'static str> {
+        (self.accepts == Accepts::Time).then_some("iot")
+    }
+
+    /// A required operand that the block reads.
+    pub(crate) const fn input(name: &'static str, accepts: Accepts, doc: &'static str) -> Self {
+        Self {
+            name,
+            direction: Direction::In,
+            accepts,
+            presence: Presence::Required,
+            doc,
+        }
+    }
+
+    /// A required operand that the block writes.
+    pub(crate) const fn output(name: &'static str, accepts: Accepts, doc: &'static str) -> Self {
+        Self {
+            name,
+            direction: Direction::Out,
+            accepts,
+            presence: Presence::Required,
+            doc,
+        }
+    }
+
+    /// A required operand that the block reads and writes.
+    pub(crate) const fn in_out(name: &'static str, accepts: Accepts, doc: &'static str) -> Self {
+        Self {
+            name,
+            direction: Direction::InOut,
+            accepts,
+            presence: Presence::Required,
+            doc,
+        }
+    }
+
+    /// The same operand, given by name, and optional.
+    pub(crate) const fn named(self) -> Self {
+        Self {
+            presence: Presence::Named,
+            ..self
+        }
+    }
+
+    /// The same operand, by place, and optional.
+    pub(crate) const fn trailing(self) -> Self {
+        Self {
+            presence: Presence::Trailing,
+            ..self
+        }
+    }
+
+    /// The same operand, given once or more.
+    pub(crate) const fn repeated(self) -> Self {
+        Self {
+            presence: Presence::Repeated { group: 1, least: 1 },
+            ..self
+        }
+    }
+
+    /// One operand of a pair that is given once or more.
+    pub(crate) const fn repeated_pair(self) -> Self {
+        Self {
+            presence: Presence::Repeated { group: 2, least: 1 },
+            ..self
+        }
+    }
+
+    /// The same operand, given any number of times or not at all.
+    pub(crate) const fn repeated_or_none(self) -> Self {
+        Self {
+            presence: Presence::Repeated { group: 1, least: 0 },
+            ..self
+        }
+    }
 }
 
 /// Which way the value goes.
@@ -33,11 +113,14 @@ pub enum Presence {
     Required,
     /// By place, may be left out from the right (`[SCANTIME]`).
     Trailing,
-    /// By place, none or more of them behind the required ones (`...` in LANGUAGE §5). `group` operands come
-    /// and go together (`[PWL]` takes pairs); every operand of the group has this presence.
+    /// By place, again and again behind the required ones (`...` in LANGUAGE §5, which repeats the last).
+    /// `group` operands come and go together (`[PWL]` takes pairs); every operand of the group has this
+    /// presence.
     Repeated {
         /// How many operands one repetition has.
         group: u8,
+        /// How many repetitions must be given: 1 for most, 0 for the values of `[FMT]`.
+        least: u8,
     },
     /// By name: `R := reset`; may be left out.
     Named,
@@ -95,12 +178,18 @@ impl StateType {
 
     /// Whether it is a timer (`TON TOF TP RTO RTOF`).
     pub const fn is_timer(self) -> bool {
-        matches!(self, StateType::Ton | StateType::Tof | StateType::Tp | StateType::Rto | StateType::Rtof)
+        matches!(
+            self,
+            StateType::Ton | StateType::Tof | StateType::Tp | StateType::Rto | StateType::Rtof
+        )
     }
 
     /// Whether it is a counter (`CTU CTD CTUD CTC`).
     pub const fn is_counter(self) -> bool {
-        matches!(self, StateType::Ctu | StateType::Ctd | StateType::Ctud | StateType::Ctc)
+        matches!(
+            self,
+            StateType::Ctu | StateType::Ctd | StateType::Ctud | StateType::Ctc
+        )
     }
 }
 
@@ -140,19 +229,22 @@ pub enum Accepts {
     TimerOrCounter,
     /// The result: a tag of a type in this class. It types the operands that say `Value`.
     Result(TypeClass),
-    /// A tag or literal that passes to the result's type.
+    /// A tag or literal that passes to the type of the result, or of the elements of the range (`[FILL]`,
+    /// `[SHIFT]`).
     Value,
     /// A tag or literal of a comparison: the operands agree among themselves.
     Compared,
-    /// A tag or literal of any elementary type, converted (`[TYP]`).
+    /// A tag or literal of any elementary type, converted or taken apart (`[TYP]`, `[UNPACK]`).
     Convertible,
     /// Any integer: a count, selector or index; it takes no part in the result's type.
     Integer,
-    /// A STRING tag or literal, beside a result of another type (`[LEN]`, `[FIND]`).
+    /// A STRING tag or literal, whatever the result's type (the string functions, `[FMT]`).
     String,
+    /// Any integer or real, converted to the result's type (`[TRUNC]`: a real into an integer, as in IEC).
+    Number,
     /// A TIME, or a plain integer in milliseconds (PT).
     Duration,
-    /// A TIME (the time base `B` of profile `iot`).
+    /// A TIME: the time base `B` of profile `iot`, see [`Operand::only_in_profile`].
     Time,
     /// A DINT (PV of a counter).
     Count,
@@ -160,7 +252,7 @@ pub enum Accepts {
     Expression,
     /// An array range, or an element from which on a range of matching length is meant.
     Range,
-    /// A range, or one tag or literal (`[PACK]`, `[UNPACK]`).
+    /// A range, or one STRING tag or literal (`[PACK]`, `[UNPACK]`).
     RangeOrValue,
     /// A label's name.
     Label,

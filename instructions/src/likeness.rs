@@ -1,0 +1,105 @@
+//! What a person probably meant by a spelling that the table does not have.
+
+use crate::spelling::Spelling;
+use crate::{Instruction, Op, Shape, TABLE, by_op};
+
+/// Names that other controllers and other notations give to an instruction, none of which is accepted here:
+/// they only make a better answer than the nearest spelling.
+const KNOWN_ELSEWHERE: &[(&str, Op)] = &[
+    ("COP", Op::Bmov),
+    ("COPY", Op::Bmov),
+    ("CPT", Op::Calc),
+    ("CPY", Op::Bmov),
+    ("FLL", Op::Fill),
+    ("GOSUB", Op::Call),
+    ("GOTO", Op::Jmp),
+    ("INV", Op::Inverter),
+    ("JSR", Op::Call),
+    ("JUMP", Op::Jmp),
+    ("LABEL", Op::Lbl),
+    ("LIM", Op::Limit),
+    ("NC", Op::NegatedContact),
+    ("NO", Op::Contact),
+    ("ONS", Op::OneShotRising),
+    ("OTE", Op::Coil),
+    ("OTL", Op::SetCoil),
+    ("OTU", Op::ResetCoil),
+    ("OUT", Op::Coil),
+    ("POW", Op::Exp),
+    ("RESET", Op::ResetCoil),
+    ("RETURN", Op::Ret),
+    ("RST", Op::ResetCoil),
+    ("RTON", Op::Rto),
+    ("SBR", Op::Fun),
+    ("SET", Op::SetCoil),
+    ("SQR", Op::Sqrt),
+    ("SUBR", Op::Fun),
+    ("TND", Op::Ret),
+    ("TONR", Op::Rto),
+    ("XIC", Op::Contact),
+    ("XIO", Op::NegatedContact),
+    ("XPY", Op::Exp),
+];
+
+/// The row that goes by this name elsewhere.
+pub(crate) fn known_elsewhere(spelling: Option<Spelling>) -> Option<&'static Instruction> {
+    let spelling = spelling?;
+    KNOWN_ELSEWHERE
+        .iter()
+        .find(|(name, _)| Spelling::read(name) == Some(spelling))
+        .map(|(_, op)| by_op(*op))
+}
+
+/// See [`closest`](crate::closest).
+pub(crate) fn closest(shape: Shape, mnemonic: &str) -> Option<&'static Instruction> {
+    if let Some(row) = known_elsewhere(Spelling::read(mnemonic)) {
+        return Some(row);
+    }
+    let typed: Vec<char> = mnemonic
+        .trim()
+        .chars()
+        .map(|letter| letter.to_ascii_uppercase())
+        .collect();
+    TABLE
+        .iter()
+        .flat_map(|row| row.spellings().map(move |spelling| (row, spelling)))
+        .filter_map(|(row, spelling)| Some((slips(&typed, spelling)?, row.shape != shape, row)))
+        .min_by_key(|(slips, other_shape, _)| (*slips, *other_shape))
+        .map(|(_, _, row)| row)
+}
+
+/// How many slips lead from a spelling to what was typed; none if that is too many to be one.
+fn slips(typed: &[char], spelling: &str) -> Option<usize> {
+    let spelling = spelling.trim();
+    let (shorter, longer) = (typed.len().min(spelling.len()), typed.len().max(spelling.len()));
+    let forgiven = if shorter <= 3 { 1 } else { 2 };
+    // A long name is no slip of any mnemonic; this also bounds the work.
+    if longer - shorter > forgiven {
+        return None;
+    }
+    let distance = distance(typed, &spelling.chars().collect::<Vec<_>>());
+    // Where every letter differs nothing is alike: `[X]` is not a slip of `[P]`.
+    (distance <= forgiven && distance < longer).then_some(distance)
+}
+
+/// Damerau-Levenshtein distance in its restricted form: insertions, deletions, replacements, and swaps of two
+/// neighbours that are not touched again.
+fn distance(left: &[char], right: &[char]) -> usize {
+    let mut before_last: Vec<usize>;
+    let mut last: Vec<usize> = Vec::new();
+    let mut row: Vec<usize> = (0..=right.len()).collect();
+    for (i, a) in left.iter().enumerate() {
+        before_last = std::mem::replace(&mut last, row);
+        row = vec![i + 1];
+        for (j, b) in right.iter().enumerate() {
+            let mut cost = (last[j] + usize::from(a != b))
+                .min(last[j + 1] + 1)
+                .min(row[j] + 1);
+            if i > 0 && j > 0 && *a == right[j - 1] && left[i - 1] == *b {
+                cost = cost.min(before_last[j - 1] + 1);
+            }
+            row.push(cost);
+        }
+    }
+    row[right.len()]
+}
