@@ -1,1 +1,43 @@
 //! Lexer, parser, lossless tree and wiring of the ladder text language.
+//!
+//! Text flows one way:
+//!
+//! ```text
+//! text --lexer--> tokens --parser--> one green node per logical line --structure--> networks, sections,
+//!                                     + a small summary                              block definitions
+//!                                                  \--wiring--> segments, connector pairs, points
+//! ```
+//!
+//! The **logical line** is the unit: a rung, a rail, blank or comment line, one declaration, the first or last
+//! line of a section or block definition. Parsing a line is a function of its text and of the [`Mode`] it
+//! begins in, so an edit re-parses the lines it touches and nothing else. Networks and sections are ranges over
+//! lines, regrouped from the summaries; the file's tree is put together from the lines' nodes.
+//!
+//! What holds for every text: `parse(text).to_string() == text`; parsing never fails, it gives a tree and
+//! [`SyntaxError`]s; a mistake never leaves its line (an open comment excepted); nesting is bounded.
+//!
+//! No instruction is known here: an unknown or half-typed mnemonic parses like any other, and every operand
+//! is read with one expression grammar. What an instruction allows is for the analysis to say.
+
+pub mod ast;
+mod error;
+mod grammar;
+mod kind;
+mod lexer;
+mod line;
+mod line_index;
+mod name;
+mod parse;
+mod structure;
+pub mod wiring;
+
+pub use error::{DeclarationProblem, SyntaxError, SyntaxErrorKind};
+pub use grammar::is_declaration_keyword;
+pub use kind::{LadderLanguage, SyntaxElement, SyntaxKind, SyntaxNode, SyntaxToken};
+pub use line::{Line, LineKind, Mode};
+pub use line_index::{LineColumn, LineIndex};
+pub use name::{Name, is_identifier, is_reserved};
+pub use parse::{MAX_FILE_BYTES, Parse, parse};
+pub use structure::{BlockDefinition, Item, Network, Section, Structure};
+
+pub use rowan::{self, NodeOrToken, TextRange, TextSize};

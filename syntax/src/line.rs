@@ -1,0 +1,93 @@
+//! The logical line: what is parsed on its own, and the small summary from which networks are grouped.
+
+use crate::{SyntaxError, SyntaxKind, SyntaxNode};
+use rowan::GreenNode;
+
+/// What a logical line is.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum LineKind {
+    /// At least one wire, connector or block.
+    Rung,
+    /// `|`, white space, comments.
+    Rail,
+    /// White space and comments.
+    Comment,
+    /// White space only.
+    Blank,
+    /// `VAR_INPUT`, ...
+    SectionHeader,
+    /// One declaration, up to its `;`.
+    Declaration,
+    /// `END_VAR`.
+    SectionEnd,
+    /// `FUNCTION_BLOCK [$Name]`.
+    BlockHeader,
+    /// `END_FUNCTION_BLOCK`.
+    BlockEnd,
+    /// Nothing but mistakes.
+    Stray,
+}
+
+impl LineKind {
+    /// The kind of the line's node.
+    pub const fn syntax_kind(self) -> SyntaxKind {
+        match self {
+            LineKind::Rung => SyntaxKind::RUNG,
+            LineKind::Rail => SyntaxKind::RAIL_LINE,
+            LineKind::Comment => SyntaxKind::COMMENT_LINE,
+            LineKind::Blank => SyntaxKind::BLANK_LINE,
+            LineKind::SectionHeader => SyntaxKind::SECTION_HEADER,
+            LineKind::Declaration => SyntaxKind::DECLARATION,
+            LineKind::SectionEnd => SyntaxKind::SECTION_END,
+            LineKind::BlockHeader => SyntaxKind::BLOCK_HEADER,
+            LineKind::BlockEnd => SyntaxKind::BLOCK_END,
+            LineKind::Stray => SyntaxKind::STRAY_LINE,
+        }
+    }
+
+    /// Rail, comment and blank lines: between the rungs of a network they do not count.
+    pub const fn is_decoration(self) -> bool {
+        matches!(self, LineKind::Rail | LineKind::Comment | LineKind::Blank)
+    }
+}
+
+/// What surrounds a line: all that a line's parse depends on besides its text.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
+pub enum Mode {
+    /// Between sections.
+    #[default]
+    Network,
+    /// Between a section's header and its END_VAR.
+    Section,
+}
+
+/// A parsed logical line. It may begin in the middle of a physical line (behind a `;` of a declaration) and may
+/// span several (a comment or a declaration that does).
+#[derive(Debug, Clone)]
+pub struct Line {
+    /// What it is.
+    pub kind: LineKind,
+    /// The mode of the line behind it.
+    pub mode_after: Mode,
+    /// Number of `\` on it.
+    pub downs: u32,
+    /// Number of `/` connectors on it.
+    pub ups: u32,
+    /// Length in bytes, line end included.
+    pub len: u32,
+    /// Its mistakes, counted from its start.
+    pub errors: Vec<SyntaxError>,
+    pub(crate) green: GreenNode,
+}
+
+impl Line {
+    /// The line's node as the root of a tree of its own: offsets count from the start of the line.
+    pub fn syntax(&self) -> SyntaxNode {
+        SyntaxNode::new_root(self.green.clone())
+    }
+
+    /// The line's green node. Two lines with the same node have the same text and mean the same by themselves.
+    pub fn green(&self) -> &GreenNode {
+        &self.green
+    }
+}

@@ -1,0 +1,85 @@
+//! Byte offsets and physical lines: for people (line and column from 1) and for protocols.
+
+use rowan::{TextRange, TextSize};
+
+/// A place as people count it.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct LineColumn {
+    /// The line, from 1.
+    pub line: u32,
+    /// The column in characters, from 1.
+    pub column: u32,
+}
+
+/// Where each physical line starts. LF, CRLF and a lone CR end a line (LANGUAGE §1); nothing else does.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct LineIndex {
+    starts: Vec<u32>,
+    len: u32,
+}
+
+impl LineIndex {
+    /// The index of a text.
+    pub fn new(text: &str) -> LineIndex {
+        let bytes = text.as_bytes();
+        let mut starts = vec![0];
+        starts.extend(
+            memchr::memchr2_iter(b'\n', b'\r', bytes)
+                .filter(|&at| bytes[at] == b'\n' || bytes.get(at + 1) != Some(&b'\n'))
+                .map(|at| at as u32 + 1),
+        );
+        LineIndex {
+            starts,
+            len: text.len() as u32,
+        }
+    }
+
+    /// Number of physical lines; a text that ends with a line end has an empty last one.
+    pub fn line_count(&self) -> usize {
+        self.starts.len()
+    }
+
+    /// The line of an offset, from 0. Offsets past the end count as the end.
+    pub fn line(&self, offset: TextSize) -> usize {
+        self.starts.partition_point(|&start| start <= u32::from(offset)) - 1
+    }
+
+    /// The range of a line, from 0, its line end included. Past the last line: empty, at the end.
+    pub fn range(&self, line: usize) -> TextRange {
+        let at = |n: usize| TextSize::new(self.starts.get(n).copied().unwrap_or(self.len));
+        TextRange::new(at(line), at(line + 1))
+    }
+
+    /// The place of an offset in the text that the index was made of.
+    pub fn line_column(&self, text: &str, offset: TextSize) -> LineColumn {
+        let offset = offset.min(TextSize::new(self.len));
+        let line = self.line(offset);
+        let start = self.starts[line] as usize;
+        let mut end = usize::from(offset);
+        while !text.is_char_boundary(end) {
+            end -= 1;
+        }
+        let column = text[start..end].chars().filter(|&c| c != '\u{feff}').count();
+        LineColumn {
+            line: line as u32 + 1,
+            column: column as u32 + 1,
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn all_line_ends() {
+        let text = "a\nb\r\nc\rd\u{2028}e\n";
+        let index = LineIndex::new(text);
+        let lines: Vec<&str> = (0..index.line_count()).map(|n| &text[index.range(n)]).collect();
+        assert_eq!(lines, ["a\n", "b\r\n", "c\r", "d\u{2028}e\n", ""]);
+        assert_eq!(
+            index.line_column(text, TextSize::of("a\nb\r\nc\rd\u{2028}")),
+            LineColumn { line: 4, column: 3 }
+        );
+    }
+}

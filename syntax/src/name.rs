@@ -1,0 +1,91 @@
+//! Names: two spellings that mean one thing.
+
+use unicode_normalization::{UnicodeNormalization, is_nfc_quick};
+
+/// A name as it is compared: NFC, then simple case folding (LANGUAGE §1). How a person wrote it is kept elsewhere.
+#[derive(Debug, Clone, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub struct Name(Box<str>);
+
+impl Name {
+    /// The name that `text` spells.
+    pub fn new(text: &str) -> Name {
+        if text.is_ascii() {
+            return Name(text.to_ascii_lowercase().into());
+        }
+        let normal = if is_nfc_quick(text.chars()) == unicode_normalization::IsNormalized::Yes {
+            text.to_owned()
+        } else {
+            text.nfc().collect()
+        };
+        // Simple folding maps one character to one; where lower case has more, the character stays.
+        let folded: String = normal
+            .chars()
+            .map(|c| {
+                let mut lower = c.to_lowercase();
+                match (lower.next(), lower.next()) {
+                    (Some(one), None) => fold_final_sigma(one),
+                    _ => c,
+                }
+            })
+            .collect();
+        Name(folded.into())
+    }
+
+    /// The folded text. Not for display.
+    pub fn as_str(&self) -> &str {
+        &self.0
+    }
+}
+
+/// Both small sigmas fold to one, as in Unicode's CaseFolding table.
+fn fold_final_sigma(c: char) -> char {
+    match c {
+        'ς' => 'σ',
+        'ſ' => 's',
+        other => other,
+    }
+}
+
+impl std::borrow::Borrow<str> for Name {
+    fn borrow(&self) -> &str {
+        &self.0
+    }
+}
+
+const RESERVED: [&str; 12] = [
+    "TRUE", "FALSE", "SYS", "AND", "OR", "XOR", "NOT", "MOD", "SHL", "SHR", "PI", "END_VAR",
+];
+
+/// Whether the word may not name a tag anywhere (LANGUAGE §1). `EN` and `ENO` in a block's body, and type
+/// keywords in declarations, are the analysis' business.
+pub fn is_reserved(word: &str) -> bool {
+    RESERVED.iter().any(|r| r.eq_ignore_ascii_case(word))
+}
+
+/// Whether the text is one identifier.
+pub fn is_identifier(text: &str) -> bool {
+    crate::lexer::identifier_end(text, 0) == Some(text.len()) && !text.is_empty()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn spellings_that_are_one_name() {
+        for (a, b) in [("Run", "rUN"), ("ÄB", "äb"), ("A\u{308}", "ä"), ("ΣΑΣ", "σας")] {
+            assert_eq!(Name::new(a), Name::new(b), "{a} {b}");
+        }
+        assert_ne!(Name::new("ß"), Name::new("ss"));
+    }
+
+    #[test]
+    fn identifiers() {
+        for good in ["a", "_1", "Öl", "tank_3", "温度"] {
+            assert!(is_identifier(good), "{good}");
+        }
+        for bad in ["", "1a", "a b", "a-b", "€", "a.b"] {
+            assert!(!is_identifier(bad), "{bad}");
+        }
+    }
+}

@@ -1,0 +1,152 @@
+//! From a text to its lines, its tree and its structure.
+
+use crate::grammar;
+use crate::line::{Line, Mode};
+use crate::structure::{self, Structure};
+use crate::{SyntaxError, SyntaxKind, SyntaxNode};
+use rowan::{GreenNode, GreenNodeBuilder, NodeCache, NodeOrToken, TextRange, TextSize};
+
+/// The largest file that the tools read: 64 MiB. Offsets are 32 bit; larger texts are refused where they enter.
+pub const MAX_FILE_BYTES: usize = 64 << 20;
+
+/// How many lines one chunk of the tree holds. A flat root would copy its whole child list at every edit.
+const CHUNK_LINES: usize = 256;
+
+/// A parsed text.
+#[derive(Debug, Clone)]
+pub struct Parse {
+    root: GreenNode,
+    lines: Vec<Line>,
+    /// Where each line starts, and at the end the length of the text.
+    starts: Vec<u32>,
+    structure: Structure,
+}
+
+/// Parses a text. Every text has a tree that gives it back; mistakes are in [`Parse::errors`].
+pub fn parse(text: &str) -> Parse {
+    let mut cache = NodeCache::default();
+    let mut builder = GreenNodeBuilder::with_cache(&mut cache);
+    let mut parsed = Vec::with_capacity(text.len() / 48 + 1);
+    let mut starts = Vec::with_capacity(text.len() / 48 + 2);
+    let mut mode = Mode::Network;
+    let mut at = 0;
+    builder.start_node(SyntaxKind::SOURCE_FILE.into());
+    while at < text.len() {
+        if parsed.len() % CHUNK_LINES == 0 {
+            if at > 0 {
+                builder.finish_node();
+            }
+            builder.start_node(SyntaxKind::CHUNK.into());
+        }
+        let line = grammar::line(text, at, mode, &mut builder);
+        debug_assert!(line.end > at, "a line takes at least one character");
+        starts.push(at as u32);
+        at = line.end;
+        mode = line.mode_after;
+        parsed.push(line);
+    }
+    if at > 0 {
+        builder.finish_node();
+    }
+    builder.finish_node();
+    starts.push(text.len() as u32);
+    let root = builder.finish();
+    let lines = root
+        .children()
+        .filter_map(NodeOrToken::into_node)
+        .flat_map(|chunk| chunk.children().filter_map(NodeOrToken::into_node))
+        .zip(parsed)
+        .map(|(green, line)| Line {
+            kind: line.kind,
+            mode_after: line.mode_after,
+            downs: line.downs,
+            ups: line.ups,
+            len: u32::from(green.text_len()),
+            errors: line.errors,
+            green: green.to_owned(),
+        })
+        .collect::<Vec<_>>();
+    let structure = structure::structure(&lines);
+    Parse {
+        root,
+        lines,
+        starts,
+        structure,
+    }
+}
+
+impl Parse {
+    /// The tree: `SOURCE_FILE`, in it `CHUNK`s, in them the logical lines.
+    pub fn syntax(&self) -> SyntaxNode {
+        SyntaxNode::new_root(self.root.clone())
+    }
+
+    /// The root's green node.
+    pub fn green(&self) -> &GreenNode {
+        &self.root
+    }
+
+    /// The logical lines.
+    pub fn lines(&self) -> &[Line] {
+        &self.lines
+    }
+
+    /// Where a line starts, in bytes.
+    pub fn line_start(&self, line: usize) -> TextSize {
+        TextSize::new(self.starts[line])
+    }
+
+    /// The range of a line in the text, its line end included.
+    pub fn line_range(&self, line: usize) -> TextRange {
+        TextRange::new(
+            TextSize::new(self.starts[line]),
+            TextSize::new(self.starts[line + 1]),
+        )
+    }
+
+    /// The line that holds an offset; the last one for the end of the text. None for an empty text.
+    pub fn line_at(&self, offset: TextSize) -> Option<usize> {
+        let behind = self.starts[..self.lines.len()].partition_point(|&start| start <= u32::from(offset));
+        behind.checked_sub(1)
+    }
+
+    /// Networks, sections and block definitions.
+    pub fn structure(&self) -> &Structure {
+        &self.structure
+    }
+
+    /// The length of the text in bytes.
+    pub fn text_len(&self) -> TextSize {
+        TextSize::new(self.starts[self.lines.len()])
+    }
+
+    /// All mistakes that the parser found, in the order of their places, counted from the start of the text.
+    pub fn errors(&self) -> Vec<SyntaxError> {
+        let mut errors: Vec<SyntaxError> = self
+            .lines
+            .iter()
+            .enumerate()
+            .filter(|(_, line)| !line.errors.is_empty())
+            .flat_map(|(index, line)| {
+                let start = self.line_start(index);
+                line.errors.iter().map(move |e| e.shifted(start))
+            })
+            .collect();
+        errors.extend(self.structure.problems.iter().map(|(line, kind)| {
+            // The line without its white space and line end.
+            let text = self.lines[*line].green.to_string();
+            let before = text.len() - text.trim_start().len();
+            let start = self.line_start(*line) + TextSize::new(before as u32);
+            SyntaxError::new(*kind, TextRange::at(start, TextSize::of(text.trim())))
+        }));
+        errors.sort_by_key(|e| (e.range.start(), e.range.end()));
+        errors
+    }
+}
+
+impl std::fmt::Display for Parse {
+    /// The text, to the letter.
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        write!(f, "{}", self.root)
+    }
+}

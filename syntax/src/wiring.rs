@@ -1,0 +1,283 @@
+//! The drawing on rungs: parts, segments, connector pairs (LANGUAGE §2).
+//!
+//! Reads the green nodes of the lines directly, without a tree cursor: this runs for every network at every
+//! check, format and simulation.
+
+use crate::line::Line;
+use crate::structure::Network;
+use crate::{Parse, SyntaxKind};
+use rowan::{NodeOrToken, TextRange, TextSize};
+use std::ops::Range;
+
+/// What one part of a rung is.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum PartKind {
+    /// A run of dashes.
+    Wire,
+    /// The `+` that is first on its line: power comes from the left rail.
+    LeftRail,
+    /// The `+` that is last on its line.
+    RightRail,
+    /// A `+` anywhere else. A mistake; it acts as wire.
+    StrayRail,
+    /// A `|`. Breaks a wire.
+    Bar,
+    /// A `|` that touches the drawing on both sides. A mistake; it breaks the wire.
+    StrayBar,
+    /// `\`
+    Down,
+    /// `/`
+    Up,
+    /// A block.
+    Block,
+    /// A comment. It is wire when it joins what touches it on both sides.
+    Comment,
+    /// Characters that mean nothing. A mistake; taken as wire, so that it does not bring others.
+    Junk,
+}
+
+impl PartKind {
+    /// Whether a comment beside it can join it: wires, connectors and blocks.
+    const fn joins(self) -> bool {
+        !matches!(self, PartKind::Bar | PartKind::StrayBar | PartKind::Comment)
+    }
+}
+
+/// One thing on a rung. White space between parts is not a part.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Part {
+    /// What it is.
+    pub kind: PartKind,
+    /// Where, counted from the start of its line.
+    pub range: TextRange,
+    /// Whether it touches the part before it.
+    pub touches: bool,
+    /// The segment it belongs to. None for bars and for comments that join nothing.
+    pub segment: Option<u32>,
+}
+
+/// A stretch of parts that touch: what is drawn is what is connected.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Segment {
+    /// Its parts, as indices into [`Rung::parts`].
+    pub parts: Range<usize>,
+    /// It begins with the `+` at the left rail.
+    pub powered: bool,
+}
+
+/// The drawing on one rung.
+#[derive(Debug, Clone, PartialEq, Eq, Default)]
+pub struct Rung {
+    /// The parts from left to right.
+    pub parts: Vec<Part>,
+    /// The segments from left to right.
+    pub segments: Vec<Segment>,
+}
+
+impl Rung {
+    /// The indices of the `\` (or `/`) parts, from left to right.
+    pub fn connectors(&self, kind: PartKind) -> impl Iterator<Item = usize> + '_ {
+        self.parts
+            .iter()
+            .enumerate()
+            .filter(move |(_, part)| part.kind == kind)
+            .map(|(index, _)| index)
+    }
+
+    /// Whether a line of its network begins at the left rail here.
+    pub fn has_left_rail(&self) -> bool {
+        self.parts.iter().any(|part| part.kind == PartKind::LeftRail)
+    }
+
+    /// Whether it ends at the right rail.
+    pub fn has_right_rail(&self) -> bool {
+        self.parts.iter().any(|part| part.kind == PartKind::RightRail)
+    }
+}
+
+/// A pair of connectors: one electrical point. Rungs count within their network.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub struct Point {
+    /// The rung of the `\`; the `/` stands on the next.
+    pub upper: usize,
+    /// The part of the `\` on its rung.
+    pub down: usize,
+    /// The part of the `/` on the next rung.
+    pub up: usize,
+    /// The how-manieth pair between the two rungs it is, from 0.
+    pub ordinal: usize,
+}
+
+/// The wiring of one network.
+#[derive(Debug, Clone, PartialEq, Eq, Default)]
+pub struct Wiring {
+    /// The number of the line of each rung, in the parse that it came from.
+    pub lines: Vec<usize>,
+    /// The rungs from top to bottom.
+    pub rungs: Vec<Rung>,
+    /// The pairs, by rung and then from left to right.
+    pub points: Vec<Point>,
+    /// Connectors without a partner: rung and part.
+    pub unpaired: Vec<(usize, usize)>,
+}
+
+/// The wiring of a network.
+pub fn wiring(parse: &Parse, network: &Network) -> Wiring {
+    let mut wiring = Wiring::default();
+    for line in network.rungs(parse.lines()) {
+        wiring.lines.push(line);
+        wiring.rungs.push(rung(&parse.lines()[line]));
+    }
+    pair(&mut wiring);
+    wiring
+}
+
+/// Pairs the k-th `\` of each rung with the k-th `/` of the next.
+fn pair(wiring: &mut Wiring) {
+    for upper in 0..wiring.rungs.len() {
+        let downs: Vec<usize> = wiring.rungs[upper].connectors(PartKind::Down).collect();
+        let ups: Vec<usize> = match wiring.rungs.get(upper + 1) {
+            Some(below) => below.connectors(PartKind::Up).collect(),
+            None => Vec::new(),
+        };
+        for (ordinal, (&down, &up)) in downs.iter().zip(&ups).enumerate() {
+            wiring.points.push(Point {
+                upper,
+                down,
+                up,
+                ordinal,
+            });
+        }
+        wiring
+            .unpaired
+            .extend(downs.iter().skip(ups.len()).map(|&down| (upper, down)));
+        wiring
+            .unpaired
+            .extend(ups.iter().skip(downs.len()).map(|&up| (upper + 1, up)));
+    }
+    if let Some(first) = wiring.rungs.first() {
+        let above: Vec<usize> = first.connectors(PartKind::Up).collect();
+        wiring.unpaired.extend(above.into_iter().map(|up| (0, up)));
+    }
+    wiring.unpaired.sort_unstable();
+}
+
+/// The parts and segments of one rung.
+pub fn rung(line: &Line) -> Rung {
+    let mut parts = parts(line);
+    classify_rails(&mut parts);
+    classify_bars(&mut parts);
+    let segments = segments(&mut parts);
+    Rung { parts, segments }
+}
+
+fn parts(line: &Line) -> Vec<Part> {
+    let mut parts: Vec<Part> = Vec::new();
+    let mut at = TextSize::new(0);
+    let mut touches = false;
+    for child in line.green().children() {
+        let (kind, len) = match child {
+            NodeOrToken::Node(node) => (SyntaxKind::from_raw(node.kind()), node.text_len()),
+            NodeOrToken::Token(token) => (SyntaxKind::from_raw(token.kind()), token.text_len()),
+        };
+        let range = TextRange::at(at, len);
+        at += len;
+        let kind = match kind {
+            SyntaxKind::WHITESPACE | SyntaxKind::NEWLINE | SyntaxKind::BOM => {
+                touches = false;
+                continue;
+            }
+            SyntaxKind::WIRE => PartKind::Wire,
+            // Which `+` it is becomes clear when all parts are there.
+            SyntaxKind::RAIL_CONNECTOR => PartKind::StrayRail,
+            SyntaxKind::RAIL => PartKind::Bar,
+            SyntaxKind::DOWN => PartKind::Down,
+            SyntaxKind::UP => PartKind::Up,
+            SyntaxKind::COMMENT => PartKind::Comment,
+            kind if kind.is_block() => PartKind::Block,
+            _ => PartKind::Junk,
+        };
+        if kind == PartKind::Junk
+            && touches
+            && let Some(last) = parts.last_mut().filter(|last| last.kind == PartKind::Junk)
+        {
+            last.range = last.range.cover(range);
+            continue;
+        }
+        parts.push(Part {
+            kind,
+            range,
+            touches,
+            segment: None,
+        });
+        touches = true;
+    }
+    parts
+}
+
+/// The first `+` of a line is the left rail's if nothing but comments and `|` stand before it, the last one
+/// the right rail's likewise.
+fn classify_rails(parts: &mut [Part]) {
+    let aside = |part: &Part| matches!(part.kind, PartKind::Comment | PartKind::Bar);
+    let first = parts.iter().position(|part| !aside(part));
+    let last = parts.iter().rposition(|part| !aside(part));
+    if let Some(first) = first.filter(|&n| parts[n].kind == PartKind::StrayRail) {
+        parts[first].kind = PartKind::LeftRail;
+    }
+    if let Some(last) = last.filter(|&n| parts[n].kind == PartKind::StrayRail) {
+        parts[last].kind = PartKind::RightRail;
+    }
+}
+
+fn classify_bars(parts: &mut [Part]) {
+    for index in 1..parts.len().saturating_sub(1) {
+        let touched = parts[index].touches && parts[index + 1].touches;
+        if parts[index].kind == PartKind::Bar
+            && touched
+            && parts[index - 1].kind.joins()
+            && parts[index + 1].kind.joins()
+        {
+            parts[index].kind = PartKind::StrayBar;
+        }
+    }
+}
+
+fn segments(parts: &mut [Part]) -> Vec<Segment> {
+    let mut segments = Vec::new();
+    let mut start = 0;
+    while start < parts.len() {
+        let is_bar = |part: &Part| matches!(part.kind, PartKind::Bar | PartKind::StrayBar);
+        if is_bar(&parts[start]) {
+            start += 1;
+            continue;
+        }
+        let mut end = start + 1;
+        while end < parts.len() && parts[end].touches && !is_bar(&parts[end]) {
+            end += 1;
+        }
+        // Comments at either end of a touching run have nothing to join on one side.
+        let run = &parts[start..end];
+        let inner = run
+            .iter()
+            .position(|part| part.kind != PartKind::Comment)
+            .map(|first| {
+                let last = run
+                    .iter()
+                    .rposition(|part| part.kind != PartKind::Comment)
+                    .unwrap_or(first);
+                start + first..start + last + 1
+            });
+        if let Some(inner) = inner {
+            for part in &mut parts[inner.clone()] {
+                part.segment = Some(segments.len() as u32);
+            }
+            let powered = parts[inner.start].kind == PartKind::LeftRail;
+            segments.push(Segment {
+                parts: inner,
+                powered,
+            });
+        }
+        start = end;
+    }
+    segments
+}
