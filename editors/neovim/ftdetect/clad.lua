@@ -1,0 +1,2 @@
+-- `.ld` is left alone on purpose: it belongs to linker scripts.
+vim.filetype.add({ extension = { clad = 'clad' } })

@@ -1,0 +1,212 @@
+--- `:Ladder` and its subcommands: what each takes, what it does, what completes it.
+local M = {}
+
+--- The buffer a command is about: the one whose tags the panel shows, if it was given in the panel.
+local function buffer()
+  local bufnr = vim.api.nvim_get_current_buf()
+  return vim.b[bufnr].ladder_source or bufnr
+end
+
+local function simulation()
+  return require('ladder.simulation')
+end
+
+local function state()
+  return require('ladder').state(buffer())
+end
+
+--- Thrown as a string without a place: `run` shows it to the user as it is.
+local function refuse(message)
+  error(message, 0)
+end
+
+local function count(text, default)
+  if not text then
+    return default
+  end
+  local number = tonumber(text)
+  if not number or number < 1 or number % 1 ~= 0 then
+    refuse(('"%s" is not a number of scans: write a whole number from 1.'):format(text))
+  end
+  return number
+end
+
+--- A tag's name and a value, which may hold blanks if it is a string.
+local function assignment(arguments, subcommand)
+  local name = arguments[1]
+  local text = table.concat(arguments, ' ', 2)
+  if not name or text == '' then
+    refuse((':Ladder %s needs a tag and a value, as in ":Ladder %s start 1".'):format(subcommand, subcommand))
+  end
+  local tag = require('ladder.session').tag(state(), name)
+  return { tag = name, value = require('ladder.value').parse(tag and tag.type, text) }
+end
+
+--- @param wanted fun(tag: ladder.Tag): boolean
+local function tag_names(wanted)
+  local names = {}
+  local current = state()
+  for _, tag in ipairs(current and current.tags or {}) do
+    if wanted(tag) then
+      table.insert(names, tag.name)
+    end
+  end
+  return names
+end
+
+--- Completes a tag, then TRUE or FALSE if it is a BOOL.
+local function complete_assignment(wanted)
+  return function(arguments)
+    if #arguments == 0 then
+      return tag_names(wanted)
+    end
+    local tag = require('ladder.session').tag(state(), arguments[1])
+    return #arguments == 1 and tag and tag.type == 'BOOL' and { 'TRUE', 'FALSE' } or {}
+  end
+end
+
+local function is_input(tag)
+  return tag.role == 'input'
+end
+
+local function is_forced(tag)
+  return tag.forced
+end
+
+local function any()
+  return true
+end
+
+--- @class ladder.Subcommand
+--- @field run fun(arguments: string[])
+--- @field complete? fun(before: string[]): string[] `before` are the arguments in front of the one to complete
+
+--- @type table<string, ladder.Subcommand>
+local subcommands = {
+  start = {
+    run = function()
+      simulation().start(buffer())
+    end,
+  },
+  step = {
+    run = function(arguments)
+      simulation().command(buffer(), 'step', { scans = count(arguments[1], 1) })
+    end,
+  },
+  run = {
+    run = function(arguments)
+      simulation().command(buffer(), 'run', { scans = count(arguments[1], nil) })
+    end,
+  },
+  pause = {
+    run = function()
+      simulation().pause(buffer())
+    end,
+  },
+  set = {
+    run = function(arguments)
+      simulation().command(buffer(), 'set', assignment(arguments, 'set'))
+    end,
+    complete = complete_assignment(is_input),
+  },
+  toggle = {
+    run = function(arguments)
+      require('ladder').toggle(arguments[1] or refuse(':Ladder toggle needs a tag.'), buffer())
+    end,
+    complete = function(before)
+      return #before == 0 and tag_names(is_input) or {}
+    end,
+  },
+  force = {
+    run = function(arguments)
+      simulation().command(buffer(), 'force', assignment(arguments, 'force'))
+    end,
+    complete = complete_assignment(any),
+  },
+  unforce = {
+    run = function(arguments)
+      simulation().command(buffer(), 'unforce', { tag = arguments[1] })
+    end,
+    complete = function(before)
+      return #before == 0 and tag_names(is_forced) or {}
+    end,
+  },
+  reset = {
+    run = function()
+      simulation().command(buffer(), 'reset')
+    end,
+  },
+  stop = {
+    run = function()
+      simulation().stop(buffer())
+    end,
+  },
+  tags = {
+    run = function()
+      require('ladder.panel').toggle(buffer())
+    end,
+  },
+  check = {
+    run = function()
+      vim.diagnostic.setloclist({ title = 'Ladder check' })
+    end,
+  },
+  status = {
+    run = function()
+      local client = require('ladder.server').of(buffer())
+      local info = client and client.server_info or {}
+      local server = client and ('%s %s'):format(info.name or client.name, info.version or '')
+        or 'no language server attached'
+      local session = require('ladder').status(buffer())
+      vim.notify(('ladder: %s; simulation: %s'):format(vim.trim(server), session == '' and 'none' or session))
+    end,
+  },
+}
+
+--- Runs `:Ladder` with the words behind it.
+--- @param words string[]
+function M.run(words)
+  local name = words[1] or 'status'
+  local subcommand = subcommands[name]
+  if not subcommand then
+    return vim.notify(
+      ('ladder: there is no ":Ladder %s"; there are: %s.'):format(name, table.concat(M.names(), ', ')),
+      vim.log.levels.ERROR
+    )
+  end
+  local done, message = pcall(subcommand.run, vim.list_slice(words, 2))
+  if not done then
+    vim.notify('ladder: ' .. message, vim.log.levels.ERROR)
+  end
+end
+
+--- @return string[] sorted
+function M.names()
+  local names = vim.tbl_keys(subcommands)
+  table.sort(names)
+  return names
+end
+
+--- @param lead string what is typed of the word to complete
+--- @param line string the command line up to the cursor
+--- @return string[]
+function M.complete(lead, line)
+  local words = vim.split(vim.trim(line:sub(1, #line - #lead)), '%s+')
+  -- words[1] is the command itself, perhaps behind a range or `silent`.
+  while words[1] and not words[1]:match('Ladder$') do
+    table.remove(words, 1)
+  end
+  local candidates
+  if #words <= 1 then
+    candidates = M.names()
+  else
+    local subcommand = subcommands[words[2]]
+    candidates = subcommand and subcommand.complete and subcommand.complete(vim.list_slice(words, 3)) or {}
+  end
+  local folded = vim.fn.tolower(lead)
+  return vim.tbl_filter(function(candidate)
+    return vim.startswith(vim.fn.tolower(candidate), folded)
+  end, candidates)
+end
+
+return M

@@ -1,0 +1,259 @@
+--- Runs sessions: sends the simulator's commands, one at a time and in order, and shows every state that comes back.
+local faults = require('ladder.faults')
+local power = require('ladder.power')
+local server = require('ladder.server')
+local sessions = require('ladder.session')
+local status = require('ladder.status')
+local values = require('ladder.values')
+
+local M = {}
+
+local group = vim.api.nvim_create_augroup('ladder_simulation', {})
+
+local function notify(message, level)
+  vim.notify('ladder: ' .. message, level or vim.log.levels.INFO)
+end
+
+local function tell_error(err)
+  notify(err.message, vim.log.levels.ERROR)
+end
+
+--- Called after each change of a buffer's session, by what shows it elsewhere (the tag panel).
+--- @type fun(bufnr: integer)[]
+local listeners = {}
+
+--- @param listener fun(bufnr: integer)
+function M.on_change(listener)
+  table.insert(listeners, listener)
+end
+
+local function changed(bufnr)
+  vim.b[bufnr].ladder_status = status.text(sessions.of(bufnr))
+  vim.cmd.redrawstatus({ bang = true })
+  for _, listener in ipairs(listeners) do
+    listener(bufnr)
+  end
+end
+
+--- Forgets the session and takes everything it showed off the buffer.
+local function close(session)
+  local bufnr = session.bufnr
+  if sessions.of(bufnr) ~= session then
+    return
+  end
+  sessions.close(bufnr)
+  vim.api.nvim_clear_autocmds({ group = group, buffer = bufnr })
+  if vim.api.nvim_buf_is_valid(bufnr) then
+    power.clear(bufnr)
+    values.clear(bufnr)
+    faults.clear(bufnr)
+    changed(bufnr)
+  end
+end
+
+local function mark_stale(session)
+  if session.stale then
+    return
+  end
+  session.stale = true
+  power.grey(session.bufnr)
+  values.clear(session.bufnr)
+  faults.clear(session.bufnr)
+  changed(session.bufnr)
+  notify('the program has changed; the simulation still runs the old one. ":Ladder start" starts the new one.')
+end
+
+--- @param session ladder.Session
+--- @param state ladder.State
+local function show(session, state)
+  session.state = state
+  -- The server learns of an edit a moment later than the buffer; until then its places are wrong here already.
+  if state.stale or vim.api.nvim_buf_get_changedtick(session.bufnr) ~= session.tick then
+    mark_stale(session)
+  end
+  if not session.stale then
+    local encoding = session.client.offset_encoding
+    power.paint(session.bufnr, state.power, encoding)
+    values.show(session.bufnr, state, encoding)
+    faults.show(session.bufnr, state.faults, encoding)
+  end
+  changed(session.bufnr)
+end
+
+--- A `ladder/simulationState` from the server.
+--- @param state ladder.State
+--- @param client_id integer
+function M.receive(state, client_id)
+  local session = sessions.find(state.session, client_id)
+  if session and vim.api.nvim_buf_is_loaded(session.bufnr) then
+    show(session, state)
+  end
+end
+
+--- Sends the commands of one session one after another: the server may work on several at once, and `set` before
+--- `step` must mean just that.
+local function next_command(session)
+  session.busy = false
+  local send = table.remove(session.waiting, 1)
+  if send then
+    send()
+  end
+end
+
+--- Tells the server that a session is over; what it answers is of no use any more.
+local function end_on_server(session, id)
+  server.command(session.client, session.bufnr, 'ladder.simulate.stop', { session = id }, function() end)
+end
+
+--- @param session ladder.Session
+--- @param command string without its prefix
+--- @param argument fun(): table made when the command is sent, for then the session has its name
+--- @param answer fun(result: any)
+local function enqueue(session, command, argument, answer)
+  table.insert(session.waiting, function()
+    session.busy = true
+    local sent = server.command(
+      session.client,
+      session.bufnr,
+      'ladder.simulate.' .. command,
+      argument(),
+      function(err, result)
+        if sessions.of(session.bufnr) ~= session then
+          if result and command == 'start' then
+            end_on_server(session, result.session)
+          end
+          return
+        end
+        if err then
+          tell_error(err)
+          if not session.id then
+            return close(session)
+          end
+        else
+          answer(result)
+        end
+        next_command(session)
+      end
+    )
+    if not sent then
+      notify('the language server has ended; ":checkhealth ladder" may say why.', vim.log.levels.ERROR)
+      close(session)
+    end
+  end)
+  if not session.busy then
+    next_command(session)
+  end
+end
+
+--- Watches the buffer as long as it has a session.
+local function watch(session)
+  local bufnr = session.bufnr
+  vim.api.nvim_buf_attach(bufnr, false, {
+    on_lines = function()
+      vim.schedule(function()
+        if sessions.of(bufnr) == session and vim.api.nvim_buf_is_loaded(bufnr) then
+          mark_stale(session)
+        end
+      end)
+      -- One change is enough: true detaches.
+      return true
+    end,
+  })
+  vim.api.nvim_create_autocmd('BufUnload', {
+    group = group,
+    buffer = bufnr,
+    callback = function()
+      M.stop(bufnr)
+    end,
+  })
+  vim.api.nvim_create_autocmd('LspDetach', {
+    group = group,
+    buffer = bufnr,
+    callback = function(event)
+      if event.data.client_id == session.client.id then
+        close(session)
+      end
+    end,
+  })
+end
+
+--- Starts a session for the buffer's text as it is now; one that was there is ended.
+--- @param bufnr integer
+--- @param options table|nil `intervalMs`, `inputs`, `watchdog`
+function M.start(bufnr, options)
+  local client = server.await(bufnr)
+  if not client then
+    return notify(
+      'no language server is attached to this buffer; ":checkhealth ladder" says why.',
+      vim.log.levels.ERROR
+    )
+  end
+  M.stop(bufnr)
+  local session = sessions.open(bufnr, client)
+  watch(session)
+  enqueue(session, 'start', function()
+    return { uri = vim.uri_from_bufnr(bufnr), options = options or vim.empty_dict() }
+  end, function(result)
+    session.id = result.session
+    show(session, result.state)
+  end)
+end
+
+--- Sends a command that answers with the new state.
+--- @param bufnr integer
+--- @param command 'step'|'run'|'set'|'force'|'unforce'|'state'|'reset'
+--- @param argument table|nil what the command takes besides the session
+function M.command(bufnr, command, argument)
+  local session = sessions.of(bufnr)
+  if not session then
+    return notify('no simulation runs for this buffer; ":Ladder start" starts one.', vim.log.levels.WARN)
+  end
+  enqueue(session, command, function()
+    return vim.tbl_extend('force', { session = session.id }, argument or {})
+  end, function(state)
+    show(session, state)
+  end)
+end
+
+--- Pauses at once: it does not wait for the commands before it, and drops those that have not been sent.
+--- @param bufnr integer
+function M.pause(bufnr)
+  local session = sessions.of(bufnr)
+  if not session or not session.id then
+    return M.command(bufnr, 'pause')
+  end
+  session.waiting = {}
+  server.command(session.client, bufnr, 'ladder.simulate.pause', { session = session.id }, function(err, state)
+    if err then
+      tell_error(err)
+    elseif sessions.of(bufnr) == session then
+      show(session, state)
+    end
+  end)
+end
+
+--- Ends the buffer's session, if there is one.
+--- @param bufnr integer
+function M.stop(bufnr)
+  local session = sessions.of(bufnr)
+  if not session then
+    return
+  end
+  close(session)
+  if session.id then
+    end_on_server(session, session.id)
+  end
+end
+
+--- Waits until every command sent so far is answered; for scripts and tests.
+--- @param bufnr integer
+--- @param timeout_ms integer|nil
+--- @return boolean answered
+function M.wait(bufnr, timeout_ms)
+  return vim.wait(timeout_ms or 2000, function()
+    local session = sessions.of(bufnr)
+    return not session or (not session.busy and #session.waiting == 0)
+  end, 5)
+end
+
+return M

@@ -1,0 +1,23 @@
+--- One line about a session, for status lines and the panel's title.
+local value = require('ladder.value')
+
+local M = {}
+
+--- @param session ladder.Session|nil
+--- @return string empty if there is none
+function M.text(session)
+  if not session then
+    return ''
+  end
+  local state = session.state
+  if not state then
+    return 'starting'
+  end
+  local text = ('%s, scan %d, %s'):format(state.status, state.scan, value.duration(state.timeMs))
+  if #state.faults > 0 then
+    text = text .. (', %d fault%s'):format(#state.faults, #state.faults == 1 and '' or 's')
+  end
+  return session.stale and text .. ' (of an older text)' or text
+end
+
+return M

@@ -1,0 +1,24 @@
+-- Nothing of the plugin's own code is loaded here: the server waits for the first ladder file, the rest for `:Ladder`.
+if vim.g.loaded_ladder then
+  return
+end
+vim.g.loaded_ladder = true
+
+if vim.fn.has('nvim-0.11') == 0 then
+  vim.api.nvim_echo({ { 'ladder: this plugin needs Neovim 0.11 or later', 'WarningMsg' } }, true, {})
+  return
+end
+
+if vim.g.ladder_enable ~= false then
+  vim.lsp.enable('ladder')
+end
+
+vim.api.nvim_create_user_command('Ladder', function(arguments)
+  require('ladder.command').run(arguments.fargs)
+end, {
+  nargs = '*',
+  desc = 'Simulate the ladder program in this buffer',
+  complete = function(lead, line, position)
+    return require('ladder.command').complete(lead, line:sub(1, position))
+  end,
+})

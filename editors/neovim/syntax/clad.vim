@@ -1,0 +1,74 @@
+" Ladder text without its language server. The server's semantic tokens, where it sends them, go on top of this.
+if exists('b:current_syntax')
+  finish
+endif
+
+syntax case ignore
+
+" A comment ends at the very next #, which may be lines below.
+syntax region cladComment start=/#/ end=/#/ contains=cladTodo,cladDirective keepend
+syntax keyword cladTodo TODO FIXME XXX contained
+syntax match cladDirective /\<ladder:\s*\%(allow-file\|allow\|fmt\s\+\%(on\|off\)\|profile\)\>/ contained
+
+" The rails, wires and connectors.
+syntax match cladWire /-\+/
+syntax match cladRail /[+|]/
+syntax match cladConnector /[\\/]/
+
+" A block: its first part says what it is, the parentheses behind it what it works on.
+syntax match cladContact /\[[^][#()]*\]/ nextgroup=cladOperands skipwhite
+syntax match cladFlow /<\$\?\w*>/ nextgroup=cladOperands skipwhite
+syntax match cladCoil /(\s*\%([A-Z/]*\|\$\w*\)\s*)\ze\s*(/ nextgroup=cladOperands skipwhite
+syntax region cladOperands matchgroup=cladBracket start=/(/ end=/)/ oneline contained
+      \ contains=cladNested,cladString,cladLiteral,cladNumber,cladConstant,cladNamed,cladOperator,cladTag,cladInnerComment
+syntax region cladNested start=/(/ end=/)/ oneline contained transparent
+      \ contains=cladNested,cladString,cladLiteral,cladNumber,cladConstant,cladNamed,cladOperator,cladTag,cladInnerComment
+
+" A # right behind a letter or digit belongs to a literal: no comment begins there.
+syntax region cladInnerComment start=/\%(\w\)\@1<!#/ end=/#/ contained contains=cladTodo
+syntax match cladTag /[[:alpha:]_%][[:alnum:]_]*\%(\.[[:alnum:]_]\+\)*/ contained
+syntax match cladNamed /\<\w\+\ze\s*\%(:=\|=>\)/ contained
+syntax match cladNumber /\<\d[0-9_]*\%(\.\d[0-9_]*\)\?\%(e[+-]\?\d\+\)\?\>/ contained
+syntax match cladNumber /\<\d[0-9_.]*\%([dhm]\|ms\|us\|ns\|s\)[0-9dhmsun_.]*\>/ contained
+syntax match cladLiteral /\<\w\+#-\?[0-9A-Za-z_.:-]\+/ contained
+syntax match cladOperator /:=\|=>\|<>\|<=\|>=\|\.\.\|[-+*\/^=<>]/ contained
+syntax keyword cladOperator AND OR XOR NOT MOD SHL SHR contained
+syntax keyword cladConstant TRUE FALSE PI contained
+syntax region cladString start=/'/ skip=/\$'/ end=/'/ oneline contained
+
+" Declarations and definitions of blocks.
+syntax keyword cladSection FUNCTION_BLOCK END_FUNCTION_BLOCK
+syntax region cladDeclarations matchgroup=cladSection
+      \ start=/\<VAR\%(_INPUT\|_OUTPUT\|_IN_OUT\|_GLOBAL\|_EXTERNAL\)\?\>\%(\s\+\%(RETAIN\|CONSTANT\)\>\)\?/
+      \ end=/\<END_VAR\>/
+      \ contains=cladInnerComment,cladType,cladString,cladLiteral,cladNumber,cladConstant,cladAt
+syntax keyword cladAt AT ARRAY OF contained
+syntax keyword cladType BOOL BYTE WORD DWORD LWORD SINT INT DINT LINT USINT UINT UDINT ULINT contained
+syntax keyword cladType REAL LREAL TIME DATE TOD DT STRING TON TOF TP RTO RTOF CTU CTD CTUD CTC SR RS contained
+
+highlight default link cladComment Comment
+highlight default link cladInnerComment Comment
+highlight default link cladTodo Todo
+highlight default link cladDirective PreProc
+highlight default link cladWire Normal
+highlight default link cladRail Delimiter
+highlight default link cladConnector Special
+highlight default link cladContact Function
+highlight default link cladCoil Statement
+highlight default link cladFlow Keyword
+highlight default link cladBracket Delimiter
+highlight default link cladTag Identifier
+highlight default link cladNamed Label
+highlight default link cladNumber Number
+highlight default link cladLiteral Number
+highlight default link cladOperator Operator
+highlight default link cladConstant Constant
+highlight default link cladString String
+highlight default link cladSection Keyword
+highlight default link cladAt Keyword
+highlight default link cladType Type
+
+" Long comments are common; without this a jump into one colours it wrongly.
+syntax sync fromstart
+
+let b:current_syntax = 'clad'

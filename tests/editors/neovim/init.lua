@@ -1,0 +1,4 @@
+-- A user's configuration in three lines: the plugin on the runtimepath and the server where the build put it.
+vim.opt.runtimepath:prepend(vim.env.LADDER_ROOT .. '/editors/neovim')
+vim.lsp.config('ladder', { cmd = { vim.env.LADDER_BIN, 'lsp' } })
+vim.opt.swapfile = false

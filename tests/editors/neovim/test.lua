@@ -1,0 +1,246 @@
+-- A person's first hour in Neovim, step by step: open, see a mistake, ask, align, simulate.
+package.path = vim.env.LADDER_ROOT .. '/tests/editors/neovim/?.lua;' .. package.path
+local t = require('harness')
+local ladder = require('ladder')
+
+local messages = {}
+vim.notify = function(message)
+  table.insert(messages, message)
+end
+
+t.step('the file type of .clad files is clad and lines are not wrapped', function()
+  t.open('motor.clad')
+  t.equal('the file type', 'clad', vim.bo.filetype)
+  t.equal("'wrap'", false, vim.wo.wrap)
+  t.equal("'commentstring'", '# %s #', vim.bo.commentstring)
+end)
+
+t.step('the server attaches and finds nothing wrong with a good program', function()
+  local bufnr = t.open('motor.clad')
+  t.equal(
+    'the list of diagnostics',
+    {},
+    vim.tbl_map(function(found)
+      return found.message
+    end, vim.diagnostic.get(bufnr))
+  )
+end)
+
+t.step('a connector without a partner gets a diagnostic at its place', function()
+  local bufnr = t.open('unpaired.clad')
+  local found = t.eventually('the diagnostic', function()
+    return vim.diagnostic.get(bufnr)[1]
+  end)
+  t.equal('its code', 'unpaired-connector', found.code)
+  t.equal('its line', 1, found.lnum)
+  t.equal('its column', 36, found.col)
+  t.equal('its severity', vim.diagnostic.severity.ERROR, found.severity)
+end)
+
+t.step('a correction takes the diagnostic away', function()
+  local bufnr = t.open('unpaired.clad')
+  t.eventually('the diagnostic', function()
+    return vim.diagnostic.get(bufnr)[1]
+  end)
+  vim.api.nvim_buf_set_text(bufnr, 1, 21, 1, 37, {})
+  t.eventually('no diagnostics', function()
+    return #vim.diagnostic.get(bufnr) == 0
+  end)
+end)
+
+t.step('hovering over a timer explains it', function()
+  local bufnr = t.open('motor.clad')
+  local row = 5
+  local col = vim.api.nvim_buf_get_lines(bufnr, row, row + 1, false)[1]:find('TON') - 1
+  vim.api.nvim_win_set_cursor(0, { row + 1, col })
+  vim.lsp.buf.hover()
+  local float = t.eventually('the hover window', function()
+    return vim.b[bufnr].lsp_floating_preview
+  end)
+  local text = table.concat(vim.api.nvim_buf_get_lines(vim.api.nvim_win_get_buf(float), 0, -1, false), '\n')
+  assert(
+    text:find('TON', 1, true) and text:lower():find('timer', 1, true),
+    'the window does not name the timer:\n' .. text
+  )
+  vim.api.nvim_win_close(float, true)
+end)
+
+t.step('formatting aligns a crooked drawing', function()
+  local bufnr = t.open('crooked.clad')
+  vim.lsp.buf.format({ name = 'ladder', timeout_ms = 5000 })
+  local wanted = vim.fn.readfile(vim.env.LADDER_FIXTURES .. '/motor.clad')
+  t.equal('the text', wanted, vim.api.nvim_buf_get_lines(bufnr, 0, -1, false))
+end)
+
+t.step(':Ladder completes subcommands, and tags once a simulation runs', function()
+  t.open('motor.clad')
+  t.equal('completion', { 'start', 'status', 'step', 'stop' }, vim.fn.getcompletion('Ladder st', 'cmdline'))
+  vim.cmd('Ladder start')
+  assert(ladder.wait(), 'no answer to the start')
+  t.equal('completion of tags', { 'start', 'stop' }, vim.fn.getcompletion('Ladder set st', 'cmdline'))
+  t.equal('completion of values', { 'TRUE' }, vim.fn.getcompletion('Ladder set start T', 'cmdline'))
+  vim.cmd('Ladder stop')
+end)
+
+t.step('before the first scan nothing but the rail has power', function()
+  local bufnr = t.open('motor.clad')
+  vim.cmd('Ladder start')
+  assert(ladder.wait(), 'no answer to the start')
+  local state = assert(ladder.state(), 'no state: ' .. (messages[#messages] or ''))
+  t.equal('the status', 'paused', state.status)
+  t.equal('the number of scans', 0, state.scan)
+  for _, line in ipairs(t.highlighted(bufnr, 'LadderPowerOn')) do
+    assert(not line:find('(', 1, true), 'a block has power before the first scan: ' .. line)
+  end
+end)
+
+t.step('three scans with start high give power to exactly these cells', function()
+  local bufnr = t.open('motor.clad')
+  vim.cmd('Ladder start')
+  vim.cmd('Ladder set start TRUE')
+  vim.cmd('Ladder step')
+  assert(ladder.wait(), 'no answer to the first step')
+  t.equal('the live cells after one scan', {
+    '',
+    '+--\\--[ ]( start )--\\--[/]( stop )-------------( )( run )--+',
+    '',
+    '   /--              /',
+    '',
+    '+--[ ]( run )--------',
+  }, t.highlighted(bufnr, 'LadderPowerOn'))
+  vim.cmd('Ladder step 2')
+  assert(ladder.wait(), 'no answer to the further steps')
+  t.equal('the live cells after three scans', {
+    '',
+    '+--\\--[ ]( start )--\\--[/]( stop )-------------( )( run )--+',
+    '',
+    '   /--[ ]( run )----/',
+    '',
+    '+--[ ]( run )--------[TON]( warmup, T#20ms )--( )( lamp )--+',
+  }, t.highlighted(bufnr, 'LadderPowerOn'))
+  t.equal('the dead cells', { '', '', '', '', '', '' }, t.highlighted(bufnr, 'LadderPowerOff'))
+  t.equal('the number of scans', 3, ladder.state().scan)
+end)
+
+t.step('the values stand at the ends of the lines', function()
+  local bufnr = t.open('motor.clad')
+  vim.cmd('Ladder start')
+  vim.cmd('Ladder set start 1')
+  vim.cmd('Ladder step 3')
+  assert(ladder.wait(), 'no answer')
+  t.equal('the ends of the lines', {
+    '',
+    'start=1  stop=0  run=1',
+    '',
+    'run=1',
+    '',
+    'run=1  warmup.ET=20ms  warmup.Q=1  lamp=1',
+  }, t.line_ends(bufnr))
+  t.equal('the status line', 'paused, scan 3, 30ms', vim.b[bufnr].ladder_status)
+end)
+
+t.step('the seal-in holds, a forced stop breaks it, a release brings back the input', function()
+  local bufnr = t.open('motor.clad')
+  for _, command in ipairs({ 'start', 'set start 1', 'step', 'set start 0', 'step' }) do
+    vim.cmd('Ladder ' .. command)
+  end
+  assert(ladder.wait(), 'no answer')
+  t.equal('the live cells with the seal-in', {
+    '+--\\--              \\--[/]( stop )-------------( )( run )--+',
+    '   /--[ ]( run )----/',
+  }, { t.highlighted(bufnr, 'LadderPowerOn')[2], t.highlighted(bufnr, 'LadderPowerOn')[4] })
+  vim.cmd('Ladder force stop 1')
+  vim.cmd('Ladder step')
+  assert(ladder.wait(), 'no answer to force')
+  t.equal('the line end', 'start=0  stop=1!  run=0', t.line_ends(bufnr)[2])
+  vim.cmd('Ladder unforce stop')
+  vim.cmd('Ladder step')
+  assert(ladder.wait(), 'no answer to unforce')
+  t.equal('the line end', 'start=0  stop=0  run=0', t.line_ends(bufnr)[2])
+end)
+
+t.step('a run goes on by itself until it is paused', function()
+  t.open('motor.clad')
+  vim.cmd('Ladder start')
+  vim.cmd('Ladder run')
+  assert(ladder.wait(), 'no answer')
+  t.eventually('some scans', function()
+    return ladder.state().scan > 3
+  end)
+  vim.cmd('Ladder pause')
+  t.eventually('the pause', function()
+    return ladder.state().status == 'paused'
+  end)
+end)
+
+t.step('the tag panel lists the tags and toggles an input', function()
+  local bufnr = t.open('motor.clad')
+  vim.cmd('Ladder start')
+  assert(ladder.wait(), 'no answer')
+  vim.cmd('Ladder tags')
+  vim.cmd('wincmd j')
+  t.equal('the file type of the panel', 'ladder_tags', vim.bo.filetype)
+  t.equal('the first line', { 'start', 'BOOL', 'input', '0' }, vim.split(vim.api.nvim_get_current_line(), '%s+'))
+  vim.api.nvim_win_set_cursor(0, { 1, 0 })
+  vim.api.nvim_feedkeys(vim.keycode('<CR>3s'), 'x', false)
+  assert(ladder.wait(bufnr), 'no answer')
+  t.equal('the first line', { 'start', 'BOOL', 'input', '1' }, vim.split(vim.api.nvim_get_current_line(), '%s+'))
+  t.equal('the number of scans', 3, ladder.state(bufnr).scan)
+  vim.api.nvim_feedkeys('q', 'x', false)
+  t.equal('the buffer in the window', bufnr, vim.api.nvim_get_current_buf())
+end)
+
+t.step('an edit greys the drawing and says so', function()
+  local bufnr = t.open('motor.clad')
+  vim.cmd('Ladder start')
+  vim.cmd('Ladder set start 1')
+  vim.cmd('Ladder step')
+  assert(ladder.wait(), 'no answer')
+  messages = {}
+  vim.api.nvim_buf_set_lines(bufnr, 0, 0, false, { '# new #' })
+  t.eventually('the message', function()
+    return messages[1] and messages[1]:find('has changed', 1, true)
+  end)
+  t.equal(
+    'the live cells',
+    {},
+    vim.tbl_filter(function(line)
+      return line ~= ''
+    end, t.highlighted(bufnr, 'LadderPowerOn'))
+  )
+  assert(t.highlighted(bufnr, 'LadderStale')[3]:find('^%+%-%-'), 'the rung is not greyed where it stands now')
+  vim.cmd('Ladder step')
+  assert(ladder.wait(), 'no answer')
+  t.equal('the number of scans', 2, ladder.state().scan)
+  assert(ladder.status():find('older text', 1, true), 'the status does not tell: ' .. ladder.status())
+end)
+
+t.step('a program with errors is not simulated, and the reason is told', function()
+  t.open('unpaired.clad')
+  messages = {}
+  vim.cmd('Ladder start')
+  t.eventually('a message', function()
+    return messages[1]
+  end)
+  t.equal('the state', nil, ladder.state())
+end)
+
+t.step('an unknown tag is named', function()
+  t.open('motor.clad')
+  vim.cmd('Ladder start')
+  messages = {}
+  vim.cmd('Ladder set strat 1')
+  assert(ladder.wait(), 'no answer')
+  assert(messages[1] and messages[1]:find('strat', 1, true), 'no message names the tag')
+end)
+
+t.step(':checkhealth ladder finds the server', function()
+  t.open('motor.clad')
+  vim.cmd('silent checkhealth ladder')
+  local report = table.concat(vim.api.nvim_buf_get_lines(0, 0, -1, false), '\n')
+  assert(report:find('Language server: ladder', 1, true), report)
+  assert(not report:find('ERROR', 1, true), report)
+  vim.cmd('bwipeout')
+end)
+
+t.run()
