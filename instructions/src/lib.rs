@@ -123,7 +123,8 @@ pub struct Instruction {
     pub eno: &'static str,
     /// A name of two or three words: "Open contact".
     pub title: &'static str,
-    /// What it does, in Markdown: a first sentence that stands alone, then the details a person must know.
+    /// What it does, in Markdown: a first paragraph of one sentence that stands alone, then the details a person
+    /// must know. Timers show a timing diagram, in the rows of a scenario: `_` low, `-` high, one column a scan.
     pub doc: &'static str,
     /// A rung (or two) that shows it, in canonical layout, without errors when checked on its own.
     pub example: &'static str,
@@ -210,6 +211,11 @@ impl Instruction {
     /// Whether it does its work at every evaluation, whatever EN is.
     pub fn always_acts(&self) -> bool {
         self.acts == Acts::Always
+    }
+
+    /// The first sentence of the documentation, for a list where there is no room for more.
+    pub fn summary(&self) -> &'static str {
+        self.doc.split_once("\n\n").map_or(self.doc, |(first, _)| first)
     }
 
     /// The block without its operands, as it is written: `[TON]`, `( )`, `<RET>`.

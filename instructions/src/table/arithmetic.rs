@@ -29,8 +29,22 @@ pub(super) const ROWS: &[Instruction] = &[
             Operand::input("a", Accepts::Value, "The first summand."),
             Operand::input("b", Accepts::Value, "What is added to it.").repeated(),
         ],
-        doc: "",
-        example: "",
+        doc: "Adds its operands into y.
+
+The sum is formed in y's type: all operands are first brought to it. Integers wrap around at the ends of
+their range without a fault (INT: 32767 + 1 is -32768); a real result that is not finite is a fault: y keeps
+its value and ENO is low. While EN is low y keeps its value: without an edge in front, the block adds in
+every scan.
+
+Times add to times, and a TIME to a DT. IEC 61131-3: ADD.",
+        example: "VAR_INPUT
+    part_seen : BOOL;
+END_VAR
+VAR
+    parts : DINT;
+END_VAR
+
++--[P]( part_seen )--------------[ADD]( parts, parts, 1 )--+",
         ..BASE
     },
     Instruction {
@@ -42,8 +56,21 @@ pub(super) const ROWS: &[Instruction] = &[
             Operand::input("a", Accepts::Value, "The first factor."),
             Operand::input("b", Accepts::Value, "What it is multiplied by.").repeated(),
         ],
-        doc: "",
-        example: "",
+        doc: "Multiplies its operands into y.
+
+The product is formed in y's type: all operands are first brought to it. Integers wrap around at the ends of
+their range without a fault; give y a wider type where the product may be large. A real result that is not
+finite is a fault: y keeps its value and ENO is low.
+
+A TIME can be multiplied by a number. IEC 61131-3: MUL.",
+        example: "VAR_INPUT
+    layers, per_layer : INT;
+END_VAR
+VAR_OUTPUT
+    boxes : DINT;
+END_VAR
+
++---[MUL]( boxes, layers, per_layer )--+",
         ..BASE
     },
     Instruction {
@@ -55,8 +82,21 @@ pub(super) const ROWS: &[Instruction] = &[
             Operand::input("a", Accepts::Value, "The value to subtract from."),
             Operand::input("b", Accepts::Value, "What is subtracted.").repeated(),
         ],
-        doc: "",
-        example: "",
+        doc: "Subtracts from a all that follows it, into y.
+
+`[SUB]( y, a, b, c )` is a - b - c. The difference is formed in y's type. Integers wrap around at the ends
+of their range without a fault, unsigned ones below 0 too (UINT: 3 - 5 is 65534); a real result that is not
+finite is a fault: y keeps its value and ENO is low.
+
+Two times, two TODs or two DTs give a TIME. IEC 61131-3: SUB.",
+        example: "VAR_INPUT
+    gross, tare : DINT;
+END_VAR
+VAR_OUTPUT
+    net : DINT;
+END_VAR
+
++-----------[SUB]( net, gross, tare )--+",
         ..BASE
     },
     Instruction {
@@ -73,8 +113,21 @@ pub(super) const ROWS: &[Instruction] = &[
             )
             .repeated(),
         ],
-        doc: "",
-        example: "",
+        doc: "Divides a by all that follows it, into y.
+
+`[DIV]( y, a, b, c )` is a / b / c. The quotient is formed in y's type. Between integers each step cuts the
+fraction off toward zero (-7 / 2 is -3). Dividing by zero is a fault: y keeps its value and ENO is low.
+
+A TIME can be divided by a number. IEC 61131-3: DIV.",
+        example: "VAR_INPUT
+    total, count : DINT;
+END_VAR
+VAR_OUTPUT
+    average  : DINT;
+    no_parts : BOOL;
+END_VAR
+
++--[DIV]( average, total, count )--[NOT]--( )( no_parts )--+",
         ..BASE
     },
     Instruction {
@@ -86,8 +139,21 @@ pub(super) const ROWS: &[Instruction] = &[
             Operand::input("a", Accepts::Value, "The dividend."),
             Operand::input("b", Accepts::Value, "The divisor."),
         ],
-        doc: "",
-        example: "",
+        doc: "Puts the remainder of a divided by b into y.
+
+The remainder has the sign of a: -7 mod 3 is -1. It works on reals too. With b = 0 it is a fault: y keeps
+its value and ENO is low.
+
+IEC 61131-3: MOD, which knows integers only.",
+        example: "VAR
+    parts, rest : DINT;
+END_VAR
+VAR_OUTPUT
+    box_full : BOOL;
+END_VAR
+
++------------[MOD]( rest, parts, 12 )--+
++--[EQ]( rest, 0 )----( )( box_full )--+",
         ..BASE
     },
     Instruction {
@@ -105,8 +171,21 @@ pub(super) const ROWS: &[Instruction] = &[
             )
             .repeated(),
         ],
-        doc: "",
-        example: "",
+        doc: "Raises a to the power of b, into y.
+
+With more operands the powers are taken from the right: `[EXP]( y, a, b, c )` is a ^ (b ^ c). The power is
+formed in y's type; integers wrap around. An integer power with a negative exponent, and a real result that
+is not finite or does not exist, is a fault: y keeps its value and ENO is low.
+
+For powers of e use `[EXPE]`. IEC 61131-3: EXPT.",
+        example: "VAR_INPUT
+    speed : REAL;
+END_VAR
+VAR
+    squared : REAL;
+END_VAR
+
++----------[EXP]( squared, speed, 2 )--+",
         ..BASE
     },
 ];

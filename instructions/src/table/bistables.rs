@@ -32,8 +32,23 @@ pub(super) const ROWS: &[Instruction] = &[
             ),
             Operand::input("R", Accepts::Bool, "The reset; the set, EN, is stronger.").named(),
         ],
-        doc: "",
-        example: "",
+        doc: "Q1 goes high with EN and stays high until R; if both are high, Q1 is high.
+
+The set, EN, is the stronger. ENO is Q1; other rungs read `b.Q1`. Use `[RS]` where the reset must win, as
+for a stop button.
+
+IEC 61131-3: SR.",
+        example: "VAR_INPUT
+    too_hot, acknowledge : BOOL;
+END_VAR
+VAR
+    hot : SR;
+END_VAR
+VAR_OUTPUT
+    alarm : BOOL;
+END_VAR
+
++--[ ]( too_hot )-----------------[SR]( hot, R := acknowledge )--( )( alarm )--+",
         ..BASE
     },
     Instruction {
@@ -48,8 +63,23 @@ pub(super) const ROWS: &[Instruction] = &[
             ),
             Operand::input("R", Accepts::Bool, "The reset; it is stronger than the set, EN.").named(),
         ],
-        doc: "",
-        example: "",
+        doc: "Q1 goes high with EN and stays high until R; if both are high, Q1 is low.
+
+The reset, R, is the stronger. ENO is Q1; other rungs read `b.Q1`. Use `[SR]` where the set must win, as for
+an alarm that still stands.
+
+IEC 61131-3: RS.",
+        example: "VAR_INPUT
+    start, stop : BOOL;
+END_VAR
+VAR
+    motor : RS;
+END_VAR
+VAR_OUTPUT
+    run : BOOL;
+END_VAR
+
++--[ ]( start )------[RS]( motor, R := stop )--( )( run )--+",
         ..BASE
     },
 ];

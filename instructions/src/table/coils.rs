@@ -29,8 +29,24 @@ pub(super) const ROWS: &[Instruction] = &[
             Accepts::BoolOrRange,
             "The bit, or the bits, that follow EN.",
         )],
-        doc: "",
-        example: "",
+        doc: "Makes its tag high while power reaches it, and low otherwise.
+
+With a range of BOOLs (`a[1..8]`) all its bits follow. The tag is written at every evaluation, so a second
+`( )` on the same tag would overwrite this one: join the conditions of one output in one network. The coil
+passes EN on, so several can stand in a row.
+
+A coil that is jumped over, or in a function that is not called, leaves the tag as it is.
+
+IEC 61131-3: coil.",
+        example: r"VAR_INPUT
+    start, stop : BOOL;
+END_VAR
+VAR_OUTPUT
+    run : BOOL;
+END_VAR
+
++--\--[ ]( start )--\--[/]( stop )-------------( )( run )--+
+|  /--[ ]( run )----/                                      |",
         ..BASE
     },
     Instruction {
@@ -42,8 +58,19 @@ pub(super) const ROWS: &[Instruction] = &[
             Accepts::Bool,
             "The bit that is the opposite of EN.",
         )],
-        doc: "",
-        example: "",
+        doc: "Makes its tag low while power reaches it, and high otherwise.
+
+The tag is written at every evaluation. The coil passes EN on, not the value of the tag.
+
+IEC 61131-3: negated coil.",
+        example: "VAR_INPUT
+    pressure_ok : BOOL;
+END_VAR
+VAR_OUTPUT
+    alarm : BOOL;
+END_VAR
+
++--[ ]( pressure_ok )----(/)( alarm )--+",
         ..BASE
     },
     Instruction {
@@ -56,8 +83,24 @@ pub(super) const ROWS: &[Instruction] = &[
             "The bit, or the bits, that are set.",
         )],
         eno: "the tag",
-        doc: "",
-        example: "",
+        doc: "Makes its tag high when power reaches it; without power the tag keeps its value.
+
+The tag stays high until something else clears it, usually `(R)`. If `(S)` and `(R)` on one tag both have
+power, the one that runs later decides. With a range of BOOLs (`a[1..8]`) all bits are set.
+
+ENO is the tag itself (of a range: all of it), not EN: what stands behind the block has power as long as the
+tag is high.
+
+IEC 61131-3: set (latch) coil.",
+        example: "VAR_INPUT
+    start, stop : BOOL;
+END_VAR
+VAR_OUTPUT
+    run : BOOL;
+END_VAR
+
++--[ ]( start )------------(S)( run )--+
++--[ ]( stop )-------------(R)( run )--+",
         ..BASE
     },
     Instruction {
@@ -69,8 +112,24 @@ pub(super) const ROWS: &[Instruction] = &[
             Accepts::BoolRangeOrState,
             "The bits that are cleared, or a timer or counter.",
         )],
-        doc: "",
-        example: "",
+        doc: "Makes its tag low when power reaches it; without power the tag keeps its value.
+
+If `(S)` and `(R)` on one tag both have power, the one that runs later decides: put the reset last where
+stopping must win. With a range of BOOLs (`a[1..8]`) all bits are cleared. On the tag of a timer or counter
+it acts as `(RES)`.
+
+The coil passes EN on.
+
+IEC 61131-3: reset (unlatch) coil.",
+        example: "VAR_INPUT
+    start, stop : BOOL;
+END_VAR
+VAR_OUTPUT
+    run : BOOL;
+END_VAR
+
++--[ ]( start )------------(S)( run )--+
++--[ ]( stop )-------------(R)( run )--+",
         ..BASE
     },
     Instruction {
@@ -82,8 +141,20 @@ pub(super) const ROWS: &[Instruction] = &[
             Accepts::Bool,
             "The bit that is high for one scan when EN rises.",
         )],
-        doc: "",
-        example: "",
+        doc: "Makes its tag high when EN rises, and low at the next evaluation.
+
+Where the coil runs in every scan the tag is high for one scan. Power that is already there at the first
+evaluation counts as a rise. The coil passes EN on, not the edge.
+
+IEC 61131-3: positive transition-sensing coil.",
+        example: "VAR_INPUT
+    start : BOOL;
+END_VAR
+VAR
+    start_pulse : BOOL;
+END_VAR
+
++--[ ]( start )----(P)( start_pulse )--+",
         ..BASE
     },
     Instruction {
@@ -95,8 +166,20 @@ pub(super) const ROWS: &[Instruction] = &[
             Accepts::Bool,
             "The bit that is high for one scan when EN falls.",
         )],
-        doc: "",
-        example: "",
+        doc: "Makes its tag high when EN falls, and low at the next evaluation.
+
+Where the coil runs in every scan the tag is high for one scan. The first evaluation never reports a fall.
+The coil passes EN on, not the edge.
+
+IEC 61131-3: negative transition-sensing coil.",
+        example: "VAR_INPUT
+    run : BOOL;
+END_VAR
+VAR
+    stop_pulse : BOOL;
+END_VAR
+
++--[ ]( run )-------(N)( stop_pulse )--+",
         ..BASE
     },
     Instruction {
@@ -108,8 +191,21 @@ pub(super) const ROWS: &[Instruction] = &[
             Accepts::BoolOrRange,
             "The bit, or the bits, that follow EN and are retentive.",
         )],
-        doc: "",
-        example: "",
+        doc: "Makes its tag high while power reaches it and low otherwise, as `( )` does, and the tag retentive.
+
+A retentive tag keeps its value over a warm restart; any other starts with its initial value. The first
+evaluation after the restart writes the tag again, so the kept value is only seen by what runs before.
+Declaring the tag in a `RETAIN` section does the same.
+
+From the ladder diagrams of the first edition of IEC 61131-3.",
+        example: "VAR_INPUT
+    auto_switch : BOOL;
+END_VAR
+VAR
+    auto_mode : BOOL;
+END_VAR
+
++--[ ]( auto_switch )--------------------(M)( auto_mode )--+",
         ..BASE
     },
     Instruction {
@@ -122,8 +218,22 @@ pub(super) const ROWS: &[Instruction] = &[
             "The bit, or the bits, that are set and are retentive.",
         )],
         eno: "the tag",
-        doc: "",
-        example: "",
+        doc: "Makes its tag high when power reaches it, as `(S)` does, and the tag retentive.
+
+A retentive tag keeps its value over a warm restart: what was latched before a power failure is still
+latched after it. ENO is the tag itself. Declaring the tag in a `RETAIN` section and writing `(S)` does the
+same.
+
+From the ladder diagrams of the first edition of IEC 61131-3.",
+        example: "VAR_INPUT
+    jam, acknowledge : BOOL;
+END_VAR
+VAR
+    jammed : BOOL;
+END_VAR
+
++--[ ]( jam )----------(SM)( jammed )--+
++--[ ]( acknowledge )--(RM)( jammed )--+",
         ..BASE
     },
     Instruction {
@@ -135,8 +245,21 @@ pub(super) const ROWS: &[Instruction] = &[
             Accepts::BoolRangeOrState,
             "The bits that are cleared and are retentive, or a timer or counter.",
         )],
-        doc: "",
-        example: "",
+        doc: "Makes its tag low when power reaches it, as `(R)` does, and the tag retentive.
+
+A retentive tag keeps its value over a warm restart. The coil passes EN on. Declaring the tag in a `RETAIN`
+section and writing `(R)` does the same.
+
+From the ladder diagrams of the first edition of IEC 61131-3.",
+        example: "VAR_INPUT
+    jam, acknowledge : BOOL;
+END_VAR
+VAR
+    jammed : BOOL;
+END_VAR
+
++--[ ]( jam )----------(SM)( jammed )--+
++--[ ]( acknowledge )--(RM)( jammed )--+",
         ..BASE
     },
     Instruction {
@@ -148,8 +271,25 @@ pub(super) const ROWS: &[Instruction] = &[
             Accepts::TimerOrCounter,
             "The timer or counter that is cleared.",
         )],
-        doc: "",
-        example: "",
+        doc: "Clears a timer or a counter when power reaches it.
+
+A timer's ET becomes 0 and its Q low, a counter's CV becomes 0; Q follows at once, so the rungs further down
+already see it. It acts like a reset R that ends with it: if the timer's EN is high when the timer is next
+reached, a TON or RTO starts anew, a TOF or RTOF has Q high, a TP waits for a new rise.
+
+The coil passes EN on.",
+        example: "VAR_INPUT
+    part_seen, new_box : BOOL;
+END_VAR
+VAR
+    parts : CTU;
+END_VAR
+VAR_OUTPUT
+    box_full : BOOL;
+END_VAR
+
++--[ ]( part_seen )---[CTU]( parts, 12 )--( )( box_full )--+
++--[ ]( new_box )--------------------------(RES)( parts )--+",
         ..BASE
     },
 ];

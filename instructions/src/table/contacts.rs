@@ -30,8 +30,21 @@ pub(super) const ROWS: &[Instruction] = &[
             "The bit that is asked; of a range, every bit.",
         )],
         eno: "EN and tag",
-        doc: "",
-        example: "",
+        doc: "Passes power while its tag is high.
+
+With a range of BOOLs (`a[1..8]`) it passes power while every bit of the range is high. It reads the tag
+only when EN is high, at the moment it is reached: a coil further up that wrote the tag in this scan is
+already seen.
+
+IEC 61131-3: normally open contact.",
+        example: "VAR_INPUT
+    guard_closed, start : BOOL;
+END_VAR
+VAR_OUTPUT
+    run : BOOL;
+END_VAR
+
++--[ ]( guard_closed )--[ ]( start )-----------( )( run )--+",
         ..BASE
     },
     Instruction {
@@ -44,8 +57,23 @@ pub(super) const ROWS: &[Instruction] = &[
             "The bit that is asked; of a range, no bit may be high.",
         )],
         eno: "EN and not tag",
-        doc: "",
-        example: "",
+        doc: "Passes power while its tag is low.
+
+With a range of BOOLs (`a[1..8]`) it passes power while no bit of the range is high. It reads the tag only
+when EN is high.
+
+A stop button that is wired normally closed reads high while nobody presses it: for such an input the open
+contact `[ ]` is the right one.
+
+IEC 61131-3: normally closed contact.",
+        example: "VAR_INPUT
+    start, overload : BOOL;
+END_VAR
+VAR_OUTPUT
+    run : BOOL;
+END_VAR
+
++--[ ]( start )--[/]( overload )---------------( )( run )--+",
         ..BASE
     },
     Instruction {
@@ -59,8 +87,25 @@ pub(super) const ROWS: &[Instruction] = &[
             "The bit whose rise is watched.",
         )],
         eno: "EN and tag rose",
-        doc: "",
-        example: "",
+        doc: "Passes power for one scan when its tag goes from low to high.
+
+- The memory of the last state belongs to this place in the program and is brought up to date at every
+  evaluation, also while EN is low. A rise that happens while EN is low is therefore missed, not kept for
+  later.
+- A tag that is already high at the first evaluation counts as having risen.
+- Where the block is jumped over, it compares with the last evaluation that took place. Reached a second
+  time in the same scan, it sees no edge.
+
+To watch the power of the wire instead of a tag, use `[OSR]`. IEC 61131-3: positive transition-sensing
+contact.",
+        example: "VAR_INPUT
+    part_seen : BOOL;
+END_VAR
+VAR
+    parts : DINT;
+END_VAR
+
++--[P]( part_seen )--------------[ADD]( parts, parts, 1 )--+",
         ..BASE
     },
     Instruction {
@@ -74,8 +119,25 @@ pub(super) const ROWS: &[Instruction] = &[
             "The bit whose fall is watched.",
         )],
         eno: "EN and tag fell",
-        doc: "",
-        example: "",
+        doc: "Passes power for one scan when its tag goes from high to low.
+
+- The memory of the last state belongs to this place in the program and is brought up to date at every
+  evaluation, also while EN is low. A fall that happens while EN is low is therefore missed, not kept for
+  later.
+- The first evaluation never reports a fall.
+- Where the block is jumped over, it compares with the last evaluation that took place. Reached a second
+  time in the same scan, it sees no edge.
+
+To watch the power of the wire instead of a tag, use `[OSF]`. IEC 61131-3: negative transition-sensing
+contact.",
+        example: "VAR_INPUT
+    door_closed : BOOL;
+END_VAR
+VAR
+    openings : DINT;
+END_VAR
+
++--[N]( door_closed )------[ADD]( openings, openings, 1 )--+",
         ..BASE
     },
     Instruction {
@@ -84,8 +146,20 @@ pub(super) const ROWS: &[Instruction] = &[
         acts: Acts::Always,
         title: "Inverter",
         eno: "not EN",
-        doc: "",
-        example: "",
+        doc: r#"Passes power exactly when none arrives.
+
+It inverts everything to its left, up to the rail or the point where branches join. Behind it power flows
+also when the contacts to the left are open, so a coil there is high when the rung is "off".
+
+Without operands it is this inverter; `[NOT]( y, a )` inverts the bits of a value."#,
+        example: "VAR_INPUT
+    guard_closed, air_ok : BOOL;
+END_VAR
+VAR_OUTPUT
+    alarm : BOOL;
+END_VAR
+
++--[ ]( guard_closed )--[ ]( air_ok )--[NOT]---------------------( )( alarm )--+",
         ..BASE
     },
     Instruction {
@@ -95,8 +169,22 @@ pub(super) const ROWS: &[Instruction] = &[
         acts: Acts::Always,
         title: "One shot rising",
         eno: "EN rose",
-        doc: "",
-        example: "",
+        doc: "Passes power for one scan when the power that reaches it goes from low to high.
+
+- The memory belongs to this place in the program.
+- Power that is already there at the first evaluation counts as having risen.
+- Where the block is jumped over, it compares with the last evaluation that took place. Reached a second
+  time in the same scan, it sees no edge.
+
+To watch a tag instead of the wire, use `[P]`. IEC 61131-3: R_TRIG.",
+        example: "VAR_INPUT
+    auto, start : BOOL;
+END_VAR
+VAR
+    starts : DINT;
+END_VAR
+
++--[ ]( auto )--[ ]( start )--[OSR]----------------[ADD]( starts, starts, 1 )--+",
         ..BASE
     },
     Instruction {
@@ -106,8 +194,23 @@ pub(super) const ROWS: &[Instruction] = &[
         acts: Acts::Always,
         title: "One shot falling",
         eno: "EN fell",
-        doc: "",
-        example: "",
+        doc: "Passes power for one scan when the power that reaches it goes from high to low.
+
+- The memory belongs to this place in the program.
+- The first evaluation never reports a fall. (The F_TRIG of IEC 61131-3 reports one at its first call if its
+  input is low.)
+- Where the block is jumped over, it compares with the last evaluation that took place. Reached a second
+  time in the same scan, it sees no edge.
+
+To watch a tag instead of the wire, use `[N]`. IEC 61131-3: F_TRIG.",
+        example: "VAR_INPUT
+    auto, run : BOOL;
+END_VAR
+VAR
+    stops : DINT;
+END_VAR
+
++--[ ]( auto )--[ ]( run )--[OSF]--------------------[ADD]( stops, stops, 1 )--+",
         ..BASE
     },
 ];

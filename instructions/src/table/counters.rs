@@ -38,8 +38,27 @@ pub(super) const ROWS: &[Instruction] = &[
             PV,
             RESET,
         ],
-        doc: "",
-        example: "",
+        doc: "Counts one up each time EN rises; Q is high while the count has reached PV.
+
+- CV goes on counting past PV, up to the largest DINT, where it stays.
+- While R is high CV is 0. R is stronger than counting, and a rise of EN under a high R is used up.
+- EN that is high at the first evaluation counts as a rise.
+- PV is read at every evaluation, so it may be a tag; it may be 0, then Q is high at once.
+- ENO is Q; other rungs read `c.Q` and `c.CV`. Declare the tag in a `RETAIN` section to keep the count over
+  a restart.
+
+Each counter tag belongs to one block. IEC 61131-3: CTU, here with DINT.",
+        example: "VAR_INPUT
+    part_seen, new_box : BOOL;
+END_VAR
+VAR
+    parts : CTU;
+END_VAR
+VAR_OUTPUT
+    box_full : BOOL;
+END_VAR
+
++--[ ]( part_seen )---------[CTU]( parts, 12, R := new_box )--( )( box_full )--+",
         ..BASE
     },
     Instruction {
@@ -56,8 +75,29 @@ pub(super) const ROWS: &[Instruction] = &[
             LOAD,
             RESET,
         ],
-        doc: "",
-        example: "",
+        doc: "Counts one down each time EN rises; Q is high while the count is 0 or below.
+
+- While LD is high CV is PV: load the counter before it counts. A new counter stands at 0, so Q is high
+  until then.
+- CV goes on counting below 0, down to the smallest DINT, where it stays.
+- While R is high CV is 0. R is stronger than LD, LD stronger than counting; a rise of EN under either is
+  used up.
+- EN that is high at the first evaluation counts as a rise.
+- ENO is Q; other rungs read `c.Q` and `c.CV`. Declare the tag in a `RETAIN` section to keep the count over
+  a restart.
+
+Each counter tag belongs to one block. IEC 61131-3: CTD, here with DINT and a reset.",
+        example: "VAR_INPUT
+    part_taken, refilled : BOOL;
+END_VAR
+VAR
+    stock : CTD;
+END_VAR
+VAR_OUTPUT
+    stock_empty : BOOL;
+END_VAR
+
++--[ ]( part_taken )---[CTD]( stock, 50, LD := refilled )--( )( stock_empty )--+",
         ..BASE
     },
     Instruction {
@@ -75,8 +115,29 @@ pub(super) const ROWS: &[Instruction] = &[
             RESET,
             LOAD,
         ],
-        doc: "",
-        example: "",
+        doc: "Counts one up each time EN rises and one down each time CD rises.
+
+- QU is high while CV has reached PV, QD while CV is 0 or below. Q, and ENO, is QU; other rungs read `c.QU`,
+  `c.QD` and `c.CV`.
+- If both rise in the same scan the count does not change.
+- R is strongest: while it is high CV is 0. Then comes LD: while it is high CV is PV. Rises under either are
+  used up.
+- CV stays at the largest and the smallest DINT.
+- EN or CD that is high at the first evaluation counts as a rise.
+
+Each counter tag belongs to one block. IEC 61131-3: CTUD, here with DINT.",
+        example: "VAR_INPUT
+    car_in, car_out : BOOL;
+END_VAR
+VAR
+    cars : CTUD;
+END_VAR
+VAR_OUTPUT
+    full, empty : BOOL;
+END_VAR
+
++--[ ]( car_in )---------------[CTUD]( cars, 80, CD := car_out )--( )( full )--+
++--[ ]( cars.QD )------------------------------------------------( )( empty )--+",
         ..BASE
     },
     Instruction {
@@ -92,8 +153,27 @@ pub(super) const ROWS: &[Instruction] = &[
             PV,
             RESET,
         ],
-        doc: "",
-        example: "",
+        doc: "Counts in a circle each time EN rises: from 0 to PV, then again from 0.
+
+- Q is high while CV is PV. A circle has PV + 1 steps.
+- While R is high CV is 0. R is stronger than counting, and a rise of EN under a high R is used up.
+- EN that is high at the first evaluation counts as a rise.
+- ENO is Q; other rungs read `c.Q` and `c.CV`: with comparisons on `c.CV` it drives a sequence of steps.
+
+Each counter tag belongs to one block. IEC 61131-3 has no such counter.",
+        example: "VAR_INPUT
+    next_step : BOOL;
+END_VAR
+VAR
+    step : CTC;
+END_VAR
+VAR_OUTPUT
+    fill, stir : BOOL;
+END_VAR
+
++--[ ]( next_step )--[CTC]( step, 3 )--+
++--[EQ]( step.CV, 1 )-----( )( fill )--+
++--[EQ]( step.CV, 2 )-----( )( stir )--+",
         ..BASE
     },
 ];

@@ -30,8 +30,18 @@ pub(super) const ROWS: &[Instruction] = &[
             Operand::input("v0", Accepts::Value, "The value for 0."),
             Operand::input("v1", Accepts::Value, "The value for 1, and so on.").repeated(),
         ],
-        doc: "",
-        example: "",
+        doc: "Puts the i-th value of a list into y, counted from 0.
+
+An i outside the list is a fault: y keeps its value and ENO is low. For values between the entries see
+`[PWL]`.",
+        example: "VAR_INPUT
+    digit : INT;
+END_VAR
+VAR_OUTPUT
+    segments : BYTE;
+END_VAR
+
++-----------------[LUT]( segments, digit, 16#3F, 16#06, 16#5B, 16#4F, 16#66 )--+",
         ..BASE
     },
     Instruction {
@@ -51,8 +61,21 @@ pub(super) const ROWS: &[Instruction] = &[
             .repeated_pair(),
             Operand::input("y1", Accepts::Value, "The result at that point.").repeated_pair(),
         ],
-        doc: "",
-        example: "",
+        doc: "Puts the height of a curve at x into y; the curve is given by points and straight lines between them.
+
+The points come in pairs, x0, y0, x1, y1, ..., with x rising. Left of the first point the result is the
+first y, right of the last the last y: it is never extended beyond its ends. Between integers the result is
+cut off toward zero.
+
+Use it to straighten the curve of a sensor or to scale an analog value.",
+        example: "VAR_INPUT
+    raw : INT;
+END_VAR
+VAR_OUTPUT
+    percent : INT;
+END_VAR
+
++---------[PWL]( percent, raw, 0, 0, 400, 25, 1000, 100 )--+",
         ..BASE
     },
 ];

@@ -30,8 +30,21 @@ pub(super) const ROWS: &[Instruction] = &[
             Operand::output("y", Accepts::Result(TypeClass::Any), "The tag that is written."),
             Operand::input("a", Accepts::Value, "The value."),
         ],
-        doc: "",
-        example: "",
+        doc: "Copies a value into y.
+
+Any elementary type will do. The value must be of y's type or pass to it without loss, as INT passes to DINT
+and to REAL; for everything else use `[TYP]`. While EN is low y keeps its value.
+
+`[MOV]` and `[SET]` are two names of the same instruction. To latch a single bit write the coil `(S)`. IEC
+61131-3: MOVE.",
+        example: "VAR_INPUT
+    fast : BOOL;
+END_VAR
+VAR
+    speed : INT := 10;
+END_VAR
+
++--[ ]( fast )-----[MOV]( speed, 50 )--+",
         ..BASE
     },
     Instruction {
@@ -46,8 +59,27 @@ pub(super) const ROWS: &[Instruction] = &[
             ),
             Operand::input("a", Accepts::Convertible, "The value, of any elementary type."),
         ],
-        doc: "",
-        example: "",
+        doc: "Converts a value to the type of y.
+
+- A real becomes an integer by rounding to the nearest; a half goes to the even neighbour (2.5 gives 2, 3.5
+  gives 4). To cut the fraction off instead, use `[TRUNC]`.
+- BOOL and numbers: FALSE is 0, TRUE is 1.
+- A string is read as a number or a time; a number or a time can be written as a string.
+- TIME and numbers: the number is milliseconds.
+
+A value that y's type cannot hold, or a string that cannot be read, is a fault: y keeps its value and ENO is
+low.
+
+IEC 61131-3: the conversion functions such as REAL_TO_INT.",
+        example: "VAR_INPUT
+    temperature : REAL;
+END_VAR
+VAR_OUTPUT
+    display : INT;
+    invalid : BOOL;
+END_VAR
+
++--[TYP]( display, temperature )--[NOT]----( )( invalid )--+",
         ..BASE
     },
 ];

@@ -32,8 +32,18 @@ pub(super) const ROWS: &[Instruction] = &[
             ),
             Operand::input("channel", Accepts::Integer, "The number of the analog input."),
         ],
-        doc: "",
-        example: "",
+        doc: "Reads an analog input, as an integer, into y.
+
+In the simulator the channel is a port with a name, which tests and editors set.",
+        example: "VAR
+    raw : INT;
+END_VAR
+VAR_OUTPUT
+    high : BOOL;
+END_VAR
+
++---------------------[ADC]( raw, 0 )--+
++--[GT]( raw, 800 )-------( )( high )--+",
         ..BASE
     },
     Instruction {
@@ -49,8 +59,15 @@ pub(super) const ROWS: &[Instruction] = &[
             Operand::input("frequency", Accepts::Integer, "Periods per second, in hertz."),
             Operand::input("CH", Accepts::Integer, "The number of the pulse output.").named(),
         ],
-        doc: "",
-        example: "",
+        doc: "Sets a pulse output: its duty in percent and its frequency in hertz.
+
+The output goes on with the last setting while EN is low. `CH` chooses among several pulse outputs. In the
+simulator the output is a port with a name, which tests and editors read.",
+        example: "VAR
+    duty : INT := 50;
+END_VAR
+
++--------[PWM]( duty, 1000, CH := 0 )--+",
         ..BASE
     },
     Instruction {
@@ -63,8 +80,18 @@ pub(super) const ROWS: &[Instruction] = &[
             "The byte; of a larger number its lowest eight bits.",
         )],
         eno: "EN",
-        doc: "",
-        example: "",
+        doc: "Sends one byte through the serial port.
+
+Of a larger number the lowest eight bits are sent. With EN high it sends in every scan, so put an edge in
+front. In the simulator the port has a name; tests and editors read what was sent.",
+        example: "VAR_INPUT
+    send : BOOL;
+END_VAR
+VAR
+    code : INT := 65;
+END_VAR
+
++--[P]( send )---------[USND]( code )--+",
         ..BASE
     },
     Instruction {
@@ -77,8 +104,15 @@ pub(super) const ROWS: &[Instruction] = &[
             "The byte that came.",
         )],
         eno: "EN and a byte came",
-        doc: "",
-        example: "",
+        doc: "Takes one byte that came in at the serial port into y.
+
+ENO is high in the scan in which a byte was taken; otherwise it is low and y keeps its value. Bytes that
+come while EN is low wait. In the simulator the port has a name, and tests and editors feed it.",
+        example: "VAR
+    received, last : INT;
+END_VAR
+
++-------------[URCV]( received )--[MOV]( last, received )--+",
         ..BASE
     },
     Instruction {
@@ -89,8 +123,18 @@ pub(super) const ROWS: &[Instruction] = &[
             Operand::input("text", Accepts::String, "The text; each `%d` stands for a value."),
             Operand::input("a", Accepts::Integer, "The value for a `%d`, in order.").repeated_or_none(),
         ],
-        doc: "",
-        example: "",
+        doc: "Sends a text through the serial port, with numbers in the places of `%d`.
+
+The values stand behind the text, one for each `%d`, in order. With EN high it sends in every scan, so put
+an edge in front. In the simulator the port has a name; tests and editors read what was sent.",
+        example: "VAR_INPUT
+    report : BOOL;
+END_VAR
+VAR
+    parts : DINT;
+END_VAR
+
++--[P]( report )----------[FMT]( 'parts: %d$R$N', parts )--+",
         ..BASE
     },
     Instruction {
@@ -102,8 +146,15 @@ pub(super) const ROWS: &[Instruction] = &[
             Accepts::Tag,
             "The tag that keeps its value over a warm restart.",
         )],
-        doc: "",
-        example: "",
+        doc: "Makes a tag retentive.
+
+A retentive tag keeps its value over a warm restart; any other starts with its initial value. Declaring the
+tag in a `RETAIN` section does the same.",
+        example: "VAR
+    total : DINT;
+END_VAR
+
++------------------[PERSIST]( total )--+",
         ..BASE
     },
     Instruction {
@@ -116,8 +167,15 @@ pub(super) const ROWS: &[Instruction] = &[
             "The length of the last scan in milliseconds.",
         )
         .trailing()],
-        doc: "",
-        example: "",
+        doc: "Puts the length of the last scan, in milliseconds, into y.
+
+Without an operand it is written to the serial port, once a second. `SYS.SCAN_TIME` gives the same length as
+a TIME.",
+        example: "VAR
+    milliseconds : INT;
+END_VAR
+
++----------[SCANTIME]( milliseconds )--+",
         ..BASE
     },
 ];

@@ -32,8 +32,20 @@ pub(super) const ROWS: &[Instruction] = &[
                 "The range that is copied, of the same length.",
             ),
         ],
-        doc: "",
-        example: "",
+        doc: "Copies a range of an array into another range.
+
+Both ranges have the same length and their elements the same type. If one operand is a single element, the
+range begins there and is as long as the other. The copy is made as if through a buffer, so the two ranges
+may overlap. An index outside its array is a fault: nothing is written and ENO is low.",
+        example: "VAR_INPUT
+    load : BOOL;
+END_VAR
+VAR
+    recipes : ARRAY[1..40] OF INT;
+    active  : ARRAY[1..4] OF INT;
+END_VAR
+
++--[P]( load )---------[BMOV]( active[1..4], recipes[9] )--+",
         ..BASE
     },
     Instruction {
@@ -44,8 +56,18 @@ pub(super) const ROWS: &[Instruction] = &[
             Operand::output("y", Accepts::Range, "The range that is written."),
             Operand::input("a", Accepts::Value, "The value for every element."),
         ],
-        doc: "",
-        example: "",
+        doc: "Writes one value into every element of a range.
+
+The value must be of the elements' type or pass to it without loss. An index outside the array is a fault:
+nothing is written and ENO is low.",
+        example: "VAR_INPUT
+    clear : BOOL;
+END_VAR
+VAR
+    counts : ARRAY[1..8] OF INT;
+END_VAR
+
++--[P]( clear )-----------------[FILL]( counts[1..8], 0 )--+",
         ..BASE
     },
     Instruction {
@@ -60,8 +82,22 @@ pub(super) const ROWS: &[Instruction] = &[
                 "The bits or words to put together, or a string that holds a number.",
             ),
         ],
-        doc: "",
-        example: "",
+        doc: "Puts the elements of a range together into one value.
+
+- A range of BOOL gives the bits of y, the first one bit 0.
+- A range of words gives a wider word, the first one the lowest part.
+- A string is read as a number.
+
+`[UNPACK]` takes the value apart again. A string that cannot be read is a fault: y keeps its value and ENO
+is low.",
+        example: "VAR_INPUT
+    switches : ARRAY[0..7] OF BOOL;
+END_VAR
+VAR
+    setting : BYTE;
+END_VAR
+
++---[PACK]( setting, switches[0..7] )--+",
         ..BASE
     },
     Instruction {
@@ -76,8 +112,21 @@ pub(super) const ROWS: &[Instruction] = &[
             ),
             Operand::input("a", Accepts::Convertible, "The value that is taken apart."),
         ],
-        doc: "",
-        example: "",
+        doc: "Takes a value apart into the elements of a range.
+
+- Into a range of BOOL go the bits of the value, bit 0 first.
+- Into a range of words go its parts, the lowest first.
+- Into a string goes a number, written out.
+
+`[PACK]` is the reverse.",
+        example: "VAR_INPUT
+    status : BYTE;
+END_VAR
+VAR_OUTPUT
+    lamps : ARRAY[0..7] OF BOOL;
+END_VAR
+
++-----[UNPACK]( lamps[0..7], status )--+",
         ..BASE
     },
     Instruction {
@@ -88,8 +137,23 @@ pub(super) const ROWS: &[Instruction] = &[
             Operand::in_out("y", Accepts::Range, "The register; its elements move up."),
             Operand::input("d", Accepts::Value, "What enters at the first element."),
         ],
-        doc: "",
-        example: "",
+        doc: "Moves every element of a range one place up when EN rises, and takes d in at the first.
+
+What stood in the last element is lost. One rise of EN is one step, however long EN stays high; EN that is
+high at the first evaluation counts as a rise. ENO is EN, not the edge. The elements may be of any type:
+with BOOL it follows parts along a conveyor, with numbers their data.",
+        example: "VAR_INPUT
+    step, part_seen : BOOL;
+END_VAR
+VAR
+    belt : ARRAY[1..8] OF BOOL;
+END_VAR
+VAR_OUTPUT
+    eject : BOOL;
+END_VAR
+
++--[ ]( step )-----------[SHIFT]( belt[1..8], part_seen )--+
++--[ ]( belt[8] )----------------------------( )( eject )--+",
         ..BASE
     },
     Instruction {
@@ -112,8 +176,24 @@ pub(super) const ROWS: &[Instruction] = &[
             Operand::input("NEXT", Accepts::Bool, "High: go on behind the index in y.").named(),
             Operand::output("FOUND", Accepts::Bool, "High if an element was found.").named(),
         ],
-        doc: "",
-        example: "",
+        doc:
+            "Looks for the first element of a range that compares with a as asked, and puts its index into y.
+
+The comparison reads `element op a`: with GT, the first element greater than a. The index is the array's
+own. If there is none, y is -1; `FOUND` receives whether there was one.
+
+With `NEXT` high the search goes on behind the index in y, so one element after the other is found; once y
+is -1 it stays -1, and any other y below the first index begins at the first. `NEXT` cannot be used on an
+array with a negative bound.",
+        example: "VAR
+    weights     : ARRAY[1..20] OF INT;
+    first_heavy : INT;
+END_VAR
+VAR_OUTPUT
+    heavy : BOOL;
+END_VAR
+
++------------[SEARCH]( first_heavy, GT, 500, weights[1..20], FOUND => heavy )--+",
         ..BASE
     },
 ];

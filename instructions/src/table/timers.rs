@@ -47,8 +47,35 @@ pub(super) const ROWS: &[Instruction] = &[
             RESET,
             BASE_TIME,
         ],
-        doc: "",
-        example: "",
+        doc: "Q goes high once EN has been high for the time PT.
+
+```text
+PT = 3 columns
+EN   _-------___--___
+Q    ____----________
+ET   0012333300001000
+```
+
+- The scan in which EN rises starts the time at 0; Q goes high in the first scan that is PT or more later.
+  When EN falls, Q and ET fall at once.
+- While R is high ET is 0 and Q low. If R ends under a high EN, the time starts anew in that scan.
+- PT is read at every evaluation, so it may be a tag. Lengthening it does not take back a Q that is already
+  high. With PT of 0 or less Q follows EN.
+- ET is the time run so far, at most PT. ENO is Q; other rungs read `t.Q` and `t.ET`.
+- Where the block is jumped over, the time runs on and is brought up to date when the block is next reached.
+
+Each timer tag belongs to one block. IEC 61131-3: TON.",
+        example: "VAR_INPUT
+    run : BOOL;
+END_VAR
+VAR
+    warmup : TON;
+END_VAR
+VAR_OUTPUT
+    ready : BOOL;
+END_VAR
+
++--[ ]( run )---------[TON]( warmup, T#5s )--( )( ready )--+",
         ..BASE
     },
     Instruction {
@@ -65,8 +92,36 @@ pub(super) const ROWS: &[Instruction] = &[
             RESET,
             BASE_TIME,
         ],
-        doc: "",
-        example: "",
+        doc: "Q goes high with EN, and low once EN has been low for the time PT.
+
+```text
+PT = 3 columns
+EN   _---______--__---
+Q    _------___-------
+ET   00000123330001000
+```
+
+- The scan in which EN falls starts the time at 0; Q goes low in the first scan that is PT or more later. If
+  EN rises before, the time is cleared and Q never went low.
+- Q starts low: nothing runs before EN was high once.
+- While R is high ET is 0 and Q low. If R ends under a high EN, Q is high again.
+- PT is read at every evaluation, so it may be a tag. With PT of 0 or less Q follows EN.
+- ET is the time run so far; it stays at PT once the time is over. ENO is Q; other rungs read `t.Q` and
+  `t.ET`.
+- Where the block is jumped over, the time runs on and is brought up to date when the block is next reached.
+
+Each timer tag belongs to one block. IEC 61131-3: TOF.",
+        example: "VAR_INPUT
+    motion : BOOL;
+END_VAR
+VAR
+    stay_on : TOF;
+END_VAR
+VAR_OUTPUT
+    light : BOOL;
+END_VAR
+
++--[ ]( motion )-----[TOF]( stay_on, T#2m )--( )( light )--+",
         ..BASE
     },
     Instruction {
@@ -79,8 +134,35 @@ pub(super) const ROWS: &[Instruction] = &[
             RESET,
             BASE_TIME,
         ],
-        doc: "",
-        example: "",
+        doc: "Q goes high for the time PT when EN rises, however long EN stays high.
+
+```text
+PT = 3 columns
+EN   _------__-_-____
+Q    _---_____---____
+ET   0012333000120000
+```
+
+- A rise during the pulse is ignored: the pulse is neither lengthened nor started anew.
+- EN that is high at the first evaluation counts as a rise.
+- While R is high ET is 0 and Q low. If R ends under a high EN, the next pulse waits for a new rise.
+- PT is read at every evaluation, so it may be a tag. With PT of 0 or less there is no pulse.
+- ET is the time run so far; after the pulse it stays at PT until EN is low. ENO is Q; other rungs read
+  `t.Q` and `t.ET`.
+- Where the block is jumped over, the time runs on and is brought up to date when the block is next reached.
+
+Each timer tag belongs to one block. IEC 61131-3: TP.",
+        example: "VAR_INPUT
+    part_seen : BOOL;
+END_VAR
+VAR
+    blow_time : TP;
+END_VAR
+VAR_OUTPUT
+    air_valve : BOOL;
+END_VAR
+
++--[ ]( part_seen )--------------[TP]( blow_time, T#300ms )--( )( air_valve )--+",
         ..BASE
     },
     Instruction {
@@ -97,8 +179,36 @@ pub(super) const ROWS: &[Instruction] = &[
             RESET,
             BASE_TIME,
         ],
-        doc: "",
-        example: "",
+        doc: "Adds up the time during which EN is high; Q goes high once it has reached PT.
+
+```text
+PT = 3 columns
+EN   _---__---___
+R    __________-_
+Q    _______---__
+ET   001222233300
+```
+
+- ET grows by the time between two evaluations that both have EN high, and keeps its value while EN is low.
+  Q is high as long as ET has reached PT, also while EN is low.
+- Only R, `(R)` or `(RES)` clears it. While R is high ET is 0 and Q low; if R ends under a high EN, the time
+  starts anew in that scan.
+- PT is read at every evaluation, so it may be a tag. With PT of 0 or less Q follows EN.
+- ENO is Q; other rungs read `t.Q` and `t.ET`. Declare the tag in a `RETAIN` section to keep the time over a
+  restart.
+
+Each timer tag belongs to one block. IEC 61131-3 has no such timer; controllers call it RTO or TONR.",
+        example: "VAR_INPUT
+    running, serviced : BOOL;
+END_VAR
+VAR RETAIN
+    hours : RTO;
+END_VAR
+VAR_OUTPUT
+    service_due : BOOL;
+END_VAR
+
++--[ ]( running )---[RTO]( hours, T#500h, R := serviced )--( )( service_due )--+",
         ..BASE
     },
     Instruction {
@@ -115,8 +225,36 @@ pub(super) const ROWS: &[Instruction] = &[
             RESET,
             BASE_TIME,
         ],
-        doc: "",
-        example: "",
+        doc: "Q goes high with EN, and low once EN has been low for the time PT in all, pauses not counted.
+
+```text
+PT = 3 columns
+EN   _--__--_____--__
+Q    _--------___--__
+ET   0000111123333333
+```
+
+- While EN is low after a fall, ET grows by the time between two evaluations; while EN is high it stands
+  still. A new rise of EN does not clear it.
+- Q is high while EN is high. Once ET has reached PT, Q falls together with EN, until R clears the time.
+- Q starts low: nothing runs before EN was high once.
+- Only R, `(R)` or `(RES)` clears ET. While R is high ET is 0 and Q low; if R ends under a high EN, Q is
+  high again.
+- PT is read at every evaluation, so it may be a tag. With PT of 0 or less Q follows EN.
+- ENO is Q; other rungs read `t.Q` and `t.ET`.
+
+Each timer tag belongs to one block. IEC 61131-3 has no such timer.",
+        example: "VAR_INPUT
+    pump_on, refilled : BOOL;
+END_VAR
+VAR
+    idle_time : RTOF;
+END_VAR
+VAR_OUTPUT
+    keep_warm : BOOL;
+END_VAR
+
++--[ ]( pump_on )---------------------[RTOF]( idle_time, T#10m, R := refilled )--( )( keep_warm )--+",
         ..BASE
     },
 ];
