@@ -1,0 +1,394 @@
+//! The program model: what a checked program does, without its text.
+//!
+//! The simulator compiles it, importers and exporters go by way of it, and rules about power read it. Names are
+//! resolved, operands typed and brought to the type that the instruction works in, and each network's elements
+//! stand in their order of evaluation (LANGUAGE §6).
+
+use crate::types::{Scalar, Type};
+use crate::value::Value;
+use ladder_instructions::{Instruction, Op, Operand};
+use ladder_syntax::TextRange;
+use std::ops::Range;
+
+/// A place in the text of one of the program's files.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub struct Location {
+    /// Index into [`Program::files`].
+    pub file: u32,
+    /// Bytes from the start of the file.
+    pub range: TextRange,
+}
+
+/// A tag's index in [`Program::tags`].
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub struct TagId(pub u32);
+
+/// A program that can run.
+#[derive(Debug, Clone, Default)]
+pub struct Program {
+    /// Names of the files it is made of, the program's own first.
+    pub files: Vec<String>,
+    /// The tags, in the order of their declaration or first use.
+    pub tags: Vec<Tag>,
+    /// All networks: those of the program's file first, from top to bottom.
+    pub networks: Vec<Network>,
+    /// The networks of the main program: all before the first `<FUN>`.
+    pub main: Range<usize>,
+    /// The functions that the program can reach.
+    pub functions: Vec<Function>,
+    /// The user-defined blocks that the program can reach.
+    pub blocks: Vec<UserBlock>,
+}
+
+/// A function (`<FUN>`).
+#[derive(Debug, Clone)]
+pub struct Function {
+    /// As written.
+    pub name: String,
+    /// Its networks; the first holds the `<FUN>`.
+    pub networks: Range<usize>,
+}
+
+/// A user-defined block (LANGUAGE §5.7).
+#[derive(Debug, Clone)]
+pub struct UserBlock {
+    /// As written, with the `$`.
+    pub name: String,
+    /// Its parameters in the order of their declaration: tags of its body.
+    pub parameters: Vec<(TagId, ParameterKind)>,
+    /// The tags `EN` and `ENO` of its body.
+    pub en: TagId,
+    /// See `en`.
+    pub eno: TagId,
+    /// The networks of its body.
+    pub networks: Range<usize>,
+}
+
+/// How a parameter of a user-defined block is passed.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum ParameterKind {
+    /// Copied in before the body runs.
+    Input,
+    /// Copied out behind it.
+    Output,
+    /// The caller's tag itself.
+    InOut,
+}
+
+/// What a tag is for.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum Role {
+    /// Fed from outside.
+    Input,
+    /// Shown to the outside.
+    Output,
+    /// Neither.
+    Internal,
+}
+
+/// A tag: a variable of the program.
+#[derive(Debug, Clone)]
+pub struct Tag {
+    /// As declared, or as first written.
+    pub name: String,
+    /// Its type.
+    pub ty: Type,
+    /// Input, output or neither.
+    pub role: Role,
+    /// Keeps its value over a warm restart.
+    pub retain: bool,
+    /// Never written by the program.
+    pub constant: bool,
+    /// Its value at a cold start, one for each element; empty for zero, FALSE, the empty text.
+    pub initial: Vec<Value>,
+    /// The user-defined block whose body it belongs to (index into [`Program::blocks`]).
+    pub block: Option<usize>,
+    /// Where it is declared, or first used.
+    pub location: Location,
+}
+
+/// A network, ready to run.
+#[derive(Debug, Clone)]
+pub struct Network {
+    /// From its first rung to its last.
+    pub location: Location,
+    /// Its elements in the order of evaluation. A step's index is the number of the power that it gives.
+    pub steps: Vec<Step>,
+    /// The blocks on its rungs.
+    pub blocks: Vec<Block>,
+    /// What can be shown as live or dead, with the step whose power it carries.
+    pub elements: Vec<Element>,
+}
+
+/// One step of a network's evaluation. Each gives one power, numbered by its index; it uses only powers of
+/// steps before it.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum Step {
+    /// A segment begins: at the left rail with the rail's power, elsewhere with none.
+    Start {
+        /// Whether it begins with the line's `+`.
+        rail: bool,
+    },
+    /// A block is evaluated; gives its ENO.
+    Block {
+        /// Index into [`Network::blocks`].
+        block: usize,
+        /// The step whose power is EN.
+        en: usize,
+    },
+    /// A pair of connectors; gives the OR of both wires that enter it.
+    Join {
+        /// The power that comes along the upper line.
+        upper: usize,
+        /// The power that comes along the lower line.
+        lower: usize,
+    },
+}
+
+/// A part of the drawing that carries power.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub struct Element {
+    /// What it is.
+    pub kind: ElementKind,
+    /// Where it is drawn, in the network's file.
+    pub range: TextRange,
+    /// Index of the step whose power it shows: for a block the power that leaves it.
+    pub step: usize,
+}
+
+/// What an [`Element`] is.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum ElementKind {
+    /// Dashes, or a comment that joins.
+    Wire,
+    /// `+`
+    Rail,
+    /// `\` or `/`
+    Connector,
+    /// A block.
+    Block,
+}
+
+/// What a block on a rung is.
+#[derive(Debug, Clone, Copy)]
+pub enum BlockKind {
+    /// A row of the instruction table.
+    Instruction(&'static Instruction),
+    /// A user-defined block: index into [`Program::blocks`].
+    User(usize),
+}
+
+/// A block on a rung, with its operands.
+#[derive(Debug, Clone)]
+pub struct Block {
+    /// What it is.
+    pub kind: BlockKind,
+    /// Where it stands.
+    pub location: Location,
+    /// Its operands: those by place in their order, then named ones. For a user-defined block in the order of
+    /// its parameters.
+    pub arguments: Vec<Bound>,
+    /// The type that it works in: the result's (`[ADD]` on INT), or the one that a comparison is made in
+    /// (LINT for integers of different types, which compare by value). None where no type is chosen.
+    pub works_in: Option<Scalar>,
+}
+
+/// An argument with the operand that it is given for.
+#[derive(Debug, Clone)]
+pub struct Bound {
+    /// The row's operand; none in a user-defined block.
+    pub operand: Option<&'static Operand>,
+    /// For a user-defined block the index of the parameter.
+    pub parameter: Option<usize>,
+    /// What is given.
+    pub argument: Argument,
+    /// Where it stands.
+    pub range: TextRange,
+}
+
+/// What is given for an operand.
+#[derive(Debug, Clone)]
+pub enum Argument {
+    /// A value that is read, already in the type that the operand asks for.
+    Value(Expr),
+    /// A place that is written (or read and written), and its type.
+    Place(Place, Scalar),
+    /// The state of a timer, counter or bistable.
+    State(TagId),
+    /// A range of an array, or (with `last` absent) the elements from an index on.
+    Range(RangeRef),
+    /// The network that a jump to this label from this block goes to; none for the label in `<LBL>` itself.
+    Label(Option<usize>),
+    /// A function: index into [`Program::functions`]; in `<FUN>` its own.
+    Function(usize),
+    /// SEARCH's operator: one of `Eq Ne Gt Ge Lt Le`.
+    Operator(Op),
+}
+
+/// Where a value stands.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Place {
+    /// An elementary tag.
+    Tag(TagId),
+    /// One element of an array.
+    Element(TagId, Box<Expr>),
+    /// A member of a timer, counter or bistable.
+    Member(TagId, Member),
+    /// One bit of an integer or bit string, from 0.
+    Bit(Box<Place>, Scalar, u8),
+    /// A system tag.
+    System(SystemTag),
+}
+
+/// A range of an array.
+#[derive(Debug, Clone, PartialEq)]
+pub struct RangeRef {
+    /// The array.
+    pub tag: TagId,
+    /// Type of its elements.
+    pub element: Scalar,
+    /// Index of the first element meant.
+    pub first: Box<Expr>,
+    /// Index of the last; absent where an index alone says where the range starts.
+    pub last: Option<Box<Expr>>,
+}
+
+/// A typed expression.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Expr {
+    /// The type of its value.
+    pub ty: Scalar,
+    /// What it is.
+    pub kind: ExprKind,
+    /// Where it stands.
+    pub range: TextRange,
+}
+
+/// The forms of an expression.
+#[derive(Debug, Clone, PartialEq)]
+pub enum ExprKind {
+    /// A literal, in the expression's type.
+    Constant(Value),
+    /// A value that is read.
+    Read(Place),
+    /// A value that passes to the expression's type without `[TYP]`.
+    Pass(Box<Expr>),
+    /// `-a`, `NOT a`, in the expression's type.
+    Unary(UnaryOperator, Box<Expr>),
+    /// Arithmetic, logic and shifts, in the expression's type. The right side of a shift is any integer.
+    Binary(BinaryOperator, Box<Expr>, Box<Expr>),
+    /// A comparison: gives BOOL. Both sides have one type, or are integers of two types.
+    Compare(Op, Box<Expr>, Box<Expr>),
+    /// A function by name, in the expression's type.
+    Call(Op, Vec<Expr>),
+    /// `SUM(a[1..9])`
+    Sum(RangeRef),
+}
+
+/// Unary operators of expressions.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum UnaryOperator {
+    /// `-`
+    Minus,
+    /// `NOT`: logical on BOOL, bitwise else.
+    Not,
+}
+
+/// Binary operators of expressions that give the type they work in.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum BinaryOperator {
+    /// `OR`
+    Or,
+    /// `XOR`
+    Xor,
+    /// `AND`
+    And,
+    /// `SHL`
+    Shl,
+    /// `SHR`
+    Shr,
+    /// `+`
+    Add,
+    /// `-`
+    Sub,
+    /// `*`
+    Mul,
+    /// `/`
+    Div,
+    /// `MOD`
+    Mod,
+    /// `^`
+    Power,
+}
+
+/// A member of a timer, counter or bistable (LANGUAGE §4, Members).
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
+#[allow(missing_docs)]
+pub enum Member {
+    In,
+    Pt,
+    Q,
+    Et,
+    Cu,
+    Cd,
+    R,
+    Ld,
+    Pv,
+    Cv,
+    Qu,
+    Qd,
+    Q1,
+    /// The counter changed in this evaluation.
+    Changed,
+    /// The timer is timing: `EN AND NOT DN`.
+    Timing,
+}
+
+impl Member {
+    /// The member's type.
+    pub const fn ty(self) -> Scalar {
+        match self {
+            Member::Pt | Member::Et => Scalar::Time,
+            Member::Pv | Member::Cv => Scalar::Dint,
+            _ => Scalar::Bool,
+        }
+    }
+}
+
+/// A system tag (LANGUAGE §4): read-only.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+#[allow(missing_docs)]
+pub enum SystemTag {
+    FirstScan,
+    Scan,
+    Time,
+    ScanTime,
+    Fault,
+    On,
+    Off,
+}
+
+impl SystemTag {
+    /// The tag that a word behind `SYS.` means.
+    pub fn from_name(name: &str) -> Option<SystemTag> {
+        Some(match name.to_ascii_uppercase().as_str() {
+            "FIRST_SCAN" => SystemTag::FirstScan,
+            "SCAN" => SystemTag::Scan,
+            "TIME" => SystemTag::Time,
+            "SCAN_TIME" => SystemTag::ScanTime,
+            "FAULT" => SystemTag::Fault,
+            "ON" => SystemTag::On,
+            "OFF" => SystemTag::Off,
+            _ => return None,
+        })
+    }
+
+    /// Its type.
+    pub const fn ty(self) -> Scalar {
+        match self {
+            SystemTag::Scan => Scalar::Dint,
+            SystemTag::Time | SystemTag::ScanTime => Scalar::Time,
+            _ => Scalar::Bool,
+        }
+    }
+}

@@ -1,0 +1,329 @@
+//! The types of LANGUAGE §4 and how values pass between them (§5.2).
+
+use ladder_instructions::StateType;
+use std::fmt;
+
+/// An elementary type.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub enum Scalar {
+    /// One bit.
+    Bool,
+    /// Bit string of 8.
+    Byte,
+    /// Bit string of 16.
+    Word,
+    /// Bit string of 32.
+    Dword,
+    /// Bit string of 64.
+    Lword,
+    /// Signed, 8 bits.
+    Sint,
+    /// Signed, 16 bits.
+    Int,
+    /// Signed, 32 bits.
+    Dint,
+    /// Signed, 64 bits.
+    Lint,
+    /// Unsigned, 8 bits.
+    Usint,
+    /// Unsigned, 16 bits.
+    Uint,
+    /// Unsigned, 32 bits.
+    Udint,
+    /// Unsigned, 64 bits.
+    Ulint,
+    /// Floating point, 32 bits.
+    Real,
+    /// Floating point, 64 bits.
+    Lreal,
+    /// A duration in nanoseconds, signed, 64 bits.
+    Time,
+    /// A day, in nanoseconds since 1970-01-01.
+    Date,
+    /// A time of day, in nanoseconds since midnight.
+    Tod,
+    /// A day and time, in nanoseconds since 1970-01-01.
+    Dt,
+    /// Text of at most so many bytes.
+    String(u16),
+}
+
+/// The length of a STRING without `[n]`, as IEC 61131-3 systems commonly have it.
+pub const DEFAULT_STRING: u16 = 80;
+
+impl Scalar {
+    /// The type that a name in a declaration means; the name is compared without case.
+    pub fn from_name(name: &str) -> Option<Scalar> {
+        Some(match name.to_ascii_uppercase().as_str() {
+            "BOOL" => Scalar::Bool,
+            "BYTE" => Scalar::Byte,
+            "WORD" => Scalar::Word,
+            "DWORD" => Scalar::Dword,
+            "LWORD" => Scalar::Lword,
+            "SINT" => Scalar::Sint,
+            "INT" => Scalar::Int,
+            "DINT" => Scalar::Dint,
+            "LINT" => Scalar::Lint,
+            "USINT" => Scalar::Usint,
+            "UINT" => Scalar::Uint,
+            "UDINT" => Scalar::Udint,
+            "ULINT" => Scalar::Ulint,
+            "REAL" => Scalar::Real,
+            "LREAL" => Scalar::Lreal,
+            "TIME" => Scalar::Time,
+            "DATE" => Scalar::Date,
+            "TOD" | "TIME_OF_DAY" => Scalar::Tod,
+            "DT" | "DATE_AND_TIME" => Scalar::Dt,
+            "STRING" => Scalar::String(DEFAULT_STRING),
+            _ => return None,
+        })
+    }
+
+    /// The type's name in capitals.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Scalar::Bool => "BOOL",
+            Scalar::Byte => "BYTE",
+            Scalar::Word => "WORD",
+            Scalar::Dword => "DWORD",
+            Scalar::Lword => "LWORD",
+            Scalar::Sint => "SINT",
+            Scalar::Int => "INT",
+            Scalar::Dint => "DINT",
+            Scalar::Lint => "LINT",
+            Scalar::Usint => "USINT",
+            Scalar::Uint => "UINT",
+            Scalar::Udint => "UDINT",
+            Scalar::Ulint => "ULINT",
+            Scalar::Real => "REAL",
+            Scalar::Lreal => "LREAL",
+            Scalar::Time => "TIME",
+            Scalar::Date => "DATE",
+            Scalar::Tod => "TOD",
+            Scalar::Dt => "DT",
+            Scalar::String(_) => "STRING",
+        }
+    }
+
+    /// `SINT` to `ULINT`.
+    pub const fn is_integer(self) -> bool {
+        self.is_signed() || matches!(self, Scalar::Usint | Scalar::Uint | Scalar::Udint | Scalar::Ulint)
+    }
+
+    /// `SINT INT DINT LINT`.
+    pub const fn is_signed(self) -> bool {
+        matches!(self, Scalar::Sint | Scalar::Int | Scalar::Dint | Scalar::Lint)
+    }
+
+    /// `BYTE WORD DWORD LWORD`.
+    pub const fn is_bits(self) -> bool {
+        matches!(self, Scalar::Byte | Scalar::Word | Scalar::Dword | Scalar::Lword)
+    }
+
+    /// `REAL LREAL`.
+    pub const fn is_real(self) -> bool {
+        matches!(self, Scalar::Real | Scalar::Lreal)
+    }
+
+    /// Integers and reals.
+    pub const fn is_number(self) -> bool {
+        self.is_integer() || self.is_real()
+    }
+
+    /// `DATE TOD DT`.
+    pub const fn is_date(self) -> bool {
+        matches!(self, Scalar::Date | Scalar::Tod | Scalar::Dt)
+    }
+
+    /// `STRING`.
+    pub const fn is_string(self) -> bool {
+        matches!(self, Scalar::String(_))
+    }
+
+    /// Width in bits of integers, bit strings and BOOL; 64 for the rest.
+    pub const fn width(self) -> u32 {
+        match self {
+            Scalar::Bool => 1,
+            Scalar::Byte | Scalar::Sint | Scalar::Usint => 8,
+            Scalar::Word | Scalar::Int | Scalar::Uint => 16,
+            Scalar::Dword | Scalar::Dint | Scalar::Udint | Scalar::Real => 32,
+            _ => 64,
+        }
+    }
+
+    /// The smallest and largest value of an integer or bit string.
+    pub const fn bounds(self) -> Option<(i128, i128)> {
+        if self.is_signed() {
+            let half = 1i128 << (self.width() - 1);
+            return Some((-half, half - 1));
+        }
+        if self.is_integer() || self.is_bits() {
+            return Some((0, (1i128 << self.width()) - 1));
+        }
+        None
+    }
+}
+
+impl fmt::Display for Scalar {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Scalar::String(length) if *length != DEFAULT_STRING => write!(f, "STRING[{length}]"),
+            other => f.write_str(other.name()),
+        }
+    }
+}
+
+/// The type of a tag.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum Type {
+    /// One value.
+    Scalar(Scalar),
+    /// The state of a timer, counter or bistable.
+    State(StateType),
+    /// `ARRAY[first..last] OF element`; `first <= last`.
+    Array {
+        /// Index of the first element.
+        first: i64,
+        /// Index of the last element.
+        last: i64,
+        /// Type of each element.
+        element: Scalar,
+    },
+}
+
+impl Type {
+    /// BOOL.
+    pub const BOOL: Type = Type::Scalar(Scalar::Bool);
+
+    /// The elementary type, if it is one.
+    pub const fn scalar(self) -> Option<Scalar> {
+        match self {
+            Type::Scalar(scalar) => Some(scalar),
+            _ => None,
+        }
+    }
+}
+
+impl fmt::Display for Type {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Type::Scalar(scalar) => scalar.fmt(f),
+            Type::State(state) => f.write_str(state.name()),
+            Type::Array { first, last, element } => write!(f, "ARRAY[{first}..{last}] OF {element}"),
+        }
+    }
+}
+
+/// Whether a value of one type passes to another without `[TYP]` (LANGUAGE §5.2). Each type passes to itself;
+/// a string to a string of any length.
+pub fn passes(from: Scalar, to: Scalar) -> bool {
+    use Scalar::*;
+    if from == to || (from.is_string() && to.is_string()) {
+        return true;
+    }
+    if from.is_bits() && to.is_bits() {
+        return from.width() <= to.width();
+    }
+    // Bits kept, only at the same width: at another width zero and sign extension would differ.
+    if (from.is_bits() && to.is_integer()) || (from.is_integer() && to.is_bits()) {
+        return from.width() == to.width();
+    }
+    if from.is_integer() && to.is_integer() {
+        return match (from.is_signed(), to.is_signed()) {
+            (true, true) | (false, false) => from.width() <= to.width(),
+            (false, true) => from.width() < to.width(),
+            (true, false) => false,
+        };
+    }
+    match to {
+        Real => matches!(from, Sint | Int | Usint | Uint),
+        Lreal => matches!(from, Sint | Int | Usint | Uint | Dint | Udint | Real),
+        _ => false,
+    }
+}
+
+/// The type in which two operands of a comparison are compared: the smallest of the chains that holds both.
+/// Integers compare by value whatever their types; `LINT` stands for that. None: they cannot be compared.
+pub fn common(a: Scalar, b: Scalar) -> Option<Scalar> {
+    use Scalar::*;
+    if a.is_integer() && b.is_integer() && a != b {
+        return Some(Lint);
+    }
+    if passes(a, b) {
+        return Some(b);
+    }
+    if passes(b, a) {
+        return Some(a);
+    }
+    // Neither holds the other, but a third does: DINT and REAL meet in LREAL.
+    (passes(a, Lreal) && passes(b, Lreal)).then_some(Lreal)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const ALL: [Scalar; 20] = [
+        Scalar::Bool,
+        Scalar::Byte,
+        Scalar::Word,
+        Scalar::Dword,
+        Scalar::Lword,
+        Scalar::Sint,
+        Scalar::Int,
+        Scalar::Dint,
+        Scalar::Lint,
+        Scalar::Usint,
+        Scalar::Uint,
+        Scalar::Udint,
+        Scalar::Ulint,
+        Scalar::Real,
+        Scalar::Lreal,
+        Scalar::Time,
+        Scalar::Date,
+        Scalar::Tod,
+        Scalar::Dt,
+        Scalar::String(DEFAULT_STRING),
+    ];
+
+    /// The whole table of LANGUAGE §5.2, a row for each type that passes to others.
+    #[test]
+    fn the_chains() {
+        let mut table = String::new();
+        for from in ALL {
+            let to: Vec<&str> = ALL
+                .iter()
+                .filter(|&&to| to != from && passes(from, to))
+                .map(|t| t.name())
+                .collect();
+            if !to.is_empty() {
+                table.push_str(&format!("{from}: {}\n", to.join(" ")));
+            }
+        }
+        expect_test::expect![[r"
+            BYTE: WORD DWORD LWORD SINT USINT
+            WORD: DWORD LWORD INT UINT
+            DWORD: LWORD DINT UDINT
+            LWORD: LINT ULINT
+            SINT: BYTE INT DINT LINT REAL LREAL
+            INT: WORD DINT LINT REAL LREAL
+            DINT: DWORD LINT LREAL
+            LINT: LWORD
+            USINT: BYTE INT DINT LINT UINT UDINT ULINT REAL LREAL
+            UINT: WORD DINT LINT UDINT ULINT REAL LREAL
+            UDINT: DWORD LINT ULINT LREAL
+            ULINT: LWORD
+            REAL: LREAL
+        "]]
+        .assert_eq(&table);
+    }
+
+    #[test]
+    fn comparisons_meet() {
+        assert_eq!(common(Scalar::Dint, Scalar::Real), Some(Scalar::Lreal));
+        assert_eq!(common(Scalar::Sint, Scalar::Ulint), Some(Scalar::Lint));
+        assert_eq!(common(Scalar::Lint, Scalar::Real), None);
+        assert_eq!(common(Scalar::Time, Scalar::Dint), None);
+        assert_eq!(common(Scalar::Byte, Scalar::Dword), Some(Scalar::Dword));
+    }
+}
