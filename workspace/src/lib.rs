@@ -1,1 +1,33 @@
-//! Ladder files on disk: search, limits, atomic writes.
+//! Ladder files on disk.
+//!
+//! The inner crates know texts, not files. This one stands between them and the disk:
+//!
+//! ```text
+//! paths --search--> the programs that are meant --read--> text, or an error that says what to do
+//!                                                        text --write--> the same file, whole or not at all
+//! program --root--> the folder whose programs share their globals, functions and blocks
+//! ```
+//!
+//! - [`find_programs`] turns what a person named (files, folders) into a sorted list of files, by the rules of
+//!   `.gitignore`.
+//! - [`read`] and [`decode`] are the one gate for text: nothing that is not UTF-8, and nothing larger than
+//!   [`MAX_FILE_BYTES`], goes past it.
+//! - [`write`] puts a new text in a file's place in one step: a reader, or a power cut, sees the old text or the
+//!   new one, never a half.
+//! - [`Root::of`] finds the folder that a program belongs to (LANGUAGE §4), which is where the settings file
+//!   [`SETTINGS_FILE`] stands.
+//!
+//! Every error is a [`FileError`]: it names the file and says in plain words what is wrong with it.
+
+mod error;
+mod root;
+mod search;
+mod text;
+mod write;
+
+pub use error::{FileError, Problem};
+pub use ladder_syntax::MAX_FILE_BYTES;
+pub use root::{Root, SETTINGS_FILE};
+pub use search::{EXTENSION, find_programs, is_program};
+pub use text::{decode, read};
+pub use write::write;
