@@ -1,0 +1,30 @@
+// Asks for a tag and for a value.
+import * as vscode from 'vscode';
+
+import type { State, Tag, Value } from './protocol.ts';
+import { parseValue, showValue } from './value.ts';
+
+export async function pickTag(state: State, title: string, wanted: (tag: Tag) => boolean): Promise<Tag | undefined> {
+    const items = state.tags.filter(wanted).map((tag) => ({
+        label: tag.name,
+        description: `${showValue(tag)}  ${tag.type}, ${tag.role}${tag.forced ? ', forced' : ''}`,
+        tag,
+    }));
+    const picked = await vscode.window.showQuickPick(items, { title, placeHolder: 'Tag', matchOnDescription: true });
+    return picked?.tag;
+}
+
+export async function askValue(tag: Tag, title: string): Promise<Value | undefined> {
+    if (typeof tag.value === 'boolean') {
+        const items = [
+            { label: 'TRUE', value: true },
+            { label: 'FALSE', value: false },
+        ];
+        // The other value first: it is the one that is mostly wanted.
+        const picked = await vscode.window.showQuickPick(tag.value ? items.reverse() : items, { title });
+        return picked?.value;
+    }
+    const prompt = tag.type === 'TIME' ? 'A time, such as 5s or 1h30m, or milliseconds' : `A value of type ${tag.type}`;
+    const text = await vscode.window.showInputBox({ title, prompt, value: showValue(tag) });
+    return text === undefined || text.trim() === '' ? undefined : parseValue(tag.type, text);
+}

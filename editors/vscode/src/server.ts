@@ -1,0 +1,121 @@
+// The language server's life: found, started, restarted, and asked.
+import { execFile } from 'node:child_process';
+import { statSync } from 'node:fs';
+import { homedir } from 'node:os';
+import { promisify } from 'node:util';
+
+import * as vscode from 'vscode';
+import { LanguageClient, State as ClientState } from 'vscode-languageclient/node';
+
+import { stateNotification, type State } from './protocol.ts';
+import { cannotStart, findServer, type Place } from './serverPath.ts';
+import type { Send } from './session.ts';
+
+const execute = promisify(execFile);
+
+function isFile(path: string): boolean {
+    return statSync(path, { throwIfNoEntry: false })?.isFile() ?? false;
+}
+
+/** @returns why the program does not run, or undefined if it does */
+async function whyNot(path: string): Promise<string | undefined> {
+    try {
+        await execute(path, ['--version'], { timeout: 5000 });
+        return undefined;
+    } catch (error) {
+        return error instanceof Error ? error.message : String(error);
+    }
+}
+
+export class Server implements vscode.Disposable {
+    readonly log = vscode.window.createOutputChannel('Ladder', { log: true });
+
+    readonly #extensionPath: string;
+    readonly #files = vscode.workspace.createFileSystemWatcher('**/{*.clad,ladder.toml}');
+    readonly #stateReceived = new vscode.EventEmitter<State>();
+    readonly #stopped = new vscode.EventEmitter<void>();
+    #client: LanguageClient | undefined;
+
+    readonly onDidReceiveState = this.#stateReceived.event;
+    /** The server has ended, wanted or not: its sessions are gone. */
+    readonly onDidStop = this.#stopped.event;
+
+    constructor(extensionPath: string) {
+        this.#extensionPath = extensionPath;
+    }
+
+    async start(): Promise<void> {
+        const place = findServer({
+            setting: vscode.workspace.getConfiguration('ladder.server').get('path', ''),
+            extensionPath: this.#extensionPath,
+            home: homedir(),
+            platform: process.platform,
+            isFile,
+        });
+        const reason = await whyNot(place.path);
+        if (reason !== undefined) {
+            this.log.error(`${place.path}: ${reason}`);
+            void this.#tellMissing(place, reason);
+            return;
+        }
+        this.log.info(`Starting ${place.path} (from the ${place.from})`);
+        const client = new LanguageClient(
+            'ladder',
+            'Ladder',
+            { command: place.path, args: ['lsp'] },
+            {
+                documentSelector: [{ language: 'clad' }],
+                outputChannel: this.log,
+                synchronize: { fileEvents: this.#files },
+            },
+        );
+        client.onNotification(stateNotification, (state: State) => this.#stateReceived.fire(state));
+        client.onDidChangeState(({ newState }) => {
+            if (newState === ClientState.Stopped) {
+                this.#stopped.fire();
+            }
+        });
+        this.#client = client;
+        // The client itself tells the user if this fails; the extension's commands stay, "Restart" among them.
+        await client.start().catch((error: unknown) => this.log.error(String(error)));
+    }
+
+    async restart(): Promise<void> {
+        await this.stop();
+        await this.start();
+    }
+
+    async stop(): Promise<void> {
+        const client = this.#client;
+        this.#client = undefined;
+        await client?.dispose();
+    }
+
+    readonly simulate: Send = async (name, argument) => {
+        if (!this.#client) {
+            throw new Error('the language server does not run; the log says why ("Ladder: Show Log").');
+        }
+        return this.#client.sendRequest('workspace/executeCommand', {
+            command: `ladder.simulate.${name}`,
+            arguments: [argument],
+        });
+    };
+
+    dispose(): void {
+        this.#files.dispose();
+        this.#stateReceived.dispose();
+        this.#stopped.dispose();
+        this.log.dispose();
+    }
+
+    async #tellMissing(place: Place, reason: string): Promise<void> {
+        const settings = 'Open Settings';
+        const showLog = 'Show Log';
+        const chosen = await vscode.window.showErrorMessage(cannotStart(place, reason), settings, showLog);
+        if (chosen === settings) {
+            await vscode.commands.executeCommand('workbench.action.openSettings', 'ladder.server.path');
+        } else if (chosen === showLog) {
+            this.log.show();
+        }
+    }
+}

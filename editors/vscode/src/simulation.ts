@@ -1,0 +1,182 @@
+// The simulations that are open, at most one a document, and the commands about them.
+import * as vscode from 'vscode';
+
+import type { Server } from './server.ts';
+import type { Commands, State, Value } from './protocol.ts';
+import { Session } from './session.ts';
+
+export class Simulation implements vscode.Disposable {
+    readonly #sessions = new Map<string, Session>();
+    readonly #server: Server;
+    readonly #changed = new vscode.EventEmitter<vscode.TextDocument>();
+    readonly #subscriptions: vscode.Disposable;
+    /** The document that commands are about while another kind of editor, or a view, has the focus. */
+    #lastDocument: vscode.TextDocument | undefined;
+
+    /** After each change of a document's session: a new state, an edit, its end. */
+    readonly onDidChange = this.#changed.event;
+
+    constructor(server: Server) {
+        this.#server = server;
+        this.#subscriptions = vscode.Disposable.from(
+            this.#changed,
+            server.onDidReceiveState((state) => this.#receive(state)),
+            server.onDidStop(() => this.#dropAll()),
+            vscode.workspace.onDidChangeTextDocument((event) => this.#edited(event)),
+            vscode.workspace.onDidCloseTextDocument((document) => void this.#end(document)),
+            vscode.window.onDidChangeActiveTextEditor((editor) => this.#focus(editor)),
+        );
+        this.#focus(vscode.window.activeTextEditor);
+    }
+
+    of(document: vscode.TextDocument): Session | undefined {
+        return this.#sessions.get(document.uri.toString());
+    }
+
+    /** The session of the ladder document that was looked at last. */
+    get current(): Session | undefined {
+        return this.#lastDocument && this.of(this.#lastDocument);
+    }
+
+    /** Starts a simulation of the active document's text as it is now; one that was there is ended. */
+    async start(): Promise<void> {
+        const document = this.#lastDocument;
+        if (!document) {
+            void vscode.window.showWarningMessage('Open a ladder program (.clad) to simulate it.');
+            return;
+        }
+        await this.#end(document);
+        const intervalMs = vscode.workspace.getConfiguration('ladder.simulation', document).get('interval', 10);
+        const { version } = document;
+        const textIn = (range: State['power'][number]['range']) => document.getText(toRange(range));
+        const session = await this.#tell(Session.start(document, intervalMs, textIn, (name, argument) => this.#server.simulate(name, argument)));
+        if (!session) {
+            return;
+        }
+        this.#sessions.set(document.uri.toString(), session);
+        if (document.version !== version) {
+            session.edited([]);
+        }
+        this.#announce(document);
+    }
+
+    async command<Name extends 'step' | 'run' | 'set' | 'force' | 'unforce' | 'reset'>(
+        name: Name,
+        argument: Commands[Name]['argument'],
+    ): Promise<void> {
+        const session = this.current;
+        const state = session && (await this.#tell(session.command(name, argument)));
+        if (state) {
+            this.#show(session, state);
+        }
+    }
+
+    async pause(): Promise<void> {
+        const session = this.current;
+        const state = session && (await this.#tell(session.urgent('pause', {})));
+        if (state) {
+            this.#show(session, state);
+        }
+    }
+
+    async stop(): Promise<void> {
+        if (this.#lastDocument) {
+            await this.#end(this.#lastDocument);
+        }
+    }
+
+    async toggle(name: string): Promise<void> {
+        const tag = this.current?.state.tags.find((candidate) => candidate.name === name);
+        if (tag && typeof tag.value === 'boolean') {
+            const value: Value = !tag.value;
+            await this.command('set', { tag: name, value });
+        }
+    }
+
+    dispose(): void {
+        this.#dropAll();
+        this.#subscriptions.dispose();
+    }
+
+    /** Shows what the server refused, in its own words. */
+    async #tell<T>(answer: Promise<T>): Promise<T | undefined> {
+        try {
+            return await answer;
+        } catch (error) {
+            void vscode.window.showErrorMessage(`Ladder: ${error instanceof Error ? error.message : String(error)}`);
+            return undefined;
+        }
+    }
+
+    #show(session: Session, state: State): void {
+        if (this.of(session.document) === session) {
+            session.state = state;
+            this.#announce(session.document);
+        }
+    }
+
+    #receive(state: State): void {
+        for (const session of this.#sessions.values()) {
+            if (session.id === state.session) {
+                this.#show(session, state);
+            }
+        }
+    }
+
+    #edited({ document, contentChanges }: vscode.TextDocumentChangeEvent): void {
+        const session = contentChanges.length > 0 ? this.of(document) : undefined;
+        if (session?.edited(contentChanges)) {
+            this.#announce(document);
+            void this.#offerRestart(document);
+        }
+    }
+
+    async #offerRestart(document: vscode.TextDocument): Promise<void> {
+        const restart = 'Start Again';
+        const chosen = await vscode.window.showInformationMessage(
+            'The program has changed; the simulation still runs the old one.',
+            restart,
+        );
+        if (chosen === restart) {
+            this.#lastDocument = document;
+            await this.start();
+        }
+    }
+
+    #focus(editor: vscode.TextEditor | undefined): void {
+        if (editor?.document.languageId === 'clad') {
+            this.#lastDocument = editor.document;
+            this.#announce(editor.document);
+        }
+    }
+
+    #announce(document: vscode.TextDocument): void {
+        const session = this.current;
+        void vscode.commands.executeCommand('setContext', 'ladder.simulating', session !== undefined);
+        void vscode.commands.executeCommand('setContext', 'ladder.running', session?.state.status === 'running');
+        this.#changed.fire(document);
+    }
+
+    async #end(document: vscode.TextDocument): Promise<void> {
+        const session = this.of(document);
+        if (session) {
+            this.#sessions.delete(document.uri.toString());
+            this.#announce(document);
+            // Whatever the server says: for this side the session is over.
+            await session.urgent('stop', {}).catch(() => undefined);
+        }
+    }
+
+    #dropAll(): void {
+        const documents = [...this.#sessions.values()].map(({ document }) => document);
+        this.#sessions.clear();
+        for (const document of documents) {
+            this.#announce(document);
+        }
+    }
+}
+
+/** The protocol's range as the editor's; both count UTF-16 units from 0. */
+export function toRange({ start, end }: State['power'][number]['range']): vscode.Range {
+    return new vscode.Range(start.line, start.character, end.line, end.character);
+}

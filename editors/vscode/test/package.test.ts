@@ -1,0 +1,59 @@
+// What package.json and language-configuration.json promise, held against the code and against ladder text.
+import assert from 'node:assert/strict';
+import { readFileSync } from 'node:fs';
+import { test } from 'node:test';
+
+const read = (name: string) => readFileSync(new URL(`../${name}`, import.meta.url), 'utf8');
+const manifest = JSON.parse(read('package.json'));
+const language = JSON.parse(read('language-configuration.json'));
+
+test('every command of package.json is registered, and every registered one is in package.json', () => {
+    const declared = manifest.contributes.commands.map(({ command }: { command: string }) => command).sort();
+    const registered = [...read('src/commands.ts').matchAll(/^ +'(ladder\.[.\w]+)':/gm)].map(([, name]) => name).sort();
+    assert.deepEqual(registered, declared);
+});
+
+test('menus and the welcome text name commands that exist', () => {
+    const declared = new Set(manifest.contributes.commands.map(({ command }: { command: string }) => command));
+    const menus = Object.values(manifest.contributes.menus as Record<string, { command: string }[]>).flat();
+    const welcome = [...JSON.stringify(manifest.contributes.viewsWelcome).matchAll(/command:([.\w]+)/g)];
+    for (const command of [...menus.map(({ command }) => command), ...welcome.map(([, command]) => command)]) {
+        assert.ok(declared.has(command), command);
+    }
+});
+
+test('settings that the code reads are declared', () => {
+    const declared = Object.keys(manifest.contributes.configuration[0].properties);
+    assert.ok(declared.includes('ladder.server.path'));
+    assert.ok(declared.includes('ladder.simulation.interval'));
+    for (const name of manifest.capabilities.untrustedWorkspaces.restrictedConfigurations) {
+        assert.ok(declared.includes(name), name);
+    }
+});
+
+test('the language claims .clad files only', () => {
+    assert.deepEqual(manifest.contributes.languages[0].extensions, ['.clad']);
+});
+
+test('Enter behind a line with a branch continues the rail, and only there', () => {
+    const [branch] = language.onEnterRules;
+    const continues = (line: string) => new RegExp(branch.beforeText).test(line);
+    assert.ok(continues('+--\\--[ ]( start )--( )( run )--+'));
+    assert.ok(continues('|  /--\\--[ ]( run )--/         |'));
+    assert.ok(!continues('+--[ ]( start )--( )( run )--+'));
+    assert.ok(!continues('# a path: C:\\ladder #'));
+    assert.equal(branch.action.appendText, '|  ');
+});
+
+test('words are tags, direct addresses and names of blocks', () => {
+    const { pattern, flags } = language.wordPattern;
+    const words = '--[$Debounce]( größe, %IX0.3, T#5s )--'.match(new RegExp(pattern, `g${flags}`));
+    assert.deepEqual(words, ['$Debounce', 'größe', '%IX0', '3', 'T', '5', 's']);
+});
+
+test('a section written on one line does not fold', () => {
+    const start = new RegExp(language.folding.markers.start);
+    assert.ok(start.test('VAR_INPUT'));
+    assert.ok(!start.test('VAR_OUTPUT  run : BOOL;  END_VAR'));
+    assert.ok(new RegExp(language.folding.markers.end).test('END_VAR'));
+});

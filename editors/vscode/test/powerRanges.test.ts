@@ -1,0 +1,30 @@
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+
+import { powerRanges } from '../src/powerRanges.ts';
+import type { Power } from '../src/protocol.ts';
+
+function piece(line: number, from: number, to: number, on: boolean): Power {
+    return { range: { start: { line, character: from }, end: { line, character: to } }, on };
+}
+
+function show(ranges: readonly Power['range'][]): string[] {
+    return ranges.map(({ start, end }) => `${start.line}:${start.character}-${end.line}:${end.character}`);
+}
+
+test('neighbours with the same power are one range', () => {
+    const { on, off } = powerRanges([
+        piece(0, 0, 1, true),
+        piece(0, 1, 3, true),
+        piece(0, 3, 13, false),
+        piece(0, 13, 15, false),
+        piece(1, 15, 16, false),
+    ]);
+    assert.deepEqual(show(on), ['0:0-0:3']);
+    assert.deepEqual(show(off), ['0:3-0:15', '1:15-1:16']);
+});
+
+test('a gap is not bridged, and the order of the list does not matter', () => {
+    const { on } = powerRanges([piece(0, 8, 9, true), piece(0, 0, 2, true), piece(0, 2, 4, true)]);
+    assert.deepEqual(show(on), ['0:0-0:4', '0:8-0:9']);
+});

@@ -1,0 +1,73 @@
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+
+import type { State } from '../src/protocol.ts';
+import { type Send, Session } from '../src/session.ts';
+
+const state: State = {
+    session: 's1',
+    uri: 'file:///motor.clad',
+    version: 1,
+    stale: false,
+    status: 'paused',
+    scan: 0,
+    timeMs: 0,
+    tags: [],
+    power: [{ range: { start: { line: 0, character: 0 }, end: { line: 0, character: 1 } }, on: true }],
+    faults: [],
+};
+
+// Only the address of the document is looked at.
+const document = { uri: { toString: () => 'file:///motor.clad' } } as unknown as Session['document'];
+
+/** A server that answers when it is told to, and a list of what it was sent. */
+function slowServer() {
+    const sent: string[] = [];
+    const answers: ((value: unknown) => void)[] = [];
+    const send = ((name: string, argument: object) => {
+        sent.push(`${name} ${JSON.stringify(argument)}`);
+        return name === 'start' ? Promise.resolve({ session: 's1', state }) : new Promise((resolve) => answers.push(resolve));
+    }) as unknown as Send;
+    return { sent, send, answer: () => answers.shift()?.(state) };
+}
+
+const nextTurn = () => new Promise(setImmediate);
+
+test('commands wait for one another, a pause does not', async () => {
+    const { sent, send, answer } = slowServer();
+    const session = await Session.start(document, 10, () => '', send);
+    void session.command('set', { tag: 'start', value: true });
+    void session.command('step', { scans: 3 });
+    await nextTurn();
+    assert.deepEqual(sent, [
+        'start {"uri":"file:///motor.clad","options":{"intervalMs":10}}',
+        'set {"tag":"start","value":true,"session":"s1"}',
+    ]);
+    answer();
+    await nextTurn();
+    assert.equal(sent.at(-1), 'step {"scans":3,"session":"s1"}');
+    void session.urgent('pause', {});
+    assert.equal(sent.at(-1), 'pause {"session":"s1"}');
+});
+
+test('a refused command does not hold up the next', async () => {
+    const sent: string[] = [];
+    const send = ((name: string) => {
+        sent.push(name);
+        return name === 'set' ? Promise.reject(new Error('no such tag')) : Promise.resolve(name === 'start' ? { state } : state);
+    }) as unknown as Send;
+    const session = await Session.start(document, 10, () => '', send);
+    await assert.rejects(session.command('set', { tag: 'strat', value: true }), /no such tag/);
+    await session.command('step', { scans: 1 });
+    assert.deepEqual(sent, ['start', 'set', 'step']);
+});
+
+test('the first edit makes a session stale, and its ranges move on', async () => {
+    const session = await Session.start(document, 10, () => '', slowServer().send);
+    const line = { range: { start: { line: 0, character: 0 }, end: { line: 0, character: 0 } }, text: '\n' };
+    const changes = [line] as unknown as Parameters<Session['edited']>[0];
+    assert.equal(session.edited(changes), true);
+    assert.equal(session.edited(changes), false);
+    assert.equal(session.stale, true);
+    assert.equal(session.staleRanges[0]?.start.line, 2);
+});

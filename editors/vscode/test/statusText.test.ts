@@ -1,0 +1,27 @@
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+
+import type { Fault } from '../src/protocol.ts';
+import { statusText } from '../src/statusText.ts';
+
+const zero = { line: 0, character: 0 };
+const fault: Fault = { message: 'division by zero', range: { start: zero, end: zero }, scan: 3 };
+
+test('status, scan and time are told', () => {
+    const { text, warning } = statusText({ status: 'paused', scan: 3, timeMs: 30, faults: [] }, false);
+    assert.equal(text, '$(debug-pause) Ladder: paused, scan 3, 30ms');
+    assert.equal(warning, false);
+});
+
+test('a stale session says so', () => {
+    const { text, tooltip, warning } = statusText({ status: 'running', scan: 12, timeMs: 1200, faults: [] }, true);
+    assert.match(text, /of an older text$/);
+    assert.match(tooltip, /has changed/);
+    assert.equal(warning, true);
+});
+
+test('faults are counted, and the last one is in the tooltip', () => {
+    const { text, tooltip } = statusText({ status: 'faulted', scan: 3, timeMs: 30, faults: [fault, fault] }, false);
+    assert.match(text, /2 faults$/);
+    assert.equal(tooltip, 'division by zero');
+});
