@@ -31,29 +31,74 @@ impl SyntaxError {
 /// What the parser can complain about. The analysis turns each into a diagnostic of a rule of LANGUAGE §7.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum SyntaxErrorKind {
-    /// A first part or an operand list without its closing bracket. The range reaches from the opening bracket
-    /// to the place where the closing one belongs.
+    /// A first part, an operand list, an index or a parenthesis without its closing bracket. The range reaches
+    /// from the opening bracket to the place where the closing one belongs.
     UnclosedBlock {
         /// The bracket that is missing.
+        closing: SyntaxKind,
+    },
+    /// A first part that ends with the bracket of another shape, as in `[TON)`. The range is the wrong bracket's.
+    WrongBracket {
+        /// The bracket that belongs there.
         closing: SyntaxKind,
     },
     /// A `#` without a partner: the comment reaches to the end of the text.
     UnclosedComment,
     /// Characters that mean nothing where they stand.
     UnexpectedCharacter {
+        /// What they stand in.
+        place: Place,
         /// They stand right behind a comment that ended inside what looks like a literal (`T# 5s #`).
         behind_comment: bool,
     },
     /// A string without its closing quote.
     UnclosedString,
-    /// No value where an operand or a part of an expression must stand.
-    MissingOperand,
+    /// The name of a user-defined block that is not a letter, then letters and digits, as in `$my_block`.
+    BadBlockName,
+    /// No value where an operand or a part of an expression must stand. The range is that of the next token, or
+    /// empty at the end of a line.
+    MissingOperand {
+        /// What lacks it.
+        place: OperandPlace,
+    },
     /// Two operands without a comma between them.
     MissingComma,
     /// An expression that is nested more deeply, or has more terms, than the tools read.
     TooComplex,
     /// A declaration that cannot be read from here on.
     BadDeclaration(DeclarationProblem),
+}
+
+/// What something stands in.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum Place {
+    /// On a line, outside blocks.
+    Rung,
+    /// In a block's first part.
+    Head,
+    /// In an operand list.
+    Operands,
+    /// In a section or on the first or last line of a block definition.
+    Declaration,
+}
+
+/// Where a value is missing.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum OperandPlace {
+    /// Between two commas, or between a comma and a parenthesis, of a list.
+    List,
+    /// Before or behind an operator or a sign.
+    Operator,
+    /// Before or behind `:=` or `=>`.
+    Named,
+    /// Between the brackets of an index.
+    Index,
+    /// Before or behind `..`.
+    Range,
+    /// Between the parentheses of an expression.
+    Parentheses,
+    /// Behind the point of a member.
+    Member,
 }
 
 /// What is wrong with a declaration, a section or a block definition.

@@ -31,7 +31,7 @@ mod parse;
 mod structure;
 pub mod wiring;
 
-pub use error::{DeclarationProblem, SyntaxError, SyntaxErrorKind};
+pub use error::{DeclarationProblem, OperandPlace, Place, SyntaxError, SyntaxErrorKind};
 pub use grammar::is_declaration_keyword;
 pub use kind::{LadderLanguage, SyntaxElement, SyntaxKind, SyntaxNode, SyntaxToken};
 pub use line::{Line, LineKind, Mode};

@@ -5,7 +5,7 @@
 
 use super::{Parser, expression};
 use crate::lexer::{self, Context};
-use crate::{SyntaxErrorKind, SyntaxKind};
+use crate::{OperandPlace, SyntaxErrorKind, SyntaxKind};
 
 /// The block that begins with the bracket `open`.
 pub(super) fn block(p: &mut Parser<'_, '_, '_>, open: SyntaxKind) {
@@ -109,12 +109,22 @@ fn operand_list(p: &mut Parser<'_, '_, '_>) {
             }
             SyntaxKind::COMMA => {
                 if !operand_before {
-                    p.error_here(SyntaxErrorKind::MissingOperand, Context::Operand);
+                    p.error_here(
+                        SyntaxErrorKind::MissingOperand {
+                            place: OperandPlace::List,
+                        },
+                        Context::Operand,
+                    );
                 }
                 operand_before = false;
                 p.bump(Context::Operand);
                 if closes_list(p) {
-                    p.error_here(SyntaxErrorKind::MissingOperand, Context::Operand);
+                    p.error_here(
+                        SyntaxErrorKind::MissingOperand {
+                            place: OperandPlace::List,
+                        },
+                        Context::Operand,
+                    );
                 }
             }
             SyntaxKind::ERROR => p.unexpected(Context::Operand, |k| k == SyntaxKind::ERROR),

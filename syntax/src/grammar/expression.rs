@@ -6,7 +6,7 @@
 use super::block::ends_unclosed_list;
 use super::{MAX_DEPTH, MAX_TERMS, Parser};
 use crate::lexer::Context;
-use crate::{SyntaxErrorKind, SyntaxKind};
+use crate::{OperandPlace, SyntaxErrorKind, SyntaxKind};
 
 /// One operand: an expression, or a named one with `:=` or `=>`.
 pub(super) fn operand(p: &mut Parser<'_, '_, '_>) {
@@ -21,7 +21,12 @@ pub(super) fn operand(p: &mut Parser<'_, '_, '_>) {
         p.bump(Context::Operand);
         p.skip_trivia(Context::Operand);
         if ends_operand(p) {
-            p.error_here(SyntaxErrorKind::MissingOperand, Context::Operand);
+            p.error_here(
+                SyntaxErrorKind::MissingOperand {
+                    place: OperandPlace::Named,
+                },
+                Context::Operand,
+            );
         } else {
             expression(p, 0);
         }
@@ -123,7 +128,12 @@ pub(super) fn expression(p: &mut Parser<'_, '_, '_>, floor: u8) {
         p.bump(Context::Operand);
         p.skip_trivia(Context::Operand);
         if ends_operand(p) {
-            p.error_here(SyntaxErrorKind::MissingOperand, Context::Operand);
+            p.error_here(
+                SyntaxErrorKind::MissingOperand {
+                    place: OperandPlace::Operator,
+                },
+                Context::Operand,
+            );
         } else {
             // `^` groups to the right.
             expression(p, if power == POWER { POWER - 1 } else { power });
@@ -190,7 +200,12 @@ fn prefix(p: &mut Parser<'_, '_, '_>) {
     p.bump(Context::Operand);
     p.skip_trivia(Context::Operand);
     if ends_operand(p) {
-        p.error_here(SyntaxErrorKind::MissingOperand, Context::Operand);
+        p.error_here(
+            SyntaxErrorKind::MissingOperand {
+                place: OperandPlace::Operator,
+            },
+            Context::Operand,
+        );
     } else {
         expression(p, UNARY);
     }
@@ -219,7 +234,12 @@ fn postfix(p: &mut Parser<'_, '_, '_>) {
                 p.skip_trivia(Context::Operand);
                 match p.peek(Context::Operand) {
                     SyntaxKind::IDENT | SyntaxKind::LITERAL => p.bump(Context::Operand),
-                    _ => p.error_here(SyntaxErrorKind::MissingOperand, Context::Operand),
+                    _ => p.error_here(
+                        SyntaxErrorKind::MissingOperand {
+                            place: OperandPlace::Member,
+                        },
+                        Context::Operand,
+                    ),
                 }
                 p.finish_node();
             }
@@ -264,7 +284,12 @@ fn index(p: &mut Parser<'_, '_, '_>) {
     p.skip_trivia(Context::Operand);
     let checkpoint = p.checkpoint();
     if ends_operand(p) {
-        p.error_here(SyntaxErrorKind::MissingOperand, Context::Operand);
+        p.error_here(
+            SyntaxErrorKind::MissingOperand {
+                place: OperandPlace::Index,
+            },
+            Context::Operand,
+        );
     } else {
         expression(p, 0);
     }
@@ -274,7 +299,12 @@ fn index(p: &mut Parser<'_, '_, '_>) {
         p.bump(Context::Operand);
         p.skip_trivia(Context::Operand);
         if ends_operand(p) {
-            p.error_here(SyntaxErrorKind::MissingOperand, Context::Operand);
+            p.error_here(
+                SyntaxErrorKind::MissingOperand {
+                    place: OperandPlace::Range,
+                },
+                Context::Operand,
+            );
         } else {
             expression(p, 0);
         }
@@ -307,7 +337,12 @@ pub(super) fn arguments(p: &mut Parser<'_, '_, '_>, closing: SyntaxKind) {
         }
         let from = p.at;
         if p.peek(Context::Operand) == SyntaxKind::COMMA {
-            p.error_here(SyntaxErrorKind::MissingOperand, Context::Operand);
+            p.error_here(
+                SyntaxErrorKind::MissingOperand {
+                    place: OperandPlace::List,
+                },
+                Context::Operand,
+            );
         } else {
             expression(p, 0);
         }
@@ -340,7 +375,12 @@ fn primary(p: &mut Parser<'_, '_, '_>) -> bool {
             p.bump(Context::Operand);
             p.skip_trivia(Context::Operand);
             if ends_operand(p) {
-                p.error_here(SyntaxErrorKind::MissingOperand, Context::Operand);
+                p.error_here(
+                    SyntaxErrorKind::MissingOperand {
+                        place: OperandPlace::Parentheses,
+                    },
+                    Context::Operand,
+                );
             } else {
                 expression(p, 0);
             }
@@ -349,7 +389,12 @@ fn primary(p: &mut Parser<'_, '_, '_>) -> bool {
             return true;
         }
         _ => {
-            p.error_here(SyntaxErrorKind::MissingOperand, Context::Operand);
+            p.error_here(
+                SyntaxErrorKind::MissingOperand {
+                    place: OperandPlace::List,
+                },
+                Context::Operand,
+            );
             return false;
         }
     };

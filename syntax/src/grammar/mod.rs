@@ -9,7 +9,7 @@ pub use declaration::is_declaration_keyword;
 pub(crate) use line::line;
 
 use crate::lexer::{self, Context};
-use crate::{DeclarationProblem, SyntaxError, SyntaxErrorKind, SyntaxKind};
+use crate::{DeclarationProblem, Place, SyntaxError, SyntaxErrorKind, SyntaxKind};
 use rowan::{Checkpoint, GreenNodeBuilder, TextRange, TextSize};
 
 /// How deep expressions may nest, and how many operators one operand may have. Both bound the depth of the
@@ -147,7 +147,14 @@ impl Parser<'_, '_, '_> {
             self.bump_as(context, SyntaxKind::ERROR);
         }
         self.error_at(
-            SyntaxErrorKind::UnexpectedCharacter { behind_comment },
+            SyntaxErrorKind::UnexpectedCharacter {
+                place: match context {
+                    Context::Rung => Place::Rung,
+                    Context::Head => Place::Head,
+                    Context::Operand => Place::Operands,
+                },
+                behind_comment,
+            },
             from,
             self.at,
         );
