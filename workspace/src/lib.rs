@@ -12,7 +12,7 @@
 //!   `.gitignore`.
 //! - [`read`] and [`decode`] are the one gate for text: nothing that is not UTF-8, and nothing larger than
 //!   [`MAX_FILE_BYTES`], goes past it.
-//! - [`write`] puts a new text in a file's place in one step: a reader, or a power cut, sees the old text or the
+//! - [`write()`] puts a new text in a file's place in one step: a reader, or a power cut, sees the old text or the
 //!   new one, never a half.
 //! - [`Root::of`] finds the folder that a program belongs to (LANGUAGE §4), which is where the settings file
 //!   [`SETTINGS_FILE`] stands.
