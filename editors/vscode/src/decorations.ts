@@ -29,7 +29,8 @@ const values = vscode.window.createTextEditorDecorationType({
 function lineValues(session: Session): vscode.DecorationOptions[] {
     return [...session.lineTags].flatMap(([line, places]) => {
         const end = session.document.lineAt(line).range.end;
-        const contentText = lineText(session.state.tags, places);
+        // The page would make one blank of two.
+        const contentText = lineText(session.state.tags, places).replaceAll(' ', '\u00a0');
         return { range: new vscode.Range(end, end), renderOptions: { after: { contentText } } };
     });
 }

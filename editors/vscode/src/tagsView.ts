@@ -1,4 +1,4 @@
-// The view "Ladder Tags": every tag with its value; a click on an input inverts it.
+// The view "Tags": every tag with its value; a click on an input inverts it.
 import * as vscode from 'vscode';
 
 import type { State, Tag } from './protocol.ts';

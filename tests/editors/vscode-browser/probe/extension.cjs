@@ -1,0 +1,122 @@
+// A person's first hour in VS Code, step by step, through the editor's own commands. Writes one JSON object a line.
+const assert = require('node:assert/strict');
+const { appendFileSync } = require('node:fs');
+
+const vscode = require('vscode');
+
+const report = process.env.LADDER_REPORT;
+
+function tell(result) {
+    appendFileSync(report, `${JSON.stringify(result)}\n`);
+}
+
+async function step(name, check) {
+    const started = Date.now();
+    try {
+        await check();
+        tell({ name, ok: true, ms: Date.now() - started });
+    } catch (error) {
+        tell({ name, ok: false, ms: Date.now() - started, message: error.message });
+    }
+}
+
+/** Waits for something that the server brings about. */
+async function eventually(what, value) {
+    const limit = Date.now() + 10_000;
+    for (;;) {
+        const found = await value();
+        if (found) {
+            return found;
+        }
+        if (Date.now() > limit) {
+            throw new Error(`waited 10 s in vain for ${what}`);
+        }
+        await new Promise((resolve) => setTimeout(resolve, 20));
+    }
+}
+
+async function open(name) {
+    const [folder] = vscode.workspace.workspaceFolders;
+    const document = await vscode.workspace.openTextDocument(vscode.Uri.joinPath(folder.uri, name));
+    await vscode.window.showTextDocument(document);
+    return document;
+}
+
+/** The picture of a state: what has power keeps its characters, all else is blank. */
+function live(document, state) {
+    return [...Array(document.lineCount).keys()].map((line) => {
+        const cells = document.lineAt(line).text.split('').map((character, column) => {
+            const on = state.power.some(
+                ({ range, on }) =>
+                    on && range.start.line === line && range.start.character <= column && column < range.end.character,
+            );
+            return on ? character : ' ';
+        });
+        return cells.join('').trimEnd();
+    });
+}
+
+async function session() {
+    const ladder = vscode.extensions.getExtension('ladder-text.ladder');
+    const api = await ladder.activate();
+    const run = (command, ...given) => vscode.commands.executeCommand(`ladder.simulation.${command}`, ...given);
+    const tag = (name) => api.state().tags.find((candidate) => candidate.name === name);
+
+    await step('the language of .clad files is clad, without word wrap', async () => {
+        const document = await open('motor.clad');
+        assert.equal(document.languageId, 'clad');
+        assert.equal(vscode.workspace.getConfiguration('editor', document).get('wordWrap'), 'off');
+    });
+
+    await step('a connector without a partner gets a diagnostic at its place', async () => {
+        const document = await open('unpaired.clad');
+        const [found] = await eventually('the diagnostic', () => {
+            const all = vscode.languages.getDiagnostics(document.uri);
+            return all.length > 0 && all;
+        });
+        assert.equal(found.code?.value ?? found.code, 'unpaired-connector');
+        assert.deepEqual([found.range.start.line, found.range.start.character], [1, 36]);
+    });
+
+    await step('hovering over a timer explains it', async () => {
+        const document = await open('motor.clad');
+        const position = document.positionAt(document.getText().indexOf('TON'));
+        const [hover] = await vscode.commands.executeCommand('vscode.executeHoverProvider', document.uri, position);
+        assert.match(hover.contents.map((content) => content.value ?? content).join('\n'), /timer/i);
+    });
+
+    await step('formatting aligns a crooked drawing', async () => {
+        const document = await open('crooked.clad');
+        await vscode.commands.executeCommand('editor.action.formatDocument');
+        const motor = await open('motor.clad');
+        assert.equal(document.getText(), motor.getText());
+    });
+
+    await step('three scans with start high give power to exactly these cells', async () => {
+        const document = await open('motor.clad');
+        await run('start');
+        await run('toggle', tag('start'));
+        for (let scan = 0; scan < 3; scan += 1) {
+            await run('step');
+        }
+        const state = api.state();
+        assert.equal(state.scan, 3);
+        assert.deepEqual(live(document, state), [
+            '',
+            '+--\\--[ ]( start )--\\--[/]( stop )-------------( )( run )--+',
+            '',
+            '   /--[ ]( run )----/',
+            '',
+            '+--[ ]( run )--------[TON]( warmup, T#20ms )--( )( lamp )--+',
+            '',
+        ]);
+    });
+    // For the page, which is looked at next.
+    await vscode.commands.executeCommand('ladder.tags.focus');
+}
+
+exports.activate = () => {
+    session()
+        .catch((error) => tell({ name: 'the extension starts', ok: false, ms: 0, message: error.message }))
+        .finally(() => tell({ done: true }));
+};
