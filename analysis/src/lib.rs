@@ -1,12 +1,35 @@
 //! Names, types, the program model and the diagnostics of ladder text.
 //!
 //! ```text
-//! Parse --facts--> per network: wiring, blocks, operands (from its lines alone)
-//!        --scope--> declarations  --infer--> the types of undeclared tags
-//!        --resolve--> Program: names resolved, operands typed, elements in the order of evaluation
-//!        --rules--> Diagnostics, with fixes as text edits
+//! Parse --network--> per network: wiring, blocks bound to the instruction table, order of evaluation
+//!       --declare--> the tags of each scope   --uses, infer--> undeclared tags and their types
+//!       --resolve--> Program: names resolved, operands typed, elements in the order of evaluation
+//!       --rules----> Diagnostics, with fixes as text edits
 //! ```
+//!
+//! [`analyze`] does all of it for one file. [`Context`](context::Context) is what rules and the editor's features
+//! read; [`Program`](program::Program) is what runs. A file with errors has no program.
 
+mod analyze;
+pub mod constant;
+pub mod context;
+mod declare;
+pub mod diagnostic;
+pub mod facts;
+mod infer;
+pub mod literal;
+pub mod network;
+pub mod order;
 pub mod program;
+mod resolve;
+pub mod rule;
+mod rules;
+pub mod scope;
 pub mod types;
+pub mod user_block;
+mod uses;
 pub mod value;
+
+pub use analyze::{Analysis, analyze};
+pub use diagnostic::{Diagnostic, Fix, Related};
+pub use rule::{Rule, RuleGroup, Severity};

@@ -1,0 +1,45 @@
+//! A file, analysed.
+
+use crate::context::{Context, context};
+use crate::diagnostic::Diagnostic;
+use crate::program::Program;
+use crate::rule::Severity;
+use crate::{resolve, rules};
+use ladder_syntax::Parse;
+
+/// What is known of a file.
+#[derive(Debug, Clone)]
+pub struct Analysis<'p> {
+    /// Names, networks and blocks.
+    pub context: Context<'p>,
+    /// The findings, in the order of their places.
+    pub diagnostics: Vec<Diagnostic>,
+    /// The program, if there are no errors.
+    pub program: Option<Program>,
+}
+
+impl Analysis<'_> {
+    /// Whether a finding is an error: the program is not simulated.
+    pub fn has_errors(&self) -> bool {
+        self.diagnostics.iter().any(|d| d.severity == Severity::Error)
+    }
+}
+
+/// Analyses a file. `name` is how messages of a running program call it.
+pub fn analyze<'p>(parse: &'p Parse, name: &str) -> Analysis<'p> {
+    let mut diagnostics = Vec::new();
+    let context = context(parse, &mut diagnostics);
+    let program = resolve::program(&context, name, &mut diagnostics);
+    rules::check(&context, &mut diagnostics);
+    diagnostics.sort_by_key(|d| (d.range.start(), d.range.end(), d.rule));
+    diagnostics.dedup();
+    let mut analysis = Analysis {
+        context,
+        diagnostics,
+        program: None,
+    };
+    if !analysis.has_errors() {
+        analysis.program = Some(program);
+    }
+    analysis
+}

@@ -1,0 +1,259 @@
+//! Constants: literals brought to the type that their place asks for, and initial values.
+
+use crate::diagnostic::Diagnostic;
+use crate::facts::{Node, NodeKind, Operator};
+use crate::literal::{Literal, LiteralProblem};
+use crate::rule::Rule;
+use crate::types::{Scalar, Type, passes};
+use crate::value::{Value, wrap};
+use ladder_syntax::{TextRange, TextSize};
+
+/// Why a value does not fit its place.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub(crate) struct ConstantProblem {
+    pub(crate) rule: Rule,
+    pub(crate) range: TextRange,
+    pub(crate) message: String,
+}
+
+impl ConstantProblem {
+    fn new(rule: Rule, range: TextRange, message: impl Into<String>) -> ConstantProblem {
+        ConstantProblem {
+            rule,
+            range,
+            message: message.into(),
+        }
+    }
+
+    /// As a finding; `start` is where the line starts that the ranges count from.
+    pub(crate) fn diagnostic(self, start: TextSize) -> Diagnostic {
+        Diagnostic::new(self.rule, self.range + start, self.message)
+    }
+}
+
+/// What a malformed literal is reported as.
+pub(crate) fn literal_problem(problem: &LiteralProblem, range: TextRange) -> ConstantProblem {
+    match problem {
+        LiteralProblem::Malformed(message) => ConstantProblem::new(Rule::BadLiteral, range, message.clone()),
+        LiteralProblem::OutOfRange(message) => {
+            ConstantProblem::new(Rule::LiteralOutOfRange, range, message.clone())
+        }
+    }
+}
+
+/// The value of a literal in a type (an untyped literal takes the type of its place, and must fit it).
+/// `negative` stands for a minus before it.
+pub(crate) fn place(
+    literal: &Literal,
+    negative: bool,
+    ty: Scalar,
+    range: TextRange,
+) -> Result<Value, ConstantProblem> {
+    let mismatch = || {
+        ConstantProblem::new(
+            Rule::TypeMismatch,
+            range,
+            format!("{} is no {ty}", describe(literal)),
+        )
+    };
+    if let Literal::Typed(own, inner) = literal {
+        if !passes(*own, ty) {
+            let message = format!("a {own} does not pass to {ty}: convert it with [TYP]");
+            return Err(ConstantProblem::new(Rule::TypeMismatch, range, message));
+        }
+        let value = place(inner, negative, *own, range)?;
+        return Ok(pass(value, *own, ty));
+    }
+    match (literal, ty) {
+        (Literal::Bool(value), Scalar::Bool) if !negative => Ok(Value::Bool(*value)),
+        (Literal::Int(0 | 1), Scalar::Bool) if !negative => Ok(Value::Bool(*literal == Literal::Int(1))),
+        (Literal::Int(n), _) if ty.bounds().is_some() => {
+            let n = if negative { -n } else { *n };
+            let (low, high) = ty.bounds().unwrap_or((0, 0));
+            if !(low..=high).contains(&n) {
+                let message = format!("{n} is outside of {ty}, which holds {low} to {high}");
+                return Err(ConstantProblem::new(Rule::LiteralOutOfRange, range, message));
+            }
+            // ULINT and LWORD are kept as the same 64 bits.
+            Ok(Value::Int(n as i64))
+        }
+        (Literal::Int(n), Scalar::Real | Scalar::Lreal) => {
+            real(if negative { -n } else { *n } as f64, ty, range)
+        }
+        (Literal::Real(r), Scalar::Real | Scalar::Lreal) => real(if negative { -r } else { *r }, ty, range),
+        (Literal::Time(t), Scalar::Time) => Ok(Value::Int(if negative { t.wrapping_neg() } else { *t })),
+        (Literal::Date(t), Scalar::Date) | (Literal::Tod(t), Scalar::Tod) | (Literal::Dt(t), Scalar::Dt)
+            if !negative =>
+        {
+            Ok(Value::Int(*t))
+        }
+        (Literal::Text(text), Scalar::String(length)) if !negative => {
+            if text.len() > usize::from(length) {
+                let message = format!("the text has {} characters, {ty} holds {length}", text.len());
+                return Err(ConstantProblem::new(Rule::LiteralOutOfRange, range, message));
+            }
+            Ok(Value::Text(text.clone()))
+        }
+        _ => Err(mismatch()),
+    }
+}
+
+fn real(value: f64, ty: Scalar, range: TextRange) -> Result<Value, ConstantProblem> {
+    let value = if ty == Scalar::Real {
+        f64::from(value as f32)
+    } else {
+        value
+    };
+    if !value.is_finite() {
+        return Err(ConstantProblem::new(
+            Rule::LiteralOutOfRange,
+            range,
+            format!("the number is too large for {ty}"),
+        ));
+    }
+    Ok(Value::Real(value))
+}
+
+/// A value that passes from one type to another without `[TYP]`. The types must allow it.
+pub fn pass(value: Value, from: Scalar, to: Scalar) -> Value {
+    match value {
+        Value::Int(n) if to.is_real() => Value::Real(if from == Scalar::Ulint {
+            n as u64 as f64
+        } else {
+            n as f64
+        }),
+        Value::Int(n) => Value::Int(wrap(n, to)),
+        Value::Real(r) if to == Scalar::Real => Value::Real(f64::from(r as f32)),
+        other => other,
+    }
+}
+
+/// What a literal is, for a message.
+pub(crate) fn describe(literal: &Literal) -> String {
+    match literal {
+        Literal::Bool(true) => "TRUE".to_owned(),
+        Literal::Bool(false) => "FALSE".to_owned(),
+        Literal::Int(n) => format!("the number {n}"),
+        Literal::Real(r) => format!("the real number {r}"),
+        Literal::Time(_) => "a duration".to_owned(),
+        Literal::Date(_) => "a date".to_owned(),
+        Literal::Tod(_) => "a time of day".to_owned(),
+        Literal::Dt(_) => "a date and time".to_owned(),
+        Literal::Text(_) => "a text".to_owned(),
+        Literal::Typed(scalar, _) => format!("a {scalar}"),
+    }
+}
+
+/// The type that an untyped literal has where its place asks for none.
+pub(crate) fn natural_type(literal: &Literal, negative: bool) -> Scalar {
+    match literal {
+        Literal::Bool(_) => Scalar::Bool,
+        Literal::Int(n) => {
+            let n = if negative { -n } else { *n };
+            let (low, high) = (i128::from(i32::MIN), i128::from(i32::MAX));
+            if (low..=high).contains(&n) {
+                Scalar::Dint
+            } else if n <= i128::from(i64::MAX) {
+                Scalar::Lint
+            } else {
+                Scalar::Ulint
+            }
+        }
+        Literal::Real(_) => Scalar::Lreal,
+        Literal::Time(_) => Scalar::Time,
+        Literal::Date(_) => Scalar::Date,
+        Literal::Tod(_) => Scalar::Tod,
+        Literal::Dt(_) => Scalar::Dt,
+        Literal::Text(text) => Scalar::String(u16::try_from(text.len()).unwrap_or(u16::MAX).max(1)),
+        Literal::Typed(scalar, _) => *scalar,
+    }
+}
+
+/// A literal with its sign, if the node is no more than that.
+pub(crate) fn signed_literal(node: &Node) -> Option<(&Result<Literal, LiteralProblem>, bool)> {
+    match &node.kind {
+        NodeKind::Literal(literal) => Some((literal, false)),
+        NodeKind::Unary(Operator::Sub, inner) => match &inner.kind {
+            NodeKind::Literal(
+                literal @ (Ok(Literal::Int(_) | Literal::Real(_) | Literal::Time(_)) | Err(_)),
+            ) => Some((literal, true)),
+            _ => None,
+        },
+        NodeKind::Paren(inner) => signed_literal(inner),
+        _ => None,
+    }
+}
+
+/// The initial values that a declaration gives: one, or one for each element of an array (fewer leave the rest
+/// at the type's own).
+pub(crate) fn initial_values(node: &Node, ty: Type) -> Result<Vec<Value>, ConstantProblem> {
+    match ty {
+        Type::Scalar(scalar) => Ok(vec![initial_value(node, scalar)?]),
+        Type::State(state) => {
+            let message = format!("a {} starts cleared: it has no initial value", state.name());
+            Err(ConstantProblem::new(Rule::BadDeclaration, node.range, message))
+        }
+        Type::Array { first, last, element } => {
+            let NodeKind::Array(nodes) = &node.kind else {
+                let message = "an array's values stand in brackets: [1, 2, 3]";
+                return Err(ConstantProblem::new(Rule::BadDeclaration, node.range, message));
+            };
+            let most = (last - first + 1) as usize;
+            let mut values = Vec::new();
+            for node in nodes {
+                elements(node, element, most, &mut values)?;
+            }
+            if values.len() > most {
+                let message = format!("there are {} values for {most} elements", values.len());
+                return Err(ConstantProblem::new(Rule::BadDeclaration, node.range, message));
+            }
+            values.resize(most, Value::zero(element));
+            Ok(values)
+        }
+    }
+}
+
+/// One value of an array's list, or a repeated one: `4(0)`.
+fn elements(
+    node: &Node,
+    element: Scalar,
+    most: usize,
+    values: &mut Vec<Value>,
+) -> Result<(), ConstantProblem> {
+    let NodeKind::Repeat(count, repeated) = &node.kind else {
+        values.push(initial_value(node, element)?);
+        return Ok(());
+    };
+    let NodeKind::Literal(Ok(Literal::Int(count))) = count.kind else {
+        return Err(ConstantProblem::new(
+            Rule::BadDeclaration,
+            count.range,
+            "a count is a whole number: 4(0)",
+        ));
+    };
+    let count = usize::try_from(count).unwrap_or(usize::MAX);
+    if count.saturating_mul(repeated.len()) > most {
+        let message = format!("there are more values than the array's {most} elements");
+        return Err(ConstantProblem::new(Rule::BadDeclaration, node.range, message));
+    }
+    let mut once = Vec::new();
+    for value in repeated {
+        once.push(initial_value(value, element)?);
+    }
+    for _ in 0..count {
+        values.extend_from_slice(&once);
+    }
+    Ok(())
+}
+
+fn initial_value(node: &Node, ty: Scalar) -> Result<Value, ConstantProblem> {
+    match signed_literal(node) {
+        Some((Ok(literal), negative)) => place(literal, negative, ty, node.range),
+        Some((Err(problem), _)) => Err(literal_problem(problem, node.range)),
+        None => Err(ConstantProblem::new(
+            Rule::BadDeclaration,
+            node.range,
+            "an initial value is a literal",
+        )),
+    }
+}

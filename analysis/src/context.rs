@@ -1,0 +1,201 @@
+//! All that is known of a file before its program is put together: what rules and the editor's features read.
+
+use crate::declare;
+use crate::diagnostic::Diagnostic;
+use crate::infer;
+use crate::network::{self, Meaning, NetworkFacts};
+use crate::program::Role;
+use crate::scope::{Origin, Scope, TagFacts};
+use crate::types::Scalar;
+use crate::types::Type;
+use crate::user_block::{self, UserBlockFacts};
+use crate::uses;
+use ladder_instructions::Op;
+use ladder_syntax::{Name, Parse, TextRange};
+
+/// A file's names, networks and blocks.
+#[derive(Debug, Clone)]
+pub struct Context<'p> {
+    /// The parse that all of it was read off.
+    pub parse: &'p Parse,
+    /// The networks, as in the structure.
+    pub networks: Vec<NetworkFacts>,
+    /// The file's scope, then one for each block definition.
+    pub scopes: Vec<Scope>,
+    /// The definitions of user-defined blocks, as in the structure.
+    pub user_blocks: Vec<UserBlockFacts>,
+    /// The functions in the order of the text.
+    pub functions: Vec<FunctionFacts>,
+    /// The labels in the order of the text.
+    pub labels: Vec<LabelFacts>,
+    /// For each network the body it belongs to.
+    pub bodies: Vec<Body>,
+}
+
+/// What a network belongs to. A label is seen within its own body only.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub enum Body {
+    /// The main program.
+    Main,
+    /// A function, by its index.
+    Function(usize),
+    /// A block definition, by its index.
+    Block(usize),
+}
+
+/// A `<FUN>`.
+#[derive(Debug, Clone)]
+pub struct FunctionFacts {
+    /// As written.
+    pub name: String,
+    /// As it is compared.
+    pub key: Name,
+    /// The network that holds the `<FUN>`.
+    pub network: usize,
+    /// Where the name stands.
+    pub at: TextRange,
+}
+
+/// A `<LBL>`.
+#[derive(Debug, Clone)]
+pub struct LabelFacts {
+    /// As written.
+    pub name: String,
+    /// As it is compared.
+    pub key: Name,
+    /// The network that it marks.
+    pub network: usize,
+    /// Where the name stands.
+    pub at: TextRange,
+}
+
+impl Context<'_> {
+    /// The network that a jump from `network` to a label goes to: the nearest behind it, else the nearest
+    /// before it or itself (LANGUAGE §5.5).
+    pub fn jump_target(&self, network: usize, label: &Name) -> Option<usize> {
+        let body = self.bodies[network];
+        let mut candidates = self
+            .labels
+            .iter()
+            .filter(|l| l.key == *label && self.bodies[l.network] == body);
+        let behind = candidates
+            .clone()
+            .map(|l| l.network)
+            .filter(|&n| n > network)
+            .min();
+        behind.or_else(|| {
+            candidates
+                .by_ref()
+                .map(|l| l.network)
+                .filter(|&n| n <= network)
+                .max()
+        })
+    }
+
+    /// The function of a name.
+    pub fn function(&self, name: &Name) -> Option<usize> {
+        self.functions.iter().position(|function| function.key == *name)
+    }
+}
+
+/// Reads a file's names, networks and blocks. What is wrong with declarations goes to `out`.
+pub fn context<'p>(parse: &'p Parse, out: &mut Vec<Diagnostic>) -> Context<'p> {
+    let structure = parse.structure();
+    let mut scopes = vec![Scope::default()];
+    scopes.extend(structure.blocks.iter().enumerate().map(|(index, definition)| {
+        let mut scope = Scope::default();
+        scope.block = Some(index);
+        for name in ["EN", "ENO"] {
+            scope.add(implicit(name, parse.line_range(definition.lines.start)));
+        }
+        scope
+    }));
+    for section in &structure.sections {
+        declare::section(
+            parse,
+            section,
+            &mut scopes[section.block.map_or(0, |block| block + 1)],
+            out,
+        );
+    }
+    let user_blocks: Vec<UserBlockFacts> = structure
+        .blocks
+        .iter()
+        .zip(&scopes[1..])
+        .map(|(definition, scope)| user_block::user_block(parse, definition.lines.start, scope))
+        .collect();
+    let networks: Vec<NetworkFacts> = structure
+        .networks
+        .iter()
+        .map(|n| network::network(parse, n, &user_blocks))
+        .collect();
+    let mut context = Context {
+        parse,
+        networks,
+        scopes,
+        user_blocks,
+        functions: Vec::new(),
+        labels: Vec::new(),
+        bodies: Vec::new(),
+    };
+    bodies(&mut context);
+    uses::collect(&mut context);
+    infer::infer(&mut context, out);
+    context
+}
+
+fn implicit(name: &str, at: TextRange) -> TagFacts {
+    TagFacts {
+        name: name.to_owned(),
+        ty: Some(Type::Scalar(Scalar::Bool)),
+        role: Role::Internal,
+        origin: Origin::Implicit,
+        retain: false,
+        constant: false,
+        initial: Vec::new(),
+        address: None,
+        at,
+        uses: Vec::new(),
+    }
+}
+
+/// Finds functions and labels, and which body each network belongs to. A network's first `<FUN>` counts.
+fn bodies(context: &mut Context<'_>) {
+    let mut current = Body::Main;
+    for (index, network) in context.networks.iter().enumerate() {
+        for block in &network.blocks {
+            let (Meaning::Instruction(row), Some(operand)) = (block.meaning, block.facts.operands.first())
+            else {
+                continue;
+            };
+            let crate::facts::NodeKind::Name(name) = &operand.value.kind else {
+                continue;
+            };
+            let (name, at) = (name.to_string(), block.absolute(operand.value.range));
+            let key = Name::new(&name);
+            match row.op {
+                Op::Fun if network.scope == 0 => {
+                    current = Body::Function(context.functions.len());
+                    context.functions.push(FunctionFacts {
+                        name,
+                        key,
+                        network: index,
+                        at,
+                    });
+                }
+                Op::Lbl => context.labels.push(LabelFacts {
+                    name,
+                    key,
+                    network: index,
+                    at,
+                }),
+                _ => {}
+            }
+        }
+        context.bodies.push(if network.scope == 0 {
+            current
+        } else {
+            Body::Block(network.scope - 1)
+        });
+    }
+}

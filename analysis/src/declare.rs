@@ -1,0 +1,236 @@
+//! Declarations: from sections to the tags of a scope (LANGUAGE §4).
+
+use crate::constant;
+use crate::diagnostic::Diagnostic;
+use crate::facts;
+use crate::program::Role;
+use crate::rules::{bad_declaration, duplicate_declaration};
+use crate::scope::{Origin, Scope, SectionKind, TagFacts, type_by_form};
+use crate::types::{Scalar, Type};
+use ladder_instructions::StateType;
+use ladder_syntax::ast::{AstNode, Declaration, SectionHeader, TypeRef};
+use ladder_syntax::{
+    LineKind, Name, Parse, Section, SyntaxToken, TextRange, TextSize, is_declaration_keyword, is_reserved,
+};
+
+/// The longest array: what still shows and saves quickly.
+const MAX_ELEMENTS: i128 = 1_000_000;
+/// The longest STRING.
+const MAX_STRING: i128 = 32_767;
+
+/// Adds the tags of a section to its scope.
+pub(crate) fn section(parse: &Parse, section: &Section, scope: &mut Scope, out: &mut Vec<Diagnostic>) {
+    let header_line = section.lines.start;
+    let Some(header) = SectionHeader::cast(parse.lines()[header_line].syntax()) else {
+        return;
+    };
+    let Some(kind) = header
+        .section()
+        .and_then(|token| SectionKind::from_keyword(token.text()))
+    else {
+        return;
+    };
+    let has = |word: &str| {
+        header
+            .qualifiers()
+            .any(|token| token.text().eq_ignore_ascii_case(word))
+    };
+    let context = Context {
+        kind,
+        retain: has("RETAIN"),
+        constant: has("CONSTANT"),
+        in_block: scope.block.is_some(),
+    };
+    for line in section.lines.clone() {
+        if parse.lines()[line].kind != LineKind::Declaration {
+            continue;
+        }
+        if let Some(node) = Declaration::cast(parse.lines()[line].syntax()) {
+            declaration(&node, parse.line_start(line), &context, scope, out);
+        }
+    }
+}
+
+struct Context {
+    kind: SectionKind,
+    retain: bool,
+    constant: bool,
+    in_block: bool,
+}
+
+fn declaration(
+    node: &Declaration,
+    start: TextSize,
+    context: &Context,
+    scope: &mut Scope,
+    out: &mut Vec<Diagnostic>,
+) {
+    let Some(type_ref) = node.type_ref() else { return };
+    let ty = match declared_type(&type_ref) {
+        Ok(ty) => ty,
+        Err((range, message)) => {
+            out.push(bad_declaration::wrong(range + start, message));
+            None
+        }
+    };
+    let address = node.address();
+    let mut initial = Vec::new();
+    if let (Some(value), Some(ty)) = (node.initial_value(), ty) {
+        match constant::initial_values(&facts::node(&value), ty) {
+            Ok(values) => initial = values,
+            Err(problem) => out.push(problem.diagnostic(start)),
+        }
+    }
+    let mut address_role = None;
+    if let (Some(token), Some(ty)) = (&address, ty) {
+        match type_by_form(token.text()) {
+            None => out.push(bad_declaration::wrong(
+                token.text_range() + start,
+                format!(
+                    "`{}` is no address: write one like %IX0.0, %QW1 or %MD2",
+                    token.text()
+                ),
+            )),
+            Some((of_address, role)) => {
+                address_role = Some(role);
+                if ty
+                    .scalar()
+                    .is_none_or(|scalar| scalar.width() != of_address.width())
+                {
+                    out.push(bad_declaration::wrong(
+                        token.text_range() + start,
+                        format!("`{}` has the size of {of_address}, the tag is {ty}", token.text()),
+                    ));
+                }
+            }
+        }
+    }
+    for name in node.names() {
+        let range = name.text_range() + start;
+        if let Some(message) = refused_name(&name, context.in_block) {
+            out.push(bad_declaration::wrong(range, message));
+            continue;
+        }
+        if let Some(first) = scope.find(&Name::new(name.text())) {
+            out.push(duplicate_declaration::twice(&name, range, &scope.tags[first]));
+            continue;
+        }
+        scope.add(TagFacts {
+            name: name.text().to_owned(),
+            // A type that could not be read: DINT keeps what follows from being reported as well.
+            ty: ty.or(Some(Type::Scalar(Scalar::Dint))),
+            role: role(context.kind, address_role),
+            origin: Origin::Declared(context.kind),
+            retain: context.retain,
+            constant: context.constant,
+            initial: initial.clone(),
+            address: address.as_ref().map(|token| token.text().to_owned()),
+            at: range,
+            uses: Vec::new(),
+        });
+    }
+}
+
+fn role(kind: SectionKind, address: Option<Role>) -> Role {
+    match kind {
+        SectionKind::Input => Role::Input,
+        SectionKind::Output => Role::Output,
+        _ => address.unwrap_or(Role::Internal),
+    }
+}
+
+/// Why a name may not be declared.
+fn refused_name(name: &SyntaxToken, in_block: bool) -> Option<String> {
+    let text = name.text();
+    if is_reserved(text) || is_declaration_keyword(text) {
+        return Some(format!("`{text}` is a word of the language: choose another name"));
+    }
+    if in_block && (text.eq_ignore_ascii_case("EN") || text.eq_ignore_ascii_case("ENO")) {
+        return Some(format!("a block has `{text}` of its own: choose another name"));
+    }
+    None
+}
+
+type TypeProblem = (TextRange, String);
+
+/// The type that a declaration names. `Ok(None)`: the parser said what is wrong.
+fn declared_type(type_ref: &TypeRef) -> Result<Option<Type>, TypeProblem> {
+    let Some(name) = type_ref.name() else {
+        return Ok(None);
+    };
+    let mut numbers = Vec::new();
+    for (negative, token) in type_ref.numbers() {
+        match crate::literal::literal(token.text()) {
+            Ok(crate::literal::Literal::Int(n)) => numbers.push(if negative { -n } else { n }),
+            _ => {
+                return Err((
+                    token.text_range(),
+                    format!("`{}` is no whole number", token.text()),
+                ));
+            }
+        }
+    }
+    let mut numbers = numbers.into_iter();
+    let bounds = if type_ref.is_array() {
+        numbers.next().zip(numbers.next())
+    } else {
+        None
+    };
+    if type_ref.is_array() && bounds.is_none() {
+        return Ok(None);
+    }
+    let scalar = match Scalar::from_name(name.text()) {
+        Some(Scalar::String(default)) => {
+            let length = numbers.next().unwrap_or(i128::from(default));
+            if !(1..=MAX_STRING).contains(&length) {
+                return Err((
+                    type_ref.range(),
+                    format!("a STRING holds 1 to {MAX_STRING} characters"),
+                ));
+            }
+            Some(Scalar::String(length as u16))
+        }
+        other => other,
+    };
+    if let Some((first, last)) = bounds {
+        let Some(element) = scalar else {
+            return Err((
+                name.text_range(),
+                format!("an array holds elementary types, `{}` is none", name.text()),
+            ));
+        };
+        if last < first {
+            return Err((
+                type_ref.range(),
+                format!("the last index {last} is below the first {first}: swap them"),
+            ));
+        }
+        if last - first >= MAX_ELEMENTS || first < -i128::from(i32::MAX) || last > i128::from(i32::MAX) {
+            return Err((
+                type_ref.range(),
+                format!("an array has at most {MAX_ELEMENTS} elements"),
+            ));
+        }
+        return Ok(Some(Type::Array {
+            first: first as i64,
+            last: last as i64,
+            element,
+        }));
+    }
+    if let Some(scalar) = scalar {
+        return Ok(Some(Type::Scalar(scalar)));
+    }
+    match StateType::ALL
+        .into_iter()
+        .find(|state| state.name().eq_ignore_ascii_case(name.text()))
+    {
+        Some(state) => Ok(Some(Type::State(state))),
+        None => Err((
+            name.text_range(),
+            format!(
+                "there is no type `{}`: did you mean DINT, BOOL or REAL?",
+                name.text()
+            ),
+        )),
+    }
+}

@@ -1,0 +1,305 @@
+//! What a network says by itself: its blocks with their operands, before any name is looked up.
+//!
+//! Facts of a line depend on that line's green node alone; ranges count from the start of the line, so that
+//! they stay true when lines above change.
+
+use crate::literal::{self, Literal, LiteralProblem};
+use ladder_instructions::Shape;
+use ladder_syntax::ast::{AstNode, Block, BlockShape, Expression, HeadName, Operand};
+use ladder_syntax::{Line, SyntaxKind, SyntaxToken, TextRange};
+
+/// A block on a rung as it is written.
+#[derive(Debug, Clone, PartialEq)]
+pub struct BlockFacts {
+    /// The rung in its network, from 0.
+    pub rung: usize,
+    /// The part on its rung (an index into the wiring's parts).
+    pub part: usize,
+    /// The brackets of its first part.
+    pub shape: Shape,
+    /// What its first part names.
+    pub head: Head,
+    /// The whole block.
+    pub range: TextRange,
+    /// The first part with its brackets.
+    pub head_range: TextRange,
+    /// The operand list with its parentheses, if there is one.
+    pub list_range: Option<TextRange>,
+    /// The operands in the order in which they stand.
+    pub operands: Vec<OperandFacts>,
+}
+
+/// What a block's first part names.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum Head {
+    /// Nothing, or a mnemonic as it is written.
+    Mnemonic(Box<str>),
+    /// A user-defined block, with its `$`.
+    User(Box<str>),
+}
+
+impl Head {
+    /// As it is written, without brackets.
+    pub fn text(&self) -> &str {
+        match self {
+            Head::Mnemonic(text) | Head::User(text) => text,
+        }
+    }
+}
+
+/// An operand as it is written.
+#[derive(Debug, Clone, PartialEq)]
+pub struct OperandFacts {
+    /// The name before `:=` or `=>`.
+    pub name: Option<Word>,
+    /// It is written with `=>`.
+    pub arrow: bool,
+    /// Where `:=` or `=>` stands.
+    pub arrow_range: Option<TextRange>,
+    /// The value.
+    pub value: Node,
+    /// The operand with its name.
+    pub range: TextRange,
+}
+
+/// A word and its place.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Word {
+    /// As written.
+    pub text: Box<str>,
+    /// Where.
+    pub range: TextRange,
+}
+
+/// An expression as it is written.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Node {
+    /// What it is.
+    pub kind: NodeKind,
+    /// Where it stands.
+    pub range: TextRange,
+}
+
+/// The forms of an expression.
+#[derive(Debug, Clone, PartialEq)]
+pub enum NodeKind {
+    /// A name.
+    Name(Box<str>),
+    /// A direct address.
+    Address(Box<str>),
+    /// A literal, or why it is none.
+    Literal(Result<Literal, LiteralProblem>),
+    /// `base.member`
+    Member(Box<Node>, Word),
+    /// `base[index]`
+    Index(Box<Node>, Box<Node>),
+    /// `base[first..last]`
+    Range(Box<Node>, Box<Node>, Box<Node>),
+    /// `-a`, `NOT a`
+    Unary(Operator, Box<Node>),
+    /// `a + b`
+    Binary(Operator, Box<Node>, Box<Node>),
+    /// `( a )`
+    Paren(Box<Node>),
+    /// `SQRT( a )`
+    Call(Word, Vec<Node>),
+    /// `[1, 2, 3]`
+    Array(Vec<Node>),
+    /// `4(0)` in an initial value.
+    Repeat(Box<Node>, Vec<Node>),
+    /// Nothing, or nothing that can be read; the parser said so.
+    Missing,
+}
+
+/// Operators of expressions.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+#[allow(missing_docs)]
+pub enum Operator {
+    Or,
+    Xor,
+    And,
+    Equal,
+    NotEqual,
+    Less,
+    LessEqual,
+    Greater,
+    GreaterEqual,
+    Shl,
+    Shr,
+    Add,
+    Sub,
+    Mul,
+    Div,
+    Mod,
+    Power,
+    Not,
+}
+
+/// The blocks of a rung, from left to right. `parts` are the indices of the block parts on it.
+pub fn blocks(line: &Line, rung: usize, parts: impl Iterator<Item = usize>) -> Vec<BlockFacts> {
+    let root = line.syntax();
+    root.children()
+        .filter_map(Block::cast)
+        .zip(parts)
+        .filter_map(|(block, part)| block_facts(&block, rung, part))
+        .collect()
+}
+
+fn block_facts(block: &Block, rung: usize, part: usize) -> Option<BlockFacts> {
+    let head = block.head()?;
+    let shape = match block.shape() {
+        BlockShape::Logical => Shape::Logical,
+        BlockShape::Coil => Shape::Coil,
+        BlockShape::Function => Shape::Function,
+    };
+    let name = match head.name() {
+        HeadName::Blank => Head::Mnemonic("".into()),
+        HeadName::Mnemonic(token) => Head::Mnemonic(token.text().into()),
+        HeadName::User(token) => Head::User(token.text().into()),
+    };
+    Some(BlockFacts {
+        rung,
+        part,
+        shape,
+        head: name,
+        range: block.range(),
+        head_range: head.range(),
+        list_range: block.operand_list().map(|list| list.range()),
+        operands: block.operands().map(|operand| operand_facts(&operand)).collect(),
+    })
+}
+
+fn operand_facts(operand: &Operand) -> OperandFacts {
+    let range = operand.range();
+    let value = match operand.value() {
+        Some(value) => node(&value),
+        None => Node {
+            kind: NodeKind::Missing,
+            range: TextRange::empty(range.end()),
+        },
+    };
+    match operand {
+        Operand::Positional(_) => OperandFacts {
+            name: None,
+            arrow: false,
+            arrow_range: None,
+            value,
+            range,
+        },
+        Operand::Named(named) => {
+            let arrow = named.arrow();
+            OperandFacts {
+                name: named.name().map(|token| word(&token)),
+                arrow: arrow
+                    .as_ref()
+                    .is_some_and(|token| token.kind() == SyntaxKind::ARROW),
+                arrow_range: arrow.map(|token| token.text_range()),
+                value,
+                range,
+            }
+        }
+    }
+}
+
+fn word(token: &SyntaxToken) -> Word {
+    Word {
+        text: token.text().into(),
+        range: token.text_range(),
+    }
+}
+
+/// Lowers an expression. Recursion is bounded by the parser's limits on depth and terms.
+pub fn node(expression: &Expression) -> Node {
+    let range = expression.range();
+    let kind = match expression {
+        Expression::Name(token) => NodeKind::Name(token.text().into()),
+        Expression::Address(token) => NodeKind::Address(token.text().into()),
+        Expression::Literal(token) => NodeKind::Literal(literal::literal(token.text())),
+        Expression::Member(member) => match (member.base(), member.member()) {
+            (Some(base), Some(token)) => NodeKind::Member(Box::new(node(&base)), word(&token)),
+            _ => NodeKind::Missing,
+        },
+        Expression::Index(index) => {
+            let base = index.base();
+            if let Some(bounds) = index.range_expression() {
+                match (base, bounds.first(), bounds.last()) {
+                    (Some(base), Some(first), Some(last)) => NodeKind::Range(
+                        Box::new(node(&base)),
+                        Box::new(node(&first)),
+                        Box::new(node(&last)),
+                    ),
+                    _ => NodeKind::Missing,
+                }
+            } else {
+                match (base, index.index()) {
+                    (Some(base), Some(at)) => NodeKind::Index(Box::new(node(&base)), Box::new(node(&at))),
+                    _ => NodeKind::Missing,
+                }
+            }
+        }
+        Expression::Unary(unary) => match (unary.operator(), unary.operand()) {
+            (Some(token), Some(operand)) => {
+                let operator = if token.kind() == SyntaxKind::MINUS {
+                    Operator::Sub
+                } else {
+                    Operator::Not
+                };
+                NodeKind::Unary(operator, Box::new(node(&operand)))
+            }
+            _ => NodeKind::Missing,
+        },
+        Expression::Binary(binary) => {
+            match (
+                binary.operator().and_then(|t| operator(&t)),
+                binary.left(),
+                binary.right(),
+            ) {
+                (Some(operator), Some(left), Some(right)) => {
+                    NodeKind::Binary(operator, Box::new(node(&left)), Box::new(node(&right)))
+                }
+                _ => NodeKind::Missing,
+            }
+        }
+        Expression::Paren(paren) => match paren.inner() {
+            Some(inner) => NodeKind::Paren(Box::new(node(&inner))),
+            None => NodeKind::Missing,
+        },
+        Expression::Call(call) => {
+            let arguments = call.arguments().map(|a| node(&a)).collect();
+            match call.callee() {
+                Some(Expression::Name(token)) => NodeKind::Call(word(&token), arguments),
+                Some(count @ Expression::Literal(_)) => NodeKind::Repeat(Box::new(node(&count)), arguments),
+                _ => NodeKind::Missing,
+            }
+        }
+        Expression::Array(array) => NodeKind::Array(array.values().map(|v| node(&v)).collect()),
+        Expression::Error(_) => NodeKind::Missing,
+    };
+    Node { kind, range }
+}
+
+fn operator(token: &SyntaxToken) -> Option<Operator> {
+    Some(match token.kind() {
+        SyntaxKind::EQUAL => Operator::Equal,
+        SyntaxKind::NOT_EQUAL => Operator::NotEqual,
+        SyntaxKind::LESS => Operator::Less,
+        SyntaxKind::LESS_EQUAL => Operator::LessEqual,
+        SyntaxKind::GREATER => Operator::Greater,
+        SyntaxKind::GREATER_EQUAL => Operator::GreaterEqual,
+        SyntaxKind::PLUS => Operator::Add,
+        SyntaxKind::MINUS => Operator::Sub,
+        SyntaxKind::STAR => Operator::Mul,
+        SyntaxKind::SLASH => Operator::Div,
+        SyntaxKind::CARET => Operator::Power,
+        SyntaxKind::WORD_OPERATOR => match token.text().to_ascii_uppercase().as_str() {
+            "OR" => Operator::Or,
+            "XOR" => Operator::Xor,
+            "AND" => Operator::And,
+            "SHL" => Operator::Shl,
+            "SHR" => Operator::Shr,
+            "MOD" => Operator::Mod,
+            _ => return None,
+        },
+        _ => return None,
+    })
+}

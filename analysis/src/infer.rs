@@ -1,0 +1,257 @@
+//! The types of undeclared tags (LANGUAGE §4): from the places they stand in, tried in a fixed order.
+//!
+//! 1. a place that asks for one type gives it;
+//! 2. a literal or tag written into it, or compared with it, that is a TIME, STRING, date or real gives its
+//!    type (real: LREAL), as does being the result of a function on reals;
+//! 3. DINT.
+
+use crate::constant::{natural_type, signed_literal};
+use crate::context::Context;
+use crate::diagnostic::Diagnostic;
+use crate::facts::{Node, NodeKind, Operator};
+use crate::network::{BoundBlock, Formal, Meaning};
+use crate::program::{Member, Role, SystemTag};
+use crate::rules::type_mismatch;
+use crate::scope::{Origin, Scope};
+use crate::types::{Scalar, Type};
+use ladder_instructions::{Accepts, StateType, TypeClass};
+use ladder_syntax::{Name, TextRange};
+use std::collections::HashMap;
+
+/// Gives every tag its type.
+pub(crate) fn infer(context: &mut Context<'_>, out: &mut Vec<Diagnostic>) {
+    by_place(context, out);
+    by_company(context);
+    for scope in &mut context.scopes {
+        for tag in &mut scope.tags {
+            tag.ty.get_or_insert(Type::Scalar(Scalar::Dint));
+            if tag.origin == Origin::Undeclared && tag.ty != Some(Type::BOOL) {
+                tag.role = Role::Internal;
+            }
+        }
+    }
+}
+
+/// The one type that an operand's place asks for.
+fn asked(context: &Context<'_>, bound: &BoundBlock, formal: Formal) -> Option<Type> {
+    match formal {
+        Formal::Operand(operand) => match operand.accepts {
+            Accepts::Bool | Accepts::BoolOrRange => Some(Type::BOOL),
+            Accepts::State(state) => Some(Type::State(state)),
+            Accepts::Duration | Accepts::Time => Some(Type::Scalar(Scalar::Time)),
+            Accepts::Count => Some(Type::Scalar(Scalar::Dint)),
+            Accepts::String | Accepts::Result(TypeClass::String) => {
+                Some(Type::Scalar(Scalar::String(crate::types::DEFAULT_STRING)))
+            }
+            _ => None,
+        },
+        Formal::Parameter(index) => {
+            let Meaning::User(block) = bound.meaning else {
+                return None;
+            };
+            let parameter = &context.user_blocks[block].parameters[index];
+            context.scopes[block + 1].tags[parameter.tag].ty
+        }
+        _ => None,
+    }
+}
+
+fn by_place(context: &mut Context<'_>, out: &mut Vec<Diagnostic>) {
+    // Scope and tag to its first answer: type and place.
+    let mut answers: HashMap<(usize, usize), (Type, TextRange)> = HashMap::new();
+    // `(R)` also takes timers and counters: it makes a tag BOOL only where no other place has a say.
+    let mut reset: Vec<(usize, usize)> = Vec::new();
+    for network in &context.networks {
+        for bound in &network.blocks {
+            for (operand, &formal) in bound.facts.operands.iter().zip(&bound.formals) {
+                let Some(tag) = untyped(&context.scopes[network.scope], &operand.value) else {
+                    continue;
+                };
+                let key = (network.scope, tag);
+                if matches!(formal, Formal::Operand(o) if o.accepts == Accepts::BoolRangeOrState) {
+                    reset.push(key);
+                    continue;
+                }
+                let Some(ty) = asked(context, bound, formal) else {
+                    continue;
+                };
+                let at = bound.absolute(operand.value.range);
+                match answers.get(&key) {
+                    None => {
+                        answers.insert(key, (ty, at));
+                    }
+                    Some(&(first, place)) if first != ty => {
+                        let name = &context.scopes[network.scope].tags[tag].name;
+                        out.push(type_mismatch::two_answers(name, (first, place), (ty, at)));
+                    }
+                    Some(_) => {}
+                }
+            }
+        }
+    }
+    for key in reset {
+        answers.entry(key).or_insert((Type::BOOL, TextRange::default()));
+    }
+    for ((scope, tag), (ty, _)) in answers {
+        context.scopes[scope].tags[tag].ty = Some(ty);
+    }
+}
+
+/// The tag that an operand names as a whole, if its type is not known yet.
+fn untyped(scope: &Scope, node: &Node) -> Option<usize> {
+    let (NodeKind::Name(name) | NodeKind::Address(name)) = &node.kind else {
+        return None;
+    };
+    let tag = scope.find(&Name::new(name))?;
+    scope.tags[tag].ty.is_none().then_some(tag)
+}
+
+/// Rule 2, until no type changes: a type that is found here may give another.
+fn by_company(context: &mut Context<'_>) {
+    loop {
+        let mut found: Vec<(usize, usize, Scalar)> = Vec::new();
+        for network in &context.networks {
+            let scope = &context.scopes[network.scope];
+            for bound in &network.blocks {
+                company(scope, bound, |tag, ty| found.push((network.scope, tag, ty)));
+            }
+        }
+        let mut changed = false;
+        for (scope, tag, ty) in found {
+            let slot = &mut context.scopes[scope].tags[tag].ty;
+            changed |= slot.is_none();
+            slot.get_or_insert(Type::Scalar(ty));
+        }
+        if !changed {
+            return;
+        }
+    }
+}
+
+fn company(scope: &Scope, bound: &BoundBlock, mut give: impl FnMut(usize, Scalar)) {
+    let operands = || bound.facts.operands.iter().zip(&bound.formals);
+    for (operand, formal) in operands() {
+        let Formal::Operand(row) = formal else { continue };
+        let Some(tag) = untyped(scope, &operand.value) else {
+            continue;
+        };
+        let company = match row.accepts {
+            Accepts::Result(TypeClass::Real) => Some(Scalar::Lreal),
+            Accepts::Result(_) => operands()
+                .filter(|(_, f)| matches!(f, Formal::Operand(o) if matches!(o.accepts, Accepts::Value | Accepts::Expression)))
+                .find_map(|(other, _)| telling(scope, &other.value)),
+            Accepts::Compared => operands()
+                .filter(|(_, f)| matches!(f, Formal::Operand(o) if o.accepts == Accepts::Compared))
+                .find_map(|(other, _)| telling(scope, &other.value)),
+            _ => None,
+        };
+        if let Some(ty) = company {
+            give(tag, ty);
+        }
+    }
+}
+
+/// The type that a value tells its company, if it is one that tells: TIME, STRING, a date, a real.
+fn telling(scope: &Scope, node: &Node) -> Option<Scalar> {
+    if let Some((literal, negative)) = signed_literal(node) {
+        return literal
+            .as_ref()
+            .ok()
+            .map(|l| natural_type(l, negative))
+            .and_then(tells);
+    }
+    match &node.kind {
+        NodeKind::Name(_) | NodeKind::Address(_) | NodeKind::Member(..) | NodeKind::Index(..) => {
+            node_type(scope, node).and_then(tells)
+        }
+        NodeKind::Paren(inner) | NodeKind::Unary(_, inner) => telling(scope, inner),
+        // A comparison gives BOOL, whatever it compares.
+        NodeKind::Binary(
+            Operator::Equal
+            | Operator::NotEqual
+            | Operator::Less
+            | Operator::LessEqual
+            | Operator::Greater
+            | Operator::GreaterEqual,
+            ..,
+        ) => None,
+        NodeKind::Binary(_, left, right) => telling(scope, left).or_else(|| telling(scope, right)),
+        NodeKind::Call(_, arguments) => arguments.iter().find_map(|argument| telling(scope, argument)),
+        _ => None,
+    }
+}
+
+fn tells(ty: Scalar) -> Option<Scalar> {
+    match ty {
+        Scalar::Real | Scalar::Lreal => Some(Scalar::Lreal),
+        Scalar::String(_) => Some(Scalar::String(crate::types::DEFAULT_STRING)),
+        Scalar::Time => Some(ty),
+        ty if ty.is_date() => Some(ty),
+        _ => None,
+    }
+}
+
+/// The type of a place, as far as it is known.
+fn node_type(scope: &Scope, node: &Node) -> Option<Scalar> {
+    match &node.kind {
+        NodeKind::Name(name) | NodeKind::Address(name) => scope.tags[scope.find(&Name::new(name))?]
+            .ty
+            .and_then(Type::scalar),
+        NodeKind::Member(base, word) => {
+            if let NodeKind::Name(name) = &base.kind {
+                if name.eq_ignore_ascii_case("SYS") {
+                    return SystemTag::from_name(&word.text).map(SystemTag::ty);
+                }
+                if let Some(Type::State(state)) = scope.tags[scope.find(&Name::new(name))?].ty {
+                    return member(state, &word.text).map(Member::ty);
+                }
+            }
+            Some(Scalar::Bool)
+        }
+        NodeKind::Index(base, _) => {
+            let NodeKind::Name(name) = &base.kind else {
+                return None;
+            };
+            match scope.tags[scope.find(&Name::new(name))?].ty? {
+                Type::Array { element, .. } => Some(element),
+                _ => None,
+            }
+        }
+        _ => None,
+    }
+}
+
+/// The member that a word behind the point of a state tag means (LANGUAGE §4, Members), if it has it.
+pub(crate) fn member(state: StateType, word: &str) -> Option<Member> {
+    let upper = word.to_ascii_uppercase();
+    if state.is_timer() {
+        return Some(match upper.as_str() {
+            "IN" | "EN" => Member::In,
+            "PT" | "PRE" => Member::Pt,
+            "Q" | "DN" => Member::Q,
+            "ET" | "AC" | "ACC" => Member::Et,
+            "R" => Member::R,
+            "TT" => Member::Timing,
+            _ => return None,
+        });
+    }
+    if state.is_counter() {
+        return Some(match upper.as_str() {
+            "CU" | "EN" => Member::Cu,
+            "CD" => Member::Cd,
+            "R" => Member::R,
+            "LD" => Member::Ld,
+            "PV" | "PRE" => Member::Pv,
+            "CV" | "AC" | "ACC" => Member::Cv,
+            "Q" | "DN" => Member::Q,
+            "QU" if state == StateType::Ctud => Member::Qu,
+            "QD" if state == StateType::Ctud => Member::Qd,
+            "CC" => Member::Changed,
+            _ => return None,
+        });
+    }
+    match upper.as_str() {
+        "Q1" => Some(Member::Q1),
+        _ => None,
+    }
+}

@@ -1,0 +1,237 @@
+//! Networks with their blocks bound to the instruction table: which row each block is, and which operand each
+//! value is given for.
+
+use crate::facts::{self, BlockFacts, Head};
+use crate::order::{Order, order};
+use crate::user_block::UserBlockFacts;
+use ladder_instructions::{Instruction, Op, Operand, lookup};
+use ladder_syntax::wiring::{PartKind, Wiring, wiring};
+use ladder_syntax::{Name, Network, Parse, TextRange, TextSize};
+
+/// A network, its wiring, order and blocks.
+#[derive(Debug, Clone)]
+pub struct NetworkFacts {
+    /// The drawing and its connector pairs.
+    pub wiring: Wiring,
+    /// The order of evaluation.
+    pub order: Order,
+    /// The blocks from left to right, top to bottom.
+    pub blocks: Vec<BoundBlock>,
+    /// From the first rung to the last, line ends included.
+    pub range: TextRange,
+    /// The scope of its tags: 0 the file's, else that of block definition `scope - 1`.
+    pub scope: usize,
+    /// Its text has a mistake in the drawing (an unclosed block, a stray character, a connector without its
+    /// partner), so that wiring says little about what is meant.
+    pub broken: bool,
+}
+
+/// A block and what it means.
+#[derive(Debug, Clone)]
+pub struct BoundBlock {
+    /// As it is written. Ranges count from the start of its line.
+    pub facts: BlockFacts,
+    /// Where its line starts.
+    pub base: TextSize,
+    /// Which instruction or user-defined block it is.
+    pub meaning: Meaning,
+    /// For each operand, as they stand, what it is given for.
+    pub formals: Vec<Formal>,
+}
+
+/// What a block is.
+#[derive(Debug, Clone, Copy)]
+pub enum Meaning {
+    /// A row of the instruction table.
+    Instruction(&'static Instruction),
+    /// A user-defined block: index of its definition.
+    User(usize),
+    /// A user-defined block that is not defined, or not in this shape.
+    UnknownUser,
+    /// No row has this mnemonic in these brackets.
+    Unknown,
+}
+
+/// What an operand is given for.
+#[derive(Debug, Clone, Copy)]
+pub enum Formal {
+    /// An operand of the instruction's row.
+    Operand(&'static Operand),
+    /// A parameter of a user-defined block, by its index.
+    Parameter(usize),
+    /// There are more operands by place than the block takes.
+    Excess,
+    /// The block has no operand of this name.
+    UnknownName,
+    /// The block itself is not known.
+    Unknown,
+}
+
+impl BoundBlock {
+    /// The instruction, if it is one.
+    pub fn instruction(&self) -> Option<&'static Instruction> {
+        match self.meaning {
+            Meaning::Instruction(row) => Some(row),
+            _ => None,
+        }
+    }
+
+    /// Which instruction, if it is one.
+    pub fn op(&self) -> Option<Op> {
+        self.instruction().map(|row| row.op)
+    }
+
+    /// A range of the block's line, counted from the start of the file.
+    pub fn absolute(&self, range: TextRange) -> TextRange {
+        range + self.base
+    }
+
+    /// The whole block, counted from the start of the file.
+    pub fn range(&self) -> TextRange {
+        self.absolute(self.facts.range)
+    }
+
+    /// Its first part, counted from the start of the file.
+    pub fn head_range(&self) -> TextRange {
+        self.absolute(self.facts.head_range)
+    }
+
+    /// Its first part as a person writes it: `[TON]`.
+    pub fn head_text(&self) -> String {
+        let (open, close) = self.facts.shape.brackets();
+        match self.facts.head.text() {
+            "" => format!("{open} {close}"),
+            text => format!("{open}{text}{close}"),
+        }
+    }
+
+    /// Number of operands given by place.
+    pub fn positional_count(&self) -> usize {
+        self.facts
+            .operands
+            .iter()
+            .filter(|operand| operand.name.is_none())
+            .count()
+    }
+}
+
+impl NetworkFacts {
+    /// A part of a rung, counted from the start of the file.
+    pub fn part_range(&self, parse: &Parse, rung: usize, part: usize) -> TextRange {
+        self.wiring.rungs[rung].parts[part].range + parse.line_start(self.wiring.lines[rung])
+    }
+}
+
+/// The facts of a network.
+pub fn network(parse: &Parse, network: &Network, user_blocks: &[UserBlockFacts]) -> NetworkFacts {
+    let wiring = wiring(parse, network);
+    let order = order(&wiring);
+    let mut blocks = Vec::new();
+    for (rung, &line) in wiring.lines.iter().enumerate() {
+        let parts = wiring.rungs[rung].connectors(PartKind::Block);
+        for facts in facts::blocks(&parse.lines()[line], rung, parts) {
+            blocks.push(bind(facts, parse.line_start(line), user_blocks));
+        }
+    }
+    let syntax_mistake = network
+        .lines
+        .clone()
+        .any(|line| parse.lines()[line].errors.iter().any(breaks_drawing));
+    let broken = syntax_mistake || !wiring.unpaired.is_empty();
+    let range = TextRange::new(
+        parse.line_start(network.lines.start),
+        parse.line_range(network.lines.end - 1).end(),
+    );
+    NetworkFacts {
+        wiring,
+        order,
+        blocks,
+        range,
+        scope: network.block.map_or(0, |block| block + 1),
+        broken,
+    }
+}
+
+fn breaks_drawing(error: &ladder_syntax::SyntaxError) -> bool {
+    use ladder_syntax::SyntaxErrorKind::*;
+    matches!(
+        error.kind,
+        UnclosedBlock { .. } | UnclosedComment | UnexpectedCharacter { .. } | TooComplex
+    )
+}
+
+fn bind(facts: BlockFacts, base: TextSize, user_blocks: &[UserBlockFacts]) -> BoundBlock {
+    let positional = facts
+        .operands
+        .iter()
+        .filter(|operand| operand.name.is_none())
+        .count();
+    let meaning = match &facts.head {
+        Head::User(name) => {
+            let key = Name::new(name);
+            match user_blocks
+                .iter()
+                .position(|block| block.key == key && block.shape == facts.shape)
+            {
+                Some(index) => Meaning::User(index),
+                None => Meaning::UnknownUser,
+            }
+        }
+        Head::Mnemonic(text) => {
+            // NOT has two rows: the inverter without operands, and the bitwise one.
+            let mut rows = lookup(facts.shape, text);
+            let first = rows.next();
+            match first
+                .filter(|row| row.takes(positional))
+                .or_else(|| rows.find(|row| row.takes(positional)))
+                .or(
+                    // NOT with a wrong number of operands is a mistake of the one that has operands.
+                    if positional > 0 {
+                        lookup(facts.shape, text).last()
+                    } else {
+                        first
+                    },
+                ) {
+                Some(row) => Meaning::Instruction(row),
+                None => Meaning::Unknown,
+            }
+        }
+    };
+    let mut place = 0;
+    let formals = facts
+        .operands
+        .iter()
+        .map(|operand| match (&operand.name, meaning) {
+            (Some(name), Meaning::Instruction(row)) => {
+                row.named(&name.text).map_or(Formal::UnknownName, Formal::Operand)
+            }
+            (Some(name), Meaning::User(index)) => {
+                let key = Name::new(&name.text);
+                let parameters = &user_blocks[index].parameters;
+                parameters
+                    .iter()
+                    .position(|p| p.key == key)
+                    .map_or(Formal::UnknownName, Formal::Parameter)
+            }
+            (None, Meaning::Instruction(row)) => {
+                place += 1;
+                row.positional(place - 1).map_or(Formal::Excess, Formal::Operand)
+            }
+            (None, Meaning::User(index)) => {
+                place += 1;
+                if place <= user_blocks[index].parameters.len() {
+                    Formal::Parameter(place - 1)
+                } else {
+                    Formal::Excess
+                }
+            }
+            (_, Meaning::UnknownUser | Meaning::Unknown) => Formal::Unknown,
+        })
+        .collect();
+    BoundBlock {
+        facts,
+        base,
+        meaning,
+        formals,
+    }
+}

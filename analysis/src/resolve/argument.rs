@@ -1,0 +1,511 @@
+//! Arguments: what is given for each operand of a block.
+
+use super::Resolver;
+use crate::constant::{natural_type, signed_literal};
+use crate::facts::{Node, NodeKind};
+use crate::network::{BoundBlock, Formal};
+use crate::program::{Argument, BinaryOperator, Bound, Expr, ExprKind, ParameterKind, Place};
+use crate::rules::{bad_arity, bad_operand, type_mismatch, unknown_function, unknown_label};
+use crate::scope::Access;
+use crate::types::{Scalar, Type, common, passes};
+use crate::value::Value;
+use ladder_instructions::{Accepts, Direction, Instruction, Op, Operand, TypeClass};
+use ladder_syntax::Name;
+
+/// Whether a type is in a class of result types.
+pub(crate) fn in_class(ty: Scalar, class: TypeClass) -> bool {
+    match class {
+        TypeClass::Number => ty.is_number(),
+        TypeClass::NumberOrTime => ty.is_number() || matches!(ty, Scalar::Time | Scalar::Dt),
+        TypeClass::Real => ty.is_real(),
+        TypeClass::BitsOrInteger => ty.is_bits() || ty.is_integer(),
+        TypeClass::BoolBitsOrInteger => ty == Scalar::Bool || ty.is_bits() || ty.is_integer(),
+        TypeClass::Integer => ty.is_integer(),
+        TypeClass::String => ty.is_string(),
+        TypeClass::Any => true,
+    }
+}
+
+const MILLISECOND: i64 = 1_000_000;
+
+impl Resolver<'_, '_> {
+    /// The arguments of an instruction, and the type that it works in.
+    pub(super) fn arguments(
+        &mut self,
+        row: &'static Instruction,
+        bound: &BoundBlock,
+    ) -> (Vec<Bound>, Option<Scalar>) {
+        let mut works_in = None;
+        let mut arguments = Vec::with_capacity(bound.formals.len());
+        let compared = self.compared_type(bound);
+        for (written, formal) in bound.facts.operands.iter().zip(&bound.formals) {
+            let Formal::Operand(operand) = *formal else {
+                continue;
+            };
+            let argument = match operand.accepts {
+                Accepts::Result(class) => {
+                    let place = self.result(&written.value, operand, class);
+                    works_in = works_in.or(place.as_ref().map(|(_, ty)| *ty));
+                    place.map(|(place, ty)| Argument::Place(place, ty))
+                }
+                Accepts::Value => match works_in {
+                    Some(ty) => self.value_of(row.op, &written.value, ty).map(Argument::Value),
+                    // The result's own mistake is enough.
+                    None => None,
+                },
+                Accepts::Expression => match works_in {
+                    Some(ty) => self.expression(&written.value, ty).map(Argument::Value),
+                    None => None,
+                },
+                Accepts::Compared => {
+                    let expr = match compared {
+                        Compared::In(ty) => self.value(&written.value, ty),
+                        Compared::ByValue => match self.own_type(&written.value) {
+                            Some(_) => self.natural(&written.value),
+                            None => self.literal_in(&written.value, Scalar::Lint),
+                        },
+                        Compared::Not => None,
+                    };
+                    works_in = Some(match compared {
+                        Compared::In(ty) => ty,
+                        _ => Scalar::Lint,
+                    });
+                    expr.map(Argument::Value)
+                }
+                // What a label or function block names is itself.
+                Accepts::Label if row.op == Op::Lbl => Some(Argument::Label(None)),
+                _ => self.argument(&written.value, operand),
+            };
+            if let Some(argument) = argument {
+                let range = bound.absolute(written.range);
+                arguments.push(Bound {
+                    operand: Some(operand),
+                    parameter: None,
+                    argument,
+                    range,
+                });
+            }
+        }
+        if compared_in_bool(compared) && !matches!(row.op, Op::Eq | Op::Ne) {
+            self.report(type_mismatch::bool_order(bound.range()));
+        }
+        (arguments, works_in)
+    }
+
+    /// The place that a result goes to.
+    fn result(
+        &mut self,
+        node: &Node,
+        operand: &'static Operand,
+        class: TypeClass,
+    ) -> Option<(Place, Scalar)> {
+        let (place, ty) = self.place_or_say(node)?;
+        if !self.check_writable(&place, node, access(operand.direction)) {
+            return None;
+        }
+        if !in_class(ty, class) {
+            self.report(type_mismatch::result(ty, class, self.at(node.range)));
+            return None;
+        }
+        Some((place, ty))
+    }
+
+    /// As `place`, but a literal gets its own sentence.
+    fn place_or_say(&mut self, node: &Node) -> Option<(Place, Scalar)> {
+        if signed_literal(node).is_some() {
+            self.report(bad_operand::literal_as_target(self.at(node.range)));
+            return None;
+        }
+        self.place(node)
+    }
+
+    /// A value of an instruction that works in a type: TIME and dates mix in the ways that LANGUAGE §5.2 lists.
+    fn value_of(&mut self, op: Op, node: &Node, ty: Scalar) -> Option<Expr> {
+        let own = self.own_type(node);
+        let literal = match signed_literal(node) {
+            Some((Ok(literal), negative)) => Some(natural_type(literal, negative)),
+            _ => None,
+        };
+        let found = own.or(literal);
+        match (op, ty, found) {
+            (Op::Mul | Op::Div, Scalar::Time, Some(found)) if found.is_number() => self.number(node),
+            (Op::Sub, Scalar::Time, Some(Scalar::Dt | Scalar::Tod)) => self.natural(node),
+            (Op::Add | Op::Sub, Scalar::Dt, Some(Scalar::Time)) => self.natural(node),
+            _ => self.value(node, ty),
+        }
+    }
+
+    /// The type that the operands of a comparison agree in.
+    fn compared_type(&mut self, bound: &BoundBlock) -> Compared {
+        let nodes: Vec<&Node> = bound
+            .facts
+            .operands
+            .iter()
+            .zip(&bound.formals)
+            .filter(|(_, formal)| matches!(formal, Formal::Operand(o) if o.accepts == Accepts::Compared))
+            .map(|(operand, _)| &operand.value)
+            .collect();
+        if nodes.is_empty() {
+            return Compared::Not;
+        }
+        let typed: Vec<Scalar> = nodes.iter().filter_map(|node| self.own_type(node)).collect();
+        let Some((&first, rest)) = typed.split_first() else {
+            // Literals only.
+            let natural = |node: &&Node| match signed_literal(node) {
+                Some((Ok(literal), negative)) => natural_type(literal, negative),
+                _ => Scalar::Dint,
+            };
+            let all = nodes.iter().map(natural).reduce(|a, b| common(a, b).unwrap_or(a));
+            return Compared::In(all.unwrap_or(Scalar::Dint));
+        };
+        let has_real_literal = nodes.iter().any(|node| {
+            matches!(
+                signed_literal(node),
+                Some((Ok(crate::literal::Literal::Real(_)), _))
+            )
+        });
+        let mut ty = first;
+        for &other in rest {
+            match common(ty, other) {
+                Some(common) => ty = common,
+                None => {
+                    self.report(type_mismatch::cannot_compare(ty, other, bound.range()));
+                    return Compared::Not;
+                }
+            }
+        }
+        let mixed = typed.iter().any(|&t| t != ty);
+        if ty.is_integer() && mixed && !has_real_literal {
+            return Compared::ByValue;
+        }
+        Compared::In(ty)
+    }
+
+    /// The argument of an operand that asks for something of its own.
+    fn argument(&mut self, node: &Node, operand: &'static Operand) -> Option<Argument> {
+        let reads = operand.direction == Direction::In;
+        match operand.accepts {
+            Accepts::Bool if reads => self.value(node, Scalar::Bool).map(Argument::Value),
+            Accepts::Bool => self.target(node, operand, Scalar::Bool),
+            Accepts::BoolOrRange | Accepts::BoolRangeOrState => {
+                if matches!(node.kind, NodeKind::Range(..)) {
+                    let range = self.range(node, false)?;
+                    if range.element != Scalar::Bool {
+                        self.report(type_mismatch::does_not_pass(
+                            range.element,
+                            Scalar::Bool,
+                            self.at(node.range),
+                        ));
+                        return None;
+                    }
+                    if !reads && !self.check_writable(&Place::Tag(range.tag), node, access(operand.direction))
+                    {
+                        return None;
+                    }
+                    return Some(Argument::Range(range));
+                }
+                if operand.accepts == Accepts::BoolRangeOrState
+                    && let Some(tag) = self.named_tag(node)
+                    && let Type::State(state) = self.tag_type(tag)
+                    && (state.is_timer() || state.is_counter())
+                {
+                    return Some(Argument::State(self.tag_id(tag)));
+                }
+                if reads {
+                    return self.value(node, Scalar::Bool).map(Argument::Value);
+                }
+                self.target(node, operand, Scalar::Bool)
+            }
+            Accepts::State(state) => match self.named_tag(node).map(|tag| (tag, self.tag_type(tag))) {
+                Some((tag, Type::State(found))) if found == state => Some(Argument::State(self.tag_id(tag))),
+                Some((tag, ty)) => {
+                    let name = self.scope.tags[tag].name.clone();
+                    self.report(type_mismatch::wrong_state(&name, ty, state, self.at(node.range)));
+                    None
+                }
+                None => {
+                    self.report(bad_operand::state_expected(state, self.at(node.range)));
+                    None
+                }
+            },
+            Accepts::TimerOrCounter => match self.named_tag(node).map(|tag| (tag, self.tag_type(tag))) {
+                Some((tag, Type::State(state))) if state.is_timer() || state.is_counter() => {
+                    Some(Argument::State(self.tag_id(tag)))
+                }
+                _ => {
+                    let message = "the tag of a timer or counter is expected here";
+                    self.report(bad_operand::wrong(self.at(node.range), message));
+                    None
+                }
+            },
+            Accepts::Convertible => self.natural(node).map(Argument::Value),
+            Accepts::Integer => self.integer(node).map(Argument::Value),
+            Accepts::Number => self.number(node).map(Argument::Value),
+            Accepts::String => {
+                if let Some((Ok(crate::literal::Literal::Text(_)), _)) = signed_literal(node) {
+                    return self.natural(node).map(Argument::Value);
+                }
+                self.value(node, Scalar::String(crate::types::DEFAULT_STRING))
+                    .map(Argument::Value)
+            }
+            Accepts::Duration => self.duration(node).map(Argument::Value),
+            Accepts::Time => self.value(node, Scalar::Time).map(Argument::Value),
+            Accepts::Count => self.value(node, Scalar::Dint).map(Argument::Value),
+            Accepts::Range => {
+                let range = self.range(node, true)?;
+                if !reads && !self.check_writable(&Place::Tag(range.tag), node, access(operand.direction)) {
+                    return None;
+                }
+                Some(Argument::Range(range))
+            }
+            Accepts::RangeOrValue => {
+                if matches!(node.kind, NodeKind::Range(..)) {
+                    return self.range(node, false).map(Argument::Range);
+                }
+                if reads {
+                    return self.natural(node).map(Argument::Value);
+                }
+                self.result(node, operand, TypeClass::Any)
+                    .map(|(place, ty)| Argument::Place(place, ty))
+            }
+            Accepts::Label => self.label(node),
+            Accepts::Function => self.function(node),
+            Accepts::SearchOperator => match &node.kind {
+                NodeKind::Name(name) if search_operator(name).is_some() => {
+                    search_operator(name).map(Argument::Operator)
+                }
+                _ => {
+                    let message = "one of EQ NE GT GE LT LE is expected here";
+                    self.report(bad_operand::wrong(self.at(node.range), message));
+                    None
+                }
+            },
+            Accepts::Tag => {
+                if let Some(tag) = self.named_tag(node) {
+                    match self.tag_type(tag) {
+                        Type::State(_) => return Some(Argument::State(self.tag_id(tag))),
+                        Type::Array { first, last, element } => {
+                            let index =
+                                |n| Box::new(self.constant_expr(Value::Int(n), Scalar::Lint, node.range));
+                            let (tag, first, last) = (self.tag_id(tag), index(first), Some(index(last)));
+                            return Some(Argument::Range(crate::program::RangeRef {
+                                tag,
+                                element,
+                                first,
+                                last,
+                            }));
+                        }
+                        Type::Scalar(_) => {}
+                    }
+                }
+                self.place_or_say(node)
+                    .map(|(place, ty)| Argument::Place(place, ty))
+            }
+            Accepts::Result(_) | Accepts::Value | Accepts::Compared | Accepts::Expression => None,
+        }
+    }
+
+    /// A place of one type that is written.
+    fn target(&mut self, node: &Node, operand: &'static Operand, ty: Scalar) -> Option<Argument> {
+        let (place, found) = self.place_or_say(node)?;
+        if !self.check_writable(&place, node, access(operand.direction)) {
+            return None;
+        }
+        if found != ty {
+            self.report(type_mismatch::does_not_pass(ty, found, self.at(node.range)));
+            return None;
+        }
+        Some(Argument::Place(place, ty))
+    }
+
+    /// PT: a TIME, or a plain integer in milliseconds.
+    fn duration(&mut self, node: &Node) -> Option<Expr> {
+        let range = self.at(node.range);
+        let milliseconds = match self.own_type(node) {
+            Some(ty) if ty.is_integer() => self.natural(node)?,
+            None if matches!(
+                signed_literal(node),
+                Some((Ok(crate::literal::Literal::Int(_)), _))
+            ) =>
+            {
+                self.literal_in(node, Scalar::Dint)?
+            }
+            _ => return self.value(node, Scalar::Time),
+        };
+        if let ExprKind::Constant(Value::Int(n)) = milliseconds.kind {
+            return Some(Expr {
+                ty: Scalar::Time,
+                kind: ExprKind::Constant(Value::Int(n.saturating_mul(MILLISECOND))),
+                range,
+            });
+        }
+        let one = Expr {
+            ty: Scalar::Time,
+            kind: ExprKind::Constant(Value::Int(MILLISECOND)),
+            range,
+        };
+        let kind = ExprKind::Binary(BinaryOperator::Mul, Box::new(one), Box::new(milliseconds));
+        Some(Expr {
+            ty: Scalar::Time,
+            kind,
+            range,
+        })
+    }
+
+    fn label(&mut self, node: &Node) -> Option<Argument> {
+        let NodeKind::Name(name) = &node.kind else {
+            self.report(bad_operand::wrong(
+                self.at(node.range),
+                "a label's name is expected here",
+            ));
+            return None;
+        };
+        let key = Name::new(name);
+        match self.context.jump_target(self.network, &key) {
+            Some(target) => Some(Argument::Label(Some(self.network_numbers[target]))),
+            None => {
+                let diagnostic =
+                    unknown_label::unknown(self.context, self.network, name, self.at(node.range));
+                self.report(diagnostic);
+                None
+            }
+        }
+    }
+
+    fn function(&mut self, node: &Node) -> Option<Argument> {
+        let NodeKind::Name(name) = &node.kind else {
+            self.report(bad_operand::wrong(
+                self.at(node.range),
+                "a function's name is expected here",
+            ));
+            return None;
+        };
+        match self.context.function(&Name::new(name)) {
+            Some(function) => Some(Argument::Function(function)),
+            None => {
+                let diagnostic = unknown_function::unknown(self.context, name, self.at(node.range));
+                self.report(diagnostic);
+                None
+            }
+        }
+    }
+
+    /// The arguments of a user-defined block, in the order of its parameters.
+    pub(super) fn user_arguments(&mut self, block: usize, bound: &BoundBlock) -> Vec<Bound> {
+        let context = self.context;
+        let facts = &context.user_blocks[block];
+        let mut arguments: Vec<Bound> = Vec::with_capacity(facts.parameters.len());
+        let mut given = vec![false; facts.parameters.len()];
+        for (written, formal) in bound.facts.operands.iter().zip(&bound.formals) {
+            let Formal::Parameter(index) = *formal else {
+                continue;
+            };
+            if std::mem::replace(&mut given[index], true) {
+                self.report(bad_arity::twice(&facts.name, self.at(written.range)));
+                continue;
+            }
+            let parameter = &facts.parameters[index];
+            let ty = context.scopes[block + 1].tags[parameter.tag]
+                .ty
+                .unwrap_or(Type::Scalar(Scalar::Dint));
+            if let Some(argument) = self.user_argument(&written.value, ty, parameter.kind) {
+                let range = bound.absolute(written.range);
+                arguments.push(Bound {
+                    operand: None,
+                    parameter: Some(index),
+                    argument,
+                    range,
+                });
+            }
+        }
+        for (parameter, _) in facts.parameters.iter().zip(&given).filter(|(_, given)| !**given) {
+            let optional = parameter.kind == ParameterKind::Output || parameter.has_default;
+            if !optional {
+                let name = &context.scopes[block + 1].tags[parameter.tag].name;
+                self.report(bad_arity::parameter_missing(&facts.name, name, bound.range()));
+            }
+        }
+        arguments.sort_by_key(|bound| bound.parameter);
+        arguments
+    }
+
+    fn user_argument(&mut self, node: &Node, ty: Type, kind: ParameterKind) -> Option<Argument> {
+        let range = self.at(node.range);
+        let Type::Scalar(scalar) = ty else {
+            // Arrays and states go as what they are, by reference.
+            let tag = self
+                .named_tag(node)
+                .filter(|&tag| self.tag_type(tag) == ty && kind == ParameterKind::InOut);
+            return match (tag, ty) {
+                (Some(tag), Type::Array { first, last, element }) => {
+                    let index = |n| Box::new(self.constant_expr(Value::Int(n), Scalar::Lint, node.range));
+                    let (tag, first, last) = (self.tag_id(tag), index(first), Some(index(last)));
+                    Some(Argument::Range(crate::program::RangeRef {
+                        tag,
+                        element,
+                        first,
+                        last,
+                    }))
+                }
+                (Some(tag), _) => Some(Argument::State(self.tag_id(tag))),
+                (None, _) => {
+                    let message =
+                        format!("a tag of type {ty} is expected here, for a VAR_IN_OUT of the block");
+                    self.report(type_mismatch::wrong(range, message));
+                    None
+                }
+            };
+        };
+        if kind == ParameterKind::Input {
+            return self.value(node, scalar).map(Argument::Value);
+        }
+        let (place, found) = self.place_or_say(node)?;
+        if !self.check_writable(&place, node, Access::Write) {
+            return None;
+        }
+        let fits = match kind {
+            ParameterKind::InOut => found == scalar,
+            _ => passes(scalar, found),
+        };
+        if !fits {
+            self.report(type_mismatch::does_not_pass(scalar, found, range));
+            return None;
+        }
+        Some(Argument::Place(place, found))
+    }
+}
+
+fn access(direction: Direction) -> Access {
+    match direction {
+        Direction::In => Access::Read,
+        Direction::Out => Access::Write,
+        Direction::InOut => Access::ReadWrite,
+    }
+}
+
+/// How the operands of a comparison agree.
+#[derive(Clone, Copy)]
+enum Compared {
+    /// In one type.
+    In(Scalar),
+    /// Integers of different types: by value.
+    ByValue,
+    /// There are none, or they do not agree.
+    Not,
+}
+
+fn compared_in_bool(compared: Compared) -> bool {
+    matches!(compared, Compared::In(Scalar::Bool))
+}
+
+fn search_operator(name: &str) -> Option<Op> {
+    Some(match name.to_ascii_uppercase().as_str() {
+        "EQ" | "EQU" => Op::Eq,
+        "NE" | "NEQ" => Op::Ne,
+        "GT" | "GRT" => Op::Gt,
+        "GE" | "GEQ" => Op::Ge,
+        "LT" | "LES" => Op::Lt,
+        "LE" | "LEQ" => Op::Le,
+        _ => return None,
+    })
+}

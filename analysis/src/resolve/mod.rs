@@ -1,0 +1,241 @@
+//! From a file's context to its program: names become tags, operands become typed arguments.
+//!
+//! What does not fit is reported through the rules' own constructors; a program is made only of a file without
+//! errors.
+
+mod argument;
+mod expression;
+mod place;
+
+pub(crate) use expression::is_function;
+
+use crate::context::{Body, Context};
+use crate::diagnostic::Diagnostic;
+use crate::network::{BoundBlock, Meaning, NetworkFacts};
+use crate::program::{
+    Block, BlockKind, Element, Function, Location, Network, Program, Tag, TagId, UserBlock,
+};
+use crate::scope::Scope;
+use crate::types::{Scalar, Type};
+use ladder_instructions::Op;
+use ladder_syntax::{Name, TextRange, TextSize};
+use std::ops::Range;
+
+/// What is known while the operands of one block are resolved.
+pub(crate) struct Resolver<'c, 'o> {
+    context: &'c Context<'c>,
+    scope: &'c Scope,
+    /// The id of the scope's first tag.
+    first_tag: u32,
+    /// Where the block's line starts.
+    base: TextSize,
+    network: usize,
+    /// Structure's networks to the program's.
+    network_numbers: &'c [usize],
+    out: &'o mut Vec<Diagnostic>,
+}
+
+/// Resolves all networks. The program is whole only if `out` has no errors afterwards.
+pub(crate) fn program(context: &Context<'_>, file: &str, out: &mut Vec<Diagnostic>) -> Program {
+    let numbers = network_numbers(context);
+    let mut program = Program {
+        files: vec![file.to_owned()],
+        ..Program::default()
+    };
+    let mut first_tags = Vec::with_capacity(context.scopes.len());
+    for (index, scope) in context.scopes.iter().enumerate() {
+        first_tags.push(program.tags.len() as u32);
+        program.tags.extend(scope.tags.iter().map(|tag| Tag {
+            name: tag.name.clone(),
+            ty: tag.ty.unwrap_or(Type::Scalar(Scalar::Dint)),
+            role: tag.role,
+            retain: tag.retain,
+            constant: tag.constant,
+            initial: tag.initial.clone(),
+            block: index.checked_sub(1),
+            location: Location {
+                file: 0,
+                range: tag.at,
+            },
+        }));
+    }
+    let mut networks: Vec<Option<Network>> = vec![None; context.networks.len()];
+    for (index, facts) in context.networks.iter().enumerate() {
+        let mut blocks = Vec::with_capacity(facts.blocks.len());
+        for bound in &facts.blocks {
+            let mut resolver = Resolver {
+                context,
+                scope: &context.scopes[facts.scope],
+                first_tag: first_tags[facts.scope],
+                base: bound.base,
+                network: index,
+                network_numbers: &numbers,
+                out: &mut *out,
+            };
+            blocks.extend(resolver.block(bound));
+        }
+        retain(&mut program, &blocks);
+        networks[numbers[index]] = Some(lowered(context, facts, blocks));
+    }
+    program.networks = networks.into_iter().flatten().collect();
+    functions(context, &numbers, &mut program);
+    user_blocks(context, &numbers, &first_tags, &mut program);
+    program
+}
+
+/// The file's own networks come first, then those of each block's body, so that every body is one range.
+fn network_numbers(context: &Context<'_>) -> Vec<usize> {
+    let mut order: Vec<usize> = (0..context.networks.len()).collect();
+    order.sort_by_key(|&index| (context.networks[index].scope, index));
+    let mut numbers = vec![0; order.len()];
+    for (number, index) in order.into_iter().enumerate() {
+        numbers[index] = number;
+    }
+    numbers
+}
+
+fn lowered(context: &Context<'_>, facts: &NetworkFacts, blocks: Vec<Block>) -> Network {
+    let elements = facts
+        .order
+        .elements
+        .iter()
+        .map(|&(rung, part, step, kind)| Element {
+            kind,
+            range: facts.part_range(context.parse, rung, part),
+            step,
+        })
+        .collect();
+    Network {
+        location: Location {
+            file: 0,
+            range: facts.range,
+        },
+        steps: facts.order.steps.clone(),
+        blocks,
+        elements,
+    }
+}
+
+/// `(M)`, `(SM)`, `(RM)` and `[PERSIST]` make their tag retentive.
+fn retain(program: &mut Program, blocks: &[Block]) {
+    use crate::program::{Argument, Place};
+    for block in blocks {
+        let BlockKind::Instruction(row) = block.kind else {
+            continue;
+        };
+        if !matches!(
+            row.op,
+            Op::RetentiveCoil | Op::RetentiveSet | Op::RetentiveReset | Op::Persist
+        ) {
+            continue;
+        }
+        for bound in &block.arguments {
+            let tag = match &bound.argument {
+                Argument::Place(Place::Tag(tag) | Place::Element(tag, _) | Place::Member(tag, _), _)
+                | Argument::State(tag) => *tag,
+                Argument::Place(Place::Bit(base, ..), _) => match base.as_ref() {
+                    Place::Tag(tag) | Place::Element(tag, _) => *tag,
+                    _ => continue,
+                },
+                Argument::Range(range) => range.tag,
+                _ => continue,
+            };
+            program.tags[tag.0 as usize].retain = true;
+        }
+    }
+}
+
+/// The networks of a body, as the program numbers them.
+fn body_range(context: &Context<'_>, numbers: &[usize], body: Body) -> Range<usize> {
+    let mut of_body = context
+        .bodies
+        .iter()
+        .zip(numbers)
+        .filter(|(b, _)| **b == body)
+        .map(|(_, &number)| number);
+    match of_body.next() {
+        Some(first) => {
+            let (low, high) = of_body.fold((first, first), |(low, high), n| (low.min(n), high.max(n)));
+            low..high + 1
+        }
+        None => 0..0,
+    }
+}
+
+fn functions(context: &Context<'_>, numbers: &[usize], program: &mut Program) {
+    program.main = body_range(context, numbers, Body::Main);
+    program.functions = context
+        .functions
+        .iter()
+        .enumerate()
+        .map(|(index, function)| Function {
+            name: function.name.clone(),
+            networks: body_range(context, numbers, Body::Function(index)),
+        })
+        .collect();
+}
+
+fn user_blocks(context: &Context<'_>, numbers: &[usize], first_tags: &[u32], program: &mut Program) {
+    program.blocks = context
+        .user_blocks
+        .iter()
+        .enumerate()
+        .map(|(index, block)| {
+            let scope = &context.scopes[index + 1];
+            let id = |tag: usize| TagId(first_tags[index + 1] + tag as u32);
+            let own = |name: &str| id(scope.find(&Name::new(name)).unwrap_or(0));
+            UserBlock {
+                name: block.name.clone(),
+                parameters: block.parameters.iter().map(|p| (id(p.tag), p.kind)).collect(),
+                en: own("EN"),
+                eno: own("ENO"),
+                networks: body_range(context, numbers, Body::Block(index)),
+            }
+        })
+        .collect();
+}
+
+impl Resolver<'_, '_> {
+    fn report(&mut self, diagnostic: Diagnostic) {
+        self.out.push(diagnostic);
+    }
+
+    /// A range of the block's line, counted from the start of the file.
+    fn at(&self, range: TextRange) -> TextRange {
+        range + self.base
+    }
+
+    fn tag_id(&self, index: usize) -> TagId {
+        TagId(self.first_tag + index as u32)
+    }
+
+    /// A block with its arguments. None if it is no known block; the rules say so.
+    fn block(&mut self, bound: &BoundBlock) -> Option<Block> {
+        let location = Location {
+            file: 0,
+            range: bound.range(),
+        };
+        match bound.meaning {
+            Meaning::Instruction(row) => {
+                let (arguments, works_in) = self.arguments(row, bound);
+                Some(Block {
+                    kind: BlockKind::Instruction(row),
+                    location,
+                    arguments,
+                    works_in,
+                })
+            }
+            Meaning::User(index) => {
+                let arguments = self.user_arguments(index, bound);
+                Some(Block {
+                    kind: BlockKind::User(index),
+                    location,
+                    arguments,
+                    works_in: None,
+                })
+            }
+            // The operands' own mistakes are shown all the same.
+            Meaning::Unknown | Meaning::UnknownUser => None,
+        }
+    }
+}

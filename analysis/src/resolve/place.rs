@@ -1,0 +1,285 @@
+//! Places: tags, elements, members, bits, system tags, ranges.
+
+use super::Resolver;
+use crate::facts::{Node, NodeKind, Word};
+use crate::infer;
+use crate::literal::Literal;
+use crate::program::{Expr, ExprKind, Place, RangeRef, SystemTag};
+use crate::rules::{bad_operand, constant_write, type_mismatch, undeclared_tag, unknown_member};
+use crate::scope::{Access, Origin};
+use crate::types::{Scalar, Type};
+use crate::value::Value;
+use ladder_syntax::{Name, TextRange};
+
+impl Resolver<'_, '_> {
+    /// The scope's tag that a node names as a whole.
+    pub(super) fn named_tag(&self, node: &Node) -> Option<usize> {
+        match &node.kind {
+            NodeKind::Name(name) | NodeKind::Address(name) => self.scope.find(&Name::new(name)),
+            NodeKind::Paren(inner) => self.named_tag(inner),
+            _ => None,
+        }
+    }
+
+    pub(super) fn tag_type(&self, tag: usize) -> Type {
+        self.scope.tags[tag].ty.unwrap_or(Type::Scalar(Scalar::Dint))
+    }
+
+    /// The type of a place, without reporting anything.
+    pub(super) fn place_type(&self, node: &Node) -> Option<Scalar> {
+        match &node.kind {
+            NodeKind::Name(_) | NodeKind::Address(_) => self.tag_type(self.named_tag(node)?).scalar(),
+            NodeKind::Index(base, _) => match self.tag_type(self.named_tag(base)?) {
+                Type::Array { element, .. } => Some(element),
+                _ => None,
+            },
+            NodeKind::Member(base, word) => {
+                if is_system(base) {
+                    return SystemTag::from_name(&word.text).map(SystemTag::ty);
+                }
+                if let Some(Type::State(state)) = self.named_tag(base).map(|tag| self.tag_type(tag)) {
+                    return infer::member(state, &word.text).map(|member| member.ty());
+                }
+                Some(Scalar::Bool)
+            }
+            NodeKind::Paren(inner) => self.place_type(inner),
+            _ => None,
+        }
+    }
+
+    /// The place that a node names, and its type. Says what is wrong if it names none.
+    pub(super) fn place(&mut self, node: &Node) -> Option<(Place, Scalar)> {
+        let range = self.at(node.range);
+        match &node.kind {
+            NodeKind::Name(name) if name.eq_ignore_ascii_case("SYS") => {
+                self.report(bad_operand::wrong(
+                    range,
+                    "SYS is no tag by itself: write SYS.ON, SYS.FIRST_SCAN, ...",
+                ));
+                None
+            }
+            NodeKind::Name(name) | NodeKind::Address(name) => {
+                let tag = self.named_tag(node)?;
+                match self.tag_type(tag) {
+                    Type::Scalar(scalar) => Some((Place::Tag(self.tag_id(tag)), scalar)),
+                    Type::State(state) => {
+                        self.report(type_mismatch::state_as_value(name, state, range));
+                        None
+                    }
+                    Type::Array { first, .. } => {
+                        let message =
+                            format!("`{name}` is an array: name an element such as {name}[{first}]");
+                        self.report(type_mismatch::wrong(range, message));
+                        None
+                    }
+                }
+            }
+            NodeKind::Index(base, index) => {
+                let (tag, element) = self.array(base)?;
+                let index = self.index(base, tag, index)?;
+                Some((Place::Element(self.tag_id(tag), Box::new(index)), element))
+            }
+            NodeKind::Member(base, word) => self.member(base, word),
+            NodeKind::Paren(inner) => self.place(inner),
+            NodeKind::Missing => None,
+            NodeKind::Range(..) => {
+                self.report(bad_operand::wrong(
+                    range,
+                    "a range does not fit here: name one element",
+                ));
+                None
+            }
+            _ => {
+                self.report(bad_operand::wrong(range, "a tag is expected here"));
+                None
+            }
+        }
+    }
+
+    fn member(&mut self, base: &Node, word: &Word) -> Option<(Place, Scalar)> {
+        let at = self.at(word.range);
+        if is_system(base) {
+            let Some(tag) = SystemTag::from_name(&word.text) else {
+                self.report(unknown_member::system(&word.text, at));
+                return None;
+            };
+            return Some((Place::System(tag), tag.ty()));
+        }
+        if let Some(tag) = self.named_tag(base)
+            && let Type::State(state) = self.tag_type(tag)
+        {
+            let Some(member) = infer::member(state, &word.text) else {
+                self.report(unknown_member::of_state(
+                    &self.scope.tags[tag].name,
+                    state,
+                    &word.text,
+                    at,
+                ));
+                return None;
+            };
+            return Some((Place::Member(self.tag_id(tag), member), member.ty()));
+        }
+        let (place, ty) = self.place(base)?;
+        let bits = ty.is_integer() || ty.is_bits();
+        let bit = word
+            .text
+            .parse::<u8>()
+            .ok()
+            .filter(|&bit| bits && u32::from(bit) < ty.width());
+        match bit {
+            Some(bit) => Some((Place::Bit(Box::new(place), ty, bit), Scalar::Bool)),
+            None => {
+                self.report(unknown_member::of_scalar(ty, &word.text, at));
+                None
+            }
+        }
+    }
+
+    /// The array that a node names: its tag and the type of its elements.
+    fn array(&mut self, base: &Node) -> Option<(usize, Scalar)> {
+        let range = self.at(base.range);
+        let Some(tag) = self.named_tag(base) else {
+            if !matches!(base.kind, NodeKind::Missing) {
+                self.report(bad_operand::wrong(
+                    range,
+                    "an index stands behind the name of an array",
+                ));
+            }
+            return None;
+        };
+        match self.tag_type(tag) {
+            Type::Array { element, .. } => Some((tag, element)),
+            ty => {
+                let facts = &self.scope.tags[tag];
+                let diagnostic = if facts.origin == Origin::Undeclared {
+                    undeclared_tag::array(&facts.name, range)
+                } else {
+                    type_mismatch::wrong(
+                        range,
+                        format!("`{}` is {ty}, no array: it has no elements", facts.name),
+                    )
+                };
+                self.report(diagnostic);
+                None
+            }
+        }
+    }
+
+    /// An index: any integer. One that is written as a number must lie in the array.
+    fn index(&mut self, base: &Node, tag: usize, index: &Node) -> Option<Expr> {
+        let Type::Array { first, last, .. } = self.tag_type(tag) else {
+            return None;
+        };
+        let expr = self.integer(index)?;
+        if let ExprKind::Constant(Value::Int(n)) = expr.kind
+            && !(first..=last).contains(&n)
+        {
+            let NodeKind::Name(name) = &base.kind else {
+                return None;
+            };
+            let message = format!("`{name}` has the elements {first} to {last}, there is no {n}");
+            self.report(bad_operand::wrong(self.at(index.range), message));
+            return None;
+        }
+        Some(expr)
+    }
+
+    /// A range of an array: `a[3..9]`, or with `open` also an element from which on it is meant.
+    pub(super) fn range(&mut self, node: &Node, open: bool) -> Option<RangeRef> {
+        match &node.kind {
+            NodeKind::Range(base, first, last) => {
+                let (tag, element) = self.array(base)?;
+                let first_expr = self.index(base, tag, first)?;
+                let last_expr = self.index(base, tag, last)?;
+                if let (ExprKind::Constant(Value::Int(a)), ExprKind::Constant(Value::Int(b))) =
+                    (&first_expr.kind, &last_expr.kind)
+                    && a > b
+                {
+                    let message = format!("the range ends at {b}, before it begins at {a}: swap them");
+                    self.report(bad_operand::wrong(self.at(node.range), message));
+                    return None;
+                }
+                let last = Some(Box::new(last_expr));
+                Some(RangeRef {
+                    tag: self.tag_id(tag),
+                    element,
+                    first: Box::new(first_expr),
+                    last,
+                })
+            }
+            NodeKind::Index(base, index) if open => {
+                let (tag, element) = self.array(base)?;
+                let first = Box::new(self.index(base, tag, index)?);
+                Some(RangeRef {
+                    tag: self.tag_id(tag),
+                    element,
+                    first,
+                    last: None,
+                })
+            }
+            NodeKind::Missing => None,
+            _ => {
+                let message = "a range of an array is expected here: a[1..9]";
+                self.report(bad_operand::wrong(self.at(node.range), message));
+                None
+            }
+        }
+    }
+
+    /// Says so if a place must not be written.
+    pub(super) fn check_writable(&mut self, place: &Place, node: &Node, access: Access) -> bool {
+        if !access.writes() {
+            return true;
+        }
+        let range = self.at(node.range);
+        let tag = match place {
+            Place::System(_) => {
+                self.report(constant_write::system(range));
+                return false;
+            }
+            Place::Member(..) => {
+                let message = "a member of a timer or counter is written by its own block only: use (RES) or R := to \
+                               clear it";
+                self.report(bad_operand::wrong(range, message));
+                return false;
+            }
+            Place::Bit(base, ..) => return self.check_writable(base, node, access),
+            Place::Tag(tag) | Place::Element(tag, _) => *tag,
+        };
+        let facts = &self.scope.tags[(tag.0 - self.first_tag) as usize];
+        if facts.constant {
+            let diagnostic = constant_write::constant(&facts.name, range, facts.at);
+            self.report(diagnostic);
+            return false;
+        }
+        true
+    }
+
+    /// An integer value in its own type: a count, selector or index.
+    pub(super) fn integer(&mut self, node: &Node) -> Option<Expr> {
+        if let Some((Ok(Literal::Int(_)), _)) = crate::constant::signed_literal(node) {
+            return self.literal_in(node, Scalar::Lint);
+        }
+        let expr = self.natural(node)?;
+        if expr.ty.is_integer() {
+            return Some(expr);
+        }
+        self.report(type_mismatch::wrong(
+            self.at(node.range),
+            format!("an integer is expected here, this is {}", expr.ty),
+        ));
+        None
+    }
+
+    pub(super) fn constant_expr(&self, value: Value, ty: Scalar, range: TextRange) -> Expr {
+        Expr {
+            ty,
+            kind: ExprKind::Constant(value),
+            range: self.at(range),
+        }
+    }
+}
+
+fn is_system(node: &Node) -> bool {
+    matches!(&node.kind, NodeKind::Name(name) if name.eq_ignore_ascii_case("SYS"))
+}

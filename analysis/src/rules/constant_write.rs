@@ -1,0 +1,23 @@
+//! `constant-write`: a block writes a tag that must not be written.
+
+use crate::diagnostic::Diagnostic;
+use crate::rule::Rule;
+use ladder_syntax::TextRange;
+
+pub(crate) fn constant(name: &str, range: TextRange, declared: TextRange) -> Diagnostic {
+    Diagnostic::new(
+        Rule::ConstantWrite,
+        range,
+        format!("`{name}` is a constant: no block may write it"),
+    )
+    .help("declare it in a VAR section without CONSTANT, or write another tag")
+    .related(declared, format!("`{name}` is declared CONSTANT here"))
+}
+
+pub(crate) fn system(range: TextRange) -> Diagnostic {
+    Diagnostic::new(
+        Rule::ConstantWrite,
+        range,
+        "the tags of SYS are read only: the controller sets them",
+    )
+}

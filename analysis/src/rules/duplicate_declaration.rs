@@ -1,0 +1,15 @@
+//! `duplicate-declaration`: one name is declared twice in a file or block.
+
+use crate::diagnostic::Diagnostic;
+use crate::rule::Rule;
+use crate::scope::TagFacts;
+use ladder_syntax::{SyntaxToken, TextRange};
+
+pub(crate) fn twice(name: &SyntaxToken, range: TextRange, first: &TagFacts) -> Diagnostic {
+    let message = format!("`{}` is declared twice", name.text());
+    Diagnostic::new(Rule::DuplicateDeclaration, range, message)
+        .help(
+            "remove one of the declarations, or give one tag another name; capitals do not tell names apart",
+        )
+        .related(first.at, format!("`{}` is first declared here", first.name))
+}

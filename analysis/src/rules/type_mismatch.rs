@@ -1,0 +1,111 @@
+//! `type-mismatch`: a value does not pass to the type that its place asks for.
+
+use crate::diagnostic::Diagnostic;
+use crate::rule::Rule;
+use crate::types::{Scalar, Type};
+use ladder_instructions::{StateType, TypeClass};
+use ladder_syntax::TextRange;
+
+pub(crate) fn wrong(range: TextRange, message: impl Into<String>) -> Diagnostic {
+    Diagnostic::new(Rule::TypeMismatch, range, message)
+}
+
+/// Two places ask for two types of one undeclared tag.
+pub(crate) fn two_answers(name: &str, first: (Type, TextRange), second: (Type, TextRange)) -> Diagnostic {
+    let message = format!("`{name}` is used as {} here, and as {} before", second.0, first.0);
+    let found = wrong(second.1, message).related(first.1, format!("here it is {}", first.0));
+    match (first.0, second.0) {
+        (Type::State(state), Type::Scalar(Scalar::Bool)) => found.help(format!(
+            "for the output of the {} write `{name}.{}`",
+            state.name(),
+            output(state)
+        )),
+        _ => found.help("declare it with the type it should have, and use another tag for the other"),
+    }
+}
+
+const fn output(state: StateType) -> &'static str {
+    match state {
+        StateType::Sr | StateType::Rs => "Q1",
+        _ => "Q",
+    }
+}
+
+/// The tag of a timer stands where a value belongs.
+pub(crate) fn state_as_value(name: &str, state: StateType, range: TextRange) -> Diagnostic {
+    let message = format!(
+        "`{name}` is the state of a {}, a value is expected here",
+        state.name()
+    );
+    let member = match state {
+        StateType::Sr | StateType::Rs => format!("`{name}.Q1` is its output"),
+        state if state.is_counter() => format!("`{name}.Q` is its output, `{name}.CV` its count"),
+        _ => format!("`{name}.Q` is its output, `{name}.ET` its elapsed time"),
+    };
+    wrong(range, message).help(member)
+}
+
+pub(crate) fn does_not_pass(from: Scalar, to: Scalar, range: TextRange) -> Diagnostic {
+    let found = wrong(range, format!("this is {from}, {to} is expected here"));
+    let bits = |ty: Scalar| ty.is_bits() || ty.is_integer();
+    if from == Scalar::Bool && bits(to) {
+        return found
+            .help("a contact turns a BOOL into power: put it before the block; or convert it with [TYP]");
+    }
+    if to == Scalar::Bool && bits(from) {
+        return found.help("compare it ([NE]( tag, 0 )), or name one of its bits (tag.0)");
+    }
+    found.help(format!(
+        "convert it with [TYP]( result, value ) into a {to} first"
+    ))
+}
+
+/// An operator does not work in the type of the result.
+pub(crate) fn operator(range: TextRange, ty: Scalar) -> Diagnostic {
+    wrong(
+        range,
+        format!("this operator does not work in {ty}, the type of the result"),
+    )
+}
+
+pub(crate) fn cannot_compare(a: Scalar, b: Scalar, range: TextRange) -> Diagnostic {
+    wrong(range, format!("{a} and {b} cannot be compared")).help("convert one of them with [TYP] first")
+}
+
+pub(crate) fn bool_order(range: TextRange) -> Diagnostic {
+    wrong(
+        range,
+        "BOOL values are equal or not: none is greater than another",
+    )
+    .help("use contacts, or [EQ] and [NE]")
+}
+
+/// The result's type is none that the instruction gives.
+pub(crate) fn result(ty: Scalar, class: TypeClass, range: TextRange) -> Diagnostic {
+    let expected = match class {
+        TypeClass::Number => "a number",
+        TypeClass::NumberOrTime => "a number or a TIME",
+        TypeClass::Real => "REAL or LREAL",
+        TypeClass::BitsOrInteger => "a bit string (BYTE to LWORD) or an integer",
+        TypeClass::BoolBitsOrInteger => "BOOL, a bit string or an integer",
+        TypeClass::Integer => "an integer",
+        TypeClass::String => "a STRING",
+        TypeClass::Any => "an elementary type",
+    };
+    wrong(range, format!("the result is {ty}, this block gives {expected}"))
+}
+
+/// A timer's or counter's block stands on a tag of another type.
+pub(crate) fn wrong_state(name: &str, found: Type, expected: StateType, range: TextRange) -> Diagnostic {
+    wrong(
+        range,
+        format!(
+            "`{name}` is {found}, this block keeps its state in a {}",
+            expected.name()
+        ),
+    )
+    .help(format!(
+        "give it a tag of its own: `{name} : {};`",
+        expected.name()
+    ))
+}

@@ -1,0 +1,25 @@
+//! `unknown-function`: a `<CALL>` names no function.
+
+use super::did_you_mean;
+use crate::context::Context;
+use crate::diagnostic::Diagnostic;
+use crate::rule::Rule;
+use ladder_syntax::TextRange;
+
+pub(crate) fn unknown(context: &Context<'_>, name: &str, range: TextRange) -> Diagnostic {
+    let found = Diagnostic::new(
+        Rule::UnknownFunction,
+        range,
+        format!("there is no function `{name}`"),
+    );
+    match did_you_mean::closest(name, context.functions.iter().map(|f| f.name.as_str())) {
+        Some(near) => {
+            found
+                .help(format!("did you mean `{near}`?"))
+                .fix(format!("Call `{near}`"), range, near)
+        }
+        None => found.help(format!(
+            "a function begins with a network that holds <FUN>( {name} )"
+        )),
+    }
+}

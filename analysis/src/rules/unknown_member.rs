@@ -1,0 +1,41 @@
+//! `unknown-member`: the word or number behind a point names no part of the tag.
+
+use crate::diagnostic::Diagnostic;
+use crate::rule::Rule;
+use crate::types::Scalar;
+use ladder_instructions::StateType;
+use ladder_syntax::TextRange;
+
+fn unknown(range: TextRange, message: String) -> Diagnostic {
+    Diagnostic::new(Rule::UnknownMember, range, message)
+}
+
+pub(crate) fn system(word: &str, range: TextRange) -> Diagnostic {
+    unknown(range, format!("there is no system tag SYS.{word}"))
+        .help("there are SYS.FIRST_SCAN, SYS.SCAN, SYS.TIME, SYS.SCAN_TIME, SYS.FAULT, SYS.ON and SYS.OFF")
+}
+
+pub(crate) fn of_state(name: &str, state: StateType, word: &str, range: TextRange) -> Diagnostic {
+    let members = match state {
+        StateType::Sr | StateType::Rs => "Q1",
+        StateType::Ctud => "CU CD R LD PV CV QU QD Q CC",
+        state if state.is_counter() => "CU CD R LD PV CV Q CC",
+        _ => "IN PT Q ET R TT",
+    };
+    unknown(
+        range,
+        format!("`{name}` is a {} and has no member `{word}`", state.name()),
+    )
+    .help(format!("its members are {members}"))
+}
+
+pub(crate) fn of_scalar(ty: Scalar, word: &str, range: TextRange) -> Diagnostic {
+    if ty.is_integer() || ty.is_bits() {
+        let last = ty.width() - 1;
+        return unknown(
+            range,
+            format!("{ty} has the bits 0 to {last}, there is no `{word}`"),
+        );
+    }
+    unknown(range, format!("{ty} has no members"))
+}

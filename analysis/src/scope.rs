@@ -1,0 +1,228 @@
+//! The tags that a file, or the body of a user-defined block, knows.
+
+use crate::program::Role;
+use crate::types::{Scalar, Type};
+use crate::value::Value;
+use ladder_syntax::{Name, TextRange};
+use std::collections::HashMap;
+
+/// The section that a tag is declared in.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+#[allow(missing_docs)]
+pub enum SectionKind {
+    Var,
+    Input,
+    Output,
+    InOut,
+    Global,
+    External,
+}
+
+impl SectionKind {
+    /// The section that a keyword opens.
+    pub fn from_keyword(keyword: &str) -> Option<SectionKind> {
+        Some(match keyword.to_ascii_uppercase().as_str() {
+            "VAR" => SectionKind::Var,
+            "VAR_INPUT" => SectionKind::Input,
+            "VAR_OUTPUT" => SectionKind::Output,
+            "VAR_IN_OUT" => SectionKind::InOut,
+            "VAR_GLOBAL" => SectionKind::Global,
+            "VAR_EXTERNAL" => SectionKind::External,
+            _ => return None,
+        })
+    }
+
+    /// The keyword.
+    pub const fn keyword(self) -> &'static str {
+        match self {
+            SectionKind::Var => "VAR",
+            SectionKind::Input => "VAR_INPUT",
+            SectionKind::Output => "VAR_OUTPUT",
+            SectionKind::InOut => "VAR_IN_OUT",
+            SectionKind::Global => "VAR_GLOBAL",
+            SectionKind::External => "VAR_EXTERNAL",
+        }
+    }
+}
+
+/// Where a tag comes from.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum Origin {
+    /// A declaration in this section.
+    Declared(SectionKind),
+    /// A direct address, or a name that says its type (`I1`, `MF3`).
+    Form,
+    /// `EN` and `ENO` in a block's body.
+    Implicit,
+    /// It is only used.
+    Undeclared,
+}
+
+/// How a block uses a tag.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+#[allow(missing_docs)]
+pub enum Access {
+    Read,
+    Write,
+    ReadWrite,
+}
+
+impl Access {
+    /// Whether the block reads it.
+    pub const fn reads(self) -> bool {
+        !matches!(self, Access::Write)
+    }
+
+    /// Whether the block writes it.
+    pub const fn writes(self) -> bool {
+        !matches!(self, Access::Read)
+    }
+}
+
+/// One place where a tag stands in an operand.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Use {
+    /// The network, as in the structure.
+    pub network: usize,
+    /// The block in it.
+    pub block: usize,
+    /// The operand in it.
+    pub operand: usize,
+    /// Where the tag's name stands, from the start of the file.
+    pub range: TextRange,
+    /// How it is used.
+    pub access: Access,
+    /// Whether the tag as a whole is meant, not a member, bit or element.
+    pub whole: bool,
+}
+
+/// A tag of a scope.
+#[derive(Debug, Clone)]
+pub struct TagFacts {
+    /// As declared, or as first written.
+    pub name: String,
+    /// Its type. None until it is inferred.
+    pub ty: Option<Type>,
+    /// Input, output or neither.
+    pub role: Role,
+    /// Where it comes from.
+    pub origin: Origin,
+    /// Declared RETAIN.
+    pub retain: bool,
+    /// Declared CONSTANT.
+    pub constant: bool,
+    /// Initial values; empty for the type's own.
+    pub initial: Vec<Value>,
+    /// The address behind AT, or the address itself.
+    pub address: Option<String>,
+    /// Where it is declared, or first used.
+    pub at: TextRange,
+    /// Where it is used.
+    pub uses: Vec<Use>,
+}
+
+impl TagFacts {
+    /// Whether it has a declaration.
+    pub const fn is_declared(&self) -> bool {
+        matches!(self.origin, Origin::Declared(_))
+    }
+}
+
+/// The tags of a file or of a block's body.
+#[derive(Debug, Clone, Default)]
+pub struct Scope {
+    /// In the order of declaration, then of first use.
+    pub tags: Vec<TagFacts>,
+    by_name: HashMap<Name, usize>,
+    /// The block definition whose body it is.
+    pub block: Option<usize>,
+}
+
+impl Scope {
+    /// The tag of a name.
+    pub fn find(&self, name: &Name) -> Option<usize> {
+        self.by_name.get(name).copied()
+    }
+
+    /// Adds a tag; the first one of a name is found by it.
+    pub(crate) fn add(&mut self, tag: TagFacts) -> usize {
+        let index = self.tags.len();
+        self.by_name.entry(Name::new(&tag.name)).or_insert(index);
+        self.tags.push(tag);
+        index
+    }
+
+    /// Whether the scope has at least one declaration.
+    pub fn declares(&self) -> bool {
+        self.tags.iter().any(TagFacts::is_declared)
+    }
+}
+
+/// The type and role that a name without a declaration says by its form (LANGUAGE §4): `I1`, `MF3`, `%QX1.7`.
+pub fn type_by_form(name: &str) -> Option<(Scalar, Role)> {
+    if let Some(address) = name.strip_prefix('%') {
+        return type_by_address(address);
+    }
+    let upper = name.to_ascii_uppercase();
+    let letters = upper.trim_end_matches(|c: char| c.is_ascii_digit());
+    if letters.len() == upper.len() {
+        return None;
+    }
+    match letters {
+        "I" => Some((Scalar::Bool, Role::Input)),
+        "Q" => Some((Scalar::Bool, Role::Output)),
+        "M" => Some((Scalar::Bool, Role::Internal)),
+        "MI" => Some((Scalar::Dint, Role::Internal)),
+        "MF" => Some((Scalar::Lreal, Role::Internal)),
+        _ => None,
+    }
+}
+
+/// `IX0.3`: the area, the size, then numbers with points between.
+fn type_by_address(address: &str) -> Option<(Scalar, Role)> {
+    let upper = address.to_ascii_uppercase();
+    let mut letters = upper.chars();
+    let role = match letters.next()? {
+        'I' => Role::Input,
+        'Q' => Role::Output,
+        'M' => Role::Internal,
+        _ => return None,
+    };
+    let scalar = match letters.next()? {
+        'X' => Scalar::Bool,
+        'B' => Scalar::Byte,
+        'W' => Scalar::Word,
+        'D' => Scalar::Dword,
+        'L' => Scalar::Lword,
+        _ => return None,
+    };
+    let numbers = &upper[2..];
+    let well_formed = !numbers.is_empty()
+        && numbers
+            .split('.')
+            .all(|n| !n.is_empty() && n.bytes().all(|b| b.is_ascii_digit()));
+    well_formed.then_some((scalar, role))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn forms() {
+        for (name, expected) in [
+            ("I1", Some((Scalar::Bool, Role::Input))),
+            ("q12", Some((Scalar::Bool, Role::Output))),
+            ("MI3", Some((Scalar::Dint, Role::Internal))),
+            ("MF0", Some((Scalar::Lreal, Role::Internal))),
+            ("I", None),
+            ("I1a", None),
+            ("%IX0.3", Some((Scalar::Bool, Role::Input))),
+            ("%MW10", Some((Scalar::Word, Role::Internal))),
+            ("%IX", None),
+            ("%ZX1", None),
+        ] {
+            assert_eq!(type_by_form(name), expected, "{name}");
+        }
+    }
+}

@@ -1,0 +1,83 @@
+//! Definitions of user-defined blocks: name, shape, parameters (LANGUAGE §5.7).
+
+use crate::program::ParameterKind;
+use crate::scope::{Origin, Scope, SectionKind};
+use ladder_instructions::Shape;
+use ladder_syntax::ast::{AstNode, BlockHeader, BlockShape, HeadName};
+use ladder_syntax::{Name, Parse, TextRange};
+
+/// A block definition as its header and declarations give it.
+#[derive(Debug, Clone)]
+pub struct UserBlockFacts {
+    /// As written, with the `$`.
+    pub name: String,
+    /// As it is compared.
+    pub key: Name,
+    /// The shape that the header shows.
+    pub shape: Shape,
+    /// Where the header's first part stands.
+    pub at: TextRange,
+    /// The operands in the order of their declaration.
+    pub parameters: Vec<Parameter>,
+}
+
+/// A parameter of a user-defined block.
+#[derive(Debug, Clone)]
+pub struct Parameter {
+    /// As it is compared.
+    pub key: Name,
+    /// The tag in the body's scope.
+    pub tag: usize,
+    /// How it is passed.
+    pub kind: ParameterKind,
+    /// It may be left out.
+    pub has_default: bool,
+}
+
+/// The definition whose lines begin at `header_line`; `scope` is its body's, with its declarations. A header
+/// that names no block gives a name that nothing can call.
+pub(crate) fn user_block(parse: &Parse, header_line: usize, scope: &Scope) -> UserBlockFacts {
+    let start = parse.line_start(header_line);
+    let head = BlockHeader::cast(parse.lines()[header_line].syntax()).and_then(|header| header.head());
+    let (name, shape, at) = match head {
+        Some(head) => {
+            let shape = match head.shape() {
+                BlockShape::Logical => Shape::Logical,
+                BlockShape::Coil => Shape::Coil,
+                BlockShape::Function => Shape::Function,
+            };
+            let name = match head.name() {
+                HeadName::User(token) => token.text().to_owned(),
+                _ => String::new(),
+            };
+            (name, shape, head.range() + start)
+        }
+        None => (String::new(), Shape::Logical, parse.line_range(header_line)),
+    };
+    let parameters = scope
+        .tags
+        .iter()
+        .enumerate()
+        .filter_map(|(tag, facts)| {
+            let kind = match facts.origin {
+                Origin::Declared(SectionKind::Input) => ParameterKind::Input,
+                Origin::Declared(SectionKind::Output) => ParameterKind::Output,
+                Origin::Declared(SectionKind::InOut) => ParameterKind::InOut,
+                _ => return None,
+            };
+            Some(Parameter {
+                key: Name::new(&facts.name),
+                tag,
+                kind,
+                has_default: !facts.initial.is_empty(),
+            })
+        })
+        .collect();
+    UserBlockFacts {
+        key: Name::new(&name),
+        name,
+        shape,
+        at,
+        parameters,
+    }
+}
