@@ -38,7 +38,7 @@ impl Resolver<'_, '_> {
                     return SystemTag::from_name(&word.text).map(SystemTag::ty);
                 }
                 if let Some(Type::State(state)) = self.named_tag(base).map(|tag| self.tag_type(tag)) {
-                    return infer::member(state, &word.text).map(|member| member.ty());
+                    return infer::member(state, &word.text).map(super::super::program::Member::ty);
                 }
                 Some(Scalar::Bool)
             }
