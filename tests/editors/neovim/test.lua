@@ -3,6 +3,8 @@ package.path = vim.env.LADDER_ROOT .. '/tests/editors/neovim/?.lua;' .. package.
 local t = require('harness')
 local ladder = require('ladder')
 
+require('units')(t)
+
 local messages = {}
 vim.notify = function(message)
   table.insert(messages, message)

@@ -14,8 +14,9 @@ function M.names(block)
   if not list then
     return {}
   end
-  -- Strings first: they may hold a `#`. Then literals with a prefix (16#FF, T#5s), and comments last.
-  list = list:gsub("'[^']*'", ' '):gsub('[%w_]+#[%w_%.:%-]*', ' '):gsub('#.-#', ' ')
+  -- Strings first: they may hold a `#`; and before them the `$'` that does not end one. Then literals with a prefix
+  -- (16#FF, T#5s), and comments last.
+  list = list:gsub("%$[$']", ' '):gsub("'[^']*'", ' '):gsub('[%w_]+#[%w_%.:%-]*', ' '):gsub('#.-#', ' ')
   local names = {}
   local at = 1
   while true do

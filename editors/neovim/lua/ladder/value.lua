@@ -30,8 +30,10 @@ function M.parse(type, text)
     return text:match("^'(.*)'$") or text
   end
   -- Past 2^53 a number would lose its last digits on the way: it goes as text.
-  local number = tonumber((text:gsub('_', '')))
-  if number and math.abs(number) <= 2 ^ 53 then
+  local plain = text:gsub('_', '')
+  -- `tonumber` alone would also take 0x10, which is no number of the language.
+  local number = plain:match('^[-+]?%d[%d.]*[eE]?[-+]?%d*$') and tonumber(plain)
+  if number and math.abs(number) < 2 ^ 53 then
     return number
   end
   return text

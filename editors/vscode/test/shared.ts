@@ -1,0 +1,14 @@
+// Cases that every editor's plugin must pass alike: what a value looks like does not depend on the editor.
+import { readFileSync } from 'node:fs';
+
+import type { Value } from '../src/protocol.ts';
+
+interface Cases {
+    readonly durations: readonly [ms: number, text: string][];
+    readonly shown: readonly [type: string, value: Value, text: string][];
+    readonly typed: readonly [type: string, text: string, value: Value][];
+    readonly operands: readonly [block: string, names: string[]][];
+    readonly places: readonly { tags: string[]; blocks: string[]; shown: string[] }[];
+}
+
+export const cases: Cases = JSON.parse(readFileSync(new URL('../../shared/values.json', import.meta.url), 'utf8'));

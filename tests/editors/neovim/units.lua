@@ -1,0 +1,43 @@
+-- The plugin's parts that need no server, on the cases that every editor's plugin must pass alike.
+return function(t)
+  local operands = require('ladder.operands')
+  local value = require('ladder.value')
+  local cases =
+    vim.json.decode(table.concat(vim.fn.readfile(vim.env.LADDER_ROOT .. '/editors/shared/values.json'), '\n'))
+
+  t.step('times read as they are written in a program', function()
+    for _, case in ipairs(cases.durations) do
+      t.equal(case[1] .. ' ms', case[2], value.duration(case[1]))
+    end
+  end)
+
+  t.step('values read by their type', function()
+    for _, case in ipairs(cases.shown) do
+      t.equal(('%s %s'):format(case[1], tostring(case[2])), case[3], value.show({ type = case[1], value = case[2] }))
+    end
+  end)
+
+  t.step('what is typed is sent as its type wants it, what is not understood as it is', function()
+    for _, case in ipairs(cases.typed) do
+      t.equal(('%s %s'):format(case[1], case[2]), case[3], value.parse(case[1], case[2]))
+    end
+  end)
+
+  t.step('the names of an operand list, without literals, strings and comments', function()
+    for _, case in ipairs(cases.operands) do
+      t.equal(case[1], case[2], operands.names(case[1]))
+    end
+  end)
+
+  t.step('the tags that a line shows', function()
+    for _, case in ipairs(cases.places) do
+      local tags = vim.tbl_map(function(name)
+        return { name = name }
+      end, case.tags)
+      local shown = vim.tbl_map(function(place)
+        return case.tags[place]
+      end, operands.places(case.blocks, operands.index(tags)))
+      t.equal(table.concat(case.blocks, ' '), case.shown, shown)
+    end
+  end)
+end
