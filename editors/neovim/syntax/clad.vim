@@ -25,8 +25,8 @@ syntax region cladNested start=/(/ end=/)/ oneline contained transparent
       \ contains=cladNested,cladString,cladLiteral,cladNumber,cladConstant,cladNamed,cladOperator,cladTag,cladInnerComment
 
 " A # right behind a letter or digit belongs to a literal: no comment begins there.
-syntax region cladInnerComment start=/\%(\w\)\@1<!#/ end=/#/ contained contains=cladTodo
-syntax match cladTag /[[:alpha:]_%][[:alnum:]_]*\%(\.[[:alnum:]_]\+\)*/ contained
+syntax region cladInnerComment start=/\%([[:alnum:]]\|[^\d0-\d127]\)\@4<!#/ end=/#/ contained contains=cladTodo
+syntax match cladTag /\%([[:alpha:]_%]\|[^\d0-\d127]\)\%([[:alnum:]_.]\|[^\d0-\d127]\)*/ contained
 syntax match cladNamed /\<\w\+\ze\s*\%(:=\|=>\)/ contained
 syntax match cladNumber /\<\d[0-9_]*\%(\.\d[0-9_]*\)\?\%(e[+-]\?\d\+\)\?\>/ contained
 syntax match cladNumber /\<\d[0-9_.]*\%([dhm]\|ms\|us\|ns\|s\)[0-9dhmsun_.]*\>/ contained

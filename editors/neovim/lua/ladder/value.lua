@@ -26,7 +26,7 @@ function M.parse(type, text)
       return value
     end
   end
-  if type == 'STRING' then
+  if type and vim.startswith(type, 'STRING') then
     return text:match("^'(.*)'$") or text
   end
   -- Past 2^53 a number would lose its last digits on the way: it goes as text.
