@@ -1,6 +1,6 @@
 //! Edits: what a format changes, as small replacements.
 
-use ladder_syntax::TextRange;
+use ladder_syntax::{TextRange, TextSize};
 
 /// One replacement in a text.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -26,3 +26,57 @@ pub fn apply(text: &str, edits: &[Edit]) -> String {
     out
 }
 
+/// Takes the replacements that a format makes, in the order of their places.
+pub(crate) trait Sink {
+    /// The bytes from `start` to `end` become `new`.
+    fn replace(&mut self, start: usize, end: usize, new: &str);
+}
+
+/// Gathers edits; those that touch become one.
+#[derive(Default)]
+pub(crate) struct Edits(pub(crate) Vec<Edit>);
+
+impl Sink for Edits {
+    fn replace(&mut self, start: usize, end: usize, new: &str) {
+        let (start, end) = (TextSize::new(start as u32), TextSize::new(end as u32));
+        if let Some(last) = self.0.last_mut().filter(|last| last.range.end() == start) {
+            last.range = TextRange::new(last.range.start(), end);
+            last.text.push_str(new);
+            return;
+        }
+        self.0.push(Edit {
+            range: TextRange::new(start, end),
+            text: new.to_owned(),
+        });
+    }
+}
+
+/// Writes the new text directly.
+pub(crate) struct NewText<'t> {
+    text: &'t str,
+    out: String,
+    copied: usize,
+}
+
+impl<'t> NewText<'t> {
+    pub(crate) fn new(text: &'t str) -> Self {
+        NewText {
+            text,
+            out: String::with_capacity(text.len() + text.len() / 4),
+            copied: 0,
+        }
+    }
+
+    pub(crate) fn finish(mut self) -> String {
+        self.out.push_str(&self.text[self.copied..]);
+        self.out
+    }
+}
+
+impl Sink for NewText<'_> {
+    fn replace(&mut self, start: usize, end: usize, new: &str) {
+        self.out.push_str(&self.text[self.copied..start]);
+        self.out.push_str(new);
+        self.copied = end;
+    }
+}

@@ -1,5 +1,105 @@
 //! The canonical layout of ladder text.
+//!
+//! A drawing has one right form: wires as short as they can be, connectors of a pair in one column, coils at
+//! the right rail, one rail for the file, one blank between operands. This crate brings a text into that form
+//! and says what changes as small edits.
+//!
+//! ```text
+//! Parse --stays--> which lines keep their form (mistakes, fmt off)
+//!       --read---> Sketch: elements with widths, joined or not, rung by rung
+//!                     --columns--> a column for each element, first left, then what acts to the right
+//!                                      --draw--> rungs, rails, verticals
+//!                                                    --pen--> edits, or the new text
+//! ```
+//!
+//! What holds for every text: formatting twice gives the same text; nothing is lost but blanks, dashes, `|` and
+//! line ends; the wiring, and with it what the program does, stays the same. The [`Sketch`] and its columns
+//! know nothing of text, so that whoever makes new networks draws them with the same writer.
 
+mod columns;
+mod draw;
 mod edit;
+mod file;
+mod network;
+mod pen;
+mod pieces;
+mod read;
+mod section;
+mod sketch;
+mod stays;
+mod width;
 
 pub use edit::{Edit, apply};
+pub use sketch::{Element, ElementKind, Sketch};
+pub use width::display_width;
+
+use edit::{Edits, NewText};
+use ladder_syntax::rowan::{GreenNodeData, NodeOrToken};
+use ladder_syntax::{Parse, TextRange, parse};
+
+/// How a text is laid out.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Options {
+    /// A network up to this many columns wide takes the file's right rail; a wider one has its own.
+    pub width: u32,
+    /// The least number of columns between neighbours on a rung; at least 1.
+    pub spacing: u32,
+}
+
+impl Default for Options {
+    fn default() -> Self {
+        Options {
+            width: 100,
+            spacing: 2,
+        }
+    }
+}
+
+impl Options {
+    fn checked(&self) -> Options {
+        Options {
+            width: self.width,
+            spacing: self.spacing.clamp(1, 40),
+        }
+    }
+}
+
+/// The edits that bring a text into its canonical layout: sorted, none touching another, none where nothing
+/// changes.
+pub fn format(parse: &Parse, options: &Options) -> Vec<Edit> {
+    file::format(&text_of(parse), parse, &options.checked(), None, Edits::default()).0
+}
+
+/// As [`format`], but only for the networks, sections and lines that touch one of the ranges. The file's rail
+/// is where it belongs for the whole file.
+pub fn format_ranges(parse: &Parse, options: &Options, ranges: &[TextRange]) -> Vec<Edit> {
+    file::format(
+        &text_of(parse),
+        parse,
+        &options.checked(),
+        Some(ranges),
+        Edits::default(),
+    )
+    .0
+}
+
+/// The text in its canonical layout.
+pub fn format_text(text: &str, options: &Options) -> String {
+    let parse = parse(text);
+    file::format(text, &parse, &options.checked(), None, NewText::new(text)).finish()
+}
+
+/// The text of a parse, without going through the formatting machinery of `Display`.
+fn text_of(parse: &Parse) -> String {
+    fn push(node: &GreenNodeData, text: &mut String) {
+        for child in node.children() {
+            match child {
+                NodeOrToken::Node(node) => push(node, text),
+                NodeOrToken::Token(token) => text.push_str(token.text()),
+            }
+        }
+    }
+    let mut text = String::with_capacity(parse.text_len().into());
+    push(parse.green(), &mut text);
+    text
+}
