@@ -21,7 +21,23 @@ set.spell = false
 set.iskeyword:append('$')
 set.matchpairs = '(:),[:]'
 
+-- The editor's own `gc` would put a `#` around a `#`.
+if not vim.g.no_plugin_maps and not vim.g.no_clad_maps then
+  local function map(modes, keys, action, description)
+    vim.keymap.set(modes, keys, action, { buffer = true, expr = true, desc = description })
+  end
+  map({ 'n', 'x' }, 'gc', function()
+    return require('ladder.comment').start()
+  end, 'Toggle comment')
+  map('n', 'gcc', function()
+    return require('ladder.comment').start() .. '_'
+  end, 'Toggle comment line')
+end
+
 vim.b.undo_ftplugin = table.concat({
   'setlocal commentstring< comments< wrap< expandtab< tabstop< shiftwidth< virtualedit<',
   'setlocal textwidth< formatoptions< conceallevel< spell< iskeyword< matchpairs<',
+  'silent! nunmap <buffer> gc',
+  'silent! xunmap <buffer> gc',
+  'silent! nunmap <buffer> gcc',
 }, ' | ')

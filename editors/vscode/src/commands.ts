@@ -5,6 +5,7 @@ import { askValue, pickTag } from './prompts.ts';
 import type { Tag } from './protocol.ts';
 import type { Server } from './server.ts';
 import type { Simulation } from './simulation.ts';
+import { toggleCommentInEditor } from './toggleComment.ts';
 
 /** Sets or forces the tag of a row of the view, or one that is asked for. */
 async function assign(simulation: Simulation, name: 'set' | 'force', given: Tag | undefined): Promise<void> {
@@ -50,6 +51,7 @@ export function registerCommands(server: Server, simulation: Simulation): vscode
         'ladder.simulation.force': (tag) => assign(simulation, 'force', tag),
         'ladder.simulation.unforce': (tag) => release(simulation, tag),
         'ladder.simulation.toggle': (tag) => toggle(simulation, tag),
+        'ladder.toggleComment': () => toggleCommentInEditor(),
         'ladder.restartServer': () => server.restart(),
         'ladder.showLog': () => server.log.show(),
     };

@@ -11,4 +11,17 @@ interface Cases {
     readonly places: readonly { tags: string[]; blocks: string[]; shown: string[] }[];
 }
 
-export const cases: Cases = JSON.parse(readFileSync(new URL('../../shared/values.json', import.meta.url), 'utf8'));
+interface CommentCase {
+    readonly name: string;
+    readonly before: string[];
+    readonly after?: string[];
+    readonly again?: string[];
+    readonly refused?: number;
+}
+
+function read(name: string) {
+    return JSON.parse(readFileSync(new URL(`../../shared/${name}`, import.meta.url), 'utf8'));
+}
+
+export const cases: Cases = read('values.json');
+export const commentCases: CommentCase[] = read('comments.json');

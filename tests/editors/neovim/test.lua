@@ -28,6 +28,17 @@ t.step('the server attaches and finds nothing wrong with a good program', functi
   )
 end)
 
+t.step('gcc and gc with a motion toggle comments', function()
+  local bufnr = t.open('motor.clad')
+  local before = vim.api.nvim_buf_get_lines(bufnr, 0, -1, false)
+  vim.api.nvim_feedkeys('Ggcc', 'tx', false)
+  t.equal('the last line', '# ' .. before[6]:gsub('T#', '') .. ' #', vim.api.nvim_get_current_line())
+  vim.api.nvim_feedkeys('2GgcG', 'tx', false)
+  t.equal('the second line', '# ' .. before[2] .. ' #', vim.api.nvim_buf_get_lines(bufnr, 1, 2, false)[1])
+  vim.cmd('silent undo | silent undo')
+  t.equal('the text', before, vim.api.nvim_buf_get_lines(bufnr, 0, -1, false))
+end)
+
 t.step('a connector without a partner gets a diagnostic at its place', function()
   local bufnr = t.open('unpaired.clad')
   local found = t.eventually('the diagnostic', function()

@@ -2,8 +2,24 @@
 return function(t)
   local operands = require('ladder.operands')
   local value = require('ladder.value')
-  local cases =
-    vim.json.decode(table.concat(vim.fn.readfile(vim.env.LADDER_ROOT .. '/editors/shared/values.json'), '\n'))
+  local comment = require('ladder.comment')
+
+  local function read(name)
+    return vim.json.decode(table.concat(vim.fn.readfile(vim.env.LADDER_ROOT .. '/editors/shared/' .. name), '\n'))
+  end
+
+  for _, case in ipairs(read('comments.json')) do
+    t.step('comments: ' .. case.name, function()
+      local lines, refused = comment.toggle(case.before)
+      t.equal('the refused line', case.refused, refused)
+      t.equal('the lines', case.after, lines)
+      if lines then
+        t.equal('the lines, toggled again', case.again, (comment.toggle(lines)))
+      end
+    end)
+  end
+
+  local cases = read('values.json')
 
   t.step('times read as they are written in a program', function()
     for _, case in ipairs(cases.durations) do
