@@ -23,7 +23,7 @@ export class Simulation implements vscode.Disposable {
             server.onDidReceiveState((state) => this.#receive(state)),
             server.onDidStop(() => this.#dropAll()),
             vscode.workspace.onDidChangeTextDocument((event) => this.#edited(event)),
-            vscode.workspace.onDidCloseTextDocument((document) => void this.#end(document)),
+            vscode.workspace.onDidCloseTextDocument((document) => void this.#closed(document)),
             vscode.window.onDidChangeActiveTextEditor((editor) => this.#focus(editor)),
         );
         this.#focus(vscode.window.activeTextEditor);
@@ -152,9 +152,18 @@ export class Simulation implements vscode.Disposable {
 
     #announce(document: vscode.TextDocument): void {
         const session = this.current;
+        void vscode.commands.executeCommand('setContext', 'ladder.open', this.#lastDocument !== undefined);
         void vscode.commands.executeCommand('setContext', 'ladder.simulating', session !== undefined);
         void vscode.commands.executeCommand('setContext', 'ladder.running', session?.state.status === 'running');
         this.#changed.fire(document);
+    }
+
+    async #closed(document: vscode.TextDocument): Promise<void> {
+        await this.#end(document);
+        if (document === this.#lastDocument) {
+            this.#lastDocument = undefined;
+            this.#announce(document);
+        }
     }
 
     async #end(document: vscode.TextDocument): Promise<void> {
