@@ -6,19 +6,20 @@ use crate::program::Program;
 use crate::rule::Severity;
 use crate::{resolve, rules};
 use ladder_syntax::Parse;
+use std::sync::Arc;
 
 /// What is known of a file.
 #[derive(Debug, Clone)]
-pub struct Analysis<'p> {
+pub struct Analysis {
     /// Names, networks and blocks.
-    pub context: Context<'p>,
+    pub context: Context,
     /// The findings, in the order of their places.
     pub diagnostics: Vec<Diagnostic>,
     /// The program, if there are no errors.
-    pub program: Option<Program>,
+    pub program: Option<Arc<Program>>,
 }
 
-impl Analysis<'_> {
+impl Analysis {
     /// Whether a finding is an error: the program is not simulated.
     pub fn has_errors(&self) -> bool {
         self.diagnostics.iter().any(|d| d.severity == Severity::Error)
@@ -26,7 +27,7 @@ impl Analysis<'_> {
 }
 
 /// Analyses a file. `name` is how messages of a running program call it.
-pub fn analyze<'p>(parse: &'p Parse, name: &str) -> Analysis<'p> {
+pub fn analyze(parse: &Arc<Parse>, name: &str) -> Analysis {
     let mut diagnostics = Vec::new();
     let context = context(parse, &mut diagnostics);
     let program = resolve::program(&context, name, &mut diagnostics);
@@ -39,7 +40,7 @@ pub fn analyze<'p>(parse: &'p Parse, name: &str) -> Analysis<'p> {
         program: None,
     };
     if !analysis.has_errors() {
-        analysis.program = Some(program);
+        analysis.program = Some(Arc::new(program));
     }
     analysis
 }

@@ -12,12 +12,13 @@ use crate::user_block::{self, UserBlockFacts};
 use crate::uses;
 use ladder_instructions::Op;
 use ladder_syntax::{Name, Parse, TextRange};
+use std::sync::Arc;
 
 /// A file's names, networks and blocks.
 #[derive(Debug, Clone)]
-pub struct Context<'p> {
+pub struct Context {
     /// The parse that all of it was read off.
-    pub parse: &'p Parse,
+    pub parse: Arc<Parse>,
     /// The networks, as in the structure.
     pub networks: Vec<NetworkFacts>,
     /// The file's scope, then one for each block definition.
@@ -69,7 +70,7 @@ pub struct LabelFacts {
     pub at: TextRange,
 }
 
-impl Context<'_> {
+impl Context {
     /// The network that a jump from `network` to a label goes to: the nearest behind it, else the nearest
     /// before it or itself (LANGUAGE §5.5).
     pub fn jump_target(&self, network: usize, label: &Name) -> Option<usize> {
@@ -99,7 +100,7 @@ impl Context<'_> {
 }
 
 /// Reads a file's names, networks and blocks. What is wrong with declarations goes to `out`.
-pub fn context<'p>(parse: &'p Parse, out: &mut Vec<Diagnostic>) -> Context<'p> {
+pub fn context(parse: &Arc<Parse>, out: &mut Vec<Diagnostic>) -> Context {
     let structure = parse.structure();
     let mut scopes = vec![Scope::default()];
     scopes.extend(structure.blocks.iter().enumerate().map(|(index, definition)| {
@@ -130,7 +131,7 @@ pub fn context<'p>(parse: &'p Parse, out: &mut Vec<Diagnostic>) -> Context<'p> {
         .map(|n| network::network(parse, n, &user_blocks))
         .collect();
     let mut context = Context {
-        parse,
+        parse: Arc::clone(parse),
         networks,
         scopes,
         user_blocks,
@@ -160,7 +161,7 @@ fn implicit(name: &str, at: TextRange) -> TagFacts {
 }
 
 /// Finds functions and labels, and which body each network belongs to. A network's first `<FUN>` counts.
-fn bodies(context: &mut Context<'_>) {
+fn bodies(context: &mut Context) {
     let mut current = Body::Main;
     for (index, network) in context.networks.iter().enumerate() {
         for block in &network.blocks {

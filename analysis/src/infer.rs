@@ -19,7 +19,7 @@ use ladder_syntax::{Name, TextRange};
 use std::collections::HashMap;
 
 /// Gives every tag its type.
-pub(crate) fn infer(context: &mut Context<'_>, out: &mut Vec<Diagnostic>) {
+pub(crate) fn infer(context: &mut Context, out: &mut Vec<Diagnostic>) {
     by_place(context, out);
     by_company(context);
     for scope in &mut context.scopes {
@@ -33,7 +33,7 @@ pub(crate) fn infer(context: &mut Context<'_>, out: &mut Vec<Diagnostic>) {
 }
 
 /// The one type that an operand's place asks for.
-fn asked(context: &Context<'_>, bound: &BoundBlock, formal: Formal) -> Option<Type> {
+fn asked(context: &Context, bound: &BoundBlock, formal: Formal) -> Option<Type> {
     match formal {
         Formal::Operand(operand) => match operand.accepts {
             Accepts::Bool | Accepts::BoolOrRange => Some(Type::BOOL),
@@ -56,7 +56,7 @@ fn asked(context: &Context<'_>, bound: &BoundBlock, formal: Formal) -> Option<Ty
     }
 }
 
-fn by_place(context: &mut Context<'_>, out: &mut Vec<Diagnostic>) {
+fn by_place(context: &mut Context, out: &mut Vec<Diagnostic>) {
     // Scope and tag to its first answer: type and place.
     let mut answers: HashMap<(usize, usize), (Type, TextRange)> = HashMap::new();
     // `(R)` also takes timers and counters: it makes a tag BOOL only where no other place has a say.
@@ -107,7 +107,7 @@ fn untyped(scope: &Scope, node: &Node) -> Option<usize> {
 }
 
 /// Rule 2, until no type changes: a type that is found here may give another.
-fn by_company(context: &mut Context<'_>) {
+fn by_company(context: &mut Context) {
     loop {
         let mut found: Vec<(usize, usize, Scalar)> = Vec::new();
         for network in &context.networks {

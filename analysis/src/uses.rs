@@ -12,7 +12,7 @@ use ladder_instructions::{Accepts, Direction, Op};
 use ladder_syntax::{Name, TextRange};
 
 /// Enters every use of every tag into its scope.
-pub(crate) fn collect(context: &mut Context<'_>) {
+pub(crate) fn collect(context: &mut Context) {
     for (network, facts) in context.networks.iter().enumerate() {
         let scope = &mut context.scopes[facts.scope];
         for (block, bound) in facts.blocks.iter().enumerate() {

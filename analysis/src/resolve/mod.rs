@@ -23,7 +23,7 @@ use std::ops::Range;
 
 /// What is known while the operands of one block are resolved.
 pub(crate) struct Resolver<'c, 'o> {
-    context: &'c Context<'c>,
+    context: &'c Context,
     scope: &'c Scope,
     /// The id of the scope's first tag.
     first_tag: u32,
@@ -36,7 +36,7 @@ pub(crate) struct Resolver<'c, 'o> {
 }
 
 /// Resolves all networks. The program is whole only if `out` has no errors afterwards.
-pub(crate) fn program(context: &Context<'_>, file: &str, out: &mut Vec<Diagnostic>) -> Program {
+pub(crate) fn program(context: &Context, file: &str, out: &mut Vec<Diagnostic>) -> Program {
     let numbers = network_numbers(context);
     let mut program = Program {
         files: vec![file.to_owned()],
@@ -84,7 +84,7 @@ pub(crate) fn program(context: &Context<'_>, file: &str, out: &mut Vec<Diagnosti
 }
 
 /// The file's own networks come first, then those of each block's body, so that every body is one range.
-fn network_numbers(context: &Context<'_>) -> Vec<usize> {
+fn network_numbers(context: &Context) -> Vec<usize> {
     let mut order: Vec<usize> = (0..context.networks.len()).collect();
     order.sort_by_key(|&index| (context.networks[index].scope, index));
     let mut numbers = vec![0; order.len()];
@@ -94,14 +94,14 @@ fn network_numbers(context: &Context<'_>) -> Vec<usize> {
     numbers
 }
 
-fn lowered(context: &Context<'_>, facts: &NetworkFacts, blocks: Vec<Block>) -> Network {
+fn lowered(context: &Context, facts: &NetworkFacts, blocks: Vec<Block>) -> Network {
     let elements = facts
         .order
         .elements
         .iter()
         .map(|&(rung, part, step, kind)| Element {
             kind,
-            range: facts.part_range(context.parse, rung, part),
+            range: facts.part_range(&context.parse, rung, part),
             step,
         })
         .collect();
@@ -146,7 +146,7 @@ fn retain(program: &mut Program, blocks: &[Block]) {
 }
 
 /// The networks of a body, as the program numbers them.
-fn body_range(context: &Context<'_>, numbers: &[usize], body: Body) -> Range<usize> {
+fn body_range(context: &Context, numbers: &[usize], body: Body) -> Range<usize> {
     let mut of_body = context
         .bodies
         .iter()
@@ -162,7 +162,7 @@ fn body_range(context: &Context<'_>, numbers: &[usize], body: Body) -> Range<usi
     }
 }
 
-fn functions(context: &Context<'_>, numbers: &[usize], program: &mut Program) {
+fn functions(context: &Context, numbers: &[usize], program: &mut Program) {
     program.main = body_range(context, numbers, Body::Main);
     program.functions = context
         .functions
@@ -175,7 +175,7 @@ fn functions(context: &Context<'_>, numbers: &[usize], program: &mut Program) {
         .collect();
 }
 
-fn user_blocks(context: &Context<'_>, numbers: &[usize], first_tags: &[u32], program: &mut Program) {
+fn user_blocks(context: &Context, numbers: &[usize], first_tags: &[u32], program: &mut Program) {
     program.blocks = context
         .user_blocks
         .iter()

@@ -18,13 +18,13 @@ pub(crate) mod unknown_member;
 use crate::context::Context;
 use crate::diagnostic::Diagnostic;
 
-type Check = fn(&Context<'_>, &mut Vec<Diagnostic>);
+type Check = fn(&Context, &mut Vec<Diagnostic>);
 
 /// Every rule that looks at the whole context.
 const CHECKS: &[Check] = &[];
 
 /// Runs them.
-pub(crate) fn check(context: &Context<'_>, out: &mut Vec<Diagnostic>) {
+pub(crate) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
     for check in CHECKS {
         check(context, out);
     }

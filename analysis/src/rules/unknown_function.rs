@@ -6,7 +6,7 @@ use crate::diagnostic::Diagnostic;
 use crate::rule::Rule;
 use ladder_syntax::TextRange;
 
-pub(crate) fn unknown(context: &Context<'_>, name: &str, range: TextRange) -> Diagnostic {
+pub(crate) fn unknown(context: &Context, name: &str, range: TextRange) -> Diagnostic {
     let found = Diagnostic::new(
         Rule::UnknownFunction,
         range,

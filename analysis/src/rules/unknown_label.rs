@@ -6,7 +6,7 @@ use crate::diagnostic::Diagnostic;
 use crate::rule::Rule;
 use ladder_syntax::{Name, TextRange};
 
-pub(crate) fn unknown(context: &Context<'_>, network: usize, name: &str, range: TextRange) -> Diagnostic {
+pub(crate) fn unknown(context: &Context, network: usize, name: &str, range: TextRange) -> Diagnostic {
     let body = context.bodies[network];
     let found = Diagnostic::new(
         Rule::UnknownLabel,
