@@ -257,3 +257,21 @@ fn initial_value(node: &Node, ty: Scalar) -> Result<Value, ConstantProblem> {
         )),
     }
 }
+
+/// A literal with the type that it has by itself, for people: `T#5s` is "TIME, 5000 ms".
+pub fn natural_literal(literal: &Literal) -> String {
+    match literal {
+        Literal::Time(ns) => format!("TIME literal, {} ms", *ns as f64 / 1e6),
+        Literal::Typed(scalar, _) => format!("{scalar} literal"),
+        Literal::Int(n) if *n > 9 => format!("Number {n} (16#{n:X})"),
+        other => {
+            let described = describe(other);
+            described
+                .chars()
+                .take(1)
+                .flat_map(char::to_uppercase)
+                .chain(described.chars().skip(1))
+                .collect()
+        }
+    }
+}

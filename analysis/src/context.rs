@@ -11,8 +11,8 @@ use crate::types::Type;
 use crate::user_block::{self, UserBlockFacts};
 use crate::uses;
 use ladder_instructions::Op;
-use ladder_syntax::{Name, Parse, TextRange};
-use std::sync::Arc;
+use ladder_syntax::{LineIndex, Name, Parse, TextRange, TextSize};
+use std::sync::{Arc, OnceLock};
 
 /// A file's names, networks and blocks.
 #[derive(Debug, Clone)]
@@ -31,6 +31,7 @@ pub struct Context {
     pub labels: Vec<LabelFacts>,
     /// For each network the body it belongs to.
     pub bodies: Vec<Body>,
+    line_index: OnceLock<LineIndex>,
 }
 
 /// What a network belongs to. A label is seen within its own body only.
@@ -71,6 +72,14 @@ pub struct LabelFacts {
 }
 
 impl Context {
+    /// The physical line of an offset, from 1: what messages name.
+    pub fn line_number(&self, offset: TextSize) -> usize {
+        self.line_index
+            .get_or_init(|| LineIndex::new(&self.parse.to_string()))
+            .line(offset)
+            + 1
+    }
+
     /// The network that a jump from `network` to a label goes to: the nearest behind it, else the nearest
     /// before it or itself (LANGUAGE §5.5).
     pub fn jump_target(&self, network: usize, label: &Name) -> Option<usize> {
@@ -138,6 +147,7 @@ pub fn context(parse: &Arc<Parse>, out: &mut Vec<Diagnostic>) -> Context {
         functions: Vec::new(),
         labels: Vec::new(),
         bodies: Vec::new(),
+        line_index: OnceLock::new(),
     };
     bodies(&mut context);
     uses::collect(&mut context);

@@ -1,0 +1,91 @@
+//! Hover on a block's first part: the instruction's card, or the user-defined block's parameters.
+
+use super::Hover;
+use ladder_analysis::context::Context;
+use ladder_analysis::network::{BoundBlock, Meaning};
+use ladder_analysis::program::ParameterKind;
+use ladder_instructions::{Direction, Instruction, Presence};
+use std::fmt::Write;
+
+pub(super) fn hover(context: &Context, block: &BoundBlock) -> Option<Hover> {
+    let markdown = match block.meaning {
+        Meaning::Instruction(row) => instruction(row),
+        Meaning::User(index) => user_block(context, index),
+        Meaning::UnknownUser | Meaning::Unknown => return None,
+    };
+    Some(Hover {
+        range: block.range(),
+        markdown,
+    })
+}
+
+/// An instruction's card: signature, what it does, operands, an example.
+pub(crate) fn instruction(row: &Instruction) -> String {
+    let mut card = format!(
+        "```clad\n{}\n```\n**{}**\n\n{}\n",
+        row.signature(),
+        row.title,
+        row.doc.trim()
+    );
+    let operands: Vec<_> = row
+        .operands
+        .iter()
+        .filter(|operand| operand.only_in_profile().is_none())
+        .collect();
+    if !operands.is_empty() {
+        card.push('\n');
+    }
+    for operand in operands {
+        let way = match operand.direction {
+            Direction::In => "",
+            Direction::Out => ", written",
+            Direction::InOut => ", read and written",
+        };
+        let optional = if operand.presence == Presence::Named {
+            ", optional"
+        } else {
+            ""
+        };
+        let _ = writeln!(card, "- `{}`{way}{optional}: {}", operand.name, operand.doc);
+    }
+    let _ = write!(
+        card,
+        "\nPower out (ENO): {}\n\n```clad\n{}\n```",
+        row.eno,
+        row.example.trim_end()
+    );
+    card
+}
+
+/// A user-defined block: its shape with the parameters, and what each is.
+fn user_block(context: &Context, index: usize) -> String {
+    let block = &context.user_blocks[index];
+    let scope = &context.scopes[index + 1];
+    let (open, close) = block.shape.brackets();
+    let names: Vec<&str> = block
+        .parameters
+        .iter()
+        .map(|p| scope.tags[p.tag].name.as_str())
+        .collect();
+    let mut card = format!(
+        "```clad\n{open}{}{close}( {} )\n```\n**User-defined block**\n\n",
+        block.name,
+        names.join(", ")
+    );
+    for parameter in &block.parameters {
+        let tag = &scope.tags[parameter.tag];
+        let way = match parameter.kind {
+            ParameterKind::Input => "input",
+            ParameterKind::Output => "output",
+            ParameterKind::InOut => "in and out",
+        };
+        let ty = tag.ty.map(|ty| ty.to_string()).unwrap_or_default();
+        let default = if parameter.has_default {
+            ", may be left out"
+        } else {
+            ""
+        };
+        let _ = writeln!(card, "- `{}`: {ty}, {way}{default}", tag.name);
+    }
+    card.trim_end().to_owned()
+}

@@ -1,0 +1,61 @@
+//! Hover on a connector: which partner it has.
+
+use super::Hover;
+use crate::locate::OnRung;
+use ladder_analysis::context::Context;
+use ladder_syntax::wiring::{PartKind, Wiring};
+
+pub(super) fn hover(context: &Context, place: &OnRung<'_>) -> Option<Hover> {
+    let network = &context.networks[place.network];
+    let wiring = &network.wiring;
+    let down = place.drawn.kind == PartKind::Down;
+    let (own, partner) = if down { ('\\', '/') } else { ('/', '\\') };
+    let point = wiring.points.iter().find(|point| {
+        if down {
+            point.upper == place.rung && point.down == place.part
+        } else {
+            point.upper + 1 == place.rung && point.up == place.part
+        }
+    });
+    let nth = ordinal_on_line(wiring, place) + 1;
+    let range = network.part_range(&context.parse, place.rung, place.part);
+    let markdown = match point {
+        Some(point) => {
+            let rung = if down { point.upper + 1 } else { point.upper };
+            let there = context.line_number(context.parse.line_start(wiring.lines[rung]));
+            let way = if down { "below" } else { "above" };
+            format!(
+                "Connector: the {} `{own}` of this line is joined with the {} `{partner}` of line {there} {way}.\n\n\
+                 Both wires behind the pair carry power if one of the wires before it does.",
+                ordinal(nth),
+                ordinal(point.ordinal + 1)
+            )
+        }
+        None => format!(
+            "Connector without a partner: this is the {} `{own}` of its line, and the rung {} has fewer `{partner}`.",
+            ordinal(nth),
+            if down { "below" } else { "above" }
+        ),
+    };
+    Some(Hover { range, markdown })
+}
+
+/// The how-manieth connector of its kind on its line it is, from 0.
+fn ordinal_on_line(wiring: &Wiring, place: &OnRung<'_>) -> usize {
+    wiring.rungs[place.rung]
+        .connectors(place.drawn.kind)
+        .take_while(|&part| part < place.part)
+        .count()
+}
+
+/// `1st`, `2nd`, `3rd`, `11th`
+fn ordinal(n: usize) -> String {
+    let ending = match (n % 10, n % 100) {
+        (_, 11..=13) => "th",
+        (1, _) => "st",
+        (2, _) => "nd",
+        (3, _) => "rd",
+        _ => "th",
+    };
+    format!("{n}{ending}")
+}

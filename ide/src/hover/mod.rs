@@ -1,0 +1,52 @@
+//! Hover: what the thing under the pointer is.
+
+mod block;
+mod connector;
+mod declaration;
+mod keyword;
+mod operand;
+
+use crate::locate::on_rung;
+use ladder_analysis::Analysis;
+use ladder_syntax::wiring::PartKind;
+use ladder_syntax::{LineKind, TextRange, TextSize};
+
+/// What a hover shows, and for which stretch of the text.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Hover {
+    /// The thing it is about.
+    pub range: TextRange,
+    /// Markdown.
+    pub markdown: String,
+}
+
+/// What stands at an offset.
+pub fn hover(analysis: &Analysis, offset: TextSize) -> Option<Hover> {
+    let context = &analysis.context;
+    let parse = &context.parse;
+    let line = parse.line_at(offset)?;
+    match parse.lines()[line].kind {
+        LineKind::Rung => {
+            let place = on_rung(context, offset)?;
+            match place.drawn.kind {
+                PartKind::Down | PartKind::Up => connector::hover(context, &place),
+                PartKind::Block => {
+                    let block = place.block?;
+                    operand::hover(context, &place, block, offset).or_else(|| block::hover(context, block))
+                }
+                _ => None,
+            }
+        }
+        LineKind::SectionHeader
+        | LineKind::SectionEnd
+        | LineKind::Declaration
+        | LineKind::BlockHeader
+        | LineKind::BlockEnd => {
+            keyword::hover(parse, line, offset).or_else(|| declaration::hover(context, offset))
+        }
+        _ => None,
+    }
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,190 @@
+//! Hover on an operand: the tag with its type and who uses it, or the value; and what the block does with it.
+
+use super::Hover;
+use crate::locate::{OnRung, node_at};
+use ladder_analysis::constant::natural_literal;
+use ladder_analysis::context::Context;
+use ladder_analysis::facts::{Node, NodeKind};
+use ladder_analysis::network::{BoundBlock, Formal};
+use ladder_analysis::program::Role;
+use ladder_analysis::scope::{Origin, TagFacts};
+use ladder_instructions::Accepts;
+use ladder_syntax::{Name, TextSize};
+use std::fmt::Write;
+
+pub(super) fn hover(
+    context: &Context,
+    place: &OnRung<'_>,
+    block: &BoundBlock,
+    offset: TextSize,
+) -> Option<Hover> {
+    let within = offset - block.base;
+    let (index, operand) = block
+        .facts
+        .operands
+        .iter()
+        .enumerate()
+        .find(|(_, operand)| operand.range.contains_inclusive(within))?;
+    let formal = block.formals.get(index).copied();
+    let node = node_at(&operand.value, within).unwrap_or(&operand.value);
+    let what = describe(context, place, node, formal);
+    let used_for = match formal {
+        Some(Formal::Operand(row)) => format!("`{}` of {}: {}", row.name, block.head_text(), row.doc),
+        Some(Formal::Parameter(parameter)) => match block.meaning {
+            ladder_analysis::network::Meaning::User(user) => {
+                let tag = context.user_blocks[user].parameters[parameter].tag;
+                format!(
+                    "`{}` of {}",
+                    context.scopes[user + 1].tags[tag].name,
+                    block.head_text()
+                )
+            }
+            _ => String::new(),
+        },
+        _ => String::new(),
+    };
+    let markdown = [what.unwrap_or_default(), used_for]
+        .into_iter()
+        .filter(|s| !s.is_empty())
+        .collect::<Vec<_>>();
+    if markdown.is_empty() {
+        return None;
+    }
+    Some(Hover {
+        range: block.absolute(node.range),
+        markdown: markdown.join("\n\n---\n\n"),
+    })
+}
+
+/// What a node is by itself.
+fn describe(context: &Context, place: &OnRung<'_>, node: &Node, formal: Option<Formal>) -> Option<String> {
+    if let (NodeKind::Name(name), Some(Formal::Operand(operand))) = (&node.kind, formal) {
+        let key = Name::new(name);
+        match operand.accepts {
+            Accepts::Label => {
+                let label = context.labels.iter().find(|label| label.key == key)?;
+                return Some(format!(
+                    "```clad\n<LBL>( {} )\n```\nLabel on line {}",
+                    label.name,
+                    context.line_number(label.at.start())
+                ));
+            }
+            Accepts::Function => {
+                let function = &context.functions[context.function(&key)?];
+                let line = context.line_number(function.at.start());
+                return Some(format!(
+                    "```clad\n<FUN>( {} )\n```\nFunction on line {line}",
+                    function.name
+                ));
+            }
+            _ => {}
+        }
+    }
+    let scope = &context.scopes[context.networks[place.network].scope];
+    match &node.kind {
+        NodeKind::Name(name) | NodeKind::Address(name) => scope
+            .find(&Name::new(name))
+            .map(|tag| tag_card(context, &scope.tags[tag])),
+        NodeKind::Member(base, word) => {
+            let (NodeKind::Name(name) | NodeKind::Address(name)) = &base.kind else {
+                return None;
+            };
+            if name.eq_ignore_ascii_case("SYS") {
+                return Some(format!(
+                    "```clad\nSYS.{}\n```\n{}",
+                    word.text.to_ascii_uppercase(),
+                    system(&word.text)?
+                ));
+            }
+            let tag = &scope.tags[scope.find(&Name::new(name))?];
+            Some(format!("Member `{}` of\n\n{}", word.text, tag_card(context, tag)))
+        }
+        NodeKind::Literal(Ok(literal)) => Some(natural_literal(literal)),
+        _ => None,
+    }
+}
+
+/// What the controller keeps in a system tag.
+fn system(word: &str) -> Option<&'static str> {
+    Some(match word.to_ascii_uppercase().as_str() {
+        "FIRST_SCAN" => "BOOL: high in the first scan",
+        "SCAN" => "DINT: the number of this scan, from 0",
+        "TIME" => "TIME: since the start",
+        "SCAN_TIME" => "TIME: the interval before this scan; 0 in the first",
+        "FAULT" => "BOOL: a fault was recorded in the previous scan",
+        "ON" => "BOOL: always high",
+        "OFF" => "BOOL: always low",
+        _ => return None,
+    })
+}
+
+/// A tag: its declaration in one line, where it comes from, and who writes and reads it.
+pub(super) fn tag_card(context: &Context, tag: &TagFacts) -> String {
+    let ty = tag.ty.map(|ty| ty.to_string()).unwrap_or_default();
+    let address = tag
+        .address
+        .as_ref()
+        .filter(|a| **a != tag.name)
+        .map(|a| format!(" AT {a}"))
+        .unwrap_or_default();
+    let mut card = format!("```clad\n{}{address} : {ty}\n```\n", tag.name);
+    let role = match tag.role {
+        Role::Input => "input",
+        Role::Output => "output",
+        Role::Internal => "internal tag",
+    };
+    let origin = match tag.origin {
+        Origin::Declared(section) => format!(
+            "declared in {} on line {}",
+            section.keyword(),
+            context.line_number(tag.at.start())
+        ),
+        Origin::Form => "its name gives its type".to_owned(),
+        Origin::Implicit => "every block has it".to_owned(),
+        Origin::Undeclared => "not declared; its type follows from its use".to_owned(),
+    };
+    let _ = write!(card, "{} ({origin})", capitalised(role));
+    for (verb, lines) in [
+        ("Written", uses(context, tag, |access| access.writes())),
+        ("Read", uses(context, tag, |access| access.reads())),
+    ] {
+        if lines.is_empty() {
+            let _ = write!(card, "  \n{verb}: nowhere");
+        } else {
+            let noun = if lines.len() == 1 { "line" } else { "lines" };
+            let _ = write!(card, "  \n{verb}: {noun} {}", lines.join(", "));
+        }
+    }
+    card
+}
+
+fn capitalised(text: &str) -> String {
+    let mut chars = text.chars();
+    chars
+        .next()
+        .map(|c| c.to_ascii_uppercase().to_string() + chars.as_str())
+        .unwrap_or_default()
+}
+
+/// The lines of the uses that `wanted` takes, each once, at most eight of them.
+fn uses(
+    context: &Context,
+    tag: &TagFacts,
+    wanted: impl Fn(ladder_analysis::scope::Access) -> bool,
+) -> Vec<String> {
+    const MOST: usize = 8;
+    let mut lines: Vec<usize> = tag
+        .uses
+        .iter()
+        .filter(|u| wanted(u.access))
+        .map(|u| context.line_number(u.range.start()))
+        .collect();
+    lines.sort_unstable();
+    lines.dedup();
+    let more = lines.len().saturating_sub(MOST);
+    let mut shown: Vec<String> = lines.iter().take(MOST).map(usize::to_string).collect();
+    if more > 0 {
+        shown.push(format!("and {more} more"));
+    }
+    shown
+}

@@ -1,0 +1,275 @@
+//! Hovers, with `$0` where the pointer is.
+
+use super::hover;
+use expect_test::{Expect, expect};
+use ladder_syntax::TextSize;
+use std::sync::Arc;
+
+fn check(fixture: &str, expected: Expect) {
+    let at = fixture.find("$0").expect("a fixture has its $0");
+    let text = fixture.replacen("$0", "", 1);
+    let parse = Arc::new(ladder_syntax::parse(&text));
+    let analysis = ladder_analysis::analyze(&parse, "test.clad");
+    let shown = match hover(&analysis, TextSize::new(at as u32)) {
+        Some(hover) => format!("{}\n\n{}\n", &text[hover.range], hover.markdown),
+        None => "nothing\n".to_owned(),
+    };
+    expected.assert_eq(&shown);
+}
+
+#[test]
+fn instruction_card() {
+    check(
+        "+--[ ]( a )--[T$0ON]( t, 5s )--( )( y )--+\n",
+        expect![[r#"
+        [TON]( t, 5s )
+
+        ```clad
+        [TON]( t, PT, R := )
+        ```
+        **On-delay timer**
+
+        Q goes high once EN has been high for the time PT.
+
+        ```text
+        PT = 3 columns
+        EN   _-------___--___
+        Q    ____----________
+        ET   0012333300001000
+        ```
+
+        - The scan in which EN rises starts the time at 0; Q goes high in the first scan that is PT or more later.
+          When EN falls, Q and ET fall at once.
+        - While R is high ET is 0 and Q low. If R ends under a high EN, the time starts anew in that scan.
+        - PT is read at every evaluation, so it may be a tag. Lengthening it does not take back a Q that is already
+          high. With PT of 0 or less Q follows EN.
+        - ET is the time run so far, at most PT. ENO is Q; other rungs read `t.Q` and `t.ET`.
+        - Where the block is jumped over, the time runs on and is brought up to date when the block is next reached.
+
+        Each timer tag belongs to one block. IEC 61131-3: TON.
+
+        - `t`, read and written: The timer's tag, of type TON.
+        - `PT`: The preset time; a plain integer is milliseconds.
+        - `R`, optional: The reset, while it is high.
+
+        Power out (ENO): Q
+
+        ```clad
+        VAR_INPUT
+            run : BOOL;
+        END_VAR
+        VAR
+            warmup : TON;
+        END_VAR
+        VAR_OUTPUT
+            ready : BOOL;
+        END_VAR
+
+        +--[ ]( run )---------[TON]( warmup, T#5s )--( )( ready )--+
+        ```
+    "#]],
+    );
+}
+
+#[test]
+fn tag_with_uses() {
+    check(
+        "VAR_INPUT start : BOOL; END_VAR\n+--[ ]( st$0art )--( )( run )--+\n+--[/]( start )--( )( idle )--+\n",
+        expect![[r#"
+            start
+
+            ```clad
+            start : BOOL
+            ```
+            Input (declared in VAR_INPUT on line 1)  
+            Written: nowhere  
+            Read: lines 2, 3
+
+            ---
+
+            `tag` of [ ]: The bit that is asked; of a range, every bit.
+        "#]],
+    );
+    check(
+        "+--[ ]( a )--[TON]( t, 5$0s )--( )( t.Q )--+\n",
+        expect![[r#"
+        5s
+
+        TIME literal, 5000 ms
+
+        ---
+
+        `PT` of [TON]: The preset time; a plain integer is milliseconds.
+    "#]],
+    );
+    check(
+        "+--[ ]( t.Q$0 )--( )( y )--+\n+--[ ]( a )--[TON]( t, 5s )--+\n",
+        expect![[r#"
+            t.Q
+
+            Member `Q` of
+
+            ```clad
+            t : TON
+            ```
+            Internal tag (not declared; its type follows from its use)  
+            Written: line 2  
+            Read: lines 1, 2
+
+            ---
+
+            `tag` of [ ]: The bit that is asked; of a range, every bit.
+        "#]],
+    );
+    check(
+        "+--[ ]( SYS.FIRST$0_SCAN )--( )( y )--+\n",
+        expect![[r#"
+        SYS.FIRST_SCAN
+
+        ```clad
+        SYS.FIRST_SCAN
+        ```
+        BOOL: high in the first scan
+
+        ---
+
+        `tag` of [ ]: The bit that is asked; of a range, every bit.
+    "#]],
+    );
+    check(
+        "+--[ ]( a )--<JMP>( do$0ne )--+\n+--<LBL>( done )--+\n",
+        expect![[r#"
+        done
+
+        ```clad
+        <LBL>( done )
+        ```
+        Label on line 2
+
+        ---
+
+        `name` of <JMP>: The label to go on at.
+    "#]],
+    );
+}
+
+#[test]
+fn connectors() {
+    let seal = "+--\\--[ ]( a )--$0\\--( )( y )--+\n|  /--[ ]( y )--/\n";
+    check(
+        seal,
+        expect![[r#"
+        \
+
+        Connector: the 2nd `\` of this line is joined with the 2nd `/` of line 2 below.
+
+        Both wires behind the pair carry power if one of the wires before it does.
+    "#]],
+    );
+    check(
+        "+--\\--[ ]( a )--\\--( )( y )--+\n|  /--[ ]( y )--$0/\n",
+        expect![[r#"
+        /
+
+        Connector: the 2nd `/` of this line is joined with the 2nd `\` of line 1 above.
+
+        Both wires behind the pair carry power if one of the wires before it does.
+    "#]],
+    );
+    check(
+        "+--\\--[ ]( a )--\\$0--( )( y )--+\n|  /--[ ]( y )--\n",
+        expect![[r#"
+        \
+
+        Connector without a partner: this is the 2nd `\` of its line, and the rung below has fewer `/`.
+    "#]],
+    );
+}
+
+#[test]
+fn keywords_and_declarations() {
+    check(
+        "VAR RET$0AIN\n    a : INT;\nEND_VAR\n",
+        expect![[r#"
+        RETAIN
+
+        ```clad
+        RETAIN
+        ```
+        The tags of this section keep their values over a warm restart.
+    "#]],
+    );
+    check(
+        "VAR\n    a : IN$0T;\nEND_VAR\n",
+        expect![[r#"
+        INT
+
+        ```clad
+        INT
+        ```
+        An integer of 16 bits: -32768 to 32767.
+    "#]],
+    );
+    check(
+        "VAR\n    $0a AT %MW1 : INT;\nEND_VAR\n",
+        expect![[r#"
+        a
+
+        ```clad
+        a AT %MW1 : INT
+        ```
+        Internal tag (declared in VAR on line 2)  
+        Written: nowhere  
+        Read: nowhere
+    "#]],
+    );
+}
+
+#[test]
+fn user_block() {
+    check(
+        "FUNCTION_BLOCK [$Hold]\nVAR_INPUT raw : BOOL; wait : TIME := T#1s; END_VAR\nVAR_OUTPUT clean : BOOL; END_VAR\n\
+         +--[ ]( raw )--( )( clean )--+\nEND_FUNCTION_BLOCK\n+--[$H$0old]( a, 2s, b )--+\n",
+        expect![[r#"
+            [$Hold]( a, 2s, b )
+
+            ```clad
+            [$Hold]( raw, wait, clean )
+            ```
+            **User-defined block**
+
+            - `raw`: BOOL, input
+            - `wait`: TIME, input, may be left out
+            - `clean`: BOOL, output
+        "#]],
+    );
+}
+
+#[test]
+fn nothing_there() {
+    check(
+        "+-$0-[ ]( a )--( )( y )--+\n",
+        expect![[r#"
+        nothing
+    "#]],
+    );
+    check(
+        "$0\n",
+        expect![[r#"
+        nothing
+    "#]],
+    );
+    check(
+        "+--[FOO]( $0a )--+\n",
+        expect![[r#"
+        a
+
+        ```clad
+        a : DINT
+        ```
+        Internal tag (not declared; its type follows from its use)  
+        Written: line 1  
+        Read: line 1
+    "#]],
+    );
+}

@@ -1,0 +1,88 @@
+//! What stands at an offset: the network, the rung, the part of its drawing, the block and the operand.
+
+use ladder_analysis::context::Context;
+use ladder_analysis::facts::{Node, NodeKind};
+use ladder_analysis::network::BoundBlock;
+use ladder_syntax::TextSize;
+use ladder_syntax::wiring::Part;
+
+/// A place on a rung.
+#[derive(Clone, Copy)]
+pub(crate) struct OnRung<'c> {
+    /// The network, as in the context.
+    pub(crate) network: usize,
+    /// The rung in it.
+    pub(crate) rung: usize,
+    /// The part of the rung's drawing.
+    pub(crate) part: usize,
+    /// The part itself.
+    pub(crate) drawn: &'c Part,
+    /// The block, if the part is one.
+    pub(crate) block: Option<&'c BoundBlock>,
+}
+
+/// The part of the drawing at an offset. Between two parts that touch the right one wins, unless it is wire:
+/// with the cursor behind a block's last parenthesis the block is meant.
+pub(crate) fn on_rung(context: &Context, offset: TextSize) -> Option<OnRung<'_>> {
+    let parse = &context.parse;
+    let line = parse.line_at(offset)?;
+    let number = parse
+        .structure()
+        .networks
+        .partition_point(|network| network.lines.end <= line);
+    let network = context.networks.get(number)?;
+    let rung = network.wiring.lines.iter().position(|&l| l == line)?;
+    let within = offset - parse.line_start(line);
+    let parts = &network.wiring.rungs[rung].parts;
+    let first = parts.partition_point(|part| part.range.end() < within);
+    let candidates = parts[first..]
+        .iter()
+        .enumerate()
+        .take_while(|(_, part)| part.range.start() <= within)
+        .take(2);
+    let (index, drawn) = candidates
+        .map(|(n, part)| (first + n, part))
+        .max_by_key(|(index, part)| (preference(part), *index))?;
+    let block = network
+        .blocks
+        .iter()
+        .find(|block| block.facts.rung == rung && block.facts.part == index);
+    Some(OnRung {
+        network: number,
+        rung,
+        part: index,
+        drawn,
+        block,
+    })
+}
+
+fn preference(part: &Part) -> u8 {
+    use ladder_syntax::wiring::PartKind;
+    match part.kind {
+        PartKind::Block => 2,
+        PartKind::Down | PartKind::Up => 1,
+        _ => 0,
+    }
+}
+
+/// The innermost node of an expression at an offset that counts from the start of the block's line.
+pub(crate) fn node_at(node: &Node, offset: TextSize) -> Option<&Node> {
+    if !node.range.contains_inclusive(offset) {
+        return None;
+    }
+    let inner = match &node.kind {
+        NodeKind::Index(base, index) => node_at(base, offset).or_else(|| node_at(index, offset)),
+        NodeKind::Range(base, first, last) => node_at(base, offset)
+            .or_else(|| node_at(first, offset))
+            .or_else(|| node_at(last, offset)),
+        // The member's word belongs to the whole: `t1.Q`.
+        NodeKind::Member(base, word) if !word.range.contains_inclusive(offset) => node_at(base, offset),
+        NodeKind::Unary(_, inner) | NodeKind::Paren(inner) => node_at(inner, offset),
+        NodeKind::Binary(_, left, right) => node_at(left, offset).or_else(|| node_at(right, offset)),
+        NodeKind::Call(_, values) | NodeKind::Array(values) | NodeKind::Repeat(_, values) => {
+            values.iter().find_map(|value| node_at(value, offset))
+        }
+        _ => None,
+    };
+    Some(inner.unwrap_or(node))
+}
