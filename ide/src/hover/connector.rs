@@ -5,7 +5,7 @@ use crate::locate::OnRung;
 use ladder_analysis::context::Context;
 use ladder_syntax::wiring::{PartKind, Wiring};
 
-pub(super) fn hover(context: &Context, place: &OnRung<'_>) -> Option<Hover> {
+pub(super) fn hover(context: &Context, place: &OnRung<'_>) -> Hover {
     let network = &context.networks[place.network];
     let wiring = &network.wiring;
     let down = place.drawn.kind == PartKind::Down;
@@ -37,7 +37,7 @@ pub(super) fn hover(context: &Context, place: &OnRung<'_>) -> Option<Hover> {
             if down { "below" } else { "above" }
         ),
     };
-    Some(Hover { range, markdown })
+    Hover { range, markdown }
 }
 
 /// The how-manieth connector of its kind on its line it is, from 0.

@@ -29,7 +29,7 @@ pub fn hover(analysis: &Analysis, offset: TextSize) -> Option<Hover> {
         LineKind::Rung => {
             let place = on_rung(context, offset)?;
             match place.drawn.kind {
-                PartKind::Down | PartKind::Up => connector::hover(context, &place),
+                PartKind::Down | PartKind::Up => Some(connector::hover(context, &place)),
                 PartKind::Block => {
                     let block = place.block?;
                     operand::hover(context, &place, block, offset).or_else(|| block::hover(context, block))

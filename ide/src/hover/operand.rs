@@ -145,8 +145,8 @@ pub(super) fn tag_card(context: &Context, tag: &TagFacts) -> String {
     };
     let _ = write!(card, "{} ({origin})", capitalised(role));
     for (verb, lines) in [
-        ("Written", uses(context, tag, |access| access.writes())),
-        ("Read", uses(context, tag, |access| access.reads())),
+        ("Written", uses(context, tag, ladder_analysis::scope::Access::writes)),
+        ("Read", uses(context, tag, ladder_analysis::scope::Access::reads)),
     ] {
         if lines.is_empty() {
             let _ = write!(card, "  \n{verb}: nowhere");
