@@ -33,7 +33,8 @@ pub fn analyze(parse: &Arc<Parse>, name: &str) -> Analysis {
     let program = resolve::program(&context, name, &mut diagnostics);
     rules::check(&context, &mut diagnostics);
     diagnostics.sort_by_key(|d| (d.range.start(), d.range.end(), d.rule));
-    diagnostics.dedup();
+    // The first says it best: what is found while types are inferred comes before what follows from it.
+    diagnostics.dedup_by(|later, first| later.rule == first.rule && later.range == first.range);
     let mut analysis = Analysis {
         context,
         diagnostics,

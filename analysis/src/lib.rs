@@ -17,9 +17,13 @@ mod declare;
 pub mod diagnostic;
 pub mod facts;
 mod infer;
+#[cfg(test)]
+mod infer_tests;
 pub mod literal;
 pub mod network;
 pub mod order;
+#[cfg(test)]
+mod order_tests;
 pub mod program;
 mod resolve;
 pub mod rule;
