@@ -30,4 +30,4 @@ pub use ladder_syntax::MAX_FILE_BYTES;
 pub use root::{Root, SETTINGS_FILE};
 pub use search::{EXTENSION, find_programs, is_program};
 pub use text::{decode, read};
-pub use write::write;
+pub use write::{Replacement, write};

@@ -1,7 +1,8 @@
 //! Reading, searching and writing over real folders.
 
-use ladder_workspace::{MAX_FILE_BYTES, Root, find_programs, read, write};
+use ladder_workspace::{MAX_FILE_BYTES, Replacement, Root, find_programs, read, write};
 use std::fs;
+use std::io::Write;
 use std::path::{Path, PathBuf};
 use tempfile::TempDir;
 
@@ -125,6 +126,19 @@ fn writing_into_a_missing_folder_names_the_file() {
         message(&dir, error).starts_with("DIR/no/out.csv: cannot be written: "),
         "the file is named"
     );
+}
+
+#[test]
+fn a_replacement_that_is_given_up_leaves_the_old_content() {
+    let dir = folder(&[]);
+    let path = dir.path().join("out.csv");
+    write(&path, b"old").unwrap();
+    let mut replacement = Replacement::of(&path).unwrap();
+    replacement.write_all(b"new").unwrap();
+    assert_eq!(fs::read_to_string(&path).unwrap(), "old");
+    drop(replacement);
+    assert_eq!(fs::read_to_string(&path).unwrap(), "old");
+    assert_eq!(fs::read_dir(dir.path()).unwrap().count(), 1);
 }
 
 #[cfg(unix)]
