@@ -1,1 +1,51 @@
-//! The programs ladder and ldfmt.
+//! The programs `ladder` and `ldfmt`.
+//!
+//! ```text
+//! arguments --clap--> a command --run--> Ok(Outcome) ----------> exit status 0 or 1
+//!                       |   |           Err(Failure) -> stderr -> exit status 2
+//!                       |   +-- Stdout: what was asked for, and nothing else
+//!                       +------ ladder-workspace: every file that is read or written
+//! ```
+//!
+//! One file under `commands/` is one command: its arguments, with the help that people see, and what it does
+//! with them. A command does its work through the library crates and only decides what to show; it never ends
+//! the process itself.
+//!
+//! - [`outcome`](Outcome) has the exit status: 0 fine, 1 findings, 2 the command could not do its work.
+//! - `terminal` is the only module that names stdout and stderr: messages go to stderr as `error: ...`, colours
+//!   only to a terminal, and a reader that closes the pipe early is no error.
+//!
+//! `ldfmt` is the command `fmt` alone. Both programs are linked from this library; the linker leaves out what a
+//! program does not reach, so `ldfmt` holds neither the language server nor its runtime.
+
+mod arguments;
+mod commands;
+mod likeness;
+mod outcome;
+mod terminal;
+
+use clap::Parser;
+use outcome::{Failure, Outcome};
+use std::process::ExitCode;
+
+/// The program `ladder`, with the process's arguments.
+pub fn ladder() -> ExitCode {
+    let arguments = arguments::Ladder::parse();
+    exit(arguments.run())
+}
+
+/// The program `ldfmt`, with the process's arguments.
+pub fn ldfmt() -> ExitCode {
+    let arguments = arguments::Ldfmt::parse();
+    exit(arguments.run())
+}
+
+fn exit(result: Result<Outcome, Failure>) -> ExitCode {
+    match result {
+        Ok(outcome) => outcome.into(),
+        Err(failure) => {
+            terminal::error(&failure);
+            Outcome::Failed.into()
+        }
+    }
+}

@@ -1,0 +1,54 @@
+//! What stands on the command line.
+
+use crate::commands::{check, explain, fmt, tree};
+use crate::outcome::{Failure, Outcome};
+use clap::{Parser, Subcommand};
+
+const EXAMPLES: &str = "\
+Examples:
+  ladder check motor.clad                       look for mistakes
+  ladder fmt .                                  align all diagrams in this folder
+  ladder explain TON                            how the on-delay timer works
+
+Exit status: 0 fine, 1 findings, 2 the command could not do its work.";
+
+/// Ladder logic as plain text: check it, align it.
+#[derive(Debug, Parser)]
+#[command(name = "ladder", version, after_help = EXAMPLES, disable_help_subcommand = true)]
+pub(crate) struct Ladder {
+    #[command(subcommand)]
+    command: Command,
+}
+
+#[derive(Debug, Subcommand)]
+enum Command {
+    Check(check::Arguments),
+    Fmt(fmt::Arguments),
+    Explain(explain::Arguments),
+    Tree(tree::Arguments),
+}
+
+impl Ladder {
+    pub(crate) fn run(self) -> Result<Outcome, Failure> {
+        match self.command {
+            Command::Check(arguments) => check::run(&arguments),
+            Command::Fmt(arguments) => fmt::run(&arguments),
+            Command::Explain(arguments) => explain::run(&arguments),
+            Command::Tree(arguments) => tree::run(&arguments),
+        }
+    }
+}
+
+/// The formatter alone.
+#[derive(Debug, Parser)]
+#[command(name = "ldfmt", version)]
+pub(crate) struct Ldfmt {
+    #[command(flatten)]
+    arguments: fmt::Arguments,
+}
+
+impl Ldfmt {
+    pub(crate) fn run(self) -> Result<Outcome, Failure> {
+        fmt::run(&self.arguments)
+    }
+}

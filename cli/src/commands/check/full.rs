@@ -1,0 +1,304 @@
+//! Findings for people: the lines with the place marked, what has to do with it, and what to do.
+
+use super::source::{Lines, Source};
+use annotate_snippets::{Annotation, AnnotationKind, Group, Level, Patch, Renderer, Snippet};
+use ladder_analysis::Severity;
+use ladder_analysis::{Diagnostic, Fix, Related};
+use ladder_syntax::{TextRange, TextSize};
+use std::borrow::Cow;
+use std::ops::Range;
+
+/// Related places at most so many lines away are shown in one excerpt with the finding's own place.
+const NEAR: usize = 8;
+
+pub(super) fn render(source: &Source, finding: &Diagnostic, renderer: &Renderer) -> String {
+    let level = match finding.severity {
+        Severity::Error => Level::ERROR,
+        Severity::Warning => Level::WARNING,
+        Severity::Info => Level::INFO,
+    };
+    let title = level
+        .primary_title(finding.message.as_str())
+        .id(finding.rule.name());
+    let mut group = Group::with_title(title);
+    let (near, far) = near_and_far(source, finding);
+    let excerpt = Excerpt::of(
+        source,
+        near.iter().fold(source.lines(finding.range), |lines, place| {
+            lines.join(source.lines(place.range))
+        }),
+    );
+    group = group.element(
+        excerpt
+            .snippet(source)
+            .annotation(AnnotationKind::Primary.span(excerpt.span(finding.range)))
+            .annotations(near.iter().map(|place| excerpt.mark(place))),
+    );
+    for place in far {
+        let excerpt = Excerpt::of(source, source.lines(place.range));
+        group = group.element(excerpt.snippet(source).annotation(excerpt.mark(place)));
+    }
+    if let Some(help) = &finding.help {
+        group = group.element(Level::HELP.message(help.as_str()));
+    }
+    let mut report = vec![group];
+    // The first is the best; editors offer the others too.
+    report.extend(finding.fixes.first().and_then(|fix| suggestion(source, fix)));
+    renderer.render(&report)
+}
+
+fn near_and_far<'d>(source: &Source, finding: &'d Diagnostic) -> (Vec<&'d Related>, Vec<&'d Related>) {
+    let own = source.lines(finding.range);
+    finding
+        .related
+        .iter()
+        .partition(|place| source.lines(place.range).distance(own) <= NEAR)
+}
+
+/// The lines as they would be.
+fn suggestion<'a>(source: &'a Source, fix: &'a Fix) -> Option<Group<'a>> {
+    let whole = fix.edits.iter().map(|edit| edit.range).reduce(TextRange::cover)?;
+    let excerpt = Excerpt::of(source, source.lines(whole));
+    let patches = fix
+        .edits
+        .iter()
+        .map(|edit| Patch::new(excerpt.span(edit.range), edit.text.as_str()));
+    let snippet = excerpt.snippet(source).patches(patches);
+    Some(Level::HELP.secondary_title(fix.title.as_str()).element(snippet))
+}
+
+/// Some lines of the text. Only they are given to the renderer: it reads all it is given, for each finding.
+struct Excerpt<'a> {
+    text: Cow<'a, str>,
+    start: TextSize,
+    first_line: usize,
+}
+
+impl<'a> Excerpt<'a> {
+    fn of(source: &'a Source, lines: Lines) -> Excerpt<'a> {
+        let (text, start) = source.excerpt(lines);
+        Excerpt {
+            text,
+            start,
+            first_line: lines.first + 1,
+        }
+    }
+
+    fn snippet<T: Clone>(&self, source: &'a Source) -> Snippet<'a, T> {
+        Snippet::source(self.text.clone())
+            .path(source.file.as_str())
+            .line_start(self.first_line)
+    }
+
+    fn mark<'d>(&self, place: &'d Related) -> Annotation<'d> {
+        AnnotationKind::Context
+            .span(self.span(place.range))
+            .label(place.message.as_str())
+    }
+
+    fn span(&self, range: TextRange) -> Range<usize> {
+        let within = |offset: TextSize| {
+            offset
+                .checked_sub(self.start)
+                .map_or(0, usize::from)
+                .min(self.text.len())
+        };
+        within(range.start())..within(range.end())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use expect_test::{Expect, expect};
+    use ladder_analysis::Rule;
+
+    /// A finding at the first `«..»`, related places at the others; the marks are taken out of the text. A fix
+    /// replaces the first place by `fix`.
+    fn check(marked: &str, fix: Option<&str>, expected: Expect) {
+        let mut text = String::new();
+        let mut places = Vec::new();
+        for (index, part) in marked.split(['«', '»']).enumerate() {
+            let start = TextSize::of(&text);
+            text.push_str(part);
+            if index % 2 == 1 {
+                places.push(TextRange::new(start, TextSize::of(&text)));
+            }
+        }
+        let mut finding = Diagnostic::new(Rule::DuplicateTimer, places[0], "something is wrong here");
+        for place in &places[1..] {
+            finding = finding.related(*place, "this has to do with it");
+        }
+        if let Some(fix) = fix {
+            finding = finding.help("do this").fix("Do it", places[0], fix);
+        }
+        let source = Source::new("a.clad".to_owned(), text);
+        expected.assert_eq(&(render(&source, &finding, &Renderer::plain()) + "\n"));
+    }
+
+    #[test]
+    fn the_line_the_place_and_the_way_out() {
+        check(
+            "\n+--[«TOM»]( t )--+\n",
+            Some("TON"),
+            expect![[r#"
+            error[duplicate-timer]: something is wrong here
+             --> a.clad:2:5
+              |
+            2 | +--[TOM]( t )--+
+              |     ^^^
+              |
+              = help: do this
+            help: Do it
+              |
+            2 - +--[TOM]( t )--+
+            2 + +--[TON]( t )--+
+              |
+        "#]],
+        );
+    }
+
+    #[test]
+    fn an_insertion() {
+        check(
+            "+--[ ]( a )«»( )( b )--+\n",
+            Some("--"),
+            expect![[r#"
+            error[duplicate-timer]: something is wrong here
+             --> a.clad:1:12
+              |
+            1 | +--[ ]( a )( )( b )--+
+              |            ^
+              |
+              = help: do this
+            help: Do it
+              |
+            1 | +--[ ]( a )--( )( b )--+
+              |            ++
+        "#]],
+        );
+    }
+
+    #[test]
+    fn related_places_near_by_share_the_excerpt() {
+        check(
+            "+--[ ]( «a» )--+\n\n|\n+--[ ]( «a» )--+\n",
+            None,
+            expect![[r#"
+            error[duplicate-timer]: something is wrong here
+             --> a.clad:1:9
+              |
+            1 | +--[ ]( a )--+
+              |         ^
+            ...
+            4 | +--[ ]( a )--+
+              |         - this has to do with it
+        "#]],
+        );
+    }
+
+    #[test]
+    fn related_places_far_away_have_their_own() {
+        let text = format!("+--[ ]( «a» )--+\n{}+--[ ]( «b» )--+\n", "|\n".repeat(40));
+        check(
+            &text,
+            None,
+            expect![[r#"
+            error[duplicate-timer]: something is wrong here
+              --> a.clad:1:9
+               |
+             1 | +--[ ]( a )--+
+               |         ^
+               |
+              ::: a.clad:42:9
+               |
+            42 | +--[ ]( b )--+
+               |         - this has to do with it
+        "#]],
+        );
+    }
+
+    #[test]
+    fn a_place_of_several_lines() {
+        check(
+            "VAR «a\n: BOOL\n»END_VAR\n",
+            None,
+            expect![[r#"
+            error[duplicate-timer]: something is wrong here
+             --> a.clad:1:5
+              |
+            1 |   VAR a
+              |  _____^
+            2 | | : BOOL
+              | |_______^
+        "#]],
+        );
+    }
+
+    #[test]
+    fn the_end_of_the_text() {
+        check(
+            "+--( )( a )--+\n«»",
+            None,
+            expect![[r#"
+            error[duplicate-timer]: something is wrong here
+             --> a.clad:2:1
+              |
+            2 |
+              | ^
+        "#]],
+        );
+        check(
+            "«»",
+            None,
+            expect![[r#"
+            error[duplicate-timer]: something is wrong here
+             --> a.clad:1:1
+              |
+            1 |
+              | ^
+        "#]],
+        );
+    }
+
+    #[test]
+    fn lone_carriage_returns_and_a_byte_order_mark() {
+        check(
+            "\u{feff}«+»--+\r+--+\r",
+            None,
+            expect![[r#"
+            error[duplicate-timer]: something is wrong here
+             --> a.clad:1:1
+              |
+            1 | +--+
+              | ^
+        "#]],
+        );
+        check(
+            "\u{feff}+--+\r+-«-»+\r",
+            None,
+            expect![[r#"
+            error[duplicate-timer]: something is wrong here
+             --> a.clad:2:3
+              |
+            2 | +--+
+              |   ^
+        "#]],
+        );
+    }
+
+    #[test]
+    fn tabs_and_wide_letters() {
+        check(
+            "\t# 温度 # +--[ ]( «温度» )--+\n",
+            None,
+            expect![[r#"
+            error[duplicate-timer]: something is wrong here
+             --> a.clad:1:17
+              |
+            1 |     # 温度 # +--[ ]( 温度 )--+
+              |                      ^^^^
+        "#]],
+        );
+    }
+}

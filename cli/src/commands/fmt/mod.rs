@@ -1,0 +1,183 @@
+//! `ladder fmt` and `ldfmt`: the canonical layout.
+
+mod diff;
+mod layout;
+mod selection;
+
+use crate::outcome::{Failure, Outcome};
+use crate::terminal::{self, Stdout};
+use clap::Args;
+use ladder_workspace::{FileError, MAX_FILE_BYTES};
+use selection::Selection;
+use std::io::{Read, Write};
+use std::path::{Path, PathBuf};
+
+const EXAMPLES: &str = "\
+Examples:
+  ldfmt motor.clad                  rewrite one file
+  ldfmt .                           rewrite all programs in this folder
+  ldfmt --check .                   only say what would change
+  ldfmt --diff motor.clad           show what would change
+  ldfmt - < motor.clad              from stdin to stdout
+  ldfmt --range 12-20 motor.clad    only the networks on lines 12 to 20
+
+Exit status: 0 fine, 1 a file would change (--check, --diff), 2 a file cannot be read or written.";
+
+/// Align ladder diagrams
+///
+/// Brings programs into the one canonical layout, in place. Only white space, the length of wires, decoration
+/// and the case of keywords change: the program does what it did before. A network that cannot be read stays as
+/// it is, the others are aligned.
+///
+/// `ladder fmt` and `ldfmt` are the same formatter.
+#[derive(Debug, Args)]
+#[command(after_help = EXAMPLES)]
+pub(crate) struct Arguments {
+    /// Programs, or folders to search for them; `-` reads stdin and writes stdout
+    #[arg(value_name = "PATH", required = true)]
+    paths: Vec<PathBuf>,
+
+    /// Write nothing; exit with 1 if a file would change, and name it
+    #[arg(long)]
+    check: bool,
+
+    /// Write nothing; show what would change, and exit with 1 if anything does
+    #[arg(long)]
+    diff: bool,
+
+    /// The name that stdin goes by in messages; the file need not exist
+    #[arg(long, value_name = "PATH", visible_alias = "stdin-filepath")]
+    stdin_filename: Option<PathBuf>,
+
+    /// Align only the networks that lines (and columns) touch, counted from 1
+    #[arg(long, value_name = "L[:C]-L[:C]")]
+    range: Option<Selection>,
+}
+
+/// What to do with a text that is not in the canonical layout.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Task {
+    Rewrite,
+    Report,
+    ShowDifference,
+}
+
+impl Arguments {
+    fn task(&self) -> Task {
+        if self.diff {
+            Task::ShowDifference
+        } else if self.check {
+            Task::Report
+        } else {
+            Task::Rewrite
+        }
+    }
+}
+
+pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
+    let stdin = Path::new("-");
+    if arguments.paths.iter().any(|path| path == stdin) {
+        if arguments.paths.len() > 1 {
+            return Err(Failure::new(
+                "`-` (stdin) cannot be given together with other paths",
+            ));
+        }
+        return format_stdin(arguments);
+    }
+    if arguments.stdin_filename.is_some() {
+        return Err(Failure::new(
+            "--stdin-filename needs `-` as the path, which reads stdin",
+        ));
+    }
+    format_files(arguments)
+}
+
+fn format_files(arguments: &Arguments) -> Result<Outcome, Failure> {
+    let (files, errors) = ladder_workspace::find_programs(&arguments.paths);
+    if arguments.range.is_some() && files.len() > 1 {
+        return Err(Failure::new("--range needs exactly one file"));
+    }
+    for error in &errors {
+        terminal::error(error);
+    }
+    let mut outcome = if errors.is_empty() {
+        Outcome::Fine
+    } else {
+        Outcome::Failed
+    };
+    let mut out = Stdout::new();
+    for file in &files {
+        // One file that is bad does not keep the others from being aligned.
+        match format_file(file, arguments, &mut out) {
+            Ok(found) => outcome = outcome.max(found),
+            Err(failure) => {
+                terminal::error(&failure);
+                outcome = Outcome::Failed;
+            }
+        }
+    }
+    out.flush()?;
+    Ok(outcome)
+}
+
+fn format_file(file: &Path, arguments: &Arguments, out: &mut Stdout) -> Result<Outcome, Failure> {
+    let text = ladder_workspace::read(file)?;
+    let formatted = layout::formatted(&text, arguments.range);
+    if formatted == text {
+        return Ok(Outcome::Fine);
+    }
+    match arguments.task() {
+        Task::Rewrite => {
+            ladder_workspace::write(file, formatted.as_bytes())?;
+            Ok(Outcome::Fine)
+        }
+        Task::Report => {
+            would_change(file);
+            Ok(Outcome::Findings)
+        }
+        Task::ShowDifference => {
+            diff::print(file, &text, &formatted, out)?;
+            Ok(Outcome::Findings)
+        }
+    }
+}
+
+fn format_stdin(arguments: &Arguments) -> Result<Outcome, Failure> {
+    let name = arguments
+        .stdin_filename
+        .as_deref()
+        .unwrap_or(Path::new("<stdin>"));
+    let text = read_stdin(name)?;
+    let formatted = layout::formatted(&text, arguments.range);
+    let changes = formatted != text;
+    let mut out = Stdout::new();
+    match arguments.task() {
+        Task::Rewrite => out.write_all(formatted.as_bytes())?,
+        Task::Report if changes => would_change(name),
+        Task::ShowDifference if changes => diff::print(name, &text, &formatted, &mut out)?,
+        Task::Report | Task::ShowDifference => {}
+    }
+    out.flush()?;
+    if changes && arguments.task() != Task::Rewrite {
+        return Ok(Outcome::Findings);
+    }
+    Ok(Outcome::Fine)
+}
+
+fn read_stdin(name: &Path) -> Result<String, FileError> {
+    let mut bytes = Vec::new();
+    std::io::stdin()
+        .lock()
+        // One byte past the limit is enough to see that the text is too large.
+        .take(MAX_FILE_BYTES as u64 + 1)
+        .read_to_end(&mut bytes)
+        .map_err(|error| FileError {
+            path: name.to_owned(),
+            problem: ladder_workspace::Problem::Read(error),
+        })?;
+    ladder_workspace::decode(name, bytes)
+}
+
+fn would_change(file: &Path) {
+    terminal::note(&format_args!("would change: {}", file.display()));
+}

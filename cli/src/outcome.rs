@@ -1,0 +1,55 @@
+//! How a command ends.
+
+use ladder_workspace::FileError;
+use std::fmt;
+use std::process::ExitCode;
+
+/// What a command has found. The worse of two is the larger.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub(crate) enum Outcome {
+    /// Nothing to complain about.
+    Fine,
+    /// Errors in a program, a file that would change.
+    Findings,
+    /// Some of the work could not be done; what was wrong has been said.
+    Failed,
+}
+
+impl From<Outcome> for ExitCode {
+    fn from(outcome: Outcome) -> ExitCode {
+        match outcome {
+            Outcome::Fine => ExitCode::SUCCESS,
+            Outcome::Findings => ExitCode::from(1),
+            Outcome::Failed => ExitCode::from(2),
+        }
+    }
+}
+
+/// Why a command could not do its work: a message for the person who started it.
+#[derive(Debug)]
+pub(crate) struct Failure(String);
+
+impl Failure {
+    pub(crate) fn new(message: impl Into<String>) -> Failure {
+        Failure(message.into())
+    }
+}
+
+impl fmt::Display for Failure {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(&self.0)
+    }
+}
+
+impl From<FileError> for Failure {
+    fn from(error: FileError) -> Failure {
+        Failure(error.to_string())
+    }
+}
+
+/// Writing to stdout is the only bare input or output of a command; files have their own errors.
+impl From<std::io::Error> for Failure {
+    fn from(error: std::io::Error) -> Failure {
+        Failure(format!("the output cannot be written: {error}"))
+    }
+}

@@ -1,0 +1,78 @@
+//! What reaches the person: stdout for what was asked for, stderr for messages.
+
+use anstyle::{AnsiColor, Style};
+use std::fmt::Display;
+use std::io::{self, BufWriter, ErrorKind, StdoutLock, Write};
+
+const ERROR: Style = AnsiColor::BrightRed.on_default().bold();
+const NOTE: Style = AnsiColor::BrightGreen.on_default().bold();
+
+/// Says on stderr why something was not done.
+pub(crate) fn error(message: &dyn Display) {
+    say(ERROR, "error", message);
+}
+
+/// Says on stderr what else is worth knowing.
+pub(crate) fn note(message: &dyn Display) {
+    say(NOTE, "note", message);
+}
+
+fn say(style: Style, kind: &str, message: &dyn Display) {
+    let mut stderr = anstream::stderr();
+    // Whoever has closed stderr does not want to know.
+    let _ = writeln!(stderr, "{style}{kind}:{style:#} {message}");
+}
+
+/// Whether stdout shows colours: it is a terminal, and `NO_COLOR` is not set.
+pub(crate) fn stdout_has_colours() -> bool {
+    anstream::AutoStream::choice(&io::stdout()) != anstream::ColorChoice::Never
+}
+
+/// Standard output, buffered. A reader that goes away (`ladder check . | head`) is no error: what follows is
+/// dropped, and the command still ends with its true status.
+pub(crate) struct Stdout {
+    inner: BufWriter<StdoutLock<'static>>,
+    closed: bool,
+}
+
+impl Stdout {
+    pub(crate) fn new() -> Stdout {
+        Stdout {
+            inner: BufWriter::with_capacity(1 << 16, io::stdout().lock()),
+            closed: false,
+        }
+    }
+
+    /// Whether nobody reads any more, so that further work for the output's sake is idle.
+    pub(crate) fn is_closed(&self) -> bool {
+        self.closed
+    }
+
+    fn unless_closed<T>(&mut self, result: io::Result<T>, dropped: T) -> io::Result<T> {
+        match result {
+            Err(error) if error.kind() == ErrorKind::BrokenPipe => {
+                self.closed = true;
+                Ok(dropped)
+            }
+            other => other,
+        }
+    }
+}
+
+impl Write for Stdout {
+    fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
+        if self.closed {
+            return Ok(bytes.len());
+        }
+        let result = self.inner.write(bytes);
+        self.unless_closed(result, bytes.len())
+    }
+
+    fn flush(&mut self) -> io::Result<()> {
+        if self.closed {
+            return Ok(());
+        }
+        let result = self.inner.flush();
+        self.unless_closed(result, ())
+    }
+}

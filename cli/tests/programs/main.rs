@@ -1,0 +1,10 @@
+//! Both programs, run as a person runs them: in a folder, with arguments, looking at the exit status, stdout and
+//! stderr.
+
+mod bad_input;
+mod check;
+mod explain;
+mod fmt;
+mod harness;
+mod help;
+mod tree;
