@@ -20,6 +20,7 @@
 //! is read with one expression grammar. What an instruction allows is for the analysis to say.
 
 pub mod ast;
+mod dump;
 mod error;
 mod grammar;
 mod kind;
@@ -31,6 +32,7 @@ mod parse;
 mod structure;
 pub mod wiring;
 
+pub use dump::dump;
 pub use error::{DeclarationProblem, OperandPlace, Place, SyntaxError, SyntaxErrorKind};
 pub use grammar::is_declaration_keyword;
 pub use kind::{LadderLanguage, SyntaxElement, SyntaxKind, SyntaxNode, SyntaxToken};

@@ -1,7 +1,7 @@
 //! From a text to its lines, its tree and its structure.
 
-use crate::grammar;
-use crate::line::{Line, Mode};
+use crate::grammar::{self, Entry};
+use crate::line::Line;
 use crate::structure::{self, Structure};
 use crate::{SyntaxError, SyntaxKind, SyntaxNode};
 use rowan::{GreenNode, GreenNodeBuilder, NodeCache, NodeOrToken, TextRange, TextSize};
@@ -28,7 +28,7 @@ pub fn parse(text: &str) -> Parse {
     let mut builder = GreenNodeBuilder::with_cache(&mut cache);
     let mut parsed = Vec::with_capacity(text.len() / 48 + 1);
     let mut starts = Vec::with_capacity(text.len() / 48 + 2);
-    let mut mode = Mode::Network;
+    let mut entry = Entry::START;
     let mut at = 0;
     builder.start_node(SyntaxKind::SOURCE_FILE.into());
     while at < text.len() {
@@ -38,11 +38,14 @@ pub fn parse(text: &str) -> Parse {
             }
             builder.start_node(SyntaxKind::CHUNK.into());
         }
-        let line = grammar::line(text, at, mode, &mut builder);
+        let line = grammar::line(text, at, entry, &mut builder);
         debug_assert!(line.end > at, "a line takes at least one character");
         starts.push(at as u32);
         at = line.end;
-        mode = line.mode_after;
+        entry = Entry {
+            mode: line.mode_after,
+            mid_line: !matches!(text.as_bytes()[at - 1], b'\n' | b'\r'),
+        };
         parsed.push(line);
     }
     if at > 0 {

@@ -3,9 +3,9 @@
 //! Recovery stays in the block where it can: a bracket that is not closed ends where the drawing goes on, so
 //! the rest of the rung keeps its meaning.
 
-use super::{Parser, expression};
-use crate::lexer::{self, Context};
-use crate::{OperandPlace, SyntaxErrorKind, SyntaxKind};
+use super::{Parser, expression, recovery};
+use crate::lexer;
+use crate::{OperandPlace, Place, SyntaxErrorKind, SyntaxKind};
 
 /// The block that begins with the bracket `open`.
 pub(super) fn block(p: &mut Parser<'_, '_, '_>, open: SyntaxKind) {
@@ -17,188 +17,161 @@ pub(super) fn block(p: &mut Parser<'_, '_, '_>, open: SyntaxKind) {
     p.start_node(kind);
     head(p, open);
     // White space is free between the first part and the operand list; without a list it belongs to the rung.
-    let (_, behind_blanks) = match p.peek_token(Context::Rung) {
-        (SyntaxKind::WHITESPACE, end) => (SyntaxKind::WHITESPACE, end),
-        _ => (SyntaxKind::EOF, p.at),
-    };
-    if p.text.as_bytes().get(behind_blanks) == Some(&b'(') {
+    let behind_blanks = lexer::blanks_end(p.text.as_bytes(), p.at);
+    if p.byte(behind_blanks) == b'(' {
         if behind_blanks > p.at {
-            p.bump(Context::Rung);
+            p.token((SyntaxKind::WHITESPACE, behind_blanks));
         }
         operand_list(p);
     }
     p.finish_node();
 }
 
-/// `[TON]`, `( )`, `<JMP>`, `[$Name]`. Also used for the head in a block definition's first line.
-pub(super) fn head(p: &mut Parser<'_, '_, '_>, open: SyntaxKind) {
-    let close = match open {
-        SyntaxKind::L_BRACKET => SyntaxKind::R_BRACKET,
-        SyntaxKind::L_PAREN => SyntaxKind::R_PAREN,
-        _ => SyntaxKind::R_ANGLE,
-    };
+const fn closing_bracket(open: SyntaxKind) -> (SyntaxKind, u8) {
+    match open {
+        SyntaxKind::L_BRACKET => (SyntaxKind::R_BRACKET, b']'),
+        SyntaxKind::L_PAREN => (SyntaxKind::R_PAREN, b')'),
+        _ => (SyntaxKind::R_ANGLE, b'>'),
+    }
+}
+
+/// `[TON]`, `( )`, `<JMP>`, `[$Name]`. Also used for the head in a block definition's first line. Whether it
+/// names a user-defined block.
+pub(super) fn head(p: &mut Parser<'_, '_, '_>, open: SyntaxKind) -> bool {
+    let (closing, closing_byte) = closing_bracket(open);
     let from = p.at;
+    let mut named = false;
+    let mut user = false;
     p.start_node(SyntaxKind::BLOCK_HEAD);
-    p.bump(Context::Rung);
-    let mut content_end = p.at;
-    let mut mnemonic = false;
+    p.token((open, p.at + 1));
     loop {
-        let found = p.peek(Context::Head);
-        if found == close {
-            p.bump(Context::Head);
-            break;
+        let blanks = lexer::blanks_end(p.text.as_bytes(), p.at);
+        let (kind, end) = lexer::in_head(p.text, blanks);
+        let taken = kind == closing
+            || kind == SyntaxKind::COMMENT
+            || !named && matches!(kind, SyntaxKind::MNEMONIC | SyntaxKind::BLOCK_NAME);
+        if taken && !takes_hash(p.text, open, kind, end) {
+            if blanks > p.at {
+                p.token((SyntaxKind::WHITESPACE, blanks));
+            }
+            p.token((kind, end));
+            match kind {
+                SyntaxKind::COMMENT => {}
+                SyntaxKind::MNEMONIC => named = true,
+                SyntaxKind::BLOCK_NAME => {
+                    (named, user) = (true, true);
+                    block_name(p, blanks, end);
+                }
+                _ => break,
+            }
+            continue;
         }
-        match found {
-            SyntaxKind::WHITESPACE if !ends_line_behind_blanks(p) => p.bump(Context::Head),
-            SyntaxKind::COMMENT => p.bump(Context::Head),
-            SyntaxKind::MNEMONIC | SyntaxKind::BLOCK_NAME if !mnemonic => {
-                mnemonic = true;
-                p.bump(Context::Head);
-                content_end = p.at;
+        // Something that belongs to no first part: junk in one that is closed, or the end of one that is not.
+        if let Some(junk_end) = recovery::closing_behind_junk(p.text, blanks, closing_byte) {
+            junk(p, blanks, junk_end);
+        } else if takes_hash(p.text, open, kind, end) {
+            junk(p, blanks, lexer::in_operands(p.text, blanks).1);
+        } else if matches!(
+            kind,
+            SyntaxKind::R_BRACKET | SyntaxKind::R_PAREN | SyntaxKind::R_ANGLE
+        ) {
+            if blanks > p.at {
+                p.token((SyntaxKind::WHITESPACE, blanks));
             }
-            SyntaxKind::MNEMONIC | SyntaxKind::BLOCK_NAME | SyntaxKind::ERROR => {
-                p.unexpected(Context::Head, |k| {
-                    matches!(
-                        k,
-                        SyntaxKind::MNEMONIC | SyntaxKind::BLOCK_NAME | SyntaxKind::ERROR
-                    )
-                });
-                content_end = p.at;
-            }
-            _ => {
-                p.error_at(
-                    SyntaxErrorKind::UnclosedBlock { closing: close },
-                    from,
-                    content_end,
-                );
-                break;
-            }
+            p.error(SyntaxErrorKind::WrongBracket { closing }, blanks, end);
+            p.token((SyntaxKind::ERROR, end));
+            break;
+        } else if kind == SyntaxKind::ERROR || kind == SyntaxKind::MNEMONIC || kind == SyntaxKind::BLOCK_NAME
+        {
+            junk(p, blanks, end);
+        } else {
+            p.error(SyntaxErrorKind::UnclosedBlock { closing }, from, p.last_end);
+            break;
         }
     }
     p.finish_node();
+    user
 }
 
-/// Whether only white space stands between here and the end of the line: it then belongs to the line.
-fn ends_line_behind_blanks(p: &mut Parser<'_, '_, '_>) -> bool {
-    let (_, end) = p.peek_token(Context::Head);
-    matches!(p.text.as_bytes().get(end), None | Some(b'\n' | b'\r'))
+/// Whether a `#` directly behind the word belongs to it: in a coil's parentheses it does (LANGUAGE §1), as in
+/// `(T#5s)` where the first part was forgotten.
+fn takes_hash(text: &str, open: SyntaxKind, kind: SyntaxKind, end: usize) -> bool {
+    open == SyntaxKind::L_PAREN
+        && matches!(kind, SyntaxKind::MNEMONIC | SyntaxKind::ERROR)
+        && text.as_bytes().get(end) == Some(&b'#')
+        && text[..end].ends_with(char::is_alphanumeric)
+}
+
+/// Takes characters that mean nothing in a first part, up to `to`, as one mistake.
+fn junk(p: &mut Parser<'_, '_, '_>, from: usize, to: usize) {
+    if from > p.at {
+        p.token((SyntaxKind::WHITESPACE, from));
+    }
+    let to = from + p.text[from..to].trim_end_matches([' ', '\t']).len();
+    p.token((SyntaxKind::ERROR, to));
+    p.unexpected(Place::Head, from, to);
+}
+
+/// The name of a user-defined block is `$`, a letter, then letters and digits.
+fn block_name(p: &mut Parser<'_, '_, '_>, start: usize, end: usize) {
+    if p.text[start..end].contains('_') {
+        p.error(SyntaxErrorKind::BadBlockName, start, end);
+    }
+}
+
+/// What stands directly before a place in an operand list.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Before {
+    Opening,
+    Comma,
+    Operand,
+    Junk,
 }
 
 /// `( t, T#5s, R := reset )`
 fn operand_list(p: &mut Parser<'_, '_, '_>) {
     let from = p.at;
+    p.list.begin(from);
     p.start_node(SyntaxKind::OPERAND_LIST);
-    p.bump(Context::Operand);
-    let mut content_end = p.at;
-    // Whether an operand stands before this place without a comma between.
-    let mut operand_before = false;
+    p.token((SyntaxKind::L_PAREN, from + 1));
+    p.look();
+    let missing = SyntaxErrorKind::MissingOperand {
+        place: OperandPlace::List,
+    };
+    let mut before = Before::Opening;
     loop {
-        if ends_unclosed_list(p) {
-            let closing = SyntaxKind::R_PAREN;
-            p.error_at(SyntaxErrorKind::UnclosedBlock { closing }, from, content_end);
-            break;
-        }
-        match p.peek(Context::Operand) {
-            SyntaxKind::WHITESPACE | SyntaxKind::COMMENT => {
-                p.bump(Context::Operand);
-                continue;
-            }
+        match p.next() {
             SyntaxKind::R_PAREN => {
-                p.bump(Context::Operand);
+                if before == Before::Comma {
+                    p.error_ahead(missing);
+                }
+                p.bump_last_as(SyntaxKind::R_PAREN);
                 break;
             }
             SyntaxKind::COMMA => {
-                if !operand_before {
-                    p.error_here(
-                        SyntaxErrorKind::MissingOperand {
-                            place: OperandPlace::List,
-                        },
-                        Context::Operand,
-                    );
+                if matches!(before, Before::Opening | Before::Comma) {
+                    p.error_ahead(missing);
                 }
-                operand_before = false;
-                p.bump(Context::Operand);
-                if closes_list(p) {
-                    p.error_here(
-                        SyntaxErrorKind::MissingOperand {
-                            place: OperandPlace::List,
-                        },
-                        Context::Operand,
-                    );
-                }
+                before = Before::Comma;
+                p.bump();
             }
-            SyntaxKind::ERROR => p.unexpected(Context::Operand, |k| k == SyntaxKind::ERROR),
-            _ => {
-                if operand_before {
-                    p.error_here(SyntaxErrorKind::MissingComma, Context::Operand);
+            kind if expression::begins_operand(kind) && !p.drawing_goes_on() => {
+                if before == Before::Operand && !expression::names(kind) {
+                    p.error_ahead(SyntaxErrorKind::MissingComma);
                 }
                 expression::operand(p);
-                operand_before = true;
+                before = Before::Operand;
+            }
+            _ if p.drawing_goes_on() => {
+                let closing = SyntaxKind::R_PAREN;
+                p.error(SyntaxErrorKind::UnclosedBlock { closing }, from, p.last_end);
+                break;
+            }
+            _ => {
+                expression::junk(p, SyntaxKind::R_PAREN);
+                before = Before::Junk;
             }
         }
-        content_end = p.at;
     }
     p.finish_node();
-}
-
-/// Whether the next token, blanks aside, is the closing parenthesis.
-fn closes_list(p: &mut Parser<'_, '_, '_>) -> bool {
-    let rest = &p.text[p.at..];
-    rest.trim_start_matches([' ', '\t']).starts_with(')')
-}
-
-/// Whether the drawing goes on here, so that an open operand list ends: the line's end, a character that no
-/// expression holds, or a `-` that can only be wire.
-pub(super) fn ends_unclosed_list(p: &mut Parser<'_, '_, '_>) -> bool {
-    let (kind, end) = p.peek_token(Context::Operand);
-    if p.is_blank(kind, end) && p.free_form {
-        return false;
-    }
-    match (kind, end) {
-        (
-            SyntaxKind::EOF
-            | SyntaxKind::NEWLINE
-            | SyntaxKind::RAIL
-            | SyntaxKind::DOWN
-            | SyntaxKind::L_BRACKET,
-            _,
-        ) => true,
-        (SyntaxKind::WHITESPACE, end) => matches!(p.text.as_bytes().get(end), None | Some(b'\n' | b'\r')),
-        (SyntaxKind::MINUS, _) => is_wire(p.text, p.at),
-        // The right rail behind an operand list that was never closed.
-        (SyntaxKind::PLUS, end) => ends_line(p.text, end),
-        _ => false,
-    }
-}
-
-/// Whether the dashes at `at` are wire and not a sign: what follows them cannot follow a minus.
-fn is_wire(text: &str, at: usize) -> bool {
-    let rest = &text[at..];
-    let dashes = rest.bytes().take_while(|&b| b == b'-').count();
-    let behind = &rest[dashes..];
-    match behind.bytes().next() {
-        Some(b'[' | b'\\' | b'|' | b'+' | b'/' | b'<') => true,
-        Some(b'(') => begins_coil(behind),
-        Some(b'#') => dashes > 1,
-        _ => ends_line(text, at + dashes),
-    }
-}
-
-fn ends_line(text: &str, at: usize) -> bool {
-    let rest = text[at..].trim_start_matches([' ', '\t', '|']);
-    rest.is_empty() || rest.starts_with(['\n', '\r'])
-}
-
-/// Whether the text begins like a coil: two parentheses, at most one word in the first.
-fn begins_coil(text: &str) -> bool {
-    let inside = text[1..].trim_start_matches([' ', '\t']);
-    let word = match inside.bytes().next() {
-        Some(b'/') => 1,
-        Some(b'$') => lexer::identifier_end(inside, 1).unwrap_or(0),
-        _ => lexer::identifier_end(inside, 0).unwrap_or(0),
-    };
-    let behind = inside[word..].trim_start_matches([' ', '\t']);
-    behind
-        .strip_prefix(')')
-        .is_some_and(|b| b.trim_start_matches([' ', '\t']).starts_with('('))
 }

@@ -1,7 +1,7 @@
 //! Sections, declarations and the first and last line of a block definition (LANGUAGE §4, §5.7).
 
 use super::{Parser, block, expression};
-use crate::lexer::{self, Context};
+use crate::lexer;
 use crate::line::{LineKind, Mode};
 use crate::{DeclarationProblem, SyntaxErrorKind, SyntaxKind};
 
@@ -67,7 +67,8 @@ fn keyword(word: &str) -> Option<KeywordLine> {
     }
 }
 
-fn keyword_at(text: &str, at: usize) -> Option<KeywordLine> {
+/// The keyword that begins at a place.
+pub(super) fn keyword_at(text: &str, at: usize) -> Option<KeywordLine> {
     // All begin with V, E or F: most lines are told apart by one byte.
     if !matches!(
         text.as_bytes().get(at),
@@ -78,28 +79,40 @@ fn keyword_at(text: &str, at: usize) -> Option<KeywordLine> {
     keyword(&text[at..lexer::identifier_end(text, at)?])
 }
 
-/// The keyword of the line whose first token is next.
-pub(super) fn keyword_line(p: &Parser<'_, '_, '_>) -> Option<KeywordLine> {
-    keyword_at(p.text, p.at)
+/// Whether a line that begins with this byte, behind white space and comments, ends a section that is still
+/// open (LANGUAGE §4).
+pub(super) const fn begins_drawing(byte: u8) -> bool {
+    matches!(byte, b'+' | b'|' | b'\\' | b'/' | b'[' | b'<')
 }
 
 /// Whether the physical line that begins at `at` ends an open declaration: it belongs to the drawing, to
 /// another section or to a block definition.
 pub(super) fn ends_declaration(text: &str, at: usize) -> bool {
-    let rest = text[at..].trim_start_matches([' ', '\t']);
-    rest.starts_with(['+', '|', '\\', '/', '[', '<']) || keyword_at(text, text.len() - rest.len()).is_some()
+    let mut at = at;
+    while let (SyntaxKind::WHITESPACE | SyntaxKind::COMMENT, end) = lexer::in_operands(text, at) {
+        at = end;
+    }
+    text.as_bytes().get(at).is_some_and(|&b| begins_drawing(b)) || keyword_at(text, at).is_some()
 }
 
 /// `VAR_INPUT RETAIN`
 pub(super) fn section_header(p: &mut Parser<'_, '_, '_>) -> (LineKind, Mode) {
-    p.bump_as(Context::Operand, SyntaxKind::KEYWORD);
+    keyword_token(p);
+    let mut qualified = false;
     loop {
         blanks(p);
-        let word = p.peek_text(Context::Operand);
-        if !is_one_of(word, &["RETAIN", "CONSTANT", "NON_RETAIN"]) {
+        let Some(end) = lexer::identifier_end(p.text, p.at) else {
+            break;
+        };
+        if !is_one_of(&p.text[p.at..end], &["RETAIN", "CONSTANT", "NON_RETAIN"]) {
             break;
         }
-        p.bump_as(Context::Operand, SyntaxKind::KEYWORD);
+        if qualified {
+            let problem = DeclarationProblem::Unexpected;
+            p.error(SyntaxErrorKind::BadDeclaration(problem), p.at, end);
+        }
+        qualified = true;
+        p.token((SyntaxKind::KEYWORD, end));
     }
     line_end(p);
     (LineKind::SectionHeader, Mode::Section)
@@ -107,37 +120,58 @@ pub(super) fn section_header(p: &mut Parser<'_, '_, '_>) -> (LineKind, Mode) {
 
 /// `END_VAR`
 pub(super) fn section_end(p: &mut Parser<'_, '_, '_>) -> (LineKind, Mode) {
-    p.bump_as(Context::Operand, SyntaxKind::KEYWORD);
+    keyword_token(p);
+    blanks(p);
+    // A drawing or a keyword behind it is a line of its own, which says that it should stand on one.
+    let begins_line = matches!(p.byte(p.at), b'-' | b'(') || begins_drawing(p.byte(p.at));
+    if !begins_line && keyword_at(p.text, p.at).is_none() {
+        rest_of_line(p, DeclarationProblem::LineNotEnded);
+    }
     line_end(p);
     (LineKind::SectionEnd, Mode::Network)
 }
 
 /// `FUNCTION_BLOCK [$Name]`
 pub(super) fn block_header(p: &mut Parser<'_, '_, '_>) -> (LineKind, Mode) {
-    p.bump_as(Context::Operand, SyntaxKind::KEYWORD);
+    keyword_token(p);
     blanks(p);
-    match p.peek(Context::Rung) {
-        open @ (SyntaxKind::L_BRACKET | SyntaxKind::L_PAREN | SyntaxKind::L_ANGLE) => block::head(p, open),
-        _ => p.declaration_error(DeclarationProblem::BlockHeadExpected),
+    let expected = SyntaxErrorKind::BadDeclaration(DeclarationProblem::BlockHeadExpected);
+    match lexer::on_rung(p.text, p.at) {
+        (open @ (SyntaxKind::L_BRACKET | SyntaxKind::L_PAREN | SyntaxKind::L_ANGLE), _) => {
+            let (from, errors) = (p.at, p.errors.len());
+            if !block::head(p, open) && p.errors.len() == errors {
+                p.error(expected, from, p.last_end);
+            }
+            rest_of_line(p, DeclarationProblem::Unexpected);
+        }
+        (SyntaxKind::NEWLINE | SyntaxKind::EOF, _) => p.error_behind(expected),
+        _ => rest_of_line(p, DeclarationProblem::BlockHeadExpected),
     }
-    rest_of_line(p);
+    line_end(p);
     (LineKind::BlockHeader, Mode::Network)
 }
 
 /// `END_FUNCTION_BLOCK`
 pub(super) fn block_end(p: &mut Parser<'_, '_, '_>) -> (LineKind, Mode) {
-    p.bump_as(Context::Operand, SyntaxKind::KEYWORD);
-    rest_of_line(p);
+    keyword_token(p);
+    rest_of_line(p, DeclarationProblem::LineNotEnded);
+    line_end(p);
     (LineKind::BlockEnd, Mode::Network)
+}
+
+/// Takes the word that begins here as a keyword.
+fn keyword_token(p: &mut Parser<'_, '_, '_>) {
+    let end = lexer::in_head(p.text, p.at).1;
+    p.token((SyntaxKind::KEYWORD, end));
 }
 
 /// White space and comments on the same line.
 fn blanks(p: &mut Parser<'_, '_, '_>) {
-    while matches!(
-        p.peek(Context::Operand),
-        SyntaxKind::WHITESPACE | SyntaxKind::COMMENT
-    ) {
-        p.bump(Context::Operand);
+    loop {
+        match lexer::on_rung(p.text, p.at) {
+            token @ (SyntaxKind::WHITESPACE | SyntaxKind::COMMENT, _) => p.token(token),
+            _ => return,
+        }
     }
 }
 
@@ -145,163 +179,151 @@ fn blanks(p: &mut Parser<'_, '_, '_>) {
 /// new logical line.
 fn line_end(p: &mut Parser<'_, '_, '_>) {
     blanks(p);
-    if p.peek(Context::Operand) == SyntaxKind::NEWLINE {
-        p.bump(Context::Operand);
+    if let token @ (SyntaxKind::NEWLINE, _) = lexer::on_rung(p.text, p.at) {
+        p.token(token);
     }
 }
 
-/// As `line_end`; anything else on the line is a mistake.
-fn rest_of_line(p: &mut Parser<'_, '_, '_>) {
+/// Takes what stands here up to the line end as one mistake, if something does.
+fn rest_of_line(p: &mut Parser<'_, '_, '_>, problem: DeclarationProblem) {
     blanks(p);
-    if !matches!(p.peek(Context::Operand), SyntaxKind::NEWLINE | SyntaxKind::EOF) {
-        p.declaration_error(DeclarationProblem::Unexpected);
-        skip_to_line_end(p);
+    let from = p.at;
+    p.look();
+    if matches!(p.next(), SyntaxKind::NEWLINE | SyntaxKind::EOF) {
+        return;
     }
-    line_end(p);
-}
-
-fn skip_to_line_end(p: &mut Parser<'_, '_, '_>) {
     p.start_node(SyntaxKind::ERROR_NODE);
-    while !matches!(p.peek(Context::Operand), SyntaxKind::NEWLINE | SyntaxKind::EOF) {
-        p.bump(Context::Operand);
+    while !matches!(p.next(), SyntaxKind::NEWLINE | SyntaxKind::EOF) {
+        p.bump();
     }
     p.finish_node();
+    p.error(SyntaxErrorKind::BadDeclaration(problem), from, p.last_end);
 }
 
 /// `start, stop AT %IX0.0 : BOOL := TRUE;`
 pub(super) fn declaration(p: &mut Parser<'_, '_, '_>) -> (LineKind, Mode) {
     p.free_form = true;
-    if let Err(problem) = declaration_parts(p) {
-        if problem == DeclarationProblem::SemicolonMissing {
-            // Behind what was read, not at the start of the next declaration.
-            let at = p.at;
-            p.error_at(SyntaxErrorKind::BadDeclaration(problem), at, at);
+    p.look();
+    let read = declaration_parts(p);
+    p.free_form = false;
+    if let Err(problem) = read {
+        // What is missing is missing behind what was read, not at the start of the next line's declaration.
+        let next_line = p.text[p.at..p.ahead.start].contains(['\n', '\r']);
+        if next_line || problem == DeclarationProblem::SemicolonMissing {
+            p.error_behind(SyntaxErrorKind::BadDeclaration(problem));
         } else {
             p.declaration_error(problem);
         }
-        recover(p);
+        if !next_line {
+            recover(p);
+        }
     }
-    p.free_form = false;
     line_end(p);
     (LineKind::Declaration, Mode::Section)
 }
 
 /// Skips to behind the next `;`, or to the end of the physical line.
 fn recover(p: &mut Parser<'_, '_, '_>) {
-    if matches!(p.peek(Context::Operand), SyntaxKind::NEWLINE | SyntaxKind::EOF) {
+    let ends = |p: &Parser<'_, '_, '_>| {
+        matches!(p.next(), SyntaxKind::NEWLINE | SyntaxKind::EOF)
+            // END_VAR on the line closes the section all the same.
+            || p.next() == SyntaxKind::IDENT && p.next_is_word("END_VAR")
+    };
+    p.look();
+    if ends(p) {
         return;
     }
+    p.space();
     p.start_node(SyntaxKind::ERROR_NODE);
-    loop {
-        match p.peek(Context::Operand) {
-            SyntaxKind::NEWLINE | SyntaxKind::EOF => break,
-            SyntaxKind::SEMICOLON => {
-                p.bump(Context::Operand);
-                break;
-            }
-            // END_VAR on the line closes the section all the same.
-            SyntaxKind::IDENT if p.peek_text(Context::Operand).eq_ignore_ascii_case("END_VAR") => break,
-            _ => p.bump(Context::Operand),
+    while !ends(p) {
+        if p.next() == SyntaxKind::SEMICOLON {
+            p.bump_last_as(SyntaxKind::SEMICOLON);
+            break;
         }
+        p.bump();
     }
     p.finish_node();
 }
 
 fn declaration_parts(p: &mut Parser<'_, '_, '_>) -> Result<(), DeclarationProblem> {
+    p.space();
     p.start_node(SyntaxKind::NAME_LIST);
     let names = name_list(p);
     p.finish_node();
     names?;
-    p.skip_trivia(Context::Operand);
-    if p.peek_text(Context::Operand).eq_ignore_ascii_case("AT") {
+    if p.next_is_word("AT") {
+        p.space();
         p.start_node(SyntaxKind::AT_CLAUSE);
-        p.bump_as(Context::Operand, SyntaxKind::KEYWORD);
-        p.skip_trivia(Context::Operand);
-        let address = p.peek(Context::Operand) == SyntaxKind::ADDRESS;
+        p.bump_as(SyntaxKind::KEYWORD);
+        let address = p.next() == SyntaxKind::ADDRESS;
         if address {
-            p.bump(Context::Operand);
+            p.bump();
         }
         p.finish_node();
         if !address {
             return Err(DeclarationProblem::AddressExpected);
         }
-        p.skip_trivia(Context::Operand);
     }
-    if p.peek(Context::Operand) != SyntaxKind::COLON {
-        return Err(DeclarationProblem::TypeExpected);
-    }
-    p.bump(Context::Operand);
-    p.skip_trivia(Context::Operand);
+    expect(p, SyntaxKind::COLON, DeclarationProblem::TypeExpected)?;
+    p.space();
     p.start_node(SyntaxKind::TYPE_REF);
     let ty = type_ref(p);
     p.finish_node();
     ty?;
-    if expression::behind_blanks(p) == SyntaxKind::ASSIGN {
-        p.skip_trivia(Context::Operand);
+    if p.next() == SyntaxKind::ASSIGN {
+        p.space();
         p.start_node(SyntaxKind::INITIAL_VALUE);
-        p.bump(Context::Operand);
-        p.skip_trivia(Context::Operand);
+        p.bump();
         let value = initial_value(p);
         p.finish_node();
         value?;
     }
-    if expression::behind_blanks(p) != SyntaxKind::SEMICOLON {
+    if p.next() != SyntaxKind::SEMICOLON {
         return Err(DeclarationProblem::SemicolonMissing);
     }
-    p.skip_trivia(Context::Operand);
-    p.bump(Context::Operand);
+    p.bump_last_as(SyntaxKind::SEMICOLON);
     Ok(())
 }
 
 fn name_list(p: &mut Parser<'_, '_, '_>) -> Result<(), DeclarationProblem> {
     loop {
-        if p.peek(Context::Operand) != SyntaxKind::IDENT || keyword_line(p).is_some() {
+        if p.next() != SyntaxKind::IDENT || keyword_at(p.text, p.ahead.start).is_some() {
             return Err(DeclarationProblem::NameExpected);
         }
-        p.bump(Context::Operand);
-        if expression::behind_blanks(p) != SyntaxKind::COMMA {
+        p.bump();
+        if p.next() != SyntaxKind::COMMA {
             return Ok(());
         }
-        p.skip_trivia(Context::Operand);
-        p.bump(Context::Operand);
-        p.skip_trivia(Context::Operand);
+        p.bump();
     }
 }
 
 /// `INT`, `STRING[80]`, `ARRAY[1..100] OF INT`
 fn type_ref(p: &mut Parser<'_, '_, '_>) -> Result<(), DeclarationProblem> {
-    if p.peek_text(Context::Operand).eq_ignore_ascii_case("ARRAY") {
-        p.bump_as(Context::Operand, SyntaxKind::KEYWORD);
-        p.skip_trivia(Context::Operand);
+    if p.next_is_word("ARRAY") {
+        p.bump_as(SyntaxKind::KEYWORD);
         expect(p, SyntaxKind::L_BRACKET, DeclarationProblem::BoundsExpected)?;
         bound(p)?;
         expect(p, SyntaxKind::DOT_DOT, DeclarationProblem::BoundsExpected)?;
         bound(p)?;
         expect(p, SyntaxKind::R_BRACKET, DeclarationProblem::BoundsExpected)?;
-        p.skip_trivia(Context::Operand);
-        if !p.peek_text(Context::Operand).eq_ignore_ascii_case("OF") {
+        if !p.next_is_word("OF") {
             return Err(DeclarationProblem::OfExpected);
         }
-        p.bump_as(Context::Operand, SyntaxKind::KEYWORD);
-        p.skip_trivia(Context::Operand);
+        p.bump_as(SyntaxKind::KEYWORD);
     }
-    if p.peek(Context::Operand) != SyntaxKind::IDENT {
+    if p.next() != SyntaxKind::IDENT || keyword_at(p.text, p.ahead.start).is_some() {
         return Err(DeclarationProblem::TypeExpected);
     }
-    let word = p.peek_text(Context::Operand);
+    let word = p.next_text();
     let known = is_one_of(word, &TYPES) || is_one_of(word, &MORE_TYPES);
-    let string = word.eq_ignore_ascii_case("STRING");
-    p.bump_as(
-        Context::Operand,
-        if known {
-            SyntaxKind::KEYWORD
-        } else {
-            SyntaxKind::IDENT
-        },
-    );
-    if string && expression::behind_blanks(p) == SyntaxKind::L_BRACKET {
-        p.skip_trivia(Context::Operand);
-        p.bump(Context::Operand);
+    p.bump_as(if known {
+        SyntaxKind::KEYWORD
+    } else {
+        SyntaxKind::IDENT
+    });
+    if word.eq_ignore_ascii_case("STRING") && p.next() == SyntaxKind::L_BRACKET {
+        p.bump();
         bound(p)?;
         expect(p, SyntaxKind::R_BRACKET, DeclarationProblem::BoundsExpected)?;
     }
@@ -310,10 +332,8 @@ fn type_ref(p: &mut Parser<'_, '_, '_>) -> Result<(), DeclarationProblem> {
 
 /// A whole number with an optional sign.
 fn bound(p: &mut Parser<'_, '_, '_>) -> Result<(), DeclarationProblem> {
-    p.skip_trivia(Context::Operand);
-    if p.peek(Context::Operand) == SyntaxKind::MINUS {
-        p.bump(Context::Operand);
-        p.skip_trivia(Context::Operand);
+    if p.next() == SyntaxKind::MINUS {
+        p.bump();
     }
     expect(p, SyntaxKind::LITERAL, DeclarationProblem::BoundsExpected)
 }
@@ -323,31 +343,29 @@ fn expect(
     kind: SyntaxKind,
     problem: DeclarationProblem,
 ) -> Result<(), DeclarationProblem> {
-    p.skip_trivia(Context::Operand);
-    if p.peek(Context::Operand) != kind {
+    if p.next() != kind {
         return Err(problem);
     }
-    p.bump(Context::Operand);
+    p.bump();
     Ok(())
 }
 
 /// A literal, an expression of literals, or a list of them in brackets.
 fn initial_value(p: &mut Parser<'_, '_, '_>) -> Result<(), DeclarationProblem> {
-    if p.peek(Context::Operand) == SyntaxKind::L_BRACKET {
+    p.terms = 0;
+    p.too_complex = false;
+    if p.next() == SyntaxKind::L_BRACKET {
+        p.space();
         p.start_node(SyntaxKind::ARRAY_EXPR);
-        p.bump(Context::Operand);
-        p.terms = 0;
-        expression::arguments(p, SyntaxKind::R_BRACKET);
+        let from = p.ahead.start;
+        p.bump();
+        expression::arguments(p, SyntaxKind::R_BRACKET, from);
         p.finish_node();
         return Ok(());
     }
-    if matches!(
-        p.peek(Context::Operand),
-        SyntaxKind::SEMICOLON | SyntaxKind::NEWLINE | SyntaxKind::EOF
-    ) {
+    if !expression::begins_operand(p.next()) || p.next_is_word("END_VAR") {
         return Err(DeclarationProblem::ValueExpected);
     }
-    p.terms = 0;
     expression::expression(p, 0);
     Ok(())
 }

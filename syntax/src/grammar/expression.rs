@@ -2,80 +2,102 @@
 //!
 //! Loosest first (LANGUAGE §5.2): `OR`; `XOR`; `AND`; `= <>`; `< <= > >=`; `SHL SHR`; `+ -`; `* / MOD`; `^`
 //! (to the right); unary `-` and `NOT`.
+//!
+//! White space and comments between two parts of an expression belong to the innermost node that holds both;
+//! those behind it belong to what it stands in.
 
-use super::block::ends_unclosed_list;
-use super::{MAX_DEPTH, MAX_TERMS, Parser};
-use crate::lexer::Context;
-use crate::{OperandPlace, SyntaxErrorKind, SyntaxKind};
+use super::{MAX_DEPTH, MAX_TERMS, Parser, recovery};
+use crate::{OperandPlace, Place, SyntaxErrorKind, SyntaxKind};
 
-/// One operand: an expression, or a named one with `:=` or `=>`.
+/// Whether a token can begin an operand. Operators and `:=` count: what they lack before them is named then.
+pub(super) const fn begins_operand(kind: SyntaxKind) -> bool {
+    matches!(
+        kind,
+        SyntaxKind::IDENT
+            | SyntaxKind::LITERAL
+            | SyntaxKind::STRING
+            | SyntaxKind::ADDRESS
+            | SyntaxKind::L_PAREN
+            | SyntaxKind::WORD_OPERATOR
+            | SyntaxKind::PLUS
+            | SyntaxKind::MINUS
+            | SyntaxKind::STAR
+            | SyntaxKind::SLASH
+            | SyntaxKind::CARET
+            | SyntaxKind::EQUAL
+            | SyntaxKind::NOT_EQUAL
+            | SyntaxKind::LESS
+            | SyntaxKind::LESS_EQUAL
+            | SyntaxKind::GREATER
+            | SyntaxKind::GREATER_EQUAL
+            | SyntaxKind::ASSIGN
+            | SyntaxKind::ARROW
+    )
+}
+
+/// One operand: an expression, or a named one with `:=` or `=>`. Takes at least one token if one begins here.
 pub(super) fn operand(p: &mut Parser<'_, '_, '_>) {
     p.terms = 0;
+    p.too_complex = false;
+    p.space();
     let checkpoint = p.checkpoint();
-    let from = p.at;
-    expression(p, 0);
-    let behind = behind_blanks(p);
-    if matches!(behind, SyntaxKind::ASSIGN | SyntaxKind::ARROW) {
-        p.start_node_at(checkpoint, SyntaxKind::NAMED_OPERAND);
-        p.skip_trivia(Context::Operand);
-        p.bump(Context::Operand);
-        p.skip_trivia(Context::Operand);
-        if ends_operand(p) {
-            p.error_here(
-                SyntaxErrorKind::MissingOperand {
-                    place: OperandPlace::Named,
-                },
-                Context::Operand,
-            );
-        } else {
-            expression(p, 0);
-        }
-        p.finish_node();
+    if names(p.next()) {
+        p.error_ahead(missing(OperandPlace::Named));
+    } else {
+        expression(p, 0);
     }
-    if p.at == from {
-        // Nothing that an expression could begin with, and it was said: take one token, so that reading goes on.
-        p.bump_as(Context::Operand, SyntaxKind::ERROR);
+    if names(p.next()) {
+        p.start_node_at(checkpoint, SyntaxKind::NAMED_OPERAND);
+        p.bump();
+        value(p, 0, OperandPlace::Named);
+        p.finish_node();
     }
 }
 
-/// The kind of the next token that is not white space or a comment, without taking anything.
-pub(super) fn behind_blanks(p: &mut Parser<'_, '_, '_>) -> SyntaxKind {
-    let mut at = p.at;
-    loop {
-        let (kind, end) = crate::lexer::token(p.text, at, Context::Operand);
-        if !p.is_blank(kind, end) {
-            return kind;
-        }
-        at = end;
+/// `:=` or `=>`.
+pub(super) const fn names(kind: SyntaxKind) -> bool {
+    matches!(kind, SyntaxKind::ASSIGN | SyntaxKind::ARROW)
+}
+
+const fn missing(place: OperandPlace) -> SyntaxErrorKind {
+    SyntaxErrorKind::MissingOperand { place }
+}
+
+/// An expression that must stand here.
+pub(super) fn value(p: &mut Parser<'_, '_, '_>, floor: u8, place: OperandPlace) {
+    if ends_operand(p) {
+        p.error_ahead(missing(place));
+    } else {
+        expression(p, floor);
     }
 }
 
 /// Whether no expression can begin here, because the operand, its list or the line ends.
 fn ends_operand(p: &mut Parser<'_, '_, '_>) -> bool {
-    ends_unclosed_list(p)
-        || matches!(
-            p.peek(Context::Operand),
-            SyntaxKind::COMMA | SyntaxKind::R_PAREN | SyntaxKind::R_BRACKET | SyntaxKind::SEMICOLON
-        )
+    matches!(
+        p.next(),
+        SyntaxKind::COMMA | SyntaxKind::R_PAREN | SyntaxKind::R_BRACKET | SyntaxKind::SEMICOLON
+    ) || p.drawing_goes_on()
 }
 
 const UNARY: u8 = 10;
 const POWER: u8 = 9;
 
-/// How tightly the binary operator binds that begins at the next token (0: none does).
+/// How tightly the binary operator binds that is ahead (0: none is).
 fn binding(p: &mut Parser<'_, '_, '_>) -> u8 {
-    match p.peek(Context::Operand) {
-        SyntaxKind::WORD_OPERATOR => match p.peek_text(Context::Operand).to_ascii_uppercase().as_str() {
-            "OR" => 1,
-            "XOR" => 2,
-            "AND" => 3,
-            "SHL" | "SHR" => 6,
-            "MOD" => 8,
+    match p.next() {
+        SyntaxKind::WORD_OPERATOR => match p.next_text().as_bytes() {
+            [b'O' | b'o', ..] => 1,
+            [b'X' | b'x', ..] => 2,
+            [b'A' | b'a', ..] => 3,
+            [b'S' | b's', ..] => 6,
+            [b'M' | b'm', ..] => 8,
+            // NOT stands before its only operand.
             _ => 0,
         },
         SyntaxKind::EQUAL | SyntaxKind::NOT_EQUAL => 4,
         SyntaxKind::LESS | SyntaxKind::LESS_EQUAL | SyntaxKind::GREATER | SyntaxKind::GREATER_EQUAL => 5,
-        SyntaxKind::PLUS | SyntaxKind::MINUS => 7,
+        SyntaxKind::PLUS | SyntaxKind::MINUS if !p.drawing_goes_on() => 7,
         SyntaxKind::STAR | SyntaxKind::SLASH => 8,
         SyntaxKind::CARET => POWER,
         _ => 0,
@@ -85,38 +107,15 @@ fn binding(p: &mut Parser<'_, '_, '_>) -> u8 {
 /// An expression whose operators all bind more tightly than `floor`.
 pub(super) fn expression(p: &mut Parser<'_, '_, '_>, floor: u8) {
     if p.depth >= MAX_DEPTH || p.terms >= MAX_TERMS {
-        too_complex(p);
-        return;
+        return too_complex(p);
     }
     p.depth += 1;
+    p.space();
     let checkpoint = p.checkpoint();
     prefix(p);
     loop {
-        let blank_before = p.peek(Context::Operand) == SyntaxKind::WHITESPACE;
-        if (blank_before
-            && matches!(behind_blanks(p), SyntaxKind::MINUS | SyntaxKind::PLUS)
-            && wire_behind_blanks(p))
-            || ends_unclosed_list(p)
-        {
-            break;
-        }
-        let (kind, end) = p.peek_token(Context::Operand);
-        if p.is_blank(kind, end) {
-            // White space goes into the expression only where it goes on.
-            if !is_binary(behind_blanks(p)) {
-                break;
-            }
-            let before_trivia = p.at;
-            let saved = p.peeked;
-            if !binds_behind_blanks(p, floor) {
-                p.at = before_trivia;
-                p.peeked = saved;
-                break;
-            }
-            p.skip_trivia(Context::Operand);
-        }
         let power = binding(p);
-        if power == 0 || power <= floor {
+        if power <= floor {
             break;
         }
         p.terms += 1;
@@ -125,240 +124,148 @@ pub(super) fn expression(p: &mut Parser<'_, '_, '_>, floor: u8) {
             break;
         }
         p.start_node_at(checkpoint, SyntaxKind::BINARY_EXPR);
-        p.bump(Context::Operand);
-        p.skip_trivia(Context::Operand);
-        if ends_operand(p) {
-            p.error_here(
-                SyntaxErrorKind::MissingOperand {
-                    place: OperandPlace::Operator,
-                },
-                Context::Operand,
-            );
-        } else {
-            // `^` groups to the right.
-            expression(p, if power == POWER { POWER - 1 } else { power });
-        }
+        p.bump();
+        // `^` groups to the right.
+        let floor = if power == POWER { POWER - 1 } else { power };
+        value(p, floor, OperandPlace::Operator);
         p.finish_node();
     }
     p.depth -= 1;
 }
 
-fn is_binary(kind: SyntaxKind) -> bool {
-    matches!(
-        kind,
-        SyntaxKind::WORD_OPERATOR
-            | SyntaxKind::EQUAL
-            | SyntaxKind::NOT_EQUAL
-            | SyntaxKind::LESS
-            | SyntaxKind::LESS_EQUAL
-            | SyntaxKind::GREATER
-            | SyntaxKind::GREATER_EQUAL
-            | SyntaxKind::PLUS
-            | SyntaxKind::MINUS
-            | SyntaxKind::STAR
-            | SyntaxKind::SLASH
-            | SyntaxKind::CARET
-    )
-}
-
-/// Looks at the operator behind white space and comments without taking anything.
-fn binds_behind_blanks(p: &mut Parser<'_, '_, '_>, floor: u8) -> bool {
-    let (at, peeked) = (p.at, p.peeked);
-    loop {
-        let (kind, end) = crate::lexer::token(p.text, p.at, Context::Operand);
-        if !p.is_blank(kind, end) {
-            break;
-        }
-        p.at = end;
-    }
-    p.peeked = None;
-    let power = binding(p);
-    (p.at, p.peeked) = (at, peeked);
-    power > floor
-}
-
-/// Whether the dashes or the rail behind blanks belong to the drawing (`[ ]( a  --+`).
-fn wire_behind_blanks(p: &mut Parser<'_, '_, '_>) -> bool {
-    let (at, peeked) = (p.at, p.peeked);
-    p.at = p.peek_token(Context::Operand).1;
-    p.peeked = None;
-    let ends = ends_unclosed_list(p);
-    (p.at, p.peeked) = (at, peeked);
-    ends
-}
-
+/// A value with the signs before it.
 fn prefix(p: &mut Parser<'_, '_, '_>) {
-    let sign = match p.peek(Context::Operand) {
-        SyntaxKind::MINUS => true,
-        SyntaxKind::WORD_OPERATOR => p.peek_text(Context::Operand).eq_ignore_ascii_case("NOT"),
-        _ => false,
-    };
-    if !sign {
-        return postfix(p);
+    match p.next() {
+        SyntaxKind::IDENT => postfix(p),
+        SyntaxKind::MINUS => unary(p),
+        SyntaxKind::WORD_OPERATOR if p.next_is_word("NOT") => unary(p),
+        // `+5`: the sign says nothing, and no literal has it.
+        SyntaxKind::PLUS => {
+            p.unexpected(Place::Operands, p.ahead.start, p.ahead.end);
+            p.bump_as(SyntaxKind::ERROR);
+            if !ends_operand(p) {
+                prefix_behind_plus(p);
+            }
+        }
+        _ => postfix(p),
     }
-    p.start_node(SyntaxKind::UNARY_EXPR);
-    p.bump(Context::Operand);
-    p.skip_trivia(Context::Operand);
-    if ends_operand(p) {
-        p.error_here(
-            SyntaxErrorKind::MissingOperand {
-                place: OperandPlace::Operator,
-            },
-            Context::Operand,
-        );
+}
+
+/// What stands behind a `+` that is no operator; a second one lacks the value before it.
+fn prefix_behind_plus(p: &mut Parser<'_, '_, '_>) {
+    p.space();
+    if p.next() == SyntaxKind::MINUS {
+        unary(p);
     } else {
-        expression(p, UNARY);
+        postfix(p);
     }
+}
+
+fn unary(p: &mut Parser<'_, '_, '_>) {
+    p.start_node(SyntaxKind::UNARY_EXPR);
+    p.bump();
+    value(p, UNARY, OperandPlace::Operator);
     p.finish_node();
 }
 
-/// A primary with its members and indices.
+/// A primary with its members, indices and arguments.
 fn postfix(p: &mut Parser<'_, '_, '_>) {
     let checkpoint = p.checkpoint();
     if !primary(p) {
         return;
     }
-    while matches!(
-        behind_blanks(p),
-        SyntaxKind::DOT | SyntaxKind::L_BRACKET | SyntaxKind::L_PAREN
-    ) {
+    loop {
+        let kind = match p.next() {
+            SyntaxKind::DOT => SyntaxKind::MEMBER_EXPR,
+            // A bracket may also be the next block of a rung whose list was never closed.
+            SyntaxKind::L_BRACKET if !p.drawing_goes_on() => SyntaxKind::INDEX_EXPR,
+            SyntaxKind::L_PAREN if !p.drawing_goes_on() => SyntaxKind::CALL_EXPR,
+            _ => return,
+        };
         p.terms += 1;
         if p.terms >= MAX_TERMS {
             return too_complex(p);
         }
-        match behind_blanks(p) {
-            SyntaxKind::DOT => {
-                p.start_node_at(checkpoint, SyntaxKind::MEMBER_EXPR);
-                p.skip_trivia(Context::Operand);
-                p.bump(Context::Operand);
-                p.skip_trivia(Context::Operand);
-                match p.peek(Context::Operand) {
-                    SyntaxKind::IDENT | SyntaxKind::LITERAL => p.bump(Context::Operand),
-                    _ => p.error_here(
-                        SyntaxErrorKind::MissingOperand {
-                            place: OperandPlace::Member,
-                        },
-                        Context::Operand,
-                    ),
+        p.start_node_at(checkpoint, kind);
+        let from = p.ahead.start;
+        p.bump();
+        match kind {
+            SyntaxKind::MEMBER_EXPR => {
+                if matches!(p.next(), SyntaxKind::IDENT | SyntaxKind::LITERAL) {
+                    p.bump();
+                } else {
+                    p.error_ahead(missing(OperandPlace::Member));
                 }
-                p.finish_node();
             }
-            // Behind blanks a bracket may be the next block of a rung whose list was never closed: an index
-            // there must close again before the drawing goes on.
-            SyntaxKind::L_BRACKET if is_index(p) => {
-                p.start_node_at(checkpoint, SyntaxKind::INDEX_EXPR);
-                p.skip_trivia(Context::Operand);
-                p.bump(Context::Operand);
-                index(p);
-                p.finish_node();
-            }
-            SyntaxKind::L_PAREN => {
-                p.start_node_at(checkpoint, SyntaxKind::CALL_EXPR);
-                p.skip_trivia(Context::Operand);
-                p.bump(Context::Operand);
-                arguments(p, SyntaxKind::R_PAREN);
-                p.finish_node();
-            }
-            _ => return,
-        }
-    }
-}
-
-/// Whether the bracket behind blanks opens an index: it stands directly behind the name, or is closed again
-/// on the line with a character between that no block's first part has.
-fn is_index(p: &mut Parser<'_, '_, '_>) -> bool {
-    if p.text.as_bytes().get(p.at) == Some(&b'[') {
-        return true;
-    }
-    let rest = p.text[p.at..].trim_start_matches([' ', '\t']);
-    let Some(rest) = rest.strip_prefix('[') else {
-        return false;
-    };
-    let inside = rest.split([']', '\n', '\r']).next().unwrap_or("");
-    let behind = rest[inside.len()..].trim_start_matches([']', ' ', '\t']);
-    !inside.trim().is_empty() && inside.trim() != "/" && !behind.starts_with('(')
-}
-
-/// What stands between the brackets of an index: `i`, `3..9`.
-fn index(p: &mut Parser<'_, '_, '_>) {
-    p.skip_trivia(Context::Operand);
-    let checkpoint = p.checkpoint();
-    if ends_operand(p) {
-        p.error_here(
-            SyntaxErrorKind::MissingOperand {
-                place: OperandPlace::Index,
-            },
-            Context::Operand,
-        );
-    } else {
-        expression(p, 0);
-    }
-    if behind_blanks(p) == SyntaxKind::DOT_DOT {
-        p.start_node_at(checkpoint, SyntaxKind::RANGE_EXPR);
-        p.skip_trivia(Context::Operand);
-        p.bump(Context::Operand);
-        p.skip_trivia(Context::Operand);
-        if ends_operand(p) {
-            p.error_here(
-                SyntaxErrorKind::MissingOperand {
-                    place: OperandPlace::Range,
-                },
-                Context::Operand,
-            );
-        } else {
-            expression(p, 0);
+            SyntaxKind::INDEX_EXPR => index(p, from),
+            _ => arguments(p, SyntaxKind::R_PAREN, from),
         }
         p.finish_node();
     }
-    close(p, SyntaxKind::R_BRACKET);
+}
+
+/// What stands between the brackets of an index: `i`, `3..9`.
+fn index(p: &mut Parser<'_, '_, '_>, from: usize) {
+    p.space();
+    let checkpoint = p.checkpoint();
+    if p.next() == SyntaxKind::DOT_DOT {
+        p.error_ahead(missing(OperandPlace::Range));
+    } else {
+        value(p, 0, OperandPlace::Index);
+    }
+    if p.next() == SyntaxKind::DOT_DOT {
+        p.start_node_at(checkpoint, SyntaxKind::RANGE_EXPR);
+        p.bump();
+        value(p, 0, OperandPlace::Range);
+        p.finish_node();
+    }
+    if p.next() != SyntaxKind::R_BRACKET
+        && let Some(end) = recovery::closing_behind_junk(p.text, p.ahead.start, b']')
+    {
+        let junk = p.ahead.start;
+        while p.ahead.start < end {
+            p.bump_as(SyntaxKind::ERROR);
+        }
+        p.unexpected(Place::Operands, junk, p.last_end);
+    }
+    close(p, SyntaxKind::R_BRACKET, from);
 }
 
 /// Takes the closing bracket, or says that it is missing.
-fn close(p: &mut Parser<'_, '_, '_>, closing: SyntaxKind) {
-    if behind_blanks(p) == closing {
-        p.skip_trivia(Context::Operand);
-        p.bump(Context::Operand);
-        return;
+fn close(p: &mut Parser<'_, '_, '_>, closing: SyntaxKind, from: usize) {
+    if p.next() == closing {
+        p.bump();
+    } else if !p.too_complex {
+        p.error(SyntaxErrorKind::UnclosedBlock { closing }, from, p.last_end);
     }
-    let at = p.at;
-    p.error_at(SyntaxErrorKind::UnclosedBlock { closing }, at, at);
 }
 
-/// Values between brackets, with commas. The opening bracket is taken.
-pub(super) fn arguments(p: &mut Parser<'_, '_, '_>, closing: SyntaxKind) {
+/// Values between brackets, with commas. The opening bracket at `from` is taken.
+pub(super) fn arguments(p: &mut Parser<'_, '_, '_>, closing: SyntaxKind, from: usize) {
+    let mut comma_before = false;
     loop {
-        p.skip_trivia(Context::Operand);
-        if p.peek(Context::Operand) == closing {
-            p.bump(Context::Operand);
-            return;
-        }
-        if ends_operand(p) && p.peek(Context::Operand) != SyntaxKind::COMMA {
-            return close(p, closing);
-        }
-        let from = p.at;
-        if p.peek(Context::Operand) == SyntaxKind::COMMA {
-            p.error_here(
-                SyntaxErrorKind::MissingOperand {
-                    place: OperandPlace::List,
-                },
-                Context::Operand,
-            );
-        } else {
-            expression(p, 0);
-        }
-        match behind_blanks(p) {
-            SyntaxKind::COMMA => {
-                p.skip_trivia(Context::Operand);
-                p.bump(Context::Operand);
+        if p.next() == SyntaxKind::COMMA {
+            p.error_ahead(missing(OperandPlace::List));
+        } else if ends_operand(p) {
+            if comma_before && p.next() == closing {
+                p.error_ahead(missing(OperandPlace::List));
             }
-            kind if kind == closing => {}
-            _ if p.at == from => return close(p, closing),
-            _ => {
-                p.skip_trivia(Context::Operand);
-                if ends_operand(p) {
-                    return close(p, closing);
-                }
-                p.error_here(SyntaxErrorKind::MissingComma, Context::Operand);
+            return close(p, closing, from);
+        } else if begins_operand(p.next()) && !names(p.next()) {
+            expression(p, 0);
+        } else {
+            junk(p, closing);
+        }
+        if p.next() == SyntaxKind::COMMA {
+            comma_before = true;
+            p.bump();
+        } else {
+            comma_before = false;
+            if p.next() == closing || ends_operand(p) {
+                return close(p, closing, from);
+            }
+            if begins_operand(p.next()) && !names(p.next()) {
+                p.error_ahead(SyntaxErrorKind::MissingComma);
             }
         }
     }
@@ -366,65 +273,75 @@ pub(super) fn arguments(p: &mut Parser<'_, '_, '_>, closing: SyntaxKind) {
 
 /// A name, literal, address or parenthesis. False if none begins here; nothing is taken then.
 fn primary(p: &mut Parser<'_, '_, '_>) -> bool {
-    let kind = match p.peek(Context::Operand) {
+    let kind = match p.next() {
         SyntaxKind::IDENT => SyntaxKind::NAME_EXPR,
         SyntaxKind::ADDRESS => SyntaxKind::ADDRESS_EXPR,
         SyntaxKind::LITERAL | SyntaxKind::STRING => SyntaxKind::LITERAL_EXPR,
+        // `SHL(a, 2)`: an operator as a function, as IEC 61131-3 has it.
+        SyntaxKind::WORD_OPERATOR if !p.next_is_word("NOT") && p.byte(p.ahead.end) == b'(' => {
+            SyntaxKind::NAME_EXPR
+        }
         SyntaxKind::L_PAREN => {
+            let from = p.ahead.start;
             p.start_node(SyntaxKind::PAREN_EXPR);
-            p.bump(Context::Operand);
-            p.skip_trivia(Context::Operand);
-            if ends_operand(p) {
-                p.error_here(
-                    SyntaxErrorKind::MissingOperand {
-                        place: OperandPlace::Parentheses,
-                    },
-                    Context::Operand,
-                );
-            } else {
-                expression(p, 0);
-            }
-            close(p, SyntaxKind::R_PAREN);
+            p.bump();
+            value(p, 0, OperandPlace::Parentheses);
+            close(p, SyntaxKind::R_PAREN, from);
             p.finish_node();
             return true;
         }
         _ => {
-            p.error_here(
-                SyntaxErrorKind::MissingOperand {
-                    place: OperandPlace::List,
-                },
-                Context::Operand,
-            );
+            p.error_ahead(missing(OperandPlace::Operator));
             return false;
         }
     };
     p.start_node(kind);
-    p.bump(Context::Operand);
+    p.bump();
     p.finish_node();
     true
 }
 
+/// Takes tokens that no operand begins with as one mistake, up to what can go on in a list that ends with
+/// `closing`.
+pub(super) fn junk(p: &mut Parser<'_, '_, '_>, closing: SyntaxKind) {
+    let from = p.ahead.start;
+    p.space();
+    loop {
+        p.bump_as(SyntaxKind::ERROR);
+        let kind = p.next();
+        if begins_operand(kind)
+            || kind == closing
+            || matches!(kind, SyntaxKind::COMMA | SyntaxKind::R_PAREN)
+            || kind == SyntaxKind::SEMICOLON && p.free_form
+            || p.drawing_goes_on()
+        {
+            break;
+        }
+    }
+    p.unexpected(Place::Operands, from, p.last_end);
+}
+
 /// Takes the rest of an operand that is too deep or too long, as one mistake. Iterative on purpose.
 fn too_complex(p: &mut Parser<'_, '_, '_>) {
+    p.terms = MAX_TERMS;
+    p.space();
     let from = p.at;
     let mut open = 0u32;
     p.start_node(SyntaxKind::ERROR_NODE);
     loop {
-        match p.peek(Context::Operand) {
+        match p.next() {
             SyntaxKind::EOF | SyntaxKind::NEWLINE => break,
-            SyntaxKind::COMMA if open == 0 => break,
+            SyntaxKind::COMMA | SyntaxKind::SEMICOLON if open == 0 => break,
             SyntaxKind::L_PAREN => open += 1,
             SyntaxKind::R_PAREN if open == 0 => break,
             SyntaxKind::R_PAREN => open -= 1,
             _ => {}
         }
-        p.bump(Context::Operand);
+        p.bump();
     }
     p.finish_node();
-    // Once for an operand: the callers above this one meet the same end.
-    let already = p.errors.iter().any(|e| e.kind == SyntaxErrorKind::TooComplex);
-    if !already {
-        p.error_at(SyntaxErrorKind::TooComplex, from, p.at);
+    // Once for an operand: the callers above this one go on with what is left of it, and come back here.
+    if !std::mem::replace(&mut p.too_complex, true) {
+        p.error(SyntaxErrorKind::TooComplex, from, p.last_end);
     }
-    p.terms = p.terms.max(MAX_TERMS);
 }

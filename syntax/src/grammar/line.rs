@@ -1,10 +1,28 @@
 //! One logical line: which kind it is, and the drawing on a rung.
 
+use super::declaration::KeywordLine;
 use super::{Parser, block, declaration};
-use crate::lexer::Context;
+use crate::lexer;
 use crate::line::{LineKind, Mode};
-use crate::{DeclarationProblem, SyntaxError, SyntaxErrorKind, SyntaxKind};
+use crate::{DeclarationProblem, Place, SyntaxError, SyntaxErrorKind, SyntaxKind};
 use rowan::GreenNodeBuilder;
+
+/// What a line's parse depends on besides its text.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) struct Entry {
+    /// Whether a section is open.
+    pub(crate) mode: Mode,
+    /// A logical line ended before it on the same physical line (behind a `;` or END_VAR).
+    pub(crate) mid_line: bool,
+}
+
+impl Entry {
+    /// The start of a text.
+    pub(crate) const START: Entry = Entry {
+        mode: Mode::Network,
+        mid_line: false,
+    };
+}
 
 /// What is known of a line once it is parsed. Its node went into the builder.
 pub(crate) struct Parsed {
@@ -18,21 +36,11 @@ pub(crate) struct Parsed {
 
 /// Parses the logical line that begins at `start` and puts its node into the builder. `start` must not be the
 /// end of the text; at least one character is taken.
-pub(crate) fn line(text: &str, start: usize, mode: Mode, builder: &mut GreenNodeBuilder<'_>) -> Parsed {
+pub(crate) fn line(text: &str, start: usize, entry: Entry, builder: &mut GreenNodeBuilder<'_>) -> Parsed {
     let checkpoint = builder.checkpoint();
-    let mut p = Parser {
-        text,
-        start,
-        at: start,
-        builder,
-        errors: Vec::new(),
-        peeked: None,
-        depth: 0,
-        free_form: false,
-        terms: 0,
-    };
+    let mut p = Parser::new(text, start, builder);
     let mut marks = Marks::default();
-    let (kind, mode_after) = logical_line(&mut p, mode, &mut marks);
+    let (kind, mode_after) = logical_line(&mut p, entry, &mut marks);
     p.start_node_at(checkpoint, kind.syntax_kind());
     p.finish_node();
     Parsed {
@@ -56,66 +64,59 @@ struct Marks {
     mistake: bool,
 }
 
-fn logical_line(p: &mut Parser<'_, '_, '_>, mode: Mode, marks: &mut Marks) -> (LineKind, Mode) {
-    // A line that starts behind a `;` or END_VAR goes on on the same physical line.
-    let at_line_start = p.at == 0 || p.text[..p.at].ends_with(['\n', '\r']);
-    if p.at == 0 && p.text.starts_with('\u{feff}') {
-        p.builder.token(SyntaxKind::BOM.into(), "\u{feff}");
-        p.at = '\u{feff}'.len_utf8();
+fn logical_line(p: &mut Parser<'_, '_, '_>, entry: Entry, marks: &mut Marks) -> (LineKind, Mode) {
+    const BOM: &str = "\u{feff}";
+    let mode = entry.mode;
+    if p.at == 0 && p.text.starts_with(BOM) {
+        p.token((SyntaxKind::BOM, BOM.len()));
     }
-    loop {
-        match p.peek(Context::Rung) {
-            SyntaxKind::WHITESPACE => p.bump(Context::Rung),
+    let first = loop {
+        let token = lexer::on_rung(p.text, p.at);
+        match token.0 {
+            SyntaxKind::WHITESPACE => p.token(token),
             SyntaxKind::COMMENT => {
                 marks.comment = true;
-                p.bump(Context::Rung);
+                p.token(token);
             }
             SyntaxKind::NEWLINE => {
-                p.bump(Context::Rung);
+                p.token(token);
                 return (empty_line(marks), mode);
             }
             SyntaxKind::EOF => return (empty_line(marks), mode),
-            _ => break,
+            _ => break token,
         }
-    }
+    };
+    let keyword = declaration::keyword_at(p.text, p.at);
     if mode == Mode::Section {
-        let first = p.peek(Context::Rung);
-        let drawing = at_line_start
-            && matches!(
-                first,
-                SyntaxKind::RAIL_CONNECTOR
-                    | SyntaxKind::RAIL
-                    | SyntaxKind::DOWN
-                    | SyntaxKind::UP
-                    | SyntaxKind::L_BRACKET
-                    | SyntaxKind::L_ANGLE
-            );
-        match declaration::keyword_line(p) {
-            Some(declaration::KeywordLine::SectionEnd) => {
-                return declaration::section_end(p);
-            }
+        let drawing = !entry.mid_line && declaration::begins_drawing(p.byte(p.at));
+        match keyword {
+            Some(KeywordLine::SectionEnd) => return declaration::section_end(p),
             None if !drawing => return declaration::declaration(p),
-            _ => p.error_here(
-                SyntaxErrorKind::BadDeclaration(DeclarationProblem::SectionNotClosed),
-                Context::Rung,
-            ),
+            _ => {
+                let end = keyword.map_or(first.1, |_| lexer::in_head(p.text, p.at).1);
+                misplaced(p, DeclarationProblem::SectionNotClosed, end);
+            }
         }
-    } else if !at_line_start && p.start > 0 {
-        p.error_here(
-            SyntaxErrorKind::BadDeclaration(DeclarationProblem::LineNotEnded),
-            Context::Rung,
-        );
+    } else if keyword == Some(KeywordLine::SectionEnd) {
+        let end = lexer::in_head(p.text, p.at).1;
+        misplaced(p, DeclarationProblem::EndWithoutSection, end);
+        return declaration::section_end(p);
+    } else if entry.mid_line {
+        let end = keyword.map_or(first.1, |_| lexer::in_head(p.text, p.at).1);
+        misplaced(p, DeclarationProblem::LineNotEnded, end);
     }
-    match declaration::keyword_line(p) {
-        Some(declaration::KeywordLine::Section) => declaration::section_header(p),
-        Some(declaration::KeywordLine::SectionEnd) => {
-            p.declaration_error(DeclarationProblem::EndWithoutSection);
-            declaration::section_end(p)
-        }
-        Some(declaration::KeywordLine::Block) => declaration::block_header(p),
-        Some(declaration::KeywordLine::BlockEnd) => declaration::block_end(p),
+    match keyword {
+        Some(KeywordLine::Section) => declaration::section_header(p),
+        Some(KeywordLine::SectionEnd) => declaration::section_end(p),
+        Some(KeywordLine::Block) => declaration::block_header(p),
+        Some(KeywordLine::BlockEnd) => declaration::block_end(p),
         None => (rung(p, marks), Mode::Network),
     }
+}
+
+/// Records that the token which reaches from here to `end` does not belong here.
+fn misplaced(p: &mut Parser<'_, '_, '_>, problem: DeclarationProblem, end: usize) {
+    p.error(SyntaxErrorKind::BadDeclaration(problem), p.at, end);
 }
 
 fn empty_line(marks: &Marks) -> LineKind {
@@ -129,42 +130,46 @@ fn empty_line(marks: &Marks) -> LineKind {
 /// The drawing on a line, up to its line end.
 fn rung(p: &mut Parser<'_, '_, '_>, marks: &mut Marks) -> LineKind {
     loop {
-        match p.peek(Context::Rung) {
+        let token = lexer::on_rung(p.text, p.at);
+        match token.0 {
             SyntaxKind::EOF => break,
             SyntaxKind::NEWLINE => {
-                p.bump(Context::Rung);
+                p.token(token);
                 break;
             }
-            SyntaxKind::WHITESPACE => p.bump(Context::Rung),
-            SyntaxKind::COMMENT => {
-                marks.comment = true;
-                p.bump(Context::Rung);
-            }
-            SyntaxKind::RAIL => {
-                marks.rail = true;
-                p.bump(Context::Rung);
-            }
+            SyntaxKind::WHITESPACE => p.token(token),
             SyntaxKind::WIRE | SyntaxKind::RAIL_CONNECTOR => {
                 marks.drawing = true;
-                p.bump(Context::Rung);
-            }
-            SyntaxKind::DOWN => {
-                marks.drawing = true;
-                marks.downs += 1;
-                p.bump(Context::Rung);
-            }
-            SyntaxKind::UP => {
-                marks.drawing = true;
-                marks.ups += 1;
-                p.bump(Context::Rung);
+                p.token(token);
             }
             open @ (SyntaxKind::L_BRACKET | SyntaxKind::L_PAREN | SyntaxKind::L_ANGLE) => {
                 marks.drawing = true;
                 block::block(p, open);
             }
+            SyntaxKind::RAIL => {
+                marks.rail = true;
+                p.token(token);
+            }
+            SyntaxKind::DOWN => {
+                marks.drawing = true;
+                marks.downs += 1;
+                p.token(token);
+            }
+            SyntaxKind::UP => {
+                marks.drawing = true;
+                marks.ups += 1;
+                p.token(token);
+            }
+            SyntaxKind::COMMENT => {
+                marks.comment = true;
+                p.token(token);
+            }
+            // Words, stray characters, closing brackets.
             _ => {
                 marks.mistake = true;
-                p.unexpected(Context::Rung, is_junk);
+                let from = p.at;
+                p.token((SyntaxKind::ERROR, token.1));
+                p.unexpected(Place::Rung, from, token.1);
             }
         }
     }
@@ -177,15 +182,4 @@ fn rung(p: &mut Parser<'_, '_, '_>, marks: &mut Marks) -> LineKind {
     } else {
         empty_line(marks)
     }
-}
-
-fn is_junk(kind: SyntaxKind) -> bool {
-    matches!(
-        kind,
-        SyntaxKind::IDENT
-            | SyntaxKind::ERROR
-            | SyntaxKind::R_BRACKET
-            | SyntaxKind::R_PAREN
-            | SyntaxKind::R_ANGLE
-    )
 }

@@ -1,14 +1,20 @@
 //! The parser: one logical line at a time, recursive descent, tokens straight into rowan's builder.
+//!
+//! On a rung and in a block's first part the parser takes token after token as it meets them. Among operands and
+//! in declarations it looks one token ahead, past white space and comments ([`Parser::look`]); each token is
+//! lexed once. What a line's parse depends on is its text and its [`Entry`], nothing else; a declaration also
+//! looks at how the next lines begin, because it may go on there.
 
 mod block;
 mod declaration;
 mod expression;
 mod line;
+mod recovery;
 
 pub use declaration::is_declaration_keyword;
-pub(crate) use line::line;
+pub(crate) use line::{Entry, line};
 
-use crate::lexer::{self, Context};
+use crate::lexer::{self, Token};
 use crate::{DeclarationProblem, Place, SyntaxError, SyntaxErrorKind, SyntaxKind};
 use rowan::{Checkpoint, GreenNodeBuilder, TextRange, TextSize};
 
@@ -17,88 +23,147 @@ use rowan::{Checkpoint, GreenNodeBuilder, TextRange, TextSize};
 const MAX_DEPTH: u32 = 100;
 const MAX_TERMS: u32 = 500;
 
+/// The next token among operands that is not white space or a comment.
+#[derive(Clone, Copy)]
+struct Ahead {
+    kind: SyntaxKind,
+    start: usize,
+    end: usize,
+}
+
 /// Reads one logical line.
 struct Parser<'t, 'b, 'c> {
     text: &'t str,
     /// Where the line starts; errors count from here.
     start: usize,
+    /// Where the text begins that is not in the tree yet.
     at: usize,
+    /// Valid after [`Parser::look`], until the operands end.
+    ahead: Ahead,
+    /// Where the last token ended that is not white space or a comment.
+    last_end: usize,
+    /// The last comment that was taken: where it begins and ends.
+    last_comment: Option<(usize, usize)>,
     builder: &'b mut GreenNodeBuilder<'c>,
     errors: Vec<SyntaxError>,
-    /// The token at `at`, if it was looked at: kind and end.
-    peeked: Option<(Context, SyntaxKind, usize)>,
+    /// Line ends are white space, and this is a declaration.
+    free_form: bool,
     /// Open expressions around the place that is being read.
     depth: u32,
-    /// Line ends are white space (in a declaration).
-    free_form: bool,
     /// Operators in the operand that is being read.
     terms: u32,
+    /// Whether the operand that is being read was said to be too complex.
+    too_complex: bool,
+    /// What is known of the operand list that is being read.
+    list: recovery::OpenList,
 }
 
-impl Parser<'_, '_, '_> {
-    /// The kind of the next token.
-    fn peek(&mut self, context: Context) -> SyntaxKind {
-        self.peek_token(context).0
+impl<'t, 'b, 'c> Parser<'t, 'b, 'c> {
+    fn new(text: &'t str, start: usize, builder: &'b mut GreenNodeBuilder<'c>) -> Parser<'t, 'b, 'c> {
+        Parser {
+            text,
+            start,
+            at: start,
+            ahead: Ahead {
+                kind: SyntaxKind::EOF,
+                start,
+                end: start,
+            },
+            last_end: start,
+            last_comment: None,
+            builder,
+            errors: Vec::new(),
+            free_form: false,
+            depth: 0,
+            terms: 0,
+            too_complex: false,
+            list: recovery::OpenList::default(),
+        }
     }
 
-    fn peek_token(&mut self, context: Context) -> (SyntaxKind, usize) {
-        if let Some((c, kind, end)) = self.peeked
-            && c == context
-        {
-            return (kind, end);
-        }
-        let (kind, end) = lexer::token(self.text, self.at, context);
-        self.peeked = Some((context, kind, end));
-        (kind, end)
+    /// The byte at a place; 0 behind the end, which is junk wherever it stands.
+    fn byte(&self, at: usize) -> u8 {
+        self.text.as_bytes().get(at).copied().unwrap_or(0)
     }
 
-    /// The text of the next token.
-    fn peek_text(&mut self, context: Context) -> &str {
-        let (_, end) = self.peek_token(context);
-        &self.text[self.at..end]
-    }
-
-    /// Takes the next token into the tree.
-    fn bump(&mut self, context: Context) {
-        let kind = self.peek(context);
-        self.bump_as(context, kind);
-    }
-
-    /// Takes the next token under another kind.
-    fn bump_as(&mut self, context: Context, kind: SyntaxKind) {
-        let (found, end) = self.peek_token(context);
-        if found == SyntaxKind::EOF {
-            return;
+    /// Puts a token that reaches from here to `end` into the tree.
+    fn token(&mut self, (kind, end): Token) {
+        let text = &self.text[self.at..end];
+        match kind {
+            SyntaxKind::WHITESPACE | SyntaxKind::NEWLINE => {}
+            SyntaxKind::COMMENT => {
+                self.last_comment = Some((self.at, end));
+                if !lexer::is_closed_comment(text) {
+                    self.error(SyntaxErrorKind::UnclosedComment, self.at, self.at + 1);
+                }
+            }
+            _ => {
+                self.last_end = end;
+                if kind == SyntaxKind::STRING && !lexer::is_closed_string(text) {
+                    self.error(SyntaxErrorKind::UnclosedString, self.at, end);
+                }
+            }
         }
-        if found == SyntaxKind::COMMENT && !lexer::is_closed_comment(&self.text[self.at..end]) {
-            self.error_at(SyntaxErrorKind::UnclosedComment, self.at, self.at + 1);
-        }
-        if found == SyntaxKind::STRING && !is_closed_string(&self.text[self.at..end]) {
-            self.error_at(SyntaxErrorKind::UnclosedString, self.at, end);
-        }
-        self.builder.token(kind.into(), &self.text[self.at..end]);
+        self.builder.token(kind.into(), text);
         self.at = end;
-        self.peeked = None;
     }
 
-    /// Takes white space and comments, in a declaration line ends too.
-    fn skip_trivia(&mut self, context: Context) {
+    /// Finds the next token among operands, past white space and comments (and in a declaration past line
+    /// ends). Nothing goes into the tree.
+    fn look(&mut self) {
+        let mut start = self.at;
         loop {
-            let (kind, end) = self.peek_token(context);
-            if !self.is_blank(kind, end) {
+            let (kind, end) = lexer::in_operands(self.text, start);
+            let space = match kind {
+                SyntaxKind::WHITESPACE | SyntaxKind::COMMENT => true,
+                SyntaxKind::NEWLINE => self.free_form && !declaration::ends_declaration(self.text, end),
+                _ => false,
+            };
+            if !space {
+                self.ahead = Ahead { kind, start, end };
                 return;
             }
-            self.bump(context);
+            start = end;
         }
     }
 
-    /// Whether a token that ends at `end` is only space between others.
-    fn is_blank(&self, kind: SyntaxKind, end: usize) -> bool {
-        match kind {
-            SyntaxKind::WHITESPACE | SyntaxKind::COMMENT => true,
-            SyntaxKind::NEWLINE => self.free_form && !declaration::ends_declaration(self.text, end),
-            _ => false,
+    /// The kind of the token ahead.
+    const fn next(&self) -> SyntaxKind {
+        self.ahead.kind
+    }
+
+    /// The text of the token ahead.
+    fn next_text(&self) -> &'t str {
+        &self.text[self.ahead.start..self.ahead.end]
+    }
+
+    /// Whether the token ahead is this word, in any case.
+    fn next_is_word(&self, word: &str) -> bool {
+        self.next_text().eq_ignore_ascii_case(word)
+    }
+
+    /// Puts the white space and comments before the token ahead into the tree.
+    fn space(&mut self) {
+        while self.at < self.ahead.start {
+            self.token(lexer::in_operands(self.text, self.at));
         }
+    }
+
+    /// Takes the token ahead, with the space before it, and looks further.
+    fn bump(&mut self) {
+        self.bump_as(self.ahead.kind);
+    }
+
+    /// As [`Parser::bump`], under another kind.
+    fn bump_as(&mut self, kind: SyntaxKind) {
+        self.bump_last_as(kind);
+        self.look();
+    }
+
+    /// As [`Parser::bump_as`], but does not look further: the operands end with this token.
+    fn bump_last_as(&mut self, kind: SyntaxKind) {
+        self.space();
+        self.token((kind, self.ahead.end));
     }
 
     fn start_node(&mut self, kind: SyntaxKind) {
@@ -118,71 +183,56 @@ impl Parser<'_, '_, '_> {
     }
 
     /// Records a mistake between two places in the text.
-    fn error_at(&mut self, kind: SyntaxErrorKind, from: usize, to: usize) {
+    fn error(&mut self, kind: SyntaxErrorKind, from: usize, to: usize) {
         let offset = |at: usize| TextSize::new((at - self.start) as u32);
         self.errors
             .push(SyntaxError::new(kind, TextRange::new(offset(from), offset(to))));
     }
 
-    /// Records a mistake at the next token; at the end of a line, at the place before it.
-    fn error_here(&mut self, kind: SyntaxErrorKind, context: Context) {
-        let (found, end) = self.peek_token(context);
-        let end = if matches!(found, SyntaxKind::NEWLINE | SyntaxKind::EOF) {
-            self.at
+    /// Records a mistake at the token ahead; at the end of the line, behind what was read last.
+    fn error_ahead(&mut self, kind: SyntaxErrorKind) {
+        if matches!(self.ahead.kind, SyntaxKind::NEWLINE | SyntaxKind::EOF) {
+            self.error_behind(kind);
         } else {
-            end
-        };
-        self.error_at(kind, self.at, end);
+            self.error(kind, self.ahead.start, self.ahead.end);
+        }
+    }
+
+    /// Records a mistake as an empty range behind what was read last.
+    fn error_behind(&mut self, kind: SyntaxErrorKind) {
+        self.error(kind, self.last_end, self.last_end);
     }
 
     fn declaration_error(&mut self, problem: DeclarationProblem) {
-        self.error_here(SyntaxErrorKind::BadDeclaration(problem), Context::Operand);
+        self.error_ahead(SyntaxErrorKind::BadDeclaration(problem));
     }
 
-    /// Takes a run of tokens that mean nothing here as one mistake: `takes` says which kinds belong to it.
-    fn unexpected(&mut self, context: Context, takes: impl Fn(SyntaxKind) -> bool) {
-        let from = self.at;
-        let behind_comment = self.ends_comment_in_literal(from);
-        while takes(self.peek(context)) {
-            self.bump_as(context, SyntaxKind::ERROR);
+    /// Records characters that mean nothing where they stand. What only blanks part is one mistake.
+    fn unexpected(&mut self, place: Place, from: usize, to: usize) {
+        let place = if self.free_form { Place::Declaration } else { place };
+        if let Some(last) = self.errors.last_mut()
+            && matches!(last.kind, SyntaxErrorKind::UnexpectedCharacter { place: p, .. } if p == place)
+        {
+            let end = self.start + usize::from(last.range.end());
+            if self.text[end..from].bytes().all(|b| b == b' ' || b == b'\t') {
+                last.range = TextRange::new(last.range.start(), TextSize::new((to - self.start) as u32));
+                return;
+            }
         }
-        self.error_at(
-            SyntaxErrorKind::UnexpectedCharacter {
-                place: match context {
-                    Context::Rung => Place::Rung,
-                    Context::Head => Place::Head,
-                    Context::Operand => Place::Operands,
-                },
-                behind_comment,
-            },
-            from,
-            self.at,
-        );
+        let behind_comment = self.stands_behind_cut_literal(from);
+        let kind = SyntaxErrorKind::UnexpectedCharacter {
+            place,
+            behind_comment,
+        };
+        self.error(kind, from, to);
     }
 
-    /// Whether a comment ends right before `at` that began directly behind a letter or digit, as in a block's
-    /// first part or on a rung, where a `#` never belongs to a literal.
-    fn ends_comment_in_literal(&self, at: usize) -> bool {
-        let Some(before) = self.text[self.start..at].strip_suffix('#') else {
-            return false;
-        };
-        let Some(open) = before.rfind('#') else {
-            return false;
-        };
-        let inside = &before[open + 1..];
-        // `T#5s` behind a commented-out opening: the text behind the comment looks like the rest of a literal.
-        before[..open].ends_with(char::is_alphanumeric) || inside.ends_with(char::is_alphanumeric)
-    }
-}
-
-fn is_closed_string(text: &str) -> bool {
-    text.len() > 1 && text.ends_with('\'') && {
-        // A quote behind an odd number of `$` is part of the string.
-        let dollars = text[..text.len() - 1]
-            .bytes()
-            .rev()
-            .take_while(|&b| b == b'$')
-            .count();
-        dollars % 2 == 0
+    /// Whether a comment ends at `at` whose closing `#` looks like that of a literal: `T` before it, `5s` behind.
+    fn stands_behind_cut_literal(&self, at: usize) -> bool {
+        self.last_comment.is_some_and(|(start, end)| {
+            end == at
+                && self.text[start..end - 1].ends_with(char::is_alphanumeric)
+                && self.text[at..].starts_with(|c: char| c.is_alphanumeric() || c == '-')
+        })
     }
 }

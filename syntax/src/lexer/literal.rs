@@ -1,0 +1,110 @@
+//! Where literals, strings and addresses end (LANGUAGE §3).
+//!
+//! Each takes in everything that a literal of its form may hold, so that a wrong literal is one token and one
+//! mistake. What it means is for the analysis to say.
+
+use super::word_end;
+
+/// Where the literal ends that has begun at `at`, with a digit, a word or a `#`.
+pub(super) fn literal_end(text: &str, at: usize) -> usize {
+    let bytes = text.as_bytes();
+    let mut end = at;
+    // Where the part behind the last `#` begins, and what the parts before it say of it.
+    let mut part = at;
+    let mut date = false;
+    let mut hexadecimal = false;
+    loop {
+        end = word_end(text, end);
+        let digit_behind = bytes.get(end + 1).is_some_and(u8::is_ascii_digit);
+        let before = if end > at { bytes[end - 1] } else { b' ' };
+        match bytes.get(end) {
+            Some(b'#') if takes_hash(text, end) => {
+                let prefix = &text[part..end];
+                date = is_date_prefix(prefix);
+                hexadecimal = prefix == "16";
+                end += 1;
+                part = end;
+                // `INT#-5`
+                if matches!(bytes.get(end), Some(b'-' | b'+'))
+                    && bytes.get(end + 1).is_some_and(u8::is_ascii_digit)
+                {
+                    end += 1;
+                }
+            }
+            Some(b'.') if digit_behind && before.is_ascii_alphanumeric() => end += 1,
+            Some(b'-' | b':') if digit_behind && date => end += 1,
+            // The sign of an exponent; in hexadecimal an E is a digit.
+            Some(b'-' | b'+')
+                if digit_behind
+                    && !hexadecimal
+                    && matches!(before, b'e' | b'E')
+                    && is_mantissa(&text[part..end - 1]) =>
+            {
+                end += 1;
+            }
+            _ => return end,
+        }
+    }
+}
+
+/// Whether the `#` at `at` stands directly behind a letter or digit.
+pub(super) fn takes_hash(text: &str, at: usize) -> bool {
+    text[..at].ends_with(char::is_alphanumeric)
+}
+
+fn is_date_prefix(prefix: &str) -> bool {
+    ["D", "DATE", "TOD", "TIME_OF_DAY", "DT", "DATE_AND_TIME"]
+        .iter()
+        .any(|p| p.eq_ignore_ascii_case(prefix))
+}
+
+/// Whether the text before an `e` is digits with at most one sign before them.
+fn is_mantissa(text: &str) -> bool {
+    let digits = text.strip_prefix(['-', '+']).unwrap_or(text);
+    digits.starts_with(|c: char| c.is_ascii_digit())
+        && digits
+            .bytes()
+            .all(|b| b.is_ascii_digit() || b == b'.' || b == b'_')
+}
+
+/// Where the address at `at` ends. A `#` directly behind it belongs to it, as behind every letter or digit.
+pub(super) fn address_end(text: &str, at: usize) -> usize {
+    let bytes = text.as_bytes();
+    let mut end = at + 1;
+    while let Some(&b) = bytes.get(end) {
+        let dotted = b == b'.' && bytes.get(end + 1).is_some_and(u8::is_ascii_digit);
+        if !b.is_ascii_alphanumeric() && !dotted {
+            break;
+        }
+        end += 1;
+    }
+    if bytes.get(end) == Some(&b'#') {
+        return literal_end(text, end);
+    }
+    end
+}
+
+/// Where the string that opens at `at` ends: behind its closing quote, or before the line end.
+pub(crate) fn string_end(bytes: &[u8], at: usize) -> usize {
+    let mut end = at + 1;
+    while let Some(&b) = bytes.get(end) {
+        match b {
+            b'\'' => return end + 1,
+            b'\n' | b'\r' => return end,
+            // `$'` does not end the string; a line end behind `$` still does.
+            b'$' if matches!(bytes.get(end + 1), Some(b'\'' | b'$')) => end += 2,
+            _ => end += 1,
+        }
+    }
+    end
+}
+
+/// Whether the text of a string token ends with its closing quote.
+pub(crate) fn is_closed_string(text: &str) -> bool {
+    // The lexer ends a string at its first quote that `$` does not escape, so only the end needs a look.
+    let Some(inside) = text.strip_prefix('\'').and_then(|t| t.strip_suffix('\'')) else {
+        return false;
+    };
+    let dollars = inside.bytes().rev().take_while(|&b| b == b'$').count();
+    dollars % 2 == 0
+}
