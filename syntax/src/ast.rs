@@ -193,11 +193,9 @@ impl NamedOperand {
 
     /// The value behind it.
     pub fn value(&self) -> Option<Expression> {
-        let arrow = self.arrow()?.text_range().end();
-        self.0
-            .children()
-            .filter(|n| n.text_range().start() >= arrow)
-            .find_map(Expression::cast)
+        expression_behind(&self.0, |kind| {
+            matches!(kind, SyntaxKind::ASSIGN | SyntaxKind::ARROW)
+        })
     }
 }
 
@@ -328,12 +326,12 @@ impl IndexExpression {
 impl RangeExpression {
     /// The first element's index.
     pub fn first(&self) -> Option<Expression> {
-        child_expression(&self.0, 0)
+        expression_before(&self.0, |kind| kind == SyntaxKind::DOT_DOT)
     }
 
     /// The last element's index.
     pub fn last(&self) -> Option<Expression> {
-        child_expression(&self.0, 1)
+        expression_behind(&self.0, |kind| kind == SyntaxKind::DOT_DOT)
     }
 }
 
@@ -352,7 +350,7 @@ impl UnaryExpression {
 impl BinaryExpression {
     /// The left side.
     pub fn left(&self) -> Option<Expression> {
-        child_expression(&self.0, 0)
+        expression_before(&self.0, |kind| !kind.is_trivia())
     }
 
     /// The operator.
@@ -362,7 +360,7 @@ impl BinaryExpression {
 
     /// The right side.
     pub fn right(&self) -> Option<Expression> {
-        child_expression(&self.0, 1)
+        expression_behind(&self.0, |kind| !kind.is_trivia())
     }
 }
 
@@ -480,6 +478,20 @@ fn child<N: AstNode>(node: &SyntaxNode) -> Option<N> {
 
 fn child_expression(node: &SyntaxNode, nth: usize) -> Option<Expression> {
     node.children().filter_map(Expression::cast).nth(nth)
+}
+
+/// The expression that stands before the first token of a kind; none if the token is first.
+fn expression_before(node: &SyntaxNode, kind: impl Fn(SyntaxKind) -> bool) -> Option<Expression> {
+    let end = tokens(node).find(|t| kind(t.kind()))?.text_range().start();
+    child_expression(node, 0).filter(|e| e.range().end() <= end)
+}
+
+/// The expression that stands behind the first token of a kind.
+fn expression_behind(node: &SyntaxNode, kind: impl Fn(SyntaxKind) -> bool) -> Option<Expression> {
+    let start = tokens(node).find(|t| kind(t.kind()))?.text_range().end();
+    node.children()
+        .filter(|n| n.text_range().start() >= start)
+        .find_map(Expression::cast)
 }
 
 fn tokens(node: &SyntaxNode) -> impl Iterator<Item = SyntaxToken> + use<> {

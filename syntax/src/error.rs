@@ -69,6 +69,18 @@ pub enum SyntaxErrorKind {
     BadDeclaration(DeclarationProblem),
 }
 
+impl SyntaxErrorKind {
+    /// Whether it says that the end of a section or block definition was not found.
+    pub(crate) const fn lacks_end(self) -> bool {
+        matches!(
+            self,
+            SyntaxErrorKind::BadDeclaration(
+                DeclarationProblem::SectionNotClosed | DeclarationProblem::BlockNotClosed
+            )
+        )
+    }
+}
+
 /// What something stands in.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Place {

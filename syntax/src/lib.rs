@@ -30,6 +30,7 @@ mod line_index;
 mod name;
 mod parse;
 mod structure;
+mod unclosed_comment;
 pub mod wiring;
 
 pub use dump::dump;

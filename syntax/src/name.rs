@@ -17,17 +17,7 @@ impl Name {
         } else {
             text.nfc().collect()
         };
-        // Simple folding maps one character to one; where lower case has more, the character stays.
-        let folded: String = normal
-            .chars()
-            .map(|c| {
-                let mut lower = c.to_lowercase();
-                match (lower.next(), lower.next()) {
-                    (Some(one), None) => fold_final_sigma(one),
-                    _ => c,
-                }
-            })
-            .collect();
+        let folded: String = normal.chars().map(fold).collect();
         Name(folded.into())
     }
 
@@ -37,13 +27,11 @@ impl Name {
     }
 }
 
-/// Both small sigmas fold to one, as in Unicode's CaseFolding table.
-fn fold_final_sigma(c: char) -> char {
-    match c {
-        'ς' => 'σ',
-        'ſ' => 's',
-        other => other,
-    }
+/// Simple case folding: one character to one, by Unicode's table.
+fn fold(c: char) -> char {
+    unicode_case_mapping::case_folded(c)
+        .and_then(|folded| char::from_u32(folded.get()))
+        .unwrap_or(c)
 }
 
 impl std::borrow::Borrow<str> for Name {
@@ -52,8 +40,8 @@ impl std::borrow::Borrow<str> for Name {
     }
 }
 
-const RESERVED: [&str; 12] = [
-    "TRUE", "FALSE", "SYS", "AND", "OR", "XOR", "NOT", "MOD", "SHL", "SHR", "PI", "END_VAR",
+const RESERVED: [&str; 11] = [
+    "TRUE", "FALSE", "SYS", "AND", "OR", "XOR", "NOT", "MOD", "SHL", "SHR", "PI",
 ];
 
 /// Whether the word may not name a tag anywhere (LANGUAGE §1). `EN` and `ENO` in a block's body, and type
@@ -73,10 +61,19 @@ mod tests {
 
     #[test]
     fn spellings_that_are_one_name() {
-        for (a, b) in [("Run", "rUN"), ("ÄB", "äb"), ("A\u{308}", "ä"), ("ΣΑΣ", "σας")] {
+        for (a, b) in [
+            ("Run", "rUN"),
+            ("ÄB", "äb"),
+            ("A\u{308}", "ä"),
+            ("ΣΑΣ", "σας"),
+            ("µm", "ΜM"),
+            ("ẞ", "ß"),
+        ] {
             assert_eq!(Name::new(a), Name::new(b), "{a} {b}");
         }
-        assert_ne!(Name::new("ß"), Name::new("ss"));
+        for (a, b) in [("ß", "ss"), ("i", "ı"), ("a", "á")] {
+            assert_ne!(Name::new(a), Name::new(b), "{a} {b}");
+        }
     }
 
     #[test]

@@ -3,7 +3,8 @@
 use crate::grammar::{self, Entry};
 use crate::line::Line;
 use crate::structure::{self, Structure};
-use crate::{SyntaxError, SyntaxKind, SyntaxNode};
+use crate::unclosed_comment::unclosed_comment;
+use crate::{SyntaxError, SyntaxErrorKind, SyntaxKind, SyntaxNode};
 use rowan::{GreenNode, GreenNodeBuilder, NodeCache, NodeOrToken, TextRange, TextSize};
 
 /// The largest file that the tools read: 64 MiB. Offsets are 32 bit; larger texts are refused where they enter.
@@ -20,6 +21,7 @@ pub struct Parse {
     /// Where each line starts, and at the end the length of the text.
     starts: Vec<u32>,
     structure: Structure,
+    unclosed_comment: Option<TextRange>,
 }
 
 /// Parses a text. Every text has a tree that gives it back; mistakes are in [`Parse::errors`].
@@ -70,11 +72,13 @@ pub fn parse(text: &str) -> Parse {
         })
         .collect::<Vec<_>>();
     let structure = structure::structure(&lines);
+    let unclosed_comment = unclosed_comment(text, &lines, &starts);
     Parse {
         root,
         lines,
         starts,
         structure,
+        unclosed_comment,
     }
 }
 
@@ -123,7 +127,14 @@ impl Parse {
         TextSize::new(self.starts[self.lines.len()])
     }
 
+    /// Where a comment that is never closed is reported: the `#` of the first comment that holds a line of a
+    /// drawing, else the last `#`. What stands behind it is not to be relied on.
+    pub fn unclosed_comment(&self) -> Option<TextRange> {
+        self.unclosed_comment
+    }
+
     /// All mistakes that the parser found, in the order of their places, counted from the start of the text.
+    /// Behind [`Parse::unclosed_comment`] there are none.
     pub fn errors(&self) -> Vec<SyntaxError> {
         let mut errors: Vec<SyntaxError> = self
             .lines
@@ -135,13 +146,20 @@ impl Parse {
                 line.errors.iter().map(move |e| e.shifted(start))
             })
             .collect();
-        errors.extend(self.structure.problems.iter().map(|(line, kind)| {
+        // An end that was not found may stand in a comment that is never closed.
+        let told = |kind: SyntaxErrorKind| self.unclosed_comment.is_none() || !kind.lacks_end();
+        let problems = self.structure.problems.iter().filter(|(_, kind)| told(*kind));
+        errors.extend(problems.map(|&(line, kind)| {
             // The line without its white space and line end.
-            let text = self.lines[*line].green.to_string();
+            let text = self.lines[line].green.to_string();
             let before = text.len() - text.trim_start().len();
-            let start = self.line_start(*line) + TextSize::new(before as u32);
-            SyntaxError::new(*kind, TextRange::at(start, TextSize::of(text.trim())))
+            let start = self.line_start(line) + TextSize::new(before as u32);
+            SyntaxError::new(kind, TextRange::at(start, TextSize::of(text.trim())))
         }));
+        if let Some(place) = self.unclosed_comment {
+            errors.retain(|e| e.range.start() < place.start());
+            errors.push(SyntaxError::new(SyntaxErrorKind::UnclosedComment, place));
+        }
         errors.sort_by_key(|e| (e.range.start(), e.range.end()));
         errors
     }

@@ -123,14 +123,16 @@ pub(crate) fn structure(lines: &[Line]) -> Structure {
             LineKind::Stray => g.between.push(Item::Stray(index)),
             LineKind::SectionHeader => {
                 g.end_network();
-                let end = section_end(lines, index);
-                g.out.items.push(Item::Section(g.out.sections.len()));
-                let closed = lines[end - 1].kind == LineKind::SectionEnd;
-                if !closed && end == lines.len() && lines[end - 1].mode_after == Mode::Section {
+                let (end, closed) = section_end(lines, index);
+                // Where a drawing or a block definition ends it, that line's parse has said so.
+                if !closed && lines.last().is_some_and(|l| l.mode_after == Mode::Section) && {
+                    lines[end..].iter().all(|l| l.kind.is_decoration())
+                } {
                     g.out
                         .problems
                         .push((index, bad(DeclarationProblem::SectionNotClosed)));
                 }
+                g.out.items.push(Item::Section(g.out.sections.len()));
                 g.out.sections.push(Section {
                     lines: index..end,
                     closed,
@@ -188,15 +190,17 @@ fn bad(problem: DeclarationProblem) -> SyntaxErrorKind {
     SyntaxErrorKind::BadDeclaration(problem)
 }
 
-/// The line behind the section that begins at `header`.
-fn section_end(lines: &[Line], header: usize) -> usize {
-    let mut index = header + 1;
-    while let Some(line) = lines.get(index) {
+/// The line behind the section that begins at `header`, and whether END_VAR closes it. One that is not closed
+/// reaches to its last declaration: blank and comment lines behind that may belong to what follows.
+fn section_end(lines: &[Line], header: usize) -> (usize, bool) {
+    let mut end = header + 1;
+    for (index, line) in lines.iter().enumerate().skip(header + 1) {
         match line.kind {
-            LineKind::SectionEnd => return index + 1,
-            LineKind::Declaration | LineKind::Comment | LineKind::Blank => index += 1,
+            LineKind::SectionEnd => return (index + 1, true),
+            LineKind::Declaration => end = index + 1,
+            LineKind::Comment | LineKind::Blank => {}
             _ => break,
         }
     }
-    index
+    (end, false)
 }

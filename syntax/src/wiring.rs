@@ -216,9 +216,9 @@ fn parts(line: &Line) -> Vec<Part> {
 }
 
 /// The first `+` of a line is the left rail's if nothing but comments and `|` stand before it, the last one
-/// the right rail's likewise.
+/// the right rail's likewise. Characters that mean nothing are one mistake and make no second.
 fn classify_rails(parts: &mut [Part]) {
-    let aside = |part: &Part| matches!(part.kind, PartKind::Comment | PartKind::Bar);
+    let aside = |part: &Part| matches!(part.kind, PartKind::Comment | PartKind::Bar | PartKind::Junk);
     let first = parts.iter().position(|part| !aside(part));
     let last = parts.iter().rposition(|part| !aside(part));
     if let Some(first) = first.filter(|&n| parts[n].kind == PartKind::StrayRail) {
@@ -271,7 +271,10 @@ fn segments(parts: &mut [Part]) -> Vec<Segment> {
             for part in &mut parts[inner.clone()] {
                 part.segment = Some(segments.len() as u32);
             }
-            let powered = parts[inner.start].kind == PartKind::LeftRail;
+            let powered = parts[inner.clone()]
+                .iter()
+                .find(|part| part.kind != PartKind::Junk)
+                .is_some_and(|part| part.kind == PartKind::LeftRail);
             segments.push(Segment {
                 parts: inner,
                 powered,

@@ -5,7 +5,7 @@ use super::{Parser, block, declaration};
 use crate::lexer;
 use crate::line::{LineKind, Mode};
 use crate::{DeclarationProblem, Place, SyntaxError, SyntaxErrorKind, SyntaxKind};
-use rowan::GreenNodeBuilder;
+use rowan::{GreenNodeBuilder, TextSize};
 
 /// What a line's parse depends on besides its text.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -43,6 +43,7 @@ pub(crate) fn line(text: &str, start: usize, entry: Entry, builder: &mut GreenNo
     let (kind, mode_after) = logical_line(&mut p, entry, &mut marks);
     p.start_node_at(checkpoint, kind.syntax_kind());
     p.finish_node();
+    drop_swallowed(&mut p);
     Parsed {
         kind,
         end: p.at,
@@ -51,6 +52,24 @@ pub(crate) fn line(text: &str, start: usize, entry: Entry, builder: &mut GreenNo
         ups: marks.ups,
         errors: p.errors,
     }
+}
+
+/// Where a comment is never closed, what is missing right before it may stand in it: only the comment is said.
+fn drop_swallowed(p: &mut Parser<'_, '_, '_>) {
+    if !p
+        .errors
+        .iter()
+        .any(|e| e.kind == SyntaxErrorKind::UnclosedComment)
+    {
+        return;
+    }
+    let end = TextSize::new((p.last_end - p.start) as u32);
+    p.errors.retain(|error| match error.kind {
+        SyntaxErrorKind::UnclosedBlock { .. }
+        | SyntaxErrorKind::MissingOperand { .. }
+        | SyntaxErrorKind::BadDeclaration(_) => error.range.end() < end,
+        _ => true,
+    });
 }
 
 /// What was met on a line so far.
