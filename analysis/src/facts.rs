@@ -7,6 +7,7 @@ use crate::literal::{self, Literal, LiteralProblem};
 use ladder_instructions::Shape;
 use ladder_syntax::ast::{AstNode, Block, BlockShape, Expression, HeadName, Operand};
 use ladder_syntax::{Line, SyntaxKind, SyntaxToken, TextRange};
+use smol_str::SmolStr;
 
 /// A block on a rung as it is written.
 #[derive(Debug, Clone, PartialEq)]
@@ -33,9 +34,9 @@ pub struct BlockFacts {
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum Head {
     /// Nothing, or a mnemonic as it is written.
-    Mnemonic(Box<str>),
+    Mnemonic(SmolStr),
     /// A user-defined block, with its `$`.
-    User(Box<str>),
+    User(SmolStr),
 }
 
 impl Head {
@@ -66,7 +67,7 @@ pub struct OperandFacts {
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Word {
     /// As written.
-    pub text: Box<str>,
+    pub text: SmolStr,
     /// Where.
     pub range: TextRange,
 }
@@ -84,9 +85,9 @@ pub struct Node {
 #[derive(Debug, Clone, PartialEq)]
 pub enum NodeKind {
     /// A name.
-    Name(Box<str>),
+    Name(SmolStr),
     /// A direct address.
-    Address(Box<str>),
+    Address(SmolStr),
     /// A literal, or why it is none.
     Literal(Result<Literal, LiteralProblem>),
     /// `base.member`
@@ -153,7 +154,7 @@ fn block_facts(block: &Block, rung: usize, part: usize) -> Option<BlockFacts> {
         BlockShape::Function => Shape::Function,
     };
     let name = match head.name() {
-        HeadName::Blank => Head::Mnemonic("".into()),
+        HeadName::Blank => Head::Mnemonic(SmolStr::default()),
         HeadName::Mnemonic(token) => Head::Mnemonic(token.text().into()),
         HeadName::User(token) => Head::User(token.text().into()),
     };

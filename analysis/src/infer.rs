@@ -16,7 +16,7 @@ use crate::scope::{Origin, Scope};
 use crate::types::{Scalar, Type};
 use ladder_instructions::{Accepts, StateType, TypeClass};
 use ladder_syntax::{Name, TextRange};
-use std::collections::HashMap;
+use rustc_hash::FxHashMap;
 
 /// Gives every tag its type.
 pub(crate) fn infer(context: &mut Context, out: &mut Vec<Diagnostic>) {
@@ -58,7 +58,7 @@ fn asked(context: &Context, bound: &BoundBlock, formal: Formal) -> Option<Type> 
 
 fn by_place(context: &mut Context, out: &mut Vec<Diagnostic>) {
     // Scope and tag to its first answer: type and place.
-    let mut answers: HashMap<(usize, usize), (Type, TextRange)> = HashMap::new();
+    let mut answers: FxHashMap<(usize, usize), (Type, TextRange)> = FxHashMap::default();
     // `(R)` also takes timers and counters: it makes a tag BOOL only where no other place has a say.
     let mut reset: Vec<(usize, usize)> = Vec::new();
     for network in &context.networks {

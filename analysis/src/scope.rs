@@ -4,7 +4,7 @@ use crate::program::Role;
 use crate::types::{Scalar, Type};
 use crate::value::Value;
 use ladder_syntax::{Name, TextRange};
-use std::collections::HashMap;
+use rustc_hash::FxHashMap;
 
 /// The section that a tag is declared in.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
@@ -133,7 +133,7 @@ impl TagFacts {
 pub struct Scope {
     /// In the order of declaration, then of first use.
     pub tags: Vec<TagFacts>,
-    by_name: HashMap<Name, usize>,
+    by_name: FxHashMap<Name, usize>,
     /// The block definition whose body it is.
     pub block: Option<usize>,
 }

@@ -1,16 +1,17 @@
 //! Names: two spellings that mean one thing.
 
+use smol_str::{SmolStr, StrExt};
 use unicode_normalization::{UnicodeNormalization, is_nfc_quick};
 
 /// A name as it is compared: NFC, then simple case folding (LANGUAGE §1). How a person wrote it is kept elsewhere.
 #[derive(Debug, Clone, PartialEq, Eq, Hash, PartialOrd, Ord)]
-pub struct Name(Box<str>);
+pub struct Name(SmolStr);
 
 impl Name {
     /// The name that `text` spells.
     pub fn new(text: &str) -> Name {
         if text.is_ascii() {
-            return Name(text.to_ascii_lowercase().into());
+            return Name(text.to_ascii_lowercase_smolstr());
         }
         let normal = if is_nfc_quick(text.chars()) == unicode_normalization::IsNormalized::Yes {
             text.to_owned()
