@@ -1,0 +1,87 @@
+//! One state of one open document.
+
+use std::sync::atomic::{AtomicU64, Ordering};
+use std::sync::{Arc, OnceLock};
+
+use ladder_syntax::{MAX_FILE_BYTES, TextRange, TextSize};
+use ropey::Rope;
+
+use super::position::{self, Encoding, Position, Range};
+use crate::language::Analysis;
+
+/// A document as it was between two changes. It never changes, so whoever holds one can work on it in peace
+/// while the editor types on; whether it is still what the editor shows is for the store to say.
+#[derive(Debug)]
+pub(crate) struct Revision {
+    /// The document's address, as the editor spells it.
+    pub uri: Arc<str>,
+    /// The editor's number for this state.
+    pub version: i32,
+    /// Which opening of the document this belongs to: a file that is closed and opened again begins anew, and
+    /// may use the same versions for other texts.
+    pub(super) opening: u64,
+    /// Unique over all revisions.
+    serial: u64,
+    encoding: Encoding,
+    rope: Rope,
+    analysis: OnceLock<Analysis>,
+}
+
+impl Revision {
+    pub(super) fn new(uri: Arc<str>, version: i32, opening: u64, encoding: Encoding, rope: Rope) -> Self {
+        static SERIAL: AtomicU64 = AtomicU64::new(0);
+        Revision {
+            uri,
+            version,
+            opening,
+            serial: SERIAL.fetch_add(1, Ordering::Relaxed),
+            encoding,
+            rope,
+            analysis: OnceLock::new(),
+        }
+    }
+
+    /// What the language has to say about the text, computed at the first call, or `None` for a text over
+    /// [`MAX_FILE_BYTES`]. Takes milliseconds on a large file: for a blocking thread.
+    pub(crate) fn analysis(&self) -> Option<&Analysis> {
+        // Offsets of the inner crates are 32 bits wide; they read slices, not ropes.
+        let fits = self.len() <= MAX_FILE_BYTES;
+        fits.then(|| {
+            self.analysis
+                .get_or_init(|| Analysis::of(&self.rope.to_string(), self.name()))
+        })
+    }
+
+    /// What messages call the file: the last part of its address.
+    fn name(&self) -> &str {
+        self.uri.rsplit('/').next().unwrap_or(&self.uri)
+    }
+
+    /// The length of the text in bytes.
+    pub(crate) fn len(&self) -> usize {
+        self.rope.len_bytes()
+    }
+
+    /// The offset of a position, clamped into the text. For a text that has an analysis.
+    pub(crate) fn offset(&self, position: Position) -> TextSize {
+        TextSize::new(position::offset(&self.rope, self.encoding, position) as u32)
+    }
+
+    /// The range of a stretch of the text.
+    pub(crate) fn range(&self, range: TextRange) -> Range {
+        position::range(&self.rope, self.encoding, range.into())
+    }
+
+    /// Whether both are the same state of the same document.
+    pub(crate) fn is(&self, other: &Revision) -> bool {
+        self.serial == other.serial
+    }
+
+    pub(super) fn encoding(&self) -> Encoding {
+        self.encoding
+    }
+
+    pub(super) fn rope(&self) -> &Rope {
+        &self.rope
+    }
+}

@@ -1,0 +1,84 @@
+//! The handlers, each a line: the framework's trait on one side, a file for each feature on the other.
+
+use std::sync::Arc;
+
+use tower_lsp::jsonrpc::Result;
+use tower_lsp::ls_types::{
+    CodeActionParams, CodeActionResponse, DidChangeTextDocumentParams, DidCloseTextDocumentParams,
+    DidOpenTextDocumentParams, DocumentFormattingParams, ExecuteCommandParams, Hover, HoverParams,
+    InitializeParams, InitializeResult, LSPAny, ServerInfo, TextEdit,
+};
+use tower_lsp::{Client, LanguageServer};
+
+use super::capabilities::{self, Agreed};
+use super::shared::Shared;
+use super::{code_action, formatting, hover, parent, simulate, sync};
+
+/// The server as the framework sees it.
+#[derive(Debug)]
+pub(super) struct Backend {
+    shared: Arc<Shared>,
+}
+
+impl Backend {
+    pub(super) fn new(client: Client) -> Self {
+        Backend {
+            shared: Shared::new(client),
+        }
+    }
+
+    pub(super) fn shared(&self) -> Arc<Shared> {
+        self.shared.clone()
+    }
+}
+
+impl LanguageServer for Backend {
+    async fn initialize(&self, params: InitializeParams) -> Result<InitializeResult> {
+        let agreed = Agreed::with(&params.capabilities);
+        self.shared.agree(agreed);
+        if let Some(process) = params.process_id {
+            tokio::spawn(parent::watch(process, self.shared.clone()));
+        }
+        Ok(InitializeResult {
+            capabilities: capabilities::offered(agreed),
+            server_info: Some(ServerInfo {
+                name: "ladder".into(),
+                version: Some(env!("CARGO_PKG_VERSION").into()),
+            }),
+            ..InitializeResult::default()
+        })
+    }
+
+    async fn shutdown(&self) -> Result<()> {
+        self.shared.sessions.stop_everything();
+        Ok(())
+    }
+
+    async fn did_open(&self, params: DidOpenTextDocumentParams) {
+        sync::opened(&self.shared, params);
+    }
+
+    async fn did_change(&self, params: DidChangeTextDocumentParams) {
+        sync::changed(&self.shared, params);
+    }
+
+    async fn did_close(&self, params: DidCloseTextDocumentParams) {
+        sync::closed(&self.shared, &params);
+    }
+
+    async fn hover(&self, params: HoverParams) -> Result<Option<Hover>> {
+        hover::hover(&self.shared, params).await
+    }
+
+    async fn formatting(&self, params: DocumentFormattingParams) -> Result<Option<Vec<TextEdit>>> {
+        formatting::formatting(&self.shared, params).await
+    }
+
+    async fn code_action(&self, params: CodeActionParams) -> Result<Option<CodeActionResponse>> {
+        code_action::code_action(&self.shared, params).await
+    }
+
+    async fn execute_command(&self, params: ExecuteCommandParams) -> Result<Option<LSPAny>> {
+        simulate::execute(&self.shared, params).await.map(Some)
+    }
+}

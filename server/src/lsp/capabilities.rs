@@ -1,0 +1,148 @@
+//! What client and server agree on, once, at `initialize`.
+
+use tower_lsp::ls_types::{
+    ClientCapabilities, CodeActionKind, CodeActionOptions, CodeActionProviderCapability, DiagnosticTag,
+    ExecuteCommandOptions, HoverProviderCapability, MarkupKind, OneOf, PositionEncodingKind,
+    ServerCapabilities, TextDocumentSyncCapability, TextDocumentSyncKind, TextDocumentSyncOptions,
+};
+
+use crate::document::position::Encoding;
+use crate::simulation::COMMANDS;
+
+/// The kind of the action that applies every sure fix of a file.
+pub(super) const FIX_ALL: CodeActionKind = CodeActionKind::new("source.fixAll.ladder");
+
+/// What the client can take, as plain answers to the questions that the handlers ask.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
+pub(super) struct Agreed {
+    /// The unit of positions.
+    pub(super) encoding: Encoding,
+    /// Diagnostics may link other places.
+    pub(super) related_information: bool,
+    /// Diagnostics may be tagged, so that text without effect is shown faded.
+    pub(super) unnecessary_tag: bool,
+    /// Diagnostics may carry data.
+    pub(super) diagnostic_data: bool,
+    /// Edits may name the version of the document that they are for.
+    pub(super) versioned_edits: bool,
+    /// Hovers may be Markdown.
+    pub(super) markdown: bool,
+}
+
+impl Agreed {
+    /// What follows from the client's capabilities. Bytes are the cheapest unit for the server, scalar values
+    /// the next; UTF-16 is what a client has that names nothing.
+    pub(super) fn with(client: &ClientCapabilities) -> Self {
+        let document = client.text_document.as_ref();
+        let diagnostics = document.and_then(|document| document.publish_diagnostics.as_ref());
+        let hover = document.and_then(|document| document.hover.as_ref());
+        let edit = client
+            .workspace
+            .as_ref()
+            .and_then(|workspace| workspace.workspace_edit.as_ref());
+        let encodings = client
+            .general
+            .as_ref()
+            .and_then(|general| general.position_encodings.as_deref());
+        let offers = |encoding| encodings.is_some_and(|offered| offered.contains(&encoding));
+        Agreed {
+            encoding: if offers(PositionEncodingKind::UTF8) {
+                Encoding::Utf8
+            } else if offers(PositionEncodingKind::UTF32) {
+                Encoding::Utf32
+            } else {
+                Encoding::Utf16
+            },
+            related_information: diagnostics.and_then(|it| it.related_information).unwrap_or(false),
+            unnecessary_tag: diagnostics
+                .and_then(|it| it.tag_support.as_ref())
+                .is_some_and(|tags| tags.value_set.contains(&DiagnosticTag::UNNECESSARY)),
+            diagnostic_data: diagnostics.and_then(|it| it.data_support).unwrap_or(false),
+            versioned_edits: edit.and_then(|it| it.document_changes).unwrap_or(false),
+            markdown: hover
+                .and_then(|it| it.content_format.as_ref())
+                .is_some_and(|formats| formats.contains(&MarkupKind::Markdown)),
+        }
+    }
+}
+
+/// What the server offers to such a client.
+pub(super) fn offered(agreed: Agreed) -> ServerCapabilities {
+    ServerCapabilities {
+        position_encoding: Some(match agreed.encoding {
+            Encoding::Utf8 => PositionEncodingKind::UTF8,
+            Encoding::Utf16 => PositionEncodingKind::UTF16,
+            Encoding::Utf32 => PositionEncodingKind::UTF32,
+        }),
+        text_document_sync: Some(TextDocumentSyncCapability::Options(TextDocumentSyncOptions {
+            open_close: Some(true),
+            change: Some(TextDocumentSyncKind::INCREMENTAL),
+            ..TextDocumentSyncOptions::default()
+        })),
+        hover_provider: Some(HoverProviderCapability::Simple(true)),
+        document_formatting_provider: Some(OneOf::Left(true)),
+        code_action_provider: Some(CodeActionProviderCapability::Options(CodeActionOptions {
+            code_action_kinds: Some(vec![CodeActionKind::QUICKFIX, FIX_ALL]),
+            ..CodeActionOptions::default()
+        })),
+        execute_command_provider: Some(ExecuteCommandOptions {
+            commands: COMMANDS.iter().map(ToString::to_string).collect(),
+            ..ExecuteCommandOptions::default()
+        }),
+        ..ServerCapabilities::default()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use serde_json::{Value, json};
+
+    use super::*;
+
+    fn agreed(client: Value) -> Agreed {
+        Agreed::with(&serde_json::from_value(client).unwrap())
+    }
+
+    #[test]
+    fn the_cheapest_encoding_wins_whatever_the_order() {
+        let encoding = |offered: &[&str]| agreed(json!({"general": {"positionEncodings": offered}})).encoding;
+        assert_eq!(encoding(&["utf-16", "utf-32", "utf-8"]), Encoding::Utf8);
+        assert_eq!(encoding(&["utf-16", "utf-32"]), Encoding::Utf32);
+        assert_eq!(encoding(&["utf-16"]), Encoding::Utf16);
+        assert_eq!(encoding(&[]), Encoding::Utf16);
+        assert_eq!(encoding(&["utf-7"]), Encoding::Utf16);
+        assert_eq!(agreed(json!({})).encoding, Encoding::Utf16);
+    }
+
+    #[test]
+    fn a_client_that_says_nothing_gets_the_plain_forms() {
+        assert_eq!(agreed(json!({})), Agreed::default());
+    }
+
+    #[test]
+    fn a_rich_client_gets_everything() {
+        let client = json!({
+            "textDocument": {
+                "publishDiagnostics": {
+                    "relatedInformation": true,
+                    "tagSupport": {"valueSet": [1, 2]},
+                    "dataSupport": true
+                },
+                "hover": {"contentFormat": ["markdown", "plaintext"]}
+            },
+            "workspace": {"workspaceEdit": {"documentChanges": true}},
+            "general": {"positionEncodings": ["utf-8"]}
+        });
+        assert_eq!(
+            agreed(client),
+            Agreed {
+                encoding: Encoding::Utf8,
+                related_information: true,
+                unnecessary_tag: true,
+                diagnostic_data: true,
+                versioned_edits: true,
+                markdown: true
+            }
+        );
+    }
+}

@@ -1,0 +1,120 @@
+//! `textDocument/codeAction`: the fixes of the problems in the range, and all sure fixes of the file at once.
+
+use std::collections::BTreeMap;
+use std::sync::Arc;
+
+use tower_lsp::jsonrpc::Result;
+use tower_lsp::ls_types::{
+    CodeAction, CodeActionContext, CodeActionKind, CodeActionOrCommand, CodeActionParams, CodeActionResponse,
+};
+
+use super::blocking::blocking;
+use super::capabilities::{Agreed, FIX_ALL};
+use super::convert;
+use super::shared::Shared;
+use crate::document::Revision;
+use ladder_analysis::{Diagnostic, Fix};
+use ladder_format::Edit;
+use ladder_syntax::TextSize;
+
+pub(super) async fn code_action(
+    shared: &Arc<Shared>,
+    params: CodeActionParams,
+) -> Result<Option<CodeActionResponse>> {
+    let Some(revision) = shared.documents.get(params.text_document.uri.as_str()) else {
+        return Ok(None);
+    };
+    let agreed = shared.agreed();
+    blocking(move |_| {
+        let problems = revision.analysis()?.diagnostics();
+        let range = convert::our_range(params.range);
+        let (start, end) = (revision.offset(range.start), revision.offset(range.end));
+        let mut actions = Vec::new();
+        if wanted(&params.context, &CodeActionKind::QUICKFIX) {
+            let touched = problems
+                .iter()
+                .filter(|problem| problem.range.start() <= end && start <= problem.range.end());
+            actions.extend(touched.flat_map(|problem| quick_fixes(agreed, &revision, problem)));
+        }
+        if wanted(&params.context, &FIX_ALL) {
+            actions.extend(fix_all(agreed, &revision, problems));
+        }
+        Some(actions)
+    })
+    .await
+}
+
+/// Whether the client asks for actions of this kind: `source` asks for `source.fixAll.ladder` too.
+fn wanted(context: &CodeActionContext, kind: &CodeActionKind) -> bool {
+    let Some(only) = &context.only else { return true };
+    only.iter().any(|asked| {
+        let rest = kind.as_str().strip_prefix(asked.as_str());
+        rest.is_some_and(|rest| asked.as_str().is_empty() || rest.is_empty() || rest.starts_with('.'))
+    })
+}
+
+fn quick_fixes(agreed: Agreed, revision: &Revision, problem: &Diagnostic) -> Vec<CodeActionOrCommand> {
+    let diagnostic = convert::diagnostic(agreed, revision, problem);
+    let action = |(nth, fix): (usize, &Fix)| {
+        CodeActionOrCommand::CodeAction(CodeAction {
+            title: fix.title.clone(),
+            kind: Some(CodeActionKind::QUICKFIX),
+            diagnostics: Some(vec![diagnostic.clone()]),
+            edit: convert::workspace_edit(agreed, revision, &fix.edits),
+            is_preferred: Some(nth == 0),
+            ..CodeAction::default()
+        })
+    };
+    problem.fixes.iter().enumerate().map(action).collect()
+}
+
+/// The first fix of every problem, as far as they do not touch each other: the rest is for the next round.
+fn fix_all(agreed: Agreed, revision: &Revision, problems: &[Diagnostic]) -> Option<CodeActionOrCommand> {
+    let mut edits: BTreeMap<TextSize, Edit> = BTreeMap::new();
+    for fix in problems.iter().filter_map(|problem| problem.fixes.first()) {
+        // Those taken do not touch each other, so only the last one that begins before the end can touch.
+        let touches = |new: &Edit| {
+            let before = edits.range(..=new.range.end()).next_back();
+            before.is_some_and(|(_, old)| new.range.start() <= old.range.end())
+        };
+        if !fix.edits.iter().any(touches) {
+            edits.extend(fix.edits.iter().map(|edit| (edit.range.start(), edit.clone())));
+        }
+    }
+    if edits.is_empty() {
+        return None;
+    }
+    let edits: Vec<Edit> = edits.into_values().collect();
+    Some(CodeActionOrCommand::CodeAction(CodeAction {
+        title: "Apply all fixes".into(),
+        kind: Some(FIX_ALL),
+        edit: convert::workspace_edit(agreed, revision, &edits),
+        ..CodeAction::default()
+    }))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_kind_asks_for_its_sub_kinds() {
+        let asks = |only: &'static str| {
+            let context = CodeActionContext {
+                only: Some(vec![CodeActionKind::new(only)]),
+                ..CodeActionContext::default()
+            };
+            [
+                wanted(&context, &CodeActionKind::QUICKFIX),
+                wanted(&context, &FIX_ALL),
+            ]
+        };
+        assert_eq!(asks("quickfix"), [true, false]);
+        assert_eq!(asks("source"), [false, true]);
+        assert_eq!(asks("source.fixAll"), [false, true]);
+        assert_eq!(asks("source.fix"), [false, false]);
+        assert_eq!(asks(""), [true, true]);
+        assert_eq!(asks("refactor"), [false, false]);
+        assert!(wanted(&CodeActionContext::default(), &CodeActionKind::QUICKFIX));
+    }
+}

@@ -1,0 +1,146 @@
+//! From the server's own types to the protocol's.
+
+use std::fmt::Write;
+use std::str::FromStr;
+
+use serde_json::json;
+use tower_lsp::ls_types::{
+    Diagnostic, DiagnosticRelatedInformation, DiagnosticSeverity, DiagnosticTag, DocumentChanges, Location,
+    NumberOrString, OneOf, OptionalVersionedTextDocumentIdentifier, Position, Range, TextDocumentEdit,
+    TextEdit, Uri, WorkspaceEdit,
+};
+
+use super::capabilities::Agreed;
+use crate::document::{self, Revision};
+use ladder_analysis::Severity;
+use ladder_format::Edit;
+use ladder_syntax::TextRange;
+
+/// The rules that mark text without effect: editors show it faded.
+const UNNECESSARY: [&str; 3] = ["unreachable", "unused-function", "unused-label"];
+
+pub(super) fn position(position: document::position::Position) -> Position {
+    Position {
+        line: position.line,
+        character: position.character,
+    }
+}
+
+pub(super) fn range(range: document::position::Range) -> Range {
+    Range {
+        start: position(range.start),
+        end: position(range.end),
+    }
+}
+
+pub(super) fn our_position(position: Position) -> document::position::Position {
+    document::position::Position {
+        line: position.line,
+        character: position.character,
+    }
+}
+
+pub(super) fn our_range(range: Range) -> document::position::Range {
+    document::position::Range {
+        start: our_position(range.start),
+        end: our_position(range.end),
+    }
+}
+
+/// An address that came from the protocol goes back unchanged, so it always reads.
+pub(super) fn uri(uri: &str) -> Option<Uri> {
+    Uri::from_str(uri).ok()
+}
+
+pub(super) fn range_in(revision: &Revision, place: TextRange) -> Range {
+    range(revision.range(place))
+}
+
+pub(super) fn edits(revision: &Revision, edits: &[Edit]) -> Vec<TextEdit> {
+    edits
+        .iter()
+        .map(|edit| TextEdit {
+            range: range_in(revision, edit.range),
+            new_text: edit.text.clone(),
+        })
+        .collect()
+}
+
+/// The edits as a change of the workspace, bound to the version that they are for where the client can check
+/// that.
+pub(super) fn workspace_edit(
+    agreed: Agreed,
+    revision: &Revision,
+    our_edits: &[Edit],
+) -> Option<WorkspaceEdit> {
+    let uri = uri(&revision.uri)?;
+    let edits = edits(revision, our_edits);
+    Some(if agreed.versioned_edits {
+        let text_document = OptionalVersionedTextDocumentIdentifier {
+            uri,
+            version: Some(revision.version),
+        };
+        let edits = edits.into_iter().map(OneOf::Left).collect();
+        WorkspaceEdit {
+            document_changes: Some(DocumentChanges::Edits(vec![TextDocumentEdit {
+                text_document,
+                edits,
+            }])),
+            ..WorkspaceEdit::default()
+        }
+    } else {
+        WorkspaceEdit {
+            changes: Some([(uri, edits)].into()),
+            ..WorkspaceEdit::default()
+        }
+    })
+}
+
+pub(super) fn diagnostic(
+    agreed: Agreed,
+    revision: &Revision,
+    found: &ladder_analysis::Diagnostic,
+) -> Diagnostic {
+    let mut message = found.message.clone();
+    if let Some(help) = &found.help {
+        let _ = write!(message, "\n{help}");
+    }
+    let mut related_information = None;
+    if agreed.related_information {
+        let uri = uri(&revision.uri);
+        let related = found.related.iter().filter_map(|related| {
+            let location = Location {
+                uri: uri.clone()?,
+                range: range_in(revision, related.range),
+            };
+            Some(DiagnosticRelatedInformation {
+                location,
+                message: related.message.clone(),
+            })
+        });
+        related_information = Some(related.collect::<Vec<_>>()).filter(|related| !related.is_empty());
+    } else {
+        // A client that cannot link other places still gets to know of them.
+        for related in &found.related {
+            let line = revision.range(related.range).start.line + 1;
+            let _ = write!(message, "\nline {line}: {}", related.message);
+        }
+    }
+    let unnecessary = agreed.unnecessary_tag && UNNECESSARY.contains(&found.rule.name());
+    let titles: Vec<_> = found.fixes.iter().map(|fix| &fix.title).collect();
+    Diagnostic {
+        range: range_in(revision, found.range),
+        severity: Some(match found.severity {
+            Severity::Error => DiagnosticSeverity::ERROR,
+            Severity::Warning => DiagnosticSeverity::WARNING,
+            Severity::Info => DiagnosticSeverity::INFORMATION,
+        }),
+        code: Some(NumberOrString::String(found.rule.name().to_owned())),
+        code_description: None,
+        source: Some("ladder".into()),
+        message,
+        related_information,
+        tags: unnecessary.then(|| vec![DiagnosticTag::UNNECESSARY]),
+        data: (agreed.diagnostic_data && !titles.is_empty()).then(|| json!({ "fixes": titles })),
+    }
+}

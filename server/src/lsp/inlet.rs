@@ -1,0 +1,283 @@
+//! What comes in: the client's bytes, made safe for the framework.
+//!
+//! The framework stops reading for good at the first message that it cannot decode: broken JSON, a header in
+//! small letters, a `Content-Type` without a charset, bytes that are not UTF-8. One bad message would end the
+//! session. So the client's bytes are split into messages here, each is checked, and one that cannot be
+//! understood is replaced by a request for the method [`MALFORMED`], which the [`Guard`](super::guard) answers
+//! with the error that belongs to it. What the framework reads is always well formed.
+
+use std::io;
+
+use serde::Deserialize;
+use serde::de::IgnoredAny;
+use serde_json::json;
+use tokio::io::{
+    AsyncBufRead, AsyncBufReadExt, AsyncRead, AsyncReadExt, AsyncWrite, AsyncWriteExt, BufReader,
+};
+use tower_lsp::jsonrpc::{ErrorCode, Id, Response};
+
+/// The method that stands for a message that could not be understood. Its parameters are the `code` and
+/// `message` of the answer.
+pub(super) const MALFORMED: &str = "$malformed";
+
+/// No message is longer than this, in bytes: a text of 64 MiB with every character escaped in JSON.
+const LONGEST_MESSAGE: usize = 400 << 20;
+
+/// No header line is longer than this, in bytes.
+const LONGEST_HEADER: u64 = 4096;
+
+/// Copies messages from the client to the framework until either side ends.
+pub(super) async fn feed(input: impl AsyncRead + Unpin, mut framework: impl AsyncWrite + Unpin) {
+    let mut input = BufReader::new(input);
+    while let Ok(Some(frame)) = next_frame(&mut input).await {
+        let body = checked(frame);
+        let header = format!("Content-Length: {}\r\n\r\n", body.len());
+        let sent = async {
+            framework.write_all(header.as_bytes()).await?;
+            framework.write_all(&body).await?;
+            framework.flush().await
+        };
+        if sent.await.is_err() {
+            return;
+        }
+    }
+}
+
+/// What stands between two headers.
+enum Frame {
+    Body(Vec<u8>),
+    TooLong(usize),
+    NoLength,
+}
+
+/// The next message, or `None` at the end of the input.
+async fn next_frame(input: &mut (impl AsyncBufRead + Unpin)) -> io::Result<Option<Frame>> {
+    let mut length = None;
+    let mut lines = 0;
+    loop {
+        let mut line = Vec::new();
+        if (&mut *input)
+            .take(LONGEST_HEADER)
+            .read_until(b'\n', &mut line)
+            .await?
+            == 0
+        {
+            return Ok(None);
+        }
+        let line = line.trim_ascii();
+        if line.is_empty() {
+            if let Some(length) = length {
+                return read_body(input, length).await.map(Some);
+            }
+            // A blank line between messages is nothing; a header without a length is a mistake, told once.
+            if lines > 0 {
+                return Ok(Some(Frame::NoLength));
+            }
+            continue;
+        }
+        lines += 1;
+        length = content_length(line).or(length);
+    }
+}
+
+fn content_length(line: &[u8]) -> Option<usize> {
+    let line = std::str::from_utf8(line).ok()?;
+    let (name, value) = line.split_once(':')?;
+    // Behind garbage without a line end the name is only the end of the line.
+    let name = name.trim_end();
+    let known = "content-length";
+    let start = name.len().checked_sub(known.len())?;
+    name.get(start..)?
+        .eq_ignore_ascii_case(known)
+        .then(|| value.trim().parse().ok())?
+}
+
+async fn read_body(input: &mut (impl AsyncBufRead + Unpin), length: usize) -> io::Result<Frame> {
+    if length > LONGEST_MESSAGE {
+        tokio::io::copy(&mut input.take(length as u64), &mut tokio::io::sink()).await?;
+        return Ok(Frame::TooLong(length));
+    }
+    let mut body = Vec::new();
+    // Read as it comes: a length is only a promise, and nothing is allocated for a promise.
+    if (&mut *input).take(length as u64).read_to_end(&mut body).await? < length {
+        return Err(io::ErrorKind::UnexpectedEof.into());
+    }
+    Ok(Frame::Body(body))
+}
+
+/// The message itself, or the request that stands for one that cannot be understood.
+fn checked(frame: Frame) -> Vec<u8> {
+    let (code, message, id) = match frame {
+        Frame::Body(body) => match check(&body) {
+            Ok(()) => return body,
+            Err(Mistake { code, message, id }) => (code, message, id),
+        },
+        Frame::TooLong(length) => (
+            ErrorCode::InvalidRequest,
+            format!(
+                "a message of {length} bytes is longer than the server accepts ({LONGEST_MESSAGE}); it was skipped"
+            ),
+            Id::Null,
+        ),
+        Frame::NoLength => (
+            ErrorCode::ParseError,
+            "a message header has no Content-Length; it was skipped".into(),
+            Id::Null,
+        ),
+    };
+    let params = json!({ "code": code.code(), "message": message });
+    json!({ "jsonrpc": "2.0", "id": id, "method": MALFORMED, "params": params })
+        .to_string()
+        .into_bytes()
+}
+
+/// What is wrong with a message.
+struct Mistake {
+    code: ErrorCode,
+    message: String,
+    id: Id,
+}
+
+/// What the framework needs of a request. Parameters are only skipped here.
+#[derive(Deserialize)]
+#[expect(dead_code, reason = "the fields are there for their types")]
+struct Envelope {
+    jsonrpc: String,
+    method: String,
+    #[serde(default)]
+    id: Option<Id>,
+    #[serde(default)]
+    params: Option<IgnoredAny>,
+}
+
+/// As much of a broken message as says whom to answer.
+#[derive(Deserialize, Default)]
+struct Loose {
+    #[serde(default)]
+    id: Option<serde_json::Value>,
+    #[serde(default)]
+    method: Option<serde_json::Value>,
+    #[serde(default)]
+    jsonrpc: Option<serde_json::Value>,
+}
+
+fn check(body: &[u8]) -> Result<(), Mistake> {
+    let not_json = |message: String| Mistake {
+        code: ErrorCode::ParseError,
+        message,
+        id: Id::Null,
+    };
+    let text = std::str::from_utf8(body).map_err(|_| not_json("the message is not UTF-8".into()))?;
+    if serde_json::from_str::<Envelope>(text).is_ok_and(|envelope| envelope.jsonrpc == "2.0") {
+        return Ok(());
+    }
+    if let Err(error) = serde_json::from_str::<IgnoredAny>(text) {
+        return Err(not_json(format!("the message is not JSON: {error}")));
+    }
+    let loose = serde_json::from_str::<Loose>(text).unwrap_or_default();
+    if loose.method.is_none() && serde_json::from_str::<Response>(text).is_ok() {
+        return Ok(());
+    }
+    let message = if loose.jsonrpc != Some("2.0".into()) {
+        "the message does not say \"jsonrpc\": \"2.0\""
+    } else if loose.method.is_none() {
+        "the message is neither a request nor an answer"
+    } else {
+        "the method is not text, or the id is neither a whole number nor text"
+    };
+    let id = loose
+        .id
+        .and_then(|id| serde_json::from_value(id).ok())
+        .unwrap_or(Id::Null);
+    Err(Mistake {
+        code: ErrorCode::InvalidRequest,
+        message: message.into(),
+        id,
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// What the framework would read for these bytes, one body a line.
+    fn fed(input: &[u8]) -> String {
+        let mut out = Vec::new();
+        tokio::runtime::Builder::new_current_thread()
+            .build()
+            .unwrap()
+            .block_on(feed(input, &mut out));
+        let text = String::from_utf8(out).unwrap();
+        let bodies: Vec<_> = text.split("Content-Length: ").skip(1).collect();
+        bodies
+            .iter()
+            .map(|frame| frame.split_once("\r\n\r\n").unwrap().1.to_owned() + "\n")
+            .collect()
+    }
+
+    fn frame(body: &str) -> String {
+        format!("Content-Length: {}\r\n\r\n{body}", body.len())
+    }
+
+    const EXIT: &str = r#"{"jsonrpc":"2.0","method":"exit"}"#;
+
+    #[test]
+    fn a_good_message_passes_untouched() {
+        let answer = r#"{"jsonrpc":"2.0","id":3,"result":null}"#;
+        assert_eq!(
+            fed((frame(EXIT) + &frame(answer)).as_bytes()),
+            format!("{EXIT}\n{answer}\n")
+        );
+    }
+
+    #[test]
+    fn headers_are_read_generously() {
+        let length = EXIT.len();
+        let odd = format!(
+            "\r\ncontent-length:{length}\r\nContent-Type: application/vscode-jsonrpc\r\n\r\n{EXIT}\
+             Content-Length: {length}\n\n{EXIT}"
+        );
+        assert_eq!(fed(odd.as_bytes()), format!("{EXIT}\n{EXIT}\n"));
+    }
+
+    #[test]
+    fn the_next_message_is_found_behind_a_bad_one() {
+        let bad = frame(r#"{"jsonrpc":"2.0","method":"#) + &frame(EXIT);
+        let fed = fed(bad.as_bytes());
+        assert!(
+            fed.starts_with(r#"{"id":null,"jsonrpc":"2.0","method":"$malformed","params":{"code":-32700"#),
+            "{fed}"
+        );
+        assert!(fed.ends_with(&format!("{EXIT}\n")), "{fed}");
+    }
+
+    #[test]
+    fn the_answer_goes_to_whom_it_belongs() {
+        for (body, id, code) in [
+            (r#"{"jsonrpc":"1.0","id":4,"method":"x"}"#, "4", -32600),
+            (r#"{"jsonrpc":"2.0","id":"a","method":7}"#, "\"a\"", -32600),
+            (r#"{"jsonrpc":"2.0","id":5}"#, "5", -32600),
+            (r#"{"jsonrpc":"2.0","id":1.5,"method":"x"}"#, "null", -32600),
+            ("[]", "null", -32600),
+            ("not json", "null", -32700),
+        ] {
+            let fed = fed(frame(body).as_bytes());
+            assert!(
+                fed.contains(&format!("\"id\":{id},")) && fed.contains(&code.to_string()),
+                "{body}: {fed}"
+            );
+        }
+    }
+
+    #[test]
+    fn a_header_without_a_length_and_bytes_that_are_no_text_are_answered() {
+        assert!(fed(b"X-Other: 1\r\n\r\n").contains("no Content-Length"));
+        assert!(fed(b"Content-Length: 2\r\n\r\n\xff\xfe").contains("not UTF-8"));
+    }
+
+    #[test]
+    fn an_unfinished_message_is_dropped() {
+        assert_eq!(fed(b"Content-Length: 100\r\n\r\n{"), "");
+        assert_eq!(fed(b"Content-Le"), "");
+    }
+}

@@ -1,0 +1,84 @@
+//! What goes out without being asked for, in order.
+//!
+//! Sending to a client that is slow suspends, so no handler does it: a handler puts a note here and goes on, and
+//! one task sends the notes in their order. Diagnostics are checked against the open documents at the last
+//! moment: those of a text that the editor no longer shows are dropped.
+
+use std::sync::Arc;
+
+use tokio::sync::mpsc;
+use tower_lsp::Client;
+use tower_lsp::ls_types::{Diagnostic, MessageType};
+
+use super::convert;
+use crate::document::{Documents, Revision};
+
+/// The sending end. When the last one is dropped the task ends.
+#[derive(Debug, Clone)]
+pub(super) struct Outbox {
+    notes: mpsc::UnboundedSender<Note>,
+}
+
+#[derive(Debug)]
+enum Note {
+    Diagnostics(Arc<Revision>, Vec<Diagnostic>),
+    NoDiagnostics(String),
+    Log(MessageType, String),
+    Show(MessageType, String),
+}
+
+impl Outbox {
+    /// Starts the task that sends. Must be called within the runtime.
+    pub(super) fn open(client: Client, documents: Arc<Documents>) -> Self {
+        let (notes, inbox) = mpsc::unbounded_channel();
+        tokio::spawn(send(client, documents, inbox));
+        Outbox { notes }
+    }
+
+    /// Diagnostics of a text, all of them.
+    pub(super) fn diagnostics(&self, revision: Arc<Revision>, diagnostics: Vec<Diagnostic>) {
+        self.note(Note::Diagnostics(revision, diagnostics));
+    }
+
+    /// Takes the diagnostics of a closed document off the screen.
+    pub(super) fn no_diagnostics(&self, uri: &str) {
+        self.note(Note::NoDiagnostics(uri.to_owned()));
+    }
+
+    /// A line for the client's log.
+    pub(super) fn log(&self, message: impl Into<String>) {
+        self.note(Note::Log(MessageType::WARNING, message.into()));
+    }
+
+    /// A message for the person at the screen.
+    pub(super) fn show(&self, message: impl Into<String>) {
+        self.note(Note::Show(MessageType::WARNING, message.into()));
+    }
+
+    fn note(&self, note: Note) {
+        // The task is gone only when the session is.
+        let _ = self.notes.send(note);
+    }
+}
+
+async fn send(client: Client, documents: Arc<Documents>, mut inbox: mpsc::UnboundedReceiver<Note>) {
+    while let Some(note) = inbox.recv().await {
+        match note {
+            Note::Diagnostics(revision, diagnostics) if documents.is_current(&revision) => {
+                if let Some(uri) = convert::uri(&revision.uri) {
+                    client
+                        .publish_diagnostics(uri, diagnostics, Some(revision.version))
+                        .await;
+                }
+            }
+            Note::Diagnostics(..) => {}
+            Note::NoDiagnostics(uri) => {
+                if let Some(uri) = convert::uri(&uri) {
+                    client.publish_diagnostics(uri, Vec::new(), None).await;
+                }
+            }
+            Note::Log(level, message) => client.log_message(level, message).await,
+            Note::Show(level, message) => client.show_message(level, message).await,
+        }
+    }
+}

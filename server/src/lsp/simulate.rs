@@ -1,0 +1,141 @@
+//! `workspace/executeCommand` and `ladder/simulationState`: the simulator.
+
+use std::sync::Arc;
+
+use serde::Serialize;
+use tokio::sync::watch;
+use tower_lsp::Client;
+use tower_lsp::jsonrpc::{Error, ErrorCode, Result};
+use tower_lsp::ls_types::notification::Notification;
+use tower_lsp::ls_types::{ExecuteCommandParams, LSPAny};
+
+use super::blocking::blocking;
+use super::shared::Shared;
+use crate::cancel::Cancel;
+use crate::language::Simulation;
+use crate::simulation::messages::{OfSession, Start, Started, State, Stopped};
+use crate::simulation::{Action, Failure, REPORT, Request, Session};
+
+/// The protocol's code for a request that makes sense but cannot be done.
+const REQUEST_FAILED: i64 = -32803;
+
+/// The notification that shows how a simulation stands.
+#[derive(Debug)]
+enum SimulationState {}
+
+impl Notification for SimulationState {
+    type Params = State;
+    const METHOD: &'static str = "ladder/simulationState";
+}
+
+pub(super) async fn execute(shared: &Arc<Shared>, params: ExecuteCommandParams) -> Result<LSPAny> {
+    let request = Request::read(&params.command, params.arguments).map_err(error)?;
+    match request {
+        Request::Start(it) => json(&start(shared, it).await?),
+        Request::Step(it) => act(shared, &it.session, Action::Step(it.scans.unwrap_or(1))).await,
+        Request::Run(it) => {
+            let real_time = it.real_time.unwrap_or(true);
+            act(
+                shared,
+                &it.session,
+                Action::Run {
+                    scans: it.scans,
+                    real_time,
+                },
+            )
+            .await
+        }
+        Request::Pause(it) => act(shared, &it.session, Action::Pause).await,
+        Request::Set(it) => act(shared, &it.session, Action::Set(it.tag, it.value)).await,
+        Request::Force(it) => act(shared, &it.session, Action::Force(it.tag, it.value)).await,
+        Request::Unforce(it) => act(shared, &it.session, Action::Unforce(it.tag)).await,
+        Request::State(it) => act(shared, &it.session, Action::State).await,
+        Request::Reset(it) => act(shared, &it.session, Action::Reset).await,
+        Request::Stop(it) => stop(shared, it).await,
+    }
+}
+
+async fn start(shared: &Arc<Shared>, Start { uri, options }: Start) -> Result<Started> {
+    let revision = shared.documents.get(&uri).ok_or_else(|| {
+        error(Failure::Failed(format!(
+            "{uri} is not open in the editor; open it and start again"
+        )))
+    })?;
+    let job = revision.clone();
+    let simulation = blocking(move |_| match job.analysis() {
+        Some(analysis) => Simulation::start(analysis, &options),
+        None => Err(Failure::Failed("the file is too large to be simulated".into())),
+    });
+    let simulation = simulation.await?.map_err(error)?;
+    let (session, states) = shared
+        .sessions
+        .start(revision.clone(), simulation)
+        .map_err(error)?;
+    let state = states.borrow().clone();
+    tokio::spawn(report(shared.client.clone(), states));
+    // A change may have come between the text's reading and the session's entry in the table.
+    if !shared.documents.is_current(&revision) {
+        let state = answer(&session, Action::MarkStale).await?;
+        return Ok(Started {
+            session: session.id.clone(),
+            state,
+        });
+    }
+    Ok(Started {
+        session: session.id.clone(),
+        state,
+    })
+}
+
+async fn stop(shared: &Arc<Shared>, OfSession { session }: OfSession) -> Result<LSPAny> {
+    let removed = shared.sessions.remove(&session).map_err(error)?;
+    answer(&removed, Action::Stop).await?;
+    json(&Stopped {
+        session,
+        stopped: true,
+    })
+}
+
+async fn act(shared: &Arc<Shared>, session: &str, action: Action) -> Result<LSPAny> {
+    let session = shared.sessions.get(session).map_err(error)?;
+    json(&answer(&session, action).await?)
+}
+
+/// Waits for the session's answer. When the client cancels the request, the guard is dropped with this future and
+/// a long step ends.
+async fn answer(session: &Session, action: Action) -> Result<State> {
+    let cancel = Cancel::default();
+    let _guard = cancel.on_drop();
+    match session.ask(action, cancel).await {
+        Ok(outcome) => outcome.map_err(error),
+        Err(_) => Err(error(Failure::Failed(format!(
+            "the simulation {} has stopped",
+            session.id
+        )))),
+    }
+}
+
+/// Sends states to the client: the newest, at most one in each interval, and the last one always.
+async fn report(client: Client, mut states: watch::Receiver<State>) {
+    while states.changed().await.is_ok() {
+        let state = states.borrow_and_update().clone();
+        client.send_notification::<SimulationState>(state).await;
+        tokio::time::sleep(REPORT).await;
+    }
+}
+
+fn json(answer: &impl Serialize) -> Result<LSPAny> {
+    serde_json::to_value(answer).map_err(|_| Error::internal_error())
+}
+
+fn error(failure: Failure) -> Error {
+    let (code, message) = match failure {
+        Failure::Invalid(message) => (ErrorCode::InvalidParams, message),
+        Failure::Failed(message) => (ErrorCode::ServerError(REQUEST_FAILED), message),
+    };
+    Error {
+        code,
+        message: message.into(),
+        data: None,
+    }
+}

@@ -1,0 +1,95 @@
+//! Opening, changing and closing documents.
+//!
+//! These functions are not `async`: the handlers call them first, before any `await`, which keeps changes in the
+//! order in which they came (the framework runs several handlers at once).
+
+use std::sync::Arc;
+
+use serde::Deserialize;
+use tower_lsp::jsonrpc::Request;
+use tower_lsp::ls_types::{
+    CancelParams, DidChangeTextDocumentParams, DidCloseTextDocumentParams, DidOpenTextDocumentParams,
+    TextDocumentContentChangeEvent,
+};
+
+use super::convert::our_range;
+use super::diagnostics;
+use super::shared::Shared;
+use crate::document::Refused;
+use crate::document::edit::Change;
+
+pub(super) fn opened(shared: &Arc<Shared>, params: DidOpenTextDocumentParams) {
+    let document = params.text_document;
+    let uri = document.uri.as_str();
+    if shared.documents.get(uri).is_some() {
+        shared.outbox.log(format!(
+            "{uri} was opened twice without being closed; the newer text counts"
+        ));
+    }
+    shared
+        .documents
+        .open(uri, document.version, shared.agreed().encoding, &document.text);
+    shared.text_moved(uri);
+    diagnostics::refresh(shared, uri);
+}
+
+pub(super) fn changed(shared: &Arc<Shared>, params: DidChangeTextDocumentParams) {
+    let uri = params.text_document.uri.as_str();
+    let changes: Vec<_> = params.content_changes.into_iter().map(change).collect();
+    match shared
+        .documents
+        .change(uri, params.text_document.version, &changes)
+    {
+        Ok(_) => {
+            shared.text_moved(uri);
+            diagnostics::refresh(shared, uri);
+        }
+        Err(refused) => {
+            let message = format!("a change to {uri} was refused: {refused}");
+            // From here on editor and server see different texts: that is for the person to know.
+            if matches!(refused, Refused::OldVersion { .. }) {
+                shared.outbox.show(&message);
+            }
+            shared.outbox.log(message);
+        }
+    }
+}
+
+pub(super) fn closed(shared: &Arc<Shared>, params: &DidCloseTextDocumentParams) {
+    let uri = params.text_document.uri.as_str();
+    if shared.documents.close(uri) {
+        shared.document_closed(uri);
+        shared.outbox.no_diagnostics(uri);
+    } else {
+        shared
+            .outbox
+            .log(format!("{uri} was closed, but it was not open"));
+    }
+}
+
+fn change(event: TextDocumentContentChangeEvent) -> Change {
+    match event.range {
+        Some(range) => Change::Part {
+            range: our_range(range),
+            text: event.text,
+        },
+        None => Change::Whole(event.text),
+    }
+}
+
+/// What is wrong with the parameters of a notification, if anything. The framework drops such a notification
+/// without a word, and an editor would never learn why its changes have no effect.
+pub(super) fn misread(notification: &Request) -> Option<String> {
+    let params = notification.params()?;
+    let error = match notification.method() {
+        "textDocument/didOpen" => DidOpenTextDocumentParams::deserialize(params).err(),
+        "textDocument/didChange" => DidChangeTextDocumentParams::deserialize(params).err(),
+        "textDocument/didClose" => DidCloseTextDocumentParams::deserialize(params).err(),
+        "$/cancelRequest" => CancelParams::deserialize(params).err(),
+        _ => None,
+    }?;
+    Some(format!(
+        "{} was ignored, its parameters make no sense: {error}",
+        notification.method()
+    ))
+}

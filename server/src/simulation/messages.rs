@@ -1,0 +1,213 @@
+//! What travels between editor and simulator. `docs/protocol.md` shows each message.
+
+use std::collections::BTreeMap;
+
+use serde::{Deserialize, Serialize, Serializer};
+use serde_json::Value;
+
+use crate::document::position::Range;
+
+/// The argument of `ladder.simulate.start`.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(rename_all = "camelCase", deny_unknown_fields)]
+pub struct Start {
+    /// The document to run, which must be open.
+    pub uri: String,
+    /// How to run it.
+    #[serde(default)]
+    pub options: Options,
+}
+
+/// How a simulation runs.
+#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
+#[serde(rename_all = "camelCase", deny_unknown_fields)]
+pub struct Options {
+    /// The time that one scan stands for, in milliseconds; 10 unless given.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub interval_ms: Option<f64>,
+    /// Values of inputs from the first scan on.
+    #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
+    pub inputs: BTreeMap<String, Value>,
+    /// How many blocks a scan may evaluate before it counts as hung.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub watchdog: Option<u64>,
+}
+
+/// The argument of the commands that need nothing but the session.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "camelCase", deny_unknown_fields)]
+pub struct OfSession {
+    /// The session, as `start` named it.
+    pub session: String,
+}
+
+/// The argument of `ladder.simulate.step`.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "camelCase", deny_unknown_fields)]
+pub struct Step {
+    /// The session.
+    pub session: String,
+    /// How many scans; one unless given.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub scans: Option<u64>,
+}
+
+/// The argument of `ladder.simulate.run`.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "camelCase", deny_unknown_fields)]
+pub struct Run {
+    /// The session.
+    pub session: String,
+    /// How many scans; until it is paused unless given.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub scans: Option<u64>,
+    /// One scan in each interval of real time (which is what `true`, the default, asks for), or as fast as it goes.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub real_time: Option<bool>,
+}
+
+/// The argument of `ladder.simulate.set` and `ladder.simulate.force`.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(rename_all = "camelCase", deny_unknown_fields)]
+pub struct Assign {
+    /// The session.
+    pub session: String,
+    /// The tag, or a member as in `t1.ET`.
+    pub tag: String,
+    /// The value, as the tag's type writes it.
+    pub value: Value,
+}
+
+/// The argument of `ladder.simulate.unforce`.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "camelCase", deny_unknown_fields)]
+pub struct Unforce {
+    /// The session.
+    pub session: String,
+    /// The tag; all tags unless given.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub tag: Option<String>,
+}
+
+/// The answer of `ladder.simulate.start`.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(rename_all = "camelCase", deny_unknown_fields)]
+pub struct Started {
+    /// The session's name, for all later commands.
+    pub session: String,
+    /// How things stand before the first scan.
+    pub state: State,
+}
+
+/// The answer of `ladder.simulate.stop`.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "camelCase", deny_unknown_fields)]
+pub struct Stopped {
+    /// The session that is no more.
+    pub session: String,
+    /// Always true.
+    pub stopped: bool,
+}
+
+/// How a simulation stands: the answer of every other command, and the parameters of
+/// `ladder/simulationState`.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(rename_all = "camelCase", deny_unknown_fields)]
+pub struct State {
+    /// The session.
+    pub session: String,
+    /// The document it runs.
+    pub uri: String,
+    /// The version of the text it runs.
+    pub version: i32,
+    /// Whether the document has been changed since.
+    pub stale: bool,
+    /// What it is doing.
+    pub status: Status,
+    /// How many scans are done.
+    pub scan: u64,
+    /// The simulation's clock, in milliseconds.
+    #[serde(serialize_with = "shortest")]
+    pub time_ms: f64,
+    /// Every tag, in the order of first appearance; timers and counters as their members.
+    pub tags: Vec<Tag>,
+    /// Every wire, block and connector, and whether power flowed there in the last scan.
+    pub power: Vec<Power>,
+    /// What went wrong while it ran.
+    pub faults: Vec<Fault>,
+}
+
+/// What a simulation is doing.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "camelCase")]
+pub enum Status {
+    /// Waiting for a command.
+    Paused,
+    /// Scanning.
+    Running,
+    /// The program came to its end, or the session was stopped.
+    Ended,
+    /// A fault stopped it: the watchdog, or calls nested too deep.
+    Faulted,
+}
+
+/// One tag.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(rename_all = "camelCase", deny_unknown_fields)]
+pub struct Tag {
+    /// Its name, as declared or first written.
+    pub name: String,
+    /// Its type, as in `DINT`.
+    #[serde(rename = "type")]
+    pub kind: String,
+    /// Its value.
+    pub value: Value,
+    /// Who writes it.
+    pub role: Role,
+    /// Whether it is held at this value.
+    pub forced: bool,
+}
+
+/// Who writes a tag.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "camelCase")]
+pub enum Role {
+    /// The plant.
+    Input,
+    /// The program, for the plant.
+    Output,
+    /// The program, for itself.
+    Internal,
+}
+
+/// Power on one element of the drawing.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "camelCase", deny_unknown_fields)]
+pub struct Power {
+    /// Where the element stands.
+    pub range: Range,
+    /// Whether power flowed there.
+    pub on: bool,
+}
+
+/// One thing that went wrong while the program ran.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "camelCase", deny_unknown_fields)]
+pub struct Fault {
+    /// What, and what to do.
+    pub message: String,
+    /// The block.
+    pub range: Range,
+    /// The scan it happened in, from 0.
+    pub scan: u64,
+}
+
+/// A whole number is written without a point.
+#[expect(clippy::trivially_copy_pass_by_ref, reason = "serde asks for it")]
+fn shortest<S: Serializer>(number: &f64, serializer: S) -> Result<S::Ok, S::Error> {
+    if number.fract() == 0.0 && number.abs() < 9e15 {
+        serializer.serialize_i64(*number as i64)
+    } else {
+        serializer.serialize_f64(*number)
+    }
+}

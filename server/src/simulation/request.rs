@@ -1,0 +1,123 @@
+//! The commands, from their names and arguments.
+
+use serde::de::DeserializeOwned;
+use serde_json::Value;
+
+use super::messages::{Assign, OfSession, Run, Start, Step, Unforce};
+
+/// What a client can ask for with `workspace/executeCommand`.
+pub(crate) const COMMANDS: [&str; 10] = [
+    "ladder.simulate.start",
+    "ladder.simulate.step",
+    "ladder.simulate.run",
+    "ladder.simulate.pause",
+    "ladder.simulate.set",
+    "ladder.simulate.force",
+    "ladder.simulate.unforce",
+    "ladder.simulate.state",
+    "ladder.simulate.reset",
+    "ladder.simulate.stop",
+];
+
+/// Why a command did not do what it was to do.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub(crate) enum Failure {
+    /// The command or its argument makes no sense.
+    Invalid(String),
+    /// It makes sense, but cannot be done: unknown session or tag, a program with errors.
+    Failed(String),
+}
+
+/// A command with its argument.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) enum Request {
+    Start(Start),
+    Step(Step),
+    Run(Run),
+    Pause(OfSession),
+    Set(Assign),
+    Force(Assign),
+    Unforce(Unforce),
+    State(OfSession),
+    Reset(OfSession),
+    Stop(OfSession),
+}
+
+impl Request {
+    /// Reads a command.
+    pub(crate) fn read(command: &str, arguments: Vec<Value>) -> Result<Self, Failure> {
+        let argument = |arguments| argument(command, arguments);
+        match command.strip_prefix("ladder.simulate.") {
+            Some("start") => Ok(Request::Start(read(command, argument(arguments)?)?)),
+            Some("step") => Ok(Request::Step(read(command, argument(arguments)?)?)),
+            Some("run") => Ok(Request::Run(read(command, argument(arguments)?)?)),
+            Some("pause") => Ok(Request::Pause(read(command, argument(arguments)?)?)),
+            Some("set") => Ok(Request::Set(read(command, argument(arguments)?)?)),
+            Some("force") => Ok(Request::Force(read(command, argument(arguments)?)?)),
+            Some("unforce") => Ok(Request::Unforce(read(command, argument(arguments)?)?)),
+            Some("state") => Ok(Request::State(read(command, argument(arguments)?)?)),
+            Some("reset") => Ok(Request::Reset(read(command, argument(arguments)?)?)),
+            Some("stop") => Ok(Request::Stop(read(command, argument(arguments)?)?)),
+            _ => Err(Failure::Invalid(format!(
+                "there is no command {command}; the commands are {}",
+                COMMANDS.join(", ")
+            ))),
+        }
+    }
+}
+
+fn argument(command: &str, arguments: Vec<Value>) -> Result<Value, Failure> {
+    match <[Value; 1]>::try_from(arguments) {
+        Ok([argument @ Value::Object(_)]) => Ok(argument),
+        _ => Err(Failure::Invalid(format!(
+            "{command} takes exactly one argument, an object"
+        ))),
+    }
+}
+
+fn read<T: DeserializeOwned>(command: &str, argument: Value) -> Result<T, Failure> {
+    serde_json::from_value(argument).map_err(|error| Failure::Invalid(format!("{command}: {error}")))
+}
+
+#[cfg(test)]
+mod tests {
+    use serde_json::json;
+
+    use super::*;
+
+    #[test]
+    fn every_command_is_read() {
+        for command in COMMANDS {
+            let argument = json!({"uri": "file:///a.clad"});
+            let argument = if command.ends_with("start") {
+                argument
+            } else {
+                json!({"session": "s1"})
+            };
+            match Request::read(command, vec![argument]) {
+                Ok(_) => {}
+                Err(Failure::Invalid(message)) => assert!(message.contains("missing field"), "{message}"),
+                Err(failure) => panic!("{command}: {failure:?}"),
+            }
+        }
+    }
+
+    #[test]
+    fn mistakes_are_named() {
+        let says = |command: &str, arguments: Value| match Request::read(
+            command,
+            serde_json::from_value(arguments).unwrap(),
+        ) {
+            Err(Failure::Invalid(message)) => message,
+            other => panic!("{other:?}"),
+        };
+        assert!(says("ladder.simulate.jump", json!([{}])).contains("the commands are ladder.simulate.start"));
+        assert!(says("ladder.simulate.step", json!([])).contains("exactly one argument"));
+        assert!(says("ladder.simulate.step", json!(["s1"])).contains("an object"));
+        assert!(
+            says("ladder.simulate.step", json!([{"session": "s1", "scan": 2}]))
+                .contains("unknown field `scan`")
+        );
+        assert!(says("ladder.simulate.step", json!([{"session": "s1", "scans": -1}])).contains("-1"));
+    }
+}

@@ -1,0 +1,348 @@
+//! One simulation, on a thread of its own.
+
+use std::sync::Arc;
+use std::sync::atomic::{AtomicUsize, Ordering};
+use std::sync::mpsc::{Receiver, RecvTimeoutError, Sender, TryRecvError, channel};
+use std::time::{Duration, Instant};
+
+use serde_json::Value;
+use tokio::sync::{oneshot, watch};
+
+use super::messages::{self, State, Status};
+use super::request::Failure;
+use crate::cancel::Cancel;
+use crate::document::Revision;
+use crate::document::position::Range;
+use crate::language::{Scanned, Simulation};
+
+/// How often a run reports: twenty times a second.
+pub(crate) const REPORT: Duration = Duration::from_millis(50);
+
+/// So many faults are reported, the newest: a division by zero in every scan would else fill the memory.
+const FAULTS: usize = 100;
+
+/// What a session is asked to do.
+#[derive(Debug)]
+pub(crate) enum Action {
+    /// Do so many scans, then pause.
+    Step(u64),
+    /// Scan until told otherwise.
+    Run {
+        /// Pause after so many scans.
+        scans: Option<u64>,
+        /// One scan in each interval of real time.
+        real_time: bool,
+    },
+    /// Stop scanning.
+    Pause,
+    /// Give a tag a value.
+    Set(String, Value),
+    /// Hold a tag at a value.
+    Force(String, Value),
+    /// Let a tag go, or all.
+    Unforce(Option<String>),
+    /// Nothing: only answer.
+    State,
+    /// Start again from cold.
+    Reset,
+    /// The text has changed under the simulation.
+    MarkStale,
+    /// End.
+    Stop,
+}
+
+impl Action {
+    /// Whether a step that is under way gives way to it.
+    fn is_urgent(&self) -> bool {
+        matches!(self, Action::Pause | Action::Reset | Action::Stop)
+    }
+}
+
+struct Command {
+    action: Action,
+    cancel: Cancel,
+    reply: oneshot::Sender<Result<State, Failure>>,
+}
+
+/// The handle of a session's thread. The thread ends when it is told to stop, or when the handle is dropped.
+#[derive(Debug)]
+pub(crate) struct Session {
+    /// Its name.
+    pub id: String,
+    /// The document it runs.
+    pub uri: Arc<str>,
+    commands: Sender<Command>,
+    /// How many urgent commands wait.
+    urgent: Arc<AtomicUsize>,
+}
+
+impl Session {
+    /// Starts the thread. The receiver shows the newest state, from before the first scan on.
+    pub(crate) fn start(
+        id: String,
+        revision: Arc<Revision>,
+        simulation: Simulation,
+    ) -> Result<(Self, watch::Receiver<State>), Failure> {
+        let (commands, inbox) = channel();
+        let urgent = Arc::<AtomicUsize>::default();
+        let uri = revision.uri.clone();
+        let power = simulation
+            .places()
+            .into_iter()
+            .map(|place| revision.range(place))
+            .collect();
+        let mut runner = Runner {
+            id: id.clone(),
+            revision,
+            simulation,
+            power,
+            status: Status::Paused,
+            stale: false,
+            run: None,
+            inbox,
+            urgent: urgent.clone(),
+            states: None,
+        };
+        let (states, receiver) = watch::channel(runner.state());
+        runner.states = Some(states);
+        std::thread::Builder::new()
+            .name(format!("simulation {id}"))
+            .spawn(move || runner.work())
+            .map_err(|error| Failure::Failed(format!("no thread for the simulation: {error}")))?;
+        Ok((
+            Session {
+                id,
+                uri,
+                commands,
+                urgent,
+            },
+            receiver,
+        ))
+    }
+
+    /// Hands over an action and returns where its answer will arrive. An answer that nobody waits for is no
+    /// mistake; `cancel` stops a step before its end.
+    pub(crate) fn ask(&self, action: Action, cancel: Cancel) -> oneshot::Receiver<Result<State, Failure>> {
+        let (reply, answer) = oneshot::channel();
+        if action.is_urgent() {
+            self.urgent.fetch_add(1, Ordering::SeqCst);
+        }
+        // When the thread is gone, so is the other end of `reply`: the caller sees that.
+        let _ = self.commands.send(Command {
+            action,
+            cancel,
+            reply,
+        });
+        answer
+    }
+}
+
+/// A run that goes on between commands.
+#[derive(Debug, Clone, Copy)]
+struct Going {
+    left: Option<u64>,
+    /// When the next scan is due, for a run in real time.
+    due: Option<Instant>,
+    reported: Instant,
+}
+
+/// The thread's own side.
+struct Runner {
+    id: String,
+    revision: Arc<Revision>,
+    simulation: Simulation,
+    /// Where the elements stand, computed once: the text that runs does not change.
+    power: Vec<Range>,
+    status: Status,
+    stale: bool,
+    run: Option<Going>,
+    inbox: Receiver<Command>,
+    urgent: Arc<AtomicUsize>,
+    states: Option<watch::Sender<State>>,
+}
+
+impl Runner {
+    fn work(mut self) {
+        loop {
+            let command = match self.run {
+                None => self.inbox.recv().map_err(|_| RecvTimeoutError::Disconnected),
+                Some(Going { due: None, .. }) => self.inbox.try_recv().map_err(|error| match error {
+                    TryRecvError::Empty => RecvTimeoutError::Timeout,
+                    TryRecvError::Disconnected => RecvTimeoutError::Disconnected,
+                }),
+                Some(Going { due: Some(due), .. }) => self
+                    .inbox
+                    .recv_timeout(due.saturating_duration_since(Instant::now())),
+            };
+            match command {
+                Ok(command) => {
+                    if self.serve(command) == Next::Leave {
+                        return;
+                    }
+                }
+                Err(RecvTimeoutError::Timeout) => self.go_on(),
+                Err(RecvTimeoutError::Disconnected) => return,
+            }
+        }
+    }
+
+    fn serve(
+        &mut self,
+        Command {
+            action,
+            cancel,
+            reply,
+        }: Command,
+    ) -> Next {
+        if action.is_urgent() {
+            self.urgent.fetch_sub(1, Ordering::SeqCst);
+        }
+        let next = if matches!(action, Action::Stop) {
+            Next::Leave
+        } else {
+            Next::Stay
+        };
+        let changes = !matches!(action, Action::State);
+        let outcome = self.act(action, &cancel);
+        let state = self.state();
+        if changes && outcome.is_ok() {
+            self.publish(state.clone());
+        }
+        let _ = reply.send(outcome.map(|()| state));
+        next
+    }
+
+    fn act(&mut self, action: Action, cancel: &Cancel) -> Result<(), Failure> {
+        match action {
+            Action::Step(scans) => {
+                self.pause();
+                self.step(scans, cancel);
+            }
+            Action::Run { scans, real_time } => self.start_run(scans, real_time),
+            Action::Pause => self.pause(),
+            Action::Set(tag, value) => self.simulation.set(&tag, &value)?,
+            Action::Force(tag, value) => self.simulation.force(&tag, &value)?,
+            Action::Unforce(tag) => self.simulation.unforce(tag.as_deref())?,
+            Action::State => {}
+            Action::Reset => {
+                self.run = None;
+                self.simulation.reset();
+                self.status = Status::Paused;
+            }
+            Action::MarkStale => self.stale = true,
+            Action::Stop => {
+                self.run = None;
+                self.status = Status::Ended;
+            }
+        }
+        Ok(())
+    }
+
+    fn pause(&mut self) {
+        self.run = None;
+        if self.status == Status::Running {
+            self.status = Status::Paused;
+        }
+    }
+
+    /// Scans until done, until nobody waits for it, or until an urgent command wants to be heard. Other commands
+    /// wait: a `set` that was sent behind a `step` takes effect behind it.
+    fn step(&mut self, scans: u64, cancel: &Cancel) {
+        if self.status != Status::Paused {
+            return;
+        }
+        self.status = Status::Running;
+        let mut reported = Instant::now();
+        for _ in 0..scans {
+            let interrupted = cancel.is_cancelled() || self.urgent.load(Ordering::SeqCst) > 0;
+            if interrupted || self.status != Status::Running {
+                break;
+            }
+            self.scan();
+            if reported.elapsed() >= REPORT {
+                reported = Instant::now();
+                self.publish(self.state());
+            }
+        }
+        self.pause();
+    }
+
+    fn start_run(&mut self, scans: Option<u64>, real_time: bool) {
+        let can_run = matches!(self.status, Status::Paused | Status::Running);
+        if can_run && scans != Some(0) {
+            let now = Instant::now();
+            self.status = Status::Running;
+            self.run = Some(Going {
+                left: scans,
+                due: real_time.then_some(now),
+                reported: now,
+            });
+        } else {
+            self.pause();
+        }
+    }
+
+    /// One scan of a run.
+    fn go_on(&mut self) {
+        let Some(mut run) = self.run else { return };
+        self.scan();
+        let now = Instant::now();
+        run.left = run.left.map(|left| left - 1);
+        // A scan that takes longer than its interval makes the simulation slow; it does not make it catch up.
+        run.due = run.due.map(|due| (due + self.simulation.interval()).max(now));
+        if self.status != Status::Running || run.left == Some(0) {
+            self.pause();
+            self.publish(self.state());
+            return;
+        }
+        if now - run.reported >= REPORT {
+            run.reported = now;
+            self.publish(self.state());
+        }
+        self.run = Some(run);
+    }
+
+    fn scan(&mut self) {
+        match self.simulation.scan() {
+            Scanned::Done => {}
+            Scanned::Ended => self.status = Status::Ended,
+            Scanned::Faulted => self.status = Status::Faulted,
+        }
+    }
+
+    fn publish(&self, state: State) {
+        if let Some(states) = &self.states {
+            states.send_replace(state);
+        }
+    }
+
+    fn state(&self) -> State {
+        let power = self.power.iter().zip(self.simulation.power());
+        let faults = self.simulation.faults();
+        State {
+            session: self.id.clone(),
+            uri: self.revision.uri.to_string(),
+            version: self.revision.version,
+            stale: self.stale,
+            status: self.status,
+            scan: self.simulation.scans(),
+            time_ms: self.simulation.time_ms(),
+            tags: self.simulation.tags(),
+            power: power.map(|(&range, on)| messages::Power { range, on }).collect(),
+            faults: faults[faults.len().saturating_sub(FAULTS)..]
+                .iter()
+                .map(|fault| messages::Fault {
+                    message: fault.message.clone(),
+                    range: self.revision.range(fault.range),
+                    scan: fault.scan,
+                })
+                .collect(),
+        }
+    }
+}
+
+#[derive(PartialEq, Eq)]
+enum Next {
+    Stay,
+    Leave,
+}

@@ -1,0 +1,95 @@
+//! Which simulations there are.
+
+use std::collections::BTreeMap;
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
+
+use tokio::sync::watch;
+
+use super::messages::State;
+use super::request::Failure;
+use super::session::{Action, Session};
+use crate::cancel::Cancel;
+use crate::document::Revision;
+use crate::language::Simulation;
+
+/// No editor shows more simulations than this at once; a client that starts them in a loop is stopped here.
+const MOST: usize = 32;
+
+/// The sessions of one client, by name.
+#[derive(Debug, Default)]
+pub(crate) struct Sessions {
+    table: Mutex<Table>,
+}
+
+#[derive(Debug, Default)]
+struct Table {
+    started: u64,
+    open: BTreeMap<String, Arc<Session>>,
+}
+
+impl Sessions {
+    /// Starts a simulation of this revision, and returns its session with the channel that shows its states.
+    pub(crate) fn start(
+        &self,
+        revision: Arc<Revision>,
+        simulation: Simulation,
+    ) -> Result<(Arc<Session>, watch::Receiver<State>), Failure> {
+        let mut table = self.lock();
+        if table.open.len() >= MOST {
+            return Err(Failure::Failed(format!(
+                "{MOST} simulations are open; stop one of them first"
+            )));
+        }
+        table.started += 1;
+        let id = format!("s{}", table.started);
+        let (session, states) = Session::start(id.clone(), revision, simulation)?;
+        let session = Arc::new(session);
+        table.open.insert(id, session.clone());
+        Ok((session, states))
+    }
+
+    /// The session of this name.
+    pub(crate) fn get(&self, id: &str) -> Result<Arc<Session>, Failure> {
+        self.lock().open.get(id).cloned().ok_or_else(|| unknown(id))
+    }
+
+    /// Takes a session off the table, to be stopped.
+    pub(crate) fn remove(&self, id: &str) -> Result<Arc<Session>, Failure> {
+        self.lock().open.remove(id).ok_or_else(|| unknown(id))
+    }
+
+    /// Tells the simulations of a document that its text has changed.
+    pub(crate) fn mark_stale(&self, uri: &str) {
+        for session in self.lock().open.values().filter(|session| &*session.uri == uri) {
+            drop(session.ask(Action::MarkStale, Cancel::default()));
+        }
+    }
+
+    /// Stops the simulations of a document.
+    pub(crate) fn stop_all_of(&self, uri: &str) {
+        self.lock().open.retain(|_, session| {
+            let goes = &*session.uri == uri;
+            if goes {
+                drop(session.ask(Action::Stop, Cancel::default()));
+            }
+            !goes
+        });
+    }
+
+    /// Stops all simulations.
+    pub(crate) fn stop_everything(&self) {
+        for session in std::mem::take(&mut self.lock().open).into_values() {
+            drop(session.ask(Action::Stop, Cancel::default()));
+        }
+    }
+
+    fn lock(&self) -> MutexGuard<'_, Table> {
+        self.table.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+}
+
+fn unknown(id: &str) -> Failure {
+    Failure::Failed(format!(
+        "there is no simulation {id}; it was stopped, or never started"
+    ))
+}

@@ -1,0 +1,166 @@
+//! Hover, formatting, code actions, cancelling.
+
+use serde_json::{Value, json};
+
+use crate::client::{Client, URI, span};
+
+async fn format(client: &mut Client) -> Value {
+    let options = json!({"tabSize": 4, "insertSpaces": true});
+    client
+        .request(
+            "textDocument/formatting",
+            json!({"textDocument": {"uri": URI}, "options": options}),
+        )
+        .await
+        .unwrap()
+}
+
+async fn actions(client: &mut Client, range: [u32; 4], only: Option<&str>) -> Vec<Value> {
+    let mut context = json!({"diagnostics": []});
+    if let Some(only) = only {
+        context["only"] = json!([only]);
+    }
+    let params = json!({"textDocument": {"uri": URI}, "range": span(range), "context": context});
+    let answer = client.request("textDocument/codeAction", params).await.unwrap();
+    answer.as_array().unwrap().clone()
+}
+
+/// The text after the edits, which are in bytes (the client negotiated utf-8).
+fn edited(text: &str, edits: &Value) -> String {
+    let offset = |position: &Value| {
+        let line = position["line"].as_u64().unwrap() as usize;
+        let start: usize = text.split_inclusive('\n').take(line).map(str::len).sum();
+        start + position["character"].as_u64().unwrap() as usize
+    };
+    let mut edits: Vec<_> = edits
+        .as_array()
+        .unwrap()
+        .iter()
+        .map(|edit| {
+            (
+                offset(&edit["range"]["start"])..offset(&edit["range"]["end"]),
+                edit["newText"].as_str().unwrap(),
+            )
+        })
+        .collect();
+    edits.sort_by_key(|(range, _)| range.start);
+    let mut text = text.to_owned();
+    for (range, new) in edits.into_iter().rev() {
+        text.replace_range(range, new);
+    }
+    text
+}
+
+#[tokio::test]
+async fn hover_explains_what_stands_there() {
+    let mut client = Client::new().await;
+    client.open("+--[TON]( t1, T#5s )--( )( y )--+\n").await;
+    let hover = client.hover(0, 4).await.unwrap();
+    assert_eq!(hover["contents"]["kind"], "markdown");
+    assert!(
+        hover["contents"]["value"].as_str().unwrap().contains("TON"),
+        "{hover}"
+    );
+    assert_eq!(
+        client.hover(0, 99).await,
+        Ok(Value::Null),
+        "nothing stands behind the line"
+    );
+    client.finish().await;
+
+    let mut plain = Client::with(json!({})).await;
+    plain.open("+--[TON]( t1, T#5s )--( )( y )--+\n").await;
+    let hover = plain.hover(0, 4).await.unwrap();
+    assert_eq!(hover["contents"]["kind"], "plaintext");
+    assert!(
+        !hover["contents"]["value"].as_str().unwrap().contains("```"),
+        "{hover}"
+    );
+    plain.finish().await;
+}
+
+#[tokio::test]
+async fn formatting_sends_small_edits() {
+    let text = "+-\\-[ ]( a )-\\-( )( y )-+\n|  /-[ ](b)--/ |\n";
+    let mut client = Client::new().await;
+    client.open(text).await;
+    let edits = format(&mut client).await;
+    let formatted = edited(text, &edits);
+    assert_eq!(
+        formatted,
+        "+--\\--[ ]( a )--\\------------( )( y )--+\n|  /--[ ]( b )--/                      |\n"
+    );
+    for edit in edits.as_array().unwrap() {
+        assert!(
+            edit["newText"]
+                .as_str()
+                .unwrap()
+                .trim_matches([' ', '-', '\n', '|'])
+                .is_empty(),
+            "{edit}"
+        );
+    }
+    client.replace(2, &formatted).await;
+    assert_eq!(format(&mut client).await, json!([]), "what is formatted stays");
+    client.finish().await;
+}
+
+#[tokio::test]
+async fn a_fix_is_offered_where_its_problem_is() {
+    let text = "+--[ ]( a )--(S)( y )--+\n\n+--[ ]( b )--[SET]( z )--+\n";
+    let mut client = Client::new().await;
+    client.open(text).await;
+    assert_eq!(
+        actions(&mut client, [0, 4, 0, 4], Some("quickfix")).await,
+        Vec::<Value>::new()
+    );
+    let offered = actions(&mut client, [2, 14, 2, 14], None).await;
+    let fix = &offered[0];
+    assert_eq!(fix["kind"], "quickfix");
+    assert_eq!(fix["isPreferred"], true);
+    assert_eq!(fix["diagnostics"][0]["code"], "wrong-shape");
+    let edit = &fix["edit"]["documentChanges"][0];
+    assert_eq!(edit["textDocument"], json!({"uri": URI, "version": 1}));
+    assert!(edited(text, &edit["edits"]).contains("(S)( z )"));
+    client.finish().await;
+}
+
+#[tokio::test]
+async fn all_fixes_at_once() {
+    let text = "+--[ ]( a )--[SET]( y )--+\n\n+--[ ]( b )--[SET]( z )--+\n";
+    let mut client = Client::with(json!({"general": {"positionEncodings": ["utf-8"]}})).await;
+    client.open(text).await;
+    let offered = actions(&mut client, [0, 0, 0, 0], Some("source.fixAll")).await;
+    assert_eq!(offered.len(), 1);
+    assert_eq!(offered[0]["kind"], "source.fixAll.ladder");
+    let fixed = edited(text, &offered[0]["edit"]["changes"][URI]);
+    assert!(
+        fixed.contains("(S)( y )") && fixed.contains("(S)( z )"),
+        "{fixed}"
+    );
+    client.finish().await;
+}
+
+#[tokio::test]
+async fn a_cancelled_request_is_answered_as_such() {
+    let mut client = Client::new().await;
+    client.open("+--[ ]( a )--( )( y )--+\n").await;
+    let started = client.simulate("start", json!({"uri": URI})).await.unwrap();
+    let session = started["session"].as_str().unwrap().to_owned();
+    let params = json!({
+        "command": "ladder.simulate.step",
+        "arguments": [{"session": session, "scans": 1_000_000_000_000_u64}]
+    });
+    let id = client.ask("workspace/executeCommand", params).await;
+    // The server goes on answering while the scans run.
+    assert!(client.hover(0, 5).await.is_ok());
+    client.notify("$/cancelRequest", json!({"id": id})).await;
+    assert_eq!(client.answer(id).await.unwrap_err().0, -32800);
+    // And the work has stopped: the session's thread is free for the next command.
+    let state = client
+        .simulate("state", json!({"session": session}))
+        .await
+        .unwrap();
+    assert_eq!(state["status"], "paused");
+    client.finish().await;
+}
