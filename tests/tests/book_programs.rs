@@ -1,0 +1,95 @@
+//! The programs in the book hold no mistakes and stand in the canonical layout.
+//!
+//! Every block that is marked `clad` is one program. Behind the language may stand:
+//!
+//! - `wrong`: it shows a mistake, and `ladder check` finds something;
+//! - `sketch`: it is not in the canonical layout, to show something about the drawing.
+//!
+//! `UPDATE_EXPECT=1 cargo test -p ladder-tests` writes the canonical layout into the pages.
+
+use ladder_analysis::{Severity, analyze};
+use ladder_format::{Options, format_text};
+use ladder_syntax::parse;
+use ladder_tests::markdown::{self, Fence};
+use ladder_tests::project;
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+
+/// The texts for people that hold programs.
+fn texts() -> Vec<PathBuf> {
+    let root = project::root();
+    let mut files = project::files(&root.join("docs"), "md");
+    files.push(root.join("README.md"));
+    files.retain(|file| file.exists());
+    files
+}
+
+fn programs(text: &str) -> Vec<Fence> {
+    let fences = markdown::read(text).fences;
+    fences
+        .into_iter()
+        .filter(|fence| fence.language() == Some("clad"))
+        .collect()
+}
+
+fn place(file: &Path, fence: &Fence) -> String {
+    format!("{}:{}", file.display(), fence.line)
+}
+
+#[test]
+fn programs_hold_no_mistakes() {
+    let mut problems = Vec::new();
+    for file in texts() {
+        for fence in programs(&project::read(&file)) {
+            let place = place(&file, &fence);
+            let parse = Arc::new(parse(&fence.text));
+            let found = analyze(&parse, "program").diagnostics;
+            if fence.says("wrong") {
+                if found.is_empty() {
+                    problems.push(format!("{place}: nothing is wrong"));
+                }
+                continue;
+            }
+            for finding in found {
+                if finding.severity > Severity::Info {
+                    problems.push(format!("{place}: {}: {}", finding.rule, finding.message));
+                }
+            }
+        }
+    }
+    assert!(problems.is_empty(), "{}", problems.join("\n"));
+}
+
+#[test]
+fn programs_stand_in_the_canonical_layout() {
+    let update = std::env::var_os("UPDATE_EXPECT").is_some();
+    let mut problems = Vec::new();
+    for file in texts() {
+        let text = project::read(&file);
+        let mut new_text = text.clone();
+        // From the last to the first, so that the places before stay where they are.
+        for fence in programs(&text).iter().rev() {
+            if fence.says("sketch") || fence.says("wrong") {
+                continue;
+            }
+            let formatted = format_text(&fence.text, &Options::default());
+            if formatted != fence.text {
+                problems.push(format!("{}:\n{formatted}", place(&file, fence)));
+                new_text.replace_range(fence.range.clone(), &formatted);
+            }
+        }
+        if update && new_text != text {
+            std::fs::write(&file, new_text).unwrap_or_else(|error| panic!("{}: {error}", file.display()));
+        }
+    }
+    assert!(update || problems.is_empty(), "{}", problems.join("\n"));
+}
+
+#[test]
+fn there_are_programs() {
+    let count: usize = texts()
+        .iter()
+        .map(|file| programs(&project::read(file)).len())
+        .sum();
+    assert!(count > 100, "only {count} programs were found in the book");
+}
