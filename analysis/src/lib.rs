@@ -15,6 +15,7 @@ pub mod constant;
 pub mod context;
 mod declare;
 pub mod diagnostic;
+pub mod entry;
 pub mod facts;
 mod infer;
 #[cfg(test)]
@@ -24,6 +25,7 @@ pub mod network;
 pub mod order;
 #[cfg(test)]
 mod order_tests;
+pub mod path;
 pub mod program;
 mod resolve;
 pub mod rule;

@@ -20,7 +20,6 @@
 
 mod arguments;
 mod commands;
-mod likeness;
 mod outcome;
 mod terminal;
 

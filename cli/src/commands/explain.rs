@@ -1,11 +1,10 @@
 //! `ladder explain`: the reference page of an instruction.
 
-use crate::likeness::did_you_mean;
 use crate::outcome::{Failure, Outcome};
 use crate::terminal::{Stdout, stdout_has_colours};
 use anstyle::{AnsiColor, Style};
 use clap::Args;
-use ladder_instructions::{Acts, Direction, Instruction, Presence, Shape, TABLE, closest, lookup};
+use ladder_instructions::{Acts, Direction, Instruction, Presence, Shape, closest, lookup};
 use std::io::{self, Write};
 
 const EXAMPLES: &str = "\
@@ -68,7 +67,7 @@ fn unknown(name: &str) -> Failure {
     let (shape, mnemonic) = bracketed(name).unwrap_or((Shape::Logical, name));
     let help = match closest(shape, mnemonic) {
         Some(row) => format!("; did you mean `{}` ({})?", row.block(), row.title.to_lowercase()),
-        None => did_you_mean(mnemonic, TABLE.iter().map(|row| row.mnemonic)),
+        None => String::new(),
     };
     Failure::new(format!("no instruction is called `{name}`{help}"))
 }
