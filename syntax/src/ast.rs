@@ -180,10 +180,12 @@ impl Operand {
 impl NamedOperand {
     /// The name before `:=` or `=>`, if it is one.
     pub fn name(&self) -> Option<SyntaxToken> {
-        let first = self.0.children().next()?;
-        (first.kind() == SyntaxKind::NAME_EXPR)
-            .then(|| first.first_token())
-            .flatten()
+        match expression_before(&self.0, |kind| {
+            matches!(kind, SyntaxKind::ASSIGN | SyntaxKind::ARROW)
+        }) {
+            Some(Expression::Name(name)) => Some(name),
+            _ => None,
+        }
     }
 
     /// `:=` or `=>`.

@@ -52,7 +52,7 @@ pub struct Part {
     pub range: TextRange,
     /// Whether it touches the part before it.
     pub touches: bool,
-    /// The segment it belongs to. None for bars and for comments that join nothing.
+    /// The segment it belongs to. None for bars, and for comments and stray characters that join nothing.
     pub segment: Option<u32>,
 }
 
@@ -267,7 +267,12 @@ fn segments(parts: &mut [Part]) -> Vec<Segment> {
                     .unwrap_or(first);
                 start + first..start + last + 1
             });
-        if let Some(inner) = inner {
+        // Characters that mean nothing and touch nothing are no wire either.
+        let drawn = |range: &Range<usize>| {
+            let means = |part: &Part| !matches!(part.kind, PartKind::Junk | PartKind::Comment);
+            parts[range.clone()].iter().any(means)
+        };
+        if let Some(inner) = inner.filter(drawn) {
             for part in &mut parts[inner.clone()] {
                 part.segment = Some(segments.len() as u32);
             }

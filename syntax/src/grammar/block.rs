@@ -19,9 +19,7 @@ pub(super) fn block(p: &mut Parser<'_, '_, '_>, open: SyntaxKind) {
     // White space is free between the first part and the operand list; without a list it belongs to the rung.
     let behind_blanks = lexer::blanks_end(p.text.as_bytes(), p.at);
     if p.byte(behind_blanks) == b'(' {
-        if behind_blanks > p.at {
-            p.token((SyntaxKind::WHITESPACE, behind_blanks));
-        }
+        blanks_token(p, behind_blanks);
         operand_list(p);
     }
     p.finish_node();
@@ -50,10 +48,9 @@ pub(super) fn head(p: &mut Parser<'_, '_, '_>, open: SyntaxKind) -> bool {
         let taken = kind == closing
             || kind == SyntaxKind::COMMENT
             || !named && matches!(kind, SyntaxKind::MNEMONIC | SyntaxKind::BLOCK_NAME);
-        if taken && !takes_hash(p.text, open, kind, end) {
-            if blanks > p.at {
-                p.token((SyntaxKind::WHITESPACE, blanks));
-            }
+        let literal = takes_hash(p.text, open, kind, end);
+        if taken && !literal {
+            blanks_token(p, blanks);
             p.token((kind, end));
             match kind {
                 SyntaxKind::COMMENT => {}
@@ -69,28 +66,47 @@ pub(super) fn head(p: &mut Parser<'_, '_, '_>, open: SyntaxKind) -> bool {
         // Something that belongs to no first part: junk in one that is closed, or the end of one that is not.
         if let Some(junk_end) = recovery::closing_behind_junk(p.text, blanks, closing_byte) {
             junk(p, blanks, junk_end);
-        } else if takes_hash(p.text, open, kind, end) {
+        } else if literal {
             junk(p, blanks, lexer::in_operands(p.text, blanks).1);
         } else if matches!(
             kind,
             SyntaxKind::R_BRACKET | SyntaxKind::R_PAREN | SyntaxKind::R_ANGLE
         ) {
-            if blanks > p.at {
-                p.token((SyntaxKind::WHITESPACE, blanks));
-            }
+            blanks_token(p, blanks);
             p.error(SyntaxErrorKind::WrongBracket { closing }, blanks, end);
             p.token((SyntaxKind::ERROR, end));
             break;
-        } else if kind == SyntaxKind::ERROR || kind == SyntaxKind::MNEMONIC || kind == SyntaxKind::BLOCK_NAME
-        {
+        } else if is_word(kind) && p.byte(blanks) != b'/' {
             junk(p, blanks, end);
         } else {
+            // The bracket belongs right before the drawing: what is in front of it stays connected.
+            if !matches!(
+                kind,
+                SyntaxKind::NEWLINE | SyntaxKind::EOF | SyntaxKind::RAIL | SyntaxKind::L_PAREN
+            ) {
+                blanks_token(p, blanks);
+                p.last_end = blanks;
+            }
             p.error(SyntaxErrorKind::UnclosedBlock { closing }, from, p.last_end);
             break;
         }
     }
     p.finish_node();
     user
+}
+
+const fn is_word(kind: SyntaxKind) -> bool {
+    matches!(
+        kind,
+        SyntaxKind::ERROR | SyntaxKind::MNEMONIC | SyntaxKind::BLOCK_NAME
+    )
+}
+
+/// Takes the blanks up to `end`, if there are any.
+fn blanks_token(p: &mut Parser<'_, '_, '_>, end: usize) {
+    if end > p.at {
+        p.token((SyntaxKind::WHITESPACE, end));
+    }
 }
 
 /// Whether a `#` directly behind the word belongs to it: in a coil's parentheses it does (LANGUAGE §1), as in
@@ -104,9 +120,7 @@ fn takes_hash(text: &str, open: SyntaxKind, kind: SyntaxKind, end: usize) -> boo
 
 /// Takes characters that mean nothing in a first part, up to `to`, as one mistake.
 fn junk(p: &mut Parser<'_, '_, '_>, from: usize, to: usize) {
-    if from > p.at {
-        p.token((SyntaxKind::WHITESPACE, from));
-    }
+    blanks_token(p, from);
     let to = from + p.text[from..to].trim_end_matches([' ', '\t']).len();
     p.token((SyntaxKind::ERROR, to));
     p.unexpected(Place::Head, from, to);
@@ -164,6 +178,11 @@ fn operand_list(p: &mut Parser<'_, '_, '_>) {
             }
             _ if p.drawing_goes_on() => {
                 let closing = SyntaxKind::R_PAREN;
+                // As in a first part: the parenthesis belongs right before the drawing.
+                if !matches!(p.next(), SyntaxKind::NEWLINE | SyntaxKind::EOF | SyntaxKind::RAIL) {
+                    p.space();
+                    p.last_end = p.at;
+                }
                 p.error(SyntaxErrorKind::UnclosedBlock { closing }, from, p.last_end);
                 break;
             }

@@ -121,12 +121,7 @@ pub(super) fn section_header(p: &mut Parser<'_, '_, '_>) -> (LineKind, Mode) {
 /// `END_VAR`
 pub(super) fn section_end(p: &mut Parser<'_, '_, '_>) -> (LineKind, Mode) {
     keyword_token(p);
-    blanks(p);
-    // A drawing or a keyword behind it is a line of its own, which says that it should stand on one.
-    let begins_line = matches!(p.byte(p.at), b'-' | b'(') || begins_drawing(p.byte(p.at));
-    if !begins_line && keyword_at(p.text, p.at).is_none() {
-        rest_of_line(p, DeclarationProblem::LineNotEnded);
-    }
+    rest_of_line(p, DeclarationProblem::LineNotEnded);
     line_end(p);
     (LineKind::SectionEnd, Mode::Network)
 }
@@ -188,6 +183,10 @@ fn line_end(p: &mut Parser<'_, '_, '_>) {
 fn rest_of_line(p: &mut Parser<'_, '_, '_>, problem: DeclarationProblem) {
     blanks(p);
     let from = p.at;
+    // A drawing or a keyword is a line of its own, which says that it should stand on one.
+    if begins_drawing(p.byte(from)) || p.byte(from) == b'-' || keyword_at(p.text, from).is_some() {
+        return;
+    }
     p.look();
     if matches!(p.next(), SyntaxKind::NEWLINE | SyntaxKind::EOF) {
         return;
@@ -205,16 +204,18 @@ pub(super) fn declaration(p: &mut Parser<'_, '_, '_>) -> (LineKind, Mode) {
     p.free_form = true;
     p.look();
     let read = declaration_parts(p);
-    p.free_form = false;
     if let Err(problem) = read {
         // What is missing is missing behind what was read, not at the start of the next line's declaration.
         let next_line = p.text[p.at..p.ahead.start].contains(['\n', '\r']);
+        let ends = p.next() == SyntaxKind::SEMICOLON;
         if next_line || problem == DeclarationProblem::SemicolonMissing {
             p.error_behind(SyntaxErrorKind::BadDeclaration(problem));
         } else {
             p.declaration_error(problem);
         }
-        if !next_line {
+        if ends {
+            p.bump_last_as(SyntaxKind::SEMICOLON);
+        } else if !next_line {
             recover(p);
         }
     }
@@ -229,6 +230,7 @@ fn recover(p: &mut Parser<'_, '_, '_>) {
             // END_VAR on the line closes the section all the same.
             || p.next() == SyntaxKind::IDENT && p.next_is_word("END_VAR")
     };
+    p.free_form = false;
     p.look();
     if ends(p) {
         return;

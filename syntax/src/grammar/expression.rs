@@ -65,7 +65,9 @@ const fn missing(place: OperandPlace) -> SyntaxErrorKind {
 
 /// An expression that must stand here.
 pub(super) fn value(p: &mut Parser<'_, '_, '_>, floor: u8, place: OperandPlace) {
-    if ends_operand(p) {
+    if p.drawing_goes_on() {
+        p.error_behind(missing(place));
+    } else if ends_operand(p) {
         p.error_ahead(missing(place));
     } else {
         expression(p, floor);
@@ -231,6 +233,22 @@ fn index(p: &mut Parser<'_, '_, '_>, from: usize) {
     close(p, SyntaxKind::R_BRACKET, from);
 }
 
+/// Takes what follows the expression in parentheses that are closed, so that their `)` is not taken for the
+/// list's: `(a b)`, `(a, b)`.
+fn rest_of_parentheses(p: &mut Parser<'_, '_, '_>) {
+    while p.next() != SyntaxKind::R_PAREN && !p.too_complex && !p.drawing_goes_on() && !p.list_is_unclosed() {
+        if p.next() == SyntaxKind::SEMICOLON && p.free_form {
+            return;
+        }
+        if begins_operand(p.next()) && !names(p.next()) {
+            p.error_ahead(SyntaxErrorKind::MissingComma);
+            expression(p, 0);
+        } else {
+            junk(p, SyntaxKind::R_PAREN);
+        }
+    }
+}
+
 /// Takes the closing bracket, or says that it is missing.
 fn close(p: &mut Parser<'_, '_, '_>, closing: SyntaxKind, from: usize) {
     if p.next() == closing {
@@ -286,6 +304,7 @@ fn primary(p: &mut Parser<'_, '_, '_>) -> bool {
             p.start_node(SyntaxKind::PAREN_EXPR);
             p.bump();
             value(p, 0, OperandPlace::Parentheses);
+            rest_of_parentheses(p);
             close(p, SyntaxKind::R_PAREN, from);
             p.finish_node();
             return true;

@@ -54,6 +54,8 @@ struct Parser<'t, 'b, 'c> {
     terms: u32,
     /// Whether the operand that is being read was said to be too complex.
     too_complex: bool,
+    /// A string without its closing quote was met.
+    string_cut: bool,
     /// What is known of the operand list that is being read.
     list: recovery::OpenList,
 }
@@ -77,6 +79,7 @@ impl<'t, 'b, 'c> Parser<'t, 'b, 'c> {
             depth: 0,
             terms: 0,
             too_complex: false,
+            string_cut: false,
             list: recovery::OpenList::default(),
         }
     }
@@ -120,10 +123,28 @@ impl<'t, 'b, 'c> Parser<'t, 'b, 'c> {
                 _ => false,
             };
             if !space {
+                let end = match kind {
+                    SyntaxKind::STRING => self.cut_open_string(start, end),
+                    _ => end,
+                };
                 self.ahead = Ahead { kind, start, end };
                 return;
             }
             start = end;
+        }
+    }
+
+    /// Where a string ends that lacks its closing quote: where the list or the declaration seems to go on.
+    /// Once on a line, because each look goes to the line's end.
+    fn cut_open_string(&mut self, start: usize, end: usize) -> usize {
+        let text = &self.text[start..end];
+        if lexer::is_closed_string(text) || std::mem::replace(&mut self.string_cut, true) {
+            return end;
+        }
+        let ends: &[char] = if self.free_form { &[';'] } else { &[',', ')'] };
+        match text.find(ends) {
+            Some(cut) => start + text[..cut].trim_end_matches([' ', '\t']).len(),
+            None => end,
         }
     }
 

@@ -1,0 +1,11 @@
+//! What the parser makes of texts, as snapshots: one file for each concern.
+
+mod accessors;
+mod comments;
+mod declarations;
+mod lexing;
+mod recovery;
+mod show;
+mod structure;
+mod tree;
+mod wiring;
