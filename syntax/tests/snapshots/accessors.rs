@@ -144,7 +144,7 @@ fn parts_that_are_missing() {
               47..49 (paren ?)
               51..54 (name f())
               56..60 R := ?
-              62..66 r := name r
+              62..66 ? := name r
               68..74 ? := name x
               76..79 (name a . 5)
         "#]],

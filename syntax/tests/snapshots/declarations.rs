@@ -224,10 +224,8 @@ fn declarations_with_mistakes() {
             SECTION_END END_VAR
 
             SECTION_HEADER VAR \n
-            DECLARATION ‹NAME_LIST:a› · : · ‹TYPE_REF:INT› · ‹INITIAL_VALUE::=› \n
+            DECLARATION ‹NAME_LIST:a› · : · ‹TYPE_REF:INT› · ‹INITIAL_VALUE::=› \n ; \n
                 "" 14..14 BadDeclaration(ValueExpected)
-            DECLARATION ‹NAME_LIST:› ‹ERROR_NODE:;› \n
-                ";" 15..16 BadDeclaration(NameExpected)
             SECTION_END END_VAR
 
             SECTION_HEADER VAR \n
@@ -271,7 +269,7 @@ fn declarations_with_mistakes() {
             SECTION_END END_VAR
 
             SECTION_HEADER VAR \n
-            DECLARATION ‹NAME_LIST:› ‹ERROR_NODE:;› \n
+            DECLARATION ‹NAME_LIST:› ; \n
                 ";" 4..5 BadDeclaration(NameExpected)
             DECLARATION ‹NAME_LIST:› ‹ERROR_NODE:)› \n
                 ")" 6..7 BadDeclaration(NameExpected)
@@ -498,8 +496,11 @@ fn block_definitions() {
             BLOCK_END END_FUNCTION_BLOCK · ‹ERROR_NODE:x›
                 "x" 47..48 BadDeclaration(LineNotEnded)
 
-            BLOCK_HEADER FUNCTION_BLOCK · ‹[$B]› · ‹ERROR_NODE:VAR_INPUT a : INT; END_VAR› \n
-                "VAR_INPUT a : INT; END_VAR" 20..46 BadDeclaration(Unexpected)
+            BLOCK_HEADER FUNCTION_BLOCK · ‹[$B]› ·
+            SECTION_HEADER VAR_INPUT ·
+                "VAR_INPUT" 20..29 BadDeclaration(LineNotEnded)
+            DECLARATION ‹NAME_LIST:a› · : · ‹TYPE_REF:INT› ; ·
+            SECTION_END END_VAR \n
             BLOCK_END END_FUNCTION_BLOCK
 
             BLOCK_HEADER FUNCTION_BLOCK · ‹[$B]› \n

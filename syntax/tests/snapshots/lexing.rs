@@ -169,8 +169,8 @@ fn near_literals() {
             1e5-3  =>  LITERAL 1e5  MINUS -  LITERAL 3
             T#5s-3  =>  LITERAL T#5s  MINUS -  LITERAL 3
             2#1-1  =>  LITERAL 2#1  MINUS -  LITERAL 1
-            'open  =>  STRING 'open)  !UnclosedBlock { closing: R_PAREN }  !UnclosedString
-            'open$'  =>  STRING 'open$')  !UnclosedBlock { closing: R_PAREN }  !UnclosedString
+            'open  =>  STRING 'open  !UnclosedString
+            'open$'  =>  STRING 'open$'  !UnclosedString
             5.a  =>  LITERAL 5  DOT .  IDENT a
         "#]],
     );

@@ -28,8 +28,8 @@ fn first_part_not_closed() {
             RUNG + -- ‹‹[› ‹( ‹NAME_EXPR:a› )›› -- ‹‹( )›‹( ‹NAME_EXPR:y› )›› -- +
                 "[" 3..4 UnclosedBlock {closing: R_BRACKET}
 
-            RUNG + -- ‹‹[TON›› · -- ‹‹( )›‹( ‹NAME_EXPR:y› )›› -- +
-                "[TON" 3..7 UnclosedBlock {closing: R_BRACKET}
+            RUNG + -- ‹‹[TON ›› -- ‹‹( )›‹( ‹NAME_EXPR:y› )›› -- +
+                "[TON " 3..8 UnclosedBlock {closing: R_BRACKET}
 
             RUNG + -- ‹‹[TO››
                 "[TO" 3..6 UnclosedBlock {closing: R_BRACKET}
@@ -41,23 +41,23 @@ fn first_part_not_closed() {
                 "[" 3..4 UnclosedBlock {closing: R_BRACKET}
             RUNG + -- +
 
-            RUNG + -- ‹‹[TON›› · -- +
-                "[TON" 3..7 UnclosedBlock {closing: R_BRACKET}
+            RUNG + -- ‹‹[TON ›› -- +
+                "[TON " 3..8 UnclosedBlock {closing: R_BRACKET}
 
             RUNG + -- ‹‹(S›‹( ‹NAME_EXPR:y› )›› -- +
                 "(S" 3..5 UnclosedBlock {closing: R_PAREN}
 
-            RUNG + -- ‹‹(›› · -- +
-                "(" 3..4 UnclosedBlock {closing: R_PAREN}
+            RUNG + -- ‹‹( ›› -- +
+                "( " 3..5 UnclosedBlock {closing: R_PAREN}
 
             RUNG + -- ‹‹<JMP›‹( ‹NAME_EXPR:l› )›› -- +
                 "<JMP" 3..7 UnclosedBlock {closing: R_ANGLE}
 
-            RUNG + -- ‹‹<JMP›› · -- ‹‹[ ]›‹( ‹NAME_EXPR:a› )›› -- +
-                "<JMP" 3..7 UnclosedBlock {closing: R_ANGLE}
+            RUNG + -- ‹‹<JMP ›› -- ‹‹[ ]›‹( ‹NAME_EXPR:a› )›› -- +
+                "<JMP " 3..8 UnclosedBlock {closing: R_ANGLE}
 
             RUNG + -- ‹‹[ # c #›› -- +
-                "[" 3..4 UnclosedBlock {closing: R_BRACKET}
+                "[ # c #" 3..10 UnclosedBlock {closing: R_BRACKET}
 
             RUNG + -- ‹‹[/›› \ -- +
                 "[/" 3..5 UnclosedBlock {closing: R_BRACKET}
@@ -164,8 +164,8 @@ fn operand_list_not_closed() {
             "|  /--[ ]( a --/  |",
         ],
         expect![[r#"
-            RUNG + -- ‹‹[ ]›‹( ‹NAME_EXPR:a››› · -- ‹‹( )›‹( ‹NAME_EXPR:y› )›› -- +
-                "( a" 6..9 UnclosedBlock {closing: R_PAREN}
+            RUNG + -- ‹‹[ ]›‹( ‹NAME_EXPR:a› ›› -- ‹‹( )›‹( ‹NAME_EXPR:y› )›› -- +
+                "( a " 6..10 UnclosedBlock {closing: R_PAREN}
 
             RUNG + -- ‹‹[ ]›‹( ‹NAME_EXPR:a››› -- ‹‹( )›‹( ‹NAME_EXPR:y› )›› -- +
                 "( a" 6..9 UnclosedBlock {closing: R_PAREN}
@@ -173,17 +173,17 @@ fn operand_list_not_closed() {
             RUNG + -- ‹‹[ ]›‹( ‹NAME_EXPR:a››› - ‹‹[ ]›‹( ‹NAME_EXPR:b› )›› -- +
                 "( a" 6..9 UnclosedBlock {closing: R_PAREN}
 
-            RUNG + -- ‹‹[ ]›‹( ‹NAME_EXPR:a››› · - \ -- ‹‹[ ]›‹( ‹NAME_EXPR:b› )›› -- +
-                "( a" 6..9 UnclosedBlock {closing: R_PAREN}
+            RUNG + -- ‹‹[ ]›‹( ‹NAME_EXPR:a› ›› - \ -- ‹‹[ ]›‹( ‹NAME_EXPR:b› )›› -- +
+                "( a " 6..10 UnclosedBlock {closing: R_PAREN}
 
-            RUNG + -- ‹‹[ ]›‹( ‹NAME_EXPR:a››› · -- +
-                "( a" 6..9 UnclosedBlock {closing: R_PAREN}
+            RUNG + -- ‹‹[ ]›‹( ‹NAME_EXPR:a› ›› -- +
+                "( a " 6..10 UnclosedBlock {closing: R_PAREN}
 
-            RUNG + -- ‹‹[ ]›‹( ‹NAME_EXPR:a››› · - +
-                "( a" 6..9 UnclosedBlock {closing: R_PAREN}
+            RUNG + -- ‹‹[ ]›‹( ‹NAME_EXPR:a› ›› - +
+                "( a " 6..10 UnclosedBlock {closing: R_PAREN}
 
-            RUNG + -- ‹‹[ ]›‹( ‹NAME_EXPR:a››› · +
-                "( a" 6..9 UnclosedBlock {closing: R_PAREN}
+            RUNG + -- ‹‹[ ]›‹( ‹NAME_EXPR:a› ›› +
+                "( a " 6..10 UnclosedBlock {closing: R_PAREN}
 
             RUNG + -- ‹‹[ ]›‹( ‹NAME_EXPR:a››› · |
                 "( a" 6..9 UnclosedBlock {closing: R_PAREN}
@@ -198,31 +198,31 @@ fn operand_list_not_closed() {
                 "(" 6..7 UnclosedBlock {closing: R_PAREN}
             RUNG + -- +
 
-            RUNG + -- ‹‹[ ]›‹( ‹NAME_EXPR:a››› · ‹‹[ ]›‹( ‹NAME_EXPR:b› )›› -- ‹‹( )›‹( ‹NAME_EXPR:y› )›› -- +
-                "( a" 6..9 UnclosedBlock {closing: R_PAREN}
+            RUNG + -- ‹‹[ ]›‹( ‹NAME_EXPR:a› ›› ‹‹[ ]›‹( ‹NAME_EXPR:b› )›› -- ‹‹( )›‹( ‹NAME_EXPR:y› )›› -- +
+                "( a " 6..10 UnclosedBlock {closing: R_PAREN}
 
             RUNG + -- ‹‹[ ]›‹( ‹NAME_EXPR:a››› ‹‹[ ]›‹( ‹NAME_EXPR:b› )›› -- ‹‹( )›‹( ‹NAME_EXPR:y› )›› -- +
                 "( a" 6..9 UnclosedBlock {closing: R_PAREN}
 
-            RUNG + -- ‹‹[ ]›‹( ‹NAME_EXPR:a››› · ‹‹( )›‹( ‹NAME_EXPR:y› )›› -- +
-                "( a" 6..9 UnclosedBlock {closing: R_PAREN}
+            RUNG + -- ‹‹[ ]›‹( ‹NAME_EXPR:a› ›› ‹‹( )›‹( ‹NAME_EXPR:y› )›› -- +
+                "( a " 6..10 UnclosedBlock {closing: R_PAREN}
 
-            RUNG + -- ‹‹[ ]›‹( ‹NAME_EXPR:a››› · -- ‹‹[TON]›‹( ‹NAME_EXPR:t›, ‹LITERAL_EXPR:5s››› · -- ‹‹( )›‹( ‹NAME_EXPR:y› )›› -- +
-                "( a" 6..9 UnclosedBlock {closing: R_PAREN}
-                "( t, 5s" 17..24 UnclosedBlock {closing: R_PAREN}
+            RUNG + -- ‹‹[ ]›‹( ‹NAME_EXPR:a› ›› -- ‹‹[TON]›‹( ‹NAME_EXPR:t›, ‹LITERAL_EXPR:5s› ›› -- ‹‹( )›‹( ‹NAME_EXPR:y› )›› -- +
+                "( a " 6..10 UnclosedBlock {closing: R_PAREN}
+                "( t, 5s " 17..25 UnclosedBlock {closing: R_PAREN}
 
-            RUNG + -- ‹‹[ ]›‹( ‹NAME_EXPR:a››› · # c # -- ‹‹( )›‹( ‹NAME_EXPR:y› )›› -- +
-                "( a" 6..9 UnclosedBlock {closing: R_PAREN}
+            RUNG + -- ‹‹[ ]›‹( ‹NAME_EXPR:a› # c #›› -- ‹‹( )›‹( ‹NAME_EXPR:y› )›› -- +
+                "( a # c #" 6..15 UnclosedBlock {closing: R_PAREN}
 
-            RUNG + -- ‹‹[ ]›‹( ‹NAME_EXPR:a››› · -- # c # -- ‹‹( )›‹( ‹NAME_EXPR:y› )›› -- +
-                "( a" 6..9 UnclosedBlock {closing: R_PAREN}
+            RUNG + -- ‹‹[ ]›‹( ‹NAME_EXPR:a› ›› -- # c # -- ‹‹( )›‹( ‹NAME_EXPR:y› )›› -- +
+                "( a " 6..10 UnclosedBlock {closing: R_PAREN}
 
-            RUNG + -- ‹‹[TON]›‹( ‹NAME_EXPR:t›,›› · -- ‹‹( )›‹( ‹NAME_EXPR:y› )›› -- +
-                "( t," 8..12 UnclosedBlock {closing: R_PAREN}
+            RUNG + -- ‹‹[TON]›‹( ‹NAME_EXPR:t›, ›› -- ‹‹( )›‹( ‹NAME_EXPR:y› )›› -- +
+                "( t, " 8..13 UnclosedBlock {closing: R_PAREN}
 
-            RUNG + -- ‹‹[TON]›‹( ‹NAME_EXPR:t›, ‹LITERAL_EXPR:5s›, ‹NAMED_OPERAND:‹NAME_EXPR:R› :=››› · -- ‹‹( )›‹( ‹NAME_EXPR:y› )›› -- +
-                "( t, 5s, R :=" 8..21 UnclosedBlock {closing: R_PAREN}
-                "-" 22..23 MissingOperand {place: Named}
+            RUNG + -- ‹‹[TON]›‹( ‹NAME_EXPR:t›, ‹LITERAL_EXPR:5s›, ‹NAMED_OPERAND:‹NAME_EXPR:R› :=› ›› -- ‹‹( )›‹( ‹NAME_EXPR:y› )›› -- +
+                "( t, 5s, R := " 8..22 UnclosedBlock {closing: R_PAREN}
+                "" 21..21 MissingOperand {place: Named}
 
             RUNG + -- ‹‹[CALC]›‹( ‹NAME_EXPR:y›, ‹PAREN_EXPR:(‹BINARY_EXPR:‹NAME_EXPR:a› + ‹NAME_EXPR:b›› )››› -- ‹‹( )›‹( ‹NAME_EXPR:z› )›› -- +
                 "( y, (a + b )" 9..22 UnclosedBlock {closing: R_PAREN}
@@ -233,20 +233,19 @@ fn operand_list_not_closed() {
             RUNG + -- ‹‹[CALC]›‹( ‹NAME_EXPR:y›, ‹INDEX_EXPR:‹NAME_EXPR:a›[‹LITERAL_EXPR:3›› )›› -- ‹‹( )›‹( ‹NAME_EXPR:z› )›› -- +
                 "[3" 15..17 UnclosedBlock {closing: R_BRACKET}
 
-            RUNG + -- ‹‹[CALC]›‹( ‹NAME_EXPR:y›, ‹BINARY_EXPR:‹NAME_EXPR:a› +››› · -- ‹‹( )›‹( ‹NAME_EXPR:z› )›› -- +
-                "( y, a +" 9..17 UnclosedBlock {closing: R_PAREN}
-                "-" 18..19 MissingOperand {place: Operator}
+            RUNG + -- ‹‹[CALC]›‹( ‹NAME_EXPR:y›, ‹BINARY_EXPR:‹NAME_EXPR:a› +› ›› -- ‹‹( )›‹( ‹NAME_EXPR:z› )›› -- +
+                "( y, a + " 9..18 UnclosedBlock {closing: R_PAREN}
+                "" 17..17 MissingOperand {place: Operator}
 
-            RUNG + -- ‹‹[CALC]›‹( ‹NAME_EXPR:y›, ‹CALL_EXPR:‹NAME_EXPR:SQRT›(‹NAME_EXPR:a›››› · -- ‹‹( )›‹( ‹NAME_EXPR:z› )›› -- +
-                "( y, SQRT(a" 9..20 UnclosedBlock {closing: R_PAREN}
+            RUNG + -- ‹‹[CALC]›‹( ‹NAME_EXPR:y›, ‹CALL_EXPR:‹NAME_EXPR:SQRT›(‹NAME_EXPR:a›› ›› -- ‹‹( )›‹( ‹NAME_EXPR:z› )›› -- +
+                "( y, SQRT(a " 9..21 UnclosedBlock {closing: R_PAREN}
                 "(a" 18..20 UnclosedBlock {closing: R_PAREN}
 
-            RUNG + -- ‹‹[FMT]›‹( ‹LITERAL_EXPR:'abc )--( )( z )--+›››
-                "( 'abc )--( )( z )--+" 8..29 UnclosedBlock {closing: R_PAREN}
-                "'abc )--( )( z )--+" 10..29 UnclosedString
+            RUNG + -- ‹‹[FMT]›‹( ‹LITERAL_EXPR:'abc› )›› -- ‹‹( )›‹( ‹NAME_EXPR:z› )›› -- +
+                "'abc" 10..14 UnclosedString
 
-            RUNG | · / -- ‹‹[ ]›‹( ‹NAME_EXPR:a››› · -- / · |
-                "( a" 9..12 UnclosedBlock {closing: R_PAREN}
+            RUNG | · / -- ‹‹[ ]›‹( ‹NAME_EXPR:a› ›› -- / · |
+                "( a " 9..13 UnclosedBlock {closing: R_PAREN}
 
         "#]],
     );
@@ -362,10 +361,8 @@ fn operands_missing_or_misplaced() {
             RUNG ‹‹[CALC]›‹( ‹NAME_EXPR:y›, ‹PAREN_EXPR:()› )››
                 ")" 12..13 MissingOperand {place: Parentheses}
 
-            RUNG ‹‹[CALC]›‹( ‹NAME_EXPR:y›, ‹PAREN_EXPR:(‹NAME_EXPR:a›› ‹NAME_EXPR:b›)›› · !")"
-                "(a" 11..13 UnclosedBlock {closing: R_PAREN}
+            RUNG ‹‹[CALC]›‹( ‹NAME_EXPR:y›, ‹PAREN_EXPR:(‹NAME_EXPR:a› ‹NAME_EXPR:b›)› )››
                 "b" 14..15 MissingComma
-                ")" 17..18 UnexpectedCharacter {place: Rung, behind_comment: false}
 
             RUNG ‹‹[CALC]›‹( ‹NAME_EXPR:y›, ‹CALL_EXPR:‹NAME_EXPR:SQRT›()› )››
 

@@ -255,12 +255,11 @@ fn rails() {
     check(
         "x +--+ x\n",
         expect![[r#"
-        line 0
-         - Junk
-         * LeftRail Wire RightRail
-         - Junk
+            line 0
+             * LeftRail Wire RightRail
+             loose [Junk, Junk]
 
-    "#]],
+        "#]],
     );
     check(
         "x+--+x\n",
@@ -372,10 +371,9 @@ fn mistakes_act_as_wire() {
     check(
         "+--[ ]( a --( )( y )--+\n",
         expect![[r#"
-        line 0
-         * LeftRail Wire Block
-         - Wire Block Wire RightRail
+            line 0
+             * LeftRail Wire Block Wire Block Wire RightRail
 
-    "#]],
+        "#]],
     );
 }
