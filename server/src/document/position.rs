@@ -28,7 +28,7 @@ pub(crate) enum Encoding {
 pub struct Position {
     /// The line, from 0. LF, CRLF and a lone CR end a line.
     pub line: u32,
-    /// The unit within the line, from 0, in the negotiated [`Encoding`].
+    /// The unit within the line, from 0, in the negotiated encoding: bytes, UTF-16 code units or scalar values.
     pub character: u32,
 }
 

@@ -64,14 +64,14 @@ impl Outbox {
 async fn send(client: Client, documents: Arc<Documents>, mut inbox: mpsc::UnboundedReceiver<Note>) {
     while let Some(note) = inbox.recv().await {
         match note {
-            Note::Diagnostics(revision, diagnostics) if documents.is_current(&revision) => {
+            Note::Diagnostics(revision, _) if !documents.is_current(&revision) => {}
+            Note::Diagnostics(revision, diagnostics) => {
                 if let Some(uri) = convert::uri(&revision.uri) {
                     client
                         .publish_diagnostics(uri, diagnostics, Some(revision.version))
                         .await;
                 }
             }
-            Note::Diagnostics(..) => {}
             Note::NoDiagnostics(uri) => {
                 if let Some(uri) = convert::uri(&uri) {
                     client.publish_diagnostics(uri, Vec::new(), None).await;
@@ -80,5 +80,67 @@ async fn send(client: Client, documents: Arc<Documents>, mut inbox: mpsc::Unboun
             Note::Log(level, message) => client.log_message(level, message).await,
             Note::Show(level, message) => client.show_message(level, message).await,
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use futures::StreamExt;
+    use serde_json::{Value, json};
+    use tower::Service;
+    use tower_lsp::ls_types::{InitializeParams, InitializeResult};
+    use tower_lsp::{LanguageServer, LspService, jsonrpc};
+
+    use super::*;
+    use crate::document::position::Encoding;
+
+    struct Quiet;
+
+    impl LanguageServer for Quiet {
+        async fn initialize(&self, _: InitializeParams) -> jsonrpc::Result<InitializeResult> {
+            Ok(InitializeResult::default())
+        }
+
+        async fn shutdown(&self) -> jsonrpc::Result<()> {
+            Ok(())
+        }
+    }
+
+    /// The session's own tests cannot make the client slow at the right moment; here nothing is sent until the
+    /// notes are all there.
+    #[tokio::test]
+    async fn diagnostics_of_a_text_that_is_no_longer_shown_are_not_sent() {
+        let documents = Arc::<Documents>::default();
+        let mut outbox = None;
+        let (mut service, socket) = LspService::new(|client| {
+            outbox = Some(Outbox::open(client, documents.clone()));
+            Quiet
+        });
+        let initialize =
+            json!({"jsonrpc": "2.0", "id": 1, "method": "initialize", "params": {"capabilities": {}}});
+        service
+            .call(serde_json::from_value(initialize).unwrap())
+            .await
+            .unwrap();
+        let outbox = outbox.unwrap();
+
+        let open = |version, text| documents.open("file:///a.clad", version, Encoding::Utf16, text);
+        let first = open(1, "x");
+        outbox.diagnostics(first.clone(), Vec::new());
+        documents.close(&first.uri);
+        outbox.no_diagnostics(&first.uri);
+        let second = open(1, "y");
+        outbox.diagnostics(first, Vec::new());
+        let third = documents.change(&second.uri, 2, &[]).unwrap();
+        outbox.diagnostics(second, Vec::new());
+        outbox.diagnostics(third, Vec::new());
+        drop(outbox);
+
+        let sent: Vec<Value> = socket
+            .take(2)
+            .map(|request| request.params().unwrap()["version"].clone())
+            .collect()
+            .await;
+        assert_eq!(sent, [Value::Null, json!(2)], "the clearing, and the newest");
     }
 }

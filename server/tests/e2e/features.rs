@@ -106,6 +106,18 @@ async fn formatting_sends_small_edits() {
 }
 
 #[tokio::test]
+async fn edits_for_a_text_that_has_moved_on_are_not_sent() {
+    let mut client = Client::new().await;
+    client.open(&"+-[ ]( a )-( )( y )-+\n\n".repeat(3000)).await;
+    let options = json!({"tabSize": 4, "insertSpaces": true});
+    let params = json!({"textDocument": {"uri": URI}, "options": options});
+    let id = client.ask("textDocument/formatting", params).await;
+    client.change(2, &[([0, 0, 1, 0], "")]).await;
+    assert_eq!(client.answer(id).await.unwrap_err().0, -32801);
+    client.finish().await;
+}
+
+#[tokio::test]
 async fn a_fix_is_offered_where_its_problem_is() {
     let text = "+--[ ]( a )--(S)( y )--+\n\n+--[ ]( b )--[SET]( z )--+\n";
     let mut client = Client::new().await;

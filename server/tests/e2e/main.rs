@@ -2,5 +2,6 @@
 
 #[allow(dead_code)]
 mod client;
+mod features;
 mod lifecycle;
 mod sync;
