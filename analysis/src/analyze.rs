@@ -32,6 +32,7 @@ pub fn analyze(parse: &Arc<Parse>, name: &str) -> Analysis {
     let context = context(parse, &mut diagnostics);
     let program = resolve::program(&context, name, &mut diagnostics);
     rules::check(&context, &mut diagnostics);
+    rules::unclosed_comment::hide_what_follows(parse, &mut diagnostics);
     diagnostics.sort_by_key(|d| (d.range.start(), d.range.end(), d.rule));
     // The first says it best: what is found while types are inferred comes before what follows from it.
     diagnostics.dedup_by(|later, first| later.rule == first.rule && later.range == first.range);

@@ -11,7 +11,8 @@ use crate::types::Type;
 use crate::user_block::{self, UserBlockFacts};
 use crate::uses;
 use ladder_instructions::Op;
-use ladder_syntax::{LineIndex, Name, Parse, TextRange, TextSize};
+use ladder_syntax::wiring::PartKind;
+use ladder_syntax::{LineIndex, LineKind, Name, Parse, TextRange, TextSize};
 use std::sync::{Arc, OnceLock};
 
 /// A file's names, networks and blocks.
@@ -134,11 +135,12 @@ pub fn context(parse: &Arc<Parse>, out: &mut Vec<Diagnostic>) -> Context {
         .zip(&scopes[1..])
         .map(|(definition, scope)| user_block::user_block(parse, definition.lines.start, scope))
         .collect();
-    let networks: Vec<NetworkFacts> = structure
+    let mut networks: Vec<NetworkFacts> = structure
         .networks
         .iter()
         .map(|n| network::network(parse, n, &user_blocks))
         .collect();
+    break_neighbours(parse, &mut networks);
     let mut context = Context {
         parse: Arc::clone(parse),
         networks,
@@ -153,6 +155,32 @@ pub fn context(parse: &Arc<Parse>, out: &mut Vec<Diagnostic>) -> Context {
     uses::collect(&mut context);
     infer::infer(&mut context, out);
     context
+}
+
+/// The first rung below an open `\`, or above an open `/`, was probably meant to belong to the network.
+fn break_neighbours(parse: &Parse, networks: &mut [NetworkFacts]) {
+    for index in 0..networks.len() {
+        let wiring = &networks[index].wiring;
+        let last = wiring.rungs.len() - 1;
+        let open = |rung: usize, kind| {
+            wiring
+                .unpaired
+                .iter()
+                .any(|&(r, part)| r == rung && wiring.rungs[r].parts[part].kind == kind)
+        };
+        let below = open(last, PartKind::Down)
+            .then(|| rung_below(parse, wiring.lines[last]))
+            .flatten();
+        let above = open(0, PartKind::Up)
+            .then(|| rung_above(parse, wiring.lines[0]))
+            .flatten();
+        if below.is_some() && index + 1 < networks.len() {
+            networks[index + 1].broken = true;
+        }
+        if above.is_some() && index > 0 {
+            networks[index - 1].broken = true;
+        }
+    }
 }
 
 fn implicit(name: &str, at: TextRange) -> TagFacts {
@@ -209,4 +237,18 @@ fn bodies(context: &mut Context) {
             Body::Block(network.scope - 1)
         });
     }
+}
+
+/// The line of the next rung, if only rail, comment and blank lines stand between.
+pub(crate) fn rung_below(parse: &Parse, line: usize) -> Option<usize> {
+    let lines = parse.lines();
+    let next = (line + 1..lines.len()).find(|&n| !lines[n].kind.is_decoration())?;
+    (lines[next].kind == LineKind::Rung).then_some(next)
+}
+
+/// The line of the rung before, likewise.
+pub(crate) fn rung_above(parse: &Parse, line: usize) -> Option<usize> {
+    let lines = parse.lines();
+    let previous = (0..line).rev().find(|&n| !lines[n].kind.is_decoration())?;
+    (lines[previous].kind == LineKind::Rung).then_some(previous)
 }

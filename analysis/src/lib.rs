@@ -16,7 +16,9 @@ pub mod context;
 mod declare;
 pub mod diagnostic;
 pub mod entry;
+mod excerpt;
 pub mod facts;
+pub mod fix;
 mod infer;
 #[cfg(test)]
 mod infer_tests;

@@ -6,7 +6,7 @@ use crate::order::{Order, order};
 use crate::user_block::UserBlockFacts;
 use ladder_instructions::{Instruction, Op, Operand, lookup};
 use ladder_syntax::wiring::{PartKind, Wiring, wiring};
-use ladder_syntax::{Name, Network, Parse, TextRange, TextSize};
+use ladder_syntax::{Name, Network, Parse, Place, SyntaxError, SyntaxErrorKind, TextRange, TextSize};
 
 /// A network, its wiring, order and blocks.
 #[derive(Debug, Clone)]
@@ -21,8 +21,8 @@ pub struct NetworkFacts {
     pub range: TextRange,
     /// The scope of its tags: 0 the file's, else that of block definition `scope - 1`.
     pub scope: usize,
-    /// Its text has a mistake in the drawing (an unclosed block, a stray character, a connector without its
-    /// partner), so that wiring says little about what is meant.
+    /// Its text, or that of the rung which should be joined to it, has a mistake in the drawing (an unclosed
+    /// block, a stray character, a connector without its partner), so that wiring says little about what is meant.
     pub broken: bool,
 }
 
@@ -37,6 +37,8 @@ pub struct BoundBlock {
     pub meaning: Meaning,
     /// For each operand, as they stand, what it is given for.
     pub formals: Vec<Formal>,
+    /// The parser found a mistake in it: rules about its operands would only repeat it.
+    pub faulty: bool,
 }
 
 /// What a block is.
@@ -129,8 +131,10 @@ pub fn network(parse: &Parse, network: &Network, user_blocks: &[UserBlockFacts])
     let mut blocks = Vec::new();
     for (rung, &line) in wiring.lines.iter().enumerate() {
         let parts = wiring.rungs[rung].connectors(PartKind::Block);
+        let errors = &parse.lines()[line].errors;
         for facts in facts::blocks(&parse.lines()[line], rung, parts) {
-            blocks.push(bind(facts, parse.line_start(line), user_blocks));
+            let faulty = errors.iter().any(|error| is_mistake_in(error, facts.range));
+            blocks.push(bind(facts, parse.line_start(line), user_blocks, faulty));
         }
     }
     let syntax_mistake = network
@@ -152,15 +156,27 @@ pub fn network(parse: &Parse, network: &Network, user_blocks: &[UserBlockFacts])
     }
 }
 
-fn breaks_drawing(error: &ladder_syntax::SyntaxError) -> bool {
-    use ladder_syntax::SyntaxErrorKind::*;
+/// Whether a mistake may have changed what is drawn behind it.
+pub(crate) fn breaks_drawing(error: &SyntaxError) -> bool {
     matches!(
         error.kind,
-        UnclosedBlock { .. } | UnclosedComment | UnexpectedCharacter { .. } | TooComplex
+        SyntaxErrorKind::UnclosedBlock { .. }
+            | SyntaxErrorKind::UnclosedComment
+            | SyntaxErrorKind::UnclosedString
+            | SyntaxErrorKind::TooComplex
+            | SyntaxErrorKind::UnexpectedCharacter {
+                place: Place::Rung,
+                ..
+            }
     )
 }
 
-fn bind(facts: BlockFacts, base: TextSize, user_blocks: &[UserBlockFacts]) -> BoundBlock {
+fn is_mistake_in(error: &SyntaxError, block: TextRange) -> bool {
+    let at = error.range.start();
+    block.contains(at) || (at == block.end() && error.range.is_empty())
+}
+
+fn bind(facts: BlockFacts, base: TextSize, user_blocks: &[UserBlockFacts], faulty: bool) -> BoundBlock {
     let positional = facts
         .operands
         .iter()
@@ -233,5 +249,6 @@ fn bind(facts: BlockFacts, base: TextSize, user_blocks: &[UserBlockFacts]) -> Bo
         base,
         meaning,
         formals,
+        faulty,
     }
 }

@@ -5,7 +5,7 @@ use crate::constant::{natural_type, signed_literal};
 use crate::facts::{Node, NodeKind};
 use crate::network::{BoundBlock, Formal};
 use crate::program::{Argument, BinaryOperator, Bound, Expr, ExprKind, ParameterKind, Place};
-use crate::rules::{bad_arity, bad_operand, type_mismatch, unknown_function, unknown_label};
+use crate::rules::{bad_operand, type_mismatch, unknown_function, unknown_label};
 use crate::scope::Access;
 use crate::types::{Scalar, Type, common, passes};
 use crate::value::Value;
@@ -400,8 +400,8 @@ impl Resolver<'_, '_> {
             let Formal::Parameter(index) = *formal else {
                 continue;
             };
+            // Given twice: the first one counts.
             if std::mem::replace(&mut given[index], true) {
-                self.report(bad_arity::twice(&facts.name, self.at(written.range)));
                 continue;
             }
             let parameter = &facts.parameters[index];
@@ -416,13 +416,6 @@ impl Resolver<'_, '_> {
                     argument,
                     range,
                 });
-            }
-        }
-        for (parameter, _) in facts.parameters.iter().zip(&given).filter(|(_, given)| !**given) {
-            let optional = parameter.kind == ParameterKind::Output || parameter.has_default;
-            if !optional {
-                let name = &context.scopes[block + 1].tags[parameter.tag].name;
-                self.report(bad_arity::parameter_missing(&facts.name, name, bound.range()));
             }
         }
         arguments.sort_by_key(|bound| bound.parameter);

@@ -209,8 +209,11 @@ impl Resolver<'_, '_> {
         TagId(self.first_tag + index as u32)
     }
 
-    /// A block with its arguments. None if it is no known block; the rules say so.
+    /// A block with its arguments. None if it is no known block, or cannot be read; the rules say so.
     fn block(&mut self, bound: &BoundBlock) -> Option<Block> {
+        if bound.faulty {
+            return None;
+        }
         let location = Location {
             file: 0,
             range: bound.range(),

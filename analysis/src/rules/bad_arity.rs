@@ -1,21 +1,249 @@
 //! `bad-arity`: a block has too few or too many operands.
 
-use crate::diagnostic::Diagnostic;
+use super::{missing_wire, wrong_shape};
+use crate::context::Context;
+use crate::diagnostic::{Diagnostic, Fix};
+use crate::network::{BoundBlock, Formal, Meaning};
+use crate::program::ParameterKind;
 use crate::rule::Rule;
+use crate::user_block::UserBlockFacts;
+use ladder_format::Edit;
+use ladder_instructions::{Accepts, Instruction, Operand};
 use ladder_syntax::TextRange;
 
-pub(crate) fn twice(block: &str, range: TextRange) -> Diagnostic {
-    Diagnostic::new(
-        Rule::BadArity,
-        range,
-        format!("this operand of {block} is given twice"),
-    )
+pub(crate) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
+    for network in &context.networks {
+        for (index, bound) in network.blocks.iter().enumerate() {
+            if bound.faulty {
+                continue;
+            }
+            match bound.meaning {
+                Meaning::Instruction(row) => {
+                    if !row.takes(bound.positional_count()) && !missing_wire::takes_next_head(network, index) {
+                        out.extend(instruction(context, bound, row));
+                    }
+                }
+                Meaning::User(block) => user_block(context, bound, block, out),
+                Meaning::Unknown | Meaning::UnknownUser => continue,
+            }
+            given_twice(bound, out);
+        }
+    }
 }
 
-pub(crate) fn parameter_missing(block: &str, parameter: &str, range: TextRange) -> Diagnostic {
-    Diagnostic::new(
-        Rule::BadArity,
-        range,
-        format!("the operand `{parameter}` of {block} is missing"),
-    )
+fn instruction(context: &Context, bound: &BoundBlock, row: &'static Instruction) -> Option<Diagnostic> {
+    let given = bound.positional_count();
+    // `PT := T#5s`: bad-operand says that it is given by its place.
+    let by_name = |operand: &&Operand| {
+        let names = bound.facts.operands.iter().filter_map(|o| o.name.as_ref());
+        names.into_iter().any(|name| name.text.eq_ignore_ascii_case(operand.name))
+    };
+    if row.operands.iter().filter(|o| row.named(o.name).is_none()).any(|o| by_name(&o)) {
+        return None;
+    }
+    if given > 0
+        && let Some(other) = wrong_shape::taking_operands(bound)
+    {
+        return Some(wrong_shape::brackets(context, bound, other));
+    }
+    let excess: Vec<usize> = (0..bound.formals.len())
+        .filter(|&n| matches!(bound.formals[n], Formal::Excess))
+        .collect();
+    let range = match (excess.first(), excess.last()) {
+        (Some(&first), Some(&last)) => bound.absolute(
+            bound.facts.operands[first].range.cover(bound.facts.operands[last].range),
+        ),
+        _ => bound.range(),
+    };
+    let found = Diagnostic::new(Rule::BadArity, range, message(bound, row, given))
+        .help(format!("it is written {}", row.signature()));
+    Some(if excess.is_empty() {
+        add_missing(bound, row, given, found)
+    } else {
+        remove_excess(bound, &excess, found)
+    })
+}
+
+fn message(bound: &BoundBlock, row: &Instruction, given: usize) -> String {
+    let least = row.required();
+    let takes = match row.limit() {
+        Some(0) => "no operands".to_owned(),
+        Some(most) if most == least => operands(most),
+        Some(most) => format!("{least} to {most} operands"),
+        None if given < least => format!("at least {}", operands(least)),
+        // Repeated in groups, and the last group is not whole.
+        None => "its last operands in pairs".to_owned(),
+    };
+    let given = match given {
+        0 => "none is given".to_owned(),
+        1 => "1 is given".to_owned(),
+        n => format!("{n} are given"),
+    };
+    format!("{} takes {takes}, {given}", bound.head_text())
+}
+
+fn operands(count: usize) -> String {
+    if count == 1 {
+        "1 operand".to_owned()
+    } else {
+        format!("{count} operands")
+    }
+}
+
+fn remove_excess(bound: &BoundBlock, excess: &[usize], mut found: Diagnostic) -> Diagnostic {
+    let facts = &bound.facts;
+    let list = facts.list_range.unwrap_or(facts.range);
+    let edits = if excess.len() == facts.operands.len() {
+        // Nothing is left: the list goes as well.
+        vec![TextRange::new(facts.head_range.end(), list.end())]
+    } else {
+        excess
+            .iter()
+            .map(|&n| match n.checked_sub(1) {
+                Some(before) => TextRange::new(facts.operands[before].range.end(), facts.operands[n].range.end()),
+                None => TextRange::new(facts.operands[0].range.start(), facts.operands[1].range.start()),
+            })
+            .collect()
+    };
+    found.fixes.push(Fix {
+        title: if excess.len() == 1 {
+            "Remove the extra operand".to_owned()
+        } else {
+            "Remove the extra operands".to_owned()
+        },
+        edits: edits
+            .into_iter()
+            .map(|range| Edit {
+                range: bound.absolute(range),
+                text: String::new(),
+            })
+            .collect(),
+    });
+    found
+}
+
+fn add_missing(bound: &BoundBlock, row: &'static Instruction, given: usize, found: Diagnostic) -> Diagnostic {
+    // At most one group of operands lacks behind the required ones.
+    let Some(needed) = (given..given + 8).find(|&count| row.takes(count)) else {
+        return found;
+    };
+    let missing: Vec<&Operand> = (given..needed).filter_map(|index| row.positional(index)).collect();
+    let names: Vec<&str> = missing.iter().map(|operand| operand.name).collect();
+    let title = format!("Add {}", names.join(" and "));
+    let values: Vec<&str> = missing.iter().map(|operand| placeholder(operand)).collect();
+    let values = values.join(", ");
+    let (at, text) = insertion(bound, given, &values);
+    found.fix(title, bound.absolute(at), text)
+}
+
+/// Where missing operands go, and the text that puts them there.
+fn insertion(bound: &BoundBlock, given: usize, values: &str) -> (TextRange, String) {
+    let facts = &bound.facts;
+    let Some(list) = facts.list_range else {
+        return (TextRange::empty(facts.head_range.end()), format!("( {values} )"));
+    };
+    match (given.checked_sub(1), facts.operands.first()) {
+        (_, None) => (list, format!("( {values} )")),
+        (None, Some(named)) => (TextRange::empty(named.range.start()), format!("{values}, ")),
+        (Some(_), Some(_)) => {
+            let last = facts.operands.iter().rfind(|operand| operand.name.is_none());
+            let end = last.map_or(list.end(), |operand| operand.range.end());
+            (TextRange::empty(end), format!(", {values}"))
+        }
+    }
+}
+
+/// What stands for an operand until a person writes the right one.
+fn placeholder(operand: &Operand) -> &'static str {
+    match operand.accepts {
+        Accepts::Duration | Accepts::Time => "T#1s",
+        Accepts::Count | Accepts::Integer => "1",
+        Accepts::Value | Accepts::Number | Accepts::Compared | Accepts::Convertible | Accepts::Expression => "0",
+        Accepts::String => "'text'",
+        Accepts::SearchOperator => "EQ",
+        _ => operand.name,
+    }
+}
+
+fn user_block(context: &Context, bound: &BoundBlock, block: usize, out: &mut Vec<Diagnostic>) {
+    let facts = &context.user_blocks[block];
+    let names = &context.scopes[block + 1].tags;
+    let name_of = |index: usize| names[facts.parameters[index].tag].name.as_str();
+    let signature = || format!("it is written {}", signature(facts, bound, &name_of));
+    let excess: Vec<usize> = (0..bound.formals.len())
+        .filter(|&n| matches!(bound.formals[n], Formal::Excess))
+        .collect();
+    if let (Some(&first), Some(&last)) = (excess.first(), excess.last()) {
+        let range = bound.facts.operands[first].range.cover(bound.facts.operands[last].range);
+        let message = format!(
+            "{} takes {}, {} are given",
+            bound.head_text(),
+            operands(facts.parameters.len()),
+            bound.positional_count()
+        );
+        let found = Diagnostic::new(Rule::BadArity, bound.absolute(range), message)
+            .help(signature())
+            .related(facts.at, "the block is defined here");
+        out.push(remove_excess(bound, &excess, found));
+        return;
+    }
+    let is_given = |index| {
+        bound
+            .formals
+            .iter()
+            .any(|formal| matches!(formal, Formal::Parameter(given) if *given == index))
+    };
+    let missing: Vec<String> = (0..facts.parameters.len())
+        .filter(|&index| {
+            let parameter = &facts.parameters[index];
+            let optional = parameter.kind == ParameterKind::Output || parameter.has_default;
+            !optional && !is_given(index)
+        })
+        .map(|index| format!("`{}`", name_of(index)))
+        .collect();
+    if missing.is_empty() {
+        return;
+    }
+    let message = match missing.as_slice() {
+        [one] => format!("the operand {one} of {} is missing", bound.head_text()),
+        several => format!("the operands {} of {} are missing", several.join(", "), bound.head_text()),
+    };
+    out.push(
+        Diagnostic::new(Rule::BadArity, bound.range(), message)
+            .help(signature())
+            .related(facts.at, "the block is defined here"),
+    );
+}
+
+fn signature<'n>(facts: &UserBlockFacts, bound: &BoundBlock, name_of: &dyn Fn(usize) -> &'n str) -> String {
+    let head = bound.head_text();
+    if facts.parameters.is_empty() {
+        return head;
+    }
+    let names: Vec<&str> = (0..facts.parameters.len()).map(name_of).collect();
+    format!("{head}( {} )", names.join(", "))
+}
+
+/// An operand that is given twice: by its place and by name, or by name twice.
+fn given_twice(bound: &BoundBlock, out: &mut Vec<Diagnostic>) {
+    for (index, formal) in bound.formals.iter().enumerate() {
+        let operand = &bound.facts.operands[index];
+        let Some(name) = &operand.name else { continue };
+        let same = |other: &Formal| match (formal, other) {
+            (Formal::Operand(a), Formal::Operand(b)) => std::ptr::eq(*a, *b),
+            (Formal::Parameter(a), Formal::Parameter(b)) => a == b,
+            _ => false,
+        };
+        if let Some(first) = bound.formals[..index].iter().position(same) {
+            out.push(
+                Diagnostic::new(
+                    Rule::BadArity,
+                    bound.absolute(operand.range),
+                    format!("the operand `{}` of {} is given twice", name.text, bound.head_text()),
+                )
+                .help("leave one of them out")
+                .related(bound.absolute(bound.facts.operands[first].range), "it is given here before"),
+            );
+        }
+    }
 }

@@ -3,7 +3,7 @@
 use crate::diagnostic::Diagnostic;
 use crate::rule::Rule;
 use ladder_instructions::StateType;
-use ladder_syntax::TextRange;
+use ladder_syntax::{OperandPlace, TextRange};
 
 pub(crate) fn wrong(range: TextRange, message: impl Into<String>) -> Diagnostic {
     Diagnostic::new(Rule::BadOperand, range, message)
@@ -41,4 +41,35 @@ pub(crate) fn unknown_function(name: &str, range: TextRange) -> Diagnostic {
         }
         _ => found,
     }
+}
+
+/// A value is missing; the parser says where.
+pub(crate) fn missing(place: OperandPlace, range: TextRange) -> Diagnostic {
+    let message = match place {
+        OperandPlace::List => "an operand is missing here",
+        OperandPlace::Operator => "a value is missing beside this operator",
+        OperandPlace::Named => "the value of the named operand is missing here",
+        OperandPlace::Index => "the index is missing here",
+        OperandPlace::Range => "a bound of the range is missing here",
+        OperandPlace::Parentheses => "a value is missing between the parentheses",
+        OperandPlace::Member => "the member is missing behind the point",
+    };
+    let found = wrong(range, message);
+    match place {
+        OperandPlace::List => found.help("write the operand, or take the comma away"),
+        OperandPlace::Named => found.help("a named operand is written R := reset"),
+        OperandPlace::Range => found.help("a range is written a[3..9]"),
+        OperandPlace::Member => found.help("a member is written t1.Q, a bit word.3"),
+        _ => found,
+    }
+}
+
+pub(crate) fn missing_comma(range: TextRange) -> Diagnostic {
+    wrong(range, "a comma is missing before this operand")
+        .help("operands are separated by commas")
+        .fix("Insert `,`", TextRange::empty(range.start()), ", ")
+}
+
+pub(crate) fn too_complex(range: TextRange) -> Diagnostic {
+    wrong(range, "this expression is too long or nested too deeply").help("compute it in several steps")
 }

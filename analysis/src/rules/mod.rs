@@ -5,15 +5,24 @@
 
 pub(crate) mod bad_arity;
 pub(crate) mod bad_declaration;
+pub(crate) mod bad_literal;
 pub(crate) mod bad_operand;
 pub(crate) mod constant_write;
 pub(crate) mod did_you_mean;
 pub(crate) mod duplicate_declaration;
+pub(crate) mod missing_wire;
+mod syntax_errors;
 pub(crate) mod type_mismatch;
+mod unclosed_block;
+pub(crate) mod unclosed_comment;
 pub(crate) mod undeclared_tag;
+mod unexpected_character;
+mod unknown_instruction;
 pub(crate) mod unknown_function;
 pub(crate) mod unknown_label;
 pub(crate) mod unknown_member;
+mod unpaired_connector;
+mod wrong_shape;
 
 use crate::context::Context;
 use crate::diagnostic::Diagnostic;
@@ -21,7 +30,13 @@ use crate::diagnostic::Diagnostic;
 type Check = fn(&Context, &mut Vec<Diagnostic>);
 
 /// Every rule that looks at the whole context.
-const CHECKS: &[Check] = &[];
+const CHECKS: &[Check] = &[
+    syntax_errors::check,
+    missing_wire::check,
+    unpaired_connector::check,
+    unknown_instruction::check,
+    bad_arity::check,
+];
 
 /// Runs them.
 pub(crate) fn check(context: &Context, out: &mut Vec<Diagnostic>) {

@@ -1,0 +1,68 @@
+//! Pieces of the text for messages. Rules read them only when they have found something.
+
+use ladder_syntax::{Parse, TextRange, TextSize};
+
+/// The text of a range that lies on one logical line.
+pub(crate) fn text(parse: &Parse, range: TextRange) -> String {
+    let Some(line) = parse.line_at(range.start()) else {
+        return String::new();
+    };
+    let start = parse.line_start(line);
+    let node = parse.lines()[line].syntax();
+    let within = TextRange::new(range.start() - start, (range.end() - start).min(node.text_range().end()));
+    node.text().slice(within).to_string()
+}
+
+/// At most `most` characters of a text, on one line.
+pub(crate) fn shortened(text: &str, most: usize) -> String {
+    let line = text.lines().next().unwrap_or("").trim_end();
+    if line.chars().count() <= most {
+        return line.to_owned();
+    }
+    let kept: String = line.chars().take(most.saturating_sub(3)).collect();
+    format!("{}...", kept.trim_end())
+}
+
+/// A logical line without the white space around it and its line end.
+pub(crate) fn trimmed_line(parse: &Parse, line: usize) -> TextRange {
+    let text = parse.lines()[line].syntax().text().to_string();
+    let before = text.len() - text.trim_start().len();
+    TextRange::at(
+        parse.line_start(line) + TextSize::new(before as u32),
+        TextSize::of(text.trim()),
+    )
+}
+
+/// `1st`, `2nd`, `3rd`, `4th`; `ordinal` counts from 0.
+pub(crate) fn nth(ordinal: usize) -> String {
+    let n = ordinal + 1;
+    let suffix = match (n % 100, n % 10) {
+        (11..=13, _) => "th",
+        (_, 1) => "st",
+        (_, 2) => "nd",
+        (_, 3) => "rd",
+        _ => "th",
+    };
+    format!("{n}{suffix}")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn ordinals() {
+        let spelled: Vec<String> = [0, 1, 2, 3, 10, 11, 12, 20, 110, 121].map(nth).to_vec();
+        assert_eq!(
+            spelled,
+            ["1st", "2nd", "3rd", "4th", "11th", "12th", "13th", "21st", "111th", "122nd"]
+        );
+    }
+
+    #[test]
+    fn long_texts_are_cut() {
+        assert_eq!(shortened("[TON", 20), "[TON");
+        assert_eq!(shortened("( a_very_long_tag, another", 12), "( a_very_...");
+        assert_eq!(shortened("one\ntwo", 20), "one");
+    }
+}

@@ -1,0 +1,11 @@
+//! `bad-literal`: a number, duration, date or text that is not written like one.
+
+use crate::diagnostic::Diagnostic;
+use crate::rule::Rule;
+use ladder_syntax::TextRange;
+
+/// A text without its closing quote: it takes the rest of its line.
+pub(crate) fn unclosed_string(range: TextRange) -> Diagnostic {
+    Diagnostic::new(Rule::BadLiteral, range, "this text is not closed: `'` is missing")
+        .help("a text ends on its own line; a quote in it is written $'")
+}

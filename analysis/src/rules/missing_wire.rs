@@ -1,0 +1,105 @@
+//! `missing-wire`: two blocks, or a block and a connector, touch without a `-` between them.
+
+use crate::context::Context;
+use crate::diagnostic::Diagnostic;
+use crate::facts::Head;
+use crate::network::NetworkFacts;
+use crate::rule::Rule;
+use ladder_instructions::Shape;
+use ladder_syntax::wiring::PartKind;
+use ladder_syntax::{TextRange, TextSize};
+
+pub(crate) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
+    for network in &context.networks {
+        // Blocks stand in the order of the rungs and parts, so one index follows them.
+        let mut block = 0;
+        for (rung, drawing) in network.wiring.rungs.iter().enumerate() {
+            let start = context.parse.line_start(network.wiring.lines[rung]);
+            for (index, part) in drawing.parts.iter().enumerate() {
+                let is_block = part.kind == PartKind::Block;
+                block += usize::from(is_block);
+                let Some(before) = index.checked_sub(1).filter(|_| part.touches) else {
+                    continue;
+                };
+                let before = &drawing.parts[before];
+                let connects = |kind| {
+                    matches!(
+                        kind,
+                        PartKind::Down | PartKind::Up | PartKind::LeftRail | PartKind::RightRail
+                    )
+                };
+                let lacks_wire = match before.kind {
+                    PartKind::Block => is_block || connects(part.kind),
+                    kind => is_block && connects(kind),
+                };
+                if !lacks_wire {
+                    continue;
+                }
+                let seam = TextRange::new(before.range.end(), part.range.start()) + start;
+                if is_block && before.kind == PartKind::Block && block >= 2 && takes_next_head(network, block - 2) {
+                    out.push(took_head(network, block - 2));
+                    continue;
+                }
+                out.push(
+                    Diagnostic::new(Rule::MissingWire, around(seam), message(before.kind, part.kind))
+                        .help("draw a `-` between them")
+                        .fix("Insert wire", seam, "--"),
+                );
+            }
+        }
+    }
+}
+
+/// A place to show: the characters on both sides of the seam.
+fn around(seam: TextRange) -> TextRange {
+    let one = TextSize::new(1);
+    TextRange::new(seam.start() - one, seam.end() + one)
+}
+
+fn message(before: PartKind, behind: PartKind) -> String {
+    let name = |kind| match kind {
+        PartKind::Block => "a block",
+        PartKind::Down => "`\\`",
+        PartKind::Up => "`/`",
+        _ => "`+`",
+    };
+    if before == behind {
+        return "two blocks touch without a wire between them".to_owned();
+    }
+    format!("{} and {} touch without a wire between them", name(before), name(behind))
+}
+
+/// Whether a block without operands has taken the first part of the next one as its operand list, as in
+/// `[OSR]( )( y )`.
+pub(crate) fn takes_next_head(network: &NetworkFacts, index: usize) -> bool {
+    let (Some(block), Some(next)) = (network.blocks.get(index), network.blocks.get(index + 1)) else {
+        return false;
+    };
+    let without_operands = block.instruction().is_some_and(|row| row.limit() == Some(0));
+    without_operands
+        && !block.faulty
+        && block.facts.list_range.is_some()
+        && next.facts.rung == block.facts.rung
+        && next.facts.range.start() == block.facts.range.end()
+        && next.facts.shape == Shape::Coil
+        && next.facts.list_range.is_none()
+        && matches!(next.facts.head, Head::Mnemonic(_))
+}
+
+fn took_head(network: &NetworkFacts, index: usize) -> Diagnostic {
+    let (block, next) = (&network.blocks[index], &network.blocks[index + 1]);
+    let head = block.head_text();
+    let list = block.facts.list_range.unwrap_or(block.facts.range);
+    let between = TextRange::new(block.facts.head_range.end(), list.start());
+    Diagnostic::new(
+        Rule::MissingWire,
+        block.absolute(list.cover(next.facts.range)),
+        format!("{head} takes the next parentheses as its operands: the wire between them is missing"),
+    )
+    .help(format!("{head} has no operands: keep a `-` behind it"))
+    .fix(
+        format!("Insert wire behind {head}"),
+        block.absolute(between),
+        "--",
+    )
+}

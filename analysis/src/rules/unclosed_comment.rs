@@ -1,0 +1,58 @@
+//! `unclosed-comment`: a `#` has no partner.
+//!
+//! The `#` that is left over at the end is seldom the wrong one: where one is missing, everything behind it
+//! is read the other way round, comments as drawing and drawing as comments. So the finding stands at the
+//! first comment that holds a line of drawing, and what is found behind it is not shown.
+
+use crate::diagnostic::Diagnostic;
+use crate::rule::Rule;
+use ladder_syntax::{Parse, SyntaxErrorKind, TextRange};
+
+/// `range` is the `#` at which the parser puts it.
+pub(crate) fn unclosed(parse: &Parse, range: TextRange) -> Diagnostic {
+    match left_over(parse) {
+        Some(last) if last != range => Diagnostic::new(
+            Rule::UnclosedComment,
+            range,
+            "this comment holds lines of drawing: its closing `#` is probably missing",
+        )
+        .help("close it behind its text; until then nothing behind this place is checked")
+        .related(last, "this `#` is left without a partner"),
+        _ => Diagnostic::new(
+            Rule::UnclosedComment,
+            range,
+            "this comment is never closed: all that follows is read as comment",
+        )
+        .help("close it with a second `#`"),
+    }
+}
+
+/// The `#` that opens a comment up to the end of the text.
+fn left_over(parse: &Parse) -> Option<TextRange> {
+    let last = parse.lines().len().checked_sub(1)?;
+    let open = parse.lines()[last]
+        .errors
+        .iter()
+        .find(|error| error.kind == SyntaxErrorKind::UnclosedComment)?;
+    Some(open.range + parse.line_start(last))
+}
+
+/// Drops what a comment that is not closed has made of the text behind it.
+pub(crate) fn hide_what_follows(parse: &Parse, diagnostics: &mut Vec<Diagnostic>) {
+    let Some(place) = parse.unclosed_comment().map(TextRange::start) else {
+        return;
+    };
+    diagnostics.retain(|d| {
+        // What a name stands for may be behind the place.
+        let needs_the_rest = matches!(
+            d.rule,
+            Rule::UndeclaredTag | Rule::UnknownLabel | Rule::UnknownFunction | Rule::UnknownBlock
+        );
+        d.rule == Rule::UnclosedComment || (d.range.start() < place && !needs_the_rest)
+    });
+    for diagnostic in diagnostics {
+        if diagnostic.rule != Rule::UnclosedComment {
+            diagnostic.related.retain(|related| related.range.start() < place);
+        }
+    }
+}

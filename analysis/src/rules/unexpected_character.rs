@@ -1,0 +1,53 @@
+//! `unexpected-character`: characters that mean nothing where they stand.
+
+use crate::diagnostic::Diagnostic;
+use crate::excerpt::shortened;
+use crate::rule::Rule;
+use ladder_syntax::{Place, TextRange, is_identifier};
+
+pub(crate) fn unexpected(place: Place, behind_comment: bool, text: &str, range: TextRange) -> Diagnostic {
+    let shown = shortened(text, 30);
+    let message = match place {
+        Place::Rung if is_identifier(text) => format!("`{shown}` stands outside of any block"),
+        Place::Rung => format!("`{shown}` means nothing on a rung"),
+        Place::Head => format!("`{shown}` means nothing in the first part of a block"),
+        Place::Operands => format!("`{shown}` means nothing among operands"),
+        Place::Declaration => format!("`{shown}` means nothing in a declaration"),
+    };
+    let found = Diagnostic::new(Rule::UnexpectedCharacter, range, message);
+    if behind_comment {
+        return found.help(
+            "the `#` before it ended a comment: a comment ends at the very next `#`, so write 5s and not T#5s in it",
+        );
+    }
+    if let Some(drawn) = drawn_with(text) {
+        return found
+            .help(format!("a drawing uses plain characters: write `{drawn}`"))
+            .fix(format!("Replace with `{drawn}`"), range, drawn);
+    }
+    match place {
+        Place::Rung if is_identifier(text) => {
+            found.help(format!("a contact is written [ ]( {shown} ), a coil ( )( {shown} )"))
+        }
+        Place::Rung => found.help("a rung is drawn with - + | \\ / and blocks; text stands in # comments #"),
+        _ => found,
+    }
+}
+
+/// The plain characters for typographic ones, which word processors and terminals put in their place.
+fn drawn_with(text: &str) -> Option<String> {
+    let plain = |c: char| {
+        Some(match c {
+            '\u{2010}'..='\u{2015}' | '\u{2212}' | '─' | '━' | '═' => '-',
+            '│' | '┃' | '║' | '¦' => '|',
+            '┼' | '├' | '┤' | '╋' | '╬' => '+',
+            '\u{2018}' | '\u{2019}' => '\'',
+            '（' => '(',
+            '）' => ')',
+            '［' => '[',
+            '］' => ']',
+            _ => return None,
+        })
+    };
+    text.chars().map(plain).collect()
+}

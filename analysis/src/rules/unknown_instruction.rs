@@ -1,0 +1,59 @@
+//! `unknown-instruction`: no instruction has this name.
+
+use super::{missing_wire, wrong_shape};
+use crate::context::Context;
+use crate::diagnostic::Diagnostic;
+use crate::network::{BoundBlock, Meaning, NetworkFacts};
+use crate::rule::Rule;
+use ladder_instructions::{Shape, closest};
+use ladder_syntax::{Name, is_identifier};
+
+pub(crate) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
+    for network in &context.networks {
+        for (index, bound) in network.blocks.iter().enumerate() {
+            if !matches!(bound.meaning, Meaning::Unknown) || bound.faulty {
+                continue;
+            }
+            let before = index.checked_sub(1);
+            if before.is_some_and(|before| missing_wire::takes_next_head(network, before)) {
+                continue;
+            }
+            out.push(match wrong_shape::elsewhere(bound) {
+                Some(row) => wrong_shape::brackets(context, bound, row),
+                None => unknown(context, network, bound),
+            });
+        }
+    }
+}
+
+fn unknown(context: &Context, network: &NetworkFacts, bound: &BoundBlock) -> Diagnostic {
+    let found = Diagnostic::new(
+        Rule::UnknownInstruction,
+        bound.head_range(),
+        format!("there is no instruction {}", bound.head_text()),
+    );
+    let text = bound.facts.head.text();
+    let shape = bound.facts.shape;
+    let near = closest(shape, text);
+    // `[start]`, `(run)`: the tag stands where the kind of contact or coil belongs.
+    let bare = bound.facts.list_range.is_none() && is_identifier(text) && shape != Shape::Function;
+    let is_tag = || context.scopes[network.scope].find(&Name::new(text)).is_some();
+    if bare && (near.is_none() || is_tag()) {
+        let (block, kind) = match shape {
+            Shape::Coil => ("( )", "coil"),
+            _ => ("[ ]", "contact"),
+        };
+        let written = format!("{block}( {text} )");
+        return found
+            .help(format!("a {kind} of the tag `{text}` is written {written}"))
+            .fix(format!("Write {written}"), bound.head_range(), written);
+    }
+    match near {
+        Some(row) => found.help(format!("did you mean {}, {}?", row.block(), row.title)).fix(
+            format!("Replace with {}", row.block()),
+            bound.head_range(),
+            row.block(),
+        ),
+        None => found.help("`ladder explain` lists the instructions"),
+    }
+}

@@ -1,0 +1,206 @@
+//! `unpaired-connector`: a `\` without its `/` on the rung below, or the other way round.
+
+use crate::context::{Context, rung_above, rung_below};
+use crate::diagnostic::Diagnostic;
+use crate::excerpt::{nth, trimmed_line};
+use crate::network::breaks_drawing;
+use crate::rule::Rule;
+use ladder_format::display_width;
+use ladder_syntax::wiring::{self, PartKind, Rung};
+use ladder_syntax::{Parse, TextRange, TextSize};
+
+pub(crate) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
+    for network in context.networks.iter().filter(|n| !n.wiring.unpaired.is_empty()) {
+        let wiring = &network.wiring;
+        for side in wiring.unpaired.chunk_by(|a, b| {
+            a.0 == b.0 && wiring.rungs[a.0].parts[a.1].kind == wiring.rungs[b.0].parts[b.1].kind
+        }) {
+            let (rung, part) = side[0];
+            let kind = wiring.rungs[rung].parts[part].kind;
+            unpaired(context, wiring.lines[rung], kind, out);
+        }
+    }
+}
+
+/// The connectors of one kind on a line, or on the line where their partners should be.
+struct Side {
+    line: usize,
+    rung: Rung,
+    kind: PartKind,
+    /// The parts that are these connectors.
+    parts: Vec<usize>,
+    columns: Vec<usize>,
+}
+
+impl Side {
+    fn new(parse: &Parse, line: usize, kind: PartKind) -> Side {
+        let rung = wiring::rung(&parse.lines()[line]);
+        let parts: Vec<usize> = rung.connectors(kind).collect();
+        let columns = parts
+            .iter()
+            .map(|&part| column(parse, line, rung.parts[part].range.start()))
+            .collect();
+        Side {
+            line,
+            rung,
+            kind,
+            parts,
+            columns,
+        }
+    }
+
+    fn range(&self, parse: &Parse, ordinal: usize) -> TextRange {
+        self.rung.parts[self.parts[ordinal]].range + parse.line_start(self.line)
+    }
+}
+
+/// The column of an offset in a logical line, in display width from 0.
+fn column(parse: &Parse, line: usize, offset: TextSize) -> usize {
+    let before = parse.lines()[line].syntax().text().slice(..offset).to_string();
+    // A comment may have brought line ends onto the line.
+    let last = before.rsplit(['\n', '\r']).next().unwrap_or("");
+    display_width(last) as usize
+}
+
+fn unpaired(context: &Context, line: usize, kind: PartKind, out: &mut Vec<Diagnostic>) {
+    let parse = &*context.parse;
+    let other_line = match kind {
+        PartKind::Down => rung_below(parse, line),
+        _ => rung_above(parse, line),
+    };
+    // A mistake in the text may have swallowed the partner.
+    let misread = |line: usize| parse.lines()[line].errors.iter().any(breaks_drawing);
+    if misread(line) || other_line.is_some_and(misread) {
+        return;
+    }
+    let own = Side::new(parse, line, kind);
+    let other = other_line.map(|line| Side::new(parse, line, partner(kind)));
+    let paired = other.as_ref().map_or(0, |other| other.parts.len());
+    let culprits = other.as_ref().and_then(|other| culprits(&own, other));
+    for (index, ordinal) in (paired..own.parts.len()).enumerate() {
+        let suspect = culprits.as_ref().map_or(ordinal, |culprits| culprits[index]);
+        let range = own.range(parse, ordinal);
+        let mut found = Diagnostic::new(
+            Rule::UnpairedConnector,
+            range,
+            message(context, &own, other.as_ref(), ordinal),
+        );
+        found = if suspect == ordinal {
+            found.help(help(kind))
+        } else {
+            // Columns say what was meant, the order says what it is.
+            let (name, partner_name) = (symbol(kind), symbol(partner(kind)));
+            found
+                .help(format!(
+                    "connectors pair in their order from left to right, whatever their columns: the partner is probably \
+                     missing at the {} `{name}`",
+                    nth(suspect)
+                ))
+                .related(
+                    own.range(parse, suspect),
+                    format!("no `{partner_name}` stands {} this `{name}`", beside(kind)),
+                )
+        };
+        if let Some(other) = &other {
+            found = found.related(
+                trimmed_line(parse, other.line),
+                format!("its partner `{}` belongs onto this rung", symbol(other.kind)),
+            );
+        }
+        out.push(with_fix(parse, &own, other.as_ref(), suspect, found));
+    }
+}
+
+/// The connectors that have nothing in their column on the other line, if exactly as many as there are too many
+/// have not.
+fn culprits(own: &Side, other: &Side) -> Option<Vec<usize>> {
+    let alone: Vec<usize> = (0..own.parts.len())
+        .filter(|&n| other.columns.binary_search(&own.columns[n]).is_err())
+        .collect();
+    (alone.len() == own.parts.len() - other.parts.len()).then_some(alone)
+}
+
+fn message(context: &Context, own: &Side, other: Option<&Side>, ordinal: usize) -> String {
+    let parse = &*context.parse;
+    let number = |offset| context.line_number(offset);
+    let name = symbol(own.kind);
+    let here = number(own.range(parse, ordinal).start());
+    let which = if own.parts.len() == 1 {
+        format!("the `{name}` on line {here} has no partner")
+    } else {
+        format!("the {} `{name}` on line {here} has no partner", nth(ordinal))
+    };
+    let Some(other) = other else {
+        return format!("{which}: there is no rung {} it", beside(own.kind));
+    };
+    let (partner, beside) = (symbol(other.kind), beside(own.kind));
+    let there = number(trimmed_line(parse, other.line).start());
+    match other.parts.len() {
+        0 => format!("{which}: line {there} {beside} it has no `{partner}`"),
+        count => format!(
+            "{which}: line {here} has {} `{name}`, line {there} {beside} it has {count} `{partner}`",
+            own.parts.len(),
+        ),
+    }
+}
+
+/// Puts the partner onto the wire in the same column, or makes the connector a wire.
+fn with_fix(parse: &Parse, own: &Side, other: Option<&Side>, suspect: usize, found: Diagnostic) -> Diagnostic {
+    let column_of = own.columns[suspect];
+    let wire = other.and_then(|other| {
+        let start = parse.line_start(other.line);
+        other
+            .rung
+            .parts
+            .iter()
+            .filter(|part| part.kind == PartKind::Wire)
+            .find_map(|part| {
+                let first = column(parse, other.line, part.range.start());
+                let within = column_of.checked_sub(first)?;
+                let at = part.range.start() + TextSize::new(within as u32);
+                (at < part.range.end()).then(|| TextRange::at(at + start, TextSize::new(1)))
+            })
+    });
+    if let (Some(at), Some(other)) = (wire, other) {
+        let partner = symbol(other.kind);
+        return found.fix(format!("Join with `{partner}` {} it", beside(own.kind)), at, partner);
+    }
+    let part = own.parts[suspect];
+    let touches_behind = own.rung.parts.get(part + 1).is_some_and(|next| next.touches);
+    if own.rung.parts[part].touches && touches_behind {
+        return found.fix(
+            format!("Replace `{}` with wire", symbol(own.kind)),
+            own.range(parse, suspect),
+            "-",
+        );
+    }
+    found
+}
+
+const fn partner(kind: PartKind) -> PartKind {
+    match kind {
+        PartKind::Down => PartKind::Up,
+        _ => PartKind::Down,
+    }
+}
+
+const fn symbol(kind: PartKind) -> &'static str {
+    match kind {
+        PartKind::Down => "\\",
+        _ => "/",
+    }
+}
+
+const fn beside(kind: PartKind) -> &'static str {
+    match kind {
+        PartKind::Down => "below",
+        _ => "above",
+    }
+}
+
+const fn help(kind: PartKind) -> &'static str {
+    match kind {
+        PartKind::Down => "every `\\` needs a `/` on the rung below: together they join the two lines",
+        _ => "every `/` needs a `\\` on the rung above: together they join the two lines",
+    }
+}

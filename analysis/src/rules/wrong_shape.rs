@@ -1,0 +1,49 @@
+//! `wrong-shape`: an instruction in brackets that it does not have, as in `<TON>` or `[SET]( run )`.
+
+use crate::context::Context;
+use crate::diagnostic::Diagnostic;
+use crate::excerpt;
+use crate::network::BoundBlock;
+use crate::rule::Rule;
+use ladder_instructions::{Instruction, Op, in_other_shape};
+
+/// The instruction of this name in other brackets; one that takes the operands as they are comes first.
+pub(crate) fn elsewhere(bound: &BoundBlock) -> Option<&'static Instruction> {
+    let mut rows = in_other_shape(bound.facts.shape, bound.facts.head.text());
+    taking_operands(bound).or_else(|| rows.next())
+}
+
+/// The instruction of this name in other brackets that takes the operands as they are.
+pub(crate) fn taking_operands(bound: &BoundBlock) -> Option<&'static Instruction> {
+    let count = bound.positional_count();
+    in_other_shape(bound.facts.shape, bound.facts.head.text()).find(|row| row.takes(count))
+}
+
+pub(crate) fn brackets(context: &Context, bound: &BoundBlock, row: &'static Instruction) -> Diagnostic {
+    let list = bound
+        .facts
+        .list_range
+        .map(|range| excerpt::text(&context.parse, bound.absolute(range)))
+        .unwrap_or_default();
+    let written = format!("{}{list}", row.block());
+    let head = bound.head_text();
+    // `[SET]` is an instruction too, for other operands.
+    let message = match bound.instruction() {
+        Some(own) => format!("{head}{list} is not {}", own.signature()),
+        None => format!("there is no {head}: {} is written {}", row.title, row.block()),
+    };
+    let help = match row.op {
+        Op::SetCoil => format!("to latch a bit write {written}"),
+        Op::ResetCoil => format!("to reset a bit write {written}"),
+        Op::Coil => format!("to write a bit write {written}"),
+        Op::Contact => format!("to test a bit write {written}"),
+        _ => format!("write {written}"),
+    };
+    Diagnostic::new(Rule::WrongShape, bound.head_range(), message)
+        .help(help)
+        .fix(
+            format!("Replace with {}", row.block()),
+            bound.head_range(),
+            row.block(),
+        )
+}

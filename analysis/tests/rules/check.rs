@@ -1,0 +1,93 @@
+//! Shows what is found in a text the way a person reads it.
+
+use expect_test::Expect;
+use ladder_analysis::{Diagnostic, analyze, fix};
+use ladder_format::{Options, apply};
+use ladder_syntax::{LineIndex, TextRange, parse};
+use std::sync::Arc;
+
+/// Compares the findings, drawn under their lines, with what is expected. Each fix is shown by the lines that it
+/// changes; it must make its finding go away.
+pub fn check(text: &str, expected: Expect) {
+    expected.assert_eq(&findings(text));
+}
+
+/// Nothing is found.
+pub fn clean(text: &str) {
+    assert_eq!(findings(text), "", "in:\n{text}");
+}
+
+fn findings(text: &str) -> String {
+    let parsed = Arc::new(parse(text));
+    let index = LineIndex::new(text);
+    let mut shown = String::new();
+    let mut line = usize::MAX;
+    for diagnostic in analyze(&parsed, "test.clad").diagnostics {
+        let at = index.line(diagnostic.range.start());
+        if at != line {
+            line = at;
+            shown.push_str(text[index.range(line)].trim_end());
+            shown.push('\n');
+        }
+        show(text, &index, &diagnostic, &mut shown);
+    }
+    shown
+}
+
+fn show(text: &str, index: &LineIndex, found: &Diagnostic, out: &mut String) {
+    out.push_str(&carets(text, index, found.range));
+    out.push_str(&format!(
+        " {}[{}]: {}\n",
+        found.severity.name(),
+        found.rule,
+        found.message
+    ));
+    if let Some(help) = &found.help {
+        out.push_str(&format!("    help: {help}\n"));
+    }
+    for related in &found.related {
+        let place = index.line_column(text, related.range.start());
+        let marked = text[related.range].lines().next().unwrap_or_default();
+        out.push_str(&format!(
+            "    at {}:{} `{marked}`: {}\n",
+            place.line, place.column, related.message
+        ));
+    }
+    for fix in &found.fixes {
+        let fixed = apply(text, &fix::aligned(text, fix, &Options::default()));
+        out.push_str(&format!("    fix: {}\n", fix.title));
+        for (_, line) in changed_lines(text, &fixed) {
+            out.push_str(&format!("      {line}\n"));
+        }
+        let again = analyze(&Arc::new(parse(&fixed)), "test.clad").diagnostics;
+        let stays = again
+            .iter()
+            .any(|d| d.rule == found.rule && d.message == found.message && d.range == found.range);
+        assert!(!stays, "the fix `{}` leaves the finding as it is:\n{fixed}", fix.title);
+    }
+}
+
+/// The lines of `new` between those that both texts begin and end with.
+fn changed_lines<'t>(old: &str, new: &'t str) -> Vec<(usize, &'t str)> {
+    let (old, new): (Vec<&str>, Vec<&str>) = (old.lines().collect(), new.lines().collect());
+    let head = old.iter().zip(&new).take_while(|(a, b)| a == b).count();
+    let (old_rest, new_rest) = (&old[head..], &new[head..]);
+    let tail = old_rest
+        .iter()
+        .rev()
+        .zip(new_rest.iter().rev())
+        .take_while(|(a, b)| a == b)
+        .count();
+    let end = new.len() - tail;
+    new[head..end].iter().enumerate().map(|(n, line)| (head + n, *line)).collect()
+}
+
+/// `^^^` under the range; up to the end of its first line.
+fn carets(text: &str, index: &LineIndex, range: TextRange) -> String {
+    let line = index.range(index.line(range.start()));
+    let before = &text[usize::from(line.start())..usize::from(range.start())];
+    let marked = &text[range];
+    let marked = marked.split(['\n', '\r']).next().unwrap_or_default();
+    let width = marked.chars().count().max(1);
+    format!("{}{}", " ".repeat(before.chars().count()), "^".repeat(width))
+}

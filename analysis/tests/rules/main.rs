@@ -1,0 +1,7 @@
+//! What each rule finds, says and mends; one table a case.
+
+mod blocks;
+mod check;
+mod connectors;
+mod pages;
+mod text;
