@@ -9,7 +9,10 @@ pub(crate) fn text(parse: &Parse, range: TextRange) -> String {
     };
     let start = parse.line_start(line);
     let node = parse.lines()[line].syntax();
-    let within = TextRange::new(range.start() - start, (range.end() - start).min(node.text_range().end()));
+    let within = TextRange::new(
+        range.start() - start,
+        (range.end() - start).min(node.text_range().end()),
+    );
     node.text().slice(within).to_string()
 }
 
@@ -31,6 +34,28 @@ pub(crate) fn trimmed_line(parse: &Parse, line: usize) -> TextRange {
         parse.line_start(line) + TextSize::new(before as u32),
         TextSize::of(text.trim()),
     )
+}
+
+/// The blanks directly behind an offset, if the line goes on behind them.
+pub(crate) fn blanks_behind(parse: &Parse, offset: TextSize) -> TextRange {
+    let Some(line) = parse.line_at(offset) else {
+        return TextRange::empty(offset);
+    };
+    let rest = text(parse, TextRange::new(offset, parse.line_range(line).end()));
+    let blanks = rest.len() - rest.trim_start_matches([' ', '\t']).len();
+    let goes_on = !rest[blanks..].is_empty() && !rest[blanks..].starts_with(['\n', '\r', '|']);
+    TextRange::at(offset, TextSize::new(if goes_on { blanks as u32 } else { 0 }))
+}
+
+/// The title of an instruction inside a sentence: "on-delay timer".
+pub(crate) fn in_sentence(title: &str) -> String {
+    let mut letters = title.chars();
+    match (letters.next(), letters.next()) {
+        (Some(first), Some(second)) if second.is_lowercase() || second == '-' => {
+            first.to_lowercase().chain(title.chars().skip(1)).collect()
+        }
+        _ => title.to_owned(),
+    }
 }
 
 /// `1st`, `2nd`, `3rd`, `4th`; `ordinal` counts from 0.
@@ -55,7 +80,9 @@ mod tests {
         let spelled: Vec<String> = [0, 1, 2, 3, 10, 11, 12, 20, 110, 121].map(nth).to_vec();
         assert_eq!(
             spelled,
-            ["1st", "2nd", "3rd", "4th", "11th", "12th", "13th", "21st", "111th", "122nd"]
+            [
+                "1st", "2nd", "3rd", "4th", "11th", "12th", "13th", "21st", "111th", "122nd"
+            ]
         );
     }
 

@@ -137,6 +137,7 @@ fn inputs_and_outputs() {
             stop : BOOL, Input
             run : BOOL, Internal
             lamp : BOOL, Output
+            unpaired-connector: the 2nd `/` on line 2 has no partner: line 2 has 2 `/`, line 1 above it has 1 `\` `/`
         "#]],
     );
 }

@@ -19,7 +19,8 @@ pub(crate) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
             }
             match bound.meaning {
                 Meaning::Instruction(row) => {
-                    if !row.takes(bound.positional_count()) && !missing_wire::takes_next_head(network, index) {
+                    if !row.takes(bound.positional_count()) && !missing_wire::takes_next_head(network, index)
+                    {
                         out.extend(instruction(context, bound, row));
                     }
                 }
@@ -36,9 +37,16 @@ fn instruction(context: &Context, bound: &BoundBlock, row: &'static Instruction)
     // `PT := T#5s`: bad-operand says that it is given by its place.
     let by_name = |operand: &&Operand| {
         let names = bound.facts.operands.iter().filter_map(|o| o.name.as_ref());
-        names.into_iter().any(|name| name.text.eq_ignore_ascii_case(operand.name))
+        names
+            .into_iter()
+            .any(|name| name.text.eq_ignore_ascii_case(operand.name))
     };
-    if row.operands.iter().filter(|o| row.named(o.name).is_none()).any(|o| by_name(&o)) {
+    if row
+        .operands
+        .iter()
+        .filter(|o| row.named(o.name).is_none())
+        .any(|o| by_name(&o))
+    {
         return None;
     }
     if given > 0
@@ -51,7 +59,9 @@ fn instruction(context: &Context, bound: &BoundBlock, row: &'static Instruction)
         .collect();
     let range = match (excess.first(), excess.last()) {
         (Some(&first), Some(&last)) => bound.absolute(
-            bound.facts.operands[first].range.cover(bound.facts.operands[last].range),
+            bound.facts.operands[first]
+                .range
+                .cover(bound.facts.operands[last].range),
         ),
         _ => bound.range(),
     };
@@ -100,7 +110,9 @@ fn remove_excess(bound: &BoundBlock, excess: &[usize], mut found: Diagnostic) ->
         excess
             .iter()
             .map(|&n| match n.checked_sub(1) {
-                Some(before) => TextRange::new(facts.operands[before].range.end(), facts.operands[n].range.end()),
+                Some(before) => {
+                    TextRange::new(facts.operands[before].range.end(), facts.operands[n].range.end())
+                }
                 None => TextRange::new(facts.operands[0].range.start(), facts.operands[1].range.start()),
             })
             .collect()
@@ -127,7 +139,9 @@ fn add_missing(bound: &BoundBlock, row: &'static Instruction, given: usize, foun
     let Some(needed) = (given..given + 8).find(|&count| row.takes(count)) else {
         return found;
     };
-    let missing: Vec<&Operand> = (given..needed).filter_map(|index| row.positional(index)).collect();
+    let missing: Vec<&Operand> = (given..needed)
+        .filter_map(|index| row.positional(index))
+        .collect();
     let names: Vec<&str> = missing.iter().map(|operand| operand.name).collect();
     let title = format!("Add {}", names.join(" and "));
     let values: Vec<&str> = missing.iter().map(|operand| placeholder(operand)).collect();
@@ -158,7 +172,9 @@ fn placeholder(operand: &Operand) -> &'static str {
     match operand.accepts {
         Accepts::Duration | Accepts::Time => "T#1s",
         Accepts::Count | Accepts::Integer => "1",
-        Accepts::Value | Accepts::Number | Accepts::Compared | Accepts::Convertible | Accepts::Expression => "0",
+        Accepts::Value | Accepts::Number | Accepts::Compared | Accepts::Convertible | Accepts::Expression => {
+            "0"
+        }
         Accepts::String => "'text'",
         Accepts::SearchOperator => "EQ",
         _ => operand.name,
@@ -174,7 +190,9 @@ fn user_block(context: &Context, bound: &BoundBlock, block: usize, out: &mut Vec
         .filter(|&n| matches!(bound.formals[n], Formal::Excess))
         .collect();
     if let (Some(&first), Some(&last)) = (excess.first(), excess.last()) {
-        let range = bound.facts.operands[first].range.cover(bound.facts.operands[last].range);
+        let range = bound.facts.operands[first]
+            .range
+            .cover(bound.facts.operands[last].range);
         let message = format!(
             "{} takes {}, {} are given",
             bound.head_text(),
@@ -206,7 +224,11 @@ fn user_block(context: &Context, bound: &BoundBlock, block: usize, out: &mut Vec
     }
     let message = match missing.as_slice() {
         [one] => format!("the operand {one} of {} is missing", bound.head_text()),
-        several => format!("the operands {} of {} are missing", several.join(", "), bound.head_text()),
+        several => format!(
+            "the operands {} of {} are missing",
+            several.join(", "),
+            bound.head_text()
+        ),
     };
     out.push(
         Diagnostic::new(Rule::BadArity, bound.range(), message)
@@ -239,10 +261,17 @@ fn given_twice(bound: &BoundBlock, out: &mut Vec<Diagnostic>) {
                 Diagnostic::new(
                     Rule::BadArity,
                     bound.absolute(operand.range),
-                    format!("the operand `{}` of {} is given twice", name.text, bound.head_text()),
+                    format!(
+                        "the operand `{}` of {} is given twice",
+                        name.text,
+                        bound.head_text()
+                    ),
                 )
                 .help("leave one of them out")
-                .related(bound.absolute(bound.facts.operands[first].range), "it is given here before"),
+                .related(
+                    bound.absolute(bound.facts.operands[first].range),
+                    "it is given here before",
+                ),
             );
         }
     }

@@ -27,26 +27,44 @@ pub(crate) fn unreadable(problem: DeclarationProblem, text: &str, range: TextRan
     let found = shortened(text, 30);
     let instead = |expected: &str| {
         if found.is_empty() {
-            format!("{expected} is missing here")
+            format!("expected {expected} here")
         } else {
-            format!("{expected} is expected here, not `{found}`")
+            format!("expected {expected}, found `{found}`")
         }
     };
     let (message, help) = match problem {
-        NameExpected => (instead("the name of a tag"), "a declaration is written: start, stop : BOOL;"),
+        NameExpected => (
+            instead("the name of a tag"),
+            "a declaration is written: start, stop : BOOL;",
+        ),
         TypeExpected => (
             instead("`:` and a type"),
             "a declaration is written: start : BOOL; the types are BOOL, INT, DINT, REAL, TIME, TON, CTU and others",
         ),
-        SemicolonMissing => ("`;` is missing here".to_owned(), "every declaration ends with `;`"),
-        AddressExpected => (instead("an address"), "behind AT stands an address such as %IX0.0, %QW1 or %MD2"),
-        ValueExpected => (instead("a value"), "behind `:=` stands the value at the start: limit : INT := 80;"),
+        SemicolonMissing => (
+            "`;` is missing here".to_owned(),
+            "every declaration ends with `;`",
+        ),
+        AddressExpected => (
+            instead("an address"),
+            "behind AT stands an address such as %IX0.0, %QW1 or %MD2",
+        ),
+        ValueExpected => (
+            instead("a value"),
+            "behind `:=` stands the value at the start: limit : INT := 80;",
+        ),
         BoundsExpected => (
             instead("a whole number in brackets"),
             "bounds are written ARRAY[1..10] OF INT, lengths STRING[80]",
         ),
-        OfExpected => (instead("OF and a type"), "an array is written ARRAY[1..10] OF INT"),
-        Unexpected => (format!("`{found}` belongs to no declaration"), "write it on a line of its own"),
+        OfExpected => (
+            instead("OF and a type"),
+            "an array is written ARRAY[1..10] OF INT",
+        ),
+        Unexpected => (
+            format!("`{found}` belongs to no declaration"),
+            "write it on a line of its own",
+        ),
         SectionNotClosed => (
             "the declarations above are not closed: END_VAR is missing".to_owned(),
             "a section ends with END_VAR on a line of its own",

@@ -4,8 +4,8 @@ use crate::context::Context;
 use crate::diagnostic::Diagnostic;
 use crate::facts::Head;
 use crate::network::NetworkFacts;
-use crate::rule::Rule;
-use ladder_instructions::Shape;
+use crate::rule::{Rule, Severity};
+use ladder_instructions::{Shape, lookup};
 use ladder_syntax::wiring::PartKind;
 use ladder_syntax::{TextRange, TextSize};
 
@@ -36,7 +36,11 @@ pub(crate) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
                     continue;
                 }
                 let seam = TextRange::new(before.range.end(), part.range.start()) + start;
-                if is_block && before.kind == PartKind::Block && block >= 2 && takes_next_head(network, block - 2) {
+                if is_block
+                    && before.kind == PartKind::Block
+                    && block >= 2
+                    && takes_next_head(network, block - 2)
+                {
                     out.push(took_head(network, block - 2));
                     continue;
                 }
@@ -66,7 +70,11 @@ fn message(before: PartKind, behind: PartKind) -> String {
     if before == behind {
         return "two blocks touch without a wire between them".to_owned();
     }
-    format!("{} and {} touch without a wire between them", name(before), name(behind))
+    format!(
+        "{} and {} touch without a wire between them",
+        name(before),
+        name(behind)
+    )
 }
 
 /// Whether a block without operands has taken the first part of the next one as its operand list, as in
@@ -75,15 +83,17 @@ pub(crate) fn takes_next_head(network: &NetworkFacts, index: usize) -> bool {
     let (Some(block), Some(next)) = (network.blocks.get(index), network.blocks.get(index + 1)) else {
         return false;
     };
-    let without_operands = block.instruction().is_some_and(|row| row.limit() == Some(0));
-    without_operands
+    // `[NOT]` has a row with operands as well.
+    let mut rows = lookup(block.facts.shape, block.facts.head.text());
+    let mut without_operands = || rows.any(|row| row.limit() == Some(0));
+    block.facts.list_range.is_some()
         && !block.faulty
-        && block.facts.list_range.is_some()
         && next.facts.rung == block.facts.rung
         && next.facts.range.start() == block.facts.range.end()
         && next.facts.shape == Shape::Coil
         && next.facts.list_range.is_none()
         && matches!(next.facts.head, Head::Mnemonic(_))
+        && without_operands()
 }
 
 fn took_head(network: &NetworkFacts, index: usize) -> Diagnostic {
@@ -91,15 +101,18 @@ fn took_head(network: &NetworkFacts, index: usize) -> Diagnostic {
     let head = block.head_text();
     let list = block.facts.list_range.unwrap_or(block.facts.range);
     let between = TextRange::new(block.facts.head_range.end(), list.start());
-    Diagnostic::new(
+    let mut found = Diagnostic::new(
         Rule::MissingWire,
         block.absolute(list.cover(next.facts.range)),
         format!("{head} takes the next parentheses as its operands: the wire between them is missing"),
-    )
-    .help(format!("{head} has no operands: keep a `-` behind it"))
-    .fix(
-        format!("Insert wire behind {head}"),
-        block.absolute(between),
-        "--",
-    )
+    );
+    // What stands behind is no block that could run.
+    found.severity = Severity::Error;
+    found
+        .help(format!("{head} has no operands: keep a `-` behind it"))
+        .fix(
+            format!("Insert wire behind {head}"),
+            block.absolute(between),
+            "--",
+        )
 }

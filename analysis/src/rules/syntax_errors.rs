@@ -1,6 +1,8 @@
 //! What the parser found, as findings of the rules.
 
-use super::{bad_declaration, bad_literal, bad_operand, unclosed_block, unclosed_comment, unexpected_character};
+use super::{
+    bad_declaration, bad_literal, bad_operand, unclosed_block, unclosed_comment, unexpected_character,
+};
 use crate::context::Context;
 use crate::diagnostic::Diagnostic;
 use crate::excerpt;
@@ -15,12 +17,18 @@ pub(crate) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
         out.push(match error.kind {
             // The text or comment that took the rest of the line took the closing bracket as well.
             SyntaxErrorKind::UnclosedBlock { .. } if took_the_rest(context, &errors, index) => continue,
-            SyntaxErrorKind::UnclosedBlock { closing } => unclosed_block::missing(closing, &text(), range),
+            SyntaxErrorKind::UnclosedBlock { closing } => unclosed_block::missing(
+                closing,
+                &text(),
+                range,
+                excerpt::blanks_behind(parse, range.end()),
+            ),
             SyntaxErrorKind::WrongBracket { closing } => unclosed_block::wrong(closing, &text(), range),
             SyntaxErrorKind::UnclosedComment => unclosed_comment::unclosed(parse, range),
-            SyntaxErrorKind::UnexpectedCharacter { place, behind_comment } => {
-                unexpected_character::unexpected(place, behind_comment, &text(), range)
-            }
+            SyntaxErrorKind::UnexpectedCharacter {
+                place,
+                behind_comment,
+            } => unexpected_character::unexpected(place, behind_comment, &text(), range),
             SyntaxErrorKind::UnclosedString => bad_literal::unclosed_string(range),
             SyntaxErrorKind::BadBlockName => {
                 let line = parse.line_at(range.start());
@@ -30,9 +38,7 @@ pub(crate) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
             SyntaxErrorKind::MissingOperand { place } => bad_operand::missing(place, range),
             SyntaxErrorKind::MissingComma => bad_operand::missing_comma(range),
             SyntaxErrorKind::TooComplex => bad_operand::too_complex(range),
-            SyntaxErrorKind::BadDeclaration(problem) => {
-                bad_declaration::unreadable(problem, &text(), range)
-            }
+            SyntaxErrorKind::BadDeclaration(problem) => bad_declaration::unreadable(problem, &text(), range),
         });
     }
 }

@@ -6,8 +6,8 @@ use crate::rule::Rule;
 use ladder_syntax::{SyntaxKind, TextRange};
 
 /// `text` is what stands from the opening bracket to the place where the closing one belongs, which is the
-/// range; empty for the bracket of an index or of an expression.
-pub(crate) fn missing(closing: SyntaxKind, text: &str, range: TextRange) -> Diagnostic {
+/// range. The fix takes the `blanks` behind it away: the wire goes on at the bracket.
+pub(crate) fn missing(closing: SyntaxKind, text: &str, range: TextRange, blanks: TextRange) -> Diagnostic {
     let bracket = bracket(closing);
     let message = if text.is_empty() {
         format!("a `{bracket}` is missing here")
@@ -22,11 +22,7 @@ pub(crate) fn missing(closing: SyntaxKind, text: &str, range: TextRange) -> Diag
     };
     Diagnostic::new(Rule::UnclosedBlock, range, message)
         .help("a block is closed on its own line")
-        .fix(
-            format!("Insert `{bracket}`"),
-            TextRange::empty(range.end()),
-            insertion,
-        )
+        .fix(format!("Insert `{bracket}`"), blanks, insertion)
 }
 
 /// `text` is the bracket of another shape that ends the first part, as in `[TON)`.

@@ -26,9 +26,9 @@ pub(crate) fn unexpected(place: Place, behind_comment: bool, text: &str, range: 
             .fix(format!("Replace with `{drawn}`"), range, drawn);
     }
     match place {
-        Place::Rung if is_identifier(text) => {
-            found.help(format!("a contact is written [ ]( {shown} ), a coil ( )( {shown} )"))
-        }
+        Place::Rung if is_identifier(text) => found.help(format!(
+            "a contact is written [ ]( {shown} ), a coil ( )( {shown} )"
+        )),
         Place::Rung => found.help("a rung is drawn with - + | \\ / and blocks; text stands in # comments #"),
         _ => found,
     }

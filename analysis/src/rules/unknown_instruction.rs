@@ -3,6 +3,7 @@
 use super::{missing_wire, wrong_shape};
 use crate::context::Context;
 use crate::diagnostic::Diagnostic;
+use crate::excerpt::in_sentence;
 use crate::network::{BoundBlock, Meaning, NetworkFacts};
 use crate::rule::Rule;
 use ladder_instructions::{Shape, closest};
@@ -34,11 +35,14 @@ fn unknown(context: &Context, network: &NetworkFacts, bound: &BoundBlock) -> Dia
     );
     let text = bound.facts.head.text();
     let shape = bound.facts.shape;
-    let near = closest(shape, text);
+    let count = bound.positional_count();
+    // A likeness across shapes says something only if the operands fit as well.
+    let near = closest(shape, text).filter(|row| row.shape == shape || row.takes(count));
     // `[start]`, `(run)`: the tag stands where the kind of contact or coil belongs.
     let bare = bound.facts.list_range.is_none() && is_identifier(text) && shape != Shape::Function;
     let is_tag = || context.scopes[network.scope].find(&Name::new(text)).is_some();
-    if bare && (near.is_none() || is_tag()) {
+    let like_a_tag = || text.chars().count() > 3 && text.chars().any(char::is_lowercase);
+    if bare && (near.is_none() || is_tag() || like_a_tag()) {
         let (block, kind) = match shape {
             Shape::Coil => ("( )", "coil"),
             _ => ("[ ]", "contact"),
@@ -49,11 +53,23 @@ fn unknown(context: &Context, network: &NetworkFacts, bound: &BoundBlock) -> Dia
             .fix(format!("Write {written}"), bound.head_range(), written);
     }
     match near {
-        Some(row) => found.help(format!("did you mean {}, {}?", row.block(), row.title)).fix(
-            format!("Replace with {}", row.block()),
-            bound.head_range(),
-            row.block(),
-        ),
-        None => found.help("`ladder explain` lists the instructions"),
+        Some(row) => found
+            .help(format!(
+                "did you mean {} ({})?",
+                row.block(),
+                in_sentence(row.title)
+            ))
+            .fix(
+                format!("Replace with {}", row.block()),
+                bound.head_range(),
+                row.block(),
+            ),
+        None if shape == Shape::Coil => {
+            found.help("a coil is ( ), (/), (S), (R), (P), (N), (M), (SM), (RM) or (RES)")
+        }
+        None if shape == Shape::Function => {
+            found.help("a block in < > is <LBL>, <JMP>, <FUN>, <CALL>, <RET>, <END>, <FOR>, <NEXT> or <MCR>")
+        }
+        None => found.help("contacts are [ ] and [/]; the language reference lists all instructions"),
     }
 }

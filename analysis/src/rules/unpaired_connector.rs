@@ -145,7 +145,13 @@ fn message(context: &Context, own: &Side, other: Option<&Side>, ordinal: usize) 
 }
 
 /// Puts the partner onto the wire in the same column, or makes the connector a wire.
-fn with_fix(parse: &Parse, own: &Side, other: Option<&Side>, suspect: usize, found: Diagnostic) -> Diagnostic {
+fn with_fix(
+    parse: &Parse,
+    own: &Side,
+    other: Option<&Side>,
+    suspect: usize,
+    found: Diagnostic,
+) -> Diagnostic {
     let column_of = own.columns[suspect];
     let wire = other.and_then(|other| {
         let start = parse.line_start(other.line);
@@ -163,7 +169,11 @@ fn with_fix(parse: &Parse, own: &Side, other: Option<&Side>, suspect: usize, fou
     });
     if let (Some(at), Some(other)) = (wire, other) {
         let partner = symbol(other.kind);
-        return found.fix(format!("Join with `{partner}` {} it", beside(own.kind)), at, partner);
+        return found.fix(
+            format!("Join with `{partner}` {} it", beside(own.kind)),
+            at,
+            partner,
+        );
     }
     let part = own.parts[suspect];
     let touches_behind = own.rung.parts.get(part + 1).is_some_and(|next| next.touches);

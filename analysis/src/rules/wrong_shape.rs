@@ -30,7 +30,11 @@ pub(crate) fn brackets(context: &Context, bound: &BoundBlock, row: &'static Inst
     // `[SET]` is an instruction too, for other operands.
     let message = match bound.instruction() {
         Some(own) => format!("{head}{list} is not {}", own.signature()),
-        None => format!("there is no {head}: {} is written {}", row.title, row.block()),
+        None => format!(
+            "there is no {head}: the {} is written {}",
+            excerpt::in_sentence(row.title),
+            row.block()
+        ),
     };
     let help = match row.op {
         Op::SetCoil => format!("to latch a bit write {written}"),

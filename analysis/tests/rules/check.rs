@@ -8,12 +8,12 @@ use std::sync::Arc;
 
 /// Compares the findings, drawn under their lines, with what is expected. Each fix is shown by the lines that it
 /// changes; it must make its finding go away.
-pub fn check(text: &str, expected: Expect) {
+pub(crate) fn check(text: &str, expected: Expect) {
     expected.assert_eq(&findings(text));
 }
 
 /// Nothing is found.
-pub fn clean(text: &str) {
+pub(crate) fn clean(text: &str) {
     assert_eq!(findings(text), "", "in:\n{text}");
 }
 
@@ -21,14 +21,10 @@ fn findings(text: &str) -> String {
     let parsed = Arc::new(parse(text));
     let index = LineIndex::new(text);
     let mut shown = String::new();
-    let mut line = usize::MAX;
     for diagnostic in analyze(&parsed, "test.clad").diagnostics {
-        let at = index.line(diagnostic.range.start());
-        if at != line {
-            line = at;
-            shown.push_str(text[index.range(line)].trim_end());
-            shown.push('\n');
-        }
+        let line = index.line(diagnostic.range.start());
+        shown.push_str(text[index.range(line)].trim_end());
+        shown.push('\n');
         show(text, &index, &diagnostic, &mut shown);
     }
     shown
@@ -63,7 +59,11 @@ fn show(text: &str, index: &LineIndex, found: &Diagnostic, out: &mut String) {
         let stays = again
             .iter()
             .any(|d| d.rule == found.rule && d.message == found.message && d.range == found.range);
-        assert!(!stays, "the fix `{}` leaves the finding as it is:\n{fixed}", fix.title);
+        assert!(
+            !stays,
+            "the fix `{}` leaves the finding as it is:\n{fixed}",
+            fix.title
+        );
     }
 }
 
@@ -79,7 +79,11 @@ fn changed_lines<'t>(old: &str, new: &'t str) -> Vec<(usize, &'t str)> {
         .take_while(|(a, b)| a == b)
         .count();
     let end = new.len() - tail;
-    new[head..end].iter().enumerate().map(|(n, line)| (head + n, *line)).collect()
+    new[head..end]
+        .iter()
+        .enumerate()
+        .map(|(n, line)| (head + n, *line))
+        .collect()
 }
 
 /// `^^^` under the range; up to the end of its first line.

@@ -5,11 +5,41 @@ use expect_test::expect;
 
 #[test]
 fn nothing_below_or_above() {
-    check("+--[ ]( a )--\\--( )( y )--+\n", expect![[r#""#]]);
-    check("+--[ ]( a )--( )( y )--+\n|  /--[ ]( b )--\n", expect![[r#""#]]);
+    check(
+        "+--[ ]( a )--\\--( )( y )--+\n",
+        expect![[r#"
+        +--[ ]( a )--\--( )( y )--+
+                     ^ error[unpaired-connector]: the `\` on line 1 has no partner: there is no rung below it
+            help: every `\` needs a `/` on the rung below: together they join the two lines
+            fix: Replace `\` with wire
+              +--[ ]( a )------------------( )( y )--+
+    "#]],
+    );
+    check(
+        "+--[ ]( a )--( )( y )--+\n|  /--[ ]( b )--\n",
+        expect![[r#"
+        |  /--[ ]( b )--
+           ^ error[unpaired-connector]: the `/` on line 2 has no partner: line 1 above it has no `\`
+            help: every `/` needs a `\` on the rung above: together they join the two lines
+            at 1:1 `+--[ ]( a )--( )( y )--+`: its partner `\` belongs onto this rung
+    "#]],
+    );
     check(
         "+--\\--[ ]( a )--\\--( )( y )--+\n|  ---[ ]( b )---            |\n",
-        expect![[r#""#]],
+        expect![[r#"
+            +--\--[ ]( a )--\--( )( y )--+
+               ^ error[unpaired-connector]: the 1st `\` on line 1 has no partner: line 2 below it has no `/`
+                help: every `\` needs a `/` on the rung below: together they join the two lines
+                at 2:1 `|  ---[ ]( b )---            |`: its partner `/` belongs onto this rung
+                fix: Join with `/` below it
+                  |  /--[ ]( b )---            |
+            +--\--[ ]( a )--\--( )( y )--+
+                            ^ error[unpaired-connector]: the 2nd `\` on line 1 has no partner: line 2 below it has no `/`
+                help: every `\` needs a `/` on the rung below: together they join the two lines
+                at 2:1 `|  ---[ ]( b )---            |`: its partner `/` belongs onto this rung
+                fix: Join with `/` below it
+                  |  ---[ ]( b )--/            |
+        "#]],
     );
 }
 
@@ -17,16 +47,42 @@ fn nothing_below_or_above() {
 fn one_too_many() {
     check(
         "+--\\--[ ]( a )--\\--( )( y )--+\n|  /--[ ]( b )---            |\n",
-        expect![[r#""#]],
+        expect![[r#"
+            +--\--[ ]( a )--\--( )( y )--+
+                            ^ error[unpaired-connector]: the 2nd `\` on line 1 has no partner: line 1 has 2 `\`, line 2 below it has 1 `/`
+                help: every `\` needs a `/` on the rung below: together they join the two lines
+                at 2:1 `|  /--[ ]( b )---            |`: its partner `/` belongs onto this rung
+                fix: Join with `/` below it
+                  +--\--[ ]( a )--\------------( )( y )--+
+                  |  /--[ ]( b )--/                      |
+        "#]],
     );
     // The columns say that the first one lacks its partner, the order says it is the second.
     check(
         "+--\\--[ ]( a )--\\--( )( y )--+\n|  ---[ ]( b )--/            |\n",
-        expect![[r#""#]],
+        expect![[r#"
+            +--\--[ ]( a )--\--( )( y )--+
+                            ^ error[unpaired-connector]: the 2nd `\` on line 1 has no partner: line 1 has 2 `\`, line 2 below it has 1 `/`
+                help: connectors pair in their order from left to right, whatever their columns: the partner is probably missing at the 1st `\`
+                at 1:4 `\`: no `/` stands below this `\`
+                at 2:1 `|  ---[ ]( b )--/            |`: its partner `/` belongs onto this rung
+                fix: Join with `/` below it
+                  +--\--[ ]( a )--\------------( )( y )--+
+                  |  /--[ ]( b )--/                      |
+        "#]],
     );
     check(
         "+-----[ ]( a )--\\--( )( y )--+\n|  /--[ ]( b )--/            |\n",
-        expect![[r#""#]],
+        expect![[r#"
+            |  /--[ ]( b )--/            |
+                            ^ error[unpaired-connector]: the 2nd `/` on line 2 has no partner: line 2 has 2 `/`, line 1 above it has 1 `\`
+                help: connectors pair in their order from left to right, whatever their columns: the partner is probably missing at the 1st `/`
+                at 2:4 `/`: no `\` stands above this `/`
+                at 1:1 `+-----[ ]( a )--\--( )( y )--+`: its partner `\` belongs onto this rung
+                fix: Join with `\` above it
+                  +--\--[ ]( a )--\------------( )( y )--+
+                  |  /--[ ]( b )--/                      |
+        "#]],
     );
 }
 
@@ -34,7 +90,12 @@ fn one_too_many() {
 fn in_the_middle_of_three() {
     check(
         "+--\\--[ ]( a )-----\\--( )( y )--+\n|  /--\\--[ ]( b )--/            |\n|     /--[ ]( c )--/            |\n",
-        expect![[r#""#]],
+        expect![[r#"
+            |     /--[ ]( c )--/            |
+                               ^ error[unpaired-connector]: the 2nd `/` on line 3 has no partner: line 3 has 2 `/`, line 2 above it has 1 `\`
+                help: every `/` needs a `\` on the rung above: together they join the two lines
+                at 2:1 `|  /--\--[ ]( b )--/            |`: its partner `\` belongs onto this rung
+        "#]],
     );
 }
 
@@ -43,9 +104,27 @@ fn no_other_rule_follows() {
     // Without its partner the branch has no power: that is the same mistake.
     check(
         "+--[ ]( a )--\\--( )( y )--+\n|                         |\n|            ---( )( z )--+\n",
-        expect![[r#""#]],
+        expect![[r#"
+            +--[ ]( a )--\--( )( y )--+
+                         ^ error[unpaired-connector]: the `\` on line 1 has no partner: line 3 below it has no `/`
+                help: every `\` needs a `/` on the rung below: together they join the two lines
+                at 3:1 `|            ---( )( z )--+`: its partner `/` belongs onto this rung
+                fix: Join with `/` below it
+                  +--[ ]( a )--\---------------( )( y )--+
+                  |            |                         |
+                  |            /---------------( )( z )--+
+        "#]],
     );
-    check("+--[ ]( a --\\--( )( y )--+\n", expect![[r#""#]]);
+    check(
+        "+--[ ]( a --\\--( )( y )--+\n",
+        expect![[r#"
+            +--[ ]( a --\--( )( y )--+
+                  ^^^ error[unclosed-block]: `( a` is not closed: `)` is missing
+                help: a block is closed on its own line
+                fix: Insert `)`
+                  +--[ ]( a )--\--( )( y )--+
+        "#]],
+    );
 }
 
 #[test]

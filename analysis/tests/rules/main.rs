@@ -3,5 +3,4 @@
 mod blocks;
 mod check;
 mod connectors;
-mod pages;
 mod text;
