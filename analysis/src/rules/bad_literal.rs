@@ -4,8 +4,9 @@ use crate::diagnostic::Diagnostic;
 use crate::rule::Rule;
 use ladder_syntax::TextRange;
 
-/// A text without its closing quote: it takes the rest of its line.
+/// A text without its closing quote.
 pub(crate) fn unclosed_string(range: TextRange) -> Diagnostic {
     Diagnostic::new(Rule::BadLiteral, range, "this text is not closed: `'` is missing")
         .help("a text ends on its own line; a quote in it is written $'")
+        .fix("Insert `'`", TextRange::empty(range.end()), "'")
 }

@@ -119,7 +119,7 @@ fn no_other_rule_follows() {
         "+--[ ]( a --\\--( )( y )--+\n",
         expect![[r#"
             +--[ ]( a --\--( )( y )--+
-                  ^^^ error[unclosed-block]: `( a` is not closed: `)` is missing
+                  ^^^^ error[unclosed-block]: `( a` is not closed: `)` is missing
                 help: a block is closed on its own line
                 fix: Insert `)`
                   +--[ ]( a )--\--( )( y )--+

@@ -53,7 +53,7 @@ fn operand_list_that_is_not_closed() {
         "+--[ ]( start --( )( y )--+\n",
         expect![[r#"
             +--[ ]( start --( )( y )--+
-                  ^^^^^^^ error[unclosed-block]: `( start` is not closed: `)` is missing
+                  ^^^^^^^^ error[unclosed-block]: `( start` is not closed: `)` is missing
                 help: a block is closed on its own line
                 fix: Insert `)`
                   +--[ ]( start )--------------( )( y )--+
@@ -97,7 +97,7 @@ fn unclosed_block_brings_nothing_else() {
         "+--\\--[ ]( a --\\--( )( y )--+\n|  /--[ ]( b )--/            |\n",
         expect![[r#"
             +--\--[ ]( a --\--( )( y )--+
-                     ^^^ error[unclosed-block]: `( a` is not closed: `)` is missing
+                     ^^^^ error[unclosed-block]: `( a` is not closed: `)` is missing
                 help: a block is closed on its own line
                 fix: Insert `)`
                   +--\--[ ]( a )--\------------( )( y )--+
@@ -378,10 +378,12 @@ fn literals() {
     check(
         "+--[EQ]( s, 'open )--( )( y )--+\n",
         expect![[r#"
-        +--[EQ]( s, 'open )--( )( y )--+
-                    ^^^^^^^^^^^^^^^^^^^^ error[bad-literal]: this text is not closed: `'` is missing
-            help: a text ends on its own line; a quote in it is written $'
-    "#]],
+            +--[EQ]( s, 'open )--( )( y )--+
+                        ^^^^^ error[bad-literal]: this text is not closed: `'` is missing
+                help: a text ends on its own line; a quote in it is written $'
+                fix: Insert `'`
+                  +--[EQ]( s, 'open' )---------( )( y )--+
+        "#]],
     );
     check(
         "+--[GT]( n, 12x )--[TON]( t, T#5x )--( )( y )--+\n",
