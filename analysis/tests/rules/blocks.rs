@@ -8,8 +8,8 @@ fn misspelt() {
     check(
         "+--[TOM]( t, T#5s )--( )( y )--+\n",
         expect![[r#"
-            +--[TOM]( t, T#5s )--( )( y )--+
-               ^^^^^ error[unknown-instruction]: there is no instruction [TOM]
+            > +--[TOM]( t, T#5s )--( )( y )--+
+                 ^^^^^ error[unknown-instruction]: there is no instruction [TOM]
                 help: did you mean [TON] (on-delay timer)?
                 fix: Replace with [TON]
                   +----------[TON]( t, T#5s )--( )( y )--+
@@ -18,21 +18,21 @@ fn misspelt() {
     check(
         "+--[ ]( a )--(Q)( y )--+\n",
         expect![[r#"
-            +--[ ]( a )--(Q)( y )--+
-                         ^^^ error[unknown-instruction]: there is no instruction (Q)
+            > +--[ ]( a )--(Q)( y )--+
+                           ^^^ error[unknown-instruction]: there is no instruction (Q)
                 help: a coil is ( ), (/), (S), (R), (P), (N), (M), (SM), (RM) or (RES)
         "#]],
     );
     check(
         "+--[XIC]( a )--(OTE)( y )--+\n",
         expect![[r#"
-            +--[XIC]( a )--(OTE)( y )--+
-               ^^^^^ error[unknown-instruction]: there is no instruction [XIC]
+            > +--[XIC]( a )--(OTE)( y )--+
+                 ^^^^^ error[unknown-instruction]: there is no instruction [XIC]
                 help: did you mean [ ] (open contact)?
                 fix: Replace with [ ]
                   +--[ ]( a )----------------(OTE)( y )--+
-            +--[XIC]( a )--(OTE)( y )--+
-                           ^^^^^ error[unknown-instruction]: there is no instruction (OTE)
+            > +--[XIC]( a )--(OTE)( y )--+
+                             ^^^^^ error[unknown-instruction]: there is no instruction (OTE)
                 help: did you mean ( ) (coil)?
                 fix: Replace with ( )
                   +----------------[XIC]( a )--( )( y )--+
@@ -41,16 +41,16 @@ fn misspelt() {
     check(
         "+--[FROBNICATE]( a )--( )( y )--+\n",
         expect![[r#"
-            +--[FROBNICATE]( a )--( )( y )--+
-               ^^^^^^^^^^^^ error[unknown-instruction]: there is no instruction [FROBNICATE]
+            > +--[FROBNICATE]( a )--( )( y )--+
+                 ^^^^^^^^^^^^ error[unknown-instruction]: there is no instruction [FROBNICATE]
                 help: contacts are [ ] and [/]; the language reference lists all instructions
         "#]],
     );
     check(
         "+--[ ]( a )--<JPM>( x )--+\n\n+--<LBL>( x )--( )( y )--+\n",
         expect![[r#"
-            +--[ ]( a )--<JPM>( x )--+
-                         ^^^^^ error[unknown-instruction]: there is no instruction <JPM>
+            > +--[ ]( a )--<JPM>( x )--+
+                           ^^^^^ error[unknown-instruction]: there is no instruction <JPM>
                 help: did you mean <JMP> (jump)?
                 fix: Replace with <JMP>
                   +--[ ]( a )----------------<JMP>( x )--+
@@ -63,13 +63,13 @@ fn the_tag_in_the_place_of_the_kind() {
     check(
         "+--[start]--(run)--+\n",
         expect![[r#"
-            +--[start]--(run)--+
-               ^^^^^^^ error[unknown-instruction]: there is no instruction [start]
+            > +--[start]--(run)--+
+                 ^^^^^^^ error[unknown-instruction]: there is no instruction [start]
                 help: a contact of the tag `start` is written [ ]( start )
                 fix: Write [ ]( start )
                   +--[ ]( start )-----------------(RUN)--+
-            +--[start]--(run)--+
-                        ^^^^^ error[unknown-instruction]: there is no instruction (run)
+            > +--[start]--(run)--+
+                          ^^^^^ error[unknown-instruction]: there is no instruction (run)
                 help: a coil of the tag `run` is written ( )( run )
                 fix: Write ( )( run )
                   +-----------------[START]--( )( run )--+
@@ -82,18 +82,18 @@ fn wrong_brackets() {
     check(
         "+--[ ]( a )--[SET]( run )--+\n",
         expect![[r#"
-        +--[ ]( a )--[SET]( run )--+
-                     ^^^^^ error[wrong-shape]: [SET]( run ) is not [MOV]( y, a )
-            help: to latch a bit write (S)( run )
-            fix: Replace with (S)
-              +--[ ]( a )----------------(S)( run )--+
-    "#]],
+            > +--[ ]( a )--[SET]( run )--+
+                           ^^^^^ error[wrong-shape]: [SET]( run ) is not [MOV]( y, a )
+                help: to latch a bit write (S)( run )
+                fix: Replace with (S)
+                  +--[ ]( a )----------------(S)( run )--+
+        "#]],
     );
     check(
         "+--[ ]( a )--[RESET]( run )--+\n",
         expect![[r#"
-            +--[ ]( a )--[RESET]( run )--+
-                         ^^^^^^^ error[wrong-shape]: there is no [RESET]: the reset coil is written (R)
+            > +--[ ]( a )--[RESET]( run )--+
+                           ^^^^^^^ error[wrong-shape]: there is no [RESET]: the reset coil is written (R)
                 help: to reset a bit write (R)( run )
                 fix: Replace with (R)
                   +--[ ]( a )----------------(R)( run )--+
@@ -102,8 +102,8 @@ fn wrong_brackets() {
     check(
         "+--[ ]( a )--<TON>( t, T#5s )--( )( y )--+\n",
         expect![[r#"
-            +--[ ]( a )--<TON>( t, T#5s )--( )( y )--+
-                         ^^^^^ error[wrong-shape]: there is no <TON>: the on-delay timer is written [TON]
+            > +--[ ]( a )--<TON>( t, T#5s )--( )( y )--+
+                           ^^^^^ error[wrong-shape]: there is no <TON>: the on-delay timer is written [TON]
                 help: write [TON]( t, T#5s )
                 fix: Replace with [TON]
                   +--[ ]( a )--------------------[TON]( t, T#5s )--( )( y )--+
@@ -112,8 +112,8 @@ fn wrong_brackets() {
     check(
         "+--[ ]( a )--(MOV)( y, 5 )--+\n",
         expect![[r#"
-            +--[ ]( a )--(MOV)( y, 5 )--+
-                         ^^^^^ error[wrong-shape]: there is no (MOV): the move is written [MOV]
+            > +--[ ]( a )--(MOV)( y, 5 )--+
+                           ^^^^^ error[wrong-shape]: there is no (MOV): the move is written [MOV]
                 help: write [MOV]( y, 5 )
                 fix: Replace with [MOV]
                   +--[ ]( a )-------------[MOV]( y, 5 )--+
@@ -122,8 +122,8 @@ fn wrong_brackets() {
     check(
         "+--[ ]( a )--[S]( y )--+\n",
         expect![[r#"
-            +--[ ]( a )--[S]( y )--+
-                         ^^^ error[wrong-shape]: there is no [S]: the set coil is written (S)
+            > +--[ ]( a )--[S]( y )--+
+                           ^^^ error[wrong-shape]: there is no [S]: the set coil is written (S)
                 help: to latch a bit write (S)( y )
                 fix: Replace with (S)
                   +--[ ]( a )------------------(S)( y )--+
@@ -132,8 +132,8 @@ fn wrong_brackets() {
     check(
         "+--< >( a )--( )( y )--+\n",
         expect![[r#"
-            +--< >( a )--( )( y )--+
-               ^^^ error[wrong-shape]: there is no < >: the open contact is written [ ]
+            > +--< >( a )--( )( y )--+
+                 ^^^ error[wrong-shape]: there is no < >: the open contact is written [ ]
                 help: to test a bit write [ ]( a )
                 fix: Replace with [ ]
                   +--[ ]( a )------------------( )( y )--+
@@ -146,23 +146,23 @@ fn too_few_operands() {
     check(
         "+--[TON]( t )--( )( y )--+\n",
         expect![[r#"
-        +--[TON]( t )--( )( y )--+
-           ^^^^^^^^^^ error[bad-arity]: [TON] takes 2 operands, 1 is given
-            help: it is written [TON]( t, PT, R := )
-            fix: Add PT
-              +----------[TON]( t, T#1s )--( )( y )--+
-    "#]],
+            > +--[TON]( t )--( )( y )--+
+                 ^^^^^^^^^^ error[bad-arity]: [TON] takes 2 operands, 1 is given
+                help: it is written [TON]( t, PT, R := )
+                fix: Add PT
+                  +----------[TON]( t, T#1s )--( )( y )--+
+        "#]],
     );
     check(
         "+--[ ]--( )--+\n",
         expect![[r#"
-            +--[ ]--( )--+
-               ^^^ error[bad-arity]: [ ] takes 1 operand, none is given
+            > +--[ ]--( )--+
+                 ^^^ error[bad-arity]: [ ] takes 1 operand, none is given
                 help: it is written [ ]( tag )
                 fix: Add tag
                   +--[ ]( tag )---------------------( )--+
-            +--[ ]--( )--+
-                    ^^^ error[bad-arity]: ( ) takes 1 operand, none is given
+            > +--[ ]--( )--+
+                      ^^^ error[bad-arity]: ( ) takes 1 operand, none is given
                 help: it is written ( )( tag )
                 fix: Add tag
                   +--[ ]---------------------( )( tag )--+
@@ -171,32 +171,32 @@ fn too_few_operands() {
     check(
         "+--[ADD]( y )--+\n",
         expect![[r#"
-        +--[ADD]( y )--+
-           ^^^^^^^^^^ error[bad-arity]: [ADD] takes at least 3 operands, 1 is given
-            help: it is written [ADD]( y, a, b, ... )
-            fix: Add a and b
-              +--------------------[ADD]( y, 0, 0 )--+
-    "#]],
+            > +--[ADD]( y )--+
+                 ^^^^^^^^^^ error[bad-arity]: [ADD] takes at least 3 operands, 1 is given
+                help: it is written [ADD]( y, a, b, ... )
+                fix: Add a and b
+                  +--------------------[ADD]( y, 0, 0 )--+
+        "#]],
     );
     check(
         "+--[TON]( t, R := r )--( )( y )--+\n",
         expect![[r#"
-        +--[TON]( t, R := r )--( )( y )--+
-           ^^^^^^^^^^^^^^^^^^ error[bad-arity]: [TON] takes 2 operands, 1 is given
-            help: it is written [TON]( t, PT, R := )
-            fix: Add PT
-              +--[TON]( t, T#1s, R := r )--( )( y )--+
-    "#]],
+            > +--[TON]( t, R := r )--( )( y )--+
+                 ^^^^^^^^^^^^^^^^^^ error[bad-arity]: [TON] takes 2 operands, 1 is given
+                help: it is written [TON]( t, PT, R := )
+                fix: Add PT
+                  +--[TON]( t, T#1s, R := r )--( )( y )--+
+        "#]],
     );
     check(
         "+--[PWL]( y, x, 0, 0, 10 )--+\n",
         expect![[r#"
-        +--[PWL]( y, x, 0, 0, 10 )--+
-           ^^^^^^^^^^^^^^^^^^^^^^^ error[bad-arity]: [PWL] takes at least 6 operands, 5 are given
-            help: it is written [PWL]( y, x, x0, y0, x1, y1, ... )
-            fix: Add y1
-              +----------[PWL]( y, x, 0, 0, 10, 0 )--+
-    "#]],
+            > +--[PWL]( y, x, 0, 0, 10 )--+
+                 ^^^^^^^^^^^^^^^^^^^^^^^ error[bad-arity]: [PWL] takes at least 6 operands, 5 are given
+                help: it is written [PWL]( y, x, x0, y0, x1, y1, ... )
+                fix: Add y1
+                  +----------[PWL]( y, x, 0, 0, 10, 0 )--+
+        "#]],
     );
 }
 
@@ -205,32 +205,32 @@ fn too_many_operands() {
     check(
         "+--[ ]( a, b )--( )( y )--+\n",
         expect![[r#"
-        +--[ ]( a, b )--( )( y )--+
-                   ^ error[bad-arity]: [ ] takes 1 operand, 2 are given
-            help: it is written [ ]( tag )
-            fix: Remove the extra operand
-              +--[ ]( a )------------------( )( y )--+
-    "#]],
+            > +--[ ]( a, b )--( )( y )--+
+                         ^ error[bad-arity]: [ ] takes 1 operand, 2 are given
+                help: it is written [ ]( tag )
+                fix: Remove the extra operand
+                  +--[ ]( a )------------------( )( y )--+
+        "#]],
     );
     check(
         "+--[TON]( t, T#5s, T#6s, x, R := r )--( )( y )--+\n",
         expect![[r#"
-        +--[TON]( t, T#5s, T#6s, x, R := r )--( )( y )--+
-                           ^^^^^^^ error[bad-arity]: [TON] takes 2 operands, 4 are given
-            help: it is written [TON]( t, PT, R := )
-            fix: Remove the extra operands
-              +--[TON]( t, T#5s, R := r )--( )( y )--+
-    "#]],
+            > +--[TON]( t, T#5s, T#6s, x, R := r )--( )( y )--+
+                                 ^^^^^^^ error[bad-arity]: [TON] takes 2 operands, 4 are given
+                help: it is written [TON]( t, PT, R := )
+                fix: Remove the extra operands
+                  +--[TON]( t, T#5s, R := r )--( )( y )--+
+        "#]],
     );
     check(
         "+--[ ]( a )--<RET>( b )--+\n",
         expect![[r#"
-        +--[ ]( a )--<RET>( b )--+
-                            ^ error[bad-arity]: <RET> takes no operands, 1 is given
-            help: it is written <RET>
-            fix: Remove the extra operand
-              +--[ ]( a )---------------------<RET>--+
-    "#]],
+            > +--[ ]( a )--<RET>( b )--+
+                                  ^ error[bad-arity]: <RET> takes no operands, 1 is given
+                help: it is written <RET>
+                fix: Remove the extra operand
+                  +--[ ]( a )---------------------<RET>--+
+        "#]],
     );
 }
 
@@ -239,35 +239,35 @@ fn one_mistake_in_an_operand_list_is_told_once() {
     check(
         "+--[TON]( t, )--( )( y )--+\n",
         expect![[r#"
-        +--[TON]( t, )--( )( y )--+
-                     ^ error[bad-operand]: an operand is missing here
-            help: write the operand, or take the comma away
-    "#]],
+            > +--[TON]( t, )--( )( y )--+
+                           ^ error[bad-operand]: an operand is missing here
+                help: write the operand, or take the comma away
+        "#]],
     );
     check(
         "+--[ ]( a b )--( )( y )--+\n",
         expect![[r#"
-        +--[ ]( a b )--( )( y )--+
-                  ^ error[bad-operand]: a comma is missing before this operand
-            help: operands are separated by commas
-            fix: Insert `,`
-              +--[ ]( a, b )---------------( )( y )--+
-    "#]],
+            > +--[ ]( a b )--( )( y )--+
+                        ^ error[bad-operand]: a comma is missing before this operand
+                help: operands are separated by commas
+                fix: Insert `,`
+                  +--[ ]( a, b )---------------( )( y )--+
+        "#]],
     );
     check(
         "+--[MOV]( y, )--+\n",
         expect![[r#"
-        +--[MOV]( y, )--+
-                     ^ error[bad-operand]: an operand is missing here
-            help: write the operand, or take the comma away
-    "#]],
+            > +--[MOV]( y, )--+
+                           ^ error[bad-operand]: an operand is missing here
+                help: write the operand, or take the comma away
+        "#]],
     );
     check(
         "+--[CALC]( y, a + )--+\n",
         expect![[r#"
-        +--[CALC]( y, a + )--+
-                          ^ error[bad-operand]: a value is missing beside this operator
-    "#]],
+            > +--[CALC]( y, a + )--+
+                                ^ error[bad-operand]: a value is missing beside this operator
+        "#]],
     );
 }
 

@@ -23,8 +23,8 @@ fn findings(text: &str) -> String {
     let mut shown = String::new();
     for diagnostic in analyze(&parsed, "test.clad").diagnostics {
         let line = index.line(diagnostic.range.start());
-        shown.push_str(text[index.range(line)].trim_end());
-        shown.push('\n');
+        // The mark keeps the indentation of the text.
+        shown.push_str(&format!("> {}\n", text[index.range(line)].trim_end()));
         show(text, &index, &diagnostic, &mut shown);
     }
     shown
@@ -93,5 +93,5 @@ fn carets(text: &str, index: &LineIndex, range: TextRange) -> String {
     let marked = &text[range];
     let marked = marked.split(['\n', '\r']).next().unwrap_or_default();
     let width = marked.chars().count().max(1);
-    format!("{}{}", " ".repeat(before.chars().count()), "^".repeat(width))
+    format!("  {}{}", " ".repeat(before.chars().count()), "^".repeat(width))
 }

@@ -8,33 +8,33 @@ fn nothing_below_or_above() {
     check(
         "+--[ ]( a )--\\--( )( y )--+\n",
         expect![[r#"
-        +--[ ]( a )--\--( )( y )--+
-                     ^ error[unpaired-connector]: the `\` on line 1 has no partner: there is no rung below it
-            help: every `\` needs a `/` on the rung below: together they join the two lines
-            fix: Replace `\` with wire
-              +--[ ]( a )------------------( )( y )--+
-    "#]],
+            > +--[ ]( a )--\--( )( y )--+
+                           ^ error[unpaired-connector]: the `\` on line 1 has no partner: there is no rung below it
+                help: every `\` needs a `/` on the rung below: together they join the two lines
+                fix: Replace `\` with wire
+                  +--[ ]( a )------------------( )( y )--+
+        "#]],
     );
     check(
         "+--[ ]( a )--( )( y )--+\n|  /--[ ]( b )--\n",
         expect![[r#"
-        |  /--[ ]( b )--
-           ^ error[unpaired-connector]: the `/` on line 2 has no partner: line 1 above it has no `\`
-            help: every `/` needs a `\` on the rung above: together they join the two lines
-            at 1:1 `+--[ ]( a )--( )( y )--+`: its partner `\` belongs onto this rung
-    "#]],
+            > |  /--[ ]( b )--
+                 ^ error[unpaired-connector]: the `/` on line 2 has no partner: line 1 above it has no `\`
+                help: every `/` needs a `\` on the rung above: together they join the two lines
+                at 1:1 `+--[ ]( a )--( )( y )--+`: its partner `\` belongs onto this rung
+        "#]],
     );
     check(
         "+--\\--[ ]( a )--\\--( )( y )--+\n|  ---[ ]( b )---            |\n",
         expect![[r#"
-            +--\--[ ]( a )--\--( )( y )--+
-               ^ error[unpaired-connector]: the 1st `\` on line 1 has no partner: line 2 below it has no `/`
+            > +--\--[ ]( a )--\--( )( y )--+
+                 ^ error[unpaired-connector]: the 1st `\` on line 1 has no partner: line 2 below it has no `/`
                 help: every `\` needs a `/` on the rung below: together they join the two lines
                 at 2:1 `|  ---[ ]( b )---            |`: its partner `/` belongs onto this rung
                 fix: Join with `/` below it
                   |  /--[ ]( b )---            |
-            +--\--[ ]( a )--\--( )( y )--+
-                            ^ error[unpaired-connector]: the 2nd `\` on line 1 has no partner: line 2 below it has no `/`
+            > +--\--[ ]( a )--\--( )( y )--+
+                              ^ error[unpaired-connector]: the 2nd `\` on line 1 has no partner: line 2 below it has no `/`
                 help: every `\` needs a `/` on the rung below: together they join the two lines
                 at 2:1 `|  ---[ ]( b )---            |`: its partner `/` belongs onto this rung
                 fix: Join with `/` below it
@@ -48,8 +48,8 @@ fn one_too_many() {
     check(
         "+--\\--[ ]( a )--\\--( )( y )--+\n|  /--[ ]( b )---            |\n",
         expect![[r#"
-            +--\--[ ]( a )--\--( )( y )--+
-                            ^ error[unpaired-connector]: the 2nd `\` on line 1 has no partner: line 1 has 2 `\`, line 2 below it has 1 `/`
+            > +--\--[ ]( a )--\--( )( y )--+
+                              ^ error[unpaired-connector]: the 2nd `\` on line 1 has no partner: line 1 has 2 `\`, line 2 below it has 1 `/`
                 help: every `\` needs a `/` on the rung below: together they join the two lines
                 at 2:1 `|  /--[ ]( b )---            |`: its partner `/` belongs onto this rung
                 fix: Join with `/` below it
@@ -61,8 +61,8 @@ fn one_too_many() {
     check(
         "+--\\--[ ]( a )--\\--( )( y )--+\n|  ---[ ]( b )--/            |\n",
         expect![[r#"
-            +--\--[ ]( a )--\--( )( y )--+
-                            ^ error[unpaired-connector]: the 2nd `\` on line 1 has no partner: line 1 has 2 `\`, line 2 below it has 1 `/`
+            > +--\--[ ]( a )--\--( )( y )--+
+                              ^ error[unpaired-connector]: the 2nd `\` on line 1 has no partner: line 1 has 2 `\`, line 2 below it has 1 `/`
                 help: connectors pair in their order from left to right, whatever their columns: the partner is probably missing at the 1st `\`
                 at 1:4 `\`: no `/` stands below this `\`
                 at 2:1 `|  ---[ ]( b )--/            |`: its partner `/` belongs onto this rung
@@ -74,8 +74,8 @@ fn one_too_many() {
     check(
         "+-----[ ]( a )--\\--( )( y )--+\n|  /--[ ]( b )--/            |\n",
         expect![[r#"
-            |  /--[ ]( b )--/            |
-                            ^ error[unpaired-connector]: the 2nd `/` on line 2 has no partner: line 2 has 2 `/`, line 1 above it has 1 `\`
+            > |  /--[ ]( b )--/            |
+                              ^ error[unpaired-connector]: the 2nd `/` on line 2 has no partner: line 2 has 2 `/`, line 1 above it has 1 `\`
                 help: connectors pair in their order from left to right, whatever their columns: the partner is probably missing at the 1st `/`
                 at 2:4 `/`: no `\` stands above this `/`
                 at 1:1 `+-----[ ]( a )--\--( )( y )--+`: its partner `\` belongs onto this rung
@@ -91,8 +91,8 @@ fn in_the_middle_of_three() {
     check(
         "+--\\--[ ]( a )-----\\--( )( y )--+\n|  /--\\--[ ]( b )--/            |\n|     /--[ ]( c )--/            |\n",
         expect![[r#"
-            |     /--[ ]( c )--/            |
-                               ^ error[unpaired-connector]: the 2nd `/` on line 3 has no partner: line 3 has 2 `/`, line 2 above it has 1 `\`
+            > |     /--[ ]( c )--/            |
+                                 ^ error[unpaired-connector]: the 2nd `/` on line 3 has no partner: line 3 has 2 `/`, line 2 above it has 1 `\`
                 help: every `/` needs a `\` on the rung above: together they join the two lines
                 at 2:1 `|  /--\--[ ]( b )--/            |`: its partner `\` belongs onto this rung
         "#]],
@@ -105,8 +105,8 @@ fn no_other_rule_follows() {
     check(
         "+--[ ]( a )--\\--( )( y )--+\n|                         |\n|            ---( )( z )--+\n",
         expect![[r#"
-            +--[ ]( a )--\--( )( y )--+
-                         ^ error[unpaired-connector]: the `\` on line 1 has no partner: line 3 below it has no `/`
+            > +--[ ]( a )--\--( )( y )--+
+                           ^ error[unpaired-connector]: the `\` on line 1 has no partner: line 3 below it has no `/`
                 help: every `\` needs a `/` on the rung below: together they join the two lines
                 at 3:1 `|            ---( )( z )--+`: its partner `/` belongs onto this rung
                 fix: Join with `/` below it
@@ -118,8 +118,8 @@ fn no_other_rule_follows() {
     check(
         "+--[ ]( a --\\--( )( y )--+\n",
         expect![[r#"
-            +--[ ]( a --\--( )( y )--+
-                  ^^^^ error[unclosed-block]: `( a` is not closed: `)` is missing
+            > +--[ ]( a --\--( )( y )--+
+                    ^^^^ error[unclosed-block]: `( a` is not closed: `)` is missing
                 help: a block is closed on its own line
                 fix: Insert `)`
                   +--[ ]( a )--\--( )( y )--+

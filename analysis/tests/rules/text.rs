@@ -8,42 +8,42 @@ fn first_part_that_is_not_closed() {
     check(
         "+--[TON( t, T#5s )--( )( y )--+\n",
         expect![[r#"
-        +--[TON( t, T#5s )--( )( y )--+
-           ^^^^ error[unclosed-block]: `[TON` is not closed: `]` is missing
-            help: a block is closed on its own line
-            fix: Insert `]`
-              +----------[TON]( t, T#5s )--( )( y )--+
-    "#]],
+            > +--[TON( t, T#5s )--( )( y )--+
+                 ^^^^ error[unclosed-block]: `[TON` is not closed: `]` is missing
+                help: a block is closed on its own line
+                fix: Insert `]`
+                  +----------[TON]( t, T#5s )--( )( y )--+
+        "#]],
     );
     check(
         "+--[ ]( a )--<JMP( there )--+\n\n+--<LBL>( there )--( )( y )--+\n",
         expect![[r#"
-        +--[ ]( a )--<JMP( there )--+
-                     ^^^^ error[unclosed-block]: `<JMP` is not closed: `>` is missing
-            help: a block is closed on its own line
-            fix: Insert `>`
-              +--[ ]( a )------------<JMP>( there )--+
-    "#]],
+            > +--[ ]( a )--<JMP( there )--+
+                           ^^^^ error[unclosed-block]: `<JMP` is not closed: `>` is missing
+                help: a block is closed on its own line
+                fix: Insert `>`
+                  +--[ ]( a )------------<JMP>( there )--+
+        "#]],
     );
     check(
         "+--[ ]( a )--( ( y )--+\n",
         expect![[r#"
-        +--[ ]( a )--( ( y )--+
-                     ^ error[unclosed-block]: `(` is not closed: `)` is missing
-            help: a block is closed on its own line
-            fix: Insert `)`
-              +--[ ]( a )------------------( )( y )--+
-    "#]],
+            > +--[ ]( a )--( ( y )--+
+                           ^ error[unclosed-block]: `(` is not closed: `)` is missing
+                help: a block is closed on its own line
+                fix: Insert `)`
+                  +--[ ]( a )------------------( )( y )--+
+        "#]],
     );
     check(
         "+--[TON)( t, T#5s )--( )( y )--+\n",
         expect![[r#"
-        +--[TON)( t, T#5s )--( )( y )--+
-               ^ error[unclosed-block]: `)` stands where `]` closes the block
-            help: a block ends with the partner of the bracket that it begins with
-            fix: Replace `)` with `]`
-              +----------[TON]( t, T#5s )--( )( y )--+
-    "#]],
+            > +--[TON)( t, T#5s )--( )( y )--+
+                     ^ error[unclosed-block]: `)` stands where `]` closes the block
+                help: a block ends with the partner of the bracket that it begins with
+                fix: Replace `)` with `]`
+                  +----------[TON]( t, T#5s )--( )( y )--+
+        "#]],
     );
 }
 
@@ -52,8 +52,8 @@ fn operand_list_that_is_not_closed() {
     check(
         "+--[ ]( start --( )( y )--+\n",
         expect![[r#"
-            +--[ ]( start --( )( y )--+
-                  ^^^^^^^^ error[unclosed-block]: `( start` is not closed: `)` is missing
+            > +--[ ]( start --( )( y )--+
+                    ^^^^^^^^ error[unclosed-block]: `( start` is not closed: `)` is missing
                 help: a block is closed on its own line
                 fix: Insert `)`
                   +--[ ]( start )--------------( )( y )--+
@@ -62,32 +62,32 @@ fn operand_list_that_is_not_closed() {
     check(
         "+--[TON]( warmup, T#5s--( )( y )--+\n",
         expect![[r#"
-        +--[TON]( warmup, T#5s--( )( y )--+
-                ^^^^^^^^^^^^^^ error[unclosed-block]: `( warmup, T#5s` is not closed: `)` is missing
-            help: a block is closed on its own line
-            fix: Insert `)`
-              +-----[TON]( warmup, T#5s )--( )( y )--+
-    "#]],
+            > +--[TON]( warmup, T#5s--( )( y )--+
+                      ^^^^^^^^^^^^^^ error[unclosed-block]: `( warmup, T#5s` is not closed: `)` is missing
+                help: a block is closed on its own line
+                fix: Insert `)`
+                  +-----[TON]( warmup, T#5s )--( )( y )--+
+        "#]],
     );
     check(
         "+--[ ]( a[3 )--( )( y )--+\n",
         expect![[r#"
-        +--[ ]( a[3 )--( )( y )--+
-                 ^^ error[unclosed-block]: `[3` is not closed: `]` is missing
-            help: a block is closed on its own line
-            fix: Insert `]`
-              +--[ ]( a[3] )---------------( )( y )--+
-    "#]],
+            > +--[ ]( a[3 )--( )( y )--+
+                       ^^ error[unclosed-block]: `[3` is not closed: `]` is missing
+                help: a block is closed on its own line
+                fix: Insert `]`
+                  +--[ ]( a[3] )---------------( )( y )--+
+        "#]],
     );
     check(
         "+--[ ]( a )--( )( y",
         expect![[r#"
-        +--[ ]( a )--( )( y
-                        ^^^ error[unclosed-block]: `( y` is not closed: `)` is missing
-            help: a block is closed on its own line
-            fix: Insert `)`
-              +--[ ]( a )--( )( y )
-    "#]],
+            > +--[ ]( a )--( )( y
+                              ^^^ error[unclosed-block]: `( y` is not closed: `)` is missing
+                help: a block is closed on its own line
+                fix: Insert `)`
+                  +--[ ]( a )--( )( y )
+        "#]],
     );
 }
 
@@ -96,8 +96,8 @@ fn unclosed_block_brings_nothing_else() {
     check(
         "+--\\--[ ]( a --\\--( )( y )--+\n|  /--[ ]( b )--/            |\n",
         expect![[r#"
-            +--\--[ ]( a --\--( )( y )--+
-                     ^^^^ error[unclosed-block]: `( a` is not closed: `)` is missing
+            > +--\--[ ]( a --\--( )( y )--+
+                       ^^^^ error[unclosed-block]: `( a` is not closed: `)` is missing
                 help: a block is closed on its own line
                 fix: Insert `)`
                   +--\--[ ]( a )--\------------( )( y )--+
@@ -111,16 +111,16 @@ fn comment_that_is_not_closed() {
     check(
         "+--[ ]( a )--( )( y )--+  # the motor\n",
         expect![[r#"
-        +--[ ]( a )--( )( y )--+  # the motor
-                                  ^ error[unclosed-comment]: this comment is never closed: all that follows is read as comment
-            help: close it with a second `#`
-    "#]],
+            > +--[ ]( a )--( )( y )--+  # the motor
+                                        ^ error[unclosed-comment]: this comment is never closed: all that follows is read as comment
+                help: close it with a second `#`
+        "#]],
     );
     check(
         "# start\n+--[ ]( a )--( )( y )--+\n# stop #\n+--[ ]( b )--<JMP>( nowhere )--+\n",
         expect![[r#"
-            # start
-            ^ error[unclosed-comment]: this comment holds lines of drawing: its closing `#` is probably missing
+            > # start
+              ^ error[unclosed-comment]: this comment holds lines of drawing: its closing `#` is probably missing
                 help: close it behind its text; until then nothing behind this place is checked
                 at 3:8 `#`: this `#` is left without a partner
         "#]],
@@ -129,23 +129,23 @@ fn comment_that_is_not_closed() {
     check(
         "+--[TOM]( t, 5s )--<JMP>( there )--+\n# mark\n+--<LBL>( there )--( )( y )--+\n",
         expect![[r#"
-            +--[TOM]( t, 5s )--<JMP>( there )--+
-               ^^^^^ error[unknown-instruction]: there is no instruction [TOM]
+            > +--[TOM]( t, 5s )--<JMP>( there )--+
+                 ^^^^^ error[unknown-instruction]: there is no instruction [TOM]
                 help: did you mean [TON] (on-delay timer)?
                 fix: Replace with [TON]
                   +------[TON]( t, 5s )--<JMP>( there )--+
-            # mark
-            ^ error[unclosed-comment]: this comment is never closed: all that follows is read as comment
+            > # mark
+              ^ error[unclosed-comment]: this comment is never closed: all that follows is read as comment
                 help: close it with a second `#`
         "#]],
     );
     check(
         "+--[ ]( a # b )--( )( y )--+\n",
         expect![[r#"
-        +--[ ]( a # b )--( )( y )--+
-                  ^ error[unclosed-comment]: this comment is never closed: all that follows is read as comment
-            help: close it with a second `#`
-    "#]],
+            > +--[ ]( a # b )--( )( y )--+
+                        ^ error[unclosed-comment]: this comment is never closed: all that follows is read as comment
+                help: close it with a second `#`
+        "#]],
     );
 }
 
@@ -154,37 +154,37 @@ fn stray_characters() {
     check(
         "+--[ ]( a )--?--( )( y )--+\n",
         expect![[r#"
-        +--[ ]( a )--?--( )( y )--+
-                     ^ error[unexpected-character]: `?` means nothing on a rung
-            help: a rung is drawn with - + | \ / and blocks; text stands in # comments #
-    "#]],
+            > +--[ ]( a )--?--( )( y )--+
+                           ^ error[unexpected-character]: `?` means nothing on a rung
+                help: a rung is drawn with - + | \ / and blocks; text stands in # comments #
+        "#]],
     );
     check(
         "+--start--( )( y )--+\n",
         expect![[r#"
-        +--start--( )( y )--+
-           ^^^^^ error[unexpected-character]: `start` stands outside of any block
-            help: a contact is written [ ]( start ), a coil ( )( start )
-    "#]],
+            > +--start--( )( y )--+
+                 ^^^^^ error[unexpected-character]: `start` stands outside of any block
+                help: a contact is written [ ]( start ), a coil ( )( start )
+        "#]],
     );
     check(
         "hello world\n\n+--[ ]( a )--( )( y )--+\n",
         expect![[r#"
-        hello world
-        ^^^^^^^^^^^ error[unexpected-character]: `hello world` means nothing on a rung
-            help: a rung is drawn with - + | \ / and blocks; text stands in # comments #
-    "#]],
+            > hello world
+              ^^^^^^^^^^^ error[unexpected-character]: `hello world` means nothing on a rung
+                help: a rung is drawn with - + | \ / and blocks; text stands in # comments #
+        "#]],
     );
     check(
         "+──[ ]( a )──( )( y )--+\n",
         expect![[r#"
-            +──[ ]( a )──( )( y )--+
-             ^^ error[unexpected-character]: `──` means nothing on a rung
+            > +──[ ]( a )──( )( y )--+
+               ^^ error[unexpected-character]: `──` means nothing on a rung
                 help: a drawing uses plain characters: write `--`
                 fix: Replace with `--`
                   +--[ ]( a )──( )( y )--+
-            +──[ ]( a )──( )( y )--+
-                       ^^ error[unexpected-character]: `──` means nothing on a rung
+            > +──[ ]( a )──( )( y )--+
+                         ^^ error[unexpected-character]: `──` means nothing on a rung
                 help: a drawing uses plain characters: write `--`
                 fix: Replace with `--`
                   +──[ ]( a )--( )( y )--+
@@ -193,34 +193,34 @@ fn stray_characters() {
     check(
         "+--[T!ON]( t, 5s )--( )( y )--+\n",
         expect![[r#"
-        +--[T!ON]( t, 5s )--( )( y )--+
-             ^^^ error[unexpected-character]: `!ON` means nothing in the first part of a block
-    "#]],
+            > +--[T!ON]( t, 5s )--( )( y )--+
+                   ^^^ error[unexpected-character]: `!ON` means nothing in the first part of a block
+        "#]],
     );
     check(
         "+--[ ]( a & b )--( )( y )--+\n",
         expect![[r#"
-        +--[ ]( a & b )--( )( y )--+
-                  ^ error[unexpected-character]: `&` means nothing among operands
-    "#]],
+            > +--[ ]( a & b )--( )( y )--+
+                        ^ error[unexpected-character]: `&` means nothing among operands
+        "#]],
     );
     check(
         "+--[$my_block]( a )--( )( y )--+\n",
         expect![[r#"
-        +--[$my_block]( a )--( )( y )--+
-            ^^^^^^^^^ error[unexpected-character]: `$my_block` is no name for a block
-            help: a block's name is a `$` and a letter, then letters and digits: $Debounce2
-    "#]],
+            > +--[$my_block]( a )--( )( y )--+
+                  ^^^^^^^^^ error[unexpected-character]: `$my_block` is no name for a block
+                help: a block's name is a `$` and a letter, then letters and digits: $Debounce2
+        "#]],
     );
     // The comment of a commented-out timer ends at the # of its literal.
     check(
         "# +--[TON]( t, T#5s )--( )( y )--+ #\n+--[ ]( a )--( )( y )--+\n",
         expect![[r#"
-            # +--[TON]( t, T#5s )--( )( y )--+ #
-                             ^^^^ error[unexpected-character]: `5s )` means nothing on a rung
+            > # +--[TON]( t, T#5s )--( )( y )--+ #
+                               ^^^^ error[unexpected-character]: `5s )` means nothing on a rung
                 help: the `#` before it ended a comment: a comment ends at the very next `#`, so write 5s and not T#5s in it
-            # +--[TON]( t, T#5s )--( )( y )--+ #
-                                               ^ error[unclosed-comment]: this comment is never closed: all that follows is read as comment
+            > # +--[TON]( t, T#5s )--( )( y )--+ #
+                                                 ^ error[unclosed-comment]: this comment is never closed: all that follows is read as comment
                 help: close it with a second `#`
         "#]],
     );
@@ -231,42 +231,42 @@ fn blocks_that_touch() {
     check(
         "+--[ ]( a )[ ]( b )--( )( y )--+\n",
         expect![[r#"
-        +--[ ]( a )[ ]( b )--( )( y )--+
-                  ^^ warning[missing-wire]: two blocks touch without a wire between them
-            help: draw a `-` between them
-            fix: Insert wire
-              +--[ ]( a )--[ ]( b )--------( )( y )--+
-    "#]],
+            > +--[ ]( a )[ ]( b )--( )( y )--+
+                        ^^ warning[missing-wire]: two blocks touch without a wire between them
+                help: draw a `-` between them
+                fix: Insert wire
+                  +--[ ]( a )--[ ]( b )--------( )( y )--+
+        "#]],
     );
     check(
         "+--\\[ ]( a )\\--( )( y )+\n|  /[ ]( b )/           |\n",
         expect![[r#"
-            +--\[ ]( a )\--( )( y )+
-               ^^ warning[missing-wire]: `\` and a block touch without a wire between them
+            > +--\[ ]( a )\--( )( y )+
+                 ^^ warning[missing-wire]: `\` and a block touch without a wire between them
                 help: draw a `-` between them
                 fix: Insert wire
                   +--\--[ ]( a )--\------------( )( y )--+
                   |  /--[ ]( b )--/                      |
-            +--\[ ]( a )\--( )( y )+
-                       ^^ warning[missing-wire]: a block and `\` touch without a wire between them
+            > +--\[ ]( a )\--( )( y )+
+                         ^^ warning[missing-wire]: a block and `\` touch without a wire between them
                 help: draw a `-` between them
                 fix: Insert wire
                   +--\--[ ]( a )--\------------( )( y )--+
                   |  /--[ ]( b )--/                      |
-            +--\[ ]( a )\--( )( y )+
-                                  ^^ warning[missing-wire]: a block and `+` touch without a wire between them
+            > +--\[ ]( a )\--( )( y )+
+                                    ^^ warning[missing-wire]: a block and `+` touch without a wire between them
                 help: draw a `-` between them
                 fix: Insert wire
                   +--\--[ ]( a )--\------------( )( y )--+
                   |  /--[ ]( b )--/                      |
-            |  /[ ]( b )/           |
-               ^^ warning[missing-wire]: `/` and a block touch without a wire between them
+            > |  /[ ]( b )/           |
+                 ^^ warning[missing-wire]: `/` and a block touch without a wire between them
                 help: draw a `-` between them
                 fix: Insert wire
                   +--\--[ ]( a )--\------------( )( y )--+
                   |  /--[ ]( b )--/                      |
-            |  /[ ]( b )/           |
-                       ^^ warning[missing-wire]: a block and `/` touch without a wire between them
+            > |  /[ ]( b )/           |
+                         ^^ warning[missing-wire]: a block and `/` touch without a wire between them
                 help: draw a `-` between them
                 fix: Insert wire
                   +--\--[ ]( a )--\------------( )( y )--+
@@ -276,8 +276,8 @@ fn blocks_that_touch() {
     check(
         "+--[ ]( a )--[OSR]( )( y )--+\n",
         expect![[r#"
-            +--[ ]( a )--[OSR]( )( y )--+
-                              ^^^^^^^^ error[missing-wire]: [OSR] takes the next parentheses as its operands: the wire between them is missing
+            > +--[ ]( a )--[OSR]( )( y )--+
+                                ^^^^^^^^ error[missing-wire]: [OSR] takes the next parentheses as its operands: the wire between them is missing
                 help: [OSR] has no operands: keep a `-` behind it
                 fix: Insert wire behind [OSR]
                   +--[ ]( a )--[OSR]-----------( )( y )--+
@@ -286,8 +286,8 @@ fn blocks_that_touch() {
     check(
         "+--[ ]( a )--[NOT] (S)( y )--+\n",
         expect![[r#"
-            +--[ ]( a )--[NOT] (S)( y )--+
-                               ^^^^^^^^ error[missing-wire]: [NOT] takes the next parentheses as its operands: the wire between them is missing
+            > +--[ ]( a )--[NOT] (S)( y )--+
+                                 ^^^^^^^^ error[missing-wire]: [NOT] takes the next parentheses as its operands: the wire between them is missing
                 help: [NOT] has no operands: keep a `-` behind it
                 fix: Insert wire behind [NOT]
                   +--[ ]( a )--[NOT]-----------(S)( y )--+
@@ -302,17 +302,17 @@ fn declarations_that_cannot_be_read() {
     check(
         "VAR\n    a BOOL;\n    b : ;\n    : INT;\n    c : INT\nEND_VAR\n",
         expect![[r#"
-                a BOOL;
-                  ^^^^ error[bad-declaration]: expected `:` and a type, found `BOOL`
+            >     a BOOL;
+                    ^^^^ error[bad-declaration]: expected `:` and a type, found `BOOL`
                 help: a declaration is written: start : BOOL; the types are BOOL, INT, DINT, REAL, TIME, TON, CTU and others
-                b : ;
-                    ^ error[bad-declaration]: expected `:` and a type, found `;`
+            >     b : ;
+                      ^ error[bad-declaration]: expected `:` and a type, found `;`
                 help: a declaration is written: start : BOOL; the types are BOOL, INT, DINT, REAL, TIME, TON, CTU and others
-                : INT;
-                ^ error[bad-declaration]: expected the name of a tag, found `:`
+            >     : INT;
+                  ^ error[bad-declaration]: expected the name of a tag, found `:`
                 help: a declaration is written: start, stop : BOOL;
-                c : INT
-                       ^ error[bad-declaration]: `;` is missing here
+            >     c : INT
+                         ^ error[bad-declaration]: `;` is missing here
                 help: every declaration ends with `;`
                 fix: Insert `;`
                       c : INT;
@@ -321,54 +321,54 @@ fn declarations_that_cannot_be_read() {
     check(
         "VAR\n    a : ARRAY[1 .. OF INT;\n    b AT : BOOL;\n    c : INT := ;\nEND_VAR\n",
         expect![[r#"
-                a : ARRAY[1 .. OF INT;
-                               ^^ error[bad-declaration]: expected a whole number in brackets, found `OF`
+            >     a : ARRAY[1 .. OF INT;
+                                 ^^ error[bad-declaration]: expected a whole number in brackets, found `OF`
                 help: bounds are written ARRAY[1..10] OF INT, lengths STRING[80]
-                b AT : BOOL;
-                     ^ error[bad-declaration]: expected an address, found `:`
+            >     b AT : BOOL;
+                       ^ error[bad-declaration]: expected an address, found `:`
                 help: behind AT stands an address such as %IX0.0, %QW1 or %MD2
-                c : INT := ;
-                           ^ error[bad-declaration]: expected a value, found `;`
+            >     c : INT := ;
+                             ^ error[bad-declaration]: expected a value, found `;`
                 help: behind `:=` stands the value at the start: limit : INT := 80;
         "#]],
     );
     check(
         "VAR\n    a : BOOL;\n\n+--[ ]( a )--( )( a )--+\n",
         expect![[r#"
-        +--[ ]( a )--( )( a )--+
-        ^ error[bad-declaration]: the declarations above are not closed: END_VAR is missing
-            help: a section ends with END_VAR on a line of its own
-    "#]],
+            > +--[ ]( a )--( )( a )--+
+              ^ error[bad-declaration]: the declarations above are not closed: END_VAR is missing
+                help: a section ends with END_VAR on a line of its own
+        "#]],
     );
     check(
         "END_VAR\nFUNCTION_BLOCK\nEND_FUNCTION_BLOCK\nEND_FUNCTION_BLOCK\n",
         expect![[r#"
-            END_VAR
-            ^^^^^^^ error[bad-declaration]: END_VAR ends no section
+            > END_VAR
+              ^^^^^^^ error[bad-declaration]: END_VAR ends no section
                 help: a section begins with VAR, VAR_INPUT, VAR_OUTPUT, VAR_IN_OUT, VAR_GLOBAL or VAR_EXTERNAL
-            FUNCTION_BLOCK
-                          ^ error[bad-declaration]: expected the block with its brackets here
+            > FUNCTION_BLOCK
+                            ^ error[bad-declaration]: expected the block with its brackets here
                 help: a definition begins with its shape: FUNCTION_BLOCK [$Name], ($Name) or <$Name>
-            END_FUNCTION_BLOCK
-            ^^^^^^^^^^^^^^^^^^ error[bad-declaration]: END_FUNCTION_BLOCK ends no definition
+            > END_FUNCTION_BLOCK
+              ^^^^^^^^^^^^^^^^^^ error[bad-declaration]: END_FUNCTION_BLOCK ends no definition
                 help: a definition begins with FUNCTION_BLOCK [$Name]
         "#]],
     );
     check(
         "FUNCTION_BLOCK [$A]\nFUNCTION_BLOCK [$B]\n",
         expect![[r#"
-        FUNCTION_BLOCK [$B]
-        ^^^^^^^^^^^^^^^^^^^ error[bad-declaration]: a block cannot be defined inside another
-            help: close the definition above with END_FUNCTION_BLOCK first
-    "#]],
+            > FUNCTION_BLOCK [$B]
+              ^^^^^^^^^^^^^^^^^^^ error[bad-declaration]: a block cannot be defined inside another
+                help: close the definition above with END_FUNCTION_BLOCK first
+        "#]],
     );
     check(
         "VAR a : BOL; END : INT; b : STRING[0]; END_VAR\n",
         expect![[r#"
-            VAR a : BOL; END : INT; b : STRING[0]; END_VAR
-                    ^^^ error[bad-declaration]: there is no type `BOL`: did you mean DINT, BOOL or REAL?
-            VAR a : BOL; END : INT; b : STRING[0]; END_VAR
-                                        ^^^^^^^^^ error[bad-declaration]: a STRING holds 1 to 32767 characters
+            > VAR a : BOL; END : INT; b : STRING[0]; END_VAR
+                      ^^^ error[bad-declaration]: there is no type `BOL`: did you mean DINT, BOOL or REAL?
+            > VAR a : BOL; END : INT; b : STRING[0]; END_VAR
+                                          ^^^^^^^^^ error[bad-declaration]: a STRING holds 1 to 32767 characters
         "#]],
     );
 }
@@ -378,8 +378,8 @@ fn literals() {
     check(
         "+--[EQ]( s, 'open )--( )( y )--+\n",
         expect![[r#"
-            +--[EQ]( s, 'open )--( )( y )--+
-                        ^^^^^ error[bad-literal]: this text is not closed: `'` is missing
+            > +--[EQ]( s, 'open )--( )( y )--+
+                          ^^^^^ error[bad-literal]: this text is not closed: `'` is missing
                 help: a text ends on its own line; a quote in it is written $'
                 fix: Insert `'`
                   +--[EQ]( s, 'open' )---------( )( y )--+
@@ -388,10 +388,10 @@ fn literals() {
     check(
         "+--[GT]( n, 12x )--[TON]( t, T#5x )--( )( y )--+\n",
         expect![[r#"
-            +--[GT]( n, 12x )--[TON]( t, T#5x )--( )( y )--+
-                        ^^^ error[bad-literal]: a duration has the units d h m s ms us ns, not `x`
-            +--[GT]( n, 12x )--[TON]( t, T#5x )--( )( y )--+
-                                         ^^^^ error[bad-literal]: a duration has the units d h m s ms us ns, not `x`
+            > +--[GT]( n, 12x )--[TON]( t, T#5x )--( )( y )--+
+                          ^^^ error[bad-literal]: a duration has the units d h m s ms us ns, not `x`
+            > +--[GT]( n, 12x )--[TON]( t, T#5x )--( )( y )--+
+                                           ^^^^ error[bad-literal]: a duration has the units d h m s ms us ns, not `x`
         "#]],
     );
 }
