@@ -27,7 +27,6 @@ pub mod network;
 pub mod order;
 #[cfg(test)]
 mod order_tests;
-pub mod path;
 pub mod program;
 mod resolve;
 pub mod rule;

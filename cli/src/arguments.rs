@@ -1,8 +1,9 @@
 //! What stands on the command line.
 
-use crate::commands::{check, explain, fmt, tree};
-use crate::outcome::{Failure, Outcome};
+use crate::commands::{check, explain, fmt, lsp, tree};
+use crate::outcome::exit;
 use clap::{Parser, Subcommand};
+use std::process::ExitCode;
 
 const EXAMPLES: &str = "\
 Examples:
@@ -25,17 +26,21 @@ enum Command {
     Check(check::Arguments),
     Fmt(fmt::Arguments),
     Explain(explain::Arguments),
+    Lsp(lsp::Arguments),
     Tree(tree::Arguments),
 }
 
 impl Ladder {
-    pub(crate) fn run(self) -> Result<Outcome, Failure> {
-        match self.command {
+    pub(crate) fn run(self) -> ExitCode {
+        let result = match self.command {
+            // The server has an exit status of its own, which the protocol asks for.
+            Command::Lsp(_) => return lsp::run(),
             Command::Check(arguments) => check::run(&arguments),
             Command::Fmt(arguments) => fmt::run(&arguments),
             Command::Explain(arguments) => explain::run(&arguments),
             Command::Tree(arguments) => tree::run(&arguments),
-        }
+        };
+        exit(result)
     }
 }
 
@@ -48,7 +53,7 @@ pub(crate) struct Ldfmt {
 }
 
 impl Ldfmt {
-    pub(crate) fn run(self) -> Result<Outcome, Failure> {
-        fmt::run(&self.arguments)
+    pub(crate) fn run(self) -> ExitCode {
+        exit(fmt::run(&self.arguments))
     }
 }

@@ -11,7 +11,7 @@
 //! with them. A command does its work through the library crates and only decides what to show; it never ends
 //! the process itself.
 //!
-//! - [`outcome`](Outcome) has the exit status: 0 fine, 1 findings, 2 the command could not do its work.
+//! - `outcome` has the exit status: 0 fine, 1 findings, 2 the command could not do its work.
 //! - `terminal` is the only module that names stdout and stderr: messages go to stderr as `error: ...`, colours
 //!   only to a terminal, and a reader that closes the pipe early is no error.
 //!
@@ -24,27 +24,14 @@ mod outcome;
 mod terminal;
 
 use clap::Parser;
-use outcome::{Failure, Outcome};
 use std::process::ExitCode;
 
 /// The program `ladder`, with the process's arguments.
 pub fn ladder() -> ExitCode {
-    let arguments = arguments::Ladder::parse();
-    exit(arguments.run())
+    arguments::Ladder::parse().run()
 }
 
 /// The program `ldfmt`, with the process's arguments.
 pub fn ldfmt() -> ExitCode {
-    let arguments = arguments::Ldfmt::parse();
-    exit(arguments.run())
-}
-
-fn exit(result: Result<Outcome, Failure>) -> ExitCode {
-    match result {
-        Ok(outcome) => outcome.into(),
-        Err(failure) => {
-            terminal::error(&failure);
-            Outcome::Failed.into()
-        }
-    }
+    arguments::Ldfmt::parse().run()
 }

@@ -1,5 +1,6 @@
 //! How a command ends.
 
+use crate::terminal;
 use ladder_workspace::FileError;
 use std::fmt;
 use std::process::ExitCode;
@@ -21,6 +22,17 @@ impl From<Outcome> for ExitCode {
             Outcome::Fine => ExitCode::SUCCESS,
             Outcome::Findings => ExitCode::from(1),
             Outcome::Failed => ExitCode::from(2),
+        }
+    }
+}
+
+/// Says what went wrong, if anything did, and gives the exit status.
+pub(crate) fn exit(result: Result<Outcome, Failure>) -> ExitCode {
+    match result {
+        Ok(outcome) => outcome.into(),
+        Err(failure) => {
+            terminal::error(&failure);
+            Outcome::Failed.into()
         }
     }
 }

@@ -7,4 +7,5 @@ mod explain;
 mod fmt;
 mod harness;
 mod help;
+mod lsp;
 mod tree;
