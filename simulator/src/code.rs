@@ -1,0 +1,208 @@
+//! The flat code that a program becomes: instructions in their order of evaluation, and the tables that lead
+//! from a place in the code back to the drawing.
+
+use crate::memory::{Bit, TextSlot, Word};
+use crate::operation::{Conversion, IntegerOp, RealFunction, RealOp, Test, Width};
+use crate::routine::Routine;
+use ladder_analysis::program::{ElementKind, Location};
+
+/// One instruction. At most 24 bytes, so that code stays dense; a test watches over it.
+///
+/// `out` is the power that an instruction gives, `en` the power it takes.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) enum Instr {
+    // Power.
+    /// EN and tag.
+    Contact { out: Bit, en: Bit, tag: Bit },
+    /// EN and not tag.
+    NegatedContact { out: Bit, en: Bit, tag: Bit },
+    /// A pair of connectors.
+    Join { out: Bit, upper: Bit, lower: Bit },
+    /// Not EN.
+    Invert { out: Bit, en: Bit },
+    /// The same power in a slot of its own, where the block may still take it back.
+    Follow { out: Bit, en: Bit },
+    /// The left rail, where an `<MCR>` may have switched it off.
+    Rail { out: Bit },
+    /// EN and tag is high and was low; `stamp` where the block can be reached twice in a scan, else
+    /// [`NO_STAMP`].
+    Rising { out: Bit, en: Bit, tag: Bit, before: Bit, stamp: Word },
+    /// EN and tag is low and was high.
+    Falling { out: Bit, en: Bit, tag: Bit, before: Bit, stamp: Word },
+
+    // Comparisons: EN and a op b.
+    /// Whole numbers by value.
+    Compare { test: Test, out: Bit, en: Bit, a: Word, b: Word },
+    /// The same where a, b or both are unsigned with 64 bits.
+    CompareUnsigned { test: Test, a_unsigned: bool, b_unsigned: bool, out: Bit, en: Bit, a: Word, b: Word },
+    /// Reals.
+    CompareReal { test: Test, out: Bit, en: Bit, a: Word, b: Word },
+    /// BOOLs.
+    CompareBit { test: Test, out: Bit, en: Bit, a: Bit, b: Bit },
+    /// Texts, byte by byte.
+    CompareText { test: Test, out: Bit, en: Bit, a: TextSlot, b: TextSlot },
+
+    // Coils.
+    /// tag = EN
+    Coil { en: Bit, tag: Bit },
+    /// tag = not EN
+    NegatedCoil { en: Bit, tag: Bit },
+    /// EN high: tag = TRUE
+    Set { en: Bit, tag: Bit },
+    /// EN high: tag = FALSE
+    Reset { en: Bit, tag: Bit },
+
+    /// Begins a block that acts when EN is high: gives EN, and with EN low goes on at `end`. A fault on the way
+    /// takes the power back.
+    Powered { out: Bit, en: Bit, end: u32 },
+
+    // Bits.
+    MoveBit { to: Bit, from: Bit },
+    AndBit { to: Bit, a: Bit, b: Bit },
+    OrBit { to: Bit, a: Bit, b: Bit },
+    XorBit { to: Bit, a: Bit, b: Bit },
+    NotBit { to: Bit, a: Bit },
+    /// One bit of a word.
+    LoadBitOf { to: Bit, word: Word, bit: u8 },
+    /// The word keeps its type's representation: bit 15 of an INT is its sign.
+    StoreBitOf { word: Word, bit: u8, width: Width, from: Bit },
+
+    // Words.
+    Move { to: Word, from: Word },
+    MoveWhen { out: Bit, en: Bit, to: Word, from: Word },
+    Integer { op: IntegerOp, width: Width, to: Word, a: Word, b: Word },
+    IntegerWhen { op: IntegerOp, width: Width, out: Bit, en: Bit, to: Word, a: Word, b: Word },
+    Real { op: RealOp, single: bool, to: Word, a: Word, b: Word },
+    RealWhen { op: RealOp, single: bool, out: Bit, en: Bit, to: Word, a: Word, b: Word },
+    RealFunction { function: RealFunction, single: bool, to: Word, a: Word },
+    Convert { conversion: Conversion, to: Word, from: Word },
+    /// BOOL to a number, 0 or 1.
+    BitToWord { to: Word, from: Bit },
+
+    // Texts.
+    MoveText { to: TextSlot, from: TextSlot },
+
+    // Elements of arrays whose index is known only when they are reached.
+    /// The slot of an element; `array` is an index into [`Code::arrays`].
+    Index { to: Word, index: Word, array: u32 },
+    LoadBit { to: Bit, at: Word },
+    StoreBit { at: Word, from: Bit },
+    LoadWord { to: Word, at: Word },
+    StoreWord { at: Word, from: Word },
+    LoadText { to: TextSlot, at: Word },
+    StoreText { at: Word, from: TextSlot },
+
+    // Timers, counters, bistables: `bits` and `words` are where the tag's state begins.
+    Ton { out: Bit, en: Bit, pt: Word, bits: Bit, words: Word },
+    Tof { out: Bit, en: Bit, pt: Word, bits: Bit, words: Word },
+    Tp { out: Bit, en: Bit, pt: Word, bits: Bit, words: Word },
+    Rto { out: Bit, en: Bit, pt: Word, bits: Bit, words: Word },
+    Rtof { out: Bit, en: Bit, pt: Word, bits: Bit, words: Word },
+    Ctu { out: Bit, en: Bit, pv: Word, bits: Bit, words: Word },
+    Ctd { out: Bit, en: Bit, pv: Word, bits: Bit, words: Word },
+    Ctud { out: Bit, en: Bit, pv: Word, bits: Bit, words: Word },
+    Ctc { out: Bit, en: Bit, pv: Word, bits: Bit, words: Word },
+    Sr { out: Bit, en: Bit, reset: Bit, bits: Bit },
+    Rs { out: Bit, en: Bit, reset: Bit, bits: Bit },
+    /// `(RES)`, and `(R)` on such a tag.
+    Clear { en: Bit, state: ladder_instructions::StateType, bits: Bit, words: Word },
+
+    /// The rarer work: `operands` is an index into [`Code::operands`].
+    Routine { routine: Routine, operands: u32 },
+
+    // Program flow.
+    /// The network that begins here is reached; it is noted where not every scan reaches it.
+    Network { network: u32 },
+    /// EN high: goes on at `to`, which lies in the same frame. Ends a loop unless `to` lies in its body.
+    Jump { en: Bit, to: u32, step: u32, network: u32 },
+    /// EN high: calls.
+    Call { en: Bit, to: u32, saved: u32 },
+    /// EN high: returns, or in the main program ends the scan.
+    Return { en: Bit, step: u32, network: u32 },
+    /// EN high: ends the program.
+    End { en: Bit, step: u32, network: u32 },
+    /// The end of the main program or of a function.
+    Finish,
+    /// `<FOR>`: EN high: the turns that are to be made.
+    For { en: Bit, turns: Word },
+    /// The end of the network of a `<FOR>`: enters the body, which ends before `behind`, or goes on behind it.
+    Enter { body: u32, behind: u32 },
+    /// The end of the network of a `<NEXT>`.
+    Again,
+    /// `<MCR>`
+    Mcr { en: Bit },
+    /// The body of a user-defined block begins: rails are live, loops are its own.
+    EnterBody,
+    /// It ends.
+    LeaveBody,
+}
+
+/// For a call that cannot come back to its own network.
+pub(crate) const NOTHING_SAVED: u32 = u32::MAX;
+
+/// For a block that cannot be reached twice in one scan.
+pub(crate) const NO_STAMP: Word = Word(u32::MAX);
+
+/// The instructions of a program.
+#[derive(Debug, Default)]
+pub(crate) struct Code {
+    pub(crate) instrs: Vec<Instr>,
+    /// For each instruction how many blocks begin at it or before it. Not kept up behind jumps: it counts text.
+    pub(crate) blocks_through: Vec<u32>,
+    /// The blocks in the order of the code.
+    pub(crate) blocks: Vec<BlockPlace>,
+    /// Arrays that are indexed while scanning.
+    pub(crate) arrays: Vec<ArrayPlace>,
+    /// Operands of routines.
+    pub(crate) operands: Vec<u32>,
+    /// Powers that a call which can come back to the same network must keep.
+    pub(crate) saved: Vec<Vec<Bit>>,
+    /// Most frames that can be open at once.
+    pub(crate) depth: usize,
+}
+
+/// Where a block's code stands.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct BlockPlace {
+    /// Its first instruction.
+    pub(crate) start: u32,
+    /// The one behind it.
+    pub(crate) end: u32,
+    /// The power that leaves it: low if it faults.
+    pub(crate) out: Bit,
+    /// Where it is drawn.
+    pub(crate) location: Location,
+}
+
+/// An array that is indexed while scanning.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub(crate) struct ArrayPlace {
+    /// Slot of its first element.
+    pub(crate) base: u32,
+    /// Index of the first element.
+    pub(crate) first: i64,
+    /// Index of the last element.
+    pub(crate) last: i64,
+}
+
+/// A part of the drawing and the slot that holds its power.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct ElementPlace {
+    pub(crate) kind: ElementKind,
+    pub(crate) location: Location,
+    pub(crate) power: Bit,
+    /// Its network among [`crate::compile::Compiled::networks`].
+    pub(crate) network: u32,
+    /// The step whose power it shows, to see whether it was reached.
+    pub(crate) step: u32,
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn instructions_are_small() {
+        assert_eq!(size_of::<Instr>(), 24);
+    }
+}

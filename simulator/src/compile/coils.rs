@@ -1,0 +1,112 @@
+//! Coils (LANGUAGE §5.4). They act at every evaluation, so what they write is found at every evaluation too.
+
+use super::arguments::Arguments;
+use super::place::{Slot, Spot};
+use super::{Compiler, Result};
+use crate::code::Instr;
+use crate::layout::Home;
+use crate::memory::Bit;
+use ladder_analysis::program::Argument;
+
+impl Compiler<'_> {
+    /// `( )` and `(/)`
+    pub(super) fn coil(&mut self, arguments: Arguments, en: Bit, follows: bool) -> Result<Bit> {
+        if let Argument::Range(range) = arguments.get(0)? {
+            return self.coil_on_range(range, en);
+        }
+        let (spot, out) = self.coil_place(arguments, en)?;
+        if let Spot::Bit(tag) = spot {
+            self.emit(if follows { Instr::Coil { en, tag } } else { Instr::NegatedCoil { en, tag } });
+            return Ok(en);
+        }
+        let value = if follows {
+            en
+        } else {
+            let to = self.layout.bit();
+            self.emit(Instr::NotBit { to, a: en });
+            to
+        };
+        self.store(spot, Slot::Bit(value));
+        Ok(out)
+    }
+
+    /// `(S)`: its power is the tag's.
+    pub(super) fn set_coil(&mut self, arguments: Arguments, en: Bit) -> Result<Bit> {
+        if let Argument::Range(range) = arguments.get(0)? {
+            return self.set_coil_on_range(range, en);
+        }
+        let (place, _) = arguments.place(0)?;
+        let out = self.layout.bit();
+        let spot = self.spot(place)?;
+        if let Spot::Bit(tag) = spot {
+            self.emit(Instr::Set { en, tag });
+            self.emit(Instr::Contact { out, en: Bit::HIGH, tag });
+            return Ok(out);
+        }
+        let Slot::Bit(before) = self.load(spot) else { return Err(arguments.mistaken()) };
+        self.emit(Instr::OrBit { to: out, a: en, b: before });
+        self.store(spot, Slot::Bit(out));
+        // Read again: a forced tag does not take what is written.
+        let Slot::Bit(after) = self.load(spot) else { return Err(arguments.mistaken()) };
+        self.emit(Instr::MoveBit { to: out, from: after });
+        Ok(out)
+    }
+
+    /// `(R)`, on timers and counters too.
+    pub(super) fn reset_coil(&mut self, arguments: Arguments, en: Bit) -> Result<Bit> {
+        match arguments.get(0)? {
+            Argument::Range(range) => return self.reset_coil_on_range(range, en),
+            Argument::State(_) => return self.clear(arguments, en),
+            _ => {}
+        }
+        let (spot, out) = self.coil_place(arguments, en)?;
+        if let Spot::Bit(tag) = spot {
+            self.emit(Instr::Reset { en, tag });
+            return Ok(en);
+        }
+        let Slot::Bit(before) = self.load(spot) else { return Err(arguments.mistaken()) };
+        let to = self.layout.bit();
+        self.emit(Instr::NotBit { to, a: en });
+        self.emit(Instr::AndBit { to, a: to, b: before });
+        self.store(spot, Slot::Bit(to));
+        Ok(out)
+    }
+
+    /// `(P)` and `(N)`
+    pub(super) fn edge_coil(&mut self, arguments: Arguments, en: Bit, rising: bool) -> Result<Bit> {
+        // The edge first: a fault in finding the place must not leave the memory behind.
+        let edge = self.edge(Bit::HIGH, en, rising);
+        let (spot, out) = self.coil_place(arguments, en)?;
+        if let Spot::Bit(tag) = spot {
+            self.emit(Instr::Coil { en: edge, tag });
+            return Ok(en);
+        }
+        self.store(spot, Slot::Bit(edge));
+        Ok(out)
+    }
+
+    /// `(RES)`
+    pub(super) fn clear(&mut self, arguments: Arguments, en: Bit) -> Result<Bit> {
+        let tag = arguments.state(0)?;
+        let Home::State { state, bits, words } = self.homes[tag.0 as usize] else {
+            return Err(arguments.mistaken());
+        };
+        self.emit(Instr::Clear { en, state, bits, words });
+        Ok(en)
+    }
+
+    /// The place that a coil writes, and the power behind it: EN, in a slot of its own where finding the place
+    /// may fault and take it back.
+    fn coil_place(&mut self, arguments: Arguments, en: Bit) -> Result<(Spot, Bit)> {
+        let (place, _) = arguments.place(0)?;
+        let out = self.layout.bit();
+        let start = self.code.instrs.len();
+        self.emit(Instr::Follow { out, en });
+        let spot = self.spot(place)?;
+        if self.code.instrs.len() > start + 1 {
+            return Ok((spot, out));
+        }
+        self.code.instrs.truncate(start);
+        Ok((spot, en))
+    }
+}

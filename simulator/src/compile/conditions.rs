@@ -1,0 +1,130 @@
+//! Contacts, edges, the inverter and comparisons (LANGUAGE §5.1).
+
+use super::arguments::Arguments;
+use super::place::Slot;
+use super::{Compiler, Result};
+use crate::code::{Instr, NO_STAMP};
+use crate::memory::Bit;
+use crate::operation::{Test, Width};
+use ladder_analysis::program::{Argument, Expr};
+use ladder_analysis::types::{Scalar, common};
+use ladder_instructions::Op;
+
+impl Compiler<'_> {
+    /// `[ ]` and `[/]`
+    pub(super) fn contact(&mut self, arguments: Arguments, en: Bit, open: bool) -> Result<Bit> {
+        let value = match arguments.get(0)? {
+            Argument::Range(range) => return self.contact_on_range(range, en, open),
+            argument => arguments.as_value(argument)?,
+        };
+        let contact = |out, en, tag| {
+            if open { Instr::Contact { out, en, tag } } else { Instr::NegatedContact { out, en, tag } }
+        };
+        // What must be computed first is computed with EN high only: an index outside its array is then no
+        // fault.
+        let (out, start) = self.begin_powered(en);
+        let tag = self.bit(value)?;
+        if self.code.instrs.len() == start + 1 {
+            self.code.instrs.truncate(start);
+            self.emit(contact(out, en, tag));
+        } else {
+            self.emit(contact(out, Bit::HIGH, tag));
+            self.end_powered(start);
+        }
+        Ok(out)
+    }
+
+    /// `[P]` and `[N]`: the tag is read at every evaluation.
+    pub(super) fn edge_contact(&mut self, arguments: Arguments, en: Bit, rising: bool) -> Result<Bit> {
+        let tag = self.bit(arguments.value(0)?)?;
+        Ok(self.edge(en, tag, rising))
+    }
+
+    /// EN and an edge of a bit. The memory belongs to this place in the text.
+    pub(super) fn edge(&mut self, en: Bit, tag: Bit, rising: bool) -> Bit {
+        let (out, before) = (self.layout.bit(), self.layout.bit());
+        let stamp = if self.repeats { self.layout.word() } else { NO_STAMP };
+        self.emit(if rising {
+            Instr::Rising { out, en, tag, before, stamp }
+        } else {
+            Instr::Falling { out, en, tag, before, stamp }
+        });
+        out
+    }
+
+    pub(super) fn inverter(&mut self, en: Bit) -> Bit {
+        let out = self.layout.bit();
+        self.emit(Instr::Invert { out, en });
+        out
+    }
+
+    /// `[EQ]` to `[LE]`: each neighbouring pair.
+    pub(super) fn comparison(&mut self, op: Op, arguments: Arguments, en: Bit) -> Result<Bit> {
+        let values = arguments.values_from(0)?;
+        let (out, start) = self.begin_powered(en);
+        let slots: Vec<(Slot, Scalar)> =
+            values.iter().map(|value| Ok((self.expression(value)?, value.ty))).collect::<Result<_>>()?;
+        let direct = self.code.instrs.len() == start + 1;
+        if direct {
+            self.code.instrs.truncate(start);
+        }
+        let mut power = if direct { en } else { Bit::HIGH };
+        let pairs = slots.len().saturating_sub(1);
+        for n in 0..pairs {
+            let to = if n + 1 == pairs { out } else { self.layout.bit() };
+            self.compare_slots(op, to, power, slots[n], slots[n + 1]);
+            power = to;
+        }
+        if !direct {
+            self.end_powered(start);
+        }
+        Ok(out)
+    }
+
+    /// One comparison of an expression; gives EN and whether it holds.
+    pub(super) fn compare(&mut self, op: Op, en: Bit, a: &Expr, b: &Expr) -> Result<Bit> {
+        let out = self.layout.bit();
+        let slots = ((self.expression(a)?, a.ty), (self.expression(b)?, b.ty));
+        self.compare_slots(op, out, en, slots.0, slots.1);
+        Ok(out)
+    }
+
+    pub(super) fn compare_slots(&mut self, op: Op, out: Bit, en: Bit, a: (Slot, Scalar), b: (Slot, Scalar)) {
+        let test = test_of(op);
+        let instr = match (a.0, b.0) {
+            (Slot::Bit(a), Slot::Bit(b)) => Instr::CompareBit { test, out, en, a, b },
+            (Slot::Text(a), Slot::Text(b)) => Instr::CompareText { test, out, en, a, b },
+            (Slot::Word(mut left), Slot::Word(mut right)) => {
+                if a.1.is_real() || b.1.is_real() {
+                    // Both sides are brought to one type before; a whole number among them would be read as bits.
+                    let meet = common(a.1, b.1).unwrap_or(Scalar::Lreal);
+                    if let (Slot::Word(l), Slot::Word(r)) = (self.pass(a.0, a.1, meet), self.pass(b.0, b.1, meet)) {
+                        (left, right) = (l, r);
+                    }
+                    Instr::CompareReal { test, out, en, a: left, b: right }
+                } else {
+                    let a_unsigned = Width::of(a.1) == Width::U64;
+                    let b_unsigned = Width::of(b.1) == Width::U64;
+                    if a_unsigned || b_unsigned {
+                        Instr::CompareUnsigned { test, a_unsigned, b_unsigned, out, en, a: left, b: right }
+                    } else {
+                        Instr::Compare { test, out, en, a: left, b: right }
+                    }
+                }
+            }
+            _ => return,
+        };
+        self.emit(instr);
+    }
+}
+
+pub(super) const fn test_of(op: Op) -> Test {
+    match op {
+        Op::Ne => Test::NE,
+        Op::Gt => Test::GT,
+        Op::Ge => Test::GE,
+        Op::Lt => Test::LT,
+        Op::Le => Test::LE,
+        _ => Test::EQ,
+    }
+}

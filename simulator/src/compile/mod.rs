@@ -1,0 +1,343 @@
+//! From the program model to flat code.
+//!
+//! Every tag gets its slots, every power its own bit (written once in a scan, so that all of them can be shown
+//! afterwards), and every network becomes a stretch of instructions in its order of evaluation. A power that is
+//! the same as another by its nature (behind a coil, a join with an open end) shares that one's slot.
+//!
+//! Nothing here can fail on a program that the analysis found correct, but for want of memory.
+
+mod arguments;
+mod call_graph;
+mod coils;
+mod conditions;
+mod data;
+mod expression;
+mod flow;
+mod place;
+mod range;
+mod state;
+
+use crate::code::{ArrayPlace, BlockPlace, Code, ElementPlace, Instr};
+use crate::layout::{Home, Layout};
+use crate::memory::{Bit, Memory, Word};
+use crate::retain::{Retained, retained};
+use arguments::Arguments;
+use call_graph::Cycles;
+use flow::Region;
+use ladder_analysis::program::{Block, BlockKind, Location, Network, Program, Step};
+use ladder_instructions::{Instruction, Op};
+use std::collections::HashMap;
+
+/// Why a program cannot run in the simulator.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct CompileError {
+    /// What is wrong and what to do.
+    pub message: String,
+    /// Where.
+    pub location: Location,
+}
+
+impl std::fmt::Display for CompileError {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.write_str(&self.message)
+    }
+}
+
+impl std::error::Error for CompileError {}
+
+/// A program ready to run.
+#[derive(Debug)]
+pub(crate) struct Compiled {
+    pub(crate) code: Code,
+    /// Where each tag lives, in the order of the program's tags.
+    pub(crate) homes: Vec<Home>,
+    /// Memory at a cold start.
+    pub(crate) initial: Memory,
+    /// What can be shown as live or dead, in the order of the drawing.
+    pub(crate) elements: Vec<ElementPlace>,
+    /// For each network of the drawing, whether some scans may not reach it.
+    pub(crate) skippable: Vec<bool>,
+    /// What a warm restart keeps.
+    pub(crate) retained: Vec<Retained>,
+}
+
+type Result<T> = std::result::Result<T, CompileError>;
+
+/// Compiles a program.
+pub(crate) fn compile(program: &Program) -> Result<Compiled> {
+    let mut layout = Layout::new();
+    let homes = program
+        .tags
+        .iter()
+        .map(|tag| match tag.block {
+            // Tags of a block's body get room for each place where the block stands.
+            Some(_) => Ok(Home::Unbound),
+            None => layout.tag(tag),
+        })
+        .collect::<Result<Vec<Home>>>()?;
+    let mut compiler = Compiler {
+        program,
+        layout,
+        homes,
+        code: Code::default(),
+        elements: Vec::new(),
+        skippable: vec![false; program.networks.len()],
+        constants: HashMap::new(),
+        arrays: HashMap::new(),
+        regions: Vec::new(),
+        functions: vec![0; program.functions.len()],
+        calls: Vec::new(),
+        powers: Vec::new(),
+        step: 0,
+        repeats: flow::may_repeat(program),
+        cycles: Cycles::default(),
+    };
+    compiler.regions()?;
+    compiler.finish()
+}
+
+struct Compiler<'p> {
+    program: &'p Program,
+    layout: Layout,
+    homes: Vec<Home>,
+    code: Code,
+    elements: Vec<ElementPlace>,
+    skippable: Vec<bool>,
+    constants: HashMap<i64, Word>,
+    arrays: HashMap<ArrayPlace, u32>,
+    /// The stretch of networks that is being compiled, with those it stands in.
+    regions: Vec<Region>,
+    /// The first instruction of each function.
+    functions: Vec<u32>,
+    /// Calls whose function was not compiled yet: instruction and function.
+    calls: Vec<(u32, usize)>,
+    /// The power of each step of the network that is being compiled.
+    powers: Vec<Bit>,
+    /// The step that is being compiled.
+    step: usize,
+    /// Whether any block may be reached twice in a scan.
+    repeats: bool,
+    /// Which functions call each other.
+    cycles: Cycles,
+}
+
+impl Compiler<'_> {
+    fn finish(mut self) -> Result<Compiled> {
+        for (at, function) in std::mem::take(&mut self.calls) {
+            if let Instr::Call { to, .. } = &mut self.code.instrs[at as usize] {
+                *to = self.functions[function];
+            }
+        }
+        let mut blocks = 0;
+        self.code.blocks_through = (0..self.code.instrs.len())
+            .map(|at| {
+                while self.code.blocks.get(blocks).is_some_and(|block| block.start as usize <= at) {
+                    blocks += 1;
+                }
+                blocks as u32
+            })
+            .collect();
+        Ok(Compiled {
+            retained: retained(self.program, &self.homes),
+            code: self.code,
+            homes: self.homes,
+            initial: self.layout.memory,
+            elements: self.elements,
+            skippable: self.skippable,
+        })
+    }
+
+    fn emit(&mut self, instr: Instr) {
+        self.code.instrs.push(instr);
+    }
+
+    /// Where the next instruction will stand.
+    fn here(&self) -> u32 {
+        self.code.instrs.len() as u32
+    }
+
+    /// A word that holds a value and is never written.
+    fn constant(&mut self, value: i64) -> Word {
+        let layout = &mut self.layout;
+        *self.constants.entry(value).or_insert_with(|| layout.constant(value))
+    }
+
+    /// One network: its steps in their order.
+    fn network(&mut self, index: usize) -> Result<()> {
+        let program = self.program;
+        let network = &program.networks[index];
+        if self.skippable[index] {
+            self.emit(Instr::Network { network: index as u32 });
+        }
+        let outer = std::mem::take(&mut self.powers);
+        for (number, &step) in network.steps.iter().enumerate() {
+            self.step = number;
+            let power = match step {
+                Step::Start { rail: false } => Bit::LOW,
+                Step::Start { rail: true } => self.rail(network),
+                Step::Join { upper, lower } => self.join(self.powers[upper], self.powers[lower]),
+                Step::Block { block, en } => self.block(&network.blocks[block], self.powers[en])?,
+            };
+            self.powers.push(power);
+        }
+        self.elements.extend(network.elements.iter().map(|element| ElementPlace {
+            kind: element.kind,
+            location: Location { file: network.location.file, range: element.range },
+            power: self.powers[element.step],
+            network: index as u32,
+            step: element.step as u32,
+        }));
+        self.powers = outer;
+        if self.layout.is_too_large() {
+            return Err(CompileError {
+                message: "the program takes more memory than the simulator has; user-defined blocks inside \
+                          blocks multiply"
+                    .into(),
+                location: network.location,
+            });
+        }
+        Ok(())
+    }
+
+    fn rail(&mut self, network: &Network) -> Bit {
+        if !self.region().has_mcr || flow::holds(network, Op::Mcr) {
+            return Bit::HIGH;
+        }
+        let out = self.layout.bit();
+        self.emit(Instr::Rail { out });
+        out
+    }
+
+    fn join(&mut self, upper: Bit, lower: Bit) -> Bit {
+        match (upper, lower) {
+            (Bit::LOW, one) | (one, Bit::LOW) => one,
+            (Bit::HIGH, _) | (_, Bit::HIGH) => Bit::HIGH,
+            _ if upper == lower => upper,
+            _ => {
+                let out = self.layout.bit();
+                self.emit(Instr::Join { out, upper, lower });
+                out
+            }
+        }
+    }
+
+    /// One block; gives its ENO.
+    fn block(&mut self, block: &Block, en: Bit) -> Result<Bit> {
+        let number = self.code.blocks.len();
+        self.code.blocks.push(BlockPlace {
+            start: self.here(),
+            end: self.here(),
+            out: en,
+            location: block.location,
+        });
+        let out = match block.kind {
+            BlockKind::Instruction(row) => self.instruction(row, block, en)?,
+            BlockKind::User(_) => return Err(not_yet(block)),
+        };
+        let end = self.here();
+        let place = &mut self.code.blocks[number];
+        (place.end, place.out) = (end, out);
+        Ok(out)
+    }
+
+    /// One instruction of the table. A new row does not compile until it has its line here.
+    fn instruction(&mut self, row: &Instruction, block: &Block, en: Bit) -> Result<Bit> {
+        let arguments = Arguments::of(block);
+        match row.op {
+            Op::Contact => self.contact(arguments, en, true),
+            Op::NegatedContact => self.contact(arguments, en, false),
+            Op::RisingContact => self.edge_contact(arguments, en, true),
+            Op::FallingContact => self.edge_contact(arguments, en, false),
+            Op::Inverter => Ok(self.inverter(en)),
+            Op::OneShotRising => Ok(self.edge(Bit::HIGH, en, true)),
+            Op::OneShotFalling => Ok(self.edge(Bit::HIGH, en, false)),
+            Op::Eq | Op::Ne | Op::Gt | Op::Ge | Op::Lt | Op::Le => self.comparison(row.op, arguments, en),
+
+            Op::Mov
+            | Op::Typ
+            | Op::Add
+            | Op::Mul
+            | Op::Sub
+            | Op::Div
+            | Op::Mod
+            | Op::Exp
+            | Op::Not
+            | Op::And
+            | Op::Or
+            | Op::Xor
+            | Op::Shl
+            | Op::Shr
+            | Op::Rol
+            | Op::Ror
+            | Op::Abs
+            | Op::Neg
+            | Op::Trunc
+            | Op::Sqrt
+            | Op::Ln
+            | Op::Log
+            | Op::Expe
+            | Op::Sin
+            | Op::Cos
+            | Op::Tan
+            | Op::Asin
+            | Op::Acos
+            | Op::Atan
+            | Op::Rad
+            | Op::Deg
+            | Op::Min
+            | Op::Max
+            | Op::Limit
+            | Op::Sel
+            | Op::Calc => self.data(row.op, arguments, en),
+            Op::Mux
+            | Op::Lut
+            | Op::Pwl
+            | Op::Len
+            | Op::Left
+            | Op::Right
+            | Op::Mid
+            | Op::Concat
+            | Op::Insert
+            | Op::Delete
+            | Op::Replace
+            | Op::Find => Err(not_yet(block)),
+            Op::Bmov | Op::Fill | Op::Pack | Op::Unpack | Op::Shift | Op::Search => Err(not_yet(block)),
+
+            Op::Ton | Op::Tof | Op::Tp | Op::Rto | Op::Rtof => self.timer(row.op, arguments, en),
+            Op::Ctu | Op::Ctd | Op::Ctud | Op::Ctc => self.counter(row.op, arguments, en),
+            Op::Sr | Op::Rs => self.bistable(row.op, arguments, en),
+
+            // That the tag is retentive is known from its declaration or from the coil, when the program starts.
+            Op::Coil | Op::RetentiveCoil => self.coil(arguments, en, true),
+            Op::NegatedCoil => self.coil(arguments, en, false),
+            Op::SetCoil | Op::RetentiveSet => self.set_coil(arguments, en),
+            Op::ResetCoil | Op::RetentiveReset => self.reset_coil(arguments, en),
+            Op::RisingCoil => self.edge_coil(arguments, en, true),
+            Op::FallingCoil => self.edge_coil(arguments, en, false),
+            Op::Res => self.clear(arguments, en),
+
+            Op::Lbl | Op::Fun | Op::Next => Ok(en),
+            Op::Jmp => self.jump(arguments, en),
+            Op::Call => self.call(arguments, en),
+            Op::Ret => Ok(self.ret(en)),
+            Op::End => Ok(self.end(en)),
+            Op::For => self.for_loop(arguments, en),
+            Op::Mcr => Ok(self.mcr(en)),
+
+            Op::Adc | Op::Pwm | Op::Usnd | Op::Urcv | Op::Fmt | Op::Persist | Op::Scantime => {
+                Err(not_yet(block))
+            }
+        }
+    }
+}
+
+fn not_yet(block: &Block) -> CompileError {
+    let name = match block.kind {
+        BlockKind::Instruction(row) => row.block(),
+        BlockKind::User(_) => "this user-defined block".to_owned(),
+    };
+    CompileError {
+        message: format!("the simulator cannot run {name} yet; take it out to run the rest"),
+        location: block.location,
+    }
+}

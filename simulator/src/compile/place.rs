@@ -1,0 +1,188 @@
+//! Places: reading and writing tags, elements, members and bits.
+
+use super::{Compiler, Result};
+use crate::code::{ArrayPlace, Instr};
+use crate::layout::{self, Home, MemberSlot};
+use crate::memory::{Bit, TextSlot, Word};
+use crate::operation::Width;
+use ladder_analysis::program::{Expr, ExprKind, Place, SystemTag, TagId};
+use ladder_analysis::types::Scalar;
+use ladder_analysis::value::Value;
+
+/// Where a value is read or written. What ends in `At` holds the slot's number in a word, which is known only
+/// when the place is reached.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) enum Spot {
+    Bit(Bit),
+    BitAt(Word),
+    Word(Word),
+    WordAt(Word),
+    Text(TextSlot),
+    TextAt { at: Word, max: u16 },
+    BitOf { word: Word, bit: u8, width: Width },
+    BitOfAt { at: Word, bit: u8, width: Width },
+    /// A timer's `TT`.
+    Timing { input: Bit, done: Bit },
+}
+
+/// A value in one of the banks.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Slot {
+    Bit(Bit),
+    Word(Word),
+    Text(TextSlot),
+}
+
+impl Compiler<'_> {
+    /// Finds a place. Emits what computes the index of an element, if that is not known yet.
+    pub(super) fn spot(&mut self, place: &Place) -> Result<Spot> {
+        Ok(match place {
+            Place::Tag(tag) => match self.homes[tag.0 as usize] {
+                Home::Bits { at, .. } => Spot::Bit(at),
+                Home::Words { at, .. } => Spot::Word(at),
+                Home::Texts { at, .. } => Spot::Text(at),
+                Home::State { bits, .. } => Spot::Bit(bits),
+                Home::Element { at, ty } => element_spot(at, ty),
+                Home::BitOf { word, bit, ty } => Spot::BitOf { word, bit, width: Width::of(ty) },
+                Home::Unbound => Spot::Bit(Bit::LOW),
+            },
+            Place::Element(tag, index) => self.element(*tag, index)?,
+            Place::Member(tag, member) => match self.homes[tag.0 as usize] {
+                Home::State { state, bits, words } => match layout::member(state, bits, words, *member) {
+                    Some(MemberSlot::Bit(slot)) => Spot::Bit(slot),
+                    Some(MemberSlot::Word(slot)) => Spot::Word(slot),
+                    Some(MemberSlot::Timing { input, done }) => Spot::Timing { input, done },
+                    None => Spot::Bit(Bit::LOW),
+                },
+                _ => Spot::Bit(Bit::LOW),
+            },
+            Place::Bit(word, ty, bit) => match self.spot(word)? {
+                Spot::Word(word) => Spot::BitOf { word, bit: *bit, width: Width::of(*ty) },
+                Spot::WordAt(at) => Spot::BitOfAt { at, bit: *bit, width: Width::of(*ty) },
+                other => other,
+            },
+            Place::System(tag) => match tag {
+                SystemTag::FirstScan => Spot::Bit(Bit::FIRST_SCAN),
+                SystemTag::Fault => Spot::Bit(Bit::FAULT),
+                SystemTag::On => Spot::Bit(Bit::HIGH),
+                SystemTag::Off => Spot::Bit(Bit::LOW),
+                SystemTag::Scan => Spot::Word(Word::SCAN),
+                SystemTag::Time => Spot::Word(Word::TIME),
+                SystemTag::ScanTime => Spot::Word(Word::SCAN_TIME),
+            },
+        })
+    }
+
+    fn element(&mut self, tag: TagId, index: &Expr) -> Result<Spot> {
+        let (base, first, len, ty) = match self.homes[tag.0 as usize] {
+            Home::Bits { at, first, len } => (at.0, first, len, Scalar::Bool),
+            Home::Words { at, first, len, ty } => (at.0, first, len, ty),
+            Home::Texts { at, first, len, max } => (at.0, first, len, Scalar::String(max)),
+            _ => return Ok(Spot::Bit(Bit::LOW)),
+        };
+        let last = first + i64::from(len) - 1;
+        if let ExprKind::Constant(Value::Int(index)) = index.kind
+            && (first..=last).contains(&index)
+        {
+            let slot = base + (index - first) as u32;
+            return Ok(match ty {
+                Scalar::Bool => Spot::Bit(Bit(slot)),
+                Scalar::String(_) => Spot::Text(TextSlot(slot)),
+                _ => Spot::Word(Word(slot)),
+            });
+        }
+        let index = self.count(index)?;
+        let to = self.layout.word();
+        let array = self.array(ArrayPlace { base, first, last });
+        self.emit(Instr::Index { to, index, array });
+        Ok(element_spot(to, ty))
+    }
+
+    fn array(&mut self, place: ArrayPlace) -> u32 {
+        let arrays = &mut self.code.arrays;
+        *self.arrays.entry(place).or_insert_with(|| {
+            arrays.push(place);
+            arrays.len() as u32 - 1
+        })
+    }
+
+    /// Reads a place.
+    pub(super) fn load(&mut self, spot: Spot) -> Slot {
+        match spot {
+            Spot::Bit(slot) => Slot::Bit(slot),
+            Spot::Word(slot) => Slot::Word(slot),
+            Spot::Text(slot) => Slot::Text(slot),
+            Spot::BitAt(at) => {
+                let to = self.layout.bit();
+                self.emit(Instr::LoadBit { to, at });
+                Slot::Bit(to)
+            }
+            Spot::WordAt(at) => {
+                let to = self.layout.word();
+                self.emit(Instr::LoadWord { to, at });
+                Slot::Word(to)
+            }
+            Spot::TextAt { at, max } => {
+                let to = self.layout.text(usize::from(max));
+                self.emit(Instr::LoadText { to, at });
+                Slot::Text(to)
+            }
+            Spot::BitOf { word, bit, .. } => {
+                let to = self.layout.bit();
+                self.emit(Instr::LoadBitOf { to, word, bit });
+                Slot::Bit(to)
+            }
+            Spot::BitOfAt { at, bit, .. } => {
+                let word = self.layout.word();
+                self.emit(Instr::LoadWord { to: word, at });
+                let to = self.layout.bit();
+                self.emit(Instr::LoadBitOf { to, word, bit });
+                Slot::Bit(to)
+            }
+            Spot::Timing { input, done } => {
+                let to = self.layout.bit();
+                self.emit(Instr::NotBit { to, a: done });
+                self.emit(Instr::AndBit { to, a: to, b: input });
+                Slot::Bit(to)
+            }
+        }
+    }
+
+    /// Writes a place.
+    pub(super) fn store(&mut self, spot: Spot, value: Slot) {
+        match (spot, value) {
+            (Spot::Bit(to), Slot::Bit(from)) => self.emit(Instr::MoveBit { to, from }),
+            (Spot::BitAt(at), Slot::Bit(from)) => self.emit(Instr::StoreBit { at, from }),
+            (Spot::Word(to), Slot::Word(from)) => self.emit(Instr::Move { to, from }),
+            (Spot::WordAt(at), Slot::Word(from)) => self.emit(Instr::StoreWord { at, from }),
+            (Spot::Text(to), Slot::Text(from)) => self.emit(Instr::MoveText { to, from }),
+            (Spot::TextAt { at, .. }, Slot::Text(from)) => self.emit(Instr::StoreText { at, from }),
+            (Spot::BitOf { word, bit, width }, Slot::Bit(from)) => {
+                self.emit(Instr::StoreBitOf { word, bit, width, from });
+            }
+            (Spot::BitOfAt { at, bit, width }, Slot::Bit(from)) => {
+                let word = self.layout.word();
+                self.emit(Instr::LoadWord { to: word, at });
+                self.emit(Instr::StoreBitOf { word, bit, width, from });
+                self.emit(Instr::StoreWord { at, from: word });
+            }
+            // Types were checked before; there is nothing else.
+            _ => debug_assert!(false, "{value:?} does not fit {spot:?}"),
+        }
+    }
+}
+
+fn element_spot(at: Word, ty: Scalar) -> Spot {
+    match ty {
+        Scalar::Bool => Spot::BitAt(at),
+        Scalar::String(max) => Spot::TextAt { at, max },
+        _ => Spot::WordAt(at),
+    }
+}
+
+impl Spot {
+    /// Whether finding, reading or writing it can go wrong or takes instructions.
+    pub(super) fn is_direct(self) -> bool {
+        matches!(self, Spot::Bit(_) | Spot::Word(_) | Spot::Text(_))
+    }
+}

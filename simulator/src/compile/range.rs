@@ -1,0 +1,118 @@
+//! Ranges of arrays, `a[3..9]`, and the contacts and coils that take one.
+
+use super::{Compiler, Result};
+use crate::code::Instr;
+use crate::layout::Home;
+use crate::memory::{Bit, Word};
+use crate::routine::Routine;
+use ladder_analysis::program::{Expr, ExprKind, RangeRef};
+use ladder_analysis::value::Value;
+
+/// A range: the words that hold the slot of its first element, and how many there are.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Span {
+    pub(super) start: Word,
+    pub(super) count: Word,
+}
+
+impl Span {
+    pub(super) const fn operands(self) -> [u32; 2] {
+        [self.start.0, self.count.0]
+    }
+}
+
+impl Compiler<'_> {
+    /// Finds a range. An end that is left out is the end of the array.
+    pub(super) fn range(&mut self, range: &RangeRef) -> Result<Span> {
+        let (base, first, len) = match self.homes[range.tag.0 as usize] {
+            Home::Bits { at, first, len } => (at.0, first, len),
+            Home::Words { at, first, len, .. } => (at.0, first, len),
+            Home::Texts { at, first, len, .. } => (at.0, first, len),
+            _ => (0, 0, 1),
+        };
+        let last = first + i64::from(len) - 1;
+        let ends = (constant(&range.first), range.last.as_deref().map_or(Some(last), constant));
+        if let (Some(from), Some(to)) = ends
+            && first <= from
+            && from <= to
+            && to <= last
+        {
+            return Ok(Span {
+                start: self.constant(i64::from(base) + (from - first)),
+                count: self.constant(to - from + 1),
+            });
+        }
+        let from = self.count(&range.first)?;
+        let to = match &range.last {
+            Some(to) => self.count(to)?,
+            None => self.constant(last),
+        };
+        let span = Span { start: self.layout.word(), count: self.layout.word() };
+        let (first, last) = (self.constant(first), self.constant(last));
+        self.routine(
+            Routine::Range,
+            &[from.0, to.0, base, first.0, last.0, span.start.0, span.count.0],
+        );
+        Ok(span)
+    }
+
+    pub(super) fn routine(&mut self, routine: Routine, operands: &[u32]) {
+        let at = self.code.operands.len() as u32;
+        self.code.operands.extend_from_slice(operands);
+        self.emit(Instr::Routine { routine, operands: at });
+    }
+
+    /// `[ ]` and `[/]` on a range: all high, or all low.
+    pub(super) fn contact_on_range(&mut self, range: &RangeRef, en: Bit, open: bool) -> Result<Bit> {
+        let (out, start) = self.begin_powered(en);
+        let [first, count] = self.range(range)?.operands();
+        let routine = if open { Routine::AllHigh } else { Routine::AllLow };
+        self.routine(routine, &[out.0, first, count]);
+        self.end_powered(start);
+        Ok(out)
+    }
+
+    /// `( )` on a range.
+    pub(super) fn coil_on_range(&mut self, range: &RangeRef, en: Bit) -> Result<Bit> {
+        let (out, [first, count]) = self.coil_range(range, en)?;
+        self.routine(Routine::FillBits, &[first, count, en.0]);
+        Ok(out)
+    }
+
+    /// `(S)` on a range: its power is that of all of it.
+    pub(super) fn set_coil_on_range(&mut self, range: &RangeRef, en: Bit) -> Result<Bit> {
+        let out = self.layout.bit();
+        let [first, count] = self.range(range)?.operands();
+        self.routine(Routine::SetBits, &[en.0, first, count]);
+        self.routine(Routine::AllHigh, &[out.0, first, count]);
+        Ok(out)
+    }
+
+    /// `(R)` on a range.
+    pub(super) fn reset_coil_on_range(&mut self, range: &RangeRef, en: Bit) -> Result<Bit> {
+        let (out, [first, count]) = self.coil_range(range, en)?;
+        self.routine(Routine::ResetBits, &[en.0, first, count]);
+        Ok(out)
+    }
+
+    /// The range that a coil writes and the power behind it, see `coil_place`.
+    fn coil_range(&mut self, range: &RangeRef, en: Bit) -> Result<(Bit, [u32; 2])> {
+        let out = self.layout.bit();
+        let start = self.code.instrs.len();
+        self.emit(Instr::Follow { out, en });
+        let span = self.range(range)?.operands();
+        if self.code.instrs.len() > start + 1 {
+            return Ok((out, span));
+        }
+        self.code.instrs.truncate(start);
+        Ok((en, span))
+    }
+}
+
+/// The value of an index that is written as a number.
+pub(super) fn constant(index: &Expr) -> Option<i64> {
+    match index.kind {
+        ExprKind::Constant(Value::Int(number)) => Some(number),
+        _ => None,
+    }
+}

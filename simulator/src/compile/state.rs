@@ -1,0 +1,91 @@
+//! Timers, counters and bistables (LANGUAGE §5.3): their inputs are copied into the tag's members, then the tag
+//! is evaluated.
+
+use super::arguments::Arguments;
+use super::{Compiler, Result};
+use crate::code::Instr;
+use crate::layout::{Home, counter, timer};
+use crate::memory::{Bit, Word};
+use crate::operation::{Conversion, Width};
+use ladder_analysis::program::{Expr, ExprKind};
+use ladder_analysis::types::Scalar;
+use ladder_analysis::value::Value;
+use ladder_instructions::Op;
+
+impl Compiler<'_> {
+    fn home_of(&self, arguments: Arguments) -> Result<(Bit, Word)> {
+        match self.homes[arguments.state(0)?.0 as usize] {
+            Home::State { bits, words, .. } => Ok((bits, words)),
+            _ => Err(arguments.mistaken()),
+        }
+    }
+
+    /// Copies a named operand into a member. A block without it leaves the member low.
+    fn input(&mut self, arguments: Arguments, name: &str, member: Bit) -> Result<()> {
+        if let Some(value) = arguments.named_value(name)? {
+            let from = self.bit(value)?;
+            self.emit(Instr::MoveBit { to: member, from });
+        }
+        Ok(())
+    }
+
+    pub(super) fn timer(&mut self, op: Op, arguments: Arguments, en: Bit) -> Result<Bit> {
+        let (bits, words) = self.home_of(arguments)?;
+        let out = self.layout.bit();
+        let pt = self.preset(arguments.value(1)?)?;
+        self.input(arguments, "R", bits.offset(timer::R))?;
+        self.emit(match op {
+            Op::Tof => Instr::Tof { out, en, pt, bits, words },
+            Op::Tp => Instr::Tp { out, en, pt, bits, words },
+            Op::Rto => Instr::Rto { out, en, pt, bits, words },
+            Op::Rtof => Instr::Rtof { out, en, pt, bits, words },
+            _ => Instr::Ton { out, en, pt, bits, words },
+        });
+        Ok(out)
+    }
+
+    /// A TIME, or a plain integer in milliseconds.
+    fn preset(&mut self, value: &Expr) -> Result<Word> {
+        if value.ty == Scalar::Time {
+            return self.word(value);
+        }
+        let conversion = Conversion::Preset(Width::of(value.ty));
+        if let ExprKind::Constant(Value::Int(number)) = value.kind
+            && let Ok(nanoseconds) = crate::operation::convert(conversion, number)
+        {
+            return Ok(self.constant(nanoseconds));
+        }
+        let word = self.word(value)?;
+        Ok(self.convert(conversion, word))
+    }
+
+    pub(super) fn counter(&mut self, op: Op, arguments: Arguments, en: Bit) -> Result<Bit> {
+        let (bits, words) = self.home_of(arguments)?;
+        let out = self.layout.bit();
+        let pv = self.word(arguments.value(1)?)?;
+        for (name, member) in [("CD", counter::CD), ("R", counter::R), ("LD", counter::LD)] {
+            self.input(arguments, name, bits.offset(member))?;
+        }
+        self.emit(match op {
+            Op::Ctd => Instr::Ctd { out, en, pv, bits, words },
+            Op::Ctud => Instr::Ctud { out, en, pv, bits, words },
+            Op::Ctc => Instr::Ctc { out, en, pv, bits, words },
+            _ => Instr::Ctu { out, en, pv, bits, words },
+        });
+        Ok(out)
+    }
+
+    pub(super) fn bistable(&mut self, op: Op, arguments: Arguments, en: Bit) -> Result<Bit> {
+        let (bits, _) = self.home_of(arguments)?;
+        let out = self.layout.bit();
+        let reset = match arguments.named_value("R")? {
+            Some(value) => self.bit(value)?,
+            None => Bit::LOW,
+        };
+        self.emit(match op {
+            Op::Rs => Instr::Rs { out, en, reset, bits },
+            _ => Instr::Sr { out, en, reset, bits },
+        });
+        Ok(out)
+    }
+}

@@ -1,0 +1,244 @@
+//! Where each tag lives in memory, and what memory holds at a cold start.
+
+use crate::compile::CompileError;
+use crate::memory::{Bit, Memory, Text, TextSlot, Word};
+use ladder_analysis::program::{Member, Tag};
+use ladder_analysis::types::{Scalar, Type};
+use ladder_analysis::value::Value;
+use ladder_instructions::StateType;
+
+/// Where a tag lives. An elementary tag is an array of one.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) enum Home {
+    Bits { at: Bit, first: i64, len: u32 },
+    Words { at: Word, first: i64, len: u32, ty: Scalar },
+    Texts { at: TextSlot, first: i64, len: u32, max: u16 },
+    State { state: StateType, bits: Bit, words: Word },
+    /// An in-out parameter that stands for an element of an array: the word holds the element's slot.
+    Element { at: Word, ty: Scalar },
+    /// An in-out parameter that stands for one bit of a word.
+    BitOf { word: Word, bit: u8, ty: Scalar },
+    /// A parameter that is not bound yet.
+    Unbound,
+}
+
+/// Where parts of a timer's state lie behind its first bit and word.
+pub(crate) mod timer {
+    pub(crate) const IN: u32 = 0;
+    pub(crate) const Q: u32 = 1;
+    pub(crate) const R: u32 = 2;
+    /// What the timer is doing, see `timers`.
+    pub(crate) const PHASE: u32 = 3;
+    pub(crate) const BITS: u32 = 4;
+
+    pub(crate) const PT: u32 = 0;
+    pub(crate) const ET: u32 = 1;
+    /// The instant it began, or of the last evaluation.
+    pub(crate) const SINCE: u32 = 2;
+    /// The scan of the last evaluation, counted from 1.
+    pub(crate) const STAMP: u32 = 3;
+    pub(crate) const WORDS: u32 = 4;
+}
+
+/// Where parts of a counter's state lie behind its first bit and word.
+pub(crate) mod counter {
+    pub(crate) const CU: u32 = 0;
+    pub(crate) const CD: u32 = 1;
+    pub(crate) const R: u32 = 2;
+    pub(crate) const LD: u32 = 3;
+    /// Also QU.
+    pub(crate) const Q: u32 = 4;
+    pub(crate) const QD: u32 = 5;
+    pub(crate) const CHANGED: u32 = 6;
+    /// CU and CD at the last evaluation.
+    pub(crate) const UP_BEFORE: u32 = 7;
+    pub(crate) const DOWN_BEFORE: u32 = 8;
+    pub(crate) const BITS: u32 = 9;
+
+    pub(crate) const PV: u32 = 0;
+    pub(crate) const CV: u32 = 1;
+    /// The scan of the last evaluation, counted from 1.
+    pub(crate) const STAMP: u32 = 2;
+    pub(crate) const WORDS: u32 = 3;
+}
+
+/// How many bits and words the state of a type takes.
+pub(crate) const fn state_size(state: StateType) -> (u32, u32) {
+    if state.is_timer() {
+        (timer::BITS, timer::WORDS)
+    } else if state.is_counter() {
+        (counter::BITS, counter::WORDS)
+    } else {
+        (1, 0)
+    }
+}
+
+/// Where a member stands: in the bits or in the words.
+pub(crate) enum MemberSlot {
+    Bit(Bit),
+    Word(Word),
+    /// `TT`: IN and not Q.
+    Timing { input: Bit, done: Bit },
+}
+
+/// The slot of a member; none if the type does not have it.
+pub(crate) fn member(state: StateType, bits: Bit, words: Word, member: Member) -> Option<MemberSlot> {
+    use MemberSlot as Slot;
+    if state.is_timer() {
+        return Some(match member {
+            Member::In => Slot::Bit(bits.offset(timer::IN)),
+            Member::Q => Slot::Bit(bits.offset(timer::Q)),
+            Member::R => Slot::Bit(bits.offset(timer::R)),
+            Member::Pt => Slot::Word(words.offset(timer::PT)),
+            Member::Et => Slot::Word(words.offset(timer::ET)),
+            Member::Timing => Slot::Timing {
+                input: bits.offset(timer::IN),
+                done: bits.offset(timer::Q),
+            },
+            _ => return None,
+        });
+    }
+    if state.is_counter() {
+        return Some(match member {
+            Member::Cu | Member::In => Slot::Bit(bits.offset(counter::CU)),
+            Member::Cd => Slot::Bit(bits.offset(counter::CD)),
+            Member::R => Slot::Bit(bits.offset(counter::R)),
+            Member::Ld => Slot::Bit(bits.offset(counter::LD)),
+            Member::Q | Member::Qu => Slot::Bit(bits.offset(counter::Q)),
+            Member::Qd => Slot::Bit(bits.offset(counter::QD)),
+            Member::Changed => Slot::Bit(bits.offset(counter::CHANGED)),
+            Member::Pv => Slot::Word(words.offset(counter::PV)),
+            Member::Cv => Slot::Word(words.offset(counter::CV)),
+            _ => return None,
+        });
+    }
+    matches!(member, Member::Q1 | Member::Q).then_some(Slot::Bit(bits))
+}
+
+/// More elements than this in one bank are refused: a slip such as `ARRAY[0..2000000000]` would take all the
+/// memory of the machine.
+const MOST_SLOTS: usize = 1 << 26;
+/// The same for the bytes of all texts.
+const MOST_TEXT: usize = 1 << 28;
+
+/// Memory while it is laid out; what it holds at the end is its state at a cold start.
+#[derive(Debug)]
+pub(crate) struct Layout {
+    pub(crate) memory: Memory,
+    text_bytes: usize,
+}
+
+impl Layout {
+    pub(crate) fn new() -> Layout {
+        let mut memory = Memory {
+            bits: vec![0; Bit::RESERVED],
+            words: vec![0; Word::RESERVED],
+            ..Memory::default()
+        };
+        memory.set_bit(Bit::HIGH, true);
+        Layout { memory, text_bytes: 0 }
+    }
+
+    pub(crate) fn bit(&mut self) -> Bit {
+        self.memory.bits.push(0);
+        Bit(self.memory.bits.len() as u32 - 1)
+    }
+
+    pub(crate) fn word(&mut self) -> Word {
+        self.constant(0)
+    }
+
+    /// A word that holds a value from the start.
+    pub(crate) fn constant(&mut self, value: i64) -> Word {
+        self.memory.words.push(value);
+        Word(self.memory.words.len() as u32 - 1)
+    }
+
+    pub(crate) fn text(&mut self, max: usize) -> TextSlot {
+        // The text itself takes room too, not only its bytes.
+        self.text_bytes += max + size_of::<Text>();
+        self.memory.texts.push(Text::new(max));
+        TextSlot(self.memory.texts.len() as u32 - 1)
+    }
+
+    pub(crate) fn text_constant(&mut self, bytes: &[u8]) -> TextSlot {
+        let slot = self.text(bytes.len());
+        self.memory.texts[slot.0 as usize].set(bytes);
+        slot
+    }
+
+    /// Whether memory has grown past what is allowed.
+    pub(crate) fn is_too_large(&self) -> bool {
+        let Memory { bits, words, texts, .. } = &self.memory;
+        bits.len().max(words.len()).max(texts.len()) > MOST_SLOTS || self.text_bytes > MOST_TEXT
+    }
+
+    /// Makes room for a tag, with its initial value.
+    pub(crate) fn tag(&mut self, tag: &Tag) -> Result<Home, CompileError> {
+        let too_large = || CompileError {
+            message: format!("{} takes more memory than the simulator has; make it smaller", tag.name),
+            location: tag.location,
+        };
+        let (first, len, ty) = match tag.ty {
+            Type::Scalar(ty) => (0, 1, ty),
+            Type::Array { first, last, element } => {
+                let len = (i128::from(last) - i128::from(first) + 1).max(0);
+                (first, usize::try_from(len).map_err(|_| too_large())?, element)
+            }
+            Type::State(state) => {
+                let (bits, words) = state_size(state);
+                let home = Home::State {
+                    state,
+                    bits: Bit(self.memory.bits.len() as u32),
+                    words: Word(self.memory.words.len() as u32),
+                };
+                self.memory.bits.resize(self.memory.bits.len() + bits as usize, 0);
+                self.memory.words.resize(self.memory.words.len() + words as usize, 0);
+                return Ok(home);
+            }
+        };
+        let bytes = match ty {
+            Scalar::String(max) => usize::from(max),
+            _ => 0,
+        };
+        let text_bytes = if bytes > 0 { len.saturating_mul(bytes + size_of::<Text>()) } else { 0 };
+        if len > MOST_SLOTS || text_bytes > MOST_TEXT {
+            return Err(too_large());
+        }
+        let home = match ty {
+            Scalar::Bool => {
+                let at = Bit(self.memory.bits.len() as u32);
+                let initial = |n| matches!(tag.initial.get(n), Some(Value::Bool(true)));
+                self.memory.bits.extend((0..len).map(|n| u8::from(initial(n))));
+                Home::Bits { at, first, len: len as u32 }
+            }
+            Scalar::String(max) => {
+                let at = TextSlot(self.memory.texts.len() as u32);
+                for n in 0..len {
+                    let slot = self.text(usize::from(max));
+                    if let Some(Value::Text(bytes)) = tag.initial.get(n) {
+                        self.memory.texts[slot.0 as usize].set(bytes);
+                    }
+                }
+                Home::Texts { at, first, len: len as u32, max }
+            }
+            _ => {
+                let at = Word(self.memory.words.len() as u32);
+                let initial = |n| tag.initial.get(n).map_or(0, word_of);
+                self.memory.words.extend((0..len).map(initial));
+                Home::Words { at, first, len: len as u32, ty }
+            }
+        };
+        if self.is_too_large() { Err(too_large()) } else { Ok(home) }
+    }
+}
+
+/// A value as a word holds it.
+pub(crate) fn word_of(value: &Value) -> i64 {
+    match value {
+        Value::Bool(high) => i64::from(*high),
+        Value::Int(number) => *number,
+        Value::Real(real) => real.to_bits() as i64,
+        Value::Text(_) => 0,
+    }
+}

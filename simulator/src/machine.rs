@@ -1,0 +1,598 @@
+//! The machine that runs flat code: one scan is one walk through it.
+
+use crate::code::{Code, Instr, NO_STAMP, NOTHING_SAVED};
+use crate::counters::{self, Counter};
+use crate::fault::Trouble;
+use crate::memory::{Bit, Memory, Word};
+use crate::operation::{convert, integer, real, real_function};
+use crate::routine;
+use crate::timers::{Clock, Timer};
+use ladder_instructions::StateType;
+use std::cmp::Ordering;
+
+/// How deep calls may nest (LANGUAGE §5.5).
+pub(crate) const CALL_DEPTH: usize = 64;
+
+/// How a scan ended.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Halt {
+    /// It ran to its end.
+    Done,
+    /// `<END>`: no scan follows.
+    Ended,
+    /// Watchdog or call depth: the scan was not finished.
+    Stopped,
+}
+
+/// A fault as the machine records it.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Record {
+    pub(crate) trouble: Trouble,
+    /// The block, as an index into [`Code::blocks`].
+    pub(crate) block: u32,
+    pub(crate) scan: i64,
+}
+
+/// A loop that is being run: code from `body` up to `behind`.
+#[derive(Debug, Clone, Copy, Default)]
+struct Loop {
+    body: u32,
+    behind: u32,
+    /// Turns that follow this one; none runs if both ends are 0.
+    left: i64,
+}
+
+/// What a call, or the body of a user-defined block, has of its own.
+#[derive(Debug, Clone, Copy)]
+struct Frame {
+    /// Where the caller goes on.
+    back: u32,
+    rail: bool,
+    turning: Loop,
+    /// Turns that a `<FOR>` has noted for the end of its network.
+    noted: i64,
+    saved: u32,
+}
+
+impl Frame {
+    fn new(back: u32, saved: u32) -> Frame {
+        Frame { back, rail: true, turning: Loop::default(), noted: 0, saved }
+    }
+}
+
+/// A program's state while it runs.
+#[derive(Debug)]
+pub(crate) struct Machine {
+    pub(crate) memory: Memory,
+    /// The clock of the scan that runs, or of the next one.
+    pub(crate) now: i64,
+    /// The scan that runs, or the next one, from 0.
+    pub(crate) scan: i64,
+    /// Blocks that a scan may evaluate.
+    pub(crate) watchdog: u64,
+    /// Faults, at most as many as there is room for.
+    pub(crate) faults: Vec<Record>,
+    /// How many were not kept for want of room.
+    pub(crate) faults_lost: u64,
+    /// Whether the last scan recorded a fault.
+    pub(crate) faulted: bool,
+    /// For each network the last scan that reached it, counted from 1; kept only where scans may skip it.
+    pub(crate) reached: Vec<i64>,
+    /// For each network the step at which it was last left early, else the largest number.
+    pub(crate) left_at: Vec<u32>,
+    frames: Vec<Frame>,
+    saved: Vec<u8>,
+}
+
+/// Room for this many faults between two looks at them.
+const FAULTS: usize = 4096;
+
+impl Machine {
+    pub(crate) fn new(memory: Memory, code: &Code, networks: usize, watchdog: u64) -> Machine {
+        let widest = code.saved.iter().map(Vec::len).max().unwrap_or(0);
+        Machine {
+            memory,
+            now: 0,
+            scan: 0,
+            watchdog,
+            faults: Vec::with_capacity(FAULTS),
+            faults_lost: 0,
+            faulted: false,
+            reached: vec![0; networks],
+            left_at: vec![u32::MAX; networks],
+            frames: Vec::with_capacity((CALL_DEPTH + 1) * (code.depth + 1)),
+            saved: Vec::with_capacity(CALL_DEPTH * widest),
+        }
+    }
+
+    /// Begins again with this memory.
+    pub(crate) fn restart(&mut self, memory: &Memory) {
+        self.memory.bits.copy_from_slice(&memory.bits);
+        self.memory.words.copy_from_slice(&memory.words);
+        self.memory.texts.clone_from(&memory.texts);
+        (self.now, self.scan, self.faulted) = (0, 0, false);
+        self.faults.clear();
+        self.faults_lost = 0;
+        self.reached.fill(0);
+        self.left_at.fill(u32::MAX);
+    }
+
+    /// Runs one scan. With `FORCED`, writes respect forces.
+    pub(crate) fn run<const FORCED: bool>(&mut self, code: &Code) -> Halt {
+        let clock = Clock { now: self.now, scan: self.scan + 1 };
+        self.frames.clear();
+        self.saved.clear();
+        let mut frame = Frame::new(0, NOTHING_SAVED);
+        let mut calls = 0;
+        let mut pc = 0usize;
+        let mut budget = self.watchdog;
+        // The stretch of code that may run before the watchdog must be asked again: where code runs straight on,
+        // what is evaluated is known beforehand, so nothing is counted there.
+        let (mut entered, mut instrs) = stretch(code, pc, budget);
+
+        // Leaves straight-line code: pays for the blocks of the stretch, then goes on elsewhere.
+        macro_rules! go {
+            ($to:expr) => {{
+                let paid = code.blocks_through[pc] as u64 - entered;
+                budget = budget.saturating_sub(paid);
+                pc = $to as usize;
+                (entered, instrs) = stretch(code, pc, budget);
+                continue;
+            }};
+        }
+        macro_rules! fault {
+            ($trouble:expr) => {{
+                let block = block_at(code, pc);
+                self.record($trouble, block, clock.scan);
+                let place = &code.blocks[block as usize];
+                if place.out != Bit::LOW && place.out != Bit::HIGH {
+                    self.memory.set_bit(place.out, false);
+                }
+                pc = place.end as usize;
+                continue;
+            }};
+        }
+        macro_rules! try_or_fault {
+            ($result:expr) => {
+                match $result {
+                    Ok(value) => value,
+                    Err(trouble) => fault!(trouble),
+                }
+            };
+        }
+
+        loop {
+            let Some(&instr) = instrs.get(pc) else {
+                let block = entered + budget;
+                self.record(Trouble::Watchdog(self.watchdog), block as u32, clock.scan);
+                return Halt::Stopped;
+            };
+            let memory = &mut self.memory;
+            match instr {
+                Instr::Contact { out, en, tag } => {
+                    let power = memory.bit(en) & memory.bit(tag);
+                    memory.set_bit(out, power);
+                }
+                Instr::NegatedContact { out, en, tag } => {
+                    let power = memory.bit(en) & !memory.bit(tag);
+                    memory.set_bit(out, power);
+                }
+                Instr::Join { out, upper, lower } => {
+                    let power = memory.bit(upper) | memory.bit(lower);
+                    memory.set_bit(out, power);
+                }
+                Instr::Invert { out, en } => {
+                    let power = !memory.bit(en);
+                    memory.set_bit(out, power);
+                }
+                Instr::Follow { out, en } => {
+                    let power = memory.bit(en);
+                    memory.set_bit(out, power);
+                }
+                Instr::Rail { out } => memory.set_bit(out, frame.rail),
+                Instr::Rising { out, en, tag, before, stamp } => {
+                    let (high, was) = (memory.bit(tag), memory.bit(before));
+                    let again = stamp != NO_STAMP && again(memory, stamp, clock);
+                    memory.set_bit(before, high);
+                    let power = memory.bit(en) & high & !was & !again;
+                    memory.set_bit(out, power);
+                }
+                Instr::Falling { out, en, tag, before, stamp } => {
+                    let (high, was) = (memory.bit(tag), memory.bit(before));
+                    let again = stamp != NO_STAMP && again(memory, stamp, clock);
+                    memory.set_bit(before, high);
+                    let power = memory.bit(en) & !high & was & !again;
+                    memory.set_bit(out, power);
+                }
+
+                Instr::Compare { test, out, en, a, b } => {
+                    let order = memory.word(a).cmp(&memory.word(b));
+                    let power = memory.bit(en) & test.holds(order);
+                    memory.set_bit(out, power);
+                }
+                Instr::CompareUnsigned { test, a_unsigned, b_unsigned, out, en, a, b } => {
+                    let value = |word: i64, unsigned| {
+                        if unsigned { i128::from(word as u64) } else { i128::from(word) }
+                    };
+                    let order = value(memory.word(a), a_unsigned).cmp(&value(memory.word(b), b_unsigned));
+                    let power = memory.bit(en) & test.holds(order);
+                    memory.set_bit(out, power);
+                }
+                Instr::CompareReal { test, out, en, a, b } => {
+                    // No tag holds NaN: what is not finite is a fault before it is written.
+                    let order = memory.real(a).partial_cmp(&memory.real(b)).unwrap_or(Ordering::Less);
+                    let power = memory.bit(en) & test.holds(order);
+                    memory.set_bit(out, power);
+                }
+                Instr::CompareBit { test, out, en, a, b } => {
+                    let order = memory.bit(a).cmp(&memory.bit(b));
+                    let power = memory.bit(en) & test.holds(order);
+                    memory.set_bit(out, power);
+                }
+                Instr::CompareText { test, out, en, a, b } => {
+                    let order = memory.text(a).cmp(memory.text(b));
+                    let power = memory.bit(en) & test.holds(order);
+                    memory.set_bit(out, power);
+                }
+
+                Instr::Coil { en, tag } => {
+                    let power = memory.bit(en);
+                    memory.put_bit::<FORCED>(tag, power);
+                }
+                Instr::NegatedCoil { en, tag } => {
+                    let power = memory.bit(en);
+                    memory.put_bit::<FORCED>(tag, !power);
+                }
+                Instr::Set { en, tag } => {
+                    if memory.bit(en) {
+                        memory.put_bit::<FORCED>(tag, true);
+                    }
+                }
+                Instr::Reset { en, tag } => {
+                    if memory.bit(en) {
+                        memory.put_bit::<FORCED>(tag, false);
+                    }
+                }
+
+                Instr::Powered { out, en, end } => {
+                    let power = memory.bit(en);
+                    memory.set_bit(out, power);
+                    if !power {
+                        pc = end as usize;
+                        continue;
+                    }
+                }
+
+                Instr::MoveBit { to, from } => {
+                    let value = memory.bit(from);
+                    memory.put_bit::<FORCED>(to, value);
+                }
+                Instr::AndBit { to, a, b } => {
+                    let value = memory.bit(a) & memory.bit(b);
+                    memory.put_bit::<FORCED>(to, value);
+                }
+                Instr::OrBit { to, a, b } => {
+                    let value = memory.bit(a) | memory.bit(b);
+                    memory.put_bit::<FORCED>(to, value);
+                }
+                Instr::XorBit { to, a, b } => {
+                    let value = memory.bit(a) ^ memory.bit(b);
+                    memory.put_bit::<FORCED>(to, value);
+                }
+                Instr::NotBit { to, a } => {
+                    let value = !memory.bit(a);
+                    memory.put_bit::<FORCED>(to, value);
+                }
+                Instr::LoadBitOf { to, word, bit } => {
+                    let value = memory.word(word) >> bit & 1 != 0;
+                    memory.set_bit(to, value);
+                }
+                Instr::StoreBitOf { word, bit, width, from } => {
+                    let mask = 1i64 << bit;
+                    let cleared = memory.word(word) & !mask;
+                    let value = if memory.bit(from) { cleared | mask } else { cleared };
+                    memory.put_word::<FORCED>(word, width.wrap(value));
+                }
+
+                Instr::Move { to, from } => {
+                    let value = memory.word(from);
+                    memory.put_word::<FORCED>(to, value);
+                }
+                Instr::MoveWhen { out, en, to, from } => {
+                    let power = memory.bit(en);
+                    memory.set_bit(out, power);
+                    if power {
+                        let value = memory.word(from);
+                        memory.put_word::<FORCED>(to, value);
+                    }
+                }
+                Instr::Integer { op, width, to, a, b } => {
+                    let value = try_or_fault!(integer(op, width, memory.word(a), memory.word(b)));
+                    memory.put_word::<FORCED>(to, value);
+                }
+                Instr::IntegerWhen { op, width, out, en, to, a, b } => {
+                    let power = memory.bit(en);
+                    memory.set_bit(out, power);
+                    if power {
+                        let value = try_or_fault!(integer(op, width, memory.word(a), memory.word(b)));
+                        memory.put_word::<FORCED>(to, value);
+                    }
+                }
+                Instr::Real { op, single, to, a, b } => {
+                    let value = try_or_fault!(real(op, single, memory.real(a), memory.real(b)));
+                    memory.put_word::<FORCED>(to, value.to_bits() as i64);
+                }
+                Instr::RealWhen { op, single, out, en, to, a, b } => {
+                    let power = memory.bit(en);
+                    memory.set_bit(out, power);
+                    if power {
+                        let value = try_or_fault!(real(op, single, memory.real(a), memory.real(b)));
+                        memory.put_word::<FORCED>(to, value.to_bits() as i64);
+                    }
+                }
+                Instr::RealFunction { function, single, to, a } => {
+                    let value = try_or_fault!(real_function(function, single, memory.real(a)));
+                    memory.put_word::<FORCED>(to, value.to_bits() as i64);
+                }
+                Instr::Convert { conversion, to, from } => {
+                    let value = try_or_fault!(convert(conversion, memory.word(from)));
+                    memory.put_word::<FORCED>(to, value);
+                }
+                Instr::BitToWord { to, from } => {
+                    let value = i64::from(memory.bit(from));
+                    memory.put_word::<FORCED>(to, value);
+                }
+                Instr::MoveText { to, from } => memory.copy_text::<FORCED>(to, from),
+
+                Instr::Index { to, index, array } => {
+                    let place = &code.arrays[array as usize];
+                    let index = memory.word(index);
+                    if index < place.first || index > place.last {
+                        fault!(Trouble::Index { index, first: place.first, last: place.last });
+                    }
+                    memory.words[to.0 as usize] = i64::from(place.base) + (index - place.first);
+                }
+                Instr::LoadBit { to, at } => {
+                    let value = memory.bit(Bit(memory.word(at) as u32));
+                    memory.set_bit(to, value);
+                }
+                Instr::StoreBit { at, from } => {
+                    let (to, value) = (Bit(memory.word(at) as u32), memory.bit(from));
+                    memory.put_bit::<FORCED>(to, value);
+                }
+                Instr::LoadWord { to, at } => {
+                    let value = memory.word(Word(memory.word(at) as u32));
+                    memory.words[to.0 as usize] = value;
+                }
+                Instr::StoreWord { at, from } => {
+                    let (to, value) = (Word(memory.word(at) as u32), memory.word(from));
+                    memory.put_word::<FORCED>(to, value);
+                }
+                Instr::LoadText { to, at } => {
+                    let from = crate::memory::TextSlot(memory.word(at) as u32);
+                    memory.copy_text::<false>(to, from);
+                }
+                Instr::StoreText { at, from } => {
+                    let to = crate::memory::TextSlot(memory.word(at) as u32);
+                    memory.copy_text::<FORCED>(to, from);
+                }
+
+                Instr::Ton { out, en, pt, bits, words } => {
+                    let (input, pt) = (memory.bit(en), memory.word(pt));
+                    let q = Timer { bits, words }.ton::<FORCED>(memory, input, pt, clock);
+                    memory.set_bit(out, q);
+                }
+                Instr::Tof { out, en, pt, bits, words } => {
+                    let (input, pt) = (memory.bit(en), memory.word(pt));
+                    let q = Timer { bits, words }.tof::<FORCED>(memory, input, pt, clock);
+                    memory.set_bit(out, q);
+                }
+                Instr::Tp { out, en, pt, bits, words } => {
+                    let (input, pt) = (memory.bit(en), memory.word(pt));
+                    let q = Timer { bits, words }.tp::<FORCED>(memory, input, pt, clock);
+                    memory.set_bit(out, q);
+                }
+                Instr::Rto { out, en, pt, bits, words } => {
+                    let (input, pt) = (memory.bit(en), memory.word(pt));
+                    let q = Timer { bits, words }.rto::<FORCED>(memory, input, pt, clock);
+                    memory.set_bit(out, q);
+                }
+                Instr::Rtof { out, en, pt, bits, words } => {
+                    let (input, pt) = (memory.bit(en), memory.word(pt));
+                    let q = Timer { bits, words }.rtof::<FORCED>(memory, input, pt, clock);
+                    memory.set_bit(out, q);
+                }
+                Instr::Ctu { out, en, pv, bits, words } => {
+                    let (input, pv) = (memory.bit(en), memory.word(pv));
+                    let q = Counter { bits, words }.ctu::<FORCED>(memory, input, pv, clock);
+                    memory.set_bit(out, q);
+                }
+                Instr::Ctd { out, en, pv, bits, words } => {
+                    let (input, pv) = (memory.bit(en), memory.word(pv));
+                    let q = Counter { bits, words }.ctd::<FORCED>(memory, input, pv, clock);
+                    memory.set_bit(out, q);
+                }
+                Instr::Ctud { out, en, pv, bits, words } => {
+                    let (input, pv) = (memory.bit(en), memory.word(pv));
+                    let q = Counter { bits, words }.ctud::<FORCED>(memory, input, pv, clock);
+                    memory.set_bit(out, q);
+                }
+                Instr::Ctc { out, en, pv, bits, words } => {
+                    let (input, pv) = (memory.bit(en), memory.word(pv));
+                    let q = Counter { bits, words }.ctc::<FORCED>(memory, input, pv, clock);
+                    memory.set_bit(out, q);
+                }
+                Instr::Sr { out, en, reset, bits } => {
+                    let (set, reset) = (memory.bit(en), memory.bit(reset));
+                    let q = counters::sr::<FORCED>(memory, bits, set, reset);
+                    memory.set_bit(out, q);
+                }
+                Instr::Rs { out, en, reset, bits } => {
+                    let (set, reset) = (memory.bit(en), memory.bit(reset));
+                    let q = counters::rs::<FORCED>(memory, bits, set, reset);
+                    memory.set_bit(out, q);
+                }
+                Instr::Clear { en, state, bits, words } => {
+                    if memory.bit(en) {
+                        clear::<FORCED>(memory, state, bits, words);
+                    }
+                }
+
+                Instr::Routine { routine, operands } => {
+                    let operands = &code.operands[operands as usize..];
+                    try_or_fault!(routine::run::<FORCED>(routine, memory, operands, clock));
+                }
+
+                Instr::Network { network } => {
+                    self.reached[network as usize] = clock.scan;
+                    self.left_at[network as usize] = u32::MAX;
+                }
+                Instr::Jump { en, to, step, network } => {
+                    if memory.bit(en) {
+                        self.left_at[network as usize] = step;
+                        frame.noted = 0;
+                        if to < frame.turning.body || to >= frame.turning.behind {
+                            frame.turning = Loop::default();
+                        }
+                        go!(to);
+                    }
+                }
+                Instr::Call { en, to, saved } => {
+                    if memory.bit(en) {
+                        if calls == CALL_DEPTH {
+                            self.record(Trouble::CallDepth, block_at(code, pc), clock.scan);
+                            return Halt::Stopped;
+                        }
+                        calls += 1;
+                        if saved != NOTHING_SAVED {
+                            let powers = &code.saved[saved as usize];
+                            self.saved.extend(powers.iter().map(|power| memory.bits[power.0 as usize]));
+                        }
+                        self.frames.push(frame);
+                        frame = Frame::new(pc as u32 + 1, saved);
+                        go!(to);
+                    }
+                }
+                Instr::Return { en, step, network } => {
+                    if memory.bit(en) {
+                        self.left_at[network as usize] = step;
+                        let Some(caller) = self.frames.pop() else { return Halt::Done };
+                        calls -= 1;
+                        let back = self.come_back(code, frame);
+                        frame = caller;
+                        go!(back);
+                    }
+                }
+                Instr::End { en, step, network } => {
+                    if memory.bit(en) {
+                        self.left_at[network as usize] = step;
+                        return Halt::Ended;
+                    }
+                }
+                Instr::Finish => {
+                    let Some(caller) = self.frames.pop() else { return Halt::Done };
+                    calls -= 1;
+                    let back = self.come_back(code, frame);
+                    frame = caller;
+                    go!(back);
+                }
+                Instr::For { en, turns } => {
+                    frame.noted = if memory.bit(en) { memory.word(turns) } else { 0 };
+                }
+                Instr::Enter { body, behind } => {
+                    let turns = std::mem::take(&mut frame.noted);
+                    if turns <= 0 {
+                        go!(behind);
+                    }
+                    frame.turning = Loop { body, behind, left: turns - 1 };
+                }
+                Instr::Again => {
+                    if frame.turning.left > 0 {
+                        frame.turning.left -= 1;
+                        frame.noted = 0;
+                        go!(frame.turning.body);
+                    }
+                    frame.turning = Loop::default();
+                }
+                Instr::Mcr { en } => frame.rail = memory.bit(en),
+                Instr::EnterBody => {
+                    self.frames.push(frame);
+                    frame = Frame::new(0, NOTHING_SAVED);
+                }
+                Instr::LeaveBody => {
+                    if let Some(outer) = self.frames.pop() {
+                        frame = outer;
+                    }
+                }
+            }
+            pc += 1;
+        }
+    }
+
+    /// Gives a caller its powers back; where it goes on.
+    fn come_back(&mut self, code: &Code, frame: Frame) -> u32 {
+        if frame.saved != NOTHING_SAVED {
+            let powers = &code.saved[frame.saved as usize];
+            let start = self.saved.len() - powers.len();
+            for (power, value) in powers.iter().zip(self.saved.drain(start..)) {
+                self.memory.bits[power.0 as usize] = value;
+            }
+        }
+        frame.back
+    }
+
+    fn record(&mut self, trouble: Trouble, block: u32, scan: i64) {
+        // A fault that stops the simulation is always kept: it is why nothing moves any more.
+        if self.faults.len() == self.faults.capacity() {
+            self.faults_lost += 1;
+            if !trouble.stops() {
+                return;
+            }
+            self.faults.pop();
+        }
+        self.faults.push(Record { trouble, block, scan: scan - 1 });
+    }
+}
+
+/// The code that may run on from an instruction before the watchdog must be asked, and the number of blocks that
+/// stand before it.
+fn stretch(code: &Code, pc: usize, budget: u64) -> (u64, &[Instr]) {
+    let before = match pc {
+        0 => 0,
+        _ => u64::from(code.blocks_through[pc - 1]),
+    };
+    let most = before.saturating_add(budget);
+    let all = code.blocks_through.last().map_or(0, |&blocks| u64::from(blocks));
+    if most >= all {
+        return (before, &code.instrs);
+    }
+    let end = code.blocks_through.partition_point(|&blocks| u64::from(blocks) <= most);
+    (before, &code.instrs[..end])
+}
+
+/// The innermost block that an instruction belongs to.
+fn block_at(code: &Code, pc: usize) -> u32 {
+    let pc = pc as u32;
+    let mut block = code.blocks.partition_point(|block| block.start <= pc);
+    while block > 1 && code.blocks[block - 1].end <= pc {
+        block -= 1;
+    }
+    block.saturating_sub(1) as u32
+}
+
+/// Notes an evaluation; whether it is not the first in this scan.
+#[inline]
+fn again(memory: &mut Memory, stamp: Word, clock: Clock) -> bool {
+    let stamp = &mut memory.words[stamp.0 as usize];
+    std::mem::replace(stamp, clock.scan) == clock.scan
+}
+
+fn clear<const FORCED: bool>(memory: &mut Memory, state: StateType, bits: Bit, words: Word) {
+    if state.is_timer() {
+        Timer { bits, words }.clear::<FORCED>(memory, state);
+    } else if state.is_counter() {
+        Counter { bits, words }.clear::<FORCED>(memory, state);
+    } else {
+        memory.put_bit::<FORCED>(bits, false);
+    }
+}

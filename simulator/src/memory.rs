@@ -1,0 +1,192 @@
+//! The memory of a running program: flat banks, so that a scan touches no heap but these.
+
+/// A slot of the bank of bits: BOOL tags, powers, edge memories. One byte each, 0 or 1.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub(crate) struct Bit(pub(crate) u32);
+
+/// A slot of the bank of words: whole numbers and times as themselves, reals as the bits of an `f64`.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub(crate) struct Word(pub(crate) u32);
+
+/// A slot of the bank of texts.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub(crate) struct TextSlot(pub(crate) u32);
+
+impl Bit {
+    /// Always low: an open end, `SYS.OFF`.
+    pub(crate) const LOW: Bit = Bit(0);
+    /// Always high: the left rail, `SYS.ON`.
+    pub(crate) const HIGH: Bit = Bit(1);
+    /// `SYS.FIRST_SCAN`
+    pub(crate) const FIRST_SCAN: Bit = Bit(2);
+    /// `SYS.FAULT`
+    pub(crate) const FAULT: Bit = Bit(3);
+    /// How many bits are the engine's own.
+    pub(crate) const RESERVED: usize = 4;
+
+    /// The slot so many behind this one.
+    pub(crate) const fn offset(self, by: u32) -> Bit {
+        Bit(self.0 + by)
+    }
+}
+
+impl Word {
+    /// `SYS.SCAN`
+    pub(crate) const SCAN: Word = Word(0);
+    /// `SYS.TIME`
+    pub(crate) const TIME: Word = Word(1);
+    /// `SYS.SCAN_TIME`
+    pub(crate) const SCAN_TIME: Word = Word(2);
+    /// How many words are the engine's own.
+    pub(crate) const RESERVED: usize = 3;
+
+    /// The slot so many behind this one.
+    pub(crate) const fn offset(self, by: u32) -> Word {
+        Word(self.0 + by)
+    }
+}
+
+/// A text with its type's limit. The room for `max` bytes is taken when the program is compiled, so writing it
+/// never allocates.
+#[derive(Debug, PartialEq, Eq)]
+pub(crate) struct Text {
+    bytes: Vec<u8>,
+    max: usize,
+}
+
+impl Clone for Text {
+    /// A derived clone would take no more room than the bytes need now.
+    fn clone(&self) -> Self {
+        let mut text = Text::new(self.max);
+        text.set(&self.bytes);
+        text
+    }
+
+    fn clone_from(&mut self, source: &Self) {
+        self.bytes.clear();
+        self.bytes.reserve(source.max);
+        self.bytes.extend_from_slice(&source.bytes);
+        self.max = source.max;
+    }
+}
+
+impl Text {
+    /// An empty text.
+    pub(crate) fn new(max: usize) -> Text {
+        Text {
+            bytes: Vec::with_capacity(max),
+            max,
+        }
+    }
+
+    pub(crate) fn bytes(&self) -> &[u8] {
+        &self.bytes
+    }
+
+    /// How many bytes it can hold.
+    pub(crate) fn room(&self) -> usize {
+        self.max
+    }
+
+    /// Replaces the text; what is longer than the type allows is cut off, as IEC 61131-3 does.
+    pub(crate) fn set(&mut self, bytes: &[u8]) {
+        self.bytes.clear();
+        self.push(bytes);
+    }
+
+    /// Appends, as far as there is room.
+    pub(crate) fn push(&mut self, bytes: &[u8]) {
+        let room = self.max - self.bytes.len();
+        self.bytes.extend_from_slice(&bytes[..bytes.len().min(room)]);
+    }
+}
+
+/// The banks, and what of them is held by forces.
+#[derive(Debug, Clone, Default)]
+pub(crate) struct Memory {
+    pub(crate) bits: Vec<u8>,
+    pub(crate) words: Vec<i64>,
+    pub(crate) texts: Vec<Text>,
+    pub(crate) held: Held,
+}
+
+/// Which slots are forced. Empty unless there is a force: a scan without forces runs code that never looks here.
+#[derive(Debug, Clone, Default)]
+pub(crate) struct Held {
+    /// One for each bit: 1 where it is held.
+    pub(crate) bits: Vec<u8>,
+    /// For each word the bits of it that are held.
+    pub(crate) words: Vec<i64>,
+    pub(crate) texts: Vec<bool>,
+}
+
+impl Memory {
+    #[inline(always)]
+    pub(crate) fn bit(&self, slot: Bit) -> bool {
+        self.bits[slot.0 as usize] != 0
+    }
+
+    #[inline(always)]
+    pub(crate) fn word(&self, slot: Word) -> i64 {
+        self.words[slot.0 as usize]
+    }
+
+    #[inline(always)]
+    pub(crate) fn real(&self, slot: Word) -> f64 {
+        f64::from_bits(self.words[slot.0 as usize] as u64)
+    }
+
+    pub(crate) fn text(&self, slot: TextSlot) -> &[u8] {
+        self.texts[slot.0 as usize].bytes()
+    }
+
+    /// Writes power, or anything else that cannot be forced.
+    #[inline(always)]
+    pub(crate) fn set_bit(&mut self, slot: Bit, value: bool) {
+        self.bits[slot.0 as usize] = u8::from(value);
+    }
+
+    /// Writes a tag's bit. A forced one stays as it is (LANGUAGE §6).
+    #[inline(always)]
+    pub(crate) fn put_bit<const FORCED: bool>(&mut self, slot: Bit, value: bool) {
+        let at = slot.0 as usize;
+        if !FORCED || self.held.bits[at] == 0 {
+            self.bits[at] = u8::from(value);
+        }
+    }
+
+    /// Writes a tag's word, but for the bits of it that are forced.
+    #[inline(always)]
+    pub(crate) fn put_word<const FORCED: bool>(&mut self, slot: Word, value: i64) {
+        let at = slot.0 as usize;
+        if FORCED {
+            let held = self.held.words[at];
+            self.words[at] = (self.words[at] & held) | (value & !held);
+        } else {
+            self.words[at] = value;
+        }
+    }
+
+    /// Writes a tag's text.
+    pub(crate) fn put_text<const FORCED: bool>(&mut self, slot: TextSlot, bytes: &[u8]) {
+        let at = slot.0 as usize;
+        if !FORCED || !self.held.texts[at] {
+            self.texts[at].set(bytes);
+        }
+    }
+
+    /// Copies one text slot to another.
+    pub(crate) fn copy_text<const FORCED: bool>(&mut self, to: TextSlot, from: TextSlot) {
+        let (to, from) = (to.0 as usize, from.0 as usize);
+        if to == from || (FORCED && self.held.texts[to]) {
+            return;
+        }
+        if to < from {
+            let (low, high) = self.texts.split_at_mut(from);
+            low[to].set(high[0].bytes());
+        } else {
+            let (low, high) = self.texts.split_at_mut(to);
+            high[0].set(low[from].bytes());
+        }
+    }
+}

@@ -1,0 +1,322 @@
+//! Tags by name: what a person writes (`t1.ET`, `a[3]`, `w.3`) to where it lives.
+
+use crate::layout::{self, Home, MemberSlot};
+use crate::memory::{Bit, TextSlot, Word};
+use ladder_analysis::program::{Member, Program, Role, SystemTag};
+use ladder_analysis::types::{Scalar, Type};
+use ladder_instructions::StateType;
+use ladder_syntax::Name;
+use std::collections::HashMap;
+
+/// One value of a running program: an elementary tag, an element of an array, a member of a timer or counter, a
+/// bit of a word, or a system tag.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Point {
+    /// As declared, or as first written: `run`, `t1.ET`, `a[3]`.
+    pub name: String,
+    /// The type of its value.
+    pub ty: Scalar,
+    /// Input, output or neither.
+    pub role: Role,
+    /// It cannot be set or forced: a constant or system tag.
+    pub read_only: bool,
+    pub(crate) slot: PointSlot,
+}
+
+/// Where a point lives.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum PointSlot {
+    Bit(Bit),
+    Word(Word),
+    Text(TextSlot),
+    BitOf { word: Word, bit: u8, ty: Scalar },
+    Timing { input: Bit, done: Bit },
+}
+
+/// Why a name leads to no value.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct UnknownTag {
+    /// What is wrong and what to do.
+    pub message: String,
+}
+
+impl std::fmt::Display for UnknownTag {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.write_str(&self.message)
+    }
+}
+
+impl std::error::Error for UnknownTag {}
+
+fn unknown<T>(message: impl Into<String>) -> Result<T, UnknownTag> {
+    Err(UnknownTag { message: message.into() })
+}
+
+/// The tags of a program by name. Tags of user-defined blocks are not among them: they exist once for each place.
+#[derive(Debug)]
+pub(crate) struct Names {
+    tags: HashMap<Name, u32>,
+}
+
+impl Names {
+    pub(crate) fn of(program: &Program) -> Names {
+        let visible = program.tags.iter().enumerate().filter(|(_, tag)| tag.block.is_none());
+        // The program's own tags stand before those of other files and shadow them.
+        let mut tags = HashMap::new();
+        for (index, tag) in visible {
+            tags.entry(Name::new(&tag.name)).or_insert(index as u32);
+        }
+        Names { tags }
+    }
+
+    /// The value that a text names.
+    pub(crate) fn resolve(&self, program: &Program, homes: &[Home], text: &str) -> Result<Point, UnknownTag> {
+        let text = text.trim();
+        if let Some(index) = self.find(text) {
+            let tag = &program.tags[index];
+            let whole = |slot, ty| Point {
+                name: tag.name.clone(),
+                ty,
+                role: tag.role,
+                read_only: tag.constant,
+                slot,
+            };
+            return match (homes[index], tag.ty) {
+                (Home::Bits { at, .. }, Type::Scalar(ty)) => Ok(whole(PointSlot::Bit(at), ty)),
+                (Home::Words { at, .. }, Type::Scalar(ty)) => Ok(whole(PointSlot::Word(at), ty)),
+                (Home::Texts { at, .. }, Type::Scalar(ty)) => Ok(whole(PointSlot::Text(at), ty)),
+                (_, Type::State(state)) => unknown(format!(
+                    "{} is a {}: name one of its members, as in {}.{}",
+                    tag.name,
+                    state.name(),
+                    tag.name,
+                    members(state)[0].0
+                )),
+                (_, Type::Array { first, .. }) => unknown(format!(
+                    "{} is an array: name one of its elements, as in {}[{first}]",
+                    tag.name, tag.name
+                )),
+                _ => unknown(format!("{} has no value that can be shown", tag.name)),
+            };
+        }
+        if let Some((array, index)) = text.strip_suffix(']').and_then(|text| text.rsplit_once('[')) {
+            return self.element(program, homes, array.trim_end(), index.trim());
+        }
+        if let Some((whole, member)) = text.rsplit_once('.') {
+            return self.member(program, homes, whole.trim_end(), member.trim());
+        }
+        self.unknown_tag(program, text)
+    }
+
+    fn find(&self, text: &str) -> Option<usize> {
+        self.tags.get(&Name::new(text)).map(|&index| index as usize)
+    }
+
+    fn element(&self, program: &Program, homes: &[Home], array: &str, index: &str) -> Result<Point, UnknownTag> {
+        let Some(number) = self.find(array) else { return self.unknown_tag(program, array) };
+        let tag = &program.tags[number];
+        let Type::Array { first, last, element } = tag.ty else {
+            return unknown(format!("{} is no array: it is a {} and has no elements", tag.name, tag.ty));
+        };
+        let Ok(position) = index.parse::<i64>() else {
+            return unknown(format!("`{index}` is no index: write a number, as in {}[{first}]", tag.name));
+        };
+        if !(first..=last).contains(&position) {
+            return unknown(format!("{}[{position}] does not exist: the array goes from {first} to {last}", tag.name));
+        }
+        let offset = (position - first) as u32;
+        let slot = match homes[number] {
+            Home::Bits { at, .. } => PointSlot::Bit(at.offset(offset)),
+            Home::Words { at, .. } => PointSlot::Word(at.offset(offset)),
+            Home::Texts { at, .. } => PointSlot::Text(TextSlot(at.0 + offset)),
+            _ => return unknown(format!("{} has no value that can be shown", tag.name)),
+        };
+        Ok(Point {
+            name: format!("{}[{position}]", tag.name),
+            ty: element,
+            role: tag.role,
+            read_only: tag.constant,
+            slot,
+        })
+    }
+
+    fn member(&self, program: &Program, homes: &[Home], whole: &str, member: &str) -> Result<Point, UnknownTag> {
+        if whole.eq_ignore_ascii_case("SYS") {
+            return system_tag(member);
+        }
+        if let Some(number) = self.find(whole)
+            && let Home::State { state, bits, words } = homes[number]
+        {
+            let tag = &program.tags[number];
+            let found = member_of(state, member).and_then(|(name, member)| {
+                let slot = match layout::member(state, bits, words, member)? {
+                    MemberSlot::Bit(slot) => PointSlot::Bit(slot),
+                    MemberSlot::Word(slot) => PointSlot::Word(slot),
+                    MemberSlot::Timing { input, done } => PointSlot::Timing { input, done },
+                };
+                Some((name, member, slot))
+            });
+            let Some((name, member, slot)) = found else {
+                let names: Vec<&str> = members(state).iter().map(|(name, _)| *name).collect();
+                return unknown(format!(
+                    "{} has no member `{member}`: a {} has {}",
+                    tag.name,
+                    state.name(),
+                    names.join(" ")
+                ));
+            };
+            return Ok(Point {
+                name: format!("{}.{name}", tag.name),
+                ty: member.ty(),
+                role: tag.role,
+                read_only: matches!(slot, PointSlot::Timing { .. }),
+                slot,
+            });
+        }
+        let point = self.resolve(program, homes, whole)?;
+        let PointSlot::Word(word) = point.slot else {
+            return unknown(format!("{} is a {} and has no members", point.name, point.ty));
+        };
+        let bit = member.parse::<u8>().ok().filter(|&bit| u32::from(bit) < point.ty.width());
+        match bit {
+            Some(bit) if point.ty.is_bits() || point.ty.is_integer() => Ok(Point {
+                name: format!("{}.{bit}", point.name),
+                ty: Scalar::Bool,
+                role: point.role,
+                read_only: point.read_only,
+                slot: PointSlot::BitOf { word, bit, ty: point.ty },
+            }),
+            _ if point.ty.is_bits() || point.ty.is_integer() => unknown(format!(
+                "{} has no bit `{member}`: the bits of a {} are 0 to {}",
+                point.name,
+                point.ty,
+                point.ty.width() - 1
+            )),
+            _ => unknown(format!("{} is a {} and has no members", point.name, point.ty)),
+        }
+    }
+
+    fn unknown_tag<T>(&self, program: &Program, text: &str) -> Result<T, UnknownTag> {
+        let typed = Name::new(text);
+        let nearest = self
+            .tags
+            .iter()
+            .map(|(name, &index)| (strsim::damerau_levenshtein(name.as_str(), typed.as_str()), index))
+            .min()
+            .filter(|&(slips, _)| slips <= 1 + text.chars().count() / 4);
+        match nearest {
+            Some((_, index)) => unknown(format!(
+                "there is no tag `{text}`; did you mean {}?",
+                program.tags[index as usize].name
+            )),
+            None if self.tags.is_empty() => unknown(format!("there is no tag `{text}`: the program has no tags")),
+            None => unknown(format!("there is no tag `{text}` in this program")),
+        }
+    }
+
+    /// Every scalar tag in the order of the program's tags; of timers, counters and bistables the members that
+    /// show what they do.
+    pub(crate) fn points(program: &Program, homes: &[Home]) -> Vec<Point> {
+        let mut points = Vec::new();
+        for (tag, &home) in program.tags.iter().zip(homes).filter(|(tag, _)| tag.block.is_none()) {
+            let mut push = |name: String, ty, slot| {
+                points.push(Point { name, ty, role: tag.role, read_only: tag.constant, slot });
+            };
+            match (home, tag.ty) {
+                (Home::Bits { at, .. }, Type::Scalar(ty)) => push(tag.name.clone(), ty, PointSlot::Bit(at)),
+                (Home::Words { at, .. }, Type::Scalar(ty)) => push(tag.name.clone(), ty, PointSlot::Word(at)),
+                (Home::Texts { at, .. }, Type::Scalar(ty)) => push(tag.name.clone(), ty, PointSlot::Text(at)),
+                (Home::State { state, bits, words }, _) => {
+                    for &(name, member) in shown(state) {
+                        let slot = match layout::member(state, bits, words, member) {
+                            Some(MemberSlot::Bit(slot)) => PointSlot::Bit(slot),
+                            Some(MemberSlot::Word(slot)) => PointSlot::Word(slot),
+                            _ => continue,
+                        };
+                        push(format!("{}.{name}", tag.name), member.ty(), slot);
+                    }
+                }
+                _ => {}
+            }
+        }
+        points
+    }
+}
+
+fn system_tag(name: &str) -> Result<Point, UnknownTag> {
+    let Some(tag) = SystemTag::from_name(name) else {
+        return unknown(format!(
+            "there is no SYS.{name}: the system tags are SYS.FIRST_SCAN SYS.SCAN SYS.TIME SYS.SCAN_TIME SYS.FAULT \
+             SYS.ON SYS.OFF"
+        ));
+    };
+    let (name, slot) = match tag {
+        SystemTag::FirstScan => ("SYS.FIRST_SCAN", PointSlot::Bit(Bit::FIRST_SCAN)),
+        SystemTag::Scan => ("SYS.SCAN", PointSlot::Word(Word::SCAN)),
+        SystemTag::Time => ("SYS.TIME", PointSlot::Word(Word::TIME)),
+        SystemTag::ScanTime => ("SYS.SCAN_TIME", PointSlot::Word(Word::SCAN_TIME)),
+        SystemTag::Fault => ("SYS.FAULT", PointSlot::Bit(Bit::FAULT)),
+        SystemTag::On => ("SYS.ON", PointSlot::Bit(Bit::HIGH)),
+        SystemTag::Off => ("SYS.OFF", PointSlot::Bit(Bit::LOW)),
+    };
+    Ok(Point { name: name.to_owned(), ty: tag.ty(), role: Role::Internal, read_only: true, slot })
+}
+
+/// The members of a type by the names of LANGUAGE §4.
+fn members(state: StateType) -> &'static [(&'static str, Member)] {
+    use Member::*;
+    if state.is_timer() {
+        return &[("Q", Q), ("ET", Et), ("IN", In), ("PT", Pt)];
+    }
+    match state {
+        StateType::Ctud => &[
+            ("Q", Q),
+            ("QU", Qu),
+            ("QD", Qd),
+            ("CV", Cv),
+            ("CU", Cu),
+            ("CD", Cd),
+            ("R", R),
+            ("LD", Ld),
+            ("PV", Pv),
+        ],
+        StateType::Sr | StateType::Rs => &[("Q1", Q1)],
+        _ => &[("Q", Q), ("CV", Cv), ("CU", Cu), ("R", R), ("LD", Ld), ("PV", Pv)],
+    }
+}
+
+/// Of these the ones that a list of all tags shows.
+fn shown(state: StateType) -> &'static [(&'static str, Member)] {
+    use Member::*;
+    if state.is_timer() {
+        return &[("Q", Q), ("ET", Et)];
+    }
+    match state {
+        StateType::Ctud => &[("QU", Qu), ("QD", Qd), ("CV", Cv)],
+        StateType::Sr | StateType::Rs => &[("Q1", Q1)],
+        _ => &[("Q", Q), ("CV", Cv)],
+    }
+}
+
+/// A member by its name or by the one that controllers give it.
+fn member_of(state: StateType, name: &str) -> Option<(&'static str, Member)> {
+    let name = name.to_ascii_uppercase();
+    if let Some(&found) = members(state).iter().find(|(known, _)| *known == name) {
+        return Some(found);
+    }
+    let timer = state.is_timer();
+    let alias = match name.as_str() {
+        "EN" if timer => "IN",
+        "EN" => "CU",
+        "PRE" if timer => "PT",
+        "PRE" => "PV",
+        "AC" | "ACC" if timer => "ET",
+        "AC" | "ACC" => "CV",
+        "DN" => "Q",
+        "R" if timer => return Some(("R", Member::R)),
+        "TT" if timer => return Some(("TT", Member::Timing)),
+        "CC" if state.is_counter() => return Some(("CC", Member::Changed)),
+        _ => return None,
+    };
+    members(state).iter().find(|(known, _)| *known == alias).copied()
+}

@@ -1,0 +1,282 @@
+//! Values as text: for traces, for people, and back.
+
+use ladder_analysis::literal::{Literal, LiteralProblem, literal};
+use ladder_analysis::types::Scalar;
+use ladder_analysis::value::{Value, wrap};
+use std::fmt::Write;
+
+/// A value as a cell of a trace: BOOL as 0 or 1, TIME in milliseconds, reals in the shortest form that reads back
+/// the same, always with a point or exponent, bit strings as plain numbers, text as it is (bytes that are no text
+/// as `$hh`).
+pub fn cell(value: &Value, ty: Scalar) -> String {
+    match value {
+        Value::Bool(high) => u8::from(*high).to_string(),
+        // A REAL is shortest among 32-bit numbers: 0.1, not 0.10000000149011612.
+        Value::Real(real) if ty == Scalar::Real => format!("{:?}", *real as f32),
+        Value::Real(real) => format!("{real:?}"),
+        Value::Text(bytes) => escaped(bytes, false),
+        Value::Int(number) => match ty {
+            Scalar::Time => milliseconds(*number),
+            Scalar::Date => date(*number),
+            Scalar::Tod => time_of_day(*number),
+            Scalar::Dt => format!("{}-{}", date(*number), time_of_day(*number)),
+            // Held as the same 64 bits.
+            Scalar::Ulint | Scalar::Lword => (*number as u64).to_string(),
+            _ => number.to_string(),
+        },
+    }
+}
+
+/// A value as a person reads it, and as the language writes it: `TRUE`, `T#1m30s`, `16#00FF`, `'text'`.
+pub fn display(value: &Value, ty: Scalar) -> String {
+    match (value, ty) {
+        (Value::Bool(high), _) => if *high { "TRUE" } else { "FALSE" }.to_owned(),
+        (Value::Text(bytes), _) => format!("'{}'", escaped(bytes, true)),
+        (Value::Int(number), Scalar::Time) => duration(*number),
+        (Value::Int(_), Scalar::Date) => format!("D#{}", cell(value, ty)),
+        (Value::Int(_), Scalar::Tod) => format!("TOD#{}", cell(value, ty)),
+        (Value::Int(_), Scalar::Dt) => format!("DT#{}", cell(value, ty)),
+        (Value::Int(number), _) if ty.is_bits() => {
+            format!("16#{:0width$X}", *number as u64, width = ty.width() as usize / 4)
+        }
+        _ => cell(value, ty),
+    }
+}
+
+/// Nanoseconds as milliseconds: whole, or with the decimals they need.
+pub fn milliseconds(nanoseconds: i64) -> String {
+    let sign = if nanoseconds < 0 { "-" } else { "" };
+    let nanoseconds = nanoseconds.unsigned_abs();
+    let (whole, rest) = (nanoseconds / 1_000_000, nanoseconds % 1_000_000);
+    if rest == 0 {
+        return format!("{sign}{whole}");
+    }
+    let decimals = format!("{rest:06}");
+    format!("{sign}{whole}.{}", decimals.trim_end_matches('0'))
+}
+
+/// `T#1h30m`, with the units that it needs.
+fn duration(nanoseconds: i64) -> String {
+    let mut text = String::from(if nanoseconds < 0 { "T#-" } else { "T#" });
+    let mut rest = nanoseconds.unsigned_abs();
+    let units = [
+        ("d", 86_400_000_000_000),
+        ("h", 3_600_000_000_000),
+        ("m", 60_000_000_000),
+        ("s", 1_000_000_000),
+        ("ms", 1_000_000),
+        ("us", 1_000),
+        ("ns", 1),
+    ];
+    if rest == 0 {
+        text.push_str("0s");
+    }
+    for (unit, size) in units {
+        let count = rest / size;
+        rest %= size;
+        if count > 0 {
+            // Writing to a string does not fail.
+            let _ = write!(text, "{count}{unit}");
+        }
+    }
+    text
+}
+
+const DAY: i64 = 86_400_000_000_000;
+
+/// `2026-11-21`: the Gregorian calendar, counted in eras of 400 years that begin in March.
+fn date(nanoseconds: i64) -> String {
+    let days = nanoseconds.div_euclid(DAY) + 719_468;
+    let (era, day_of_era) = (days.div_euclid(146_097), days.rem_euclid(146_097));
+    let year_of_era = (day_of_era - day_of_era / 1_460 + day_of_era / 36_524 - day_of_era / 146_096) / 365;
+    let day_of_year = day_of_era - (365 * year_of_era + year_of_era / 4 - year_of_era / 100);
+    let shifted = (5 * day_of_year + 2) / 153;
+    let day = day_of_year - (153 * shifted + 2) / 5 + 1;
+    let month = if shifted < 10 { shifted + 3 } else { shifted - 9 };
+    let year = era * 400 + year_of_era + i64::from(month <= 2);
+    format!("{year:04}-{month:02}-{day:02}")
+}
+
+/// `13:45:00.5`
+fn time_of_day(nanoseconds: i64) -> String {
+    let of_day = nanoseconds.rem_euclid(DAY);
+    let (seconds, rest) = (of_day / 1_000_000_000, of_day % 1_000_000_000);
+    let mut text = format!("{:02}:{:02}:{:02}", seconds / 3600, seconds / 60 % 60, seconds % 60);
+    if rest > 0 {
+        let decimals = format!(".{rest:09}");
+        text.push_str(decimals.trim_end_matches('0'));
+    }
+    text
+}
+
+fn escaped(bytes: &[u8], quotes: bool) -> String {
+    let mut text = String::with_capacity(bytes.len());
+    for chunk in bytes.utf8_chunks() {
+        for c in chunk.valid().chars() {
+            match c {
+                '\'' if quotes => text.push_str("$'"),
+                '$' if quotes => text.push_str("$$"),
+                '\n' if quotes => text.push_str("$N"),
+                '\r' if quotes => text.push_str("$R"),
+                '\t' if quotes => text.push_str("$T"),
+                c if quotes && c.is_ascii_control() => {
+                    let _ = write!(text, "${:02X}", c as u32);
+                }
+                c => text.push(c),
+            }
+        }
+        for byte in chunk.invalid() {
+            let _ = write!(text, "${byte:02X}");
+        }
+    }
+    text
+}
+
+/// Reads a value that a person or a file gives for a tag: a literal of the language without need of a prefix, BOOL
+/// also as 0 and 1, TIME also as a number of milliseconds, text with or without quotes.
+///
+/// # Errors
+/// What is wrong with it, and how it is written.
+pub fn parse(text: &str, ty: Scalar) -> Result<Value, String> {
+    let text = text.trim();
+    if ty.is_string() {
+        let quoted = text.len() > 1 && text.starts_with('\'') && text.ends_with('\'');
+        if !quoted {
+            return Ok(Value::Text(text.as_bytes().into()));
+        }
+    }
+    let wrong = || format!("`{text}` is no value for a {ty}: {}", example(ty));
+    let (negative, magnitude) = match text.strip_prefix('-') {
+        Some(rest) if !rest.starts_with(['-', '+']) => (true, rest),
+        Some(_) => return Err(wrong()),
+        None => (false, text.strip_prefix('+').unwrap_or(text)),
+    };
+    let value = match literal(magnitude) {
+        Ok(value) => value,
+        Err(problem) => {
+            // `2026-11-21` and `13:45:00` are literals behind their prefix only.
+            let prefixed = match ty {
+                Scalar::Date => literal(&format!("D#{magnitude}")),
+                Scalar::Tod => literal(&format!("TOD#{magnitude}")),
+                Scalar::Dt => literal(&format!("DT#{magnitude}")),
+                _ => Err(problem),
+            };
+            prefixed.map_err(|problem| match problem {
+                LiteralProblem::Malformed(_) => wrong(),
+                LiteralProblem::OutOfRange(why) => format!("`{text}` is no value for a {ty}: {why}"),
+            })?
+        }
+    };
+    let value = match value {
+        Literal::Typed(_, inner) => *inner,
+        other => other,
+    };
+    let signed = |number: i128| if negative { -number } else { number };
+    match (value, ty) {
+        (Literal::Bool(high), Scalar::Bool) if !negative => Ok(Value::Bool(high)),
+        (Literal::Int(number @ (0 | 1)), Scalar::Bool) if !negative => Ok(Value::Bool(number == 1)),
+        (Literal::Int(number), _) if ty.is_real() => real(signed(number) as f64, ty).ok_or_else(wrong),
+        (Literal::Real(number), _) if ty.is_real() => {
+            real(if negative { -number } else { number }, ty).ok_or_else(wrong)
+        }
+        (Literal::Int(number), _) if ty.bounds().is_some() => {
+            let (low, high) = ty.bounds().unwrap_or((0, 0));
+            if !(low..=high).contains(&signed(number)) {
+                return Err(format!("{text} does not fit: {ty} holds {low} to {high}"));
+            }
+            Ok(Value::Int(wrap(signed(number) as i64, ty)))
+        }
+        (Literal::Time(nanoseconds), Scalar::Time) => {
+            Ok(Value::Int(if negative { nanoseconds.saturating_neg() } else { nanoseconds }))
+        }
+        (Literal::Int(number), Scalar::Time) => {
+            let nanoseconds = i64::try_from(signed(number) * 1_000_000);
+            nanoseconds.map(Value::Int).map_err(|_| format!("{text} ms does not fit: TIME holds about 292 years"))
+        }
+        (Literal::Real(number), Scalar::Time) => {
+            let nanoseconds = (if negative { -number } else { number } * 1e6).round();
+            if nanoseconds.abs() < 9.2e18 { Ok(Value::Int(nanoseconds as i64)) } else { Err(wrong()) }
+        }
+        (Literal::Date(number), Scalar::Date)
+        | (Literal::Tod(number), Scalar::Tod)
+        | (Literal::Dt(number), Scalar::Dt)
+            if !negative =>
+        {
+            Ok(Value::Int(number))
+        }
+        (Literal::Text(bytes), Scalar::String(_)) if !negative => Ok(Value::Text(bytes)),
+        _ => Err(wrong()),
+    }
+}
+
+fn real(number: f64, ty: Scalar) -> Option<Value> {
+    let number = if ty == Scalar::Real { f64::from(number as f32) } else { number };
+    number.is_finite().then_some(Value::Real(number))
+}
+
+fn example(ty: Scalar) -> &'static str {
+    match ty {
+        Scalar::Bool => "write 0, 1, TRUE or FALSE",
+        Scalar::Time => "write a duration as in 5s or T#1h30m, or a number of milliseconds",
+        Scalar::Date => "write a date as in 2026-11-21",
+        Scalar::Tod => "write a time of day as in 13:45:00",
+        Scalar::Dt => "write a date and time as in 2026-11-21-13:45:00",
+        Scalar::Real | Scalar::Lreal => "write a number as in 3.14 or 1.0e-3",
+        Scalar::String(_) => "write a text, as it is or in quotes as in 'text'",
+        _ => "write a whole number as in 42 or 16#FF",
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn read_and_written() {
+        let table = [
+            ("1", Scalar::Bool, "1", "TRUE"),
+            ("false", Scalar::Bool, "0", "FALSE"),
+            ("-7", Scalar::Int, "-7", "-7"),
+            ("16#ff", Scalar::Word, "255", "16#00FF"),
+            ("18446744073709551615", Scalar::Ulint, "18446744073709551615", "18446744073709551615"),
+            ("0.1", Scalar::Real, "0.1", "0.1"),
+            ("1", Scalar::Lreal, "1.0", "1.0"),
+            ("1e300", Scalar::Lreal, "1e300", "1e300"),
+            ("5s", Scalar::Time, "5000", "T#5s"),
+            ("T#-1.5ms", Scalar::Time, "-1.5", "T#-1ms500us"),
+            ("-250", Scalar::Time, "-250", "T#-250ms"),
+            ("0.5", Scalar::Time, "0.5", "T#500us"),
+            ("1h30m", Scalar::Time, "5400000", "T#1h30m"),
+            ("0", Scalar::Time, "0", "T#0s"),
+            ("2026-11-21", Scalar::Date, "2026-11-21", "D#2026-11-21"),
+            ("TOD#13:45:00.5", Scalar::Tod, "13:45:00.5", "TOD#13:45:00.5"),
+            ("2000-02-29-23:59:59", Scalar::Dt, "2000-02-29-23:59:59", "DT#2000-02-29-23:59:59"),
+            ("it is", Scalar::String(80), "it is", "'it is'"),
+            ("'a$'b$00'", Scalar::String(80), "a'b\0", "'a$'b$00'"),
+        ];
+        for (text, ty, in_trace, shown) in table {
+            let value = parse(text, ty).unwrap();
+            assert_eq!(cell(&value, ty), in_trace, "{text}");
+            assert_eq!(display(&value, ty), shown, "{text}");
+            assert_eq!(parse(&display(&value, ty), ty).unwrap(), value, "{shown}");
+        }
+    }
+
+    #[test]
+    fn refused() {
+        let check = |text, ty, expected: expect_test::Expect| {
+            expected.assert_eq(&parse(text, ty).unwrap_err());
+        };
+        check("2", Scalar::Bool, expect_test::expect!["`2` is no value for a BOOL: write 0, 1, TRUE or FALSE"]);
+        check("40000", Scalar::Int, expect_test::expect!["40000 does not fit: INT holds -32768 to 32767"]);
+        check(
+            "five",
+            Scalar::Time,
+            expect_test::expect![
+                "`five` is no value for a TIME: write a duration as in 5s or T#1h30m, or a number of milliseconds"
+            ],
+        );
+        check("", Scalar::Dint, expect_test::expect!["`` is no value for a DINT: write a whole number as in 42 or 16#FF"]);
+        check("1e39", Scalar::Real, expect_test::expect!["`1e39` is no value for a REAL: write a number as in 3.14 or 1.0e-3"]);
+    }
+}
