@@ -13,124 +13,403 @@ use ladder_analysis::program::{ElementKind, Location};
 pub(crate) enum Instr {
     // Power.
     /// EN and tag.
-    Contact { out: Bit, en: Bit, tag: Bit },
+    Contact {
+        out: Bit,
+        en: Bit,
+        tag: Bit,
+    },
     /// EN and not tag.
-    NegatedContact { out: Bit, en: Bit, tag: Bit },
+    NegatedContact {
+        out: Bit,
+        en: Bit,
+        tag: Bit,
+    },
     /// A pair of connectors.
-    Join { out: Bit, upper: Bit, lower: Bit },
+    Join {
+        out: Bit,
+        upper: Bit,
+        lower: Bit,
+    },
     /// Not EN.
-    Invert { out: Bit, en: Bit },
+    Invert {
+        out: Bit,
+        en: Bit,
+    },
     /// The same power in a slot of its own, where the block may still take it back.
-    Follow { out: Bit, en: Bit },
+    Follow {
+        out: Bit,
+        en: Bit,
+    },
     /// The left rail, where an `<MCR>` may have switched it off.
-    Rail { out: Bit },
+    Rail {
+        out: Bit,
+    },
     /// EN and tag is high and was low; `stamp` where the block can be reached twice in a scan, else
     /// [`NO_STAMP`].
-    Rising { out: Bit, en: Bit, tag: Bit, before: Bit, stamp: Word },
+    Rising {
+        out: Bit,
+        en: Bit,
+        tag: Bit,
+        before: Bit,
+        stamp: Word,
+    },
     /// EN and tag is low and was high.
-    Falling { out: Bit, en: Bit, tag: Bit, before: Bit, stamp: Word },
+    Falling {
+        out: Bit,
+        en: Bit,
+        tag: Bit,
+        before: Bit,
+        stamp: Word,
+    },
 
     // Comparisons: EN and a op b.
     /// Whole numbers by value.
-    Compare { test: Test, out: Bit, en: Bit, a: Word, b: Word },
+    Compare {
+        test: Test,
+        out: Bit,
+        en: Bit,
+        a: Word,
+        b: Word,
+    },
     /// The same where a, b or both are unsigned with 64 bits.
-    CompareUnsigned { test: Test, a_unsigned: bool, b_unsigned: bool, out: Bit, en: Bit, a: Word, b: Word },
+    CompareUnsigned {
+        test: Test,
+        a_unsigned: bool,
+        b_unsigned: bool,
+        out: Bit,
+        en: Bit,
+        a: Word,
+        b: Word,
+    },
     /// Reals.
-    CompareReal { test: Test, out: Bit, en: Bit, a: Word, b: Word },
+    CompareReal {
+        test: Test,
+        out: Bit,
+        en: Bit,
+        a: Word,
+        b: Word,
+    },
     /// BOOLs.
-    CompareBit { test: Test, out: Bit, en: Bit, a: Bit, b: Bit },
+    CompareBit {
+        test: Test,
+        out: Bit,
+        en: Bit,
+        a: Bit,
+        b: Bit,
+    },
     /// Texts, byte by byte.
-    CompareText { test: Test, out: Bit, en: Bit, a: TextSlot, b: TextSlot },
+    CompareText {
+        test: Test,
+        out: Bit,
+        en: Bit,
+        a: TextSlot,
+        b: TextSlot,
+    },
 
     // Coils.
     /// tag = EN
-    Coil { en: Bit, tag: Bit },
+    Coil {
+        en: Bit,
+        tag: Bit,
+    },
     /// tag = not EN
-    NegatedCoil { en: Bit, tag: Bit },
+    NegatedCoil {
+        en: Bit,
+        tag: Bit,
+    },
     /// EN high: tag = TRUE
-    Set { en: Bit, tag: Bit },
+    Set {
+        en: Bit,
+        tag: Bit,
+    },
     /// EN high: tag = FALSE
-    Reset { en: Bit, tag: Bit },
+    Reset {
+        en: Bit,
+        tag: Bit,
+    },
 
     /// Begins a block that acts when EN is high: gives EN, and with EN low goes on at `end`. A fault on the way
     /// takes the power back.
-    Powered { out: Bit, en: Bit, end: u32 },
+    Powered {
+        out: Bit,
+        en: Bit,
+        end: u32,
+    },
 
     // Bits.
-    MoveBit { to: Bit, from: Bit },
-    AndBit { to: Bit, a: Bit, b: Bit },
-    OrBit { to: Bit, a: Bit, b: Bit },
-    XorBit { to: Bit, a: Bit, b: Bit },
-    NotBit { to: Bit, a: Bit },
+    MoveBit {
+        to: Bit,
+        from: Bit,
+    },
+    AndBit {
+        to: Bit,
+        a: Bit,
+        b: Bit,
+    },
+    OrBit {
+        to: Bit,
+        a: Bit,
+        b: Bit,
+    },
+    XorBit {
+        to: Bit,
+        a: Bit,
+        b: Bit,
+    },
+    NotBit {
+        to: Bit,
+        a: Bit,
+    },
     /// One bit of a word.
-    LoadBitOf { to: Bit, word: Word, bit: u8 },
+    LoadBitOf {
+        to: Bit,
+        word: Word,
+        bit: u8,
+    },
     /// The word keeps its type's representation: bit 15 of an INT is its sign.
-    StoreBitOf { word: Word, bit: u8, width: Width, from: Bit },
+    StoreBitOf {
+        word: Word,
+        bit: u8,
+        width: Width,
+        from: Bit,
+    },
 
     // Words.
-    Move { to: Word, from: Word },
-    MoveWhen { out: Bit, en: Bit, to: Word, from: Word },
-    Integer { op: IntegerOp, width: Width, to: Word, a: Word, b: Word },
-    IntegerWhen { op: IntegerOp, width: Width, out: Bit, en: Bit, to: Word, a: Word, b: Word },
-    Real { op: RealOp, single: bool, to: Word, a: Word, b: Word },
-    RealWhen { op: RealOp, single: bool, out: Bit, en: Bit, to: Word, a: Word, b: Word },
-    RealFunction { function: RealFunction, single: bool, to: Word, a: Word },
-    Convert { conversion: Conversion, to: Word, from: Word },
+    Move {
+        to: Word,
+        from: Word,
+    },
+    MoveWhen {
+        out: Bit,
+        en: Bit,
+        to: Word,
+        from: Word,
+    },
+    Integer {
+        op: IntegerOp,
+        width: Width,
+        to: Word,
+        a: Word,
+        b: Word,
+    },
+    IntegerWhen {
+        op: IntegerOp,
+        width: Width,
+        out: Bit,
+        en: Bit,
+        to: Word,
+        a: Word,
+        b: Word,
+    },
+    Real {
+        op: RealOp,
+        single: bool,
+        to: Word,
+        a: Word,
+        b: Word,
+    },
+    RealWhen {
+        op: RealOp,
+        single: bool,
+        out: Bit,
+        en: Bit,
+        to: Word,
+        a: Word,
+        b: Word,
+    },
+    RealFunction {
+        function: RealFunction,
+        single: bool,
+        to: Word,
+        a: Word,
+    },
+    Convert {
+        conversion: Conversion,
+        to: Word,
+        from: Word,
+    },
     /// BOOL to a number, 0 or 1.
-    BitToWord { to: Word, from: Bit },
+    BitToWord {
+        to: Word,
+        from: Bit,
+    },
 
     // Texts.
-    MoveText { to: TextSlot, from: TextSlot },
+    MoveText {
+        to: TextSlot,
+        from: TextSlot,
+    },
 
     // Elements of arrays whose index is known only when they are reached.
     /// The slot of an element; `array` is an index into [`Code::arrays`].
-    Index { to: Word, index: Word, array: u32 },
-    LoadBit { to: Bit, at: Word },
-    StoreBit { at: Word, from: Bit },
-    LoadWord { to: Word, at: Word },
-    StoreWord { at: Word, from: Word },
-    LoadText { to: TextSlot, at: Word },
-    StoreText { at: Word, from: TextSlot },
+    Index {
+        to: Word,
+        index: Word,
+        array: u32,
+    },
+    LoadBit {
+        to: Bit,
+        at: Word,
+    },
+    StoreBit {
+        at: Word,
+        from: Bit,
+    },
+    LoadWord {
+        to: Word,
+        at: Word,
+    },
+    StoreWord {
+        at: Word,
+        from: Word,
+    },
+    LoadText {
+        to: TextSlot,
+        at: Word,
+    },
+    StoreText {
+        at: Word,
+        from: TextSlot,
+    },
 
     // Timers, counters, bistables: `bits` and `words` are where the tag's state begins.
-    Ton { out: Bit, en: Bit, pt: Word, bits: Bit, words: Word },
-    Tof { out: Bit, en: Bit, pt: Word, bits: Bit, words: Word },
-    Tp { out: Bit, en: Bit, pt: Word, bits: Bit, words: Word },
-    Rto { out: Bit, en: Bit, pt: Word, bits: Bit, words: Word },
-    Rtof { out: Bit, en: Bit, pt: Word, bits: Bit, words: Word },
-    Ctu { out: Bit, en: Bit, pv: Word, bits: Bit, words: Word },
-    Ctd { out: Bit, en: Bit, pv: Word, bits: Bit, words: Word },
-    Ctud { out: Bit, en: Bit, pv: Word, bits: Bit, words: Word },
-    Ctc { out: Bit, en: Bit, pv: Word, bits: Bit, words: Word },
-    Sr { out: Bit, en: Bit, reset: Bit, bits: Bit },
-    Rs { out: Bit, en: Bit, reset: Bit, bits: Bit },
+    Ton {
+        out: Bit,
+        en: Bit,
+        pt: Word,
+        bits: Bit,
+        words: Word,
+    },
+    Tof {
+        out: Bit,
+        en: Bit,
+        pt: Word,
+        bits: Bit,
+        words: Word,
+    },
+    Tp {
+        out: Bit,
+        en: Bit,
+        pt: Word,
+        bits: Bit,
+        words: Word,
+    },
+    Rto {
+        out: Bit,
+        en: Bit,
+        pt: Word,
+        bits: Bit,
+        words: Word,
+    },
+    Rtof {
+        out: Bit,
+        en: Bit,
+        pt: Word,
+        bits: Bit,
+        words: Word,
+    },
+    Ctu {
+        out: Bit,
+        en: Bit,
+        pv: Word,
+        bits: Bit,
+        words: Word,
+    },
+    Ctd {
+        out: Bit,
+        en: Bit,
+        pv: Word,
+        bits: Bit,
+        words: Word,
+    },
+    Ctud {
+        out: Bit,
+        en: Bit,
+        pv: Word,
+        bits: Bit,
+        words: Word,
+    },
+    Ctc {
+        out: Bit,
+        en: Bit,
+        pv: Word,
+        bits: Bit,
+        words: Word,
+    },
+    Sr {
+        out: Bit,
+        en: Bit,
+        reset: Bit,
+        bits: Bit,
+    },
+    Rs {
+        out: Bit,
+        en: Bit,
+        reset: Bit,
+        bits: Bit,
+    },
     /// `(RES)`, and `(R)` on such a tag.
-    Clear { en: Bit, state: ladder_instructions::StateType, bits: Bit, words: Word },
+    Clear {
+        en: Bit,
+        state: ladder_instructions::StateType,
+        bits: Bit,
+        words: Word,
+    },
 
     /// The rarer work: `operands` is an index into [`Code::operands`].
-    Routine { routine: Routine, operands: u32 },
+    Routine {
+        routine: Routine,
+        operands: u32,
+    },
 
     // Program flow.
     /// The network that begins here is reached; it is noted where not every scan reaches it.
-    Network { network: u32 },
+    Network {
+        network: u32,
+    },
     /// EN high: goes on at `to`, which lies in the same frame. Ends a loop unless `to` lies in its body.
-    Jump { en: Bit, to: u32, step: u32, network: u32 },
+    Jump {
+        en: Bit,
+        to: u32,
+        step: u32,
+        network: u32,
+    },
     /// EN high: calls.
-    Call { en: Bit, to: u32, saved: u32 },
+    Call {
+        en: Bit,
+        to: u32,
+        saved: u32,
+    },
     /// EN high: returns, or in the main program ends the scan.
-    Return { en: Bit, step: u32, network: u32 },
+    Return {
+        en: Bit,
+        step: u32,
+        network: u32,
+    },
     /// EN high: ends the program.
-    End { en: Bit, step: u32, network: u32 },
+    End {
+        en: Bit,
+        step: u32,
+        network: u32,
+    },
     /// The end of the main program or of a function.
     Finish,
     /// `<FOR>`: EN high: the turns that are to be made.
-    For { en: Bit, turns: Word },
+    For {
+        en: Bit,
+        turns: Word,
+    },
     /// The end of the network of a `<FOR>`: enters the body, which ends before `behind`, or goes on behind it.
-    Enter { body: u32, behind: u32 },
+    Enter {
+        body: u32,
+        behind: u32,
+    },
     /// The end of the network of a `<NEXT>`.
     Again,
     /// `<MCR>`
-    Mcr { en: Bit },
+    Mcr {
+        en: Bit,
+    },
     /// The body of a user-defined block begins: rails are live, loops are its own.
     EnterBody,
     /// It ends.

@@ -1,8 +1,6 @@
 //! The counters and bistables (LANGUAGE §5.3).
 
-use crate::layout::counter::{
-    CD, CHANGED, CU, CV, DOWN_BEFORE, LD, PV, Q, QD, R, STAMP, UP_BEFORE,
-};
+use crate::layout::counter::{CD, CHANGED, CU, CV, DOWN_BEFORE, LD, PV, Q, QD, R, STAMP, UP_BEFORE};
 use crate::memory::{Bit, Memory, Word};
 use crate::timers::Clock;
 use ladder_instructions::StateType;
@@ -63,7 +61,13 @@ impl Counter {
         memory.bit(self.bits.offset(member))
     }
 
-    pub(crate) fn ctu<const FORCED: bool>(self, memory: &mut Memory, en: bool, pv: i64, clock: Clock) -> bool {
+    pub(crate) fn ctu<const FORCED: bool>(
+        self,
+        memory: &mut Memory,
+        en: bool,
+        pv: i64,
+        clock: Clock,
+    ) -> bool {
         let inputs = self.inputs::<FORCED>(memory, en, pv, clock);
         let count = match self.count(memory) {
             _ if inputs.reset => 0,
@@ -75,7 +79,13 @@ impl Counter {
         self.set_output::<FORCED>(memory, Q, reached)
     }
 
-    pub(crate) fn ctd<const FORCED: bool>(self, memory: &mut Memory, en: bool, pv: i64, clock: Clock) -> bool {
+    pub(crate) fn ctd<const FORCED: bool>(
+        self,
+        memory: &mut Memory,
+        en: bool,
+        pv: i64,
+        clock: Clock,
+    ) -> bool {
         let inputs = self.inputs::<FORCED>(memory, en, pv, clock);
         let count = match self.count(memory) {
             _ if inputs.reset => 0,
@@ -88,7 +98,13 @@ impl Counter {
         self.set_output::<FORCED>(memory, Q, empty)
     }
 
-    pub(crate) fn ctud<const FORCED: bool>(self, memory: &mut Memory, en: bool, pv: i64, clock: Clock) -> bool {
+    pub(crate) fn ctud<const FORCED: bool>(
+        self,
+        memory: &mut Memory,
+        en: bool,
+        pv: i64,
+        clock: Clock,
+    ) -> bool {
         let inputs = self.inputs::<FORCED>(memory, en, pv, clock);
         let count = match (self.count(memory), inputs.up, inputs.down) {
             _ if inputs.reset => 0,
@@ -104,7 +120,13 @@ impl Counter {
     }
 
     /// Counts in a circle: PV is followed by 0.
-    pub(crate) fn ctc<const FORCED: bool>(self, memory: &mut Memory, en: bool, pv: i64, clock: Clock) -> bool {
+    pub(crate) fn ctc<const FORCED: bool>(
+        self,
+        memory: &mut Memory,
+        en: bool,
+        pv: i64,
+        clock: Clock,
+    ) -> bool {
         let inputs = self.inputs::<FORCED>(memory, en, pv, clock);
         let count = match self.count(memory) {
             _ if inputs.reset => 0,

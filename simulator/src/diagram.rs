@@ -13,7 +13,10 @@ pub fn diagram(text: &str, simulation: &Simulation) -> String {
     for (_, location, _) in live {
         let range = usize::from(location.range.start())..usize::from(location.range.end());
         // A comment that joins two wires is a wire too, but keeps its text.
-        if let Some(wire) = bytes.get_mut(range).filter(|wire| wire.iter().all(|&byte| byte == b'-')) {
+        if let Some(wire) = bytes
+            .get_mut(range)
+            .filter(|wire| wire.iter().all(|&byte| byte == b'-'))
+        {
             wire.fill(b'=');
         }
     }

@@ -24,16 +24,29 @@ pub(crate) enum Trouble {
     /// A function outside its domain.
     Domain(f64),
     NotFinite,
-    Index { index: i64, first: i64, last: i64 },
-    Selector { value: i64, count: i64 },
+    Index {
+        index: i64,
+        first: i64,
+        last: i64,
+    },
+    Selector {
+        value: i64,
+        count: i64,
+    },
     /// A number that the result's type cannot hold.
     OutOfRange,
     /// A text that is no number, time or BOOL.
     Unparsable,
     /// Positions of a string function.
-    Position { position: i64, length: i64 },
+    Position {
+        position: i64,
+        length: i64,
+    },
     /// Ranges of different lengths.
-    Lengths { to: i64, from: i64 },
+    Lengths {
+        to: i64,
+        from: i64,
+    },
     /// The points of a curve do not rise.
     Curve,
     Watchdog(u64),

@@ -10,14 +10,39 @@ use ladder_instructions::StateType;
 /// Where a tag lives. An elementary tag is an array of one.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) enum Home {
-    Bits { at: Bit, first: i64, len: u32 },
-    Words { at: Word, first: i64, len: u32, ty: Scalar },
-    Texts { at: TextSlot, first: i64, len: u32, max: u16 },
-    State { state: StateType, bits: Bit, words: Word },
+    Bits {
+        at: Bit,
+        first: i64,
+        len: u32,
+    },
+    Words {
+        at: Word,
+        first: i64,
+        len: u32,
+        ty: Scalar,
+    },
+    Texts {
+        at: TextSlot,
+        first: i64,
+        len: u32,
+        max: u16,
+    },
+    State {
+        state: StateType,
+        bits: Bit,
+        words: Word,
+    },
     /// An in-out parameter that stands for an element of an array: the word holds the element's slot.
-    Element { at: Word, ty: Scalar },
+    Element {
+        at: Word,
+        ty: Scalar,
+    },
     /// An in-out parameter that stands for one bit of a word.
-    BitOf { word: Word, bit: u8, ty: Scalar },
+    BitOf {
+        word: Word,
+        bit: u8,
+        ty: Scalar,
+    },
     /// A parameter that is not bound yet.
     Unbound,
 }
@@ -78,7 +103,10 @@ pub(crate) enum MemberSlot {
     Bit(Bit),
     Word(Word),
     /// `TT`: IN and not Q.
-    Timing { input: Bit, done: Bit },
+    Timing {
+        input: Bit,
+        done: Bit,
+    },
 }
 
 /// The slot of a member; none if the type does not have it.
@@ -136,7 +164,10 @@ impl Layout {
             ..Memory::default()
         };
         memory.set_bit(Bit::HIGH, true);
-        Layout { memory, text_bytes: 0 }
+        Layout {
+            memory,
+            text_bytes: 0,
+        }
     }
 
     pub(crate) fn bit(&mut self) -> Bit {
@@ -169,14 +200,19 @@ impl Layout {
 
     /// Whether memory has grown past what is allowed.
     pub(crate) fn is_too_large(&self) -> bool {
-        let Memory { bits, words, texts, .. } = &self.memory;
+        let Memory {
+            bits, words, texts, ..
+        } = &self.memory;
         bits.len().max(words.len()).max(texts.len()) > MOST_SLOTS || self.text_bytes > MOST_TEXT
     }
 
     /// Makes room for a tag, with its initial value.
     pub(crate) fn tag(&mut self, tag: &Tag) -> Result<Home, CompileError> {
         let too_large = || CompileError {
-            message: format!("{} takes more memory than the simulator has; make it smaller", tag.name),
+            message: format!(
+                "{} takes more memory than the simulator has; make it smaller",
+                tag.name
+            ),
             location: tag.location,
         };
         let (first, len, ty) = match tag.ty {
@@ -193,7 +229,9 @@ impl Layout {
                     words: Word(self.memory.words.len() as u32),
                 };
                 self.memory.bits.resize(self.memory.bits.len() + bits as usize, 0);
-                self.memory.words.resize(self.memory.words.len() + words as usize, 0);
+                self.memory
+                    .words
+                    .resize(self.memory.words.len() + words as usize, 0);
                 return Ok(home);
             }
         };
@@ -201,7 +239,11 @@ impl Layout {
             Scalar::String(max) => usize::from(max),
             _ => 0,
         };
-        let text_bytes = if bytes > 0 { len.saturating_mul(bytes + size_of::<Text>()) } else { 0 };
+        let text_bytes = if bytes > 0 {
+            len.saturating_mul(bytes + size_of::<Text>())
+        } else {
+            0
+        };
         if len > MOST_SLOTS || text_bytes > MOST_TEXT {
             return Err(too_large());
         }
@@ -210,7 +252,11 @@ impl Layout {
                 let at = Bit(self.memory.bits.len() as u32);
                 let initial = |n| matches!(tag.initial.get(n), Some(Value::Bool(true)));
                 self.memory.bits.extend((0..len).map(|n| u8::from(initial(n))));
-                Home::Bits { at, first, len: len as u32 }
+                Home::Bits {
+                    at,
+                    first,
+                    len: len as u32,
+                }
             }
             Scalar::String(max) => {
                 let at = TextSlot(self.memory.texts.len() as u32);
@@ -220,16 +266,30 @@ impl Layout {
                         self.memory.texts[slot.0 as usize].set(bytes);
                     }
                 }
-                Home::Texts { at, first, len: len as u32, max }
+                Home::Texts {
+                    at,
+                    first,
+                    len: len as u32,
+                    max,
+                }
             }
             _ => {
                 let at = Word(self.memory.words.len() as u32);
                 let initial = |n| tag.initial.get(n).map_or(0, word_of);
                 self.memory.words.extend((0..len).map(initial));
-                Home::Words { at, first, len: len as u32, ty }
+                Home::Words {
+                    at,
+                    first,
+                    len: len as u32,
+                    ty,
+                }
             }
         };
-        if self.is_too_large() { Err(too_large()) } else { Ok(home) }
+        if self.is_too_large() {
+            Err(too_large())
+        } else {
+            Ok(home)
+        }
     }
 }
 

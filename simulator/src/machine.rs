@@ -56,7 +56,13 @@ struct Frame {
 
 impl Frame {
     fn new(back: u32, saved: u32) -> Frame {
-        Frame { back, rail: true, turning: Loop::default(), noted: 0, saved }
+        Frame {
+            back,
+            rail: true,
+            turning: Loop::default(),
+            noted: 0,
+            saved,
+        }
     }
 }
 
@@ -119,7 +125,10 @@ impl Machine {
 
     /// Runs one scan. With `FORCED`, writes respect forces.
     pub(crate) fn run<const FORCED: bool>(&mut self, code: &Code) -> Halt {
-        let clock = Clock { now: self.now, scan: self.scan + 1 };
+        let clock = Clock {
+            now: self.now,
+            scan: self.scan + 1,
+        };
         self.frames.clear();
         self.saved.clear();
         let mut frame = Frame::new(0, NOTHING_SAVED);
@@ -133,7 +142,7 @@ impl Machine {
         // Leaves straight-line code: pays for the blocks of the stretch, then goes on elsewhere.
         macro_rules! go {
             ($to:expr) => {{
-                let paid = code.blocks_through[pc] as u64 - entered;
+                let paid = u64::from(code.blocks_through[pc]) - entered;
                 budget = budget.saturating_sub(paid);
                 pc = $to as usize;
                 (entered, instrs) = stretch(code, pc, budget);
@@ -190,18 +199,30 @@ impl Machine {
                     memory.set_bit(out, power);
                 }
                 Instr::Rail { out } => memory.set_bit(out, frame.rail),
-                Instr::Rising { out, en, tag, before, stamp } => {
+                Instr::Rising {
+                    out,
+                    en,
+                    tag,
+                    before,
+                    stamp,
+                } => {
                     let (high, was) = (memory.bit(tag), memory.bit(before));
                     let again = stamp != NO_STAMP && again(memory, stamp, clock);
                     memory.set_bit(before, high);
-                    let power = memory.bit(en) & high & !was & !again;
+                    let power = memory.bit(en) && high && !was && !again;
                     memory.set_bit(out, power);
                 }
-                Instr::Falling { out, en, tag, before, stamp } => {
+                Instr::Falling {
+                    out,
+                    en,
+                    tag,
+                    before,
+                    stamp,
+                } => {
                     let (high, was) = (memory.bit(tag), memory.bit(before));
                     let again = stamp != NO_STAMP && again(memory, stamp, clock);
                     memory.set_bit(before, high);
-                    let power = memory.bit(en) & !high & was & !again;
+                    let power = memory.bit(en) && !high && was && !again;
                     memory.set_bit(out, power);
                 }
 
@@ -210,9 +231,21 @@ impl Machine {
                     let power = memory.bit(en) & test.holds(order);
                     memory.set_bit(out, power);
                 }
-                Instr::CompareUnsigned { test, a_unsigned, b_unsigned, out, en, a, b } => {
+                Instr::CompareUnsigned {
+                    test,
+                    a_unsigned,
+                    b_unsigned,
+                    out,
+                    en,
+                    a,
+                    b,
+                } => {
                     let value = |word: i64, unsigned| {
-                        if unsigned { i128::from(word as u64) } else { i128::from(word) }
+                        if unsigned {
+                            i128::from(word as u64)
+                        } else {
+                            i128::from(word)
+                        }
                     };
                     let order = value(memory.word(a), a_unsigned).cmp(&value(memory.word(b), b_unsigned));
                     let power = memory.bit(en) & test.holds(order);
@@ -220,7 +253,10 @@ impl Machine {
                 }
                 Instr::CompareReal { test, out, en, a, b } => {
                     // No tag holds NaN: what is not finite is a fault before it is written.
-                    let order = memory.real(a).partial_cmp(&memory.real(b)).unwrap_or(Ordering::Less);
+                    let order = memory
+                        .real(a)
+                        .partial_cmp(&memory.real(b))
+                        .unwrap_or(Ordering::Less);
                     let power = memory.bit(en) & test.holds(order);
                     memory.set_bit(out, power);
                 }
@@ -287,7 +323,12 @@ impl Machine {
                     let value = memory.word(word) >> bit & 1 != 0;
                     memory.set_bit(to, value);
                 }
-                Instr::StoreBitOf { word, bit, width, from } => {
+                Instr::StoreBitOf {
+                    word,
+                    bit,
+                    width,
+                    from,
+                } => {
                     let mask = 1i64 << bit;
                     let cleared = memory.word(word) & !mask;
                     let value = if memory.bit(from) { cleared | mask } else { cleared };
@@ -310,7 +351,15 @@ impl Machine {
                     let value = try_or_fault!(integer(op, width, memory.word(a), memory.word(b)));
                     memory.put_word::<FORCED>(to, value);
                 }
-                Instr::IntegerWhen { op, width, out, en, to, a, b } => {
+                Instr::IntegerWhen {
+                    op,
+                    width,
+                    out,
+                    en,
+                    to,
+                    a,
+                    b,
+                } => {
                     let power = memory.bit(en);
                     memory.set_bit(out, power);
                     if power {
@@ -322,7 +371,15 @@ impl Machine {
                     let value = try_or_fault!(real(op, single, memory.real(a), memory.real(b)));
                     memory.put_word::<FORCED>(to, value.to_bits() as i64);
                 }
-                Instr::RealWhen { op, single, out, en, to, a, b } => {
+                Instr::RealWhen {
+                    op,
+                    single,
+                    out,
+                    en,
+                    to,
+                    a,
+                    b,
+                } => {
                     let power = memory.bit(en);
                     memory.set_bit(out, power);
                     if power {
@@ -330,7 +387,12 @@ impl Machine {
                         memory.put_word::<FORCED>(to, value.to_bits() as i64);
                     }
                 }
-                Instr::RealFunction { function, single, to, a } => {
+                Instr::RealFunction {
+                    function,
+                    single,
+                    to,
+                    a,
+                } => {
                     let value = try_or_fault!(real_function(function, single, memory.real(a)));
                     memory.put_word::<FORCED>(to, value.to_bits() as i64);
                 }
@@ -348,7 +410,11 @@ impl Machine {
                     let place = &code.arrays[array as usize];
                     let index = memory.word(index);
                     if index < place.first || index > place.last {
-                        fault!(Trouble::Index { index, first: place.first, last: place.last });
+                        fault!(Trouble::Index {
+                            index,
+                            first: place.first,
+                            last: place.last
+                        });
                     }
                     memory.words[to.0 as usize] = i64::from(place.base) + (index - place.first);
                 }
@@ -377,47 +443,101 @@ impl Machine {
                     memory.copy_text::<FORCED>(to, from);
                 }
 
-                Instr::Ton { out, en, pt, bits, words } => {
+                Instr::Ton {
+                    out,
+                    en,
+                    pt,
+                    bits,
+                    words,
+                } => {
                     let (input, pt) = (memory.bit(en), memory.word(pt));
                     let q = Timer { bits, words }.ton::<FORCED>(memory, input, pt, clock);
                     memory.set_bit(out, q);
                 }
-                Instr::Tof { out, en, pt, bits, words } => {
+                Instr::Tof {
+                    out,
+                    en,
+                    pt,
+                    bits,
+                    words,
+                } => {
                     let (input, pt) = (memory.bit(en), memory.word(pt));
                     let q = Timer { bits, words }.tof::<FORCED>(memory, input, pt, clock);
                     memory.set_bit(out, q);
                 }
-                Instr::Tp { out, en, pt, bits, words } => {
+                Instr::Tp {
+                    out,
+                    en,
+                    pt,
+                    bits,
+                    words,
+                } => {
                     let (input, pt) = (memory.bit(en), memory.word(pt));
                     let q = Timer { bits, words }.tp::<FORCED>(memory, input, pt, clock);
                     memory.set_bit(out, q);
                 }
-                Instr::Rto { out, en, pt, bits, words } => {
+                Instr::Rto {
+                    out,
+                    en,
+                    pt,
+                    bits,
+                    words,
+                } => {
                     let (input, pt) = (memory.bit(en), memory.word(pt));
                     let q = Timer { bits, words }.rto::<FORCED>(memory, input, pt, clock);
                     memory.set_bit(out, q);
                 }
-                Instr::Rtof { out, en, pt, bits, words } => {
+                Instr::Rtof {
+                    out,
+                    en,
+                    pt,
+                    bits,
+                    words,
+                } => {
                     let (input, pt) = (memory.bit(en), memory.word(pt));
                     let q = Timer { bits, words }.rtof::<FORCED>(memory, input, pt, clock);
                     memory.set_bit(out, q);
                 }
-                Instr::Ctu { out, en, pv, bits, words } => {
+                Instr::Ctu {
+                    out,
+                    en,
+                    pv,
+                    bits,
+                    words,
+                } => {
                     let (input, pv) = (memory.bit(en), memory.word(pv));
                     let q = Counter { bits, words }.ctu::<FORCED>(memory, input, pv, clock);
                     memory.set_bit(out, q);
                 }
-                Instr::Ctd { out, en, pv, bits, words } => {
+                Instr::Ctd {
+                    out,
+                    en,
+                    pv,
+                    bits,
+                    words,
+                } => {
                     let (input, pv) = (memory.bit(en), memory.word(pv));
                     let q = Counter { bits, words }.ctd::<FORCED>(memory, input, pv, clock);
                     memory.set_bit(out, q);
                 }
-                Instr::Ctud { out, en, pv, bits, words } => {
+                Instr::Ctud {
+                    out,
+                    en,
+                    pv,
+                    bits,
+                    words,
+                } => {
                     let (input, pv) = (memory.bit(en), memory.word(pv));
                     let q = Counter { bits, words }.ctud::<FORCED>(memory, input, pv, clock);
                     memory.set_bit(out, q);
                 }
-                Instr::Ctc { out, en, pv, bits, words } => {
+                Instr::Ctc {
+                    out,
+                    en,
+                    pv,
+                    bits,
+                    words,
+                } => {
                     let (input, pv) = (memory.bit(en), memory.word(pv));
                     let q = Counter { bits, words }.ctc::<FORCED>(memory, input, pv, clock);
                     memory.set_bit(out, q);
@@ -432,7 +552,12 @@ impl Machine {
                     let q = counters::rs::<FORCED>(memory, bits, set, reset);
                     memory.set_bit(out, q);
                 }
-                Instr::Clear { en, state, bits, words } => {
+                Instr::Clear {
+                    en,
+                    state,
+                    bits,
+                    words,
+                } => {
                     if memory.bit(en) {
                         clear::<FORCED>(memory, state, bits, words);
                     }
@@ -447,7 +572,12 @@ impl Machine {
                     self.reached[network as usize] = clock.scan;
                     self.left_at[network as usize] = u32::MAX;
                 }
-                Instr::Jump { en, to, step, network } => {
+                Instr::Jump {
+                    en,
+                    to,
+                    step,
+                    network,
+                } => {
                     if memory.bit(en) {
                         self.left_at[network as usize] = step;
                         frame.noted = 0;
@@ -466,7 +596,8 @@ impl Machine {
                         calls += 1;
                         if saved != NOTHING_SAVED {
                             let powers = &code.saved[saved as usize];
-                            self.saved.extend(powers.iter().map(|power| memory.bits[power.0 as usize]));
+                            self.saved
+                                .extend(powers.iter().map(|power| memory.bits[power.0 as usize]));
                         }
                         self.frames.push(frame);
                         frame = Frame::new(pc as u32 + 1, saved);
@@ -476,7 +607,9 @@ impl Machine {
                 Instr::Return { en, step, network } => {
                     if memory.bit(en) {
                         self.left_at[network as usize] = step;
-                        let Some(caller) = self.frames.pop() else { return Halt::Done };
+                        let Some(caller) = self.frames.pop() else {
+                            return Halt::Done;
+                        };
                         calls -= 1;
                         let back = self.come_back(code, frame);
                         frame = caller;
@@ -490,7 +623,9 @@ impl Machine {
                     }
                 }
                 Instr::Finish => {
-                    let Some(caller) = self.frames.pop() else { return Halt::Done };
+                    let Some(caller) = self.frames.pop() else {
+                        return Halt::Done;
+                    };
                     calls -= 1;
                     let back = self.come_back(code, frame);
                     frame = caller;
@@ -504,7 +639,11 @@ impl Machine {
                     if turns <= 0 {
                         go!(behind);
                     }
-                    frame.turning = Loop { body, behind, left: turns - 1 };
+                    frame.turning = Loop {
+                        body,
+                        behind,
+                        left: turns - 1,
+                    };
                 }
                 Instr::Again => {
                     if frame.turning.left > 0 {
@@ -550,7 +689,11 @@ impl Machine {
             }
             self.faults.pop();
         }
-        self.faults.push(Record { trouble, block, scan: scan - 1 });
+        self.faults.push(Record {
+            trouble,
+            block,
+            scan: scan - 1,
+        });
     }
 }
 
@@ -566,7 +709,9 @@ fn stretch(code: &Code, pc: usize, budget: u64) -> (u64, &[Instr]) {
     if most >= all {
         return (before, &code.instrs);
     }
-    let end = code.blocks_through.partition_point(|&blocks| u64::from(blocks) <= most);
+    let end = code
+        .blocks_through
+        .partition_point(|&blocks| u64::from(blocks) <= most);
     (before, &code.instrs[..end])
 }
 

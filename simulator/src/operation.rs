@@ -139,11 +139,19 @@ pub(crate) fn integer(op: IntegerOp, width: Width, a: i64, b: i64) -> Result<i64
         IntegerOp::Xor => a ^ b,
         IntegerOp::Shl => {
             let places = places(b)?;
-            if places >= u64::from(width.bits()) { 0 } else { a << places }
+            if places >= u64::from(width.bits()) {
+                0
+            } else {
+                a << places
+            }
         }
         IntegerOp::Shr => {
             let places = places(b)?;
-            if places >= u64::from(width.bits()) { 0 } else { (width.unsigned(a) >> places) as i64 }
+            if places >= u64::from(width.bits()) {
+                0
+            } else {
+                (width.unsigned(a) >> places) as i64
+            }
         }
         IntegerOp::Rol => rotate(width, a, (places(b)? % u64::from(width.bits())) as u32),
         IntegerOp::Ror => {
@@ -222,10 +230,18 @@ pub(crate) fn real(op: RealOp, single: bool, a: f64, b: f64) -> Result<f64, Trou
         }
         // Written out: `min` and `max` may take either of 0.0 and -0.0.
         RealOp::Min => {
-            if b < a { b } else { a }
+            if b < a {
+                b
+            } else {
+                a
+            }
         }
         RealOp::Max => {
-            if b > a { b } else { a }
+            if b > a {
+                b
+            } else {
+                a
+            }
         }
     };
     finite(value, single)
@@ -287,7 +303,11 @@ pub(crate) fn real_function(function: RealFunction, single: bool, a: f64) -> Res
 #[inline(always)]
 pub(crate) fn finite(value: f64, single: bool) -> Result<f64, Trouble> {
     let rounded = if single { f64::from(value as f32) } else { value };
-    if rounded.is_finite() { Ok(rounded) } else { Err(Trouble::NotFinite) }
+    if rounded.is_finite() {
+        Ok(rounded)
+    } else {
+        Err(Trouble::NotFinite)
+    }
 }
 
 /// From one word to another.
@@ -296,8 +316,14 @@ pub(crate) enum Conversion {
     /// Bits kept: WORD 16#FFFF is INT -1.
     Wrap(Width),
     /// A whole number, which must fit.
-    Fit { from: Width, to: Width },
-    IntegerToReal { from: Width, single: bool },
+    Fit {
+        from: Width,
+        to: Width,
+    },
+    IntegerToReal {
+        from: Width,
+        single: bool,
+    },
     /// Rounds half to even; must fit.
     Round(Width),
     /// Cuts the fraction off; must fit.
@@ -311,7 +337,9 @@ pub(crate) enum Conversion {
     /// Nanoseconds to whole milliseconds, half to even; must fit.
     ToMilliseconds(Width),
     RealToTime,
-    TimeToReal { single: bool },
+    TimeToReal {
+        single: bool,
+    },
     /// DT to its DATE, and to its TOD.
     DayOf,
     TimeOfDayOf,
@@ -327,14 +355,15 @@ pub(crate) fn convert(conversion: Conversion, value: i64) -> Result<i64, Trouble
     match conversion {
         Conversion::Wrap(width) => Ok(width.wrap(value)),
         Conversion::Fit { from, to } => to.hold(from.number(value)),
-        Conversion::IntegerToReal { from: Width::U64, single } => held(value as u64 as f64, single),
+        Conversion::IntegerToReal {
+            from: Width::U64,
+            single,
+        } => held(value as u64 as f64, single),
         Conversion::IntegerToReal { single, .. } => held(value as f64, single),
         Conversion::Round(width) => whole(real.round_ties_even(), width),
         Conversion::Truncate(width) => whole(libm::trunc(real), width),
         Conversion::Single => held(real, true).map_err(|_| Trouble::OutOfRange),
-        Conversion::Milliseconds(width) => {
-            Width::I64.hold(width.number(value) * i128::from(NANOSECONDS))
-        }
+        Conversion::Milliseconds(width) => Width::I64.hold(width.number(value) * i128::from(NANOSECONDS)),
         Conversion::Preset(width) => {
             let nanoseconds = width.number(value) * i128::from(NANOSECONDS);
             Ok(nanoseconds.clamp(i128::from(i64::MIN), i128::from(i64::MAX)) as i64)

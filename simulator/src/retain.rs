@@ -29,7 +29,11 @@ impl Retained {
                     memory.texts[slot as usize].set(kept.text(TextSlot(slot)));
                 }
             }
-            Home::State { state, bits: first_bit, words: first_word } => {
+            Home::State {
+                state,
+                bits: first_bit,
+                words: first_word,
+            } => {
                 let (bit_count, word_count) = state_size(state);
                 bits(memory, first_bit, bit_count);
                 words(memory, first_word, word_count);
@@ -52,8 +56,13 @@ impl Retained {
 pub(crate) fn retained(program: &Program, homes: &[Home]) -> Vec<Retained> {
     let mut keeps: Vec<bool> = program.tags.iter().map(|tag| tag.retain).collect();
     for block in program.networks.iter().flat_map(|network| &network.blocks) {
-        let BlockKind::Instruction(row) = block.kind else { continue };
-        if !matches!(row.op, Op::RetentiveCoil | Op::RetentiveSet | Op::RetentiveReset | Op::Persist) {
+        let BlockKind::Instruction(row) = block.kind else {
+            continue;
+        };
+        if !matches!(
+            row.op,
+            Op::RetentiveCoil | Op::RetentiveSet | Op::RetentiveReset | Op::Persist
+        ) {
             continue;
         }
         if let Some(tag) = block.arguments.first().and_then(|bound| tag_of(&bound.argument)) {

@@ -59,7 +59,9 @@ pub(crate) fn run<const FORCED: bool>(
     operands: &[u32],
     _clock: Clock,
 ) -> Result<(), Trouble> {
-    let operands = Operands { rest: operands.iter() };
+    let operands = Operands {
+        rest: operands.iter(),
+    };
     match routine {
         Routine::Range => ranges::find(memory, operands),
         Routine::AllHigh => {

@@ -1,6 +1,6 @@
 //! A program that runs: scans, inputs, forces, faults, and what can be seen of it.
 
-use crate::compile::{Compiled, CompileError, compile};
+use crate::compile::{CompileError, Compiled, compile};
 use crate::fault::Fault;
 use crate::machine::{Halt, Machine, Record};
 use crate::memory::{Bit, Memory, Word};
@@ -24,7 +24,10 @@ pub struct Options {
 impl Default for Options {
     /// 10 ms and 1,000,000 blocks.
     fn default() -> Self {
-        Options { interval: 10_000_000, watchdog: 1_000_000 }
+        Options {
+            interval: 10_000_000,
+            watchdog: 1_000_000,
+        }
     }
 }
 
@@ -104,8 +107,11 @@ impl Simulation {
         // SYS.SCAN is a DINT and wraps.
         machine.memory.words[Word::SCAN.0 as usize] = i64::from(machine.scan as i32);
         machine.memory.words[Word::TIME.0 as usize] = machine.now;
-        machine.memory.words[Word::SCAN_TIME.0 as usize] =
-            if machine.scan == 0 { 0 } else { self.options.interval };
+        machine.memory.words[Word::SCAN_TIME.0 as usize] = if machine.scan == 0 {
+            0
+        } else {
+            self.options.interval
+        };
         let halt = if self.forces.is_empty() {
             machine.run::<false>(&self.compiled.code)
         } else {
@@ -126,7 +132,9 @@ impl Simulation {
 
     /// Runs up to so many scans; fewer if the program stops, or when `cancel` is set. How many were run.
     pub fn run(&mut self, scans: u64, cancel: &AtomicBool) -> u64 {
-        (0..scans).take_while(|_| !cancel.load(Ordering::Relaxed) && self.scan()).count() as u64
+        (0..scans)
+            .take_while(|_| !cancel.load(Ordering::Relaxed) && self.scan())
+            .count() as u64
     }
 
     /// Whether it can go on.
@@ -158,8 +166,11 @@ impl Simulation {
 
     fn restart(&mut self, kept: Option<&Memory>) {
         let now = self.machine.now;
-        let forced: Vec<(Point, Value)> =
-            self.forces.values().map(|force| (force.point.clone(), self.value(&force.point))).collect();
+        let forced: Vec<(Point, Value)> = self
+            .forces
+            .values()
+            .map(|force| (force.point.clone(), self.value(&force.point)))
+            .collect();
         self.unforce_all();
         self.machine.restart(&self.compiled.initial);
         if let Some(kept) = kept {
@@ -185,10 +196,15 @@ impl Simulation {
 
     fn fault(&self, record: &Record) -> Fault {
         let blocks = &self.compiled.code.blocks;
-        let nowhere = Location { file: 0, range: ladder_syntax::TextRange::default() };
+        let nowhere = Location {
+            file: 0,
+            range: ladder_syntax::TextRange::default(),
+        };
         Fault {
             message: record.trouble.message(),
-            location: blocks.get(record.block as usize).map_or(nowhere, |block| block.location),
+            location: blocks
+                .get(record.block as usize)
+                .map_or(nowhere, |block| block.location),
             scan: record.scan as u64,
             stops: record.trouble.stops(),
         }
@@ -230,7 +246,11 @@ impl Simulation {
                 && (!self.compiled.skippable[network]
                     || (self.machine.reached[network] == self.machine.scan
                         && element.step <= self.machine.left_at[network]));
-            (element.kind, element.location, reached && self.machine.memory.bit(element.power))
+            (
+                element.kind,
+                element.location,
+                reached && self.machine.memory.bit(element.power),
+            )
         })
     }
 
@@ -275,13 +295,21 @@ impl Simulation {
         self.mark(&point, true);
         // The value goes in underneath the mark, which only keeps the program from writing.
         self.write(&point, &value);
-        self.forces.insert(point.name.clone(), Force { point, underneath: before });
+        self.forces.insert(
+            point.name.clone(),
+            Force {
+                point,
+                underneath: before,
+            },
+        );
     }
 
     /// Lets a tag go. An input shows its own value again, any other tag keeps the forced one until it is written.
     /// Nothing happens if it is not forced.
     pub fn unforce(&mut self, point: &Point) {
-        let Some(force) = self.forces.remove(&point.name) else { return };
+        let Some(force) = self.forces.remove(&point.name) else {
+            return;
+        };
         self.mark(&force.point, false);
         if let Some(value) = force.underneath {
             self.write(&force.point, &value);
@@ -310,7 +338,9 @@ impl Simulation {
 
     fn check(&self, point: &Point, value: &Value) -> Result<(), Refused> {
         if point.read_only {
-            return Err(Refused { message: format!("{} is read-only: it cannot be given a value", point.name) });
+            return Err(Refused {
+                message: format!("{} is read-only: it cannot be given a value", point.name),
+            });
         }
         let fits = match (value, point.ty) {
             (Value::Bool(_), Scalar::Bool) => true,
@@ -325,7 +355,9 @@ impl Simulation {
         if fits {
             return Ok(());
         }
-        Err(Refused { message: format!("{} is a {} and cannot hold this value", point.name, point.ty) })
+        Err(Refused {
+            message: format!("{} is a {} and cannot hold this value", point.name, point.ty),
+        })
     }
 
     /// Writes past all forces.
@@ -335,7 +367,11 @@ impl Simulation {
             (PointSlot::Bit(slot), Value::Bool(high)) => memory.set_bit(slot, *high),
             (PointSlot::Word(slot), Value::Int(number)) => memory.words[slot.0 as usize] = *number,
             (PointSlot::Word(slot), Value::Real(real)) => {
-                let real = if point.ty == Scalar::Real { f64::from(*real as f32) } else { *real };
+                let real = if point.ty == Scalar::Real {
+                    f64::from(*real as f32)
+                } else {
+                    *real
+                };
                 memory.words[slot.0 as usize] = real.to_bits() as i64;
             }
             (PointSlot::Text(slot), Value::Text(bytes)) => memory.texts[slot.0 as usize].set(bytes),
@@ -357,7 +393,11 @@ impl Simulation {
             PointSlot::Text(slot) => marks.texts[slot.0 as usize] = held,
             PointSlot::BitOf { word, bit, ty } => {
                 // The sign's copies above the width go with the highest bit.
-                let mask = if ty.is_signed() && u32::from(bit) + 1 == ty.width() { -1 << bit } else { 1 << bit };
+                let mask = if ty.is_signed() && u32::from(bit) + 1 == ty.width() {
+                    -1 << bit
+                } else {
+                    1 << bit
+                };
                 let marks = &mut marks.words[word.0 as usize];
                 *marks = if held { *marks | mask } else { *marks & !mask };
             }

@@ -49,7 +49,9 @@ impl std::fmt::Display for UnknownTag {
 impl std::error::Error for UnknownTag {}
 
 fn unknown<T>(message: impl Into<String>) -> Result<T, UnknownTag> {
-    Err(UnknownTag { message: message.into() })
+    Err(UnknownTag {
+        message: message.into(),
+    })
 }
 
 /// The tags of a program by name. Tags of user-defined blocks are not among them: they exist once for each place.
@@ -60,7 +62,11 @@ pub(crate) struct Names {
 
 impl Names {
     pub(crate) fn of(program: &Program) -> Names {
-        let visible = program.tags.iter().enumerate().filter(|(_, tag)| tag.block.is_none());
+        let visible = program
+            .tags
+            .iter()
+            .enumerate()
+            .filter(|(_, tag)| tag.block.is_none());
         // The program's own tags stand before those of other files and shadow them.
         let mut tags = HashMap::new();
         for (index, tag) in visible {
@@ -112,17 +118,34 @@ impl Names {
         self.tags.get(&Name::new(text)).map(|&index| index as usize)
     }
 
-    fn element(&self, program: &Program, homes: &[Home], array: &str, index: &str) -> Result<Point, UnknownTag> {
-        let Some(number) = self.find(array) else { return self.unknown_tag(program, array) };
+    fn element(
+        &self,
+        program: &Program,
+        homes: &[Home],
+        array: &str,
+        index: &str,
+    ) -> Result<Point, UnknownTag> {
+        let Some(number) = self.find(array) else {
+            return self.unknown_tag(program, array);
+        };
         let tag = &program.tags[number];
         let Type::Array { first, last, element } = tag.ty else {
-            return unknown(format!("{} is no array: it is a {} and has no elements", tag.name, tag.ty));
+            return unknown(format!(
+                "{} is no array: it is a {} and has no elements",
+                tag.name, tag.ty
+            ));
         };
         let Ok(position) = index.parse::<i64>() else {
-            return unknown(format!("`{index}` is no index: write a number, as in {}[{first}]", tag.name));
+            return unknown(format!(
+                "`{index}` is no index: write a number, as in {}[{first}]",
+                tag.name
+            ));
         };
         if !(first..=last).contains(&position) {
-            return unknown(format!("{}[{position}] does not exist: the array goes from {first} to {last}", tag.name));
+            return unknown(format!(
+                "{}[{position}] does not exist: the array goes from {first} to {last}",
+                tag.name
+            ));
         }
         let offset = (position - first) as u32;
         let slot = match homes[number] {
@@ -140,7 +163,13 @@ impl Names {
         })
     }
 
-    fn member(&self, program: &Program, homes: &[Home], whole: &str, member: &str) -> Result<Point, UnknownTag> {
+    fn member(
+        &self,
+        program: &Program,
+        homes: &[Home],
+        whole: &str,
+        member: &str,
+    ) -> Result<Point, UnknownTag> {
         if whole.eq_ignore_ascii_case("SYS") {
             return system_tag(member);
         }
@@ -177,14 +206,21 @@ impl Names {
         let PointSlot::Word(word) = point.slot else {
             return unknown(format!("{} is a {} and has no members", point.name, point.ty));
         };
-        let bit = member.parse::<u8>().ok().filter(|&bit| u32::from(bit) < point.ty.width());
+        let bit = member
+            .parse::<u8>()
+            .ok()
+            .filter(|&bit| u32::from(bit) < point.ty.width());
         match bit {
             Some(bit) if point.ty.is_bits() || point.ty.is_integer() => Ok(Point {
                 name: format!("{}.{bit}", point.name),
                 ty: Scalar::Bool,
                 role: point.role,
                 read_only: point.read_only,
-                slot: PointSlot::BitOf { word, bit, ty: point.ty },
+                slot: PointSlot::BitOf {
+                    word,
+                    bit,
+                    ty: point.ty,
+                },
             }),
             _ if point.ty.is_bits() || point.ty.is_integer() => unknown(format!(
                 "{} has no bit `{member}`: the bits of a {} are 0 to {}",
@@ -209,7 +245,9 @@ impl Names {
                 "there is no tag `{text}`; did you mean {}?",
                 program.tags[index as usize].name
             )),
-            None if self.tags.is_empty() => unknown(format!("there is no tag `{text}`: the program has no tags")),
+            None if self.tags.is_empty() => {
+                unknown(format!("there is no tag `{text}`: the program has no tags"))
+            }
             None => unknown(format!("there is no tag `{text}` in this program")),
         }
     }
@@ -218,9 +256,20 @@ impl Names {
     /// show what they do.
     pub(crate) fn points(program: &Program, homes: &[Home]) -> Vec<Point> {
         let mut points = Vec::new();
-        for (tag, &home) in program.tags.iter().zip(homes).filter(|(tag, _)| tag.block.is_none()) {
+        for (tag, &home) in program
+            .tags
+            .iter()
+            .zip(homes)
+            .filter(|(tag, _)| tag.block.is_none())
+        {
             let mut push = |name: String, ty, slot| {
-                points.push(Point { name, ty, role: tag.role, read_only: tag.constant, slot });
+                points.push(Point {
+                    name,
+                    ty,
+                    role: tag.role,
+                    read_only: tag.constant,
+                    slot,
+                });
             };
             match (home, tag.ty) {
                 (Home::Bits { at, .. }, Type::Scalar(ty)) => push(tag.name.clone(), ty, PointSlot::Bit(at)),
@@ -259,7 +308,13 @@ fn system_tag(name: &str) -> Result<Point, UnknownTag> {
         SystemTag::On => ("SYS.ON", PointSlot::Bit(Bit::HIGH)),
         SystemTag::Off => ("SYS.OFF", PointSlot::Bit(Bit::LOW)),
     };
-    Ok(Point { name: name.to_owned(), ty: tag.ty(), role: Role::Internal, read_only: true, slot })
+    Ok(Point {
+        name: name.to_owned(),
+        ty: tag.ty(),
+        role: Role::Internal,
+        read_only: true,
+        slot,
+    })
 }
 
 /// The members of a type by the names of LANGUAGE §4.

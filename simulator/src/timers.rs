@@ -58,7 +58,11 @@ impl Timer {
     fn outputs<const FORCED: bool>(self, memory: &mut Memory, q: bool, et: i64) -> bool {
         memory.put_word::<FORCED>(self.words.offset(ET), et);
         memory.put_bit::<FORCED>(self.bits.offset(Q), q);
-        if FORCED { memory.bit(self.bits.offset(Q)) } else { q }
+        if FORCED {
+            memory.bit(self.bits.offset(Q))
+        } else {
+            q
+        }
     }
 
     #[inline(always)]
@@ -83,7 +87,13 @@ impl Timer {
 
     /// On-delay.
     #[inline]
-    pub(crate) fn ton<const FORCED: bool>(self, memory: &mut Memory, en: bool, pt: i64, clock: Clock) -> bool {
+    pub(crate) fn ton<const FORCED: bool>(
+        self,
+        memory: &mut Memory,
+        en: bool,
+        pt: i64,
+        clock: Clock,
+    ) -> bool {
         let (input, _, pt) = self.inputs::<FORCED>(memory, en, pt);
         if !input {
             self.set_phase(memory, IDLE);
@@ -105,7 +115,13 @@ impl Timer {
 
     /// Off-delay.
     #[inline]
-    pub(crate) fn tof<const FORCED: bool>(self, memory: &mut Memory, en: bool, pt: i64, clock: Clock) -> bool {
+    pub(crate) fn tof<const FORCED: bool>(
+        self,
+        memory: &mut Memory,
+        en: bool,
+        pt: i64,
+        clock: Clock,
+    ) -> bool {
         let (input, reset, pt) = self.inputs::<FORCED>(memory, en, pt);
         if reset {
             self.set_phase(memory, IDLE);
@@ -162,7 +178,13 @@ impl Timer {
     }
 
     /// Retentive on-delay.
-    pub(crate) fn rto<const FORCED: bool>(self, memory: &mut Memory, en: bool, pt: i64, clock: Clock) -> bool {
+    pub(crate) fn rto<const FORCED: bool>(
+        self,
+        memory: &mut Memory,
+        en: bool,
+        pt: i64,
+        clock: Clock,
+    ) -> bool {
         let (input, reset, pt) = self.inputs::<FORCED>(memory, en, pt);
         if reset {
             self.set_phase(memory, 0);
@@ -180,7 +202,13 @@ impl Timer {
     }
 
     /// Retentive off-delay.
-    pub(crate) fn rtof<const FORCED: bool>(self, memory: &mut Memory, en: bool, pt: i64, clock: Clock) -> bool {
+    pub(crate) fn rtof<const FORCED: bool>(
+        self,
+        memory: &mut Memory,
+        en: bool,
+        pt: i64,
+        clock: Clock,
+    ) -> bool {
         let (input, reset, pt) = self.inputs::<FORCED>(memory, en, pt);
         if reset {
             self.set_phase(memory, 0);
@@ -207,7 +235,11 @@ impl Timer {
 
     /// `(RES)`: like an R that ends with it. A pulse timer remembers EN: what is high then is no rise.
     pub(crate) fn clear<const FORCED: bool>(self, memory: &mut Memory, state: StateType) {
-        let kept = if state == StateType::Tp { self.phase(memory) & WAS_HIGH } else { 0 };
+        let kept = if state == StateType::Tp {
+            self.phase(memory) & WAS_HIGH
+        } else {
+            0
+        };
         self.set_phase(memory, kept);
         self.outputs::<FORCED>(memory, false, 0);
     }

@@ -101,7 +101,12 @@ fn date(nanoseconds: i64) -> String {
 fn time_of_day(nanoseconds: i64) -> String {
     let of_day = nanoseconds.rem_euclid(DAY);
     let (seconds, rest) = (of_day / 1_000_000_000, of_day % 1_000_000_000);
-    let mut text = format!("{:02}:{:02}:{:02}", seconds / 3600, seconds / 60 % 60, seconds % 60);
+    let mut text = format!(
+        "{:02}:{:02}:{:02}",
+        seconds / 3600,
+        seconds / 60 % 60,
+        seconds % 60
+    );
     if rest > 0 {
         let decimals = format!(".{rest:09}");
         text.push_str(decimals.trim_end_matches('0'));
@@ -146,6 +151,9 @@ pub fn parse(text: &str, ty: Scalar) -> Result<Value, String> {
         }
     }
     let wrong = || format!("`{text}` is no value for a {ty}: {}", example(ty));
+    if text.is_empty() {
+        return Err(wrong());
+    }
     let (negative, magnitude) = match text.strip_prefix('-') {
         Some(rest) if !rest.starts_with(['-', '+']) => (true, rest),
         Some(_) => return Err(wrong()),
@@ -186,16 +194,24 @@ pub fn parse(text: &str, ty: Scalar) -> Result<Value, String> {
             }
             Ok(Value::Int(wrap(signed(number) as i64, ty)))
         }
-        (Literal::Time(nanoseconds), Scalar::Time) => {
-            Ok(Value::Int(if negative { nanoseconds.saturating_neg() } else { nanoseconds }))
-        }
+        (Literal::Time(nanoseconds), Scalar::Time) => Ok(Value::Int(if negative {
+            nanoseconds.saturating_neg()
+        } else {
+            nanoseconds
+        })),
         (Literal::Int(number), Scalar::Time) => {
             let nanoseconds = i64::try_from(signed(number) * 1_000_000);
-            nanoseconds.map(Value::Int).map_err(|_| format!("{text} ms does not fit: TIME holds about 292 years"))
+            nanoseconds
+                .map(Value::Int)
+                .map_err(|_| format!("{text} ms does not fit: TIME holds about 292 years"))
         }
         (Literal::Real(number), Scalar::Time) => {
             let nanoseconds = (if negative { -number } else { number } * 1e6).round();
-            if nanoseconds.abs() < 9.2e18 { Ok(Value::Int(nanoseconds as i64)) } else { Err(wrong()) }
+            if nanoseconds.abs() < 9.2e18 {
+                Ok(Value::Int(nanoseconds as i64))
+            } else {
+                Err(wrong())
+            }
         }
         (Literal::Date(number), Scalar::Date)
         | (Literal::Tod(number), Scalar::Tod)
@@ -210,7 +226,11 @@ pub fn parse(text: &str, ty: Scalar) -> Result<Value, String> {
 }
 
 fn real(number: f64, ty: Scalar) -> Option<Value> {
-    let number = if ty == Scalar::Real { f64::from(number as f32) } else { number };
+    let number = if ty == Scalar::Real {
+        f64::from(number as f32)
+    } else {
+        number
+    };
     number.is_finite().then_some(Value::Real(number))
 }
 
@@ -238,7 +258,12 @@ mod tests {
             ("false", Scalar::Bool, "0", "FALSE"),
             ("-7", Scalar::Int, "-7", "-7"),
             ("16#ff", Scalar::Word, "255", "16#00FF"),
-            ("18446744073709551615", Scalar::Ulint, "18446744073709551615", "18446744073709551615"),
+            (
+                "18446744073709551615",
+                Scalar::Ulint,
+                "18446744073709551615",
+                "18446744073709551615",
+            ),
             ("0.1", Scalar::Real, "0.1", "0.1"),
             ("1", Scalar::Lreal, "1.0", "1.0"),
             ("1e300", Scalar::Lreal, "1e300", "1e300"),
@@ -250,7 +275,12 @@ mod tests {
             ("0", Scalar::Time, "0", "T#0s"),
             ("2026-11-21", Scalar::Date, "2026-11-21", "D#2026-11-21"),
             ("TOD#13:45:00.5", Scalar::Tod, "13:45:00.5", "TOD#13:45:00.5"),
-            ("2000-02-29-23:59:59", Scalar::Dt, "2000-02-29-23:59:59", "DT#2000-02-29-23:59:59"),
+            (
+                "2000-02-29-23:59:59",
+                Scalar::Dt,
+                "2000-02-29-23:59:59",
+                "DT#2000-02-29-23:59:59",
+            ),
             ("it is", Scalar::String(80), "it is", "'it is'"),
             ("'a$'b$00'", Scalar::String(80), "a'b\0", "'a$'b$00'"),
         ];
@@ -267,8 +297,16 @@ mod tests {
         let check = |text, ty, expected: expect_test::Expect| {
             expected.assert_eq(&parse(text, ty).unwrap_err());
         };
-        check("2", Scalar::Bool, expect_test::expect!["`2` is no value for a BOOL: write 0, 1, TRUE or FALSE"]);
-        check("40000", Scalar::Int, expect_test::expect!["40000 does not fit: INT holds -32768 to 32767"]);
+        check(
+            "2",
+            Scalar::Bool,
+            expect_test::expect!["`2` is no value for a BOOL: write 0, 1, TRUE or FALSE"],
+        );
+        check(
+            "40000",
+            Scalar::Int,
+            expect_test::expect!["40000 does not fit: INT holds -32768 to 32767"],
+        );
         check(
             "five",
             Scalar::Time,
@@ -276,7 +314,15 @@ mod tests {
                 "`five` is no value for a TIME: write a duration as in 5s or T#1h30m, or a number of milliseconds"
             ],
         );
-        check("", Scalar::Dint, expect_test::expect!["`` is no value for a DINT: write a whole number as in 42 or 16#FF"]);
-        check("1e39", Scalar::Real, expect_test::expect!["`1e39` is no value for a REAL: write a number as in 3.14 or 1.0e-3"]);
+        check(
+            "",
+            Scalar::Dint,
+            expect_test::expect!["`` is no value for a DINT: write a whole number as in 42 or 16#FF"],
+        );
+        check(
+            "1e39",
+            Scalar::Real,
+            expect_test::expect!["`1e39` is no value for a REAL: write a number as in 3.14 or 1.0e-3"],
+        );
     }
 }

@@ -17,7 +17,9 @@ impl<'b> Arguments<'b> {
     }
 
     fn is_named(bound: &Bound) -> bool {
-        bound.operand.is_some_and(|operand| operand.presence == Presence::Named)
+        bound
+            .operand
+            .is_some_and(|operand| operand.presence == Presence::Named)
     }
 
     /// Those given by place.
@@ -33,7 +35,9 @@ impl<'b> Arguments<'b> {
     /// The one given under a name.
     pub(super) fn named(self, name: &str) -> Option<&'b Argument> {
         let mut named = self.block.arguments.iter().filter(|bound| Self::is_named(bound));
-        named.find(|bound| bound.operand.is_some_and(|operand| operand.name == name)).map(|bound| &bound.argument)
+        named
+            .find(|bound| bound.operand.is_some_and(|operand| operand.name == name))
+            .map(|bound| &bound.argument)
     }
 
     pub(super) fn value(self, n: usize) -> Result<&'b Expr> {
@@ -42,7 +46,10 @@ impl<'b> Arguments<'b> {
 
     /// The values from the n-th on.
     pub(super) fn values_from(self, n: usize) -> Result<Vec<&'b Expr>> {
-        self.by_place().skip(n).map(|argument| self.as_value(argument)).collect()
+        self.by_place()
+            .skip(n)
+            .map(|argument| self.as_value(argument))
+            .collect()
     }
 
     pub(super) fn as_value(self, argument: &'b Argument) -> Result<&'b Expr> {
@@ -53,7 +60,9 @@ impl<'b> Arguments<'b> {
     }
 
     pub(super) fn named_value(self, name: &str) -> Result<Option<&'b Expr>> {
-        self.named(name).map(|argument| self.as_value(argument)).transpose()
+        self.named(name)
+            .map(|argument| self.as_value(argument))
+            .transpose()
     }
 
     pub(super) fn place(self, n: usize) -> Result<(&'b Place, Scalar)> {
@@ -84,7 +93,8 @@ impl<'b> Arguments<'b> {
     /// The model does not hold what the block's row asks for: a mistake in the analysis, not in the program.
     pub(super) fn mistaken(self) -> CompileError {
         CompileError {
-            message: "the simulator cannot make sense of this block's operands; please report the program".into(),
+            message: "the simulator cannot make sense of this block's operands; please report the program"
+                .into(),
             location: self.block.location,
         }
     }

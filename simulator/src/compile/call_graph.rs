@@ -10,6 +10,9 @@ pub(super) struct Cycles {
     group: Vec<u32>,
 }
 
+/// A function that was not looked at yet.
+const NEW: u32 = u32::MAX;
+
 impl Cycles {
     /// Tarjan's strongly connected components, with a stack of its own: calls may form long chains.
     pub(super) fn of(program: &Program) -> Cycles {
@@ -31,7 +34,6 @@ impl Cycles {
             })
             .collect();
         let count = calls.len();
-        const NEW: u32 = u32::MAX;
         let (mut number, mut low) = (vec![NEW; count], vec![0; count]);
         let (mut group, mut open) = (vec![NEW; count], Vec::new());
         let mut next = 0;
@@ -111,7 +113,10 @@ mod tests {
         let program = Program {
             networks: calls.iter().map(|calls| network(calls)).collect(),
             functions: (0..calls.len())
-                .map(|n| Function { name: n.to_string(), networks: n..n + 1 })
+                .map(|n| Function {
+                    name: n.to_string(),
+                    networks: n..n + 1,
+                })
                 .collect(),
             ..Program::default()
         };

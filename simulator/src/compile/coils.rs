@@ -16,7 +16,11 @@ impl Compiler<'_> {
         }
         let (spot, out) = self.coil_place(arguments, en)?;
         if let Spot::Bit(tag) = spot {
-            self.emit(if follows { Instr::Coil { en, tag } } else { Instr::NegatedCoil { en, tag } });
+            self.emit(if follows {
+                Instr::Coil { en, tag }
+            } else {
+                Instr::NegatedCoil { en, tag }
+            });
             return Ok(en);
         }
         let value = if follows {
@@ -40,14 +44,26 @@ impl Compiler<'_> {
         let spot = self.spot(place)?;
         if let Spot::Bit(tag) = spot {
             self.emit(Instr::Set { en, tag });
-            self.emit(Instr::Contact { out, en: Bit::HIGH, tag });
+            self.emit(Instr::Contact {
+                out,
+                en: Bit::HIGH,
+                tag,
+            });
             return Ok(out);
         }
-        let Slot::Bit(before) = self.load(spot) else { return Err(arguments.mistaken()) };
-        self.emit(Instr::OrBit { to: out, a: en, b: before });
+        let Slot::Bit(before) = self.load(spot) else {
+            return Err(arguments.mistaken());
+        };
+        self.emit(Instr::OrBit {
+            to: out,
+            a: en,
+            b: before,
+        });
         self.store(spot, Slot::Bit(out));
         // Read again: a forced tag does not take what is written.
-        let Slot::Bit(after) = self.load(spot) else { return Err(arguments.mistaken()) };
+        let Slot::Bit(after) = self.load(spot) else {
+            return Err(arguments.mistaken());
+        };
         self.emit(Instr::MoveBit { to: out, from: after });
         Ok(out)
     }
@@ -64,7 +80,9 @@ impl Compiler<'_> {
             self.emit(Instr::Reset { en, tag });
             return Ok(en);
         }
-        let Slot::Bit(before) = self.load(spot) else { return Err(arguments.mistaken()) };
+        let Slot::Bit(before) = self.load(spot) else {
+            return Err(arguments.mistaken());
+        };
         let to = self.layout.bit();
         self.emit(Instr::NotBit { to, a: en });
         self.emit(Instr::AndBit { to, a: to, b: before });
@@ -91,7 +109,12 @@ impl Compiler<'_> {
         let Home::State { state, bits, words } = self.homes[tag.0 as usize] else {
             return Err(arguments.mistaken());
         };
-        self.emit(Instr::Clear { en, state, bits, words });
+        self.emit(Instr::Clear {
+            en,
+            state,
+            bits,
+            words,
+        });
         Ok(en)
     }
 

@@ -18,7 +18,11 @@ impl Compiler<'_> {
             argument => arguments.as_value(argument)?,
         };
         let contact = |out, en, tag| {
-            if open { Instr::Contact { out, en, tag } } else { Instr::NegatedContact { out, en, tag } }
+            if open {
+                Instr::Contact { out, en, tag }
+            } else {
+                Instr::NegatedContact { out, en, tag }
+            }
         };
         // What must be computed first is computed with EN high only: an index outside its array is then no
         // fault.
@@ -43,11 +47,27 @@ impl Compiler<'_> {
     /// EN and an edge of a bit. The memory belongs to this place in the text.
     pub(super) fn edge(&mut self, en: Bit, tag: Bit, rising: bool) -> Bit {
         let (out, before) = (self.layout.bit(), self.layout.bit());
-        let stamp = if self.repeats { self.layout.word() } else { NO_STAMP };
-        self.emit(if rising {
-            Instr::Rising { out, en, tag, before, stamp }
+        let stamp = if self.repeats {
+            self.layout.word()
         } else {
-            Instr::Falling { out, en, tag, before, stamp }
+            NO_STAMP
+        };
+        self.emit(if rising {
+            Instr::Rising {
+                out,
+                en,
+                tag,
+                before,
+                stamp,
+            }
+        } else {
+            Instr::Falling {
+                out,
+                en,
+                tag,
+                before,
+                stamp,
+            }
         });
         out
     }
@@ -62,8 +82,10 @@ impl Compiler<'_> {
     pub(super) fn comparison(&mut self, op: Op, arguments: Arguments, en: Bit) -> Result<Bit> {
         let values = arguments.values_from(0)?;
         let (out, start) = self.begin_powered(en);
-        let slots: Vec<(Slot, Scalar)> =
-            values.iter().map(|value| Ok((self.expression(value)?, value.ty))).collect::<Result<_>>()?;
+        let slots: Vec<(Slot, Scalar)> = values
+            .iter()
+            .map(|value| Ok((self.expression(value)?, value.ty)))
+            .collect::<Result<_>>()?;
         let direct = self.code.instrs.len() == start + 1;
         if direct {
             self.code.instrs.truncate(start);
@@ -98,17 +120,39 @@ impl Compiler<'_> {
                 if a.1.is_real() || b.1.is_real() {
                     // Both sides are brought to one type before; a whole number among them would be read as bits.
                     let meet = common(a.1, b.1).unwrap_or(Scalar::Lreal);
-                    if let (Slot::Word(l), Slot::Word(r)) = (self.pass(a.0, a.1, meet), self.pass(b.0, b.1, meet)) {
+                    if let (Slot::Word(l), Slot::Word(r)) =
+                        (self.pass(a.0, a.1, meet), self.pass(b.0, b.1, meet))
+                    {
                         (left, right) = (l, r);
                     }
-                    Instr::CompareReal { test, out, en, a: left, b: right }
+                    Instr::CompareReal {
+                        test,
+                        out,
+                        en,
+                        a: left,
+                        b: right,
+                    }
                 } else {
                     let a_unsigned = Width::of(a.1) == Width::U64;
                     let b_unsigned = Width::of(b.1) == Width::U64;
                     if a_unsigned || b_unsigned {
-                        Instr::CompareUnsigned { test, a_unsigned, b_unsigned, out, en, a: left, b: right }
+                        Instr::CompareUnsigned {
+                            test,
+                            a_unsigned,
+                            b_unsigned,
+                            out,
+                            en,
+                            a: left,
+                            b: right,
+                        }
                     } else {
-                        Instr::Compare { test, out, en, a: left, b: right }
+                        Instr::Compare {
+                            test,
+                            out,
+                            en,
+                            a: left,
+                            b: right,
+                        }
                     }
                 }
             }

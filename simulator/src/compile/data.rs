@@ -34,14 +34,30 @@ impl Compiler<'_> {
     /// Ends it. Where a single instruction is left, it takes the power itself.
     pub(super) fn end_powered(&mut self, start: usize) {
         let end = self.here();
-        let Instr::Powered { out, en, .. } = self.code.instrs[start] else { return };
+        let Instr::Powered { out, en, .. } = self.code.instrs[start] else {
+            return;
+        };
         if let [_, only] = self.code.instrs[start..] {
             let one = match only {
                 Instr::Move { to, from } => Some(Instr::MoveWhen { out, en, to, from }),
-                Instr::Integer { op, width, to, a, b } => {
-                    Some(Instr::IntegerWhen { op, width, out, en, to, a, b })
-                }
-                Instr::Real { op, single, to, a, b } => Some(Instr::RealWhen { op, single, out, en, to, a, b }),
+                Instr::Integer { op, width, to, a, b } => Some(Instr::IntegerWhen {
+                    op,
+                    width,
+                    out,
+                    en,
+                    to,
+                    a,
+                    b,
+                }),
+                Instr::Real { op, single, to, a, b } => Some(Instr::RealWhen {
+                    op,
+                    single,
+                    out,
+                    en,
+                    to,
+                    a,
+                    b,
+                }),
                 _ => None,
             };
             if let Some(one) = one {
@@ -125,7 +141,10 @@ impl Compiler<'_> {
 
     /// From the left, but for powers, which group from the right.
     fn arithmetic(&mut self, op: Op, ty: Scalar, operands: &[&Expr]) -> Result<Word> {
-        let words: Vec<Word> = operands.iter().map(|operand| self.word(operand)).collect::<Result<_>>()?;
+        let words: Vec<Word> = operands
+            .iter()
+            .map(|operand| self.word(operand))
+            .collect::<Result<_>>()?;
         if op == Op::Exp {
             let mut rest = words.iter().rev();
             let last = *rest.next().unwrap_or(&Word::SCAN);
@@ -145,7 +164,13 @@ impl Compiler<'_> {
 
     /// A TIME times or by a real number.
     fn scale(&mut self, op: Op, time: Word, by: Word) -> Word {
-        let time = self.convert(Conversion::IntegerToReal { from: Width::I64, single: false }, time);
+        let time = self.convert(
+            Conversion::IntegerToReal {
+                from: Width::I64,
+                single: false,
+            },
+            time,
+        );
         let op = if op == Op::Div { RealOp::Div } else { RealOp::Mul };
         let scaled = self.real(op, Scalar::Lreal, time, by);
         self.convert(Conversion::Round(Width::I64), scaled)
@@ -217,12 +242,21 @@ impl Compiler<'_> {
             }
             (RealFunction::Trunc, false, true) => Ok(self.convert(Conversion::Truncate(Width::of(ty)), a)),
             (RealFunction::Trunc, false, false) => {
-                let conversion = Conversion::Fit { from: Width::of(operand.ty), to: Width::of(ty) };
+                let conversion = Conversion::Fit {
+                    from: Width::of(operand.ty),
+                    to: Width::of(ty),
+                };
                 Ok(self.convert(conversion, a))
             }
             (RealFunction::Trunc, true, false) => {
                 let from = Width::of(operand.ty);
-                Ok(self.convert(Conversion::IntegerToReal { from, single: ty == Scalar::Real }, a))
+                Ok(self.convert(
+                    Conversion::IntegerToReal {
+                        from,
+                        single: ty == Scalar::Real,
+                    },
+                    a,
+                ))
             }
             _ => Ok(self.real_function(function, ty, a)),
         }
@@ -272,11 +306,23 @@ impl Compiler<'_> {
                 let number = self.convert_number(Scalar::Usint, from, word)?;
                 let one = self.constant(1);
                 let excess = self.integer(IntegerOp::Sub, Scalar::Lint, one, number);
-                let fits = self.convert(Conversion::Fit { from: Width::I64, to: Width::U64 }, excess);
+                let fits = self.convert(
+                    Conversion::Fit {
+                        from: Width::I64,
+                        to: Width::U64,
+                    },
+                    excess,
+                );
                 let bit = self.layout.bit();
                 let test = crate::operation::Test::EQ;
                 let zero = self.constant(0);
-                self.emit(Instr::Compare { test, out: bit, en: Bit::HIGH, a: fits, b: zero });
+                self.emit(Instr::Compare {
+                    test,
+                    out: bit,
+                    en: Bit::HIGH,
+                    a: fits,
+                    b: zero,
+                });
                 Some(Slot::Bit(bit))
             }
             (Slot::Word(word), _) if !to.is_string() => self.convert_word(to, from, word),
@@ -299,17 +345,23 @@ impl Compiler<'_> {
             // What passes without a conversion gives the same with one: bits kept.
             _ if from.is_bits() != to.is_bits() && passes(from, to) => C::Wrap(Width::of(to)),
             _ if is_clock(from) && is_clock(to) => return None,
-            _ if is_clock(from) && to.is_real() => C::TimeToReal { single: to == Scalar::Real },
+            _ if is_clock(from) && to.is_real() => C::TimeToReal {
+                single: to == Scalar::Real,
+            },
             _ if is_clock(from) => C::ToMilliseconds(Width::of(to)),
             _ if is_clock(to) && from.is_real() => C::RealToTime,
             _ if is_clock(to) => C::Milliseconds(Width::of(from)),
             (Scalar::Lreal, Scalar::Real) => C::Single,
             (Scalar::Real, Scalar::Lreal) => return Some(word),
             _ if from.is_real() => C::Round(Width::of(to)),
-            _ if to.is_real() => {
-                C::IntegerToReal { from: Width::of(from), single: to == Scalar::Real }
-            }
-            _ => C::Fit { from: Width::of(from), to: Width::of(to) },
+            _ if to.is_real() => C::IntegerToReal {
+                from: Width::of(from),
+                single: to == Scalar::Real,
+            },
+            _ => C::Fit {
+                from: Width::of(from),
+                to: Width::of(to),
+            },
         };
         Some(self.convert(conversion, word))
     }

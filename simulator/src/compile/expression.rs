@@ -72,7 +72,13 @@ impl Compiler<'_> {
             return Ok(word);
         }
         let (to, most) = (self.layout.word(), self.constant(i64::MAX));
-        self.emit(Instr::Integer { op: IntegerOp::Min, width: Width::U64, to, a: word, b: most });
+        self.emit(Instr::Integer {
+            op: IntegerOp::Min,
+            width: Width::U64,
+            to,
+            a: word,
+            b: most,
+        });
         Ok(to)
     }
 
@@ -99,7 +105,10 @@ impl Compiler<'_> {
     pub(super) fn pass(&mut self, value: Slot, from: Scalar, to: Scalar) -> Slot {
         let Slot::Word(word) = value else { return value };
         let conversion = if to.is_real() && !from.is_real() {
-            Conversion::IntegerToReal { from: Width::of(from), single: to == Scalar::Real }
+            Conversion::IntegerToReal {
+                from: Width::of(from),
+                single: to == Scalar::Real,
+            }
         } else if !to.is_real() && from.width() == to.width() && Width::of(from) != Width::of(to) {
             Conversion::Wrap(Width::of(to))
         } else {
@@ -158,25 +167,43 @@ impl Compiler<'_> {
 
     pub(super) fn integer(&mut self, op: IntegerOp, ty: Scalar, a: Word, b: Word) -> Word {
         let to = self.layout.word();
-        self.emit(Instr::Integer { op, width: Width::of(ty), to, a, b });
+        self.emit(Instr::Integer {
+            op,
+            width: Width::of(ty),
+            to,
+            a,
+            b,
+        });
         to
     }
 
     pub(super) fn real(&mut self, op: RealOp, ty: Scalar, a: Word, b: Word) -> Word {
         let to = self.layout.word();
-        self.emit(Instr::Real { op, single: ty == Scalar::Real, to, a, b });
+        self.emit(Instr::Real {
+            op,
+            single: ty == Scalar::Real,
+            to,
+            a,
+            b,
+        });
         to
     }
 
     pub(super) fn real_function(&mut self, function: RealFunction, ty: Scalar, a: Word) -> Word {
         let to = self.layout.word();
-        self.emit(Instr::RealFunction { function, single: ty == Scalar::Real, to, a });
+        self.emit(Instr::RealFunction {
+            function,
+            single: ty == Scalar::Real,
+            to,
+            a,
+        });
         to
     }
 
     /// The values of a block's operands from the n-th on, as a function takes them.
     pub(super) fn function_of_block(&mut self, op: Op, ty: Scalar, arguments: Arguments) -> Result<Slot> {
         let values = arguments.values_from(1)?;
-        self.function(op, ty, &values)?.ok_or_else(|| arguments.mistaken())
+        self.function(op, ty, &values)?
+            .ok_or_else(|| arguments.mistaken())
     }
 }

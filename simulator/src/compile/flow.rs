@@ -41,14 +41,16 @@ pub(super) fn may_repeat(program: &Program) -> bool {
     for (index, network) in program.networks.iter().enumerate() {
         for block in &network.blocks {
             let repeats = match &block.kind {
-                BlockKind::Instruction(row) => match (row.op, block.arguments.first().map(|bound| &bound.argument)) {
-                    (Op::For, _) => true,
-                    (Op::Jmp, Some(Argument::Label(Some(target)))) => *target <= index,
-                    (Op::Call, Some(Argument::Function(function))) => {
-                        std::mem::replace(&mut called[*function], true)
+                BlockKind::Instruction(row) => {
+                    match (row.op, block.arguments.first().map(|bound| &bound.argument)) {
+                        (Op::For, _) => true,
+                        (Op::Jmp, Some(Argument::Label(Some(target)))) => *target <= index,
+                        (Op::Call, Some(Argument::Function(function))) => {
+                            std::mem::replace(&mut called[*function], true)
+                        }
+                        _ => false,
                     }
-                    _ => false,
-                },
+                }
                 BlockKind::User(_) => false,
             };
             if repeats {
@@ -71,7 +73,9 @@ fn may_leave(network: &Network) -> bool {
 
 impl Compiler<'_> {
     pub(super) fn region(&mut self) -> &mut Region {
-        self.regions.last_mut().expect("networks are compiled inside a region")
+        self.regions
+            .last_mut()
+            .expect("networks are compiled inside a region")
     }
 
     /// The main program, then every function.
@@ -94,7 +98,9 @@ impl Compiler<'_> {
     fn stretch(&mut self, networks: Range<usize>, function: Option<usize>) -> Result<()> {
         let program = self.program;
         self.regions.push(Region {
-            has_mcr: program.networks[networks.clone()].iter().any(|network| holds(network, Op::Mcr)),
+            has_mcr: program.networks[networks.clone()]
+                .iter()
+                .any(|network| holds(network, Op::Mcr)),
             networks: networks.clone(),
             function,
             starts: Vec::with_capacity(networks.len() + 1),
@@ -126,7 +132,9 @@ impl Compiler<'_> {
             let end = self.region().networks.end;
             let mut behind = index + 1..end;
             // Without a <NEXT> the analysis has refused the program; the loop would reach to the end.
-            let last = behind.find(|&at| holds(&program.networks[at], Op::Next)).unwrap_or(end - 1);
+            let last = behind
+                .find(|&at| holds(&program.networks[at], Op::Next))
+                .unwrap_or(end - 1);
             let at = self.here();
             self.region().loops.push((at, index + 1, last + 1));
             self.emit(Instr::Enter { body: 0, behind: 0 });
@@ -143,7 +151,10 @@ impl Compiler<'_> {
             }
         }
         for &(at, first, next) in &region.loops {
-            self.code.instrs[at as usize] = Instr::Enter { body: start(first), behind: start(next) };
+            self.code.instrs[at as usize] = Instr::Enter {
+                body: start(first),
+                behind: start(next),
+            };
         }
     }
 
@@ -155,19 +166,28 @@ impl Compiler<'_> {
 
     /// `<JMP>`: no power passes it. With EN low there is none, with EN high it leaves.
     pub(super) fn jump(&mut self, arguments: Arguments, en: Bit) -> Result<Bit> {
-        let Argument::Label(Some(target)) = *arguments.get(0)? else { return Err(arguments.mistaken()) };
+        let Argument::Label(Some(target)) = *arguments.get(0)? else {
+            return Err(arguments.mistaken());
+        };
         let (at, network) = (self.here(), self.current_network());
         if !self.region().networks.contains(&target) {
             return Err(arguments.mistaken());
         }
         self.region().jumps.push((at, target));
-        self.emit(Instr::Jump { en, to: 0, step: self.step as u32, network: network as u32 });
+        self.emit(Instr::Jump {
+            en,
+            to: 0,
+            step: self.step as u32,
+            network: network as u32,
+        });
         Ok(Bit::LOW)
     }
 
     /// `<CALL>`: its power is EN, whatever the function does.
     pub(super) fn call(&mut self, arguments: Arguments, en: Bit) -> Result<Bit> {
-        let Argument::Function(function) = *arguments.get(0)? else { return Err(arguments.mistaken()) };
+        let Argument::Function(function) = *arguments.get(0)? else {
+            return Err(arguments.mistaken());
+        };
         let at = self.here();
         self.calls.push((at, function));
         let caller = self.region().function;
@@ -188,14 +208,22 @@ impl Compiler<'_> {
     /// `<RET>`
     pub(super) fn ret(&mut self, en: Bit) -> Bit {
         let network = self.current_network() as u32;
-        self.emit(Instr::Return { en, step: self.step as u32, network });
+        self.emit(Instr::Return {
+            en,
+            step: self.step as u32,
+            network,
+        });
         Bit::LOW
     }
 
     /// `<END>`
     pub(super) fn end(&mut self, en: Bit) -> Bit {
         let network = self.current_network() as u32;
-        self.emit(Instr::End { en, step: self.step as u32, network });
+        self.emit(Instr::End {
+            en,
+            step: self.step as u32,
+            network,
+        });
         Bit::LOW
     }
 
@@ -222,4 +250,3 @@ impl Compiler<'_> {
         en
     }
 }
-

@@ -93,7 +93,7 @@ pub(crate) fn compile(program: &Program) -> Result<Compiled> {
         cycles: Cycles::default(),
     };
     compiler.regions()?;
-    compiler.finish()
+    Ok(compiler.finish())
 }
 
 struct Compiler<'p> {
@@ -122,7 +122,7 @@ struct Compiler<'p> {
 }
 
 impl Compiler<'_> {
-    fn finish(mut self) -> Result<Compiled> {
+    fn finish(mut self) -> Compiled {
         for (at, function) in std::mem::take(&mut self.calls) {
             if let Instr::Call { to, .. } = &mut self.code.instrs[at as usize] {
                 *to = self.functions[function];
@@ -131,20 +131,25 @@ impl Compiler<'_> {
         let mut blocks = 0;
         self.code.blocks_through = (0..self.code.instrs.len())
             .map(|at| {
-                while self.code.blocks.get(blocks).is_some_and(|block| block.start as usize <= at) {
+                while self
+                    .code
+                    .blocks
+                    .get(blocks)
+                    .is_some_and(|block| block.start as usize <= at)
+                {
                     blocks += 1;
                 }
                 blocks as u32
             })
             .collect();
-        Ok(Compiled {
+        Compiled {
             retained: retained(self.program, &self.homes),
             code: self.code,
             homes: self.homes,
             initial: self.layout.memory,
             elements: self.elements,
             skippable: self.skippable,
-        })
+        }
     }
 
     fn emit(&mut self, instr: Instr) {
@@ -159,7 +164,10 @@ impl Compiler<'_> {
     /// A word that holds a value and is never written.
     fn constant(&mut self, value: i64) -> Word {
         let layout = &mut self.layout;
-        *self.constants.entry(value).or_insert_with(|| layout.constant(value))
+        *self
+            .constants
+            .entry(value)
+            .or_insert_with(|| layout.constant(value))
     }
 
     /// One network: its steps in their order.
@@ -167,7 +175,9 @@ impl Compiler<'_> {
         let program = self.program;
         let network = &program.networks[index];
         if self.skippable[index] {
-            self.emit(Instr::Network { network: index as u32 });
+            self.emit(Instr::Network {
+                network: index as u32,
+            });
         }
         let outer = std::mem::take(&mut self.powers);
         for (number, &step) in network.steps.iter().enumerate() {
@@ -180,13 +190,17 @@ impl Compiler<'_> {
             };
             self.powers.push(power);
         }
-        self.elements.extend(network.elements.iter().map(|element| ElementPlace {
-            kind: element.kind,
-            location: Location { file: network.location.file, range: element.range },
-            power: self.powers[element.step],
-            network: index as u32,
-            step: element.step as u32,
-        }));
+        self.elements
+            .extend(network.elements.iter().map(|element| ElementPlace {
+                kind: element.kind,
+                location: Location {
+                    file: network.location.file,
+                    range: element.range,
+                },
+                power: self.powers[element.step],
+                network: index as u32,
+                step: element.step as u32,
+            }));
         self.powers = outer;
         if self.layout.is_too_large() {
             return Err(CompileError {

@@ -18,11 +18,25 @@ pub(super) enum Spot {
     Word(Word),
     WordAt(Word),
     Text(TextSlot),
-    TextAt { at: Word, max: u16 },
-    BitOf { word: Word, bit: u8, width: Width },
-    BitOfAt { at: Word, bit: u8, width: Width },
+    TextAt {
+        at: Word,
+        max: u16,
+    },
+    BitOf {
+        word: Word,
+        bit: u8,
+        width: Width,
+    },
+    BitOfAt {
+        at: Word,
+        bit: u8,
+        width: Width,
+    },
     /// A timer's `TT`.
-    Timing { input: Bit, done: Bit },
+    Timing {
+        input: Bit,
+        done: Bit,
+    },
 }
 
 /// A value in one of the banks.
@@ -43,7 +57,11 @@ impl Compiler<'_> {
                 Home::Texts { at, .. } => Spot::Text(at),
                 Home::State { bits, .. } => Spot::Bit(bits),
                 Home::Element { at, ty } => element_spot(at, ty),
-                Home::BitOf { word, bit, ty } => Spot::BitOf { word, bit, width: Width::of(ty) },
+                Home::BitOf { word, bit, ty } => Spot::BitOf {
+                    word,
+                    bit,
+                    width: Width::of(ty),
+                },
                 Home::Unbound => Spot::Bit(Bit::LOW),
             },
             Place::Element(tag, index) => self.element(*tag, index)?,
@@ -57,8 +75,16 @@ impl Compiler<'_> {
                 _ => Spot::Bit(Bit::LOW),
             },
             Place::Bit(word, ty, bit) => match self.spot(word)? {
-                Spot::Word(word) => Spot::BitOf { word, bit: *bit, width: Width::of(*ty) },
-                Spot::WordAt(at) => Spot::BitOfAt { at, bit: *bit, width: Width::of(*ty) },
+                Spot::Word(word) => Spot::BitOf {
+                    word,
+                    bit: *bit,
+                    width: Width::of(*ty),
+                },
+                Spot::WordAt(at) => Spot::BitOfAt {
+                    at,
+                    bit: *bit,
+                    width: Width::of(*ty),
+                },
                 other => other,
             },
             Place::System(tag) => match tag {
@@ -158,12 +184,22 @@ impl Compiler<'_> {
             (Spot::Text(to), Slot::Text(from)) => self.emit(Instr::MoveText { to, from }),
             (Spot::TextAt { at, .. }, Slot::Text(from)) => self.emit(Instr::StoreText { at, from }),
             (Spot::BitOf { word, bit, width }, Slot::Bit(from)) => {
-                self.emit(Instr::StoreBitOf { word, bit, width, from });
+                self.emit(Instr::StoreBitOf {
+                    word,
+                    bit,
+                    width,
+                    from,
+                });
             }
             (Spot::BitOfAt { at, bit, width }, Slot::Bit(from)) => {
                 let word = self.layout.word();
                 self.emit(Instr::LoadWord { to: word, at });
-                self.emit(Instr::StoreBitOf { word, bit, width, from });
+                self.emit(Instr::StoreBitOf {
+                    word,
+                    bit,
+                    width,
+                    from,
+                });
                 self.emit(Instr::StoreWord { at, from: word });
             }
             // Types were checked before; there is nothing else.

@@ -31,7 +31,10 @@ impl Compiler<'_> {
             _ => (0, 0, 1),
         };
         let last = first + i64::from(len) - 1;
-        let ends = (constant(&range.first), range.last.as_deref().map_or(Some(last), constant));
+        let ends = (
+            constant(&range.first),
+            range.last.as_deref().map_or(Some(last), constant),
+        );
         if let (Some(from), Some(to)) = ends
             && first <= from
             && from <= to
@@ -47,7 +50,10 @@ impl Compiler<'_> {
             Some(to) => self.count(to)?,
             None => self.constant(last),
         };
-        let span = Span { start: self.layout.word(), count: self.layout.word() };
+        let span = Span {
+            start: self.layout.word(),
+            count: self.layout.word(),
+        };
         let (first, last) = (self.constant(first), self.constant(last));
         self.routine(
             Routine::Range,
@@ -59,7 +65,10 @@ impl Compiler<'_> {
     pub(super) fn routine(&mut self, routine: Routine, operands: &[u32]) {
         let at = self.code.operands.len() as u32;
         self.code.operands.extend_from_slice(operands);
-        self.emit(Instr::Routine { routine, operands: at });
+        self.emit(Instr::Routine {
+            routine,
+            operands: at,
+        });
     }
 
     /// `[ ]` and `[/]` on a range: all high, or all low.

@@ -35,11 +35,41 @@ impl Compiler<'_> {
         let pt = self.preset(arguments.value(1)?)?;
         self.input(arguments, "R", bits.offset(timer::R))?;
         self.emit(match op {
-            Op::Tof => Instr::Tof { out, en, pt, bits, words },
-            Op::Tp => Instr::Tp { out, en, pt, bits, words },
-            Op::Rto => Instr::Rto { out, en, pt, bits, words },
-            Op::Rtof => Instr::Rtof { out, en, pt, bits, words },
-            _ => Instr::Ton { out, en, pt, bits, words },
+            Op::Tof => Instr::Tof {
+                out,
+                en,
+                pt,
+                bits,
+                words,
+            },
+            Op::Tp => Instr::Tp {
+                out,
+                en,
+                pt,
+                bits,
+                words,
+            },
+            Op::Rto => Instr::Rto {
+                out,
+                en,
+                pt,
+                bits,
+                words,
+            },
+            Op::Rtof => Instr::Rtof {
+                out,
+                en,
+                pt,
+                bits,
+                words,
+            },
+            _ => Instr::Ton {
+                out,
+                en,
+                pt,
+                bits,
+                words,
+            },
         });
         Ok(out)
     }
@@ -67,10 +97,34 @@ impl Compiler<'_> {
             self.input(arguments, name, bits.offset(member))?;
         }
         self.emit(match op {
-            Op::Ctd => Instr::Ctd { out, en, pv, bits, words },
-            Op::Ctud => Instr::Ctud { out, en, pv, bits, words },
-            Op::Ctc => Instr::Ctc { out, en, pv, bits, words },
-            _ => Instr::Ctu { out, en, pv, bits, words },
+            Op::Ctd => Instr::Ctd {
+                out,
+                en,
+                pv,
+                bits,
+                words,
+            },
+            Op::Ctud => Instr::Ctud {
+                out,
+                en,
+                pv,
+                bits,
+                words,
+            },
+            Op::Ctc => Instr::Ctc {
+                out,
+                en,
+                pv,
+                bits,
+                words,
+            },
+            _ => Instr::Ctu {
+                out,
+                en,
+                pv,
+                bits,
+                words,
+            },
         });
         Ok(out)
     }

@@ -15,7 +15,10 @@ pub(super) fn find(memory: &mut Memory, mut operands: Operands) -> Result<(), Tr
         }
     }
     if from > to {
-        return Err(Trouble::Lengths { to: to - from + 1, from: 1 });
+        return Err(Trouble::Lengths {
+            to: to - from + 1,
+            from: 1,
+        });
     }
     let (start, count) = (operands.word(), operands.word());
     memory.words[start.0 as usize] = i64::from(base) + (from - first);
