@@ -121,17 +121,17 @@ pub(crate) struct Held {
 }
 
 impl Memory {
-    #[inline(always)]
+    #[inline]
     pub(crate) fn bit(&self, slot: Bit) -> bool {
         self.bits[slot.0 as usize] != 0
     }
 
-    #[inline(always)]
+    #[inline]
     pub(crate) fn word(&self, slot: Word) -> i64 {
         self.words[slot.0 as usize]
     }
 
-    #[inline(always)]
+    #[inline]
     pub(crate) fn real(&self, slot: Word) -> f64 {
         f64::from_bits(self.words[slot.0 as usize] as u64)
     }
@@ -141,13 +141,13 @@ impl Memory {
     }
 
     /// Writes power, or anything else that cannot be forced.
-    #[inline(always)]
+    #[inline]
     pub(crate) fn set_bit(&mut self, slot: Bit, value: bool) {
         self.bits[slot.0 as usize] = u8::from(value);
     }
 
     /// Writes a tag's bit. A forced one stays as it is (LANGUAGE §6).
-    #[inline(always)]
+    #[inline]
     pub(crate) fn put_bit<const FORCED: bool>(&mut self, slot: Bit, value: bool) {
         let at = slot.0 as usize;
         if !FORCED || self.held.bits[at] == 0 {
@@ -156,7 +156,7 @@ impl Memory {
     }
 
     /// Writes a tag's word, but for the bits of it that are forced.
-    #[inline(always)]
+    #[inline]
     pub(crate) fn put_word<const FORCED: bool>(&mut self, slot: Word, value: i64) {
         let at = slot.0 as usize;
         if FORCED {

@@ -16,7 +16,7 @@ impl Test {
     pub(crate) const LT: Test = Test(0b001);
     pub(crate) const LE: Test = Test(0b011);
 
-    #[inline(always)]
+    #[inline]
     pub(crate) fn holds(self, order: Ordering) -> bool {
         self.0 >> (order as i8 + 1) & 1 != 0
     }
@@ -51,7 +51,7 @@ impl Width {
     }
 
     /// Brings a number into the width: two's complement.
-    #[inline(always)]
+    #[inline]
     pub(crate) const fn wrap(self, value: i64) -> i64 {
         match self {
             Width::I8 => value as i8 as i64,
@@ -300,7 +300,7 @@ pub(crate) fn real_function(function: RealFunction, single: bool, a: f64) -> Res
 }
 
 /// Rounds to the type; what is not finite there is a fault.
-#[inline(always)]
+#[inline]
 pub(crate) fn finite(value: f64, single: bool) -> Result<f64, Trouble> {
     let rounded = if single { f64::from(value as f32) } else { value };
     if rounded.is_finite() {

@@ -260,7 +260,7 @@ impl Simulation {
     /// # Errors
     /// The point is read-only, or the value does not fit its type.
     pub fn set(&mut self, point: &Point, value: Value) -> Result<(), Refused> {
-        self.check(point, &value)?;
+        check(point, &value)?;
         if let Some(force) = self.forces.get_mut(&point.name) {
             if point.role == Role::Input {
                 force.underneath = Some(value);
@@ -276,7 +276,7 @@ impl Simulation {
     /// # Errors
     /// The point is read-only, or the value does not fit its type.
     pub fn force(&mut self, point: &Point, value: Value) -> Result<(), Refused> {
-        self.check(point, &value)?;
+        check(point, &value)?;
         self.hold(point.clone(), value);
         Ok(())
     }
@@ -336,30 +336,6 @@ impl Simulation {
         self.forces.values().map(|force| &force.point)
     }
 
-    fn check(&self, point: &Point, value: &Value) -> Result<(), Refused> {
-        if point.read_only {
-            return Err(Refused {
-                message: format!("{} is read-only: it cannot be given a value", point.name),
-            });
-        }
-        let fits = match (value, point.ty) {
-            (Value::Bool(_), Scalar::Bool) => true,
-            (Value::Real(real), ty) => ty.is_real() && real.is_finite(),
-            (Value::Text(_), ty) => ty.is_string(),
-            (Value::Int(number), ty) => match ty.bounds() {
-                Some(_) => ladder_analysis::value::wrap(*number, ty) == *number,
-                None => ty == Scalar::Time || ty.is_date(),
-            },
-            (Value::Bool(_), _) => false,
-        };
-        if fits {
-            return Ok(());
-        }
-        Err(Refused {
-            message: format!("{} is a {} and cannot hold this value", point.name, point.ty),
-        })
-    }
-
     /// Writes past all forces.
     fn write(&mut self, point: &Point, value: &Value) {
         let memory = &mut self.machine.memory;
@@ -404,6 +380,31 @@ impl Simulation {
             PointSlot::Timing { .. } => {}
         }
     }
+}
+
+/// Whether a point takes a value from outside.
+fn check(point: &Point, value: &Value) -> Result<(), Refused> {
+    if point.read_only {
+        return Err(Refused {
+            message: format!("{} is read-only: it cannot be given a value", point.name),
+        });
+    }
+    let fits = match (value, point.ty) {
+        (Value::Bool(_), Scalar::Bool) => true,
+        (Value::Real(real), ty) => ty.is_real() && real.is_finite(),
+        (Value::Text(_), ty) => ty.is_string(),
+        (Value::Int(number), ty) => match ty.bounds() {
+            Some(_) => ladder_analysis::value::wrap(*number, ty) == *number,
+            None => ty == Scalar::Time || ty.is_date(),
+        },
+        (Value::Bool(_), _) => false,
+    };
+    if fits {
+        return Ok(());
+    }
+    Err(Refused {
+        message: format!("{} is a {} and cannot hold this value", point.name, point.ty),
+    })
 }
 
 /// Why a tag did not take a value.

@@ -42,7 +42,7 @@ const ON: u8 = 4;
 
 impl Timer {
     /// Copies the inputs into the members. Gives EN as the timer sees it (low while R is high), R, and PT.
-    #[inline(always)]
+    #[inline]
     fn inputs<const FORCED: bool>(self, memory: &mut Memory, en: bool, pt: i64) -> (bool, bool, i64) {
         let reset = memory.bit(self.bits.offset(R));
         memory.put_bit::<FORCED>(self.bits.offset(IN), en && !reset);
@@ -54,7 +54,7 @@ impl Timer {
         (en && !reset, reset, pt)
     }
 
-    #[inline(always)]
+    #[inline]
     fn outputs<const FORCED: bool>(self, memory: &mut Memory, q: bool, et: i64) -> bool {
         memory.put_word::<FORCED>(self.words.offset(ET), et);
         memory.put_bit::<FORCED>(self.bits.offset(Q), q);
@@ -65,22 +65,22 @@ impl Timer {
         }
     }
 
-    #[inline(always)]
+    #[inline]
     fn phase(self, memory: &Memory) -> u8 {
         memory.bits[self.bits.offset(PHASE).0 as usize]
     }
 
-    #[inline(always)]
+    #[inline]
     fn set_phase(self, memory: &mut Memory, phase: u8) {
         memory.bits[self.bits.offset(PHASE).0 as usize] = phase;
     }
 
-    #[inline(always)]
+    #[inline]
     fn begin(self, memory: &mut Memory, clock: Clock) {
         memory.words[self.words.offset(SINCE).0 as usize] = clock.now;
     }
 
-    #[inline(always)]
+    #[inline]
     fn elapsed(self, memory: &Memory, clock: Clock) -> i64 {
         clock.now.saturating_sub(memory.word(self.words.offset(SINCE)))
     }

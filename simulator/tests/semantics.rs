@@ -21,7 +21,7 @@ fn run(name: &str) -> String {
     let arguments = file("args").unwrap();
     let inputs = file("in.csv").unwrap_or_default();
     let mut words = arguments.split_whitespace();
-    let (mut scans, mut interval, mut watch) = (0, 10_000_000, String::new());
+    let (mut scans, mut interval, mut watch) = (0, 10_000_000, "");
     while let (Some(option), Some(value)) = (words.next(), words.next()) {
         match option {
             "--scans" => scans = value.parse().unwrap(),
@@ -29,7 +29,7 @@ fn run(name: &str) -> String {
                 Ok(ladder_analysis::value::Value::Int(nanoseconds)) => interval = nanoseconds,
                 other => panic!("{other:?}"),
             },
-            "--watch" => watch = value.to_owned(),
+            "--watch" => watch = value,
             other => panic!("{name}: {other}"),
         }
     }
