@@ -58,7 +58,8 @@ impl Server {
         let mut length = 0;
         loop {
             let mut line = String::new();
-            self.stdout.read_line(&mut line).expect("the server answers");
+            let read = self.stdout.read_line(&mut line).expect("the server answers");
+            assert!(read > 0, "the server has ended");
             if line == "\r\n" {
                 break;
             }
