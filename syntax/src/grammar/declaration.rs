@@ -89,7 +89,7 @@ pub(super) const fn begins_drawing(byte: u8) -> bool {
 /// another section or to a block definition.
 pub(super) fn ends_declaration(text: &str, at: usize) -> bool {
     let mut at = at;
-    while let (SyntaxKind::WHITESPACE | SyntaxKind::COMMENT, end) = lexer::in_operands(text, at) {
+    while let Some((SyntaxKind::WHITESPACE | SyntaxKind::COMMENT, end)) = lexer::space(text, at) {
         at = end;
     }
     text.as_bytes().get(at).is_some_and(|&b| begins_drawing(b)) || keyword_at(text, at).is_some()
@@ -162,11 +162,8 @@ fn keyword_token(p: &mut Parser<'_, '_, '_>) {
 
 /// White space and comments on the same line.
 fn blanks(p: &mut Parser<'_, '_, '_>) {
-    loop {
-        match lexer::on_rung(p.text, p.at) {
-            token @ (SyntaxKind::WHITESPACE | SyntaxKind::COMMENT, _) => p.token(token),
-            _ => return,
-        }
+    while let Some(token @ (SyntaxKind::WHITESPACE | SyntaxKind::COMMENT, _)) = lexer::space(p.text, p.at) {
+        p.token(token);
     }
 }
 
@@ -174,7 +171,7 @@ fn blanks(p: &mut Parser<'_, '_, '_>) {
 /// new logical line.
 fn line_end(p: &mut Parser<'_, '_, '_>) {
     blanks(p);
-    if let token @ (SyntaxKind::NEWLINE, _) = lexer::on_rung(p.text, p.at) {
+    if let Some(token) = lexer::space(p.text, p.at) {
         p.token(token);
     }
 }
@@ -208,7 +205,7 @@ pub(super) fn declaration(p: &mut Parser<'_, '_, '_>) -> (LineKind, Mode) {
         // What is missing is missing behind what was read, not at the start of the next line's declaration.
         let next_line = p.text[p.at..p.ahead.start].contains(['\n', '\r']);
         let ends = p.next() == SyntaxKind::SEMICOLON;
-        if next_line || problem == DeclarationProblem::SemicolonMissing {
+        if next_line || ends_section(p) || problem == DeclarationProblem::SemicolonMissing {
             p.error_behind(SyntaxErrorKind::BadDeclaration(problem));
         } else {
             p.declaration_error(problem);
@@ -223,13 +220,15 @@ pub(super) fn declaration(p: &mut Parser<'_, '_, '_>) -> (LineKind, Mode) {
     (LineKind::Declaration, Mode::Section)
 }
 
+/// Whether END_VAR is ahead: it closes the section, whatever lacks before it.
+fn ends_section(p: &Parser<'_, '_, '_>) -> bool {
+    p.next() == SyntaxKind::IDENT && p.next_is_word("END_VAR")
+}
+
 /// Skips to behind the next `;`, or to the end of the physical line.
 fn recover(p: &mut Parser<'_, '_, '_>) {
-    let ends = |p: &Parser<'_, '_, '_>| {
-        matches!(p.next(), SyntaxKind::NEWLINE | SyntaxKind::EOF)
-            // END_VAR on the line closes the section all the same.
-            || p.next() == SyntaxKind::IDENT && p.next_is_word("END_VAR")
-    };
+    let ends =
+        |p: &Parser<'_, '_, '_>| matches!(p.next(), SyntaxKind::NEWLINE | SyntaxKind::EOF) || ends_section(p);
     p.free_form = false;
     p.look();
     if ends(p) {
@@ -365,7 +364,7 @@ fn initial_value(p: &mut Parser<'_, '_, '_>) -> Result<(), DeclarationProblem> {
         p.finish_node();
         return Ok(());
     }
-    if !expression::begins_operand(p.next()) || p.next_is_word("END_VAR") {
+    if !expression::begins_operand(p.next()) || ends_section(p) {
         return Err(DeclarationProblem::ValueExpected);
     }
     expression::expression(p, 0);

@@ -89,40 +89,30 @@ fn logical_line(p: &mut Parser<'_, '_, '_>, entry: Entry, marks: &mut Marks) -> 
     if p.at == 0 && p.text.starts_with(BOM) {
         p.token((SyntaxKind::BOM, BOM.len()));
     }
-    let first = loop {
-        let token = lexer::on_rung(p.text, p.at);
+    while let Some(token) = lexer::space(p.text, p.at) {
+        p.token(token);
         match token.0 {
-            SyntaxKind::WHITESPACE => p.token(token),
-            SyntaxKind::COMMENT => {
-                marks.comment = true;
-                p.token(token);
-            }
-            SyntaxKind::NEWLINE => {
-                p.token(token);
-                return (empty_line(marks), mode);
-            }
-            SyntaxKind::EOF => return (empty_line(marks), mode),
-            _ => break token,
+            SyntaxKind::COMMENT => marks.comment = true,
+            SyntaxKind::NEWLINE => return (empty_line(marks), mode),
+            _ => {}
         }
-    };
+    }
+    if p.at == p.text.len() {
+        return (empty_line(marks), mode);
+    }
     let keyword = declaration::keyword_at(p.text, p.at);
     if mode == Mode::Section {
         let drawing = !entry.mid_line && declaration::begins_drawing(p.byte(p.at));
         match keyword {
             Some(KeywordLine::SectionEnd) => return declaration::section_end(p),
             None if !drawing => return declaration::declaration(p),
-            _ => {
-                let end = keyword.map_or(first.1, |_| lexer::in_head(p.text, p.at).1);
-                misplaced(p, DeclarationProblem::SectionNotClosed, end);
-            }
+            _ => misplaced(p, DeclarationProblem::SectionNotClosed),
         }
     } else if keyword == Some(KeywordLine::SectionEnd) {
-        let end = lexer::in_head(p.text, p.at).1;
-        misplaced(p, DeclarationProblem::EndWithoutSection, end);
+        misplaced(p, DeclarationProblem::EndWithoutSection);
         return declaration::section_end(p);
     } else if entry.mid_line {
-        let end = keyword.map_or(first.1, |_| lexer::in_head(p.text, p.at).1);
-        misplaced(p, DeclarationProblem::LineNotEnded, end);
+        misplaced(p, DeclarationProblem::LineNotEnded);
     }
     match keyword {
         Some(KeywordLine::Section) => declaration::section_header(p),
@@ -133,8 +123,9 @@ fn logical_line(p: &mut Parser<'_, '_, '_>, entry: Entry, marks: &mut Marks) -> 
     }
 }
 
-/// Records that the token which reaches from here to `end` does not belong here.
-fn misplaced(p: &mut Parser<'_, '_, '_>, problem: DeclarationProblem, end: usize) {
+/// Records that the keyword or the piece of drawing that begins here does not belong here.
+fn misplaced(p: &mut Parser<'_, '_, '_>, problem: DeclarationProblem) {
+    let end = lexer::identifier_end(p.text, p.at).unwrap_or_else(|| lexer::on_rung(p.text, p.at).1);
     p.error(SyntaxErrorKind::BadDeclaration(problem), p.at, end);
 }
 

@@ -14,6 +14,17 @@ use literal::{address_end, literal_end};
 /// A token: its kind, and where it ends.
 pub(crate) type Token = (SyntaxKind, usize);
 
+/// The white space, line end or comment at `at`, if one begins there.
+pub(crate) fn space(text: &str, at: usize) -> Option<Token> {
+    let bytes = text.as_bytes();
+    Some(match bytes.get(at)? {
+        b' ' | b'\t' => (WHITESPACE, blanks_end(bytes, at)),
+        b'\n' | b'\r' => (NEWLINE, newline_end(bytes, at)),
+        b'#' => (COMMENT, comment_end(bytes, at)),
+        _ => return None,
+    })
+}
+
 /// The token at `at` on a line, outside blocks. `(EOF, at)` at the end of the text. Words, and whatever else has
 /// no meaning there, are `ERROR`.
 pub(crate) fn on_rung(text: &str, at: usize) -> Token {

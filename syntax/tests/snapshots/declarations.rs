@@ -286,8 +286,8 @@ fn declarations_with_mistakes() {
 
             SECTION_HEADER VAR ·
             DECLARATION ‹NAME_LIST:a› · : · ‹TYPE_REF:INT› · ‹INITIAL_VALUE::=› ·
+                "" 14..14 BadDeclaration(ValueExpected)
             SECTION_END END_VAR \n
-                "END_VAR" 15..22 BadDeclaration(ValueExpected)
 
             SECTION_HEADER VAR ·
             DECLARATION ‹NAME_LIST:a› · : · ‹TYPE_REF:INT› · ‹INITIAL_VALUE::= ‹LITERAL_EXPR:'x›› \n ;

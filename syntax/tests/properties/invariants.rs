@@ -1,0 +1,81 @@
+//! What must hold for the parse of any text.
+
+use ladder_syntax::{Parse, SyntaxNode, parse, wiring};
+use std::ops::Range;
+
+/// Parses a text and checks everything that must hold: the tree gives the text back, lines and errors lie where
+/// they say, nesting is bounded, and the wiring of every network is sound.
+pub(crate) fn check(text: &str) -> Parse {
+    let parse = parse(text);
+    assert_eq!(parse.to_string(), text);
+    assert_eq!(parse.syntax().to_string(), text);
+    lines(text, &parse);
+    for error in parse.errors() {
+        let range = Range::<usize>::from(error.range);
+        assert!(
+            text.get(range).is_some(),
+            "{error:?} cuts a character in {text:?}"
+        );
+    }
+    assert!(depth(&parse.syntax()) < 2000);
+    networks(text, &parse);
+    parse
+}
+
+fn lines(text: &str, parse: &Parse) {
+    let mut at = 0;
+    for (index, line) in parse.lines().iter().enumerate() {
+        assert!(line.len > 0, "line {index} is empty in {text:?}");
+        assert_eq!(u32::from(parse.line_start(index)), at);
+        assert_eq!(line.syntax().kind(), line.kind.syntax_kind());
+        for error in &line.errors {
+            assert!(
+                u32::from(error.range.end()) <= line.len,
+                "{error:?} leaves its line in {text:?}"
+            );
+        }
+        at += line.len;
+    }
+    assert_eq!(at as usize, text.len());
+}
+
+fn networks(text: &str, parse: &Parse) {
+    let mut end = 0;
+    for network in &parse.structure().networks {
+        assert!(network.lines.start >= end, "networks overlap in {text:?}");
+        end = network.lines.end;
+        let wiring = wiring::wiring(parse, network);
+        for (line, rung) in wiring.lines.iter().zip(&wiring.rungs) {
+            let len = parse.lines()[*line].len;
+            let mut end = 0;
+            for part in &rung.parts {
+                assert!(u32::from(part.range.start()) >= end, "parts overlap in {text:?}");
+                end = part.range.end().into();
+            }
+            assert!(end <= len);
+        }
+        let connectors: usize = wiring
+            .lines
+            .iter()
+            .map(|&line| (parse.lines()[line].downs + parse.lines()[line].ups) as usize)
+            .sum();
+        assert_eq!(
+            wiring.points.len() * 2 + wiring.unpaired.len(),
+            connectors,
+            "{text:?}"
+        );
+    }
+}
+
+fn depth(root: &SyntaxNode) -> usize {
+    let mut deepest = 0;
+    let mut depth = 0;
+    for event in root.preorder() {
+        match event {
+            rowan::WalkEvent::Enter(_) => depth += 1,
+            rowan::WalkEvent::Leave(_) => depth -= 1,
+        }
+        deepest = deepest.max(depth);
+    }
+    deepest
+}

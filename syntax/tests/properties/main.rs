@@ -1,0 +1,8 @@
+//! What holds for every text.
+
+mod arbitrary;
+mod invariants;
+mod linear;
+mod locality;
+mod mutated;
+mod programs;
