@@ -151,7 +151,7 @@ impl Placer {
                     }
                     _ if element.partner == NONE => {
                         columns[at as usize] = self.edge[rung] - element.width;
-                        self.edge[rung] = columns[at as usize] - spacing;
+                        self.edge[rung] = columns[at as usize].saturating_sub(spacing);
                         self.cursor[rung] = at;
                     }
                     ElementKind::Up => {
@@ -162,7 +162,7 @@ impl Placer {
                         columns[at as usize] = column;
                         columns[element.partner as usize] = column;
                         for side in [rung, rung + 1] {
-                            self.edge[side] = column - spacing;
+                            self.edge[side] = column.saturating_sub(spacing);
                             self.cursor[side] -= 1;
                         }
                     }

@@ -194,12 +194,17 @@ impl<S: Sink> File<'_, S> {
     fn item(&mut self, item: Item, networks: &mut Networks) {
         let lines = item_lines(self.parse, item);
         let line = &self.parse.lines()[lines.start];
+        let start = usize::from(self.parse.line_start(lines.start));
+        if !self.begun && self.text[start..].starts_with('\u{feff}') {
+            // At the start of the text this stray character would become a byte order mark.
+            self.between.clear();
+            self.keep(0..lines.start);
+        }
         if self.stays.line(lines.start) || matches!(item, Item::Stray(_)) {
             self.begin();
             self.keep(lines);
             return;
         }
-        let start = usize::from(self.parse.line_start(lines.start));
         match item {
             Item::Decoration(index) if !has_comment(line) => self.between.push(index),
             Item::Decoration(index) => {
@@ -286,8 +291,11 @@ impl<S: Sink> File<'_, S> {
 
     /// Keeps lines to the letter.
     fn keep(&mut self, lines: Range<usize>) {
+        let Some(last) = lines.clone().next_back() else {
+            return;
+        };
         let start = self.parse.line_start(lines.start).into();
-        let end = self.parse.line_range(lines.end - 1).end().into();
+        let end = self.parse.line_range(last).end().into();
         self.pen.keep(start, end);
     }
 

@@ -140,9 +140,8 @@ fn is_between(drawing: &wiring::Rung, index: usize, first: usize, last: usize) -
 
 /// Whether a block has a mistake that formatting does not stop at; it is moved, but not touched.
 pub(crate) fn is_kept_as_written(line: &Line, block: TextRange) -> bool {
-    line.errors
-        .iter()
-        .any(|error| error.range.intersect(block).is_some())
+    let inside = |at: TextSize| block.start() < at && at < block.end();
+    line.errors.iter().any(|error| inside(error.range.start()))
 }
 
 /// The width of a block in its canonical form. None if a comment in it holds a line end.
