@@ -132,7 +132,7 @@ impl Placer {
         self.edge.clear();
         for range in &sketch.rungs[rungs.clone()] {
             self.cursor.push(range.end);
-            self.edge.push(rail - spacing);
+            self.edge.push(rail.saturating_sub(spacing));
         }
         for top in 0..rungs.len() {
             self.stack.clear();
@@ -265,3 +265,7 @@ fn partners_rung(rung: usize, kind: ElementKind) -> usize {
         rung - 1
     }
 }
+
+#[cfg(test)]
+#[path = "columns_tests.rs"]
+mod tests;

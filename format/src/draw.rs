@@ -50,7 +50,7 @@ pub(crate) fn rung(sketch: &Sketch, rung: usize, columns: &[u32], rails: Rails, 
         .last()
         .is_some_and(|e| matches!(e.kind, ElementKind::RightRail | ElementKind::RightBar));
     if let Some(rail) = rails.right.filter(|_| !ends_at_rail) {
-        on.blanks(rail - column);
+        on.blanks(rail.saturating_sub(column));
         on.bar();
     }
 }

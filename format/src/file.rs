@@ -9,8 +9,9 @@ use crate::network::{Drawing, has_comment};
 use crate::pen::Pen;
 use crate::read;
 use crate::section::{self, line_end_of};
-use crate::sketch::Sketch;
+use crate::sketch::{ElementKind, Sketch};
 use crate::stays::{Stays, directive, item_lines};
+use crate::width::display_width;
 use ladder_syntax::SyntaxKind::COMMENT;
 use ladder_syntax::{Item, LineKind, Parse, TextRange};
 use std::ops::Range;
@@ -30,9 +31,14 @@ pub(crate) fn format<S: Sink>(
 ) -> S {
     let mut stays = Stays::find(parse, text);
     let mut networks = Networks::read(text, parse, options, &mut stays);
-    let rail = file_rail(&networks.outlines, options);
+    let mut rail = file_rail(&networks.outlines, options);
     if let Some(ranges) = only {
         keep_all_but(parse, ranges, &mut stays);
+        rail = rail.map(|rail| {
+            networks
+                .rail_as_drawn(text, parse, options, &stays)
+                .unwrap_or(rail)
+        });
     }
     let mut file = File {
         text,
@@ -113,6 +119,38 @@ impl Networks {
             placer,
         }
     }
+
+    /// The column, from 0, in which all networks that stay have their right rail, if there is one and the
+    /// others have room in it.
+    fn rail_as_drawn(&self, text: &str, parse: &Parse, options: &Options, stays: &Stays) -> Option<u32> {
+        let mut drawn = None;
+        let mut needed = 0;
+        for (number, network) in parse.structure().networks.iter().enumerate() {
+            let (Some(rungs), Some(outline)) = (&self.rungs[number], self.outlines[number]) else {
+                continue;
+            };
+            if !outline.railed_right || outline.rail >= options.width {
+                continue;
+            }
+            if !stays.line(network.lines.start) {
+                needed = needed.max(outline.rail);
+                continue;
+            }
+            for (rung, line) in rungs.clone().zip(network.rungs(parse.lines())) {
+                let last = self.sketch.rungs[rung].end as usize - 1;
+                if self.sketch.elements[last].kind != ElementKind::RightRail {
+                    continue;
+                }
+                let start = usize::from(parse.line_start(line));
+                let before = &text[start..start + self.places[last] as usize];
+                let column = display_width(before.rsplit(['\n', '\r']).next().unwrap_or(before));
+                if *drawn.get_or_insert(column) != column {
+                    return None;
+                }
+            }
+        }
+        drawn.filter(|&column| column >= needed)
+    }
 }
 
 /// A comment that goes onto a line of its own must not become a directive there.
@@ -153,9 +191,13 @@ fn keep_all_but(parse: &Parse, ranges: &[TextRange], stays: &mut Stays) {
             parse.line_start(lines.start),
             parse.line_range(lines.end - 1).end(),
         );
-        ranges
-            .iter()
-            .any(|range| range.start() < place.end() && range.end() >= place.start())
+        ranges.iter().any(|range| {
+            // A cursor is on the line that begins there; at the end of the text on the last one.
+            let cursor = range.is_empty()
+                && (place.contains(range.start())
+                    || place.end() == range.start() && place.end() == parse.text_len());
+            cursor || place.intersect(*range).is_some_and(|common| !common.is_empty())
+        })
     };
     let mut index = 0;
     while index < items.len() {

@@ -1,6 +1,7 @@
 //! The words of blocks and declarations: how far apart they stand and which are in capitals (LANGUAGE §8
 //! rule 6). One walk over the green nodes serves measuring and writing.
 
+use ladder_instructions::{Shape, lookup};
 use ladder_syntax::SyntaxKind::{self, *};
 use ladder_syntax::rowan::{GreenNodeData, NodeOrToken};
 
@@ -189,7 +190,9 @@ impl<'t, F: FnMut(Piece)> Pieces<'t, F> {
             _ => (Space::Free, Space::Free),
         };
         let capitals = match kind {
-            KEYWORD | WORD_OPERATOR | MNEMONIC => true,
+            KEYWORD | WORD_OPERATOR => true,
+            // An unknown word may be a tag in the wrong place: `[OSR]( )( y )` ends in a coil called `y`.
+            MNEMONIC => is_mnemonic(&self.text[start..end]),
             LITERAL => is_one_of(&self.text[start..end], &["TRUE", "FALSE"]),
             _ => false,
         };
@@ -254,6 +257,13 @@ fn word_in(head: &GreenNodeData) -> Option<(SyntaxKind, &str)> {
         .filter_map(NodeOrToken::into_token)
         .map(|token| (kind_of_raw(token.kind()), token.text()))
         .find(|(kind, _)| matches!(kind, MNEMONIC | BLOCK_NAME))
+}
+
+/// Whether a word is the mnemonic of an instruction, in whatever brackets. Only asked where it matters: of words
+/// with small letters.
+fn is_mnemonic(word: &str) -> bool {
+    word.bytes().any(|b| b.is_ascii_lowercase())
+        && Shape::ALL.into_iter().any(|shape| lookup(shape, word).len() > 0)
 }
 
 /// `[ ]` and `( )` keep their blank; a word fills its brackets.

@@ -4,18 +4,18 @@ use ladder_format::{Options, format_text};
 use std::fs;
 use std::path::Path;
 
-#[test]
-fn pairs() {
-    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../tests/corpus/layout");
-    let mut wrong = Vec::new();
-    let mut count = 0;
+/// Formats every `NAME.in.clad` of a folder and compares it with `NAME.out.clad`, which must stay as it is.
+fn check(folder: &str) {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join(folder);
     let mut paths: Vec<_> = fs::read_dir(&folder)
         .unwrap()
         .map(|entry| entry.unwrap().path())
         .collect();
     paths.sort();
+    let mut wrong = Vec::new();
+    let mut count = 0;
     for path in paths {
-        let name = path.file_name().unwrap().to_str().unwrap().to_owned();
+        let name = path.file_name().unwrap().to_str().unwrap();
         let Some(name) = name.strip_suffix(".in.clad") else {
             continue;
         };
@@ -31,4 +31,14 @@ fn pairs() {
     }
     assert!(count > 0, "no pairs in {}", folder.display());
     assert!(wrong.is_empty(), "{}", wrong.join("\n"));
+}
+
+#[test]
+fn one_rule_each() {
+    check("../tests/corpus/layout");
+}
+
+#[test]
+fn harder_drawings() {
+    check("tests/drawings");
 }

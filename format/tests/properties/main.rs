@@ -9,10 +9,13 @@ use proptest::prelude::*;
 
 /// Checks all that must hold for any text.
 fn check(text: &str) {
-    let options = Options::default();
+    check_with(text, &Options::default());
+}
+
+fn check_with(text: &str, options: &Options) {
     let before = parse(text);
-    let new = format_text(text, &options);
-    let edits = format(&before, &options);
+    let new = format_text(text, options);
+    let edits = format(&before, options);
     assert_eq!(apply(text, &edits), new, "edits and text differ");
     for pair in edits.windows(2) {
         assert!(pair[0].range.end() < pair[1].range.start(), "{pair:?}");
@@ -32,7 +35,7 @@ fn check(text: &str) {
         mistakes(&after),
         "mistakes changed\n{text}\n=>\n{new}"
     );
-    let again = format_text(&new, &options);
+    let again = format_text(&new, options);
     assert_eq!(again, new, "a second time changes something\n{text}");
     assert!(
         !new.contains(" \n") || text.contains(" \n"),
@@ -210,6 +213,11 @@ proptest! {
     #[test]
     fn programs_of_all_kinds(text in program()) {
         check(&text);
+    }
+
+    #[test]
+    fn other_options(text in program(), width in 0..130u32, spacing in 0..5u32) {
+        check_with(&text, &Options { width, spacing });
     }
 
     #[test]
