@@ -2,8 +2,9 @@
 
 use crate::declare;
 use crate::diagnostic::Diagnostic;
+use crate::facts::NodeKind;
 use crate::infer;
-use crate::network::{self, Meaning, NetworkFacts};
+use crate::network::{self, NetworkFacts};
 use crate::program::Role;
 use crate::scope::{Origin, Scope, TagFacts};
 use crate::types::Scalar;
@@ -13,6 +14,7 @@ use crate::uses;
 use ladder_instructions::Op;
 use ladder_syntax::wiring::PartKind;
 use ladder_syntax::{LineIndex, LineKind, Name, Parse, TextRange, TextSize};
+use std::collections::HashMap;
 use std::sync::{Arc, OnceLock};
 
 /// A file's names, networks and blocks.
@@ -33,6 +35,9 @@ pub struct Context {
     /// For each network the body it belongs to.
     pub bodies: Vec<Body>,
     line_index: OnceLock<LineIndex>,
+    /// The labels of each body by name, in the order of the text.
+    labels_by_name: HashMap<(Body, Name), Vec<usize>>,
+    functions_by_name: HashMap<Name, usize>,
 }
 
 /// What a network belongs to. A label is seen within its own body only.
@@ -84,28 +89,21 @@ impl Context {
     /// The network that a jump from `network` to a label goes to: the nearest behind it, else the nearest
     /// before it or itself (LANGUAGE §5.5).
     pub fn jump_target(&self, network: usize, label: &Name) -> Option<usize> {
-        let body = self.bodies[network];
-        let mut candidates = self
-            .labels
-            .iter()
-            .filter(|l| l.key == *label && self.bodies[l.network] == body);
-        let behind = candidates
-            .clone()
-            .map(|l| l.network)
-            .filter(|&n| n > network)
-            .min();
-        behind.or_else(|| {
-            candidates
-                .by_ref()
-                .map(|l| l.network)
-                .filter(|&n| n <= network)
-                .max()
-        })
+        self.jump_label(network, label).map(|(target, _)| target)
+    }
+
+    /// As `jump_target`, with the label's name as it is kept here.
+    pub(crate) fn jump_label(&self, network: usize, label: &Name) -> Option<(usize, &Name)> {
+        let key = (self.bodies[network], label.clone());
+        let (key, labels) = self.labels_by_name.get_key_value(&key)?;
+        let behind = labels.partition_point(|&label| self.labels[label].network <= network);
+        let label = labels.get(behind).or_else(|| labels.last())?;
+        Some((self.labels[*label].network, &key.1))
     }
 
     /// The function of a name.
     pub fn function(&self, name: &Name) -> Option<usize> {
-        self.functions.iter().position(|function| function.key == *name)
+        self.functions_by_name.get(name).copied()
     }
 }
 
@@ -150,6 +148,8 @@ pub fn context(parse: &Arc<Parse>, out: &mut Vec<Diagnostic>) -> Context {
         labels: Vec::new(),
         bodies: Vec::new(),
         line_index: OnceLock::new(),
+        labels_by_name: HashMap::new(),
+        functions_by_name: HashMap::new(),
     };
     bodies(&mut context);
     uses::collect(&mut context);
@@ -203,32 +203,30 @@ fn bodies(context: &mut Context) {
     let mut current = Body::Main;
     for (index, network) in context.networks.iter().enumerate() {
         for block in &network.blocks {
-            let (Meaning::Instruction(row), Some(operand)) = (block.meaning, block.facts.operands.first())
-            else {
+            let Some(op @ (Op::Fun | Op::Lbl)) = block.op() else {
                 continue;
             };
-            let crate::facts::NodeKind::Name(name) = &operand.value.kind else {
+            let Some(NodeKind::Name(name)) = block.facts.operands.first().map(|o| &o.value.kind) else {
                 continue;
             };
-            let (name, at) = (name.to_string(), block.absolute(operand.value.range));
-            let key = Name::new(&name);
-            match row.op {
-                Op::Fun if network.scope == 0 => {
-                    current = Body::Function(context.functions.len());
-                    context.functions.push(FunctionFacts {
-                        name,
-                        key,
-                        network: index,
-                        at,
-                    });
-                }
-                Op::Lbl => context.labels.push(LabelFacts {
+            let at = block.absolute(block.facts.operands[0].value.range);
+            let (name, key) = (name.to_string(), Name::new(name));
+            if op == Op::Lbl {
+                context.labels.push(LabelFacts {
                     name,
                     key,
                     network: index,
                     at,
-                }),
-                _ => {}
+                });
+            } else if network.scope == 0 && context.functions.last().is_none_or(|last| last.network != index)
+            {
+                current = Body::Function(context.functions.len());
+                context.functions.push(FunctionFacts {
+                    name,
+                    key,
+                    network: index,
+                    at,
+                });
             }
         }
         context.bodies.push(if network.scope == 0 {
@@ -236,6 +234,16 @@ fn bodies(context: &mut Context) {
         } else {
             Body::Block(network.scope - 1)
         });
+    }
+    for (index, label) in context.labels.iter().enumerate() {
+        let key = (context.bodies[label.network], label.key.clone());
+        context.labels_by_name.entry(key).or_default().push(index);
+    }
+    for (index, function) in context.functions.iter().enumerate() {
+        context
+            .functions_by_name
+            .entry(function.key.clone())
+            .or_insert(index);
     }
 }
 

@@ -1,5 +1,6 @@
 //! Pieces of the text for messages. Rules read them only when they have found something.
 
+use ladder_format::display_width;
 use ladder_syntax::{Parse, TextRange, TextSize};
 
 /// The text of a range that lies on one logical line.
@@ -56,6 +57,14 @@ pub(crate) fn in_sentence(title: &str) -> String {
         }
         _ => title.to_owned(),
     }
+}
+
+/// The column of an offset in a logical line, in display width from 0.
+pub(crate) fn column(parse: &Parse, line: usize, offset: TextSize) -> usize {
+    let before = parse.lines()[line].syntax().text().slice(..offset).to_string();
+    // A comment may have brought line ends onto the line.
+    let last = before.rsplit(['\n', '\r']).next().unwrap_or("");
+    display_width(last) as usize
 }
 
 /// `1st`, `2nd`, `3rd`, `4th`; `ordinal` counts from 0.

@@ -74,6 +74,7 @@ rules! {
     BadLiteral "bad-literal" Text Error;
     BadDeclaration "bad-declaration" Text Error;
     UnpairedConnector "unpaired-connector" Connectors Error;
+    MisleadingAlignment "misleading-alignment" Connectors Info;
     UnknownInstruction "unknown-instruction" Blocks Error;
     WrongShape "wrong-shape" Blocks Error;
     BadArity "bad-arity" Blocks Error;

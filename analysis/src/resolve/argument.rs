@@ -74,6 +74,11 @@ impl Resolver<'_, '_> {
                 }
                 // What a label or function block names is itself.
                 Accepts::Label if row.op == Op::Lbl => Some(Argument::Label(None)),
+                // One that begins no function stands in a wrong place.
+                Accepts::Function if row.op == Op::Fun => match &written.value.kind {
+                    NodeKind::Name(name) => self.context.function(&Name::new(name)).map(Argument::Function),
+                    _ => self.argument(&written.value, operand),
+                },
                 _ => self.argument(&written.value, operand),
             };
             if let Some(argument) = argument {

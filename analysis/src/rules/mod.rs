@@ -9,19 +9,31 @@ pub(crate) mod bad_literal;
 pub(crate) mod bad_operand;
 pub(crate) mod constant_write;
 pub(crate) mod did_you_mean;
+mod double_coil;
+mod duplicate_block;
 pub(crate) mod duplicate_declaration;
+mod duplicate_function;
+mod duplicate_label;
+mod duplicate_timer;
+mod misleading_alignment;
+mod misplaced_rail;
 pub(crate) mod missing_wire;
+mod no_output;
+mod open_wire;
+mod recursive_block;
 mod syntax_errors;
 pub(crate) mod type_mismatch;
 mod unclosed_block;
 pub(crate) mod unclosed_comment;
 pub(crate) mod undeclared_tag;
 mod unexpected_character;
+mod unknown_block;
 pub(crate) mod unknown_function;
 mod unknown_instruction;
 pub(crate) mod unknown_label;
 pub(crate) mod unknown_member;
 mod unpaired_connector;
+mod wrong_place;
 mod wrong_shape;
 
 use crate::context::Context;
@@ -33,9 +45,21 @@ type Check = fn(&Context, &mut Vec<Diagnostic>);
 const CHECKS: &[Check] = &[
     syntax_errors::check,
     missing_wire::check,
+    misplaced_rail::check,
     unpaired_connector::check,
+    misleading_alignment::check,
     unknown_instruction::check,
     bad_arity::check,
+    duplicate_timer::check,
+    duplicate_label::check,
+    duplicate_function::check,
+    unknown_block::check,
+    duplicate_block::check,
+    recursive_block::check,
+    wrong_place::check,
+    open_wire::check,
+    no_output::check,
+    double_coil::check,
 ];
 
 /// Runs them.

@@ -15,11 +15,18 @@ pub(crate) fn two_answers(name: &str, first: (Type, TextRange), second: (Type, T
     let message = format!("`{name}` is used as {} here, and as {} before", second.0, first.0);
     let found = wrong(second.1, message).related(first.1, format!("here it is {}", first.0));
     match (first.0, second.0) {
-        (Type::State(state), Type::Scalar(Scalar::Bool)) => found.help(format!(
-            "for the output of the {} write `{name}.{}`",
-            state.name(),
-            output(state)
-        )),
+        (Type::State(state), Type::Scalar(Scalar::Bool)) => found
+            .help(format!(
+                "for the output of the {} write `{name}.{}`",
+                state.name(),
+                output(state)
+            ))
+            .fix(
+                format!("Use the output of `{name}`"),
+                TextRange::empty(second.1.end()),
+                format!(".{}", output(state)),
+            ),
+        (Type::State(_), Type::State(_)) => found.help("give each of the two blocks a tag of its own"),
         _ => found.help("declare it with the type it should have, and use another tag for the other"),
     }
 }

@@ -2,10 +2,9 @@
 
 use crate::context::{Context, rung_above, rung_below};
 use crate::diagnostic::Diagnostic;
-use crate::excerpt::{nth, trimmed_line};
+use crate::excerpt::{column, nth, trimmed_line};
 use crate::network::breaks_drawing;
 use crate::rule::Rule;
-use ladder_format::display_width;
 use ladder_syntax::wiring::{self, PartKind, Rung};
 use ladder_syntax::{Parse, TextRange, TextSize};
 
@@ -52,14 +51,6 @@ impl Side {
     fn range(&self, parse: &Parse, ordinal: usize) -> TextRange {
         self.rung.parts[self.parts[ordinal]].range + parse.line_start(self.line)
     }
-}
-
-/// The column of an offset in a logical line, in display width from 0.
-fn column(parse: &Parse, line: usize, offset: TextSize) -> usize {
-    let before = parse.lines()[line].syntax().text().slice(..offset).to_string();
-    // A comment may have brought line ends onto the line.
-    let last = before.rsplit(['\n', '\r']).next().unwrap_or("");
-    display_width(last) as usize
 }
 
 fn unpaired(context: &Context, line: usize, kind: PartKind, out: &mut Vec<Diagnostic>) {

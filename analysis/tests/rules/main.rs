@@ -3,4 +3,6 @@
 mod blocks;
 mod check;
 mod connectors;
+mod program;
 mod text;
+mod wiring;

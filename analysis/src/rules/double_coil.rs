@@ -1,0 +1,116 @@
+//! `double-coil`: a tag is written by more than one plain coil, so that the last one alone decides.
+
+use crate::context::Context;
+use crate::diagnostic::Diagnostic;
+use crate::facts::{Node, NodeKind};
+use crate::literal::Literal;
+use crate::network::{Meaning, NetworkFacts};
+use crate::rule::Rule;
+use crate::scope::Use;
+use ladder_instructions::{Op, Shape};
+use std::collections::HashMap;
+
+pub(crate) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
+    let mut leaves = None;
+    for tag in context.scopes.iter().flat_map(|scope| &scope.tags) {
+        let coils = tag.uses.iter().filter(|place| is_plain_coil(context, place));
+        if coils.clone().nth(1).is_none() {
+            continue;
+        }
+        let leaves = leaves.get_or_insert_with(|| leaving_networks(context));
+        // A tag as a whole, or its bits and elements one by one.
+        let mut places: HashMap<String, Vec<&Use>> = HashMap::new();
+        for coil in coils {
+            let Some(part) = part(&operand(context, coil).kind) else {
+                continue;
+            };
+            places.entry(part).or_default().push(coil);
+        }
+        for (part, coils) in places {
+            let name = format!("{}{part}", tag.name);
+            for together in coils.chunk_by(|a, b| both_run(context, leaves, a, b)) {
+                out.extend(double(context, &name, together));
+            }
+        }
+    }
+}
+
+fn double(context: &Context, name: &str, coils: &[&Use]) -> Option<Diagnostic> {
+    let [first, second, rest @ ..] = coils else {
+        return None;
+    };
+    let place = |coil: &Use| {
+        let bound = &context.networks[coil.network].blocks[coil.block];
+        bound.absolute(bound.facts.operands[coil.operand].value.range)
+    };
+    let mut found = Diagnostic::new(
+        Rule::DoubleCoil,
+        place(second),
+        format!(
+            "`{name}` is written by {} coils: the last one alone decides",
+            coils.len()
+        ),
+    )
+    .help("lead all conditions to one coil, joined with \\ and /; or use (S) and (R)");
+    for other in std::iter::once(first).chain(rest) {
+        found = found.related(place(other), format!("`{name}` is written here as well"));
+    }
+    Some(found)
+}
+
+fn is_plain_coil(context: &Context, place: &Use) -> bool {
+    let network = &context.networks[place.network];
+    place.access.writes()
+        && !network.broken
+        && matches!(
+            network.blocks[place.block].op(),
+            Some(Op::Coil | Op::NegatedCoil | Op::RetentiveCoil)
+        )
+}
+
+fn operand<'c>(context: &'c Context, place: &Use) -> &'c Node {
+    &context.networks[place.network].blocks[place.block].facts.operands[place.operand].value
+}
+
+/// Which part of its tag a coil writes: empty for the whole, else a bit or element whose number is written out.
+/// None if nobody can say before the program runs.
+fn part(kind: &NodeKind) -> Option<String> {
+    match kind {
+        NodeKind::Name(_) | NodeKind::Address(_) => Some(String::new()),
+        NodeKind::Paren(inner) => part(&inner.kind),
+        NodeKind::Index(base, index) => match (&base.kind, &index.kind) {
+            (NodeKind::Name(_), NodeKind::Literal(Ok(Literal::Int(n)))) => Some(format!("[{n}]")),
+            _ => None,
+        },
+        NodeKind::Member(base, word) => Some(format!("{}.{}", part(&base.kind)?, word.text)),
+        _ => None,
+    }
+}
+
+/// For each network, and for the end, how many networks before hold a block that may leave the straight way down: what stands behind
+/// such a block may be the other case of what stands before.
+fn leaving_networks(context: &Context) -> Vec<usize> {
+    let leaves = |network: &NetworkFacts| {
+        network.blocks.iter().any(|bound| match bound.meaning {
+            Meaning::Instruction(row) => matches!(row.op, Op::Jmp | Op::Ret | Op::End | Op::For),
+            Meaning::User(_) | Meaning::UnknownUser => bound.facts.shape == Shape::Function,
+            Meaning::Unknown => false,
+        })
+    };
+    let mut before = Vec::with_capacity(context.networks.len() + 1);
+    let mut count = 0;
+    before.push(count);
+    for network in &context.networks {
+        count += usize::from(leaves(network));
+        before.push(count);
+    }
+    before
+}
+
+/// Whether two coils, the first before the second in the text, both run in every scan, as far as a look at the
+/// text can say.
+fn both_run(context: &Context, leaves: &[usize], a: &Use, b: &Use) -> bool {
+    // Within one network the block that leaves it may stand between them.
+    let end = b.network.max(a.network + 1);
+    context.bodies[a.network] == context.bodies[b.network] && leaves[end] == leaves[a.network]
+}

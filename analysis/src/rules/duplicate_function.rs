@@ -1,0 +1,26 @@
+//! `duplicate-function`: a function is defined twice.
+
+use crate::context::Context;
+use crate::diagnostic::Diagnostic;
+use crate::rule::Rule;
+use std::collections::HashMap;
+
+pub(crate) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
+    let mut first = HashMap::new();
+    for function in &context.functions {
+        match first.get(&function.key) {
+            None => {
+                first.insert(&function.key, function);
+            }
+            Some(before) => out.push(
+                Diagnostic::new(
+                    Rule::DuplicateFunction,
+                    function.at,
+                    format!("the function `{}` is defined twice", function.name),
+                )
+                .help("remove one of the functions, or give one of them another name")
+                .related(before.at, format!("`{}` is first defined here", before.name)),
+            ),
+        }
+    }
+}

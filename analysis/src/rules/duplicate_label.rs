@@ -1,0 +1,76 @@
+//! `duplicate-label`: a label stands more than once; says which one each jump takes.
+
+use crate::context::{Body, Context};
+use crate::diagnostic::Diagnostic;
+use crate::facts::NodeKind;
+use crate::rule::Rule;
+use ladder_instructions::Op;
+use ladder_syntax::{Name, TextRange};
+use std::collections::HashMap;
+
+pub(crate) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
+    let mut first: HashMap<(Body, &Name), usize> = HashMap::with_capacity(context.labels.len());
+    // Each label after the first, with the first.
+    let mut again = Vec::new();
+    for (index, label) in context.labels.iter().enumerate() {
+        let key = (context.bodies[label.network], &label.key);
+        match first.get(&key) {
+            Some(&first) => again.push((index, first)),
+            None => {
+                first.insert(key, index);
+            }
+        }
+    }
+    if again.is_empty() {
+        return;
+    }
+    let jumps = jumps(context);
+    let mut told = vec![false; context.labels.len()];
+    for (index, first) in again {
+        let label = &context.labels[index];
+        let mut found = Diagnostic::new(
+            Rule::DuplicateLabel,
+            label.at,
+            format!("the label `{}` stands more than once", label.name),
+        )
+        .help("a jump takes the nearest label behind it, else the nearest before it")
+        .related(context.labels[first].at, "it stands here first");
+        // Jumps to the first label are told with the second.
+        let targets: &[usize] = if std::mem::replace(&mut told[first], true) {
+            &[index]
+        } else {
+            &[first, index]
+        };
+        for &target in targets {
+            let target = &context.labels[target];
+            let line = context.line_number(target.at.start());
+            for &jump in jumps.get(&(target.network, &target.key)).into_iter().flatten() {
+                found = found.related(jump, format!("this jump goes to line {line}"));
+            }
+        }
+        out.push(found);
+    }
+}
+
+/// The jumps to each label, by the network that they go to.
+fn jumps(context: &Context) -> HashMap<(usize, &Name), Vec<TextRange>> {
+    let mut jumps: HashMap<(usize, &Name), Vec<TextRange>> = HashMap::new();
+    for (index, network) in context.networks.iter().enumerate() {
+        for bound in network.blocks.iter().filter(|bound| bound.op() == Some(Op::Jmp)) {
+            let Some(operand) = bound.facts.operands.first() else {
+                continue;
+            };
+            let NodeKind::Name(name) = &operand.value.kind else {
+                continue;
+            };
+            let Some((target, key)) = context.jump_label(index, &Name::new(name)) else {
+                continue;
+            };
+            jumps
+                .entry((target, key))
+                .or_default()
+                .push(bound.absolute(operand.value.range));
+        }
+    }
+    jumps
+}

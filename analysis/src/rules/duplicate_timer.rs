@@ -1,0 +1,53 @@
+//! `duplicate-timer` and `duplicate-counter`: a second block on the tag of a timer or counter.
+
+use crate::context::Context;
+use crate::diagnostic::Diagnostic;
+use crate::network::Formal;
+use crate::rule::Rule;
+use crate::scope::{TagFacts, Use};
+use crate::types::Type;
+use ladder_instructions::{Accepts, StateType};
+
+pub(crate) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
+    for tag in context.scopes.iter().flat_map(|scope| &scope.tags) {
+        let Some(Type::State(state)) = tag.ty else {
+            continue;
+        };
+        let rule = if state.is_timer() {
+            Rule::DuplicateTimer
+        } else if state.is_counter() {
+            Rule::DuplicateCounter
+        } else {
+            continue;
+        };
+        let mut owners = tag.uses.iter().filter(|place| owns(context, place, state));
+        let Some(first) = owners.next() else { continue };
+        out.extend(owners.map(|second| second_block(rule, tag, state, first, second)));
+    }
+}
+
+/// Whether a block keeps its state in the tag. One of another type is a mistake of its own.
+fn owns(context: &Context, place: &Use, state: StateType) -> bool {
+    let bound = &context.networks[place.network].blocks[place.block];
+    matches!(bound.formals[place.operand], Formal::Operand(o) if o.accepts == Accepts::State(state))
+}
+
+fn second_block(rule: Rule, tag: &TagFacts, state: StateType, first: &Use, second: &Use) -> Diagnostic {
+    let name = &tag.name;
+    let (kind, output) = match rule {
+        Rule::DuplicateTimer => ("timer", "Q"),
+        _ => ("counter", "Q"),
+    };
+    Diagnostic::new(
+        rule,
+        second.range,
+        format!(
+            "the {kind} `{name}` has a second block: both would work on one {}",
+            state.name()
+        ),
+    )
+    .help(format!(
+        "give this block a {kind} of its own; to use the {kind} on another rung read `{name}.{output}`"
+    ))
+    .related(first.range, format!("the {kind} `{name}` belongs to this block"))
+}

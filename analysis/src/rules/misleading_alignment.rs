@@ -1,0 +1,62 @@
+//! `misleading-alignment`: two connectors stand in one column and belong to two pairs.
+
+use crate::context::Context;
+use crate::diagnostic::Diagnostic;
+use crate::excerpt::{column, nth};
+use crate::network::NetworkFacts;
+use crate::rule::Rule;
+use ladder_syntax::TextRange;
+use ladder_syntax::wiring::{PartKind, Point};
+
+pub(crate) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
+    for network in context.networks.iter().filter(|network| !network.broken) {
+        for points in network.wiring.points.chunk_by(|a, b| a.upper == b.upper) {
+            // With one pair there is nothing to mistake it for; and nearly every drawing is straight.
+            if points.len() > 1 && points.iter().any(|point| !is_straight(network, point)) {
+                out.extend(misleading(context, network, points));
+            }
+        }
+    }
+}
+
+/// Whether both connectors stand at one distance in bytes from the start of their lines: cheap, and the same as
+/// one column where only plain characters stand before them.
+fn is_straight(network: &NetworkFacts, point: &Point) -> bool {
+    let rungs = &network.wiring.rungs;
+    rungs[point.upper].parts[point.down].range.start() == rungs[point.upper + 1].parts[point.up].range.start()
+}
+
+/// The first pair whose `\` stands above the `/` of another pair.
+fn misleading(context: &Context, network: &NetworkFacts, points: &[Point]) -> Option<Diagnostic> {
+    let wiring = &network.wiring;
+    let upper = points[0].upper;
+    let columns = |rung: usize, part: usize| {
+        let offset = wiring.rungs[rung].parts[part].range.start();
+        column(&context.parse, wiring.lines[rung], offset)
+    };
+    let downs: Vec<usize> = points.iter().map(|point| columns(upper, point.down)).collect();
+    let ups: Vec<usize> = points.iter().map(|point| columns(upper + 1, point.up)).collect();
+    let (pair, looks_like) = downs.iter().enumerate().find_map(|(pair, column)| {
+        let other = ups.iter().position(|up| up == column)?;
+        (other != pair).then_some((pair, other))
+    })?;
+    let place = |rung: usize, part: usize| network.part_range(&context.parse, rung, part);
+    let down = place(upper, points[pair].down);
+    debug_assert_eq!(wiring.rungs[upper].parts[points[pair].down].kind, PartKind::Down);
+    Some(
+        Diagnostic::new(
+            Rule::MisleadingAlignment,
+            down,
+            format!(
+                "the {} `\\` stands above the {} `/`, but pairs with the {}",
+                nth(pair),
+                nth(looks_like),
+                nth(pair)
+            ),
+        )
+        .help("connectors pair in their order from left to right, whatever their columns")
+        .related(place(upper + 1, points[pair].up), "this is its partner")
+        // Laying the network out again puts every pair into one column.
+        .fix("Put pairs into one column", TextRange::empty(down.start()), ""),
+    )
+}

@@ -1,0 +1,45 @@
+//! `no-output`: a network that writes nothing and steers nothing.
+
+use crate::context::Context;
+use crate::diagnostic::Diagnostic;
+use crate::network::BoundBlock;
+use crate::rule::Rule;
+use ladder_instructions::{Op, Role};
+use ladder_syntax::TextRange;
+use ladder_syntax::wiring::PartKind;
+
+pub(crate) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
+    for network in context.networks.iter().filter(|network| !network.broken) {
+        if network.blocks.iter().any(may_act) {
+            continue;
+        }
+        // The drawing of the first rung, without the comments at its ends.
+        let drawn = (0..network.wiring.rungs[0].parts.len())
+            .filter(|&part| {
+                let kind = network.wiring.rungs[0].parts[part].kind;
+                !matches!(kind, PartKind::Comment | PartKind::Bar)
+            })
+            .map(|part| network.part_range(&context.parse, 0, part))
+            .reduce(TextRange::cover);
+        let Some(range) = drawn else { continue };
+        let found = Diagnostic::new(
+            Rule::NoOutput,
+            range,
+            "this network does nothing: no block in it acts",
+        );
+        out.push(if network.blocks.is_empty() {
+            found.help("put blocks onto the wire, or remove the line")
+        } else {
+            found.help("its contacts only pass power on: end it with a coil or another block that acts, or remove it")
+        });
+    }
+}
+
+/// Whether a block does more than pass power on, or might.
+fn may_act(bound: &BoundBlock) -> bool {
+    match bound.instruction() {
+        Some(row) => row.role == Role::Acting || matches!(row.op, Op::Lbl | Op::Fun),
+        // A user-defined block acts; of an unknown one nothing is known.
+        None => true,
+    }
+}

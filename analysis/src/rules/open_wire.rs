@@ -1,0 +1,247 @@
+//! `open-wire`: no power can reach a wire, whatever the tags are.
+//!
+//! A line that begins without power and gets it later through a connector has a dead stretch before that. What
+//! is behind it on other lines is dead as well: the finding stands at the place where the power is lost.
+
+use crate::context::Context;
+use crate::diagnostic::{Diagnostic, Fix};
+use crate::network::NetworkFacts;
+use crate::program::Step;
+use crate::rule::Rule;
+use ladder_format::Edit;
+use ladder_syntax::wiring::{Part, PartKind, Segment};
+use ladder_syntax::{TextRange, TextSize};
+
+pub(crate) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
+    let mut live = Vec::new();
+    for network in context.networks.iter().filter(|network| !network.broken) {
+        live_steps(network, &mut live);
+        if network.order.elements.iter().all(|&(_, _, step, _)| live[step]) {
+            continue;
+        }
+        let reach = Reach::new(context, network, &live);
+        for rung in 0..network.wiring.rungs.len() {
+            for segment in 0..network.wiring.rungs[rung].segments.len() {
+                out.extend(reach.lost_at(rung, segment));
+            }
+        }
+    }
+}
+
+/// For each step whether power can come there.
+fn live_steps(network: &NetworkFacts, live: &mut Vec<bool>) {
+    live.clear();
+    for step in &network.order.steps {
+        live.push(match *step {
+            Step::Start { rail } => rail,
+            Step::Block { en, .. } => live[en],
+            Step::Join { upper, lower } => live[upper] || live[lower],
+        });
+    }
+}
+
+struct Reach<'c> {
+    context: &'c Context,
+    network: &'c NetworkFacts,
+    /// For each rung and part whether power can leave it.
+    live: Vec<Vec<bool>>,
+}
+
+impl<'c> Reach<'c> {
+    fn new(context: &'c Context, network: &'c NetworkFacts, steps: &[bool]) -> Reach<'c> {
+        let rungs = &network.wiring.rungs;
+        let mut live: Vec<Vec<bool>> = rungs.iter().map(|rung| vec![false; rung.parts.len()]).collect();
+        for &(rung, part, step, _) in &network.order.elements {
+            live[rung][part] = steps[step];
+        }
+        Reach {
+            context,
+            network,
+            live,
+        }
+    }
+
+    fn part(&self, rung: usize, part: usize) -> &Part {
+        &self.network.wiring.rungs[rung].parts[part]
+    }
+
+    fn segments(&self, rung: usize) -> &[Segment] {
+        &self.network.wiring.rungs[rung].segments
+    }
+
+    fn range(&self, rung: usize, first: usize, last: usize) -> TextRange {
+        let range = self.part(rung, first).range.cover(self.part(rung, last).range);
+        range + self.context.parse.line_start(self.network.wiring.lines[rung])
+    }
+
+    /// The finding for a segment that begins without power, if the power is lost there.
+    fn lost_at(&self, rung: usize, segment: usize) -> Option<Diagnostic> {
+        let first = self.segments(rung)[segment].parts.start;
+        if self.live[rung][first] {
+            return None;
+        }
+        match self.part(rung, first).kind {
+            PartKind::Down => self.lost_at_point(rung, segment),
+            // Said at its partner on the line above, or where that line loses its power.
+            PartKind::Up => None,
+            // misplaced-rail says so.
+            PartKind::StrayRail => None,
+            _ => self.lost_at_start(rung, segment),
+        }
+    }
+
+    /// A segment that begins with wire or a block.
+    fn lost_at_start(&self, rung: usize, segment: usize) -> Option<Diagnostic> {
+        if segment > 0 {
+            return self.cut_before(rung, segment);
+        }
+        let parts = self.segments(rung)[segment].parts.clone();
+        let dead = parts.clone().take_while(|&part| !self.live[rung][part]).count();
+        let range = self.range(rung, parts.start, parts.start + dead - 1);
+        let found = Diagnostic::new(
+            Rule::OpenWire,
+            range,
+            "no power can reach this wire: it begins neither at the left rail nor at a connector",
+        )
+        .help("begin the line with `+`, or join it to the line above with \\ and /");
+        Some(self.with_rail(rung, found))
+    }
+
+    /// A pair of connectors that both of its lines begin with: nothing arrives along either.
+    fn lost_at_point(&self, rung: usize, segment: usize) -> Option<Diagnostic> {
+        let down = self.segments(rung)[segment].parts.start;
+        let point = self
+            .network
+            .wiring
+            .points
+            .iter()
+            .find(|point| point.upper == rung && point.down == down)?;
+        let below = rung + 1;
+        let segment_below = self.part(below, point.up).segment? as usize;
+        if self.segments(below)[segment_below].parts.start != point.up {
+            return None;
+        }
+        if let Some(found) = self
+            .wrong_way_round(rung, segment)
+            .or_else(|| self.wrong_way_round(below, segment_below))
+        {
+            return Some(found);
+        }
+        for (rung, segment) in [(rung, segment), (below, segment_below)] {
+            if segment > 0 {
+                return self.cut_before(rung, segment);
+            }
+        }
+        let line = |rung: usize| {
+            let line = self.network.wiring.lines[rung];
+            self.context.line_number(self.context.parse.line_start(line))
+        };
+        let message = format!(
+            "no power can reach this connector: nothing comes along line {} or line {}",
+            line(rung),
+            line(below)
+        );
+        let found = Diagnostic::new(Rule::OpenWire, self.range(rung, down, down), message)
+            .help("one of the two lines must come from the left rail or from a live wire")
+            .related(self.range(below, point.up, point.up), "its partner");
+        Some(self.with_rail(rung, found))
+    }
+
+    /// `\--/` where `/--\` is meant: the segment begins with a dead connector, and its next one is live and of the
+    /// other kind.
+    fn wrong_way_round(&self, rung: usize, segment: usize) -> Option<Diagnostic> {
+        let parts = self.segments(rung)[segment].parts.clone();
+        let first = parts.start;
+        let is_connector = |part: usize| matches!(self.part(rung, part).kind, PartKind::Down | PartKind::Up);
+        let next = parts.skip(1).find(|&part| is_connector(part))?;
+        let (kind, next_kind) = (self.part(rung, first).kind, self.part(rung, next).kind);
+        if next_kind == kind || !self.live[rung][next] {
+            return None;
+        }
+        let (written, meant, from) = match kind {
+            PartKind::Down => ("\\", "/", "above"),
+            _ => ("/", "\\", "below"),
+        };
+        let mut found = Diagnostic::new(
+            Rule::OpenWire,
+            self.range(rung, first, next),
+            format!(
+                "this branch is drawn the wrong way round: power comes from the line {from} at its right end"
+            ),
+        )
+        .help(format!(
+            "power runs to the right: begin the branch with `{meant}` and end it with `{written}`"
+        ));
+        found.fixes.push(Fix {
+            title: "Swap `\\` and `/`".to_owned(),
+            edits: [(first, meant), (next, written)]
+                .map(|(part, text)| Edit {
+                    range: self.range(rung, part, part),
+                    text: text.to_owned(),
+                })
+                .into(),
+        });
+        Some(found)
+    }
+
+    /// The blank before a segment that cuts it off from a live wire. None if the wire before is dead too: it has
+    /// its own finding.
+    fn cut_before(&self, rung: usize, segment: usize) -> Option<Diagnostic> {
+        let before = self.segments(rung)[segment - 1].parts.end - 1;
+        let first = self.segments(rung)[segment].parts.start;
+        let between = &self.network.wiring.rungs[rung].parts[before + 1..first];
+        let said = between.iter().any(|part| part.kind == PartKind::StrayBar);
+        if !self.live[rung][before] || said {
+            return None;
+        }
+        let start = self.context.parse.line_start(self.network.wiring.lines[rung]);
+        let gap = TextRange::new(
+            self.part(rung, before).range.end(),
+            self.part(rung, first).range.start(),
+        );
+        // Comments stay, as wire.
+        let comments = between.iter().filter(|part| part.kind == PartKind::Comment);
+        let mut edits = Vec::new();
+        let mut at = gap.start();
+        for end in comments
+            .map(|part| part.range)
+            .chain([TextRange::empty(gap.end())])
+        {
+            let blank = TextRange::new(at, end.start());
+            if !blank.is_empty() {
+                edits.push(Edit {
+                    range: blank + start,
+                    text: "-".repeat(blank.len().into()),
+                });
+            }
+            at = end.end();
+        }
+        let mut found = Diagnostic::new(
+            Rule::OpenWire,
+            gap + start,
+            "the wire is cut here: no power can reach what stands behind",
+        )
+        .help("a blank or a `|` breaks a wire: draw it through with `-`");
+        found.fixes.push(Fix {
+            title: "Join the wire".to_owned(),
+            edits,
+        });
+        Some(found)
+    }
+
+    /// Lets the line begin at the left rail.
+    fn with_rail(&self, rung: usize, found: Diagnostic) -> Diagnostic {
+        let first = &self.network.wiring.rungs[rung].parts[self.segments(rung)[0].parts.start];
+        let start = self.context.parse.line_start(self.network.wiring.lines[rung]);
+        let title = "Begin at the left rail";
+        let bar = &self.network.wiring.rungs[rung].parts[0];
+        if bar.kind == PartKind::Bar {
+            let before = TextRange::new(bar.range.start(), first.range.start());
+            let dashes = usize::from(before.len()).saturating_sub(1).max(1);
+            return found.fix(title, before + start, format!("+{}", "-".repeat(dashes)));
+        }
+        let at: TextSize = first.range.start() + start;
+        let rail = if first.kind == PartKind::Wire { "+" } else { "+--" };
+        found.fix(title, TextRange::empty(at), rail)
+    }
+}

@@ -1,0 +1,54 @@
+//! `unknown-block`: a user-defined block that nobody defines, or that is drawn in another shape.
+
+use super::did_you_mean;
+use crate::context::Context;
+use crate::diagnostic::Diagnostic;
+use crate::network::{BoundBlock, Meaning};
+use crate::rule::Rule;
+use ladder_syntax::Name;
+
+pub(crate) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
+    for bound in context.networks.iter().flat_map(|network| &network.blocks) {
+        if matches!(bound.meaning, Meaning::UnknownUser) && !bound.faulty {
+            out.push(unknown(context, bound));
+        }
+    }
+}
+
+fn unknown(context: &Context, bound: &BoundBlock) -> Diagnostic {
+    let (range, written) = (bound.head_range(), bound.head_text());
+    let name = bound.facts.head.text();
+    let key = Name::new(name);
+    let in_brackets = |name: &str| {
+        let (open, close) = bound.facts.shape.brackets();
+        format!("{open}{name}{close}")
+    };
+    if let Some(definition) = context.user_blocks.iter().find(|block| block.key == key) {
+        let (open, close) = definition.shape.brackets();
+        let right = format!("{open}{}{close}", definition.name);
+        return Diagnostic::new(
+            Rule::WrongShape,
+            range,
+            format!("the block is drawn {right}, not {written}"),
+        )
+        .help("a block keeps the brackets of its definition")
+        .related(definition.at, "it is defined here")
+        .fix(format!("Replace with {right}"), range, right);
+    }
+    let found = Diagnostic::new(Rule::UnknownBlock, range, format!("there is no block {written}"));
+    let same_shape = context
+        .user_blocks
+        .iter()
+        .filter(|block| block.shape == bound.facts.shape);
+    match did_you_mean::closest(name, same_shape.map(|block| block.name.as_str())) {
+        Some(near) => {
+            let near = in_brackets(near);
+            found
+                .help(format!("did you mean {near}?"))
+                .fix(format!("Replace with {near}"), range, near)
+        }
+        None => found.help(format!(
+            "define it: FUNCTION_BLOCK {written}, its declarations and rungs, END_FUNCTION_BLOCK"
+        )),
+    }
+}

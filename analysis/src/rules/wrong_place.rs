@@ -1,0 +1,52 @@
+//! `wrong-place`: `<END>` or `<FUN>` in the body of a block, or a second `<FUN>` in one network.
+
+use crate::context::Context;
+use crate::diagnostic::Diagnostic;
+use crate::network::BoundBlock;
+use crate::rule::Rule;
+use ladder_instructions::{Op, Shape};
+
+pub(crate) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
+    for network in &context.networks {
+        let body = network
+            .scope
+            .checked_sub(1)
+            .map(|block| &context.user_blocks[block]);
+        let mut functions = 0;
+        for bound in &network.blocks {
+            match (bound.op(), body) {
+                (Some(Op::End), Some(block)) if block.shape != Shape::Function => out.push(
+                    wrong(
+                        bound,
+                        "<END> cannot stand in this block",
+                        "<RET> ends the body of the block",
+                    )
+                    .related(block.at, "this is the block"),
+                ),
+                (Some(Op::Fun), Some(block)) => out.push(
+                    wrong(
+                        bound,
+                        "<FUN> cannot stand in this block",
+                        "write the function in the program, outside of block definitions",
+                    )
+                    .related(block.at, "this is the block"),
+                ),
+                (Some(Op::Fun), None) => {
+                    functions += 1;
+                    if functions > 1 {
+                        out.push(wrong(
+                            bound,
+                            "this network begins two functions",
+                            "give each function a network of its own to begin with",
+                        ));
+                    }
+                }
+                _ => {}
+            }
+        }
+    }
+}
+
+fn wrong(bound: &BoundBlock, message: &str, help: &str) -> Diagnostic {
+    Diagnostic::new(Rule::WrongPlace, bound.head_range(), message).help(help)
+}
