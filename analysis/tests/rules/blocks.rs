@@ -53,7 +53,7 @@ fn misspelt() {
                            ^^^^^ error[unknown-instruction]: there is no instruction <JPM>
                 help: did you mean <JMP> (jump)?
                 fix: Replace with <JMP>
-                  +--[ ]( a )----------------<JMP>( x )--+
+                  +--[ ]( a )--<JMP>( x )--+
         "#]],
     );
 }
@@ -67,12 +67,12 @@ fn the_tag_in_the_place_of_the_kind() {
                  ^^^^^^^ error[unknown-instruction]: there is no instruction [start]
                 help: a contact of the tag `start` is written [ ]( start )
                 fix: Write [ ]( start )
-                  +--[ ]( start )-----------------(RUN)--+
+                  +--[ ]( start )-----------------(run)--+
             > +--[start]--(run)--+
                           ^^^^^ error[unknown-instruction]: there is no instruction (run)
                 help: a coil of the tag `run` is written ( )( run )
                 fix: Write ( )( run )
-                  +-----------------[START]--( )( run )--+
+                  +-----------------[start]--( )( run )--+
         "#]],
     );
 }

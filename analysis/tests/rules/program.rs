@@ -71,7 +71,7 @@ fn coils_that_do_not_meet() {
                     ^^^^ error[unclosed-block]: `( b` is not closed: `)` is missing
                 help: a block is closed on its own line
                 fix: Insert `)`
-                  +--[ ]( b )------------------( )( y )--+
+                  +--[ ]( b )--( )( y )--+
         "#]],
     );
 }
@@ -136,7 +136,7 @@ fn labels() {
                                   ^^^^^ error[unknown-label]: there is no label `ready` to jump to
                 help: did you mean `redy`?
                 fix: Jump to `redy`
-                  +--[ ]( a )-------------<JMP>( redy )--+
+                  +--[ ]( a )--<JMP>( redy )--+
         "#]],
     );
     check(
@@ -213,7 +213,7 @@ fn uses_of_blocks() {
                  ^^^^^^^^^^ error[unknown-block]: there is no block [$Debounc]
                 help: did you mean [$Debounce]?
                 fix: Replace with [$Debounce]
-                  +-------------------------------------------------[$Debounce]( a, T#20ms, y )--+
+                  +----------------------------------------[$Debounce]( a, T#20ms, y )--+
         "#]],
     );
     check(
@@ -224,7 +224,7 @@ fn uses_of_blocks() {
                 help: a block keeps the brackets of its definition
                 at 1:16 `[$Debounce]`: it is defined here
                 fix: Replace with [$Debounce]
-                  +-------------------------------------------------[$Debounce]( a, T#20ms, y )--+
+                  +----------------------------------------[$Debounce]( a, T#20ms, y )--+
         "#]],
     );
     check(
@@ -244,7 +244,7 @@ fn uses_of_blocks() {
                 help: it is written [$Debounce]( raw, wait, clean )
                 at 1:16 `[$Debounce]`: the block is defined here
                 fix: Remove the extra operand
-                  +-------------------------------------------------[$Debounce]( a, T#20ms, y )--+
+                  +----------------------------------------[$Debounce]( a, T#20ms, y )--+
         "#]],
     );
     check(

@@ -22,7 +22,7 @@ fn first_part_that_is_not_closed() {
                            ^^^^ error[unclosed-block]: `<JMP` is not closed: `>` is missing
                 help: a block is closed on its own line
                 fix: Insert `>`
-                  +--[ ]( a )------------<JMP>( there )--+
+                  +--[ ]( a )--<JMP>( there )--+
         "#]],
     );
     check(

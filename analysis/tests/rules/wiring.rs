@@ -201,8 +201,8 @@ fn one_loss_is_told_once() {
                                      ^^^^ error[misplaced-rail]: a second rung begins on this line
                 help: each rung stands on a line of its own
                 fix: Break the line
-                  +--[ ]( a )------------------( )( y )--+
-                  +--[ ]( b )------------------( )( z )--+
+                  +--[ ]( a )--( )( y )--+
+                  +--[ ]( b )--( )( z )--+
         "#]],
     );
 }
