@@ -4,7 +4,7 @@
 //! client's bytes -> lsp::inlet -> tower-lsp -> lsp::guard -> lsp::backend -> one file for each feature
 //!                                                                                |
 //!                       document: open texts, revisions, positions <-------------+
-//!                       language: the one place that asks the inner crates <-----+
+//!                       language: asks the inner crates about a text <----------+
 //!                       simulation: sessions, each on a thread of its own <------+
 //!                                                                                |
 //! client <- tower-lsp <- answers, and lsp::outbox: what is said without being asked
@@ -13,8 +13,9 @@
 //! - `document` holds the editor's texts in ropes. A change makes a new `Revision`, which never changes again:
 //!   whoever works on one works in peace, and whether it is still shown is asked at the end. A revision computes
 //!   its contiguous text and its analysis once, when first asked.
-//! - `language` narrows the inner crates down to what an editor asks for, in byte offsets.
-//! - `simulation` runs programs for the editor. It knows the custom messages, but nothing of the framework.
+//! - `language` is where the server asks about a text: findings, hovers, layout, in bytes.
+//! - `simulation` runs programs for the editor, on the scan engine. It knows the custom messages, but nothing of
+//!   the framework.
 //! - `lsp` speaks the protocol. It is the only folder that names `tower-lsp`, and its page has the rules that
 //!   keep a server on it alive, in order and answering.
 //!

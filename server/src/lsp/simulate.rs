@@ -12,7 +12,6 @@ use tower_lsp::ls_types::{ExecuteCommandParams, LSPAny};
 use super::blocking::blocking;
 use super::shared::Shared;
 use crate::cancel::Cancel;
-use crate::language::Simulation;
 use crate::simulation::messages::{OfSession, Start, Started, State, Stopped};
 use crate::simulation::{Action, Failure, REPORT, Request, Session};
 
@@ -61,25 +60,17 @@ async fn start(shared: &Arc<Shared>, Start { uri, options }: Start) -> Result<St
             "{uri} is not open in the editor; open it and start again"
         )))
     })?;
-    let job = revision.clone();
-    let simulation = blocking(move |_| match job.analysis() {
-        Some(analysis) => Simulation::start(analysis, &options),
-        None => Err(Failure::Failed("the file is too large to be simulated".into())),
-    });
-    let simulation = simulation.await?.map_err(error)?;
-    let (session, states) = shared
-        .sessions
-        .start(revision.clone(), simulation)
-        .map_err(error)?;
-    let state = states.borrow().clone();
+    let (name, job) = (shared.sessions.new_name(), revision.clone());
+    let started = blocking(move |_| Session::start(name, job, &options)).await?;
+    let (session, states) = started.map_err(error)?;
+    // No `await` from here on: a request that is cancelled must not leave a session that nobody knows of.
+    let session = shared.sessions.add(session).map_err(error)?;
+    let mut state = states.borrow().clone();
     tokio::spawn(report(shared.client.clone(), states));
-    // A change may have come between the text's reading and the session's entry in the table.
+    // A change may have come while the program was compiled, when nobody could tell the session.
     if !shared.documents.is_current(&revision) {
-        let state = answer(&session, Action::MarkStale).await?;
-        return Ok(Started {
-            session: session.id.clone(),
-            state,
-        });
+        drop(session.ask(Action::MarkStale, Cancel::default()));
+        state.stale = true;
     }
     Ok(Started {
         session: session.id.clone(),

@@ -23,7 +23,11 @@ pub struct Start {
 #[serde(rename_all = "camelCase", deny_unknown_fields)]
 pub struct Options {
     /// The time that one scan stands for, in milliseconds; 10 unless given.
-    #[serde(skip_serializing_if = "Option::is_none")]
+    #[serde(
+        default,
+        skip_serializing_if = "Option::is_none",
+        serialize_with = "shortest_if_any"
+    )]
     pub interval_ms: Option<f64>,
     /// Values of inputs from the first scan on.
     #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
@@ -200,6 +204,14 @@ pub struct Fault {
     pub range: Range,
     /// The scan it happened in, from 0.
     pub scan: u64,
+}
+
+#[expect(clippy::ref_option, reason = "serde asks for it")]
+fn shortest_if_any<S: Serializer>(number: &Option<f64>, serializer: S) -> Result<S::Ok, S::Error> {
+    match number {
+        Some(number) => shortest(number, serializer),
+        None => serializer.serialize_none(),
+    }
 }
 
 /// A whole number is written without a point.

@@ -1,13 +1,16 @@
 //! Simulations that an editor starts, steps and watches.
 //!
 //! [`request`] reads a command, [`messages`] are its arguments and answers, [`sessions`] knows who runs, and each
-//! [`session`] is a thread of its own: a long run stops nobody, and a command is seen between two scans. The
-//! folder knows nothing of the protocol's framework: states go out through a channel that keeps only the newest.
+//! [`session`] is a thread of its own, which drives an [`engine`]: a long run stops nobody, and a command is seen
+//! between two scans. The folder knows nothing of the protocol's framework: states go out through a channel that keeps
+//! only the newest.
 
+mod engine;
 pub mod messages;
 mod request;
 mod session;
 mod sessions;
+mod value;
 
 pub(crate) use request::{COMMANDS, Failure, Request};
 pub(crate) use session::{Action, REPORT, Session};

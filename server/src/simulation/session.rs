@@ -8,18 +8,14 @@ use std::time::{Duration, Instant};
 use serde_json::Value;
 use tokio::sync::{oneshot, watch};
 
-use super::messages::{self, State, Status};
+use super::engine::Engine;
+use super::messages::{Options, State, Status};
 use super::request::Failure;
 use crate::cancel::Cancel;
 use crate::document::Revision;
-use crate::document::position::Range;
-use crate::language::{Scanned, Simulation};
 
 /// How often a run reports: twenty times a second.
 pub(crate) const REPORT: Duration = Duration::from_millis(50);
-
-/// So many faults are reported, the newest: a division by zero in every scan would else fill the memory.
-const FAULTS: usize = 100;
 
 /// What a session is asked to do.
 #[derive(Debug)]
@@ -77,47 +73,41 @@ pub(crate) struct Session {
 }
 
 impl Session {
-    /// Starts the thread. The receiver shows the newest state, from before the first scan on.
+    /// Starts the thread of a program. Compiles it first: for a blocking thread. The receiver shows the newest
+    /// state, from before the first scan on.
     pub(crate) fn start(
         id: String,
         revision: Arc<Revision>,
-        simulation: Simulation,
+        options: &Options,
     ) -> Result<(Self, watch::Receiver<State>), Failure> {
         let (commands, inbox) = channel();
         let urgent = Arc::<AtomicUsize>::default();
         let uri = revision.uri.clone();
-        let power = simulation
-            .places()
-            .into_iter()
-            .map(|place| revision.range(place))
-            .collect();
-        let mut runner = Runner {
+        let mut simulation = Simulation {
             id: id.clone(),
-            revision,
-            simulation,
-            power,
+            engine: Engine::start(revision, options)?,
             status: Status::Paused,
             stale: false,
+        };
+        let (states, receiver) = watch::channel(simulation.state());
+        let runner = Runner {
+            simulation,
             run: None,
             inbox,
             urgent: urgent.clone(),
-            states: None,
+            states,
         };
-        let (states, receiver) = watch::channel(runner.state());
-        runner.states = Some(states);
         std::thread::Builder::new()
             .name(format!("simulation {id}"))
             .spawn(move || runner.work())
             .map_err(|error| Failure::Failed(format!("no thread for the simulation: {error}")))?;
-        Ok((
-            Session {
-                id,
-                uri,
-                commands,
-                urgent,
-            },
-            receiver,
-        ))
+        let session = Session {
+            id,
+            uri,
+            commands,
+            urgent,
+        };
+        Ok((session, receiver))
     }
 
     /// Hands over an action and returns where its answer will arrive. An answer that nobody waits for is no
@@ -146,19 +136,47 @@ struct Going {
     reported: Instant,
 }
 
-/// The thread's own side.
-struct Runner {
+/// The program and how it stands.
+struct Simulation {
     id: String,
-    revision: Arc<Revision>,
-    simulation: Simulation,
-    /// Where the elements stand, computed once: the text that runs does not change.
-    power: Vec<Range>,
+    engine: Engine,
     status: Status,
     stale: bool,
+}
+
+impl Simulation {
+    fn scan(&mut self) {
+        match self.engine.scan() {
+            ladder_simulator::Status::Ready => {}
+            ladder_simulator::Status::Ended => self.status = Status::Ended,
+            ladder_simulator::Status::Faulted => self.status = Status::Faulted,
+        }
+    }
+
+    fn state(&mut self) -> State {
+        let engine = &mut self.engine;
+        State {
+            session: self.id.clone(),
+            uri: engine.revision().uri.to_string(),
+            version: engine.revision().version,
+            stale: self.stale,
+            status: self.status,
+            scan: engine.scans(),
+            time_ms: engine.time_ms(),
+            tags: engine.tags(),
+            power: engine.power(),
+            faults: engine.faults(),
+        }
+    }
+}
+
+/// The thread's own side.
+struct Runner {
+    simulation: Simulation,
     run: Option<Going>,
     inbox: Receiver<Command>,
     urgent: Arc<AtomicUsize>,
-    states: Option<watch::Sender<State>>,
+    states: watch::Sender<State>,
 }
 
 impl Runner {
@@ -203,12 +221,11 @@ impl Runner {
             Next::Stay
         };
         let changes = !matches!(action, Action::State);
-        let outcome = self.act(action, &cancel);
-        let state = self.state();
-        if changes && outcome.is_ok() {
-            self.publish(state.clone());
+        let outcome = self.act(action, &cancel).map(|()| self.simulation.state());
+        if let (true, Ok(state)) = (changes, &outcome) {
+            self.states.send_replace(state.clone());
         }
-        let _ = reply.send(outcome.map(|()| state));
+        let _ = reply.send(outcome);
         next
     }
 
@@ -220,19 +237,19 @@ impl Runner {
             }
             Action::Run { scans, real_time } => self.start_run(scans, real_time),
             Action::Pause => self.pause(),
-            Action::Set(tag, value) => self.simulation.set(&tag, &value)?,
-            Action::Force(tag, value) => self.simulation.force(&tag, &value)?,
-            Action::Unforce(tag) => self.simulation.unforce(tag.as_deref())?,
+            Action::Set(tag, value) => self.simulation.engine.set(&tag, &value)?,
+            Action::Force(tag, value) => self.simulation.engine.force(&tag, &value)?,
+            Action::Unforce(tag) => self.simulation.engine.unforce(tag.as_deref())?,
             Action::State => {}
             Action::Reset => {
                 self.run = None;
-                self.simulation.reset();
-                self.status = Status::Paused;
+                self.simulation.engine.reset()?;
+                self.simulation.status = Status::Paused;
             }
-            Action::MarkStale => self.stale = true,
+            Action::MarkStale => self.simulation.stale = true,
             Action::Stop => {
                 self.run = None;
-                self.status = Status::Ended;
+                self.simulation.status = Status::Ended;
             }
         }
         Ok(())
@@ -240,38 +257,38 @@ impl Runner {
 
     fn pause(&mut self) {
         self.run = None;
-        if self.status == Status::Running {
-            self.status = Status::Paused;
+        if self.simulation.status == Status::Running {
+            self.simulation.status = Status::Paused;
         }
     }
 
     /// Scans until done, until nobody waits for it, or until an urgent command wants to be heard. Other commands
     /// wait: a `set` that was sent behind a `step` takes effect behind it.
     fn step(&mut self, scans: u64, cancel: &Cancel) {
-        if self.status != Status::Paused {
+        if self.simulation.status != Status::Paused {
             return;
         }
-        self.status = Status::Running;
+        self.simulation.status = Status::Running;
         let mut reported = Instant::now();
         for _ in 0..scans {
             let interrupted = cancel.is_cancelled() || self.urgent.load(Ordering::SeqCst) > 0;
-            if interrupted || self.status != Status::Running {
+            if interrupted || self.simulation.status != Status::Running {
                 break;
             }
-            self.scan();
+            self.simulation.scan();
             if reported.elapsed() >= REPORT {
                 reported = Instant::now();
-                self.publish(self.state());
+                self.publish();
             }
         }
         self.pause();
     }
 
     fn start_run(&mut self, scans: Option<u64>, real_time: bool) {
-        let can_run = matches!(self.status, Status::Paused | Status::Running);
+        let can_run = matches!(self.simulation.status, Status::Paused | Status::Running);
         if can_run && scans != Some(0) {
             let now = Instant::now();
-            self.status = Status::Running;
+            self.simulation.status = Status::Running;
             self.run = Some(Going {
                 left: scans,
                 due: real_time.then_some(now),
@@ -285,59 +302,27 @@ impl Runner {
     /// One scan of a run.
     fn go_on(&mut self) {
         let Some(mut run) = self.run else { return };
-        self.scan();
+        self.simulation.scan();
         let now = Instant::now();
         run.left = run.left.map(|left| left - 1);
         // A scan that takes longer than its interval makes the simulation slow; it does not make it catch up.
-        run.due = run.due.map(|due| (due + self.simulation.interval()).max(now));
-        if self.status != Status::Running || run.left == Some(0) {
+        run.due = run
+            .due
+            .map(|due| (due + self.simulation.engine.interval()).max(now));
+        if self.simulation.status != Status::Running || run.left == Some(0) {
             self.pause();
-            self.publish(self.state());
+            self.publish();
             return;
         }
         if now - run.reported >= REPORT {
             run.reported = now;
-            self.publish(self.state());
+            self.publish();
         }
         self.run = Some(run);
     }
 
-    fn scan(&mut self) {
-        match self.simulation.scan() {
-            Scanned::Done => {}
-            Scanned::Ended => self.status = Status::Ended,
-            Scanned::Faulted => self.status = Status::Faulted,
-        }
-    }
-
-    fn publish(&self, state: State) {
-        if let Some(states) = &self.states {
-            states.send_replace(state);
-        }
-    }
-
-    fn state(&self) -> State {
-        let power = self.power.iter().zip(self.simulation.power());
-        let faults = self.simulation.faults();
-        State {
-            session: self.id.clone(),
-            uri: self.revision.uri.to_string(),
-            version: self.revision.version,
-            stale: self.stale,
-            status: self.status,
-            scan: self.simulation.scans(),
-            time_ms: self.simulation.time_ms(),
-            tags: self.simulation.tags(),
-            power: power.map(|(&range, on)| messages::Power { range, on }).collect(),
-            faults: faults[faults.len().saturating_sub(FAULTS)..]
-                .iter()
-                .map(|fault| messages::Fault {
-                    message: fault.message.clone(),
-                    range: self.revision.range(fault.range),
-                    scan: fault.scan,
-                })
-                .collect(),
-        }
+    fn publish(&mut self) {
+        self.states.send_replace(self.simulation.state());
     }
 }
 

@@ -3,14 +3,9 @@
 use std::collections::BTreeMap;
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
-use tokio::sync::watch;
-
-use super::messages::State;
 use super::request::Failure;
 use super::session::{Action, Session};
 use crate::cancel::Cancel;
-use crate::document::Revision;
-use crate::language::Simulation;
 
 /// No editor shows more simulations than this at once; a client that starts them in a loop is stopped here.
 const MOST: usize = 32;
@@ -23,29 +18,29 @@ pub(crate) struct Sessions {
 
 #[derive(Debug, Default)]
 struct Table {
-    started: u64,
+    named: u64,
     open: BTreeMap<String, Arc<Session>>,
 }
 
 impl Sessions {
-    /// Starts a simulation of this revision, and returns its session with the channel that shows its states.
-    pub(crate) fn start(
-        &self,
-        revision: Arc<Revision>,
-        simulation: Simulation,
-    ) -> Result<(Arc<Session>, watch::Receiver<State>), Failure> {
+    /// A name that no session has had.
+    pub(crate) fn new_name(&self) -> String {
+        let mut table = self.lock();
+        table.named += 1;
+        format!("s{}", table.named)
+    }
+
+    /// Enters a session that has just started.
+    pub(crate) fn add(&self, session: Session) -> Result<Arc<Session>, Failure> {
         let mut table = self.lock();
         if table.open.len() >= MOST {
             return Err(Failure::Failed(format!(
                 "{MOST} simulations are open; stop one of them first"
             )));
         }
-        table.started += 1;
-        let id = format!("s{}", table.started);
-        let (session, states) = Session::start(id.clone(), revision, simulation)?;
         let session = Arc::new(session);
-        table.open.insert(id, session.clone());
-        Ok((session, states))
+        table.open.insert(session.id.clone(), session.clone());
+        Ok(session)
     }
 
     /// The session of this name.

@@ -30,11 +30,11 @@ async fn each_version_has_its_own() {
 
 #[tokio::test]
 async fn related_places_are_linked_or_else_written_out() {
-    let double = "+--[ ]( a )--( )( y )--+\n\n+--[ ]( b )--( )( y )--+\n";
+    let double = "VAR  a : BOOL;  a : INT;  END_VAR\n+--[ ]( a )--( )( y )--+\n";
     let mut rich = Client::new().await;
     rich.open(double).await;
     let found = rich.diagnostics(1).await;
-    assert_eq!(codes(&found), ["double-coil"]);
+    assert_eq!(codes(&found), ["duplicate-declaration"]);
     let related = found[0]["relatedInformation"].as_array().unwrap();
     assert_eq!(related[0]["location"]["uri"], URI);
     let line = related[0]["location"]["range"]["start"]["line"].as_u64().unwrap() + 1;

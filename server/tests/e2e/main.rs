@@ -1,7 +1,9 @@
 //! Sessions between a small client and the whole server, framework included, over a pipe in the process.
 
-#[allow(dead_code)]
 mod client;
+mod diagnostics;
 mod features;
 mod lifecycle;
+mod protocol_page;
+mod simulate;
 mod sync;
