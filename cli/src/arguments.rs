@@ -1,6 +1,8 @@
 //! What stands on the command line.
 
-use crate::commands::{check, explain, fmt, lsp, tree};
+#[cfg(feature = "server")]
+use crate::commands::lsp;
+use crate::commands::{check, explain, fmt, tree};
 use crate::outcome::exit;
 use clap::{Parser, Subcommand};
 use std::process::ExitCode;
@@ -26,6 +28,7 @@ enum Command {
     Check(check::Arguments),
     Fmt(fmt::Arguments),
     Explain(explain::Arguments),
+    #[cfg(feature = "server")]
     Lsp(lsp::Arguments),
     Tree(tree::Arguments),
 }
@@ -34,6 +37,7 @@ impl Ladder {
     pub(crate) fn run(self) -> ExitCode {
         let result = match self.command {
             // The server has an exit status of its own, which the protocol asks for.
+            #[cfg(feature = "server")]
             Command::Lsp(_) => return lsp::run(),
             Command::Check(arguments) => check::run(&arguments),
             Command::Fmt(arguments) => fmt::run(&arguments),

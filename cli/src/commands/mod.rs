@@ -3,5 +3,6 @@
 pub(crate) mod check;
 pub(crate) mod explain;
 pub(crate) mod fmt;
+#[cfg(feature = "server")]
 pub(crate) mod lsp;
 pub(crate) mod tree;
