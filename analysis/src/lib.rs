@@ -15,7 +15,6 @@ pub mod constant;
 pub mod context;
 mod declare;
 pub mod diagnostic;
-pub mod entry;
 mod excerpt;
 pub mod facts;
 pub mod fix;
