@@ -2,7 +2,7 @@
 
 #[cfg(feature = "server")]
 use crate::commands::lsp;
-use crate::commands::{check, explain, fmt, tree};
+use crate::commands::{check, explain, fmt, sim, tree};
 use crate::outcome::exit;
 use clap::{Parser, Subcommand};
 use std::process::ExitCode;
@@ -11,11 +11,13 @@ const EXAMPLES: &str = "\
 Examples:
   ladder check motor.clad                       look for mistakes
   ladder fmt .                                  align all diagrams in this folder
+  ladder sim motor.clad --scans 100 --set start=1
+                                                run 100 scans with `start` high
   ladder explain TON                            how the on-delay timer works
 
 Exit status: 0 fine, 1 findings, 2 the command could not do its work.";
 
-/// Ladder logic as plain text: check it, align it.
+/// Ladder logic as plain text: check it, align it, run it.
 #[derive(Debug, Parser)]
 #[command(name = "ladder", version, after_help = EXAMPLES, disable_help_subcommand = true)]
 pub(crate) struct Ladder {
@@ -27,6 +29,7 @@ pub(crate) struct Ladder {
 enum Command {
     Check(check::Arguments),
     Fmt(fmt::Arguments),
+    Sim(sim::Arguments),
     Explain(explain::Arguments),
     #[cfg(feature = "server")]
     Lsp(lsp::Arguments),
@@ -41,6 +44,7 @@ impl Ladder {
             Command::Lsp(_) => return lsp::run(),
             Command::Check(arguments) => check::run(&arguments),
             Command::Fmt(arguments) => fmt::run(&arguments),
+            Command::Sim(arguments) => sim::run(&arguments),
             Command::Explain(arguments) => explain::run(&arguments),
             Command::Tree(arguments) => tree::run(&arguments),
         };

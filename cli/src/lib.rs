@@ -12,6 +12,7 @@
 //! the process itself.
 //!
 //! - `outcome` has the exit status: 0 fine, 1 findings, 2 the command could not do its work.
+//! - `findings` shows what is wrong in a program.
 //! - `terminal` is the only module that names stdout and stderr: messages go to stderr as `error: ...`, colours
 //!   only to a terminal, and a reader that closes the pipe early is no error.
 //!
@@ -20,6 +21,7 @@
 
 mod arguments;
 mod commands;
+mod findings;
 mod outcome;
 mod terminal;
 

@@ -17,6 +17,11 @@ pub(crate) fn note(message: &dyn Display) {
     say(NOTE, "note", message);
 }
 
+/// Says something on stderr as it is, on lines of its own.
+pub(crate) fn plain(message: &dyn Display) {
+    let _ = writeln!(io::stderr().lock(), "{message}");
+}
+
 fn say(style: Style, kind: &str, message: &dyn Display) {
     let mut stderr = anstream::stderr();
     // Whoever has closed stderr does not want to know.
@@ -26,6 +31,11 @@ fn say(style: Style, kind: &str, message: &dyn Display) {
 /// Whether stdout shows colours: it is a terminal, and `NO_COLOR` is not set.
 pub(crate) fn stdout_has_colours() -> bool {
     anstream::AutoStream::choice(&io::stdout()) != anstream::ColorChoice::Never
+}
+
+/// Whether stderr shows colours.
+pub(crate) fn stderr_has_colours() -> bool {
+    anstream::AutoStream::choice(&io::stderr()) != anstream::ColorChoice::Never
 }
 
 /// Standard output, buffered. A reader that goes away (`ladder check . | head`) is no error: what follows is

@@ -5,4 +5,5 @@ pub(crate) mod explain;
 pub(crate) mod fmt;
 #[cfg(feature = "server")]
 pub(crate) mod lsp;
+pub(crate) mod sim;
 pub(crate) mod tree;

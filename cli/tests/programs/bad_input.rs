@@ -4,7 +4,13 @@ use crate::harness::{CROOKED, Folder, MOTOR};
 use std::fs::File;
 
 /// Every way to hand a file to a program.
-const COMMANDS: [&[&str]; 4] = [&["check"], &["fmt"], &["fmt", "--check"], &["tree"]];
+const COMMANDS: [&[&str]; 5] = [
+    &["check"],
+    &["fmt"],
+    &["fmt", "--check"],
+    &["sim", "--scans", "1"],
+    &["tree"],
+];
 
 fn each_command_refuses(folder: &Folder, path: &str, message: &str) {
     for command in COMMANDS {
@@ -53,9 +59,11 @@ fn a_folder_without_programs() {
     folder.ladder(&["check", "plant"]).refused_with(message);
     folder.ladder(&["fmt", "plant"]).refused_with(message);
     folder.ldfmt(&["--check", "plant"]).refused_with(message);
-    folder
-        .ladder(&["tree", "plant"])
-        .refused_with("plant: this is a folder; name a file in it");
+    for command in ["sim", "tree"] {
+        folder
+            .ladder(&[command, "plant"])
+            .refused_with("plant: this is a folder; name a file in it");
+    }
 }
 
 #[test]

@@ -8,7 +8,7 @@ use expect_test::expect_file;
 fn help_texts() {
     let folder = Folder::with(&[]);
     let mut pages = String::new();
-    for command in ["", "check", "fmt", "explain", "lsp", "tree"] {
+    for command in ["", "check", "fmt", "sim", "explain", "lsp", "tree"] {
         let arguments: Vec<&str> = [command, "--help"]
             .into_iter()
             .filter(|a| !a.is_empty())
@@ -32,6 +32,7 @@ fn bad_arguments_exit_with_2() {
         &["check", "--format", "xml", "a.clad"],
         &["fmt"],
         &["fmt", "--range", "3", "a.clad"],
+        &["sim", "a.clad", "--scans", "many"],
         &["explain"],
     ] {
         let run = folder.ladder(arguments);

@@ -8,4 +8,5 @@ mod fmt;
 mod harness;
 mod help;
 mod lsp;
+mod sim;
 mod tree;

@@ -1,18 +1,13 @@
 //! `ladder check`: the mistakes in programs.
 
-mod full;
-mod json;
 mod report;
-mod source;
 
+use crate::findings::Source;
 use crate::outcome::{Failure, Outcome};
 use crate::terminal;
 use clap::{Args, ValueEnum};
-use ladder_analysis::Diagnostic;
 use report::Report;
-use source::Source;
 use std::path::PathBuf;
-use std::sync::Arc;
 
 const EXAMPLES: &str = "\
 Examples:
@@ -85,9 +80,4 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
         outcome = outcome.max(Outcome::Findings);
     }
     Ok(outcome)
-}
-
-/// What is wrong in a program.
-fn findings(source: &Source) -> Vec<Diagnostic> {
-    ladder_analysis::analyze(&Arc::new(ladder_syntax::parse(&source.text)), &source.file).diagnostics
 }

@@ -1,9 +1,7 @@
 //! What is written while files are checked, in the chosen form.
 
 use super::Format;
-use super::full;
-use super::json;
-use super::source::Source;
+use crate::findings::{Source, full, json};
 use crate::terminal::{Stdout, stdout_has_colours};
 use annotate_snippets::Renderer;
 use ladder_analysis::Diagnostic;
@@ -36,7 +34,7 @@ impl Report {
 
     /// Checks a program and writes what is found.
     pub(super) fn add(&mut self, source: &Source) -> io::Result<()> {
-        let findings = super::findings(source);
+        let findings = source.analyze().diagnostics;
         for finding in &findings {
             match self.format {
                 Format::Full => {

@@ -1,30 +1,36 @@
 //! A program's text, and the places in it as people count them.
 
+use ladder_analysis::Analysis;
 use ladder_syntax::{LineColumn, LineIndex, TextRange, TextSize};
 use std::borrow::Cow;
+use std::sync::Arc;
 
 /// A text that was checked.
-pub(super) struct Source {
+pub(crate) struct Source {
     /// The file as it was named.
-    pub(super) file: String,
+    pub(crate) file: String,
     /// The text, byte for byte where the program has its own.
-    pub(super) text: String,
+    pub(crate) text: String,
     index: LineIndex,
 }
 
 impl Source {
-    pub(super) fn new(file: String, text: String) -> Source {
+    pub(crate) fn new(file: String, text: String) -> Source {
         let index = LineIndex::new(&text);
         Source { file, text, index }
     }
 
-    pub(super) fn place(&self, offset: TextSize) -> LineColumn {
+    pub(crate) fn analyze(&self) -> Analysis {
+        ladder_analysis::analyze(&Arc::new(ladder_syntax::parse(&self.text)), &self.file)
+    }
+
+    pub(crate) fn place(&self, offset: TextSize) -> LineColumn {
         self.index.line_column(&self.text, offset)
     }
 
     /// The whole lines that a range touches, and the number of the first, from 1. A range that ends with a line
     /// end does not touch the line behind it.
-    pub(super) fn lines(&self, range: TextRange) -> Lines {
+    pub(crate) fn lines(&self, range: TextRange) -> Lines {
         let first = self.index.line(range.start());
         let last = self.index.line(range.end()).max(first);
         let behind_line_end = last > first && self.index.range(last).start() == range.end();
@@ -35,7 +41,7 @@ impl Source {
     }
 
     /// The lines as they are shown, and where they begin in the text.
-    pub(super) fn excerpt(&self, lines: Lines) -> (Cow<'_, str>, TextSize) {
+    pub(crate) fn excerpt(&self, lines: Lines) -> (Cow<'_, str>, TextSize) {
         let mut start = self.index.range(lines.first).start();
         let end = self.index.range(lines.last).end();
         // The byte order mark is no character of the first line.
@@ -51,14 +57,14 @@ impl Source {
 
 /// Some lines of a text, counted from 0, both included.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) struct Lines {
-    pub(super) first: usize,
-    pub(super) last: usize,
+pub(crate) struct Lines {
+    pub(crate) first: usize,
+    pub(crate) last: usize,
 }
 
 impl Lines {
     /// The lines of both, and those between.
-    pub(super) fn join(self, other: Lines) -> Lines {
+    pub(crate) fn join(self, other: Lines) -> Lines {
         Lines {
             first: self.first.min(other.first),
             last: self.last.max(other.last),
@@ -66,7 +72,7 @@ impl Lines {
     }
 
     /// How many lines stand between the two; 0 if they touch or overlap.
-    pub(super) fn distance(self, other: Lines) -> usize {
+    pub(crate) fn distance(self, other: Lines) -> usize {
         let between = |upper: usize, lower: usize| lower.saturating_sub(upper).saturating_sub(1);
         between(self.last, other.first).max(between(other.last, self.first))
     }

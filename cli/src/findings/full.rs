@@ -11,7 +11,8 @@ use std::ops::Range;
 /// Related places at most so many lines away are shown in one excerpt with the finding's own place.
 const NEAR: usize = 8;
 
-pub(super) fn render(source: &Source, finding: &Diagnostic, renderer: &Renderer) -> String {
+/// A finding with its excerpt, without a line end behind it.
+pub(crate) fn render(source: &Source, finding: &Diagnostic, renderer: &Renderer) -> String {
     let level = match finding.severity {
         Severity::Error => Level::ERROR,
         Severity::Warning => Level::WARNING,

@@ -7,7 +7,7 @@ use serde::Serialize;
 
 /// One finding. The names of the members are documented; nothing may be renamed.
 #[derive(Serialize)]
-pub(super) struct Finding<'a> {
+pub(crate) struct Finding<'a> {
     file: &'a str,
     rule: &'static str,
     severity: &'static str,
@@ -53,7 +53,7 @@ struct Change<'a> {
 }
 
 impl<'a> Finding<'a> {
-    pub(super) fn new(source: &'a Source, finding: &'a Diagnostic) -> Finding<'a> {
+    pub(crate) fn new(source: &'a Source, finding: &'a Diagnostic) -> Finding<'a> {
         Finding {
             file: &source.file,
             rule: finding.rule.name(),

@@ -1,0 +1,228 @@
+//! `ladder sim`: runs a program.
+
+mod inputs;
+mod output;
+mod run;
+mod table;
+mod trace;
+
+use crate::findings::{Source, full};
+use crate::outcome::{Failure, Outcome};
+use crate::terminal::{self, stderr_has_colours};
+use annotate_snippets::Renderer;
+use clap::{Args, ValueEnum};
+use inputs::Inputs;
+use ladder_analysis::Severity;
+use ladder_analysis::program::{Location, Program};
+use ladder_analysis::types::{Scalar, Type};
+use ladder_analysis::value::Value;
+use ladder_simulator::{Options, Point, Simulation, Status, diagram, value_text};
+use output::Output;
+use run::Run;
+use std::io::Write;
+use std::path::PathBuf;
+use std::sync::Arc;
+
+const EXAMPLES: &str = "\
+Examples:
+  ladder sim motor.clad --scans 100                      100 scans, all tags as CSV
+  ladder sim motor.clad --scans 100 --set start=1        with `start` high from the first scan on
+  ladder sim motor.clad --scans 3 --set start=1 --format diagram
+                                                         the program with its power after three scans
+  ladder sim motor.clad --scans 50 --inputs in.csv --watch run,warmup.ET -o out.csv
+
+A row of the file for --inputs is given to the program before one scan; its header names the tags:
+
+  start,stop
+  1,0
+  0,
+  ,1
+
+An empty cell leaves the tag as it is.
+
+Exit status: 0 fine, 1 the program has errors, 2 a file or an argument cannot be used.";
+
+/// Run a program in the simulator
+///
+/// Runs a number of scans and writes what the tags held after each. Scans count from 0. The same program, inputs
+/// and interval give the same result on every machine.
+///
+/// This is a simulator, not a safety device.
+#[derive(Debug, Args)]
+#[command(after_help = EXAMPLES)]
+pub(crate) struct Arguments {
+    /// The program
+    file: PathBuf,
+
+    /// How many scans to run
+    #[arg(long, value_name = "N")]
+    scans: Option<u64>,
+
+    /// The time from one scan to the next
+    #[arg(long, value_name = "TIME", default_value = "10ms", value_parser = interval)]
+    dt: i64,
+
+    /// A CSV file with the values that tags are set to before each scan
+    #[arg(long, value_name = "FILE")]
+    inputs: Option<PathBuf>,
+
+    /// Set a tag before the first scan; may be given again
+    #[arg(long, value_name = "TAG=VALUE")]
+    set: Vec<String>,
+
+    /// Hold a tag at a value during the whole run; may be given again
+    #[arg(long, value_name = "TAG=VALUE")]
+    force: Vec<String>,
+
+    /// The tags to write, in this order; without it all of them, sorted by name
+    #[arg(long, value_name = "TAG,...", value_delimiter = ',')]
+    watch: Vec<String>,
+
+    /// What is written
+    #[arg(long, value_enum, default_value_t = Format::Csv)]
+    format: Format,
+
+    /// Write to this file instead of stdout
+    #[arg(short, long, value_name = "FILE")]
+    output: Option<PathBuf>,
+}
+
+/// What a run writes.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+enum Format {
+    /// A row of values for each scan
+    Csv,
+    /// The program with its power after the last scan; `=` is a live wire
+    Diagram,
+}
+
+pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
+    let text = ladder_workspace::read(&arguments.file)?;
+    let scans = arguments.scans.ok_or_else(|| {
+        Failure::new("say how many scans to run, for example --scans 100; `ladder sim --help` shows more")
+    })?;
+    let source = Source::new(arguments.file.display().to_string(), text);
+    let Some(program) = program(&source) else {
+        return Ok(Outcome::Findings);
+    };
+    let options = Options {
+        interval: arguments.dt,
+        ..Options::default()
+    };
+    let mut simulation = Simulation::new(program, options)
+        .map_err(|error| Failure::new(format!("{}: {}", place(&source, error.location), error.message)))?;
+
+    // All that can be wrong with the arguments is found before anything is written.
+    let watched = watched(&simulation, &arguments.watch)?;
+    let inputs = match &arguments.inputs {
+        Some(file) => Inputs::read(file, &simulation)?,
+        None => Inputs::none(),
+    };
+    for text in &arguments.set {
+        let (point, value) = assignment("--set", text, &simulation)?;
+        simulation
+            .set(&point, value)
+            .map_err(|refused| Failure::new(format!("--set {text}: {refused}")))?;
+    }
+    for text in &arguments.force {
+        let (point, value) = assignment("--force", text, &simulation)?;
+        simulation
+            .force(&point, value)
+            .map_err(|refused| Failure::new(format!("--force {text}: {refused}")))?;
+    }
+
+    let mut out = Output::open(arguments.output.as_deref())?;
+    let mut run = Run {
+        simulation,
+        inputs,
+        source: &source,
+        scans,
+    };
+    match arguments.format {
+        Format::Csv => out = trace::write(&mut run, &watched, out)?,
+        Format::Diagram => {
+            while run.scan() {}
+            out.write_all(diagram(&source.text, &run.simulation).as_bytes())?;
+        }
+    }
+    out.finish()?;
+    Ok(match run.simulation.status() {
+        Status::Faulted => Outcome::Findings,
+        Status::Ready | Status::Ended => Outcome::Fine,
+    })
+}
+
+/// `motor.clad:3:12`
+fn place(source: &Source, location: Location) -> String {
+    let place = source.place(location.range.start());
+    format!("{}:{}:{}", source.file, place.line, place.column)
+}
+
+/// The program, or its errors on stderr.
+fn program(source: &Source) -> Option<Arc<Program>> {
+    let analysis = source.analyze();
+    if analysis.program.is_none() {
+        let renderer = if stderr_has_colours() {
+            Renderer::styled()
+        } else {
+            Renderer::plain()
+        };
+        let errors = analysis
+            .diagnostics
+            .iter()
+            .filter(|found| found.severity == Severity::Error);
+        for error in errors {
+            terminal::plain(&format_args!("{}\n", full::render(source, error, &renderer)));
+        }
+        terminal::error(&format_args!("{}: a program with errors is not run", source.file));
+    }
+    analysis.program
+}
+
+/// The tags to write: those asked for, by the names they were asked for with, or every elementary tag of the
+/// program but constants, sorted by name.
+fn watched(simulation: &Simulation, names: &[String]) -> Result<Vec<(String, Point)>, Failure> {
+    if !names.is_empty() {
+        return names
+            .iter()
+            .map(|name| match simulation.resolve(name) {
+                Ok(point) => Ok((name.trim().to_owned(), point)),
+                Err(unknown) => Err(Failure::new(format!("--watch {name}: {unknown}"))),
+            })
+            .collect();
+    }
+    let mut names: Vec<&str> = simulation
+        .program()
+        .tags
+        .iter()
+        .filter(|tag| tag.block.is_none() && !tag.constant && matches!(tag.ty, Type::Scalar(_)))
+        .map(|tag| tag.name.as_str())
+        .collect();
+    names.sort_by_cached_key(|name| ladder_syntax::Name::new(name));
+    // A tag that the simulation does not know by its name is shadowed by another of that name.
+    Ok(names
+        .into_iter()
+        .filter_map(|name| Some((name.to_owned(), simulation.resolve(name).ok()?)))
+        .collect())
+}
+
+/// `start=1`
+fn assignment(option: &str, text: &str, simulation: &Simulation) -> Result<(Point, Value), Failure> {
+    let failure = |problem: &str| Failure::new(format!("{option} {text}: {problem}"));
+    let (tag, value) = text
+        .split_once('=')
+        .ok_or_else(|| failure("write it TAG=VALUE, for example start=1"))?;
+    let point = simulation
+        .resolve(tag)
+        .map_err(|unknown| failure(&unknown.to_string()))?;
+    let value = value_text::parse(value, point.ty).map_err(|problem| failure(&problem))?;
+    Ok((point, value))
+}
+
+/// The interval, in nanoseconds.
+fn interval(text: &str) -> Result<i64, String> {
+    match value_text::parse(text, Scalar::Time)? {
+        Value::Int(nanoseconds) if nanoseconds > 0 => Ok(nanoseconds),
+        _ => Err("the time from one scan to the next must be longer than 0".to_owned()),
+    }
+}

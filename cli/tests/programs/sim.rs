@@ -1,0 +1,386 @@
+//! `ladder sim`
+
+use crate::harness::{Folder, MOTOR, Run};
+use expect_test::{Expect, expect};
+
+/// A program with a tag of many types.
+const TYPES: &str = "\
+VAR_INPUT go : BOOL; speed : INT; END_VAR
+VAR total : LREAL; level : REAL := 0.1; wait : TIME; word1 : WORD; big : ULINT; name : STRING; END_VAR
+VAR list : ARRAY[1..3] OF INT; t1 : TON; END_VAR
+VAR CONSTANT limit : INT := 80; END_VAR
++--[ADD]( total, total, 0.5 )--[MOV]( wait, t1.ET )--[MOV]( list[2], speed )--+
++--[ ]( go )--[TON]( t1, T#25ms )--[MOV]( word1, 255 )--[MOV]( name, 'a, b' )--+
+";
+
+fn types(arguments: &[&str], expected: Expect) {
+    let folder = Folder::with(&[("types.clad", TYPES)]);
+    let run = folder.ladder(&[&["sim", "types.clad"], arguments].concat());
+    expected.assert_eq(&run.to_string());
+}
+
+fn motor(arguments: &[&str]) -> Run {
+    let folder = Folder::with(&[("motor.clad", MOTOR)]);
+    folder.ladder(&[&["sim", "motor.clad"], arguments].concat())
+}
+
+#[test]
+fn without_watch_every_elementary_tag_is_written_sorted_by_name() {
+    types(
+        &["--scans", "4", "--set", "go=1"],
+        expect![[r#"
+        exit status 0
+        -- stdout
+        scan,time_ms,big,go,level,name,speed,total,wait,word1
+        0,0,0,1,0.1,,0,0.5,0,0
+        1,10,0,1,0.1,,0,1.0,0,0
+        2,20,0,1,0.1,,0,1.5,10,0
+        3,30,0,1,0.1,"a, b",0,2.0,20,255
+    "#]],
+    );
+}
+
+#[test]
+fn watched_tags_in_the_order_and_spelling_given() {
+    types(
+        &[
+            "--scans",
+            "2",
+            "--set",
+            "go=TRUE",
+            "--watch",
+            "T1.et,list[2],word1.3,SYS.SCAN,t1.DN,limit",
+            "--set",
+            "speed=-7",
+        ],
+        expect![[r#"
+            exit status 0
+            -- stdout
+            scan,time_ms,T1.et,list[2],word1.3,SYS.SCAN,t1.DN,limit
+            0,0,0,-7,0,0,0,80
+            1,10,10,-7,0,1,0,80
+        "#]],
+    );
+}
+
+#[test]
+fn the_interval_may_be_any_duration() {
+    types(
+        &[
+            "--scans", "3", "--dt", "12.5ms", "--set", "go=1", "--watch", "t1.ET",
+        ],
+        expect![[r#"
+            exit status 0
+            -- stdout
+            scan,time_ms,t1.ET
+            0,0,0
+            1,12.5,12.5
+            2,25,25
+        "#]],
+    );
+    types(
+        &["--scans", "2", "--dt", "T#1h", "--watch", "SYS.TIME"],
+        expect![[r#"
+            exit status 0
+            -- stdout
+            scan,time_ms,SYS.TIME
+            0,0,0
+            1,3600000,3600000
+        "#]],
+    );
+}
+
+#[test]
+fn no_scans_give_a_header() {
+    types(
+        &["--scans", "0", "--watch", "go"],
+        expect![[r#"
+        exit status 0
+        -- stdout
+        scan,time_ms,go
+    "#]],
+    );
+}
+
+#[test]
+fn inputs_are_given_before_each_scan_and_hold() {
+    let folder = Folder::with(&[
+        ("motor.clad", MOTOR),
+        ("in.csv", "START,stop\r\n1,\r\n0,\r\n\r\n,TRUE\r\n"),
+    ]);
+    let run = folder.ladder(&["sim", "motor.clad", "--scans", "6", "--inputs", "in.csv"]);
+    expect![[r#"
+        exit status 0
+        -- stdout
+        scan,time_ms,run,start,stop
+        0,0,1,1,0
+        1,10,1,0,0
+        2,20,1,0,0
+        3,30,0,0,1
+        4,40,0,0,1
+        5,50,0,0,1
+    "#]]
+    .assert_eq(&run.to_string());
+}
+
+#[test]
+fn a_force_holds_against_program_and_inputs() {
+    let folder = Folder::with(&[("motor.clad", MOTOR), ("in.csv", "start\n1\n0\n1\n")]);
+    let run = folder.ladder(&[
+        "sim",
+        "motor.clad",
+        "--scans",
+        "3",
+        "--inputs",
+        "in.csv",
+        "--force",
+        "start=0",
+        "--force",
+        "run=1",
+    ]);
+    expect![[r#"
+        exit status 0
+        -- stdout
+        scan,time_ms,run,start,stop
+        0,0,1,0,0
+        1,10,1,0,0
+        2,20,1,0,0
+    "#]]
+    .assert_eq(&run.to_string());
+}
+
+#[test]
+fn a_diagram_shows_the_power_after_the_last_scan() {
+    expect![[r#"
+        exit status 0
+        -- stdout
+        +==\==[ ]( start )==\==[/]( stop )=============( )( run )==+
+        |  /==[ ]( run )====/                                      |
+    "#]]
+    .assert_eq(&motor(&["--scans", "2", "--set", "start=1", "--format", "diagram"]).to_string());
+    expect![[r#"
+        exit status 0
+        -- stdout
+        +--\--[ ]( start )--\--[/]( stop )-------------( )( run )--+
+        |  /--[ ]( run )----/                                      |
+    "#]]
+    .assert_eq(&motor(&["--scans", "0", "--format", "diagram"]).to_string());
+}
+
+#[test]
+fn the_output_goes_to_a_file() {
+    let folder = Folder::with(&[("motor.clad", MOTOR), ("out.csv", "old")]);
+    let run = folder.ladder(&["sim", "motor.clad", "--scans", "1", "-o", "out.csv"]);
+    assert_eq!(run.to_string(), "exit status 0\n");
+    assert_eq!(folder.read("out.csv"), "scan,time_ms,run,start,stop\n0,0,0,0,0\n");
+    let run = folder.ladder(&["sim", "motor.clad", "--scans", "1", "-o", "no/out.csv"]);
+    assert_eq!(run.status, Some(2));
+    assert!(
+        run.stderr.starts_with("error: no/out.csv: cannot be written: "),
+        "{run}"
+    );
+}
+
+#[test]
+fn faults_are_named_with_their_place_and_the_run_goes_on() {
+    let folder = Folder::with(&[("a.clad", "+--[DIV]( x, 7, y )--+\n+--[ADD]( y, y, 1 )--+\n")]);
+    let run = folder.ladder(&["sim", "a.clad", "--scans", "2", "--watch", "x"]);
+    expect![[r#"
+        exit status 0
+        -- stdout
+        scan,time_ms,x
+        0,0,0
+        1,10,7
+        -- stderr
+        a.clad:1:4: fault in scan 0: division by zero: nothing was written; check the divisor before this block
+    "#]].assert_eq(&run.to_string());
+}
+
+#[test]
+fn a_scan_that_never_ends_is_stopped_and_has_no_row() {
+    let folder = Folder::with(&[(
+        "a.clad",
+        "+--[ADD]( x, x, 1 )--+\n+--<LBL>( again )--[GT]( x, 1 )--<JMP>( again )--+\n",
+    )]);
+    let run = folder.ladder(&["sim", "a.clad", "--scans", "9"]);
+    expect![[r#"
+        exit status 1
+        -- stdout
+        scan,time_ms,x
+        0,0,1
+        -- stderr
+        a.clad:2:4: fault in scan 1: this scan has evaluated more than 1000000 blocks, so the watchdog stopped the simulation here; look for a jump or loop that does not end
+    "#]].assert_eq(&run.to_string());
+}
+
+#[test]
+fn end_ends_the_run() {
+    let folder = Folder::with(&[("a.clad", "+--[ADD]( x, x, 1 )--[GE]( x, 2 )--<END>--+\n")]);
+    let run = folder.ladder(&["sim", "a.clad", "--scans", "9"]);
+    expect![[r#"
+        exit status 0
+        -- stdout
+        scan,time_ms,x
+        0,0,1
+        1,10,2
+    "#]]
+    .assert_eq(&run.to_string());
+}
+
+#[test]
+fn a_program_with_errors_is_not_run() {
+    let folder = Folder::with(&[("a.clad", "+--[TOM]( t, T#5s )--( )( run )--+\n")]);
+    let run = folder.ladder(&["sim", "a.clad", "--scans", "1", "-o", "out.csv"]);
+    expect![[r#"
+        exit status 1
+        -- stderr
+        error[unknown-instruction]: there is no instruction [TOM]
+         --> a.clad:1:4
+          |
+        1 | +--[TOM]( t, T#5s )--( )( run )--+
+          |    ^^^^^
+          |
+          = help: did you mean [TON] (on-delay timer)?
+        help: Replace with [TON]
+          |
+        1 - +--[TOM]( t, T#5s )--( )( run )--+
+        1 + +--[TON]( t, T#5s )--( )( run )--+
+          |
+
+        error: a.clad: a program with errors is not run
+    "#]]
+    .assert_eq(&run.to_string());
+    assert_eq!(folder.names(), ["a.clad"]);
+}
+
+/// One message, exit status 2, and no file.
+fn refused(arguments: &[&str], message: &str) {
+    let folder = Folder::with(&[("types.clad", TYPES)]);
+    let run = folder.ladder(&[&["sim", "types.clad", "-o", "out.csv"], arguments].concat());
+    run.refused_with(message);
+    assert_eq!(folder.names(), ["types.clad"]);
+}
+
+#[test]
+fn without_scans_it_says_what_is_missing() {
+    refused(
+        &[],
+        "say how many scans to run, for example --scans 100; `ladder sim --help` shows more",
+    );
+}
+
+#[test]
+fn unknown_tags_are_refused_with_what_was_meant() {
+    let scans = ["--scans", "1"];
+    let with = |option: &'static str, text: &'static str| [scans[0], scans[1], option, text];
+    refused(
+        &with("--watch", "go,sped"),
+        "--watch sped: there is no tag `sped`; did you mean speed?",
+    );
+    refused(
+        &with("--set", "og=1"),
+        "--set og=1: there is no tag `og`; did you mean go?",
+    );
+    refused(
+        &with("--force", "pump=1"),
+        "--force pump=1: there is no tag `pump` in this program",
+    );
+    refused(
+        &with("--watch", "t1"),
+        "--watch t1: t1 is a TON: name one of its members, as in t1.Q",
+    );
+    refused(
+        &with("--watch", "list"),
+        "--watch list: list is an array: name one of its elements, as in list[1]",
+    );
+}
+
+#[test]
+fn values_that_do_not_fit_are_refused() {
+    let scans = ["--scans", "1"];
+    let with = |option: &'static str, text: &'static str| [scans[0], scans[1], option, text];
+    refused(
+        &with("--set", "go"),
+        "--set go: write it TAG=VALUE, for example start=1",
+    );
+    refused(
+        &with("--set", "go=2"),
+        "--set go=2: `2` is no value for a BOOL: write 0, 1, TRUE or FALSE",
+    );
+    refused(
+        &with("--force", "speed=40000"),
+        "--force speed=40000: 40000 does not fit: INT holds -32768 to 32767",
+    );
+    refused(
+        &with("--set", "limit=1"),
+        "--set limit=1: limit is read-only: it cannot be given a value",
+    );
+    refused(
+        &with("--set", "SYS.SCAN=1"),
+        "--set SYS.SCAN=1: SYS.SCAN is read-only: it cannot be given a value",
+    );
+}
+
+#[test]
+fn a_broken_csv_is_refused_with_row_and_column() {
+    for (csv, message) in [
+        ("", "in.csv: the file is empty; its first line names the tags"),
+        (
+            "go,sped\n1,2\n",
+            "in.csv: header, column 2 (`sped`): there is no tag `sped`; did you mean speed?",
+        ),
+        ("go,GO\n1,2\n", "in.csv: the header has `GO` in columns 1 and 2"),
+        (
+            "go;speed\n1;2\n",
+            "in.csv: header, column 1 (`go;speed`): columns are separated by commas",
+        ),
+        (
+            "go,limit\n1,2\n",
+            "in.csv: header, column 2 (`limit`): this tag can only be read",
+        ),
+        (
+            "go,speed\n1,5\n0,fast\n",
+            "in.csv: row 1 (line 3), column `speed`: `fast` is no value for a INT: write a whole number as in 42 or 16#FF",
+        ),
+        (
+            "go,speed\n1,5\n\n0\n",
+            "in.csv: row 2 (line 4): the cell for column `speed` is missing; the row has 1 of 2 cells",
+        ),
+        (
+            "go,speed\n1,5,6\n",
+            "in.csv: row 0 (line 2): column 3 has no name in the header; the row has 3 of 2 cells",
+        ),
+    ] {
+        let folder = Folder::with(&[("types.clad", TYPES), ("in.csv", csv)]);
+        let run = folder.ladder(&[
+            "sim",
+            "types.clad",
+            "--scans",
+            "9",
+            "--inputs",
+            "in.csv",
+            "-o",
+            "out.csv",
+        ]);
+        run.refused_with(message);
+        assert_eq!(folder.names(), ["in.csv", "types.clad"]);
+    }
+    let folder = Folder::with(&[("types.clad", TYPES)]);
+    folder.write("latin.csv", b"go\n\xE4\n");
+    let sim = |inputs: &str| folder.ladder(&["sim", "types.clad", "--scans", "1", "--inputs", inputs]);
+    sim("latin.csv").refused_with(
+        "latin.csv: the file is not UTF-8: byte 16#E4 at line 2, column 1; save it as UTF-8 in your editor",
+    );
+    sim("missing.csv").refused_with("missing.csv: no such file or folder");
+}
+
+#[test]
+fn an_interval_must_be_a_time_that_passes() {
+    let folder = Folder::with(&[("motor.clad", MOTOR)]);
+    for dt in ["0ms", "-5ms", "soon", ""] {
+        let run = folder.ladder(&["sim", "motor.clad", "--scans", "1", &format!("--dt={dt}")]);
+        assert_eq!(run.status, Some(2), "{run}");
+        assert_eq!(run.stdout, "", "{run}");
+        assert!(run.stderr.starts_with("error: "), "{run}");
+    }
+}
