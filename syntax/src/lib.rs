@@ -30,6 +30,7 @@ mod line_index;
 mod name;
 mod parse;
 mod structure;
+mod tree_builder;
 mod unclosed_comment;
 pub mod wiring;
 

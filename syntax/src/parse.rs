@@ -3,9 +3,10 @@
 use crate::grammar::{self, Entry};
 use crate::line::Line;
 use crate::structure::{self, Structure};
+use crate::tree_builder::TreeBuilder;
 use crate::unclosed_comment::unclosed_comment;
 use crate::{SyntaxError, SyntaxErrorKind, SyntaxKind, SyntaxNode};
-use rowan::{GreenNode, GreenNodeBuilder, NodeCache, NodeOrToken, TextRange, TextSize};
+use rowan::{GreenNode, NodeOrToken, TextRange, TextSize};
 
 /// The largest file that the tools read: 64 MiB. Offsets are 32 bit; larger texts are refused where they enter.
 pub const MAX_FILE_BYTES: usize = 64 << 20;
@@ -26,60 +27,44 @@ pub struct Parse {
 
 /// Parses a text. Every text has a tree that gives it back; mistakes are in [`Parse::errors`].
 pub fn parse(text: &str) -> Parse {
-    let mut cache = NodeCache::default();
-    let mut builder = GreenNodeBuilder::with_cache(&mut cache);
-    let mut parsed = Vec::with_capacity(text.len() / 48 + 1);
+    let mut builder = TreeBuilder::new(text.len());
+    let mut lines: Vec<Line> = Vec::with_capacity(text.len() / 48 + 1);
     let mut starts = Vec::with_capacity(text.len() / 48 + 2);
     let mut entry = Entry::START;
     let mut at = 0;
-    builder.start_node(SyntaxKind::SOURCE_FILE.into());
     while at < text.len() {
-        if parsed.len() % CHUNK_LINES == 0 {
-            if at > 0 {
-                builder.finish_node();
-            }
-            builder.start_node(SyntaxKind::CHUNK.into());
-        }
         let line = grammar::line(text, at, entry, &mut builder);
-        debug_assert!(line.end > at, "a line takes at least one character");
+        debug_assert!(line.len > 0, "a line takes at least one character");
         starts.push(at as u32);
-        at = line.end;
+        at += line.len as usize;
         entry = Entry {
             mode: line.mode_after,
             mid_line: !matches!(text.as_bytes()[at - 1], b'\n' | b'\r'),
         };
-        parsed.push(line);
+        lines.push(line);
     }
-    if at > 0 {
-        builder.finish_node();
-    }
-    builder.finish_node();
     starts.push(text.len() as u32);
-    let root = builder.finish();
-    let lines = root
-        .children()
-        .filter_map(NodeOrToken::into_node)
-        .flat_map(|chunk| chunk.children().filter_map(NodeOrToken::into_node))
-        .zip(parsed)
-        .map(|(green, line)| Line {
-            kind: line.kind,
-            mode_after: line.mode_after,
-            downs: line.downs,
-            ups: line.ups,
-            len: u32::from(green.text_len()),
-            errors: line.errors,
-            green: green.to_owned(),
-        })
-        .collect::<Vec<_>>();
     let structure = structure::structure(&lines);
     let unclosed_comment = unclosed_comment(text, &lines, &starts);
     Parse {
-        root,
+        root: root(&lines),
         lines,
         starts,
         structure,
         unclosed_comment,
     }
+}
+
+/// The file's node, over the lines' nodes.
+fn root(lines: &[Line]) -> GreenNode {
+    let chunk = |lines: &[Line]| {
+        let nodes = lines.iter().map(|line| NodeOrToken::Node(line.green.clone()));
+        NodeOrToken::Node(GreenNode::new(SyntaxKind::CHUNK.into(), nodes))
+    };
+    GreenNode::new(
+        SyntaxKind::SOURCE_FILE.into(),
+        lines.chunks(CHUNK_LINES).map(chunk),
+    )
 }
 
 impl Parse {

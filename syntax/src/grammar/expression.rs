@@ -36,7 +36,7 @@ pub(super) const fn begins_operand(kind: SyntaxKind) -> bool {
 }
 
 /// One operand: an expression, or a named one with `:=` or `=>`. Takes at least one token if one begins here.
-pub(super) fn operand(p: &mut Parser<'_, '_, '_>) {
+pub(super) fn operand(p: &mut Parser<'_, '_>) {
     p.terms = 0;
     p.too_complex = false;
     p.space();
@@ -64,7 +64,7 @@ const fn missing(place: OperandPlace) -> SyntaxErrorKind {
 }
 
 /// An expression that must stand here.
-pub(super) fn value(p: &mut Parser<'_, '_, '_>, floor: u8, place: OperandPlace) {
+pub(super) fn value(p: &mut Parser<'_, '_>, floor: u8, place: OperandPlace) {
     if p.drawing_goes_on() {
         p.error_behind(missing(place));
     } else if ends_operand(p) {
@@ -75,7 +75,7 @@ pub(super) fn value(p: &mut Parser<'_, '_, '_>, floor: u8, place: OperandPlace) 
 }
 
 /// Whether no expression can begin here, because the operand, its list or the line ends.
-fn ends_operand(p: &mut Parser<'_, '_, '_>) -> bool {
+fn ends_operand(p: &mut Parser<'_, '_>) -> bool {
     matches!(
         p.next(),
         SyntaxKind::COMMA | SyntaxKind::R_PAREN | SyntaxKind::R_BRACKET | SyntaxKind::SEMICOLON
@@ -86,7 +86,7 @@ const UNARY: u8 = 10;
 const POWER: u8 = 9;
 
 /// How tightly the binary operator binds that is ahead (0: none is).
-fn binding(p: &mut Parser<'_, '_, '_>) -> u8 {
+fn binding(p: &mut Parser<'_, '_>) -> u8 {
     match p.next() {
         SyntaxKind::WORD_OPERATOR => match p.next_text().as_bytes() {
             [b'O' | b'o', ..] => 1,
@@ -107,7 +107,7 @@ fn binding(p: &mut Parser<'_, '_, '_>) -> u8 {
 }
 
 /// An expression whose operators all bind more tightly than `floor`.
-pub(super) fn expression(p: &mut Parser<'_, '_, '_>, floor: u8) {
+pub(super) fn expression(p: &mut Parser<'_, '_>, floor: u8) {
     if p.depth >= MAX_DEPTH || p.terms >= MAX_TERMS {
         return too_complex(p);
     }
@@ -136,7 +136,7 @@ pub(super) fn expression(p: &mut Parser<'_, '_, '_>, floor: u8) {
 }
 
 /// A value with the signs before it.
-fn prefix(p: &mut Parser<'_, '_, '_>) {
+fn prefix(p: &mut Parser<'_, '_>) {
     match p.next() {
         SyntaxKind::IDENT => postfix(p),
         SyntaxKind::MINUS => unary(p),
@@ -154,7 +154,7 @@ fn prefix(p: &mut Parser<'_, '_, '_>) {
 }
 
 /// What stands behind a `+` that is no operator; a second one lacks the value before it.
-fn prefix_behind_plus(p: &mut Parser<'_, '_, '_>) {
+fn prefix_behind_plus(p: &mut Parser<'_, '_>) {
     p.space();
     if p.next() == SyntaxKind::MINUS {
         unary(p);
@@ -163,7 +163,7 @@ fn prefix_behind_plus(p: &mut Parser<'_, '_, '_>) {
     }
 }
 
-fn unary(p: &mut Parser<'_, '_, '_>) {
+fn unary(p: &mut Parser<'_, '_>) {
     p.start_node(SyntaxKind::UNARY_EXPR);
     p.bump();
     value(p, UNARY, OperandPlace::Operator);
@@ -171,7 +171,7 @@ fn unary(p: &mut Parser<'_, '_, '_>) {
 }
 
 /// A primary with its members, indices and arguments.
-fn postfix(p: &mut Parser<'_, '_, '_>) {
+fn postfix(p: &mut Parser<'_, '_>) {
     let checkpoint = p.checkpoint();
     if !primary(p) {
         return;
@@ -207,7 +207,7 @@ fn postfix(p: &mut Parser<'_, '_, '_>) {
 }
 
 /// What stands between the brackets of an index: `i`, `3..9`.
-fn index(p: &mut Parser<'_, '_, '_>, from: usize) {
+fn index(p: &mut Parser<'_, '_>, from: usize) {
     p.space();
     let checkpoint = p.checkpoint();
     if p.next() == SyntaxKind::DOT_DOT {
@@ -235,7 +235,7 @@ fn index(p: &mut Parser<'_, '_, '_>, from: usize) {
 
 /// Takes what follows the expression in parentheses that are closed, so that their `)` is not taken for the
 /// list's: `(a b)`, `(a, b)`.
-fn rest_of_parentheses(p: &mut Parser<'_, '_, '_>) {
+fn rest_of_parentheses(p: &mut Parser<'_, '_>) {
     while p.next() != SyntaxKind::R_PAREN && !p.too_complex && !p.drawing_goes_on() && !p.list_is_unclosed() {
         if p.next() == SyntaxKind::SEMICOLON && p.free_form {
             return;
@@ -250,7 +250,7 @@ fn rest_of_parentheses(p: &mut Parser<'_, '_, '_>) {
 }
 
 /// Takes the closing bracket, or says that it is missing.
-fn close(p: &mut Parser<'_, '_, '_>, closing: SyntaxKind, from: usize) {
+fn close(p: &mut Parser<'_, '_>, closing: SyntaxKind, from: usize) {
     if p.next() == closing {
         p.bump();
     } else if !p.too_complex {
@@ -259,7 +259,7 @@ fn close(p: &mut Parser<'_, '_, '_>, closing: SyntaxKind, from: usize) {
 }
 
 /// Values between brackets, with commas. The opening bracket at `from` is taken.
-pub(super) fn arguments(p: &mut Parser<'_, '_, '_>, closing: SyntaxKind, from: usize) {
+pub(super) fn arguments(p: &mut Parser<'_, '_>, closing: SyntaxKind, from: usize) {
     let mut comma_before = false;
     loop {
         if p.next() == SyntaxKind::COMMA {
@@ -290,7 +290,7 @@ pub(super) fn arguments(p: &mut Parser<'_, '_, '_>, closing: SyntaxKind, from: u
 }
 
 /// A name, literal, address or parenthesis. False if none begins here; nothing is taken then.
-fn primary(p: &mut Parser<'_, '_, '_>) -> bool {
+fn primary(p: &mut Parser<'_, '_>) -> bool {
     let kind = match p.next() {
         SyntaxKind::IDENT => SyntaxKind::NAME_EXPR,
         SyntaxKind::ADDRESS => SyntaxKind::ADDRESS_EXPR,
@@ -322,7 +322,7 @@ fn primary(p: &mut Parser<'_, '_, '_>) -> bool {
 
 /// Takes tokens that no operand begins with as one mistake, up to what can go on in a list that ends with
 /// `closing`.
-pub(super) fn junk(p: &mut Parser<'_, '_, '_>, closing: SyntaxKind) {
+pub(super) fn junk(p: &mut Parser<'_, '_>, closing: SyntaxKind) {
     let from = p.ahead.start;
     p.space();
     loop {
@@ -341,7 +341,7 @@ pub(super) fn junk(p: &mut Parser<'_, '_, '_>, closing: SyntaxKind) {
 }
 
 /// Takes the rest of an operand that is too deep or too long, as one mistake. Iterative on purpose.
-fn too_complex(p: &mut Parser<'_, '_, '_>) {
+fn too_complex(p: &mut Parser<'_, '_>) {
     p.terms = MAX_TERMS;
     p.space();
     let from = p.at;

@@ -3,9 +3,10 @@
 use super::declaration::KeywordLine;
 use super::{Parser, block, declaration};
 use crate::lexer;
-use crate::line::{LineKind, Mode};
-use crate::{DeclarationProblem, Place, SyntaxError, SyntaxErrorKind, SyntaxKind};
-use rowan::{GreenNodeBuilder, TextSize};
+use crate::line::{Line, LineKind, Mode};
+use crate::tree_builder::TreeBuilder;
+use crate::{DeclarationProblem, Place, SyntaxErrorKind, SyntaxKind};
+use rowan::TextSize;
 
 /// What a line's parse depends on besides its text.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -24,38 +25,26 @@ impl Entry {
     };
 }
 
-/// What is known of a line once it is parsed. Its node went into the builder.
-pub(crate) struct Parsed {
-    pub(crate) kind: LineKind,
-    pub(crate) end: usize,
-    pub(crate) mode_after: Mode,
-    pub(crate) downs: u32,
-    pub(crate) ups: u32,
-    pub(crate) errors: Vec<SyntaxError>,
-}
-
-/// Parses the logical line that begins at `start` and puts its node into the builder. `start` must not be the
-/// end of the text; at least one character is taken.
-pub(crate) fn line(text: &str, start: usize, entry: Entry, builder: &mut GreenNodeBuilder<'_>) -> Parsed {
-    let checkpoint = builder.checkpoint();
+/// Parses the logical line that begins at `start`. `start` must not be the end of the text; at least one
+/// character is taken.
+pub(crate) fn line(text: &str, start: usize, entry: Entry, builder: &mut TreeBuilder) -> Line {
     let mut p = Parser::new(text, start, builder);
     let mut marks = Marks::default();
     let (kind, mode_after) = logical_line(&mut p, entry, &mut marks);
-    p.start_node_at(checkpoint, kind.syntax_kind());
-    p.finish_node();
     drop_swallowed(&mut p);
-    Parsed {
+    Line {
         kind,
-        end: p.at,
         mode_after,
         downs: marks.downs,
         ups: marks.ups,
+        len: (p.at - start) as u32,
+        green: p.builder.finish_line(kind.syntax_kind()),
         errors: p.errors,
     }
 }
 
 /// Where a comment is never closed, what is missing right before it may stand in it: only the comment is said.
-fn drop_swallowed(p: &mut Parser<'_, '_, '_>) {
+fn drop_swallowed(p: &mut Parser<'_, '_>) {
     if !p
         .errors
         .iter()
@@ -83,7 +72,7 @@ struct Marks {
     mistake: bool,
 }
 
-fn logical_line(p: &mut Parser<'_, '_, '_>, entry: Entry, marks: &mut Marks) -> (LineKind, Mode) {
+fn logical_line(p: &mut Parser<'_, '_>, entry: Entry, marks: &mut Marks) -> (LineKind, Mode) {
     const BOM: &str = "\u{feff}";
     let mode = entry.mode;
     if p.at == 0 && p.text.starts_with(BOM) {
@@ -124,7 +113,7 @@ fn logical_line(p: &mut Parser<'_, '_, '_>, entry: Entry, marks: &mut Marks) -> 
 }
 
 /// Records that the keyword or the piece of drawing that begins here does not belong here.
-fn misplaced(p: &mut Parser<'_, '_, '_>, problem: DeclarationProblem) {
+fn misplaced(p: &mut Parser<'_, '_>, problem: DeclarationProblem) {
     let end = lexer::identifier_end(p.text, p.at).unwrap_or_else(|| lexer::on_rung(p.text, p.at).1);
     p.error(SyntaxErrorKind::BadDeclaration(problem), p.at, end);
 }
@@ -138,7 +127,7 @@ fn empty_line(marks: &Marks) -> LineKind {
 }
 
 /// The drawing on a line, up to its line end.
-fn rung(p: &mut Parser<'_, '_, '_>, marks: &mut Marks) -> LineKind {
+fn rung(p: &mut Parser<'_, '_>, marks: &mut Marks) -> LineKind {
     loop {
         let token = lexer::on_rung(p.text, p.at);
         match token.0 {

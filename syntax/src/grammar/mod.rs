@@ -1,4 +1,4 @@
-//! The parser: one logical line at a time, recursive descent, tokens straight into rowan's builder.
+//! The parser: one logical line at a time, recursive descent, tokens straight into the tree.
 //!
 //! On a rung and in a block's first part the parser takes token after token as it meets them. Among operands and
 //! in declarations it looks one token ahead, past white space and comments ([`Parser::look`]); each token is
@@ -15,8 +15,9 @@ pub use declaration::is_declaration_keyword;
 pub(crate) use line::{Entry, line};
 
 use crate::lexer::{self, Token};
+use crate::tree_builder::{Checkpoint, TreeBuilder};
 use crate::{DeclarationProblem, Place, SyntaxError, SyntaxErrorKind, SyntaxKind};
-use rowan::{Checkpoint, GreenNodeBuilder, TextRange, TextSize};
+use rowan::{TextRange, TextSize};
 
 /// How deep expressions may nest, and how many operators one operand may have. Both bound the depth of the
 /// tree, and with it the stack that dropping or walking it takes.
@@ -32,7 +33,7 @@ struct Ahead {
 }
 
 /// Reads one logical line.
-struct Parser<'t, 'b, 'c> {
+struct Parser<'t, 'b> {
     text: &'t str,
     /// Where the line starts; errors count from here.
     start: usize,
@@ -44,7 +45,7 @@ struct Parser<'t, 'b, 'c> {
     last_end: usize,
     /// The last comment that was taken: where it begins and ends.
     last_comment: Option<(usize, usize)>,
-    builder: &'b mut GreenNodeBuilder<'c>,
+    builder: &'b mut TreeBuilder,
     errors: Vec<SyntaxError>,
     /// Line ends are white space, and this is a declaration.
     free_form: bool,
@@ -60,8 +61,8 @@ struct Parser<'t, 'b, 'c> {
     list: recovery::OpenList,
 }
 
-impl<'t, 'b, 'c> Parser<'t, 'b, 'c> {
-    fn new(text: &'t str, start: usize, builder: &'b mut GreenNodeBuilder<'c>) -> Parser<'t, 'b, 'c> {
+impl<'t, 'b> Parser<'t, 'b> {
+    fn new(text: &'t str, start: usize, builder: &'b mut TreeBuilder) -> Parser<'t, 'b> {
         Parser {
             text,
             start,
@@ -107,7 +108,7 @@ impl<'t, 'b, 'c> Parser<'t, 'b, 'c> {
                 }
             }
         }
-        self.builder.token(kind.into(), text);
+        self.builder.token(kind, text);
         self.at = end;
     }
 
@@ -188,11 +189,11 @@ impl<'t, 'b, 'c> Parser<'t, 'b, 'c> {
     }
 
     fn start_node(&mut self, kind: SyntaxKind) {
-        self.builder.start_node(kind.into());
+        self.builder.start_node(kind);
     }
 
     fn start_node_at(&mut self, checkpoint: Checkpoint, kind: SyntaxKind) {
-        self.builder.start_node_at(checkpoint, kind.into());
+        self.builder.start_node_at(checkpoint, kind);
     }
 
     fn finish_node(&mut self) {

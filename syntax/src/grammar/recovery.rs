@@ -28,7 +28,7 @@ impl OpenList {
     }
 }
 
-impl Parser<'_, '_, '_> {
+impl Parser<'_, '_> {
     /// Whether the operand list that is being read lacks its closing parenthesis.
     pub(super) fn list_is_unclosed(&mut self) -> bool {
         if self.free_form {
