@@ -6,6 +6,9 @@ use expect_test::{Expect, expect};
 /// A program with an error.
 const ERROR: &str = "+--[ ]( start )--<JMP>( finish )--+\n\n+--<LBL>( finsh )--( )( run )--+\n";
 
+/// A program with nothing worse than a warning.
+const WARNING: &str = "+--[ ]( start )( )( run )--+\n";
+
 /// Checks one program.
 fn check(text: &str, expected: Expect) {
     let folder = Folder::with(&[("a.clad", text)]);
@@ -42,6 +45,66 @@ fn an_error_with_what_to_do() {
           |
         1 - +--[ ]( start )--<JMP>( finish )--+
         1 + +--[ ]( start )--<JMP>( finsh )--+
+          |
+
+        Checked 1 file: 1 error.
+    "#]],
+    );
+}
+
+#[test]
+fn a_warning_alone_does_not_fail() {
+    check(
+        WARNING,
+        expect![[r#"
+            exit status 0
+            -- stdout
+            warning[missing-wire]: two blocks touch without a wire between them
+             --> a.clad:1:15
+              |
+            1 | +--[ ]( start )( )( run )--+
+              |               ^^
+              |
+              = help: draw a `-` between them
+            help: Insert wire
+              |
+            1 | +--[ ]( start )--( )( run )--+
+              |                ++
+
+            Checked 1 file: 1 warning.
+        "#]],
+    );
+}
+
+#[test]
+fn deny_warnings() {
+    let folder = Folder::with(&[("a.clad", WARNING), ("b.clad", MOTOR)]);
+    let status = |arguments: &[&str]| folder.ladder(&[&["check"], arguments].concat()).status;
+    assert_eq!(status(&["."]), Some(0));
+    assert_eq!(status(&["--deny", "warnings", "."]), Some(1));
+    assert_eq!(status(&["--deny", "warnings", "b.clad"]), Some(0));
+}
+
+#[test]
+fn a_fix_in_the_middle_of_a_network() {
+    check(
+        "+--\\--[ ]( a )--\\--( )( y )--+\n|  /--[ ]( b )                |\n",
+        expect![[r#"
+        exit status 1
+        -- stdout
+        error[unpaired-connector]: the 2nd `\` on line 1 has no partner: line 1 has 2 `\`, line 2 below it has 1 `/`
+         --> a.clad:1:17
+          |
+        1 | +--\--[ ]( a )--\--( )( y )--+
+          |                 ^
+        2 | |  /--[ ]( b )                |
+          | ------------------------------- its partner `/` belongs onto this rung
+          |
+          = help: every `\` needs a `/` on the rung below: together they join the two lines
+        help: Replace `\` with wire
+          |
+        1 - +--\--[ ]( a )--\--( )( y )--+
+        1 + +--\--[ ]( a )-----( )( y )--+
           |
 
         Checked 1 file: 1 error.
