@@ -3,7 +3,9 @@
 use ladder_instructions::{
     Accepts, Acts, Direction, Group, Instruction, Operand, Presence, TABLE, TypeClass,
 };
+use ladder_simulator::Simulation;
 use std::fmt::Write;
+use std::sync::Arc;
 
 /// A page.
 #[derive(Debug)]
@@ -114,6 +116,9 @@ fn section(out: &mut String, row: &Instruction) {
         Acts::WhenPowered => "Works only while EN is high.",
     };
     line(out, &format!("**ENO:** {}. {acts}\n", row.eno));
+    if !runs(row.example) {
+        line(out, &format!("**{NOT_RUN} it.**\n"));
+    }
     names(out, "Synonym", row, row.synonyms);
     names(out, "Also accepted", row, row.aliases);
     line(out, &format!("```clad\n{}\n```", row.example.trim_end()));
@@ -129,6 +134,16 @@ fn names(out: &mut String, what: &str, row: &Instruction, names: &[&str]) {
         .map(|name| format!("`{open}{name}{close}`"))
         .collect();
     line(out, &format!("**{what}:** {}\n", blocks.join(", ")));
+}
+
+/// How the book says that something is described and checked, but not run.
+pub const NOT_RUN: &str = "This version does not run";
+
+/// Whether the simulator takes a program.
+pub fn runs(program: &str) -> bool {
+    let parse = Arc::new(ladder_syntax::parse(program));
+    let program = ladder_analysis::analyze(&parse, "program").program;
+    program.is_some_and(|program| Simulation::new(program, ladder_simulator::Options::default()).is_ok())
 }
 
 /// The operand as it is written in its place.

@@ -7,9 +7,11 @@
 //! docs/src/SUMMARY.md --book--> pages: headings, links, programs    checked by tests/book_*.rs
 //! TABLE --instruction_pages--> docs/src/language/instructions/*.md  compared by tests/instruction_reference.rs
 //! Rule::ALL --rule_index--> docs/src/rules/index.md               compared by tests/rule_index.rs
+//! console blocks --console--> what they really show                compared by tests/book_sessions.rs
 //! ```
 
 pub mod book;
+pub mod console;
 pub mod instruction_pages;
 pub mod markdown;
 pub mod project;

@@ -11,6 +11,8 @@ pub struct Markdown {
     pub anchors: HashSet<String>,
     /// Where the links and pictures point to, in the order of the text.
     pub links: Vec<String>,
+    /// What stands between backticks in the text.
+    pub codes: Vec<String>,
     /// The fenced blocks.
     pub fences: Vec<Fence>,
 }
@@ -62,15 +64,21 @@ pub fn read(text: &str) -> Markdown {
                     fence.add(&part, range, text);
                 }
             }
-            Event::Text(part) | Event::Code(part) => {
-                if let Some(heading) = &mut heading {
-                    heading.push_str(&part);
-                }
+            Event::Text(part) => extend(&mut heading, &part),
+            Event::Code(part) => {
+                extend(&mut heading, &part);
+                markdown.codes.push(part.into_string());
             }
             _ => {}
         }
     }
     markdown
+}
+
+fn extend(heading: &mut Option<String>, part: &str) {
+    if let Some(heading) = heading {
+        heading.push_str(part);
+    }
 }
 
 impl Markdown {

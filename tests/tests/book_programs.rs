@@ -10,6 +10,7 @@
 use ladder_analysis::{Severity, analyze};
 use ladder_format::{Options, format_text};
 use ladder_syntax::parse;
+use ladder_tests::instruction_pages::{NOT_RUN, runs};
 use ladder_tests::markdown::{self, Fence};
 use ladder_tests::project;
 use std::path::{Path, PathBuf};
@@ -83,6 +84,25 @@ fn programs_stand_in_the_canonical_layout() {
         }
     }
     assert!(update || problems.is_empty(), "{}", problems.join("\n"));
+}
+
+/// What the simulator refuses is said on the page, and only there.
+#[test]
+fn pages_say_what_is_not_run() {
+    let mut problems = Vec::new();
+    for file in texts() {
+        let text = project::read(&file);
+        let refused = programs(&text)
+            .iter()
+            .filter(|fence| !fence.says("wrong"))
+            .any(|fence| !runs(&fence.text));
+        match (refused, text.contains(NOT_RUN)) {
+            (true, false) => problems.push(format!("{} should say `{NOT_RUN} ...`", file.display())),
+            (false, true) => problems.push(format!("{}: all of it runs", file.display())),
+            _ => {}
+        }
+    }
+    assert!(problems.is_empty(), "{}", problems.join("\n"));
 }
 
 #[test]
