@@ -7,6 +7,7 @@ use crate::infer;
 use crate::network::{self, NetworkFacts};
 use crate::program::Role;
 use crate::scope::{Origin, Scope, TagFacts};
+use crate::shared;
 use crate::types::Scalar;
 use crate::types::Type;
 use crate::user_block::{self, UserBlockFacts};
@@ -86,6 +87,12 @@ impl Context {
             + 1
     }
 
+    /// The tags of all scopes, each once.
+    pub(crate) fn own_tags(&self) -> impl Iterator<Item = &TagFacts> {
+        let tags = self.scopes.iter().flat_map(|scope| &scope.tags);
+        tags.filter(|tag| tag.shared.is_none())
+    }
+
     /// The network that a jump from `network` to a label goes to: the nearest behind it, else the nearest
     /// before it or itself (LANGUAGE §5.5).
     pub fn jump_target(&self, network: usize, label: &Name) -> Option<usize> {
@@ -153,6 +160,7 @@ pub fn context(parse: &Arc<Parse>, out: &mut Vec<Diagnostic>) -> Context {
     };
     bodies(&mut context);
     uses::collect(&mut context);
+    shared::share(&mut context);
     infer::infer(&mut context, out);
     context
 }
@@ -195,6 +203,8 @@ fn implicit(name: &str, at: TextRange) -> TagFacts {
         address: None,
         at,
         uses: Vec::new(),
+        shared: None,
+        mistyped: false,
     }
 }
 

@@ -4,7 +4,7 @@ use crate::constant;
 use crate::diagnostic::Diagnostic;
 use crate::facts;
 use crate::program::Role;
-use crate::rules::{bad_declaration, duplicate_declaration};
+use crate::rules::{bad_declaration, did_you_mean, duplicate_declaration};
 use crate::scope::{Origin, Scope, SectionKind, TagFacts, type_by_form};
 use crate::types::{Scalar, Type};
 use ladder_instructions::StateType;
@@ -65,13 +65,14 @@ fn declaration(
     scope: &mut Scope,
     out: &mut Vec<Diagnostic>,
 ) {
-    let Some(type_ref) = node.type_ref() else { return };
-    let ty = match declared_type(&type_ref) {
-        Ok(ty) => ty,
-        Err((range, message)) => {
+    // Where the type cannot be read the tag is declared all the same, and its places say its type: one mistake.
+    let ty = match node.type_ref().map(|type_ref| declared_type(&type_ref)) {
+        Some(Ok(ty)) => ty,
+        Some(Err((range, message))) => {
             out.push(bad_declaration::wrong(range + start, message));
             None
         }
+        None => None,
     };
     let address = node.address();
     let mut initial = Vec::new();
@@ -117,8 +118,8 @@ fn declaration(
         }
         scope.add(TagFacts {
             name: name.text().to_owned(),
-            // A type that could not be read: DINT keeps what follows from being reported as well.
-            ty: ty.or(Some(Type::Scalar(Scalar::Dint))),
+            ty,
+            mistyped: ty.is_none(),
             role: role(context.kind, address_role),
             origin: Origin::Declared(context.kind),
             retain: context.retain,
@@ -127,6 +128,7 @@ fn declaration(
             address: address.as_ref().map(|token| token.text().to_owned()),
             at: range,
             uses: Vec::new(),
+            shared: None,
         });
     }
 }
@@ -150,6 +152,13 @@ fn refused_name(name: &SyntaxToken, in_block: bool) -> Option<String> {
     }
     None
 }
+
+/// The types that are likeliest meant come first.
+const TYPE_NAMES: [&str; 31] = [
+    "BOOL", "INT", "DINT", "REAL", "TIME", "STRING", "WORD", "BYTE", "DWORD", "LWORD", "SINT", "LINT",
+    "USINT", "UINT", "UDINT", "ULINT", "LREAL", "DATE", "TOD", "DT", "TON", "TOF", "TP", "RTO", "RTOF",
+    "CTU", "CTD", "CTUD", "CTC", "SR", "RS",
+];
 
 type TypeProblem = (TextRange, String);
 
@@ -225,12 +234,11 @@ fn declared_type(type_ref: &TypeRef) -> Result<Option<Type>, TypeProblem> {
         .find(|state| state.name().eq_ignore_ascii_case(name.text()))
     {
         Some(state) => Ok(Some(Type::State(state))),
-        None => Err((
-            name.text_range(),
-            format!(
-                "there is no type `{}`: did you mean DINT, BOOL or REAL?",
-                name.text()
-            ),
-        )),
+        None => {
+            let near = did_you_mean::closest(name.text(), TYPE_NAMES.into_iter());
+            let near = near.unwrap_or("DINT, BOOL or REAL");
+            let message = format!("there is no type `{}`: did you mean {near}?", name.text());
+            Err((name.text_range(), message))
+        }
     }
 }

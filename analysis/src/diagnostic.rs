@@ -72,6 +72,13 @@ impl Diagnostic {
         self
     }
 
+    /// Adds a fix, if there is one.
+    #[must_use]
+    pub fn with(mut self, fix: Option<Fix>) -> Diagnostic {
+        self.fixes.extend(fix);
+        self
+    }
+
     /// Adds a fix of one edit.
     #[must_use]
     pub fn fix(mut self, title: impl Into<String>, range: TextRange, text: impl Into<String>) -> Diagnostic {

@@ -81,6 +81,25 @@ pub struct Node {
     pub range: TextRange,
 }
 
+impl Node {
+    /// Every index or bound of a range in it that is written out as a number.
+    pub(crate) fn each_index(&self, give: &mut impl FnMut(i64)) {
+        let mut number = |node: &Node| {
+            if let NodeKind::Literal(Ok(Literal::Int(n))) = &node.kind {
+                give(i64::try_from(*n).unwrap_or(i64::MAX));
+            }
+        };
+        match &self.kind {
+            NodeKind::Index(_, index) => number(index),
+            NodeKind::Range(_, first, last) => {
+                number(first);
+                number(last);
+            }
+            _ => {}
+        }
+    }
+}
+
 /// The forms of an expression.
 #[derive(Debug, Clone, PartialEq)]
 pub enum NodeKind {

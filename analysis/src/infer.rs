@@ -80,7 +80,9 @@ fn by_place(context: &mut Context, out: &mut Vec<Diagnostic>) {
                     None => {
                         answers.insert(key, (ty, at));
                     }
-                    Some(&(first, place)) if first != ty => {
+                    Some(&(first, place))
+                        if first != ty && !context.scopes[network.scope].tags[tag].mistyped =>
+                    {
                         let name = &context.scopes[network.scope].tags[tag].name;
                         out.push(type_mismatch::two_answers(name, (first, place), (ty, at)));
                     }

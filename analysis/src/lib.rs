@@ -13,6 +13,7 @@
 mod analyze;
 pub mod constant;
 pub mod context;
+mod declaration_fix;
 mod declare;
 pub mod diagnostic;
 mod excerpt;
@@ -31,6 +32,7 @@ mod resolve;
 pub mod rule;
 mod rules;
 pub mod scope;
+mod shared;
 pub mod types;
 pub mod user_block;
 mod uses;

@@ -56,6 +56,8 @@ pub enum Origin {
     Implicit,
     /// It is only used.
     Undeclared,
+    /// A tag of another scope: a VAR_GLOBAL tag, or a direct address in a block's body.
+    Shared,
 }
 
 /// How a block uses a tag.
@@ -94,6 +96,8 @@ pub struct Use {
     pub access: Access,
     /// Whether the tag as a whole is meant, not a member, bit or element.
     pub whole: bool,
+    /// Whether an index or a range stands behind it.
+    pub indexed: bool,
 }
 
 /// A tag of a scope.
@@ -107,6 +111,8 @@ pub struct TagFacts {
     pub role: Role,
     /// Where it comes from.
     pub origin: Origin,
+    /// Its declared type could not be read. Its places give it one, and no finding is about that.
+    pub mistyped: bool,
     /// Declared RETAIN.
     pub retain: bool,
     /// Declared CONSTANT.
@@ -117,8 +123,10 @@ pub struct TagFacts {
     pub address: Option<String>,
     /// Where it is declared, or first used.
     pub at: TextRange,
-    /// Where it is used.
+    /// Where it is used. A shared tag counts the uses in all scopes.
     pub uses: Vec<Use>,
+    /// The scope and tag that this entry leads to, if it is one of another scope.
+    pub shared: Option<(usize, usize)>,
 }
 
 impl TagFacts {

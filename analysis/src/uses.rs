@@ -68,8 +68,8 @@ struct Place<'b> {
 
 fn walk(node: &Node, access: Access, whole: bool, place: &Place<'_>, scope: &mut Scope) {
     match &node.kind {
-        NodeKind::Name(name) => tag(name, node.range, access, whole, place, scope),
-        NodeKind::Address(name) => tag(name, node.range, access, whole, place, scope),
+        NodeKind::Name(name) => tag(name, node.range, access, Part::of(whole), place, scope),
+        NodeKind::Address(name) => tag(name, node.range, access, Part::of(whole), place, scope),
         NodeKind::Member(base, _) => {
             let system = matches!(&base.kind, NodeKind::Name(name) if name.eq_ignore_ascii_case("SYS"));
             if !system {
@@ -77,11 +77,11 @@ fn walk(node: &Node, access: Access, whole: bool, place: &Place<'_>, scope: &mut
             }
         }
         NodeKind::Index(base, index) => {
-            walk(base, access, false, place, scope);
+            walk_indexed(base, access, place, scope);
             walk(index, Access::Read, true, place, scope);
         }
         NodeKind::Range(base, first, last) => {
-            walk(base, access, false, place, scope);
+            walk_indexed(base, access, place, scope);
             walk(first, Access::Read, true, place, scope);
             walk(last, Access::Read, true, place, scope);
         }
@@ -99,7 +99,29 @@ fn walk(node: &Node, access: Access, whole: bool, place: &Place<'_>, scope: &mut
     }
 }
 
-fn tag(name: &str, range: TextRange, access: Access, whole: bool, place: &Place<'_>, scope: &mut Scope) {
+/// Which part of a tag is meant.
+#[derive(Clone, Copy, PartialEq)]
+enum Part {
+    Whole,
+    Member,
+    Elements,
+}
+
+impl Part {
+    const fn of(whole: bool) -> Part {
+        if whole { Part::Whole } else { Part::Member }
+    }
+}
+
+/// The base of an index.
+fn walk_indexed(base: &Node, access: Access, place: &Place<'_>, scope: &mut Scope) {
+    match &base.kind {
+        NodeKind::Name(name) => tag(name, base.range, access, Part::Elements, place, scope),
+        _ => walk(base, access, false, place, scope),
+    }
+}
+
+fn tag(name: &str, range: TextRange, access: Access, part: Part, place: &Place<'_>, scope: &mut Scope) {
     if name.eq_ignore_ascii_case("SYS") || name.eq_ignore_ascii_case("PI") {
         return;
     }
@@ -121,6 +143,8 @@ fn tag(name: &str, range: TextRange, access: Access, whole: bool, place: &Place<
             address: name.starts_with('%').then(|| name.to_owned()),
             at,
             uses: Vec::new(),
+            shared: None,
+            mistyped: false,
         })
     });
     let (network, block, operand) = (place.network, place.block, place.operand);
@@ -130,7 +154,8 @@ fn tag(name: &str, range: TextRange, access: Access, whole: bool, place: &Place<
         operand,
         range: at,
         access,
-        whole,
+        whole: part == Part::Whole,
+        indexed: part == Part::Elements,
     });
 }
 

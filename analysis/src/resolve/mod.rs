@@ -25,8 +25,10 @@ use std::ops::Range;
 pub(crate) struct Resolver<'c, 'o> {
     context: &'c Context,
     scope: &'c Scope,
-    /// The id of the scope's first tag.
-    first_tag: u32,
+    /// The ids of the scope's tags.
+    ids: &'c [TagId],
+    /// The program's tags.
+    tags: &'c [Tag],
     /// Where the block's line starts.
     base: TextSize,
     network: usize,
@@ -42,10 +44,10 @@ pub(crate) fn program(context: &Context, file: &str, out: &mut Vec<Diagnostic>) 
         files: vec![file.to_owned()],
         ..Program::default()
     };
-    let mut first_tags = Vec::with_capacity(context.scopes.len());
+    let ids = tag_ids(context);
     for (index, scope) in context.scopes.iter().enumerate() {
-        first_tags.push(program.tags.len() as u32);
-        program.tags.extend(scope.tags.iter().map(|tag| Tag {
+        let own = scope.tags.iter().filter(|tag| tag.shared.is_none());
+        program.tags.extend(own.map(|tag| Tag {
             name: tag.name.clone(),
             ty: tag.ty.unwrap_or(Type::Scalar(Scalar::Dint)),
             role: tag.role,
@@ -66,7 +68,8 @@ pub(crate) fn program(context: &Context, file: &str, out: &mut Vec<Diagnostic>) 
             let mut resolver = Resolver {
                 context,
                 scope: &context.scopes[facts.scope],
-                first_tag: first_tags[facts.scope],
+                ids: &ids[facts.scope],
+                tags: &program.tags,
                 base: bound.base,
                 network: index,
                 network_numbers: &numbers,
@@ -79,8 +82,30 @@ pub(crate) fn program(context: &Context, file: &str, out: &mut Vec<Diagnostic>) 
     }
     program.networks = networks.into_iter().flatten().collect();
     functions(context, &numbers, &mut program);
-    user_blocks(context, &numbers, &first_tags, &mut program);
+    user_blocks(context, &numbers, &ids, &mut program);
     program
+}
+
+/// The id of each tag of each scope. What is shared has the id of the tag that it leads to.
+fn tag_ids(context: &Context) -> Vec<Vec<TagId>> {
+    let mut next = 0;
+    let mut ids: Vec<Vec<TagId>> = Vec::with_capacity(context.scopes.len());
+    for scope in &context.scopes {
+        let own = scope.tags.iter().map(|tag| {
+            let id = TagId(next);
+            next += u32::from(tag.shared.is_none());
+            id
+        });
+        ids.push(own.collect());
+    }
+    for (scope, facts) in context.scopes.iter().enumerate() {
+        for (tag, facts) in facts.tags.iter().enumerate() {
+            if let Some((shared_scope, shared_tag)) = facts.shared {
+                ids[scope][tag] = ids[shared_scope][shared_tag];
+            }
+        }
+    }
+    ids
 }
 
 /// The file's own networks come first, then those of each block's body, so that every body is one range.
@@ -175,14 +200,14 @@ fn functions(context: &Context, numbers: &[usize], program: &mut Program) {
         .collect();
 }
 
-fn user_blocks(context: &Context, numbers: &[usize], first_tags: &[u32], program: &mut Program) {
+fn user_blocks(context: &Context, numbers: &[usize], ids: &[Vec<TagId>], program: &mut Program) {
     program.blocks = context
         .user_blocks
         .iter()
         .enumerate()
         .map(|(index, block)| {
             let scope = &context.scopes[index + 1];
-            let id = |tag: usize| TagId(first_tags[index + 1] + tag as u32);
+            let id = |tag: usize| ids[index + 1][tag];
             let own = |name: &str| id(scope.find(&Name::new(name)).unwrap_or(0));
             UserBlock {
                 name: block.name.clone(),
@@ -206,7 +231,7 @@ impl Resolver<'_, '_> {
     }
 
     fn tag_id(&self, index: usize) -> TagId {
-        TagId(self.first_tag + index as u32)
+        self.ids[index]
     }
 
     /// A block with its arguments. None if it is no known block, or cannot be read; the rules say so.

@@ -5,7 +5,7 @@ use crate::facts::{Node, NodeKind, Word};
 use crate::infer;
 use crate::literal::Literal;
 use crate::program::{Expr, ExprKind, Place, RangeRef, SystemTag};
-use crate::rules::{bad_operand, constant_write, type_mismatch, undeclared_tag, unknown_member};
+use crate::rules::{bad_operand, constant_write, type_mismatch, unknown_member};
 use crate::scope::{Access, Origin};
 use crate::types::{Scalar, Type};
 use crate::value::Value;
@@ -151,15 +151,14 @@ impl Resolver<'_, '_> {
             Type::Array { element, .. } => Some((tag, element)),
             ty => {
                 let facts = &self.scope.tags[tag];
-                let diagnostic = if facts.origin == Origin::Undeclared {
-                    undeclared_tag::array(&facts.name, range)
-                } else {
-                    type_mismatch::wrong(
+                // undeclared-tag speaks of an array without a declaration, once.
+                if facts.origin != Origin::Undeclared && !facts.mistyped {
+                    let diagnostic = type_mismatch::wrong(
                         range,
                         format!("`{}` is {ty}, no array: it has no elements", facts.name),
-                    )
-                };
-                self.report(diagnostic);
+                    );
+                    self.report(diagnostic);
+                }
                 None
             }
         }
@@ -246,9 +245,9 @@ impl Resolver<'_, '_> {
             Place::Bit(base, ..) => return self.check_writable(base, node, access),
             Place::Tag(tag) | Place::Element(tag, _) => *tag,
         };
-        let facts = &self.scope.tags[(tag.0 - self.first_tag) as usize];
-        if facts.constant {
-            let diagnostic = constant_write::constant(&facts.name, range, facts.at);
+        let tag = &self.tags[tag.0 as usize];
+        if tag.constant {
+            let diagnostic = constant_write::constant(&tag.name, range, tag.location.range);
             self.report(diagnostic);
             return false;
         }

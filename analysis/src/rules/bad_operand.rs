@@ -1,9 +1,100 @@
 //! `bad-operand`: something stands in an operand's place that cannot stand there.
 
+use super::did_you_mean;
+use crate::context::Context;
 use crate::diagnostic::Diagnostic;
+use crate::facts::{OperandFacts, Word};
+use crate::network::{BoundBlock, Formal, Meaning};
+use crate::program::ParameterKind;
 use crate::rule::Rule;
-use ladder_instructions::StateType;
+use ladder_instructions::{Direction, Presence, StateType};
 use ladder_syntax::{OperandPlace, TextRange};
+
+pub(crate) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
+    for bound in context.networks.iter().flat_map(|network| &network.blocks) {
+        if bound.faulty {
+            continue;
+        }
+        for (operand, formal) in bound.facts.operands.iter().zip(&bound.formals) {
+            let Some(name) = &operand.name else { continue };
+            let is_read = match (*formal, bound.meaning) {
+                (Formal::UnknownName, _) => {
+                    out.push(unknown_name(context, bound, operand, name));
+                    continue;
+                }
+                (Formal::Operand(row), _) => row.direction == Direction::In,
+                (Formal::Parameter(index), Meaning::User(block)) => {
+                    context.user_blocks[block].parameters[index].kind == ParameterKind::Input
+                }
+                _ => continue,
+            };
+            if operand.arrow && is_read {
+                out.push(arrow(bound, operand, name));
+            }
+        }
+    }
+}
+
+/// `=>` before an operand that the block reads.
+fn arrow(bound: &BoundBlock, operand: &OperandFacts, name: &Word) -> Diagnostic {
+    let found = wrong(
+        bound.absolute(operand.range),
+        format!("`{}` is an operand that {} reads", name.text, bound.head_text()),
+    )
+    .help("`:=` gives an operand, `=>` takes a result");
+    match operand.arrow_range {
+        Some(arrow) => found.fix("Replace `=>` with `:=`", bound.absolute(arrow), ":="),
+        None => found,
+    }
+}
+
+/// A name before `:=` that the block does not have.
+fn unknown_name(context: &Context, bound: &BoundBlock, operand: &OperandFacts, name: &Word) -> Diagnostic {
+    let head = bound.head_text();
+    let (names, by_place): (Vec<&str>, bool) = match bound.meaning {
+        Meaning::Instruction(row) => {
+            let named = row
+                .operands
+                .iter()
+                .filter(|o| o.presence == Presence::Named && o.only_in_profile().is_none());
+            let by_place = row
+                .operands
+                .iter()
+                .any(|o| o.name.eq_ignore_ascii_case(&name.text));
+            (named.map(|o| o.name).collect(), by_place)
+        }
+        Meaning::User(block) => {
+            let tags = &context.scopes[block + 1].tags;
+            let parameters = context.user_blocks[block].parameters.iter();
+            (parameters.map(|p| tags[p.tag].name.as_str()).collect(), false)
+        }
+        _ => (Vec::new(), false),
+    };
+    if by_place {
+        let prefix = TextRange::new(operand.range.start(), operand.value.range.start());
+        return wrong(
+            bound.absolute(name.range),
+            format!("`{}` of {head} is given by its place, without a name", name.text),
+        )
+        .help("the first operands stand in their order; only the optional ones are given by name")
+        .fix(format!("Remove `{} :=`", name.text), bound.absolute(prefix), "");
+    }
+    let found = wrong(
+        bound.absolute(name.range),
+        format!("{head} has no operand of the name `{}`", name.text),
+    );
+    if let Some(near) = did_you_mean::closest(&name.text, names.iter().copied()) {
+        return found.help(format!("did you mean `{near}`?")).fix(
+            format!("Replace with `{near}`"),
+            bound.absolute(name.range),
+            near,
+        );
+    }
+    match names.as_slice() {
+        [] => found.help("it has no operands that are given by name"),
+        names => found.help(format!("by name it takes {}", names.join(", "))),
+    }
+}
 
 pub(crate) fn wrong(range: TextRange, message: impl Into<String>) -> Diagnostic {
     Diagnostic::new(Rule::BadOperand, range, message)

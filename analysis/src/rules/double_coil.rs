@@ -12,7 +12,7 @@ use std::collections::HashMap;
 
 pub(crate) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
     let mut leaves = None;
-    for tag in context.scopes.iter().flat_map(|scope| &scope.tags) {
+    for tag in context.own_tags() {
         let coils = tag.uses.iter().filter(|place| is_plain_coil(context, place));
         if coils.clone().nth(1).is_none() {
             continue;

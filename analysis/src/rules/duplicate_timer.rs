@@ -9,7 +9,7 @@ use crate::types::Type;
 use ladder_instructions::{Accepts, StateType};
 
 pub(crate) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
-    for tag in context.scopes.iter().flat_map(|scope| &scope.tags) {
+    for tag in context.own_tags() {
         let Some(Type::State(state)) = tag.ty else {
             continue;
         };

@@ -18,6 +18,7 @@ mod duplicate_timer;
 mod misleading_alignment;
 mod misplaced_rail;
 pub(crate) mod missing_wire;
+mod near_names;
 mod no_output;
 mod open_wire;
 mod recursive_block;
@@ -25,7 +26,7 @@ mod syntax_errors;
 pub(crate) mod type_mismatch;
 mod unclosed_block;
 pub(crate) mod unclosed_comment;
-pub(crate) mod undeclared_tag;
+mod undeclared_tag;
 mod unexpected_character;
 mod unknown_block;
 pub(crate) mod unknown_function;
@@ -50,6 +51,8 @@ const CHECKS: &[Check] = &[
     misleading_alignment::check,
     unknown_instruction::check,
     bad_arity::check,
+    bad_operand::check,
+    undeclared_tag::check,
     duplicate_timer::check,
     duplicate_label::check,
     duplicate_function::check,

@@ -1,16 +1,195 @@
 //! `undeclared-tag`: a tag is used that no declaration names.
+//!
+//! How much that matters depends on the file (LANGUAGE §4): an array needs its bounds and a block's body needs
+//! every declaration; a file that declares tags has probably forgotten one; and in a file that declares none, a
+//! name that is used once and looks like another is probably a slip.
 
+use super::did_you_mean;
+use super::near_names::NearNames;
+use crate::context::Context;
+use crate::declaration_fix::{self, NewTag};
 use crate::diagnostic::Diagnostic;
+use crate::network::Formal;
+use crate::program::Role;
 use crate::rule::{Rule, Severity};
-use ladder_syntax::TextRange;
+use crate::scope::{Origin, SectionKind, TagFacts, Use};
+use crate::types::{Scalar, Type};
+use ladder_instructions::Accepts;
+use ladder_syntax::{Name, TextRange};
+
+pub(crate) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
+    for (scope, facts) in context.scopes.iter().enumerate() {
+        let declares = facts.declares();
+        let undeclared = || facts.tags.iter().filter(|tag| is_undeclared(tag, scope));
+        for tag in undeclared() {
+            let mut uses = tag.uses.iter().filter(|place| is_clear(context, place));
+            let Some(first) = uses.clone().next() else {
+                continue;
+            };
+            if let Some(index) = uses.find(|place| place.indexed) {
+                out.push(array(context, scope, tag, index.range));
+            } else if scope > 0 {
+                out.push(in_body(context, scope, tag, first.range));
+            } else if declares {
+                out.push(forgotten(context, tag, first.range));
+            }
+        }
+        if scope == 0 && !declares {
+            slips(context, &facts.tags, out);
+        }
+    }
+}
+
+/// Whether the place says that a tag is meant: the block is known, and could be read.
+fn is_clear(context: &Context, place: &Use) -> bool {
+    let bound = &context.networks[place.network].blocks[place.block];
+    let known = matches!(
+        bound.formals[place.operand],
+        Formal::Operand(_) | Formal::Parameter(_)
+    );
+    known && !bound.faulty
+}
+
+/// In a body names do not say a type; only direct addresses need no declaration there.
+fn is_undeclared(tag: &TagFacts, scope: usize) -> bool {
+    match tag.origin {
+        Origin::Undeclared => true,
+        Origin::Form => scope > 0 && tag.address.is_none(),
+        _ => false,
+    }
+}
+
+fn found(severity: Severity, range: TextRange, message: String) -> Diagnostic {
+    let mut found = Diagnostic::new(Rule::UndeclaredTag, range, message);
+    found.severity = severity;
+    found
+}
 
 /// An array must be declared: its bounds are nowhere else.
-pub(crate) fn array(name: &str, range: TextRange) -> Diagnostic {
-    let mut found = Diagnostic::new(
-        Rule::UndeclaredTag,
+fn array(context: &Context, scope: usize, tag: &TagFacts, range: TextRange) -> Diagnostic {
+    let name = &tag.name;
+    let (last, element) = extent(context, tag);
+    let ty = format!("ARRAY[1..{last}] OF {element}");
+    found(
+        Severity::Error,
         range,
         format!("the array `{name}` is not declared"),
-    );
-    found.severity = Severity::Error;
-    found.help(format!("declare it: VAR {name} : ARRAY[1..10] OF DINT; END_VAR"))
+    )
+    .help(format!("declare it with its bounds: {name} : {ty};"))
+    .with(declaration_fix::declare(
+        context,
+        &NewTag {
+            scope,
+            section: SectionKind::Var,
+            name,
+            ty: &ty,
+        },
+    ))
+}
+
+/// The highest index that is written out, and the type of the elements, as far as the places say.
+fn extent(context: &Context, tag: &TagFacts) -> (i64, Scalar) {
+    let mut last = 1;
+    let mut element = Scalar::Dint;
+    let mut written_out = false;
+    for place in &tag.uses {
+        let bound = &context.networks[place.network].blocks[place.block];
+        bound.facts.operands[place.operand]
+            .value
+            .each_index(&mut |index| {
+                written_out = true;
+                last = last.max(index);
+            });
+        if let Formal::Operand(operand) = bound.formals[place.operand]
+            && matches!(
+                operand.accepts,
+                Accepts::Bool | Accepts::BoolOrRange | Accepts::BoolRangeOrState
+            )
+        {
+            element = Scalar::Bool;
+        }
+    }
+    (if written_out { last.min(100_000) } else { 10 }, element)
+}
+
+/// In a block's body.
+fn in_body(context: &Context, scope: usize, tag: &TagFacts, range: TextRange) -> Diagnostic {
+    let (name, block) = (&tag.name, &context.user_blocks[scope - 1]);
+    let mut found = found(
+        Severity::Error,
+        range,
+        format!("`{name}` is not declared in the block `{}`", block.name),
+    )
+    .help("a block sees its own tags and VAR_GLOBAL tags only: declare it in the block");
+    if let Some(outside) = context.scopes[0].find(&Name::new(name)) {
+        let outside = &context.scopes[0].tags[outside];
+        if outside.shared.is_none() {
+            found = found.related(
+                outside.at,
+                "a tag of this name stands in the program: the block does not see it",
+            );
+        }
+    }
+    found.with(declare(context, scope, tag))
+}
+
+/// In a file that declares tags.
+fn forgotten(context: &Context, tag: &TagFacts, range: TextRange) -> Diagnostic {
+    let name = &tag.name;
+    let found = found(Severity::Warning, range, format!("`{name}` is not declared"));
+    let declared = context.scopes[0].tags.iter().filter(|tag| tag.is_declared());
+    let near = did_you_mean::closest(name, declared.map(|tag| tag.name.as_str()));
+    let found = match near {
+        Some(near) if tag.uses.len() == 1 => {
+            found
+                .help(format!("did you mean `{near}`?"))
+                .fix(format!("Replace with `{near}`"), range, near)
+        }
+        _ => found.help("declare it, so that a typing mistake cannot make a new tag"),
+    };
+    found.with(declare(context, 0, tag))
+}
+
+fn declare(context: &Context, scope: usize, tag: &TagFacts) -> Option<crate::diagnostic::Fix> {
+    let section = match tag.role {
+        Role::Input if scope == 0 => SectionKind::Input,
+        Role::Output if scope == 0 => SectionKind::Output,
+        _ => SectionKind::Var,
+    };
+    let ty = tag.ty.unwrap_or(Type::Scalar(Scalar::Dint)).to_string();
+    declaration_fix::declare(
+        context,
+        &NewTag {
+            scope,
+            section,
+            name: &tag.name,
+            ty: &ty,
+        },
+    )
+}
+
+/// In a file without declarations: used once, and one letter away from a tag that is used more often.
+fn slips(context: &Context, tags: &[TagFacts], out: &mut Vec<Diagnostic>) {
+    let undeclared = || tags.iter().filter(|tag| tag.origin == Origin::Undeclared);
+    if undeclared().all(|tag| tag.uses.len() != 1) {
+        return;
+    }
+    let often = undeclared()
+        .filter(|tag| tag.uses.len() > 1)
+        .map(|tag| tag.name.as_str());
+    let near = NearNames::new(often);
+    for tag in undeclared().filter(|tag| tag.uses.len() == 1 && is_clear(context, &tag.uses[0])) {
+        let Some(other) = near.one_letter_from(&tag.name) else {
+            continue;
+        };
+        out.push(
+            found(
+                Severity::Info,
+                tag.at,
+                format!("`{}` stands here only, and looks like `{other}`", tag.name),
+            )
+            .help("a typing mistake makes a new tag: correct it, or declare the tags of the file")
+            .fix(format!("Replace with `{other}`"), tag.at, other),
+        );
+    }
 }

@@ -3,6 +3,7 @@
 mod blocks;
 mod check;
 mod connectors;
+mod names;
 mod program;
 mod text;
 mod wiring;

@@ -254,6 +254,11 @@ fn uses_of_blocks() {
                                          ^^^^^^^^ error[bad-arity]: the operand `raw` of [$Debounce] is given twice
                 help: leave one of them out
                 at 15:17 `a`: it is given here before
+            > +--[$Debounce]( a, T#20ms, raw := b, wat := y )--+
+                                                   ^^^ error[bad-operand]: [$Debounce] has no operand of the name `wat`
+                help: did you mean `wait`?
+                fix: Replace with `wait`
+                  +----------------------[$Debounce]( a, T#20ms, raw := b, wait := y )--+
         "#]],
     );
     check(

@@ -366,7 +366,7 @@ fn declarations_that_cannot_be_read() {
         "VAR a : BOL; END : INT; b : STRING[0]; END_VAR\n",
         expect![[r#"
             > VAR a : BOL; END : INT; b : STRING[0]; END_VAR
-                      ^^^ error[bad-declaration]: there is no type `BOL`: did you mean DINT, BOOL or REAL?
+                      ^^^ error[bad-declaration]: there is no type `BOL`: did you mean BOOL?
             > VAR a : BOL; END : INT; b : STRING[0]; END_VAR
                                           ^^^^^^^^^ error[bad-declaration]: a STRING holds 1 to 32767 characters
         "#]],

@@ -120,6 +120,10 @@ fn system(word: &str) -> Option<&'static str> {
 
 /// A tag: its declaration in one line, where it comes from, and who writes and reads it.
 pub(super) fn tag_card(context: &Context, tag: &TagFacts) -> String {
+    // What several scopes share is told where it is declared.
+    let tag = tag
+        .shared
+        .map_or(tag, |(scope, tag)| &context.scopes[scope].tags[tag]);
     let ty = tag.ty.map(|ty| ty.to_string()).unwrap_or_default();
     let address = tag
         .address
@@ -141,11 +145,15 @@ pub(super) fn tag_card(context: &Context, tag: &TagFacts) -> String {
         ),
         Origin::Form => "its name gives its type".to_owned(),
         Origin::Implicit => "every block has it".to_owned(),
+        Origin::Shared => "shared by the whole file".to_owned(),
         Origin::Undeclared => "not declared; its type follows from its use".to_owned(),
     };
     let _ = write!(card, "{} ({origin})", capitalised(role));
     for (verb, lines) in [
-        ("Written", uses(context, tag, ladder_analysis::scope::Access::writes)),
+        (
+            "Written",
+            uses(context, tag, ladder_analysis::scope::Access::writes),
+        ),
         ("Read", uses(context, tag, ladder_analysis::scope::Access::reads)),
     ] {
         if lines.is_empty() {
