@@ -9,6 +9,7 @@ use crate::rules::{bad_operand, constant_write, type_mismatch, unknown_member};
 use crate::scope::{Access, Origin};
 use crate::types::{Scalar, Type};
 use crate::value::Value;
+use ladder_instructions::StateType;
 use ladder_syntax::{Name, TextRange};
 
 impl Resolver<'_, '_> {
@@ -118,6 +119,19 @@ impl Resolver<'_, '_> {
                 return None;
             };
             return Some((Place::Member(self.tag_id(tag), member), member.ty()));
+        }
+        if let Some(tag) = self.named_tag(base)
+            && self.scope.tags[tag].origin == Origin::Undeclared
+            && StateType::ALL
+                .iter()
+                .any(|&state| infer::member(state, &word.text).is_some())
+        {
+            self.report(unknown_member::of_no_state(
+                &self.scope.tags[tag].name,
+                &word.text,
+                at,
+            ));
+            return None;
         }
         let (place, ty) = self.place(base)?;
         let bits = ty.is_integer() || ty.is_bits();

@@ -29,6 +29,17 @@ pub(crate) fn of_state(name: &str, state: StateType, word: &str, range: TextRang
     .help(format!("its members are {members}"))
 }
 
+/// A member of a timer, on a tag that is neither declared nor the tag of a block.
+pub(crate) fn of_no_state(name: &str, word: &str, range: TextRange) -> Diagnostic {
+    unknown(
+        range,
+        format!("`{name}` has no `{word}`: no block makes it a timer or counter, and it is not declared"),
+    )
+    .help(format!(
+        "check the name, or write the block that it belongs to, such as [TON]( {name}, T#5s )"
+    ))
+}
+
 pub(crate) fn of_scalar(ty: Scalar, word: &str, range: TextRange) -> Diagnostic {
     if ty.is_integer() || ty.is_bits() {
         let last = ty.width() - 1;

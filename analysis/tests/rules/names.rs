@@ -312,6 +312,22 @@ fn operands_by_name() {
 #[test]
 fn a_mistake_in_a_type_is_told_once() {
     check(
+        "+--[TON]( delay, T#5s )--[ ]( dleay.Q )--[ ]( delay.QU )--( )( y )--+\n",
+        expect![[r#"
+            > +--[TON]( delay, T#5s )--[ ]( dleay.Q )--[ ]( delay.QU )--( )( y )--+
+                                            ^^^^^ info[undeclared-tag]: `dleay` stands here only, and looks like `delay`
+                help: a typing mistake makes a new tag: correct it, or declare the tags of the file
+                fix: Replace with `delay`
+                  +--[TON]( delay, T#5s )--[ ]( delay.Q )--[ ]( delay.QU )-------------( )( y )--+
+            > +--[TON]( delay, T#5s )--[ ]( dleay.Q )--[ ]( delay.QU )--( )( y )--+
+                                                  ^ error[unknown-member]: `dleay` has no `Q`: no block makes it a timer or counter, and it is not declared
+                help: check the name, or write the block that it belongs to, such as [TON]( dleay, T#5s )
+            > +--[TON]( delay, T#5s )--[ ]( dleay.Q )--[ ]( delay.QU )--( )( y )--+
+                                                                  ^^ error[unknown-member]: `delay` is a TON and has no member `QU`
+                help: its members are IN PT Q ET R TT
+        "#]],
+    );
+    check(
         "+--[TON]( t, T#5s )--[ ]( t )--( )( y )--+\n",
         expect![[r#"
         > +--[TON]( t, T#5s )--[ ]( t )--( )( y )--+
