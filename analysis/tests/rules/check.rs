@@ -53,7 +53,8 @@ fn show(text: &str, index: &LineIndex, found: &Diagnostic, out: &mut String) {
         let fixed = apply(text, &fix::aligned(text, fix, &Options::default()));
         out.push_str(&format!("    fix: {}\n", fix.title));
         for (_, line) in changed_lines(text, &fixed) {
-            out.push_str(&format!("      {line}\n"));
+            out.push_str(format!("      {line}").trim_end());
+            out.push('\n');
         }
         let again = analyze(&Arc::new(parse(&fixed)), "test.clad").diagnostics;
         let stays = again
