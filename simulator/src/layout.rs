@@ -153,6 +153,8 @@ const MOST_TEXT: usize = 1 << 28;
 #[derive(Debug)]
 pub(crate) struct Layout {
     pub(crate) memory: Memory,
+    /// Of each bit whether only code reads it: powers, and values on the way. No tags.
+    pub(crate) temporary: Vec<bool>,
     text_bytes: usize,
 }
 
@@ -166,13 +168,24 @@ impl Layout {
         memory.set_bit(Bit::HIGH, true);
         Layout {
             memory,
+            temporary: Vec::new(),
             text_bytes: 0,
         }
     }
 
+    /// A bit for a power, or for a value on the way.
     pub(crate) fn bit(&mut self) -> Bit {
+        self.temporary.resize(self.memory.bits.len(), false);
         self.memory.bits.push(0);
+        self.temporary.push(true);
         Bit(self.memory.bits.len() as u32 - 1)
+    }
+
+    /// Something else than instructions reads this bit: it must always be written.
+    pub(crate) fn keep(&mut self, bit: Bit) {
+        if let Some(temporary) = self.temporary.get_mut(bit.0 as usize) {
+            *temporary = false;
+        }
     }
 
     pub(crate) fn word(&mut self) -> Word {

@@ -24,6 +24,7 @@ mod compile;
 mod counters;
 mod diagram;
 mod fault;
+mod fuse;
 mod layout;
 mod machine;
 mod memory;

@@ -1,6 +1,6 @@
 //! The machine that runs flat code: one scan is one walk through it.
 
-use crate::code::{Code, Instr, NO_STAMP, NOTHING_SAVED};
+use crate::code::{Code, Instr, NO_STAMP, NOTHING_SAVED, Record};
 use crate::counters::{self, Counter};
 use crate::fault::Trouble;
 use crate::memory::{Bit, Memory, Word};
@@ -26,7 +26,7 @@ pub(crate) enum Halt {
 
 /// A fault as the machine records it.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct Record {
+pub(crate) struct FaultRecord {
     pub(crate) trouble: Trouble,
     /// The block, as an index into [`Code::blocks`].
     pub(crate) block: u32,
@@ -77,7 +77,7 @@ pub(crate) struct Machine {
     /// Blocks that a scan may evaluate.
     pub(crate) watchdog: u64,
     /// Faults, at most as many as there is room for.
-    pub(crate) faults: Vec<Record>,
+    pub(crate) faults: Vec<FaultRecord>,
     /// How many were not kept for want of room.
     pub(crate) faults_lost: u64,
     /// Whether the last scan recorded a fault.
@@ -86,6 +86,8 @@ pub(crate) struct Machine {
     pub(crate) reached: Vec<i64>,
     /// For each network the step at which it was last left early, else the largest number.
     pub(crate) left_at: Vec<u32>,
+    /// For each record of fused code the row that it last took.
+    pub(crate) rows: Vec<u8>,
     frames: Vec<Frame>,
     saved: Vec<u8>,
 }
@@ -106,6 +108,7 @@ impl Machine {
             faulted: false,
             reached: vec![0; networks],
             left_at: vec![u32::MAX; networks],
+            rows: vec![0; code.records.len()],
             frames: Vec::with_capacity((CALL_DEPTH + 1) * (code.depth + 1)),
             saved: Vec::with_capacity(CALL_DEPTH * widest),
         }
@@ -563,6 +566,10 @@ impl Machine {
                     }
                 }
 
+                Instr::Records { start, count } => {
+                    let run = start as usize..(start + count) as usize;
+                    look_up(memory, &code.records[run.clone()], &mut self.rows[run]);
+                }
                 Instr::Routine { routine, operands } => {
                     let operands = &code.operands[operands as usize..];
                     try_or_fault!(routine::run::<FORCED>(routine, memory, operands, clock));
@@ -689,7 +696,7 @@ impl Machine {
             }
             self.faults.pop();
         }
-        self.faults.push(Record {
+        self.faults.push(FaultRecord {
             trouble,
             block,
             scan: scan - 1,
@@ -723,6 +730,17 @@ fn block_at(code: &Code, pc: usize) -> u32 {
         block -= 1;
     }
     block.saturating_sub(1) as u32
+}
+
+/// Runs records: each looks up its result and notes the row.
+fn look_up(memory: &mut Memory, records: &[Record], rows: &mut [u8]) {
+    let bits = memory.bits.as_mut_slice();
+    for (record, row) in records.iter().zip(rows) {
+        let [a, b, c] = record.inputs;
+        let index = bits[a.0 as usize] | bits[b.0 as usize] << 1 | bits[c.0 as usize] << 2;
+        *row = index;
+        bits[record.out.0 as usize] = record.truth >> (index & 7) & 1;
+    }
 }
 
 /// Notes an evaluation; whether it is not the first in this scan.

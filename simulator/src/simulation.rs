@@ -2,7 +2,8 @@
 
 use crate::compile::{CompileError, Compiled, compile};
 use crate::fault::Fault;
-use crate::machine::{Halt, Machine, Record};
+use crate::fuse::Power;
+use crate::machine::{FaultRecord, Halt, Machine};
 use crate::memory::{Bit, Memory, Word};
 use crate::tags::{Names, Point, PointSlot, UnknownTag};
 use ladder_analysis::program::{ElementKind, Location, Program, Role};
@@ -53,6 +54,8 @@ pub struct Simulation {
     options: Options,
     status: Status,
     forces: BTreeMap<String, Force>,
+    /// The last scan ran plain code, with forces.
+    ran_plain: bool,
 }
 
 /// A force that is in effect.
@@ -71,7 +74,12 @@ impl Simulation {
     pub fn new(program: Arc<Program>, options: Options) -> Result<Simulation, CompileError> {
         let compiled = compile(&program)?;
         let memory = compiled.initial.clone();
-        let machine = Machine::new(memory, &compiled.code, program.networks.len(), options.watchdog);
+        let machine = Machine::new(
+            memory,
+            &compiled.fused.code,
+            program.networks.len(),
+            options.watchdog,
+        );
         Ok(Simulation {
             names: Names::of(&program),
             points: Names::points(&program, &compiled.homes),
@@ -81,6 +89,7 @@ impl Simulation {
             options,
             status: Status::Ready,
             forces: BTreeMap::new(),
+            ran_plain: false,
         })
     }
 
@@ -112,8 +121,9 @@ impl Simulation {
         } else {
             self.options.interval
         };
+        self.ran_plain = !self.forces.is_empty();
         let halt = if self.forces.is_empty() {
-            machine.run::<false>(&self.compiled.code)
+            machine.run::<false>(&self.compiled.fused.code)
         } else {
             machine.run::<true>(&self.compiled.code)
         };
@@ -194,7 +204,7 @@ impl Simulation {
         faults
     }
 
-    fn fault(&self, record: &Record) -> Fault {
+    fn fault(&self, record: &FaultRecord) -> Fault {
         let blocks = &self.compiled.code.blocks;
         let nowhere = Location {
             file: 0,
@@ -252,6 +262,18 @@ impl Simulation {
                 reached && self.machine.memory.bit(element.power),
             )
         })
+    }
+
+    fn has_power(&self, slot: Bit) -> bool {
+        let place = if self.ran_plain {
+            Power::Slot(slot)
+        } else {
+            self.compiled.fused.power(slot)
+        };
+        match place {
+            Power::Slot(slot) => self.machine.memory.bit(slot),
+            Power::Row { record, truth } => truth >> (self.machine.rows[record as usize] & 7) & 1 != 0,
+        }
     }
 
     /// Gives a tag a value before the next scan, as the world outside does. A forced tag goes on showing its

@@ -5,7 +5,7 @@
 //! pulse timer are differences to that instant, so a timer that was not reached for a while is right when it is
 //! next evaluated.
 
-use crate::layout::timer::{ET, IN, PHASE, PT, Q, R, SINCE, STAMP};
+use crate::layout::timer::{BITS, ET, IN, PHASE, PT, Q, R, SINCE, STAMP, WORDS};
 use crate::memory::{Bit, Memory, Word};
 use ladder_instructions::StateType;
 
@@ -40,49 +40,88 @@ const FELL: u8 = 2;
 /// An RTOF whose time has not run out.
 const ON: u8 = 4;
 
-impl Timer {
+/// A timer's state with what of it is forced. Seen as two arrays, so that one look at the bounds is enough.
+struct View<'m, const FORCED: bool> {
+    bits: &'m mut [u8; BITS as usize],
+    words: &'m mut [i64; WORDS as usize],
+    /// Empty without forces.
+    held_bits: &'m [u8],
+    held_words: &'m [i64],
+}
+
+impl<const FORCED: bool> View<'_, FORCED> {
+    #[inline]
+    fn put_bit(&mut self, member: u32, value: bool) -> bool {
+        let at = member as usize;
+        if !FORCED || self.held_bits.get(at) == Some(&0) {
+            self.bits[at] = u8::from(value);
+        }
+        if FORCED { self.bits[at] != 0 } else { value }
+    }
+
+    #[inline]
+    fn put_word(&mut self, member: u32, value: i64) -> i64 {
+        let at = member as usize;
+        if !FORCED || self.held_words.get(at) == Some(&0) {
+            self.words[at] = value;
+        }
+        if FORCED { self.words[at] } else { value }
+    }
+
     /// Copies the inputs into the members. Gives EN as the timer sees it (low while R is high), R, and PT.
     #[inline]
-    fn inputs<const FORCED: bool>(self, memory: &mut Memory, en: bool, pt: i64) -> (bool, bool, i64) {
-        let reset = memory.bit(self.bits.offset(R));
-        memory.put_bit::<FORCED>(self.bits.offset(IN), en && !reset);
-        memory.put_word::<FORCED>(self.words.offset(PT), pt);
-        if FORCED {
-            let input = memory.bit(self.bits.offset(IN));
-            return (input, reset, memory.word(self.words.offset(PT)));
+    fn inputs(&mut self, en: bool, pt: i64) -> (bool, bool, i64) {
+        let reset = self.bits[R as usize] != 0;
+        (self.put_bit(IN, en && !reset), reset, self.put_word(PT, pt))
+    }
+
+    #[inline]
+    fn outputs(&mut self, q: bool, et: i64) -> bool {
+        self.put_word(ET, et);
+        self.put_bit(Q, q)
+    }
+
+    #[inline]
+    fn phase(&self) -> u8 {
+        self.bits[PHASE as usize]
+    }
+
+    #[inline]
+    fn set_phase(&mut self, phase: u8) {
+        self.bits[PHASE as usize] = phase;
+    }
+
+    #[inline]
+    fn et(&self) -> i64 {
+        self.words[ET as usize]
+    }
+
+    #[inline]
+    fn begin(&mut self, clock: Clock) {
+        self.words[SINCE as usize] = clock.now;
+    }
+
+    #[inline]
+    fn elapsed(&self, clock: Clock) -> i64 {
+        clock.now.saturating_sub(self.words[SINCE as usize])
+    }
+}
+
+impl Timer {
+    #[inline]
+    fn view<const FORCED: bool>(self, memory: &mut Memory) -> View<'_, FORCED> {
+        let (bits, words) = (self.bits.0 as usize, self.words.0 as usize);
+        let held = &memory.held;
+        View {
+            bits: memory.bits[bits..]
+                .first_chunk_mut()
+                .expect("a timer's bits are laid out together"),
+            words: memory.words[words..]
+                .first_chunk_mut()
+                .expect("a timer's words are laid out together"),
+            held_bits: if FORCED { &held.bits[bits..] } else { &[] },
+            held_words: if FORCED { &held.words[words..] } else { &[] },
         }
-        (en && !reset, reset, pt)
-    }
-
-    #[inline]
-    fn outputs<const FORCED: bool>(self, memory: &mut Memory, q: bool, et: i64) -> bool {
-        memory.put_word::<FORCED>(self.words.offset(ET), et);
-        memory.put_bit::<FORCED>(self.bits.offset(Q), q);
-        if FORCED {
-            memory.bit(self.bits.offset(Q))
-        } else {
-            q
-        }
-    }
-
-    #[inline]
-    fn phase(self, memory: &Memory) -> u8 {
-        memory.bits[self.bits.offset(PHASE).0 as usize]
-    }
-
-    #[inline]
-    fn set_phase(self, memory: &mut Memory, phase: u8) {
-        memory.bits[self.bits.offset(PHASE).0 as usize] = phase;
-    }
-
-    #[inline]
-    fn begin(self, memory: &mut Memory, clock: Clock) {
-        memory.words[self.words.offset(SINCE).0 as usize] = clock.now;
-    }
-
-    #[inline]
-    fn elapsed(self, memory: &Memory, clock: Clock) -> i64 {
-        clock.now.saturating_sub(memory.word(self.words.offset(SINCE)))
     }
 
     /// On-delay.
@@ -94,23 +133,24 @@ impl Timer {
         pt: i64,
         clock: Clock,
     ) -> bool {
-        let (input, _, pt) = self.inputs::<FORCED>(memory, en, pt);
+        let mut timer = self.view::<FORCED>(memory);
+        let (input, _, pt) = timer.inputs(en, pt);
         if !input {
-            self.set_phase(memory, IDLE);
-            return self.outputs::<FORCED>(memory, false, 0);
+            timer.set_phase(IDLE);
+            return timer.outputs(false, 0);
         }
-        let mut phase = self.phase(memory);
+        let mut phase = timer.phase();
         if phase == IDLE {
-            self.begin(memory, clock);
+            timer.begin(clock);
             phase = RUNNING;
         }
-        let elapsed = self.elapsed(memory, clock);
+        let elapsed = timer.elapsed(clock);
         if elapsed >= pt {
             phase = DONE;
         }
-        self.set_phase(memory, phase);
+        timer.set_phase(phase);
         // A longer PT does not take back a Q that is high.
-        self.outputs::<FORCED>(memory, phase == DONE, elapsed.min(pt.max(0)))
+        timer.outputs(phase == DONE, elapsed.min(pt.max(0)))
     }
 
     /// Off-delay.
@@ -122,59 +162,60 @@ impl Timer {
         pt: i64,
         clock: Clock,
     ) -> bool {
-        let (input, reset, pt) = self.inputs::<FORCED>(memory, en, pt);
+        let mut timer = self.view::<FORCED>(memory);
+        let (input, reset, pt) = timer.inputs(en, pt);
         if reset {
-            self.set_phase(memory, IDLE);
-            return self.outputs::<FORCED>(memory, false, 0);
+            timer.set_phase(IDLE);
+            return timer.outputs(false, 0);
         }
         if input {
-            self.set_phase(memory, ARMED);
-            return self.outputs::<FORCED>(memory, true, 0);
+            timer.set_phase(ARMED);
+            return timer.outputs(true, 0);
         }
-        let mut phase = self.phase(memory);
+        let mut phase = timer.phase();
         if phase == ARMED {
-            self.begin(memory, clock);
+            timer.begin(clock);
             phase = RUNNING;
         }
         let et = if phase == RUNNING {
-            let elapsed = self.elapsed(memory, clock);
+            let elapsed = timer.elapsed(clock);
             if elapsed >= pt {
                 phase = DONE;
             }
             elapsed
         } else {
-            memory.word(self.words.offset(ET))
+            timer.et()
         };
-        self.set_phase(memory, phase);
-        self.outputs::<FORCED>(memory, phase == RUNNING, et.min(pt.max(0)))
+        timer.set_phase(phase);
+        timer.outputs(phase == RUNNING, et.min(pt.max(0)))
     }
 
     /// Pulse.
     pub(crate) fn tp<const FORCED: bool>(self, memory: &mut Memory, en: bool, pt: i64, clock: Clock) -> bool {
-        let (input, reset, pt) = self.inputs::<FORCED>(memory, en, pt);
+        let mut timer = self.view::<FORCED>(memory);
+        let (input, reset, pt) = timer.inputs(en, pt);
         // While R is high EN counts as low, but what is then high at its end is no rise.
         let high = if FORCED && !reset { input } else { en };
-        let before = self.phase(memory);
-        let stamp = &mut memory.words[self.words.offset(STAMP).0 as usize];
-        let again = std::mem::replace(stamp, clock.scan) == clock.scan;
+        let before = timer.phase();
+        let again = std::mem::replace(&mut timer.words[STAMP as usize], clock.scan) == clock.scan;
         let rise = high && before & WAS_HIGH == 0 && !again;
         let (mut q, mut et) = (false, 0);
         let mut phase = before & !WAS_HIGH;
         match phase {
             _ if reset => phase = IDLE,
             IDLE if rise && pt > 0 => {
-                self.begin(memory, clock);
+                timer.begin(clock);
                 (phase, q) = (RUNNING, true);
             }
             IDLE => {}
-            RUNNING if self.elapsed(memory, clock) < pt => (q, et) = (true, self.elapsed(memory, clock)),
+            RUNNING if timer.elapsed(clock) < pt => (q, et) = (true, timer.elapsed(clock)),
             // Over, and ET stays at PT until EN is low: at once, if it is low already.
             _ if !high => phase = IDLE,
             RUNNING => (phase, et) = (DONE, pt.max(0)),
-            _ => et = memory.word(self.words.offset(ET)).min(pt.max(0)),
+            _ => et = timer.et().min(pt.max(0)),
         }
-        self.set_phase(memory, phase | if high { WAS_HIGH } else { 0 });
-        self.outputs::<FORCED>(memory, q, et)
+        timer.set_phase(phase | if high { WAS_HIGH } else { 0 });
+        timer.outputs(q, et)
     }
 
     /// Retentive on-delay.
@@ -185,20 +226,21 @@ impl Timer {
         pt: i64,
         clock: Clock,
     ) -> bool {
-        let (input, reset, pt) = self.inputs::<FORCED>(memory, en, pt);
+        let mut timer = self.view::<FORCED>(memory);
+        let (input, reset, pt) = timer.inputs(en, pt);
         if reset {
-            self.set_phase(memory, 0);
-            return self.outputs::<FORCED>(memory, false, 0);
+            timer.set_phase(0);
+            return timer.outputs(false, 0);
         }
-        let mut et = memory.word(self.words.offset(ET));
-        if input && self.phase(memory) & COUNTING != 0 {
-            et = et.saturating_add(self.elapsed(memory, clock));
+        let mut et = timer.et();
+        if input && timer.phase() & COUNTING != 0 {
+            et = et.saturating_add(timer.elapsed(clock));
         }
         et = et.min(pt.max(0));
-        self.begin(memory, clock);
-        self.set_phase(memory, if input { COUNTING } else { 0 });
+        timer.begin(clock);
+        timer.set_phase(if input { COUNTING } else { 0 });
         let q = if pt > 0 { et >= pt } else { input };
-        self.outputs::<FORCED>(memory, q, et)
+        timer.outputs(q, et)
     }
 
     /// Retentive off-delay.
@@ -209,38 +251,40 @@ impl Timer {
         pt: i64,
         clock: Clock,
     ) -> bool {
-        let (input, reset, pt) = self.inputs::<FORCED>(memory, en, pt);
+        let mut timer = self.view::<FORCED>(memory);
+        let (input, reset, pt) = timer.inputs(en, pt);
         if reset {
-            self.set_phase(memory, 0);
-            return self.outputs::<FORCED>(memory, false, 0);
+            timer.set_phase(0);
+            return timer.outputs(false, 0);
         }
         let limit = pt.max(0);
-        let mut et = memory.word(self.words.offset(ET));
-        let mut phase = self.phase(memory);
+        let mut et = timer.et();
+        let mut phase = timer.phase();
         if input {
             phase = FELL | ON;
         } else if phase & FELL != 0 {
             if phase & COUNTING != 0 {
-                et = et.saturating_add(self.elapsed(memory, clock));
+                et = et.saturating_add(timer.elapsed(clock));
             }
             phase |= COUNTING;
             if et >= limit {
                 phase &= !ON;
             }
         }
-        self.begin(memory, clock);
-        self.set_phase(memory, phase);
-        self.outputs::<FORCED>(memory, phase & ON != 0, et.min(limit))
+        timer.begin(clock);
+        timer.set_phase(phase);
+        timer.outputs(phase & ON != 0, et.min(limit))
     }
 
     /// `(RES)`: like an R that ends with it. A pulse timer remembers EN: what is high then is no rise.
     pub(crate) fn clear<const FORCED: bool>(self, memory: &mut Memory, state: StateType) {
+        let mut timer = self.view::<FORCED>(memory);
         let kept = if state == StateType::Tp {
-            self.phase(memory) & WAS_HIGH
+            timer.phase() & WAS_HIGH
         } else {
             0
         };
-        self.set_phase(memory, kept);
-        self.outputs::<FORCED>(memory, false, 0);
+        timer.set_phase(kept);
+        timer.outputs(false, 0);
     }
 }

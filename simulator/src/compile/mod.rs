@@ -18,6 +18,7 @@ mod range;
 mod state;
 
 use crate::code::{ArrayPlace, BlockPlace, Code, ElementPlace, Instr};
+use crate::fuse::{Fused, fuse};
 use crate::layout::{Home, Layout};
 use crate::memory::{Bit, Memory, Word};
 use crate::retain::{Retained, retained};
@@ -49,6 +50,8 @@ impl std::error::Error for CompileError {}
 #[derive(Debug)]
 pub(crate) struct Compiled {
     pub(crate) code: Code,
+    /// The same, as it runs without forces.
+    pub(crate) fused: Fused,
     /// Where each tag lives, in the order of the program's tags.
     pub(crate) homes: Vec<Home>,
     /// Memory at a cold start.
@@ -142,11 +145,18 @@ impl Compiler<'_> {
                 blocks as u32
             })
             .collect();
+        let Layout {
+            mut memory,
+            temporary,
+            ..
+        } = self.layout;
+        let fused = fuse(&self.code, temporary, &mut memory);
         Compiled {
+            fused,
             retained: retained(self.program, &self.homes),
             code: self.code,
             homes: self.homes,
-            initial: self.layout.memory,
+            initial: memory,
             elements: self.elements,
             skippable: self.skippable,
         }
@@ -174,6 +184,7 @@ impl Compiler<'_> {
     fn network(&mut self, index: usize) -> Result<()> {
         let program = self.program;
         let network = &program.networks[index];
+        self.code.network_starts.push(self.here());
         if self.skippable[index] {
             self.emit(Instr::Network {
                 network: index as u32,

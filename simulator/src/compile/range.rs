@@ -64,6 +64,10 @@ impl Compiler<'_> {
 
     pub(super) fn routine(&mut self, routine: Routine, operands: &[u32]) {
         let at = self.code.operands.len() as u32;
+        for &operand in operands {
+            // Which of them are bits only the routine knows. To keep one too many costs nothing that counts.
+            self.layout.keep(Bit(operand));
+        }
         self.code.operands.extend_from_slice(operands);
         self.emit(Instr::Routine {
             routine,
