@@ -6,7 +6,12 @@ fn main() {
     let mut text = String::new();
     let mode = std::env::args().nth(2).unwrap_or_default();
     for i in 0..n {
-        if mode == "t" { text.push_str(&format!("+--[ ]( run{i} )--[TON]( t{i}, T#50ms )--( )( y{i} )--+\n\n")); continue; }
+        if mode == "t" {
+            text.push_str(&format!(
+                "+--[ ]( run{i} )--[TON]( t{i}, T#50ms )--( )( y{i} )--+\n\n"
+            ));
+            continue;
+        }
         text.push_str(&format!("+--\\--[ ]( start{i} )--\\--[/]( stop{i} )--( )( run{i} )--+\n|  /--[ ]( run{i} )----/                              |\n"));
         if i % 10 == 0 && std::env::args().nth(2).is_none() {
             text.push_str(&format!(
@@ -31,7 +36,7 @@ fn main() {
         let p = sim.resolve(&format!("{k}{i}")).unwrap();
         sim.set(&p, on.clone()).unwrap();
     }
-    for i in (0..if mode == "t" {0} else {n}).step_by(7) {
+    for i in (0..if mode == "t" { 0 } else { n }).step_by(7) {
         let p = sim.resolve(&format!("stop{i}")).unwrap();
         sim.set(&p, on.clone()).unwrap();
     }

@@ -49,10 +49,9 @@ pub(crate) fn fuse(plain: &Code, mut temporary: Vec<bool>, memory: &mut Memory) 
         if plain.instrs[block.start as usize..block.end as usize]
             .iter()
             .any(Instr::can_fault)
+            && let Some(temporary) = temporary.get_mut(block.out.0 as usize)
         {
-            if let Some(temporary) = temporary.get_mut(block.out.0 as usize) {
-                *temporary = false;
-            }
+            *temporary = false;
         }
     }
     let mut last_read = vec![0; memory.bits.len()];

@@ -259,7 +259,7 @@ impl Simulation {
             (
                 element.kind,
                 element.location,
-                reached && self.machine.memory.bit(element.power),
+                reached && self.has_power(element.power),
             )
         })
     }
@@ -333,6 +333,11 @@ impl Simulation {
             return;
         };
         self.mark(&force.point, false);
+        // A word and a bit of it may both be forced.
+        let others: Vec<Point> = self.forces.values().map(|other| other.point.clone()).collect();
+        for other in &others {
+            self.mark(other, true);
+        }
         if let Some(value) = force.underneath {
             self.write(&force.point, &value);
         }

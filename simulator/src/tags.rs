@@ -234,12 +234,14 @@ impl Names {
 
     fn unknown_tag<T>(&self, program: &Program, text: &str) -> Result<T, UnknownTag> {
         let typed = Name::new(text);
+        let letters = text.chars().count();
         let nearest = self
             .tags
             .iter()
             .map(|(name, &index)| (strsim::damerau_levenshtein(name.as_str(), typed.as_str()), index))
             .min()
-            .filter(|&(slips, _)| slips <= 1 + text.chars().count() / 4);
+            // Where most letters differ nothing is alike.
+            .filter(|&(slips, _)| slips <= 1 + letters / 4 && slips < letters);
         match nearest {
             Some((_, index)) => unknown(format!(
                 "there is no tag `{text}`; did you mean {}?",
@@ -325,7 +327,6 @@ fn members(state: StateType) -> &'static [(&'static str, Member)] {
     }
     match state {
         StateType::Ctud => &[
-            ("Q", Q),
             ("QU", Qu),
             ("QD", Qd),
             ("CV", Cv),
@@ -367,6 +368,7 @@ fn member_of(state: StateType, name: &str) -> Option<(&'static str, Member)> {
         "PRE" => "PV",
         "AC" | "ACC" if timer => "ET",
         "AC" | "ACC" => "CV",
+        "DN" | "Q" if state == StateType::Ctud => "QU",
         "DN" => "Q",
         "R" if timer => return Some(("R", Member::R)),
         "TT" if timer => return Some(("TT", Member::Timing)),

@@ -256,15 +256,18 @@ fn a_timer_that_was_jumped_over_is_right_when_it_is_reached() {
 #[test]
 fn two_evaluations_in_one_scan_see_the_same_clock() {
     check(
-        "VAR t : RTO; p : TP; END_VAR\n\
+        "VAR_INPUT a : BOOL; END_VAR\nVAR t : RTO; p : TP; c : CTU; END_VAR\n\
          +--<FOR>( 3 )--+\n\
-         +--[RTO]( t, T#50ms )--[TP]( p, T#20ms )--<NEXT>--+\n",
-        "4",
-        "t.ET p.Q p.ET",
+         +--[RTO]( t, T#50ms )--<NEXT>--+\n\
+         +--[ ]( a )--[TP]( p, T#20ms )--+\n\
+         +--[ ]( a )--[CTU]( c, 9 )--+\n",
+        "a _-_---",
+        "t.ET p.Q p.ET c.CV",
         expect![[r#"
-            t.ET  0 10 20 30
-            p.Q   ____
-            p.ET  0 0 0 0
+            t.ET  0 10 20 30 40 50
+            p.Q   _--___
+            p.ET  0 0 10 20 20 20
+            c.CV  0 1 1 2 2 2
         "#]],
     );
 }
