@@ -231,9 +231,10 @@ fn the_watchdog_names_the_block() {
 
 #[test]
 fn a_long_program_trips_the_watchdog_at_the_first_block_too_many() {
-    let rungs: String = (0..8)
+    let rungs: Vec<String> = (0..8)
         .map(|n| format!("+--[ ]( a{n} )--( )( y{n} )--+\n"))
         .collect();
+    let rungs = rungs.concat();
     for (watchdog, block) in [
         (16, None),
         (15, Some("( )( y7 )")),
