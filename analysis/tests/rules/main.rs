@@ -4,6 +4,7 @@ mod blocks;
 mod check;
 mod connectors;
 mod names;
+mod pages;
 mod program;
 mod text;
 mod wiring;
