@@ -7,7 +7,7 @@
 //!       --rules----> Diagnostics, with fixes as text edits
 //! ```
 //!
-//! [`analyze`] does all of it for one file. [`Context`](context::Context) is what rules and the editor's features
+//! [`analyze()`] does all of it for one file. [`Context`](context::Context) is what rules and the editor's features
 //! read; [`Program`](program::Program) is what runs. A file with errors has no program.
 
 mod analyze;

@@ -70,7 +70,7 @@ pub fn format(parse: &Parse, options: &Options) -> Vec<Edit> {
     file::format(&text_of(parse), parse, &options.checked(), None, Edits::default()).0
 }
 
-/// As [`format`], but only for the networks, sections and lines that one of the ranges reaches into. They take
+/// As [`format()`], but only for the networks, sections and lines that one of the ranges reaches into. They take
 /// the right rail that all other networks are drawn with; where those differ, or where it would not do, the one
 /// that formatting the whole file would give.
 pub fn format_ranges(parse: &Parse, options: &Options, ranges: &[TextRange]) -> Vec<Edit> {

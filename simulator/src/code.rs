@@ -616,7 +616,7 @@ pub(crate) struct ElementPlace {
     pub(crate) kind: ElementKind,
     pub(crate) location: Location,
     pub(crate) power: Bit,
-    /// Its network among [`crate::compile::Compiled::networks`].
+    /// Its network, by its number in the program.
     pub(crate) network: u32,
     /// The step whose power it shows, to see whether it was reached.
     pub(crate) step: u32,
