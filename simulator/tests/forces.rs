@@ -134,7 +134,7 @@ fn unknown_names() {
         "runn", "zebra", "a", "a[4]", "a[x]", "t", "t.XX", "w.16", "w.x", "r.1", "run.1", "run[1]",
         "SYS.NOW", "", "b[1]", "b.Q",
     ];
-    let all: String = names
+    let all: Vec<String> = names
         .iter()
         .map(|name| format!("{name}: {}\n", simulation.resolve(name).unwrap_err().message))
         .collect();
@@ -155,7 +155,7 @@ fn unknown_names() {
         : there is no tag `` in this program
         b[1]: there is no tag `b` in this program
         b.Q: there is no tag `b` in this program
-    "#]].assert_eq(&all);
+    "#]].assert_eq(&all.concat());
 }
 
 #[test]
