@@ -8,5 +8,6 @@ mod fmt;
 mod harness;
 mod help;
 mod lsp;
+mod lsp_ending;
 mod sim;
 mod tree;
