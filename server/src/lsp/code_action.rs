@@ -95,7 +95,53 @@ fn fix_all(agreed: Agreed, revision: &Revision, problems: &[Diagnostic]) -> Opti
 
 #[cfg(test)]
 mod tests {
+    use ladder_analysis::Rule;
+    use ladder_syntax::TextRange;
+
     use super::*;
+    use crate::document::Documents;
+    use crate::document::position::Encoding;
+
+    /// The texts that "Apply all fixes" puts in for findings with these fixes, each an edit.
+    fn all_fixes(fixes: &[(u32, u32, &str)]) -> Vec<String> {
+        let documents = Documents::default();
+        let revision = documents.open("file:///a.clad", 1, Encoding::Utf8, "+--[ ]( a )--( )( b )--+");
+        let finding = |&(start, end, text): &(u32, u32, &str)| {
+            let range = TextRange::new(start.into(), end.into());
+            Diagnostic::new(Rule::MissingWire, range, "").fix("", range, text)
+        };
+        let findings: Vec<_> = fixes.iter().map(finding).collect();
+        let Some(CodeActionOrCommand::CodeAction(action)) = fix_all(Agreed::default(), &revision, &findings)
+        else {
+            return Vec::new();
+        };
+        let changes = action.edit.and_then(|edit| edit.changes).unwrap();
+        changes
+            .into_values()
+            .flatten()
+            .map(|edit| edit.new_text)
+            .collect()
+    }
+
+    #[test]
+    fn fixes_that_touch_each_other_are_not_made_together() {
+        assert_eq!(
+            all_fixes(&[(0, 2, "first"), (4, 6, "second")]),
+            ["first", "second"]
+        );
+        assert_eq!(
+            all_fixes(&[(4, 6, "second"), (0, 2, "first")]),
+            ["first", "second"],
+            "in the order of the text"
+        );
+        assert_eq!(
+            all_fixes(&[(0, 4, "first"), (2, 6, "across"), (8, 9, "third")]),
+            ["first", "third"]
+        );
+        assert_eq!(all_fixes(&[(3, 3, "first"), (3, 3, "same place")]), ["first"]);
+        assert_eq!(all_fixes(&[(0, 3, "first"), (3, 5, "right behind")]), ["first"]);
+        assert_eq!(all_fixes(&[]), Vec::<String>::new());
+    }
 
     #[test]
     fn a_kind_asks_for_its_sub_kinds() {

@@ -30,7 +30,7 @@ async fn each_version_has_its_own() {
 
 #[tokio::test]
 async fn related_places_are_linked_or_else_written_out() {
-    let double = "VAR  a : BOOL;  a : INT;  END_VAR\n+--[ ]( a )--( )( y )--+\n";
+    let double = "VAR  a, y : BOOL;  a : INT;  END_VAR\n+--[ ]( a )--( )( y )--+\n";
     let mut rich = Client::new().await;
     rich.open(double).await;
     let found = rich.diagnostics(1).await;

@@ -172,6 +172,7 @@ async fn mistakes_are_explained() {
         ("step", json!({"session": 1}), -32602),
         ("step", json!({"session": s, "scans": "one"}), -32602),
         ("state", json!({"session": s, "extra": 1}), -32602),
+        ("start", json!({"uri": URI, "options": {"intervalms": 5}}), -32602),
         ("start", json!({"uri": "file:///other.clad"}), -32803),
         ("start", json!({"uri": URI, "options": {"intervalMs": 0}}), -32602),
         (
