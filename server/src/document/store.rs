@@ -24,6 +24,8 @@ pub(crate) enum Refused {
         open: i32,
         /// The version the change names.
         sent: i32,
+        /// Whether this has happened since the document was opened: once is worth a message to the person.
+        again: bool,
     },
 }
 
@@ -31,7 +33,7 @@ impl fmt::Display for Refused {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Refused::NotOpen => write!(f, "the document is not open"),
-            Refused::OldVersion { open, sent } => write!(
+            Refused::OldVersion { open, sent, .. } => write!(
                 f,
                 "version {sent} is not newer than version {open}, which is open; close the file and open it again"
             ),
@@ -56,6 +58,8 @@ struct Document {
     revision: Arc<Revision>,
     /// Whether somebody analyses this document now, and will go on with the newest revision when done.
     analysing: bool,
+    /// Whether a change was refused: editor and server may see different texts since.
+    refused: bool,
 }
 
 impl Documents {
@@ -76,6 +80,7 @@ impl Documents {
             Document {
                 revision: revision.clone(),
                 analysing: false,
+                refused: false,
             },
         );
         revision
@@ -95,6 +100,7 @@ impl Documents {
             return Err(Refused::OldVersion {
                 open: old.version,
                 sent: version,
+                again: std::mem::replace(&mut document.refused, true),
             });
         }
         let mut rope = old.rope().clone();
@@ -187,9 +193,20 @@ mod tests {
         documents.open(URI, 5, Encoding::Utf16, "x");
         assert_eq!(
             documents.change(URI, 5, &insert_front("a")).unwrap_err(),
-            Refused::OldVersion { open: 5, sent: 5 }
+            Refused::OldVersion {
+                open: 5,
+                sent: 5,
+                again: false
+            }
         );
-        assert!(documents.change(URI, 4, &insert_front("a")).is_err());
+        assert_eq!(
+            documents.change(URI, 4, &insert_front("a")).unwrap_err(),
+            Refused::OldVersion {
+                open: 5,
+                sent: 4,
+                again: true
+            }
+        );
         assert_eq!(
             documents.get(URI).unwrap().rope(),
             "x",

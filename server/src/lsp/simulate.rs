@@ -12,7 +12,7 @@ use tower_lsp::ls_types::{ExecuteCommandParams, LSPAny};
 use super::blocking::blocking;
 use super::shared::Shared;
 use crate::cancel::Cancel;
-use crate::simulation::messages::{OfSession, Start, Started, State, Stopped};
+use crate::simulation::messages::{OfSession, Start, Started, State, Status, Stopped};
 use crate::simulation::{Action, Failure, REPORT, Request, Session};
 
 /// The protocol's code for a request that makes sense but cannot be done.
@@ -113,6 +113,16 @@ async fn report(client: Client, mut states: watch::Receiver<State>) {
         client.send_notification::<SimulationState>(state).await;
         tokio::time::sleep(REPORT).await;
     }
+    // A thread that ends without saying so has met a mistake in the scan engine; the client must not go on
+    // showing a program that runs.
+    let last = states.borrow().clone();
+    if last.status != Status::Ended {
+        let ended = State {
+            status: Status::Ended,
+            ..last
+        };
+        client.send_notification::<SimulationState>(ended).await;
+    }
 }
 
 fn json(answer: &impl Serialize) -> Result<LSPAny> {
@@ -128,5 +138,54 @@ fn error(failure: Failure) -> Error {
         code,
         message: message.into(),
         data: None,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use futures::StreamExt;
+    use tower::Service;
+    use tower_lsp::LspService;
+
+    use super::*;
+    use crate::lsp::backend::Backend;
+
+    #[tokio::test]
+    async fn a_session_whose_thread_is_gone_is_shown_as_ended() {
+        let (mut service, socket) = LspService::new(Backend::new);
+        let initialize = serde_json::json!({"jsonrpc": "2.0", "id": 1, "method": "initialize", "params": {"capabilities": {}}});
+        service
+            .call(serde_json::from_value(initialize).unwrap())
+            .await
+            .unwrap();
+        let state = State {
+            session: "s1".into(),
+            uri: "file:///a.clad".into(),
+            version: 1,
+            stale: false,
+            status: Status::Paused,
+            scan: 0,
+            time_ms: 0.0,
+            tags: Vec::new(),
+            power: Vec::new(),
+            faults: Vec::new(),
+        };
+        let (states, seen) = watch::channel(state.clone());
+        tokio::spawn(report(service.inner().shared().client.clone(), seen));
+        states.send_replace(State {
+            status: Status::Running,
+            scan: 7,
+            ..state
+        });
+        drop(states);
+        let sent: Vec<_> = socket
+            .take(2)
+            .map(|request| {
+                let params = request.params().unwrap();
+                (params["status"].clone(), params["scan"].clone())
+            })
+            .collect()
+            .await;
+        assert_eq!(sent, [("running".into(), 7.into()), ("ended".into(), 7.into())]);
     }
 }

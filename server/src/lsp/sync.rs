@@ -47,7 +47,7 @@ pub(super) fn changed(shared: &Arc<Shared>, params: DidChangeTextDocumentParams)
         Err(refused) => {
             let message = format!("a change to {uri} was refused: {refused}");
             // From here on editor and server see different texts: that is for the person to know.
-            if matches!(refused, Refused::OldVersion { .. }) {
+            if matches!(refused, Refused::OldVersion { again: false, .. }) {
                 shared.outbox.show(&message);
             }
             shared.outbox.log(message);
