@@ -20,7 +20,9 @@
 //! is read with one expression grammar. What an instruction allows is for the analysis to say.
 
 pub mod ast;
+mod chunks;
 mod dump;
+mod edit;
 mod error;
 mod grammar;
 mod kind;

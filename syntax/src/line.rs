@@ -77,6 +77,9 @@ pub struct Line {
     pub len: u32,
     /// Its mistakes, counted from its start.
     pub errors: Vec<SyntaxError>,
+    /// Whether a line end is its last token. Else another line begins on the same physical line, or the text
+    /// ends.
+    pub(crate) has_line_end: bool,
     pub(crate) green: GreenNode,
 }
 

@@ -1,26 +1,24 @@
 //! From a text to its lines, its tree and its structure.
 
+use crate::chunks;
 use crate::grammar::{self, Entry};
 use crate::line::Line;
 use crate::structure::{self, Structure};
 use crate::tree_builder::TreeBuilder;
 use crate::unclosed_comment::unclosed_comment;
-use crate::{SyntaxError, SyntaxErrorKind, SyntaxKind, SyntaxNode};
-use rowan::{GreenNode, NodeOrToken, TextRange, TextSize};
+use crate::{SyntaxError, SyntaxErrorKind, SyntaxNode};
+use rowan::{GreenNode, TextRange, TextSize};
 
 /// The largest file that the tools read: 64 MiB. Offsets are 32 bit; larger texts are refused where they enter.
 pub const MAX_FILE_BYTES: usize = 64 << 20;
-
-/// How many lines one chunk of the tree holds. A flat root would copy its whole child list at every edit.
-const CHUNK_LINES: usize = 256;
 
 /// A parsed text.
 #[derive(Debug, Clone)]
 pub struct Parse {
     root: GreenNode,
-    lines: Vec<Line>,
+    pub(crate) lines: Vec<Line>,
     /// Where each line starts, and at the end the length of the text.
-    starts: Vec<u32>,
+    pub(crate) starts: Vec<u32>,
     structure: Structure,
     unclosed_comment: Option<TextRange>,
 }
@@ -33,41 +31,45 @@ pub fn parse(text: &str) -> Parse {
     let mut entry = Entry::START;
     let mut at = 0;
     while at < text.len() {
-        let line = grammar::line(text, at, entry, &mut builder);
-        debug_assert!(line.len > 0, "a line takes at least one character");
+        let line = line_at(text, at, entry, &mut builder);
         starts.push(at as u32);
         at += line.len as usize;
-        entry = Entry {
-            mode: line.mode_after,
-            mid_line: !matches!(text.as_bytes()[at - 1], b'\n' | b'\r'),
-        };
+        entry = entry_behind(&line);
         lines.push(line);
     }
     starts.push(text.len() as u32);
-    let structure = structure::structure(&lines);
-    let unclosed_comment = unclosed_comment(text, &lines, &starts);
-    Parse {
-        root: root(&lines),
-        lines,
-        starts,
-        structure,
-        unclosed_comment,
+    Parse::new(text, chunks::root(&lines), lines, starts)
+}
+
+/// Parses the line that begins at `at`.
+pub(crate) fn line_at(text: &str, at: usize, entry: Entry, builder: &mut TreeBuilder) -> Line {
+    let line = grammar::line(text, at, entry, builder);
+    debug_assert!(line.len > 0, "a line takes at least one character");
+    line
+}
+
+/// The state behind a line.
+pub(crate) fn entry_behind(line: &Line) -> Entry {
+    Entry {
+        mode: line.mode_after,
+        mid_line: !line.has_line_end,
     }
 }
 
-/// The file's node, over the lines' nodes.
-fn root(lines: &[Line]) -> GreenNode {
-    let chunk = |lines: &[Line]| {
-        let nodes = lines.iter().map(|line| NodeOrToken::Node(line.green.clone()));
-        NodeOrToken::Node(GreenNode::new(SyntaxKind::CHUNK.into(), nodes))
-    };
-    GreenNode::new(
-        SyntaxKind::SOURCE_FILE.into(),
-        lines.chunks(CHUNK_LINES).map(chunk),
-    )
-}
-
 impl Parse {
+    /// Puts together what is read off the lines.
+    pub(crate) fn new(text: &str, root: GreenNode, lines: Vec<Line>, starts: Vec<u32>) -> Parse {
+        let structure = structure::structure(&lines);
+        let unclosed_comment = unclosed_comment(text, &lines, &starts);
+        Parse {
+            root,
+            lines,
+            starts,
+            structure,
+            unclosed_comment,
+        }
+    }
+
     /// The tree: `SOURCE_FILE`, in it `CHUNK`s, in them the logical lines.
     pub fn syntax(&self) -> SyntaxNode {
         SyntaxNode::new_root(self.root.clone())

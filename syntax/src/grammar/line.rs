@@ -38,6 +38,7 @@ pub(crate) fn line(text: &str, start: usize, entry: Entry, builder: &mut TreeBui
         downs: marks.downs,
         ups: marks.ups,
         len: (p.at - start) as u32,
+        has_line_end: matches!(text.as_bytes()[p.at - 1], b'\n' | b'\r'),
         green: p.builder.finish_line(kind.syntax_kind()),
         errors: p.errors,
     }

@@ -79,7 +79,12 @@ fn unmatched_parentheses(text: &str, at: usize) -> Vec<usize> {
             }
             // Inside parentheses a `#` directly behind a letter or digit belongs to a literal.
             b'#' if open.is_empty() || !text[..at].ends_with(char::is_alphanumeric) => {
-                at = lexer::comment_end(bytes, at);
+                let end = lexer::comment_end(bytes, at);
+                // Behind a comment over lines this may be another line: nothing is known, and nothing guessed.
+                if memchr::memchr2(b'\n', b'\r', &bytes[at..end]).is_some() {
+                    return Vec::new();
+                }
+                at = end;
                 continue;
             }
             _ => {}

@@ -1,6 +1,7 @@
 //! What holds for every text.
 
 mod arbitrary;
+mod edits;
 mod invariants;
 mod linear;
 mod locality;

@@ -1,0 +1,117 @@
+//! Parsing again what an edit touches.
+//!
+//! A line's parse depends on its text and its entry state alone. So parsing starts at the line that holds the
+//! beginning of the edit and stops as soon as a new line begins where an old one did, behind the edit and in
+//! the same state: from there on everything is as it was.
+
+use crate::grammar::Entry;
+use crate::line::{Line, LineKind, Mode};
+use crate::parse::{Parse, entry_behind, line_at};
+use crate::tree_builder::TreeBuilder;
+use crate::{chunks, parse};
+use rowan::{TextRange, TextSize};
+
+/// Enough for the tables of the tree builder: an edit seldom touches more than a few lines.
+const USUAL_LEN: usize = 1024;
+
+impl Parse {
+    /// The parse of a text that came from this one's by one edit: `old_range` of the old text was replaced by
+    /// `new_len` bytes, which gave `text`. The result is that of [`parse`](crate::parse()) on `text`, but lines that
+    /// the edit does not touch keep their nodes, and only the others cost time that grows with their length.
+    /// (The tree's division into chunks may differ.) If the lengths do not agree, the text is parsed anew.
+    #[must_use]
+    pub fn edited(&self, text: &str, old_range: TextRange, new_len: TextSize) -> Parse {
+        let old_len = u32::from(self.text_len()) as usize;
+        let edit = std::ops::Range::<usize>::from(old_range);
+        let new_end = edit.start + usize::from(new_len);
+        if edit.end > old_len
+            || text.len() != old_len - edit.len() + usize::from(new_len)
+            || self.lines.is_empty()
+        {
+            return parse(text);
+        }
+        let first = self.first_touched(edit.start);
+        let mut builder = TreeBuilder::new(USUAL_LEN);
+        let mut new_lines = Vec::new();
+        let mut new_starts = Vec::new();
+        let mut at = self.starts[first] as usize;
+        let mut entry = self.entry(first);
+        let mut resume = self.lines.len();
+        while at < text.len() {
+            let line = line_at(text, at, entry, &mut builder);
+            new_starts.push(at as u32);
+            at += line.len as usize;
+            entry = entry_behind(&line);
+            new_lines.push(line);
+            if at >= new_end
+                && let Some(old) = self.line_that_starts(at - new_end + edit.end)
+                && self.entry(old) == entry
+            {
+                resume = old;
+                break;
+            }
+        }
+        self.spliced(text, first..resume, new_lines, &new_starts, new_end, edit.end)
+    }
+
+    /// The line to start again from: one that begins a physical line before the edit, and that no line before it
+    /// has looked at.
+    fn first_touched(&self, edit: usize) -> usize {
+        // A line that ends where the edit begins is touched: its last token may go on.
+        let mut first = self.starts[..self.lines.len()]
+            .partition_point(|&start| (start as usize) < edit)
+            .saturating_sub(1);
+        while first > 0 && (self.entry(first).mid_line || looks_ahead(&self.lines[first - 1])) {
+            first -= 1;
+        }
+        first
+    }
+
+    /// The state in which a line begins.
+    fn entry(&self, line: usize) -> Entry {
+        line.checked_sub(1)
+            .map_or(Entry::START, |before| entry_behind(&self.lines[before]))
+    }
+
+    /// The line that starts at an offset, but not the first: there a byte order mark may stand.
+    fn line_that_starts(&self, offset: usize) -> Option<usize> {
+        let line = self.starts.binary_search(&(offset as u32)).ok()?;
+        (line > 0 && line < self.lines.len()).then_some(line)
+    }
+
+    /// This parse with `new` lines in the place of the lines `old`.
+    fn spliced(
+        &self,
+        text: &str,
+        old: std::ops::Range<usize>,
+        new: Vec<Line>,
+        new_starts: &[u32],
+        new_end: usize,
+        old_end: usize,
+    ) -> Parse {
+        let count = self.lines.len() - old.len() + new.len();
+        let mut lines = Vec::with_capacity(count);
+        let mut starts = Vec::with_capacity(count + 1);
+        let new_range = old.start..old.start + new.len();
+        lines.extend_from_slice(&self.lines[..old.start]);
+        lines.extend(new);
+        lines.extend_from_slice(&self.lines[old.end..]);
+        starts.extend_from_slice(&self.starts[..old.start]);
+        starts.extend_from_slice(new_starts);
+        let moved = |start: &u32| (*start as usize + new_end - old_end) as u32;
+        starts.extend(self.starts[old.end..].iter().map(moved));
+        let root = chunks::edited_root(self.green(), &lines, &old, &new_range);
+        Parse::new(text, root, lines, starts)
+    }
+}
+
+/// Whether a line's parse may have looked at lines behind it: a declaration that lacks something was read on to see
+/// whether the rest follows, over blank and comment lines.
+fn looks_ahead(line: &Line) -> bool {
+    line.mode_after == Mode::Section
+        && match line.kind {
+            LineKind::Declaration => !line.errors.is_empty(),
+            LineKind::Blank | LineKind::Comment => true,
+            _ => false,
+        }
+}

@@ -1,0 +1,166 @@
+//! Parsing again after an edit gives what parsing from scratch gives.
+
+use crate::invariants::check;
+use crate::mutated::{mutate, mutation};
+use crate::programs::PROGRAMS;
+use ladder_syntax::{Parse, TextRange, TextSize, dump, parse};
+use proptest::prelude::*;
+use std::cell::Cell;
+
+/// The edit that leads from one text to the other: what they share at both ends stays, but for some bytes more.
+fn edit(old: &str, new: &str, more: usize) -> (TextRange, TextSize) {
+    let shared = old.bytes().zip(new.bytes()).take_while(|(a, b)| a == b).count();
+    let mut start = shared.saturating_sub(more);
+    while !old.is_char_boundary(start) || !new.is_char_boundary(start) {
+        start -= 1;
+    }
+    let behind = old[start..]
+        .bytes()
+        .rev()
+        .zip(new[start..].bytes().rev())
+        .take_while(|(a, b)| a == b)
+        .count();
+    let mut behind = behind.saturating_sub(more);
+    while !old.is_char_boundary(old.len() - behind) || !new.is_char_boundary(new.len() - behind) {
+        behind -= 1;
+    }
+    let size = |n: usize| TextSize::new(n as u32);
+    (
+        TextRange::new(size(start), size(old.len() - behind)),
+        size(new.len() - behind - start),
+    )
+}
+
+/// Checks an edited parse against one from scratch.
+fn check_same(edited: &Parse, text: &str) {
+    let fresh = check(text);
+    assert_eq!(edited.to_string(), text);
+    assert_eq!(dump(edited), dump(&fresh), "{text:?}");
+    assert_eq!(edited.structure(), fresh.structure(), "{text:?}");
+    assert_eq!(edited.unclosed_comment(), fresh.unclosed_comment(), "{text:?}");
+    assert_eq!(edited.lines().len(), fresh.lines().len(), "{text:?}");
+    for (index, (a, b)) in edited.lines().iter().zip(fresh.lines()).enumerate() {
+        assert_eq!(edited.line_range(index), fresh.line_range(index), "{text:?}");
+        assert_eq!(a.green(), b.green(), "{text:?}");
+        assert_eq!(a.errors, b.errors, "{text:?}");
+        assert_eq!(
+            (a.kind, a.mode_after, a.downs, a.ups, a.len),
+            (b.kind, b.mode_after, b.downs, b.ups, b.len)
+        );
+    }
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(3000))]
+
+    #[test]
+    fn edits_of_programs(
+        program in 0..PROGRAMS.len(),
+        mutations in prop::collection::vec(mutation(), 1..8),
+        more in 0..3usize,
+    ) {
+        let mut text = PROGRAMS[program].to_owned();
+        let mut edited = parse(&text);
+        for step in &mutations {
+            let old = text.clone();
+            mutate(&mut text, step);
+            let (range, len) = edit(&old, &text, more);
+            edited = edited.edited(&text, range, len);
+            check_same(&edited, &text);
+        }
+    }
+
+    #[test]
+    fn edits_of_pieces(old in crate::arbitrary::pieces(), mutations in prop::collection::vec(mutation(), 1..4)) {
+        let mut text = old;
+        let mut edited = parse(&text);
+        for step in &mutations {
+            let old = text.clone();
+            mutate(&mut text, step);
+            let (range, len) = edit(&old, &text, 0);
+            edited = edited.edited(&text, range, len);
+            check_same(&edited, &text);
+        }
+    }
+}
+
+fn address(node: &rowan::GreenNodeData) -> usize {
+    std::ptr::from_ref(node).addr()
+}
+
+/// Long programs, so that there are several chunks; what an edit does not touch stays the same node.
+#[test]
+fn edits_of_long_programs() {
+    let program = PROGRAMS.concat();
+    let mut text = program.repeat(40);
+    let mut edited = parse(&text);
+    let state = Cell::new(1u32);
+    let random = |below: usize| {
+        state.set(state.get().wrapping_mul(1_664_525).wrapping_add(1_013_904_223));
+        (state.get() >> 8) as usize % below
+    };
+    for round in 0..200 {
+        let mut at = random(text.len());
+        while !text.is_char_boundary(at) {
+            at -= 1;
+        }
+        let piece = match round % 10 {
+            0 => program.repeat(1 + random(20)),
+            1 => "#".to_owned(),
+            2 => "VAR\n".to_owned(),
+            3 => "\n".to_owned(),
+            _ => "--".to_owned(),
+        };
+        // Now and then a large part goes, and a stray `#` does not stay.
+        let mut end = match round % 10 {
+            5 => (at + random(text.len() / 4)).min(text.len()),
+            _ => (at + random(3)).min(text.len()),
+        };
+        while !text.is_char_boundary(end) {
+            end -= 1;
+        }
+        let end = end.max(at);
+        let range = TextRange::new(TextSize::new(at as u32), TextSize::new(end as u32));
+        let old = text.clone();
+        text.replace_range(at..end, &piece);
+        edited = edited.edited(&text, range, TextSize::of(&piece));
+        check_same(&edited, &text);
+        if piece == "#" {
+            let range = TextRange::at(TextSize::new(at as u32), TextSize::of(&piece));
+            edited = edited.edited(&old, range, TextSize::new((end - at) as u32));
+            text = old;
+            check_same(&edited, &text);
+        }
+    }
+    let before = parse(&text);
+    let at = text.find("+--").unwrap() as u32 + 1;
+    let range = TextRange::empty(TextSize::new(at));
+    text.insert(at as usize, '-');
+    let after = before.edited(&text, range, TextSize::new(1));
+    let kept = before
+        .lines()
+        .iter()
+        .zip(after.lines())
+        .filter(|(a, b)| address(a.green()) == address(b.green()))
+        .count();
+    assert!(
+        kept + 2 >= before.lines().len(),
+        "{kept} of {} lines",
+        before.lines().len()
+    );
+}
+
+/// Lengths that do not agree give no panic, but the parse of the text.
+#[test]
+fn wrong_lengths() {
+    let old = parse("+--+\n");
+    let range = |a: u32, b: u32| TextRange::new(a.into(), b.into());
+    for (text, range, len) in [
+        ("+---+\n", range(1, 2), 1),
+        ("", range(0, 50), 0),
+        ("x", range(0, 0), 1),
+    ] {
+        check_same(&old.edited(text, range, len.into()), text);
+    }
+    check_same(&parse("").edited("+\n", range(0, 0), 2.into()), "+\n");
+}
