@@ -51,7 +51,7 @@ fn check_same(edited: &Parse, text: &str) {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(3000))]
+    #![proptest_config(ProptestConfig::with_cases(1500))]
 
     #[test]
     fn edits_of_programs(
@@ -92,14 +92,14 @@ fn address(node: &rowan::GreenNodeData) -> usize {
 #[test]
 fn edits_of_long_programs() {
     let program = PROGRAMS.concat();
-    let mut text = program.repeat(40);
+    let mut text = program.repeat(25);
     let mut edited = parse(&text);
     let state = Cell::new(1u32);
     let random = |below: usize| {
         state.set(state.get().wrapping_mul(1_664_525).wrapping_add(1_013_904_223));
         (state.get() >> 8) as usize % below
     };
-    for round in 0..200 {
+    for round in 0..100 {
         let mut at = random(text.len());
         while !text.is_char_boundary(at) {
             at -= 1;
@@ -148,6 +148,39 @@ fn edits_of_long_programs() {
         "{kept} of {} lines",
         before.lines().len()
     );
+}
+
+/// Edits that change how lines before or behind them are read.
+#[test]
+fn edits_at_the_edges_of_lines() {
+    for (old, from, to, new) in [
+        // A word that becomes a qualifier, or a keyword, of the line before it.
+        ("VAR RETAINx : INT; END_VAR\n", 10, 11, ""),
+        ("VAR END_VAR VARx\n", 15, 16, ""),
+        ("END_VAR x\n", 8, 9, "VAR"),
+        // The first character may be a byte order mark only at the start.
+        ("\u{feff}+--+\n", 0, 0, "+--+\n"),
+        ("+--+\n\u{feff}+--+\n", 0, 5, ""),
+        // CR and LF come together, or apart.
+        ("+--+\r+--+\n", 5, 5, "\n"),
+        ("+--+\r\n+--+\n", 5, 6, ""),
+        ("+--+\r\n+--+\n", 4, 5, ""),
+        // A declaration goes on, or goes on no longer, over blank lines and comments.
+        ("VAR\na\n\n# c #\nb : INT;\nEND_VAR\n", 13, 14, ""),
+        ("VAR\na\n\n# c #\n: INT;\nEND_VAR\n", 13, 13, "b"),
+        ("VAR\na\n\n# c #\n: INT;\nEND_VAR\n", 13, 13, "+"),
+        // Comments open and close over everything that follows.
+        ("+--+\n+--+\n+--+\n", 7, 7, "#"),
+        ("+--+ # a\n+--+ # b\n+--+\n", 5, 6, ""),
+        ("+--+\n", 5, 5, "# a"),
+        ("", 0, 0, "+--+"),
+        ("+--+\n", 0, 5, ""),
+    ] {
+        let mut text = old.to_owned();
+        text.replace_range(from..to, new);
+        let range = TextRange::new(TextSize::new(from as u32), TextSize::new(to as u32));
+        check_same(&parse(old).edited(&text, range, TextSize::of(new)), &text);
+    }
 }
 
 /// Lengths that do not agree give no panic, but the parse of the text.
