@@ -2,12 +2,11 @@
 //! grammar cost on top of building the tree.
 
 use divan::{Bencher, counter::BytesCount};
-use ladder_syntax::{NodeOrToken, SyntaxKind, parse};
+use ladder_syntax::{NodeOrToken, SyntaxKind, TextRange, TextSize, parse};
 use rowan::{GreenNode, GreenNodeBuilder, NodeCache, WalkEvent};
 use std::fmt::Write as _;
 use std::ops::Range;
 
-/// Counts allocations, which is where the builder's time goes.
 fn main() {
     divan::main();
 }
@@ -142,7 +141,20 @@ fn parse_to_tree(bencher: Bencher, case: &str) {
 fn bare_builder(bencher: Bencher, case: &str) {
     let text = text(case);
     let events = record(&text);
+    assert_eq!(replay(&text, &events).to_string(), text);
     bencher
         .counter(BytesCount::of_str(&text))
         .bench(|| replay(&text, &events));
+}
+
+/// A keystroke in the middle of the text: one dash more in a wire.
+#[divan::bench(args = CASES)]
+fn keystroke(bencher: Bencher, case: &str) {
+    let mut text = text(case);
+    let before = parse(&text);
+    let middle = text.len() / 2;
+    let at = middle + text[middle..].find("--").expect("a wire");
+    text.insert(at, '-');
+    let range = TextRange::empty(TextSize::new(at as u32));
+    bencher.bench(|| before.edited(&text, range, TextSize::new(1)));
 }
