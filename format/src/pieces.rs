@@ -168,11 +168,9 @@ impl<'t, F: FnMut(Piece)> Pieces<'t, F> {
             WHITESPACE | NEWLINE | BOM => return,
             COMMA | SEMICOLON => (Space::Tight, Space::Blank),
             ASSIGN | ARROW | COLON => (Space::Blank, Space::Blank),
-            COMMENT if matches!(self.last, L_BRACKET | L_PAREN | L_ANGLE) => (Space::Free, Space::Blank),
             // A `#` directly behind a letter or digit would belong to a literal.
             COMMENT => (Space::Blank, Space::Blank),
             DOT => return self.point(start, end),
-            DOT_DOT if self.last == DOT => (Space::Free, Space::Tight),
             DOT_DOT => (Space::Tight, Space::Tight),
             L_BRACKET | L_ANGLE if inside == BLOCK_HEAD => (Space::Free, head_space(parent)),
             L_PAREN if inside == BLOCK_HEAD => (Space::Free, head_space(parent)),
@@ -220,10 +218,11 @@ impl<'t, F: FnMut(Piece)> Pieces<'t, F> {
         behind: Space,
         capitals: bool,
     ) {
-        let apart = start > self.end;
-        let keep_apart = matches!(kind, DOT | DOT_DOT) && before == Space::Free || self.point_behind_number;
-        let blanks = if keep_apart {
-            u32::from(apart)
+        let blanks = if kind == DOT && before == Space::Free || self.point_behind_number {
+            u32::from(start > self.end)
+        } else if kind == COMMENT && self.last == MINUS {
+            // `--# c #` would be a wire.
+            1
         } else {
             match (self.behind, before) {
                 (Space::Tight, _) | (_, Space::Tight) => 0,

@@ -147,6 +147,26 @@ fn soup() -> impl Strategy<Value = String> {
     prop::collection::vec(piece, 0..40).prop_map(|pieces| pieces.concat())
 }
 
+/// A block whose operands are words in any order, with and without blanks between.
+fn operands() -> impl Strategy<Value = String> {
+    let word = prop::sample::select(vec![
+        "a", "b1", "5", "1.5", "3", "T#5s", "16#FF", "1e", "%IX0", "'s'", "-", "-", "+", "*", "/", "^", "(",
+        ")", "(a)", "(b)", "[", "]", "[3]", ".", "..", ".5", ",", ":=", "=>", "=", "<", ">", "<>", "not ",
+        "mod", "and", "sqrt", "sys", "true", "# c #", "#c#", "é", "INT#",
+    ]);
+    let blank = prop::sample::select(vec!["", "", " ", "  ", "\t"]);
+    let head = prop::sample::select(vec!["[CALC]( y, ", "[SEARCH](y, eq, ", "( )(", "[$B](", "[ ]( "]);
+    (head, prop::collection::vec((word, blank), 0..12)).prop_map(|(head, words)| {
+        let mut text = format!("+--{head}");
+        for (word, blank) in words {
+            text.push_str(word);
+            text.push_str(blank);
+        }
+        text.push_str(")--( )( y )--+\n");
+        text
+    })
+}
+
 /// A program, and a program with a few characters changed.
 fn program() -> impl Strategy<Value = String> {
     prop::collection::vec(any::<u8>(), 0..300)
@@ -198,7 +218,7 @@ fn cases() -> u32 {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(cases()))]
+    #![proptest_config(ProptestConfig { cases: cases(), failure_persistence: None, ..ProptestConfig::default() })]
 
     #[test]
     fn any_string(text in any::<String>()) {
@@ -207,6 +227,11 @@ proptest! {
 
     #[test]
     fn ladder_like(text in soup()) {
+        check(&text);
+    }
+
+    #[test]
+    fn operands_of_all_kinds(text in operands()) {
         check(&text);
     }
 
