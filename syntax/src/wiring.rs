@@ -164,22 +164,30 @@ fn pair(wiring: &mut Wiring) {
 
 /// The parts and segments of one rung.
 pub fn rung(line: &Line) -> Rung {
-    let mut parts = parts(line);
-    classify_rails(&mut parts);
-    classify_bars(&mut parts);
-    let segments = segments(&mut parts);
-    Rung { parts, segments }
+    let mut rung = Rung::default();
+    let children = line.green().children().map(|child| match child {
+        NodeOrToken::Node(node) => (SyntaxKind::from_raw(node.kind()), node.text_len()),
+        NodeOrToken::Token(token) => (SyntaxKind::from_raw(token.kind()), token.text_len()),
+    });
+    read_rung(children, &mut rung);
+    rung
 }
 
-fn parts(line: &Line) -> Vec<Part> {
-    let mut parts: Vec<Part> = Vec::new();
+/// Reads the parts and segments of a rung from the kinds and lengths of its line's children. What the rung held
+/// before goes, its memory stays: a walk over a file needs no other.
+pub fn read_rung(children: impl Iterator<Item = (SyntaxKind, TextSize)>, rung: &mut Rung) {
+    rung.parts.clear();
+    rung.segments.clear();
+    parts(children, &mut rung.parts);
+    classify_rails(&mut rung.parts);
+    classify_bars(&mut rung.parts);
+    segments(&mut rung.parts, &mut rung.segments);
+}
+
+fn parts(children: impl Iterator<Item = (SyntaxKind, TextSize)>, parts: &mut Vec<Part>) {
     let mut at = TextSize::new(0);
     let mut touches = false;
-    for child in line.green().children() {
-        let (kind, len) = match child {
-            NodeOrToken::Node(node) => (SyntaxKind::from_raw(node.kind()), node.text_len()),
-            NodeOrToken::Token(token) => (SyntaxKind::from_raw(token.kind()), token.text_len()),
-        };
+    for (kind, len) in children {
         let range = TextRange::at(at, len);
         at += len;
         let kind = match kind {
@@ -212,7 +220,6 @@ fn parts(line: &Line) -> Vec<Part> {
         });
         touches = true;
     }
-    parts
 }
 
 /// The first `+` of a line is the left rail's if nothing but comments and `|` stand before it, the last one
@@ -242,8 +249,7 @@ fn classify_bars(parts: &mut [Part]) {
     }
 }
 
-fn segments(parts: &mut [Part]) -> Vec<Segment> {
-    let mut segments = Vec::new();
+fn segments(parts: &mut [Part], segments: &mut Vec<Segment>) {
     let mut start = 0;
     while start < parts.len() {
         let is_bar = |part: &Part| matches!(part.kind, PartKind::Bar | PartKind::StrayBar);
@@ -287,5 +293,4 @@ fn segments(parts: &mut [Part]) -> Vec<Segment> {
         }
         start = end;
     }
-    segments
 }
