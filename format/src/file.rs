@@ -5,15 +5,16 @@ use crate::Options;
 use crate::columns::{Outline, Placer};
 use crate::draw::Rails;
 use crate::edit::Sink;
-use crate::network::{Drawing, has_comment};
+use crate::flat::Source;
+use crate::network::Drawing;
 use crate::pen::Pen;
-use crate::read;
-use crate::section::{self, line_end_of};
-use crate::sketch::{ElementKind, Sketch};
-use crate::stays::{Stays, directive, item_lines};
+use crate::read::Reader;
+use crate::section;
+use crate::sketch::ElementKind;
+use crate::stays::{Stays, item_lines};
 use crate::width::display_width;
 use ladder_syntax::SyntaxKind::COMMENT;
-use ladder_syntax::{Item, LineKind, Parse, TextRange};
+use ladder_syntax::{Item, LineKind, TextRange};
 use std::ops::Range;
 
 /// The right rail stands in a multiple of this many columns, counted from 1.
@@ -21,112 +22,91 @@ const RAIL_STEP: u32 = 20;
 /// Where the right rail stands at the least, counted from 1.
 const LEAST_RAIL: u32 = 40;
 
-/// Formats a text: all of it, or what touches the ranges of `only`.
+/// Formats a text: all of it, or what one of the ranges of `only` reaches into.
 pub(crate) fn format<S: Sink>(
-    text: &str,
-    parse: &Parse,
+    source: &Source<'_>,
     options: &Options,
     only: Option<&[TextRange]>,
     sink: S,
 ) -> S {
-    let mut stays = Stays::find(parse, text);
-    let mut networks = Networks::read(text, parse, options, &mut stays);
-    let mut rail = file_rail(&networks.outlines, options);
+    let mut stays = Stays::find(source);
+    let networks = Networks::read(source, options, &mut stays);
+    let mut rail = file_rail(&networks.placed, options);
     if let Some(ranges) = only {
-        keep_all_but(parse, ranges, &mut stays);
-        rail = rail.map(|rail| {
-            networks
-                .rail_as_drawn(text, parse, options, &stays)
-                .unwrap_or(rail)
-        });
+        keep_all_but(source, ranges, &mut stays);
+        rail = rail.map(|rail| networks.rail_as_drawn(source, options, &stays).unwrap_or(rail));
     }
     let mut file = File {
-        text,
-        parse,
+        source,
         options,
-        stays: &stays,
+        stays,
+        networks,
         rail,
-        pen: Pen::new(text, sink),
+        pen: Pen::new(source.text, sink),
         between: Vec::new(),
         begun: false,
     };
-    if text.starts_with('\u{feff}') {
+    if source.text.starts_with('\u{feff}') {
         file.pen.keep(0, '\u{feff}'.len_utf8());
     }
-    for item in &parse.structure().items {
-        file.item(*item, &mut networks);
+    for item in &source.parse.structure().items {
+        file.item(*item);
     }
-    file.finish()
+    file.pen.finish()
 }
 
-/// The networks of a file that are drawn anew.
+/// A network that is drawn anew: its rungs in the sketch, and its outline.
+#[derive(Clone)]
+struct Placed {
+    rungs: Range<usize>,
+    outline: Outline,
+}
+
+/// The networks of a file.
 struct Networks {
-    sketch: Sketch,
-    places: Vec<u32>,
+    reader: Reader,
     columns: Vec<u32>,
-    /// For each network of the file its rungs in the sketch, and its outline; none if it stays as it is.
-    rungs: Vec<Option<Range<usize>>>,
-    outlines: Vec<Option<Outline>>,
     placer: Placer,
+    /// For each network; none if it stays as it is.
+    placed: Vec<Option<Placed>>,
 }
 
 impl Networks {
     /// Reads and places all networks. Those that turn out to stay are noted in `stays`.
-    fn read(text: &str, parse: &Parse, options: &Options, stays: &mut Stays) -> Networks {
-        let structure = parse.structure();
-        let mut sketch = Sketch::new();
-        let mut places = Vec::new();
-        let mut rungs = Vec::with_capacity(structure.networks.len());
+    fn read(source: &Source<'_>, options: &Options, stays: &mut Stays) -> Networks {
+        let structure = source.parse.structure();
+        let mut networks = Networks {
+            reader: Reader::default(),
+            columns: Vec::new(),
+            placer: Placer::default(),
+            placed: Vec::with_capacity(structure.networks.len()),
+        };
         for network in &structure.networks {
-            let first = sketch.rungs.len();
-            let read = if stays.line(network.lines.start) {
-                Err(read::Stays)
-            } else {
-                network.rungs(parse.lines()).try_for_each(|index| {
-                    let line = &parse.lines()[index];
-                    let start = usize::from(parse.line_start(index));
-                    let elements = places.len();
-                    let in_body = network.block.is_some();
-                    read::rung(text, line, start, in_body, &mut sketch, &mut places)?;
-                    comments_stay_comments(text, parse, index, places.get(elements).copied())
-                })
-            };
-            if read.is_ok() {
-                sketch.pair(first..sketch.rungs.len());
-                rungs.push(Some(first..sketch.rungs.len()));
-            } else {
+            let first = networks.reader.sketch.rungs.len();
+            if stays.line(network.lines.start) || networks.reader.network(source, network).is_err() {
                 stays.keep(network.lines.clone());
-                sketch.truncate(first);
-                places.truncate(sketch.elements.len());
-                rungs.push(None);
+                networks.placed.push(None);
+                continue;
             }
+            let sketch = &networks.reader.sketch;
+            let rungs = first..sketch.rungs.len();
+            networks.columns.resize(sketch.elements.len(), 0);
+            let outline =
+                networks
+                    .placer
+                    .place_left(sketch, rungs.clone(), options.spacing, &mut networks.columns);
+            networks.placed.push(Some(Placed { rungs, outline }));
         }
-        let mut columns = vec![0; sketch.elements.len()];
-        let mut placer = Placer::default();
-        let outlines = rungs
-            .iter()
-            .map(|rungs| {
-                let rungs = rungs.clone()?;
-                Some(placer.place_left(&sketch, rungs, options.spacing, &mut columns))
-            })
-            .collect();
-        Networks {
-            sketch,
-            places,
-            columns,
-            rungs,
-            outlines,
-            placer,
-        }
+        networks
     }
 
     /// The column, from 0, in which all networks that stay have their right rail, if there is one and the
     /// others have room in it.
-    fn rail_as_drawn(&self, text: &str, parse: &Parse, options: &Options, stays: &Stays) -> Option<u32> {
+    fn rail_as_drawn(&self, source: &Source<'_>, options: &Options, stays: &Stays) -> Option<u32> {
         let mut drawn = None;
         let mut needed = 0;
-        for (number, network) in parse.structure().networks.iter().enumerate() {
-            let (Some(rungs), Some(outline)) = (&self.rungs[number], self.outlines[number]) else {
+        for (network, placed) in source.parse.structure().networks.iter().zip(&self.placed) {
+            let Some(Placed { rungs, outline }) = placed else {
                 continue;
             };
             if !outline.railed_right || outline.rail >= options.width {
@@ -136,13 +116,13 @@ impl Networks {
                 needed = needed.max(outline.rail);
                 continue;
             }
-            for (rung, line) in rungs.clone().zip(network.rungs(parse.lines())) {
-                let last = self.sketch.rungs[rung].end as usize - 1;
-                if self.sketch.elements[last].kind != ElementKind::RightRail {
+            for (rung, line) in rungs.clone().zip(source.rungs(network)) {
+                let last = self.reader.sketch.rungs[rung].end as usize - 1;
+                if self.reader.sketch.elements[last].kind != ElementKind::RightRail {
                     continue;
                 }
-                let start = usize::from(parse.line_start(line));
-                let before = &text[start..start + self.places[last] as usize];
+                let rail = source.node(self.reader.atoms[last].node).start();
+                let before = &source.text[source.range(line).start..rail];
                 let column = display_width(before.rsplit(['\n', '\r']).next().unwrap_or(before));
                 if *drawn.get_or_insert(column) != column {
                     return None;
@@ -153,38 +133,21 @@ impl Networks {
     }
 }
 
-/// A comment that goes onto a line of its own must not become a directive there.
-fn comments_stay_comments(
-    text: &str,
-    parse: &Parse,
-    line: usize,
-    first_element: Option<u32>,
-) -> Result<(), read::Stays> {
-    let mut result = Ok(());
-    let start = usize::from(parse.line_start(line));
-    let first = start + first_element.unwrap_or(0) as usize;
-    read::each_child(&parse.lines()[line], start, |kind, _, from, to| {
-        if kind == COMMENT && from < first && directive(&text[from..to]).is_some() {
-            result = Err(read::Stays);
-        }
-    });
-    result
-}
-
 /// The column, from 0, of the file's right rail; none if no network within the width has one.
-fn file_rail(outlines: &[Option<Outline>], options: &Options) -> Option<u32> {
-    let widest = outlines
+fn file_rail(networks: &[Option<Placed>], options: &Options) -> Option<u32> {
+    let widest = networks
         .iter()
         .flatten()
-        .filter(|outline| outline.railed_right)
-        .map(|outline| outline.rail + 1)
+        .filter(|network| network.outline.railed_right)
+        .map(|network| network.outline.rail + 1)
         .filter(|&width| width <= options.width)
         .max()?;
     Some(widest.next_multiple_of(RAIL_STEP).max(LEAST_RAIL) - 1)
 }
 
-/// Makes stay what touches none of the ranges.
-fn keep_all_but(parse: &Parse, ranges: &[TextRange], stays: &mut Stays) {
+/// Makes stay what none of the ranges reaches into.
+fn keep_all_but(source: &Source<'_>, ranges: &[TextRange], stays: &mut Stays) {
+    let parse = source.parse;
     let items = &parse.structure().items;
     let is_touched = |lines: &Range<usize>| {
         let place = TextRange::new(
@@ -195,7 +158,7 @@ fn keep_all_but(parse: &Parse, ranges: &[TextRange], stays: &mut Stays) {
             // A cursor is on the line that begins there; at the end of the text on the last one.
             let cursor = range.is_empty()
                 && (place.contains(range.start())
-                    || place.end() == range.start() && place.end() == parse.text_len());
+                    || (place.end() == range.start() && place.end() == parse.text_len()));
             cursor || place.intersect(*range).is_some_and(|common| !common.is_empty())
         })
     };
@@ -204,26 +167,24 @@ fn keep_all_but(parse: &Parse, ranges: &[TextRange], stays: &mut Stays) {
         // Blank and rail lines in a row become one line or none, so they stay together.
         let run = items[index..]
             .iter()
-            .take_while(|item| matches!(item, Item::Decoration(line) if !has_comment(&parse.lines()[*line])))
+            .take_while(|item| matches!(item, Item::Decoration(line) if !source.has_comment(*line)))
             .count()
             .max(1);
-        let untouched = items[index..index + run]
-            .iter()
-            .any(|item| !is_touched(&item_lines(parse, *item)));
-        if untouched {
-            for item in &items[index..index + run] {
+        let run = &items[index..index + run];
+        if run.iter().any(|item| !is_touched(&item_lines(parse, *item))) {
+            for item in run {
                 stays.keep(item_lines(parse, *item));
             }
         }
-        index += run;
+        index += run.len();
     }
 }
 
 struct File<'f, S> {
-    text: &'f str,
-    parse: &'f Parse,
+    source: &'f Source<'f>,
     options: &'f Options,
-    stays: &'f Stays,
+    stays: Stays,
+    networks: Networks,
     rail: Option<u32>,
     pen: Pen<'f, S>,
     /// Blank and rail lines behind the last thing.
@@ -233,50 +194,52 @@ struct File<'f, S> {
 }
 
 impl<S: Sink> File<'_, S> {
-    fn item(&mut self, item: Item, networks: &mut Networks) {
-        let lines = item_lines(self.parse, item);
-        let line = &self.parse.lines()[lines.start];
-        let start = usize::from(self.parse.line_start(lines.start));
-        if !self.begun && self.text[start..].starts_with('\u{feff}') {
+    fn item(&mut self, item: Item) {
+        let lines = item_lines(self.source.parse, item);
+        let line = lines.start;
+        if !self.begun && self.source.text[self.source.range(line).start..].starts_with('\u{feff}') {
             // At the start of the text this stray character would become a byte order mark.
             self.between.clear();
-            self.keep(0..lines.start);
+            self.keep(0..line);
         }
-        if self.stays.line(lines.start) || matches!(item, Item::Stray(_)) {
+        if self.stays.line(line) {
             self.begin();
             self.keep(lines);
             return;
         }
         match item {
-            Item::Decoration(index) if !has_comment(line) => self.between.push(index),
-            Item::Decoration(index) => {
+            Item::Decoration(_) if !self.source.has_comment(line) => self.between.push(line),
+            Item::Decoration(_) => {
                 self.begin();
-                section::comments(line, start, 0, &mut self.pen);
-                self.keep_line_end(index);
+                section::comment_line(self.source, line, &mut self.pen);
+                self.keep_line_end(line);
             }
             Item::Network(number) => {
                 self.begin();
-                self.network(number, networks);
+                self.network(number);
             }
             Item::Section(_) => {
                 self.begin();
-                section::write(self.text, self.parse, lines, &mut self.pen);
+                section::write(self.source, lines, &mut self.pen);
             }
             Item::BlockHeader(_) | Item::BlockEnd(_) => {
                 self.begin();
-                if line.errors.is_empty() && !has_leading_comment(self.parse, lines.start) {
-                    section::words(self.text, line, start, &mut self.pen);
-                    self.keep_line_end(lines.start);
+                if self.source.parse.lines()[line].errors.is_empty() && !self.has_leading_comment(line) {
+                    section::words(self.source, line, &mut self.pen);
+                    self.keep_line_end(line);
                 } else {
                     self.keep(lines);
                 }
             }
-            Item::Stray(_) => {}
+            Item::Stray(_) => {
+                self.begin();
+                self.keep(lines);
+            }
         }
     }
 
-    fn network(&mut self, number: usize, networks: &mut Networks) {
-        let (Some(rungs), Some(outline)) = (networks.rungs[number].clone(), networks.outlines[number]) else {
+    fn network(&mut self, number: usize) {
+        let Some(Placed { rungs, outline }) = self.networks.placed[number].clone() else {
             return;
         };
         let right = outline.railed_right.then_some(match self.rail {
@@ -284,21 +247,20 @@ impl<S: Sink> File<'_, S> {
             _ => outline.rail,
         });
         if let Some(rail) = right {
-            networks.placer.place_right(
-                &networks.sketch,
+            self.networks.placer.place_right(
+                &self.networks.reader.sketch,
                 rungs.clone(),
                 self.options.spacing,
                 rail,
-                &mut networks.columns,
+                &mut self.networks.columns,
             );
         }
         Drawing {
-            text: self.text,
-            parse: self.parse,
-            network: &self.parse.structure().networks[number],
-            sketch: &networks.sketch,
-            places: &networks.places,
-            columns: &networks.columns,
+            source: self.source,
+            network: &self.source.parse.structure().networks[number],
+            sketch: &self.networks.reader.sketch,
+            atoms: &self.networks.reader.atoms,
+            columns: &self.networks.columns,
             first_rung: rungs.start,
             rails: Rails {
                 left: outline.railed_left,
@@ -312,55 +274,42 @@ impl<S: Sink> File<'_, S> {
     /// Writes what belongs between the last thing and the one that comes: a blank line if one was blank, a
     /// rail line if only those stood there, else nothing. Before the first thing stands nothing.
     fn begin(&mut self) {
-        let between = std::mem::take(&mut self.between);
-        let kind = |index: &usize| self.parse.lines()[*index].kind;
-        if let Some(blank) = between.iter().find(|&index| kind(index) == LineKind::Blank) {
-            if self.begun {
-                self.keep_line_end(*blank);
-            }
-        } else if let Some(rail) = between.first().filter(|_| self.begun) {
+        let begun = std::mem::replace(&mut self.begun, true);
+        let Some(&first) = self.between.first().filter(|_| begun) else {
+            self.between.clear();
+            return;
+        };
+        let is_blank = |line: &usize| self.source.kind(*line) == LineKind::Blank;
+        let blank = self.between.iter().copied().find(is_blank);
+        if blank.is_none() {
             self.pen.bar();
             if let Some(column) = self.rail {
                 self.pen.blanks(column - 1);
                 self.pen.bar();
             }
-            self.keep_line_end(*rail);
         }
-        self.begun = true;
-        self.between = between;
+        self.keep_line_end(blank.unwrap_or(first));
         self.between.clear();
     }
 
     /// Keeps lines to the letter.
     fn keep(&mut self, lines: Range<usize>) {
-        let Some(last) = lines.clone().next_back() else {
-            return;
-        };
-        let start = self.parse.line_start(lines.start).into();
-        let end = self.parse.line_range(last).end().into();
-        self.pen.keep(start, end);
+        if let Some(last) = lines.clone().next_back() {
+            self.pen
+                .keep(self.source.range(lines.start).start, self.source.range(last).end);
+        }
     }
 
     fn keep_line_end(&mut self, line: usize) {
-        let range = self.parse.line_range(line);
-        let end = range.end().into();
-        if let Some(line_end) = line_end_of(self.text, range.start().into(), end) {
-            self.pen.keep(line_end, end);
+        if let Some(line_end) = self.source.line_end(line) {
+            self.pen.keep(line_end, self.source.range(line).end);
         }
     }
 
-    fn finish(self) -> S {
-        self.pen.finish()
+    /// Whether a comment stands first on a line.
+    fn has_leading_comment(&self, line: usize) -> bool {
+        let mut words = self.source.line(line).children();
+        let first = words.find(|child| !child.kind().is_trivia() || child.kind() == COMMENT);
+        first.is_some_and(|child| child.kind() == COMMENT)
     }
-}
-
-/// Whether a comment stands first on a line.
-fn has_leading_comment(parse: &Parse, line: usize) -> bool {
-    let mut first = None;
-    read::each_child(&parse.lines()[line], 0, |kind, _, _, _| {
-        if !kind.is_trivia() || kind == COMMENT {
-            first.get_or_insert(kind);
-        }
-    });
-    first == Some(COMMENT)
 }

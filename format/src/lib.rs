@@ -20,6 +20,7 @@ mod columns;
 mod draw;
 mod edit;
 mod file;
+mod flat;
 mod network;
 mod pen;
 mod pieces;
@@ -34,6 +35,7 @@ pub use sketch::{Element, ElementKind, Sketch};
 pub use width::display_width;
 
 use edit::{Edits, NewText};
+use flat::Source;
 use ladder_syntax::rowan::{GreenNodeData, NodeOrToken};
 use ladder_syntax::{Parse, TextRange, parse};
 
@@ -67,16 +69,23 @@ impl Options {
 /// The edits that bring a text into its canonical layout: sorted, none touching another, none where nothing
 /// changes.
 pub fn format(parse: &Parse, options: &Options) -> Vec<Edit> {
-    file::format(&text_of(parse), parse, &options.checked(), None, Edits::default()).0
+    let text = text_of(parse);
+    file::format(
+        &Source::new(&text, parse),
+        &options.checked(),
+        None,
+        Edits::default(),
+    )
+    .0
 }
 
 /// As [`format()`], but only for the networks, sections and lines that one of the ranges reaches into. They take
 /// the right rail that all other networks are drawn with; where those differ, or where it would not do, the one
 /// that formatting the whole file would give.
 pub fn format_ranges(parse: &Parse, options: &Options, ranges: &[TextRange]) -> Vec<Edit> {
+    let text = text_of(parse);
     file::format(
-        &text_of(parse),
-        parse,
+        &Source::new(&text, parse),
         &options.checked(),
         Some(ranges),
         Edits::default(),
@@ -87,10 +96,16 @@ pub fn format_ranges(parse: &Parse, options: &Options, ranges: &[TextRange]) -> 
 /// The text in its canonical layout.
 pub fn format_text(text: &str, options: &Options) -> String {
     let parse = parse(text);
-    file::format(text, &parse, &options.checked(), None, NewText::new(text)).finish()
+    file::format(
+        &Source::new(text, &parse),
+        &options.checked(),
+        None,
+        NewText::new(text),
+    )
+    .finish()
 }
 
-/// The text of a parse, without going through the formatting machinery of `Display`.
+/// The text of a parse, without going through the machinery of `Display`.
 fn text_of(parse: &Parse) -> String {
     fn push(node: &GreenNodeData, text: &mut String) {
         for child in node.children() {

@@ -1,109 +1,170 @@
 //! From the rungs of a text to a sketch.
 
-use crate::pieces::{Pieces, head_word, kind_of, kind_of_raw, len};
+use crate::flat::{Node, Source};
+use crate::pieces::{Pieces, head_word};
 use crate::sketch::{ElementKind, Sketch};
+use crate::stays::directive;
 use crate::width::display_width;
 use ladder_instructions::{Role, Shape, lookup};
-use ladder_syntax::SyntaxKind::{self, *};
-use ladder_syntax::rowan::{GreenNodeData, NodeOrToken};
+use ladder_syntax::SyntaxKind::*;
 use ladder_syntax::wiring::{self, Part, PartKind};
-use ladder_syntax::{Line, TextRange, TextSize};
+use ladder_syntax::{Line, Network};
 
-/// Why a network stays as it is.
+/// A rung cannot be drawn anew without changing what it says (LANGUAGE §8 rule 10, and the few texts whose
+/// canonical form would read differently), so its network stays as it is.
 pub(crate) struct Stays;
 
-/// Puts the elements of a rung behind those of the sketch, and the places where they begin (from the start of
-/// the line) behind `places`. Comments before the first and behind the last element are no elements.
-///
-/// `Err` if the rung cannot be drawn anew without changing what it says (LANGUAGE §8 rule 10, and the few
-/// texts whose canonical form would read differently).
-pub(crate) fn rung(
-    text: &str,
-    line: &Line,
-    line_start: usize,
-    in_body: bool,
-    sketch: &mut Sketch,
-    places: &mut Vec<u32>,
-) -> Result<(), Stays> {
-    let drawing = wiring::rung(line);
-    let parts = &drawing.parts;
-    let is_aside = |part: &Part| matches!(part.kind, PartKind::Bar) || is_free_comment(part);
-    let (Some(first), Some(last)) = (
-        parts.iter().position(|part| !is_aside(part)),
-        parts.iter().rposition(|part| !is_aside(part)),
-    ) else {
-        return Err(Stays);
-    };
-    sketch.begin_rung();
-    let mut children = Children::new(line.green());
-    // The segment of the last element; none behind a bar that the wire reaches to.
-    let mut segment = None;
-    let mut at_bar = false;
-    if begins_at_bar(parts, first) {
-        sketch.push(ElementKind::LeftBar, false, 1);
-        places.push(parts[first - 1].range.start().into());
-        at_bar = true;
-    }
-    let mut without_list = false;
-    for (index, part) in parts.iter().enumerate().take(last + 1).skip(first) {
-        let place = u32::from(part.range.start());
-        let slice =
-            &text[line_start + usize::from(part.range.start())..line_start + usize::from(part.range.end())];
-        let (kind, width) = match part.kind {
-            PartKind::LeftRail => (ElementKind::LeftRail, 1),
-            PartKind::RightRail => (ElementKind::RightRail, 1),
-            PartKind::StrayRail | PartKind::StrayBar => (ElementKind::Stray, 1),
-            PartKind::Down => (ElementKind::Down, 1),
-            PartKind::Up => (ElementKind::Up, 1),
-            PartKind::Comment if slice.contains(['\n', '\r']) => return Err(Stays),
-            PartKind::Comment => (ElementKind::Comment, display_width(slice)),
-            PartKind::Bar => continue,
-            PartKind::Junk => return Err(Stays),
-            PartKind::Wire => {
-                if is_between(&drawing, index, first, last) {
-                    continue;
-                }
-                (ElementKind::Stub, 2)
-            }
-            PartKind::Block => {
-                let Some(node) = children.node_at(part.range.start()) else {
-                    return Err(Stays);
-                };
-                // A bar that goes would leave `[OSR]  ( )( y )`: a first part with its operand list.
-                let joined = part.segment.is_some() && part.segment == segment;
-                if without_list && !joined && !at_bar && slice.starts_with('(') {
-                    return Err(Stays);
-                }
-                let range = TextRange::at(part.range.start(), part.range.len());
-                let width = if is_kept_as_written(line, range) {
-                    if slice.contains(['\n', '\r']) {
-                        return Err(Stays);
-                    }
-                    display_width(slice)
-                } else {
-                    block_width(text, node, line_start + place as usize, in_body).ok_or(Stays)?
-                };
-                (kind_of_block(node), width)
-            }
-        };
-        let joined =
-            at_bar || part.kind == PartKind::StrayBar || (part.segment.is_some() && part.segment == segment);
-        sketch.push(kind, joined, width);
-        places.push(place);
-        segment = part.segment;
-        at_bar = part.kind == PartKind::StrayBar;
-        without_list = part.kind == PartKind::Block && children.last_has_no_list;
-    }
-    if ends_at_bar(parts, last) {
-        sketch.push(ElementKind::RightBar, true, 1);
-        places.push(parts[last + 1].range.start().into());
-    }
-    Ok(())
+/// Where the text of an element is.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Atom {
+    /// Its node or token.
+    pub(crate) node: u32,
+    /// It is in its canonical form already, or stays in another.
+    pub(crate) is_kept: bool,
 }
 
-/// A comment that joins nothing.
-fn is_free_comment(part: &Part) -> bool {
-    part.kind == PartKind::Comment && part.segment.is_none()
+/// Reads networks into one sketch.
+#[derive(Default)]
+pub(crate) struct Reader {
+    pub(crate) sketch: Sketch,
+    /// For each element of the sketch its text.
+    pub(crate) atoms: Vec<Atom>,
+    drawing: wiring::Rung,
+    /// The node of each part of the drawing.
+    nodes: Vec<u32>,
+}
+
+impl Reader {
+    /// Puts the rungs of a network behind those that are there. On `Err` none of them is there.
+    pub(crate) fn network(&mut self, source: &Source<'_>, network: &Network) -> Result<(), Stays> {
+        let first = self.sketch.rungs.len();
+        let in_body = network.block.is_some();
+        let read = source
+            .rungs(network)
+            .try_for_each(|line| self.rung(source, line, in_body));
+        if read.is_ok() {
+            self.sketch.pair(first..self.sketch.rungs.len());
+        } else {
+            self.sketch.truncate(first);
+            self.atoms.truncate(self.sketch.elements.len());
+        }
+        read
+    }
+
+    /// Puts a rung behind those that are there. Comments before its first and behind its last element are no
+    /// elements.
+    fn rung(&mut self, source: &Source<'_>, index: usize, in_body: bool) -> Result<(), Stays> {
+        let text = source.text;
+        let line = &source.parse.lines()[index];
+        let node = source.line(index);
+        self.read_drawing(node);
+        let (drawing, nodes) = (&self.drawing, &self.nodes);
+        let parts = &drawing.parts;
+        let (Some(first), Some(last)) = (
+            parts.iter().position(|part| !is_aside(part)),
+            parts.iter().rposition(|part| !is_aside(part)),
+        ) else {
+            return Err(Stays);
+        };
+        if source.has_comment(index) {
+            check_leading_comments(source, parts, nodes, first)?;
+        }
+        self.sketch.begin_rung();
+        let mut push = |kind, joined, width, part: usize, is_kept| {
+            self.sketch.push(kind, joined, width);
+            self.atoms.push(Atom {
+                node: nodes[part],
+                is_kept,
+            });
+        };
+        // The segment of the last element; none behind a bar that the wire reaches to.
+        let mut segment = None;
+        let mut at_bar = false;
+        if begins_at_bar(parts, first) {
+            push(ElementKind::LeftBar, false, 1, first - 1, true);
+            at_bar = true;
+        }
+        let mut without_list = false;
+        for (n, part) in parts.iter().enumerate().take(last + 1).skip(first) {
+            let node = source.node(nodes[n]);
+            let in_segment = part.segment.is_some() && part.segment == segment;
+            let joined = at_bar || in_segment || part.kind == PartKind::StrayBar;
+            let mut is_kept = true;
+            let mut has_list = true;
+            let (kind, width) = match part.kind {
+                PartKind::LeftRail => (ElementKind::LeftRail, 1),
+                PartKind::RightRail => (ElementKind::RightRail, 1),
+                PartKind::StrayRail | PartKind::StrayBar => (ElementKind::Stray, 1),
+                PartKind::Down => (ElementKind::Down, 1),
+                PartKind::Up => (ElementKind::Up, 1),
+                PartKind::Comment => (ElementKind::Comment, one_line_width(&text[node.range()])?),
+                PartKind::Bar => continue,
+                PartKind::Junk => return Err(Stays),
+                PartKind::Wire if is_between(drawing, n, first, last) => continue,
+                PartKind::Wire => (ElementKind::Stub, 2),
+                PartKind::Block => {
+                    // A bar that goes would leave `[OSR]  ( )( y )`: a first part with its operand list.
+                    if without_list && !joined && node.kind() == COIL_BLOCK {
+                        return Err(Stays);
+                    }
+                    has_list = node.child(OPERAND_LIST).is_some();
+                    let width = if has_mistake(line, part) {
+                        one_line_width(&text[node.range()])?
+                    } else {
+                        let (width, canonical) = measure(text, node, in_body)?;
+                        is_kept = canonical;
+                        width
+                    };
+                    (kind_of_block(text, node), width)
+                }
+            };
+            push(kind, joined, width, n, is_kept);
+            segment = part.segment;
+            at_bar = part.kind == PartKind::StrayBar;
+            without_list = !has_list;
+        }
+        if ends_at_bar(parts, last) {
+            push(ElementKind::RightBar, true, 1, last + 1, true);
+        }
+        Ok(())
+    }
+
+    fn read_drawing(&mut self, line: Node<'_>) {
+        let children = line
+            .children()
+            .map(|child| (child.kind(), ((child.end() - child.start()) as u32).into()));
+        wiring::read_rung(children, &mut self.drawing);
+        self.nodes.clear();
+        let mut children = line.children();
+        for part in &self.drawing.parts {
+            let start = line.start() + usize::from(part.range.start());
+            // An empty node cannot stand on a rung, so places tell children apart.
+            let node = children.find(|child| child.start() == start);
+            self.nodes.push(node.map_or(0, Node::index));
+        }
+    }
+}
+
+/// What stands beside the drawing: bars and comments that join nothing.
+fn is_aside(part: &Part) -> bool {
+    part.kind == PartKind::Bar || (part.kind == PartKind::Comment && part.segment.is_none())
+}
+
+/// A comment before the first element goes onto a line of its own; it must not become a directive there.
+fn check_leading_comments(
+    source: &Source<'_>,
+    parts: &[Part],
+    nodes: &[u32],
+    first: usize,
+) -> Result<(), Stays> {
+    let is_directive = |n: usize| {
+        parts[n].kind == PartKind::Comment && directive(&source.text[source.node(nodes[n]).range()]).is_some()
+    };
+    if (0..first).any(is_directive) {
+        Err(Stays)
+    } else {
+        Ok(())
+    }
 }
 
 /// Whether a `|` stands first on the line and touches the wire there.
@@ -139,117 +200,73 @@ fn is_between(drawing: &wiring::Rung, index: usize, first: usize, last: usize) -
 }
 
 /// Whether a block has a mistake that formatting does not stop at; it is moved, but not touched.
-pub(crate) fn is_kept_as_written(line: &Line, block: TextRange) -> bool {
-    let inside = |at: TextSize| block.start() < at && at < block.end();
-    line.errors.iter().any(|error| inside(error.range.start()))
+fn has_mistake(line: &Line, block: &Part) -> bool {
+    let place = block.range;
+    line.errors
+        .iter()
+        .any(|error| place.start() < error.range.start() && error.range.start() < place.end())
 }
 
-/// The width of a block in its canonical form. None if a comment in it holds a line end.
-fn block_width(text: &str, node: &GreenNodeData, start: usize, in_body: bool) -> Option<u32> {
+fn one_line_width(text: &str) -> Result<u32, Stays> {
+    if text.contains(['\n', '\r']) {
+        return Err(Stays);
+    }
+    Ok(display_width(text))
+}
+
+/// The width of a block in its canonical form, and whether it is in that form.
+fn measure(text: &str, block: Node<'_>, in_body: bool) -> Result<(u32, bool), Stays> {
     let mut width = 0;
-    let mut one_line = true;
-    Pieces::new(text, start, in_body, |piece| {
+    let mut canonical = true;
+    let mut at = block.start();
+    let mut several_lines = false;
+    Pieces::new(text, in_body, |piece| {
         let word = &text[piece.start..piece.end];
-        one_line &= !(word.starts_with('#') && word.contains(['\n', '\r']));
+        several_lines |= word.starts_with('#') && word.contains(['\n', '\r']);
         width += piece.blanks + display_width(word);
+        canonical &= at + piece.blanks as usize == piece.start
+            && (piece.blanks == 0 || text.as_bytes()[at] == b' ')
+            && !(piece.capitals && word.bytes().any(|b| b.is_ascii_lowercase()));
+        at = piece.end;
     })
-    .block(node, start);
-    one_line.then_some(width)
+    .block(block);
+    if several_lines {
+        Err(Stays)
+    } else {
+        Ok((width, canonical))
+    }
 }
 
 /// Condition or acting (LANGUAGE §8 rule 5). What the table does not know acts, as do user-defined blocks.
-fn kind_of_block(node: &GreenNodeData) -> ElementKind {
-    let shape = match kind_of(node) {
+fn kind_of_block(text: &str, block: Node<'_>) -> ElementKind {
+    let shape = match block.kind() {
         LOGICAL_BLOCK => Shape::Logical,
         COIL_BLOCK => Shape::Coil,
         _ => Shape::Function,
     };
-    let word = match head_word(node) {
+    let word = match head_word(text, block) {
         None => "",
         Some((MNEMONIC, word)) => word,
         Some(_) => return ElementKind::Acting,
     };
-    let rows = lookup(shape, word);
-    let role = match rows.len() {
-        0 => Role::Acting,
-        1 => rows.map(|row| row.role).next().unwrap_or(Role::Acting),
+    let mut rows = lookup(shape, word);
+    let row = if rows.len() > 1 {
         // `[NOT]` is a condition without operands, and acts with them.
-        _ => {
-            let operands = positional_operands(node);
-            let fitting = rows.clone().find(|row| row.takes(operands));
-            fitting.map_or(Role::Acting, |row| row.role)
-        }
+        let operands = positional_operands(block);
+        rows.find(|row| row.takes(operands))
+    } else {
+        rows.next()
     };
-    match role {
+    match row.map_or(Role::Acting, |row| row.role) {
         Role::Condition => ElementKind::Condition,
         Role::Acting => ElementKind::Acting,
     }
 }
 
-fn positional_operands(block: &GreenNodeData) -> usize {
-    let list = block
-        .children()
-        .filter_map(NodeOrToken::into_node)
-        .find(|node| kind_of(node) == OPERAND_LIST);
-    list.map_or(0, |list| {
+fn positional_operands(block: Node<'_>) -> usize {
+    block.child(OPERAND_LIST).map_or(0, |list| {
         list.children()
-            .filter_map(NodeOrToken::into_node)
-            .filter(|node| kind_of(node) != NAMED_OPERAND)
+            .filter(|child| child.is_node() && child.kind() != NAMED_OPERAND)
             .count()
     })
-}
-
-/// The children of a line in order, for someone who knows where the next one stands.
-struct Children<'g> {
-    rest: ladder_syntax::rowan::Children<'g>,
-    at: TextSize,
-    last_has_no_list: bool,
-}
-
-impl<'g> Children<'g> {
-    fn new(line: &'g GreenNodeData) -> Self {
-        Children {
-            rest: line.children(),
-            at: TextSize::new(0),
-            last_has_no_list: false,
-        }
-    }
-
-    /// The node that begins at a place, which must not stand before the one asked for last.
-    fn node_at(&mut self, place: TextSize) -> Option<&'g GreenNodeData> {
-        loop {
-            let child = self.rest.next()?;
-            let at = self.at;
-            self.at += match child {
-                NodeOrToken::Node(node) => node.text_len(),
-                NodeOrToken::Token(token) => token.text_len(),
-            };
-            if at == place {
-                let node = child.into_node()?;
-                self.last_has_no_list = !node
-                    .children()
-                    .filter_map(NodeOrToken::into_node)
-                    .any(|part| kind_of(part) == OPERAND_LIST);
-                return Some(node);
-            }
-        }
-    }
-}
-
-/// Calls `f` with every child of a line: kind, node if it is one, start and end in the text.
-pub(crate) fn each_child<'g>(
-    line: &'g Line,
-    line_start: usize,
-    mut f: impl FnMut(SyntaxKind, Option<&'g GreenNodeData>, usize, usize),
-) {
-    let mut at = line_start;
-    for child in line.green().children() {
-        let (kind, node, length) = match child {
-            NodeOrToken::Node(node) => (kind_of(node), Some(node), node.text_len()),
-            NodeOrToken::Token(token) => (kind_of_raw(token.kind()), None, token.text_len()),
-        };
-        let end = at + len(length);
-        f(kind, node, at, end);
-        at = end;
-    }
 }

@@ -1,12 +1,12 @@
 //! Sections of declarations (LANGUAGE §8 rule 8).
 
 use crate::edit::Sink;
+use crate::flat::{Node, Source};
 use crate::pen::Pen;
 use crate::pieces::{Piece, Pieces};
-use crate::read::each_child;
 use crate::width::display_width;
-use ladder_syntax::SyntaxKind::{self, *};
-use ladder_syntax::{Line, LineKind, Parse};
+use ladder_syntax::LineKind;
+use ladder_syntax::SyntaxKind::*;
 use std::ops::Range;
 
 /// How far a declaration stands in.
@@ -32,65 +32,77 @@ struct Columns {
 }
 
 /// Writes a section that is whole and without mistakes.
-pub(crate) fn write<S: Sink>(text: &str, parse: &Parse, lines: Range<usize>, pen: &mut Pen<'_, S>) {
-    let columns = columns(text, parse, lines.clone());
+pub(crate) fn write<S: Sink>(source: &Source<'_>, lines: Range<usize>, pen: &mut Pen<'_, S>) {
+    let columns = columns(source, lines.clone());
     let mut blank_before = false;
-    for index in lines.clone() {
-        let line = &parse.lines()[index];
-        let start = usize::from(parse.line_start(index));
-        let end = start + line.len as usize;
-        let blank = line.kind == LineKind::Blank;
+    for line in lines.clone() {
+        let kind = source.kind(line);
+        let blank = kind == LineKind::Blank;
         if blank && blank_before {
             continue;
         }
         blank_before = blank;
-        match line.kind {
-            LineKind::Declaration => declaration(text, line, start, columns, pen),
-            LineKind::SectionHeader | LineKind::SectionEnd => words(text, line, start, pen),
-            LineKind::Comment => comments(line, start, 0, pen),
+        match kind {
+            LineKind::Declaration => declaration(source, line, columns, pen),
+            LineKind::SectionHeader | LineKind::SectionEnd => words(source, line, pen),
+            LineKind::Comment => comment_line(source, line, pen),
             _ => {}
         }
-        match line_end_of(text, start, end) {
+        let end = source.range(line).end;
+        match source.line_end(line) {
             Some(line_end) => pen.keep(line_end, end),
-            None if index + 1 < lines.end => pen.line_end(line_end_near(text, end)),
+            None if line + 1 < lines.end => pen.line_end(line_end_near(source.text, end)),
             None => {}
         }
     }
 }
 
 /// A line of words with comments behind it: the first or last line of a section or of a block definition.
-pub(crate) fn words<S: Sink>(text: &str, line: &Line, start: usize, pen: &mut Pen<'_, S>) {
-    let mut pieces = Pieces::new(text, start, false, |piece| write_piece(pen, piece));
-    let mut behind = start;
-    each_child(line, start, |kind, node, from, to| {
-        if kind.is_trivia() {
-            return;
-        }
-        match node {
-            Some(node) => pieces.node(node, from),
-            None => pieces.token(kind, from, to, line.green()),
-        }
-        behind = to;
-    });
-    comments(line, start, behind, pen);
+pub(crate) fn words<S: Sink>(source: &Source<'_>, line: usize, pen: &mut Pen<'_, S>) {
+    let node = source.line(line);
+    let mut pieces = Pieces::new(source.text, false, |piece| write_piece(pen, piece));
+    let mut behind = node.start();
+    for child in node.children().filter(|child| !child.kind().is_trivia()) {
+        pieces.node(child, node.kind());
+        behind = child.end();
+    }
+    comments_behind(source, line, behind, pen);
 }
 
-/// The comments of a line that stand behind a place: two blanks before each, but none before the first of a
-/// line that holds only comments (`behind` 0).
-pub(crate) fn comments<S: Sink>(line: &Line, start: usize, behind: usize, pen: &mut Pen<'_, S>) {
-    let mut first = behind == 0;
-    each_child(line, start, |kind, _, from, to| {
-        if kind == COMMENT && from >= behind {
-            if !first {
-                pen.blanks(2);
-            }
-            first = false;
-            pen.keep(from, to);
+/// A line that holds nothing but comments, from its first column.
+pub(crate) fn comment_line<S: Sink>(source: &Source<'_>, line: usize, pen: &mut Pen<'_, S>) {
+    let comments = source
+        .line(line)
+        .children()
+        .filter(|child| child.kind() == COMMENT);
+    for (n, comment) in comments.enumerate() {
+        if n > 0 {
+            pen.blanks(2);
         }
-    });
+        pen.keep(comment.start(), comment.end());
+    }
 }
 
-fn write_piece<S: Sink>(pen: &mut Pen<'_, S>, piece: Piece) {
+/// The comments of a line that stand behind a place, two blanks before each.
+pub(crate) fn comments_behind<S: Sink>(
+    source: &Source<'_>,
+    line: usize,
+    behind: usize,
+    pen: &mut Pen<'_, S>,
+) {
+    if !source.has_comment(line) {
+        return;
+    }
+    for child in source.line(line).children() {
+        if child.kind() == COMMENT && child.start() >= behind {
+            pen.blanks(2);
+            pen.keep(child.start(), child.end());
+        }
+    }
+}
+
+/// Writes a piece with the blanks before it.
+pub(crate) fn write_piece<S: Sink>(pen: &mut Pen<'_, S>, piece: Piece) {
     pen.blanks(piece.blanks);
     if piece.capitals {
         pen.keep_in_capitals(piece.start, piece.end);
@@ -99,17 +111,14 @@ fn write_piece<S: Sink>(pen: &mut Pen<'_, S>, piece: Piece) {
     }
 }
 
-fn columns(text: &str, parse: &Parse, lines: Range<usize>) -> Columns {
+fn columns(source: &Source<'_>, lines: Range<usize>) -> Columns {
     let mut widest = Widths::default();
-    for index in lines {
-        let line = &parse.lines()[index];
-        if line.kind == LineKind::Declaration {
-            let widths = measure(text, line, parse.line_start(index).into());
-            widest.names = widest.names.max(widths.names);
-            widest.address = widest.address.max(widths.address);
-            if widths.has_value {
-                widest.ty = widest.ty.max(widths.ty);
-            }
+    for line in lines.filter(|&line| source.kind(line) == LineKind::Declaration) {
+        let widths = measure(source.text, source.line(line));
+        widest.names = widest.names.max(widths.names);
+        widest.address = widest.address.max(widths.address);
+        if widths.has_value {
+            widest.ty = widest.ty.max(widths.ty);
         }
     }
     let at = INDENT + widest.names + 1;
@@ -125,67 +134,57 @@ fn columns(text: &str, parse: &Parse, lines: Range<usize>) -> Columns {
     }
 }
 
-fn measure(text: &str, line: &Line, start: usize) -> Widths {
+fn measure(text: &str, declaration: Node<'_>) -> Widths {
     let mut widths = Widths::default();
-    each_child(line, start, |kind, node, from, _| {
-        let Some(node) = node else { return };
-        let mut width = 0;
-        Pieces::new(text, from, false, |piece| {
-            width += piece.blanks + display_width(&text[piece.start..piece.end]);
+    for part in declaration.children() {
+        let width = match part.kind() {
+            NAME_LIST => &mut widths.names,
+            AT_CLAUSE => &mut widths.address,
+            TYPE_REF => &mut widths.ty,
+            INITIAL_VALUE => {
+                widths.has_value = true;
+                continue;
+            }
+            _ => continue,
+        };
+        Pieces::new(text, false, |piece| {
+            *width += piece.blanks + display_width(&text[piece.start..piece.end]);
         })
-        .node(node, from);
-        match kind {
-            NAME_LIST => widths.names = width,
-            AT_CLAUSE => widths.address = width,
-            TYPE_REF => widths.ty = width,
-            INITIAL_VALUE => widths.has_value = true,
-            _ => {}
-        }
-    });
+        .node(part, DECLARATION);
+    }
     widths
 }
 
-fn declaration<S: Sink>(text: &str, line: &Line, start: usize, columns: Columns, pen: &mut Pen<'_, S>) {
+fn declaration<S: Sink>(source: &Source<'_>, line: usize, columns: Columns, pen: &mut Pen<'_, S>) {
+    let text = source.text;
+    let node = source.line(line);
     let mut column = 0;
-    let mut behind = start;
-    each_child(line, start, |kind: SyntaxKind, node, from, to| {
-        let place = match kind {
+    let mut behind = node.start();
+    for part in node.children() {
+        let place = match part.kind() {
             NAME_LIST => INDENT,
             AT_CLAUSE => columns.at,
             COLON => columns.colon,
             TYPE_REF => columns.colon + 2,
             INITIAL_VALUE => columns.assign,
             SEMICOLON => column,
-            _ => return,
+            _ => continue,
         };
         pen.blanks(place - column);
         column = place;
-        if let Some(node) = node {
-            Pieces::new(text, from, false, |piece| {
+        if part.is_node() {
+            Pieces::new(text, false, |piece| {
                 column += piece.blanks + display_width(&text[piece.start..piece.end]);
                 write_piece(pen, piece);
             })
-            .node(node, from);
+            .node(part, DECLARATION);
         } else {
-            pen.keep(from, to);
+            pen.keep(part.start(), part.end());
             column += 1;
         }
-        behind = to;
-    });
-    comments(line, start, behind, pen);
-}
-
-/// Where the line end begins that a line has behind it, if it has one.
-pub(crate) fn line_end_of(text: &str, start: usize, end: usize) -> Option<usize> {
-    let line = &text[start..end];
-    let length = if line.ends_with("\r\n") {
-        2
-    } else if line.ends_with(['\n', '\r']) {
-        1
-    } else {
-        return None;
-    };
-    Some(end - length)
+        behind = part.end();
+    }
+    comments_behind(source, line, behind, pen);
 }
 
 /// The line end of the physical line around a place; where the last line has none, the one before it.

@@ -1,9 +1,8 @@
 //! Which lines stay as they are (LANGUAGE §8 rule 10), before any network is read.
 
-use crate::pieces::kind_of_raw;
+use crate::flat::{Node, Source};
 use ladder_syntax::SyntaxKind::{self, COMMENT};
-use ladder_syntax::rowan::NodeOrToken;
-use ladder_syntax::{Item, Line, LineKind, Network, Parse, SyntaxErrorKind};
+use ladder_syntax::{Item, LineKind, Network, Parse, SyntaxErrorKind};
 use std::ops::Range;
 
 /// For each logical line whether it stays to the letter.
@@ -13,17 +12,19 @@ pub(crate) struct Stays {
 
 impl Stays {
     /// What is known without looking into the rungs.
-    pub(crate) fn find(parse: &Parse, text: &str) -> Stays {
+    pub(crate) fn find(source: &Source<'_>) -> Stays {
+        let parse = source.parse;
         let mut stays = Stays {
             lines: vec![false; parse.lines().len()],
         };
-        stays.switched_off(parse);
-        if let Some(line) = unclosed_comment_line(parse) {
+        stays.switched_off(source);
+        let unclosed = parse.unclosed_comment();
+        if let Some(line) = unclosed.and_then(|place| parse.line_at(place.start())) {
             stays.keep(line..parse.lines().len());
         }
-        stays.split_lines(parse, text);
-        stays.broken_sections(parse);
-        stays.broken_networks(parse);
+        stays.split_lines(source);
+        stays.broken_sections(source);
+        stays.broken_networks(source);
         stays
     }
 
@@ -33,7 +34,7 @@ impl Stays {
     }
 
     /// Whether one of some lines stays.
-    pub(crate) fn any(&self, lines: Range<usize>) -> bool {
+    fn any(&self, lines: Range<usize>) -> bool {
         self.lines[lines].contains(&true)
     }
 
@@ -43,31 +44,32 @@ impl Stays {
     }
 
     /// What stands between `fmt off` and `fmt on`.
-    fn switched_off(&mut self, parse: &Parse) {
+    fn switched_off(&mut self, source: &Source<'_>) {
+        let count = self.lines.len();
         let mut off = None;
-        for (index, line) in parse.lines().iter().enumerate() {
-            match directive_line(line) {
-                Some(Directive::Off) if off.is_none() => off = Some(index + 1),
+        for line in 0..count {
+            match directive_line(source, line) {
+                Some(Directive::Off) if off.is_none() => off = Some(line + 1),
                 Some(Directive::On) => {
                     if let Some(start) = off.take() {
-                        self.keep(start..index);
+                        self.keep(start..line);
                     }
                 }
                 _ => {}
             }
         }
         if let Some(start) = off {
-            self.keep(start..parse.lines().len());
+            self.keep(start..count);
         }
     }
 
     /// Two things on one physical line, which is a mistake: a new line end between them would take it away.
-    fn split_lines(&mut self, parse: &Parse, text: &str) {
+    fn split_lines(&mut self, source: &Source<'_>) {
         let mut before: Option<Range<usize>> = None;
-        for item in &parse.structure().items {
-            let lines = item_lines(parse, *item);
-            let start = usize::from(parse.line_start(lines.start));
-            if start > 0 && !text[..start].ends_with(['\n', '\r']) {
+        for item in &source.parse.structure().items {
+            let lines = item_lines(source.parse, *item);
+            let start = source.range(lines.start).start;
+            if start > 0 && !matches!(source.text.as_bytes()[start - 1], b'\n' | b'\r') {
                 if let Some(before) = before {
                     self.keep(before);
                 }
@@ -77,35 +79,31 @@ impl Stays {
         }
     }
 
-    fn broken_sections(&mut self, parse: &Parse) {
-        let items = &parse.structure().items;
-        for (index, item) in items.iter().enumerate() {
+    fn broken_sections(&mut self, source: &Source<'_>) {
+        let structure = source.parse.structure();
+        for (index, item) in structure.items.iter().enumerate() {
             let &Item::Section(number) = item else { continue };
-            let section = &parse.structure().sections[number];
-            let lines = &parse.lines()[section.lines.clone()];
-            if self.any(section.lines.clone())
-                || !section.closed
-                || lines
-                    .iter()
-                    .any(|line| !line.errors.is_empty() || has_comment_inside(line))
-                || section
-                    .lines
-                    .clone()
-                    .any(|line| directive_line(&parse.lines()[line]).is_some())
-            {
-                self.keep(section.lines.clone());
+            let section = &structure.sections[number];
+            let lines = section.lines.clone();
+            let stays = |line: usize| {
+                !source.parse.lines()[line].errors.is_empty()
+                    || has_comment_inside(source, line)
+                    || directive_line(source, line).is_some()
+            };
+            if !section.closed || self.any(lines.clone()) || lines.clone().any(stays) {
+                self.keep(lines);
             }
             if section.closed {
                 continue;
             }
             // A section without END_VAR ends where the drawing begins. What does it must go on doing so: the
             // lines behind it, and a network that need not begin with a rail.
-            for item in &items[index + 1..] {
+            for item in &structure.items[index + 1..] {
                 match item {
                     Item::Decoration(line) => self.keep(*line..*line + 1),
                     Item::Network(number) => {
-                        let network = &parse.structure().networks[*number];
-                        if !begins_at_rail(&parse.lines()[network.lines.start]) {
+                        let network = &structure.networks[*number];
+                        if !begins_at_rail(source.line(network.lines.start)) {
                             self.keep(network.lines.clone());
                         }
                         break;
@@ -116,15 +114,16 @@ impl Stays {
         }
     }
 
-    fn broken_networks(&mut self, parse: &Parse) {
-        for network in &parse.structure().networks {
-            let cut = || {
-                let mut lines = parse.lines()[network.lines.clone()].iter();
-                network.lines.len() > 1
-                    && lines.any(|line| line.kind == LineKind::Stray || directive_line(line).is_some())
-            };
-            if self.any(network.lines.clone()) || is_broken(parse, network) || cut() {
-                self.keep(network.lines.clone());
+    fn broken_networks(&mut self, source: &Source<'_>) {
+        for network in &source.parse.structure().networks {
+            let lines = network.lines.clone();
+            let cuts =
+                |line: usize| source.kind(line) == LineKind::Stray || directive_line(source, line).is_some();
+            if self.any(lines.clone())
+                || is_broken(source, network)
+                || (lines.len() > 1 && lines.clone().any(cuts))
+            {
+                self.keep(lines);
             }
         }
     }
@@ -145,10 +144,10 @@ pub(crate) fn item_lines(parse: &Parse, item: Item) -> Range<usize> {
 }
 
 /// Whether a network has a mistake that makes its drawing uncertain.
-fn is_broken(parse: &Parse, network: &Network) -> bool {
+fn is_broken(source: &Source<'_>, network: &Network) -> bool {
     let mut downs_above = 0;
-    for rung in network.rungs(parse.lines()) {
-        let line = &parse.lines()[rung];
+    for rung in source.rungs(network) {
+        let line = &source.parse.lines()[rung];
         let uncertain = line.errors.iter().any(|error| {
             matches!(
                 error.kind,
@@ -167,40 +166,33 @@ fn is_broken(parse: &Parse, network: &Network) -> bool {
 }
 
 /// Whether a rung's first drawing is the left rail's `+`, comments aside.
-fn begins_at_rail(rung: &Line) -> bool {
+fn begins_at_rail(rung: Node<'_>) -> bool {
     let first = rung
-        .green()
         .children()
-        .map(|child| match child {
-            NodeOrToken::Node(node) => kind_of_raw(node.kind()),
-            NodeOrToken::Token(token) => kind_of_raw(token.kind()),
-        })
+        .map(Node::kind)
         .find(|kind| !kind.is_trivia() && *kind != SyntaxKind::RAIL);
     first == Some(SyntaxKind::RAIL_CONNECTOR)
 }
 
 /// Whether a comment stands before the last token of a line of a section that is not one.
-fn has_comment_inside(line: &Line) -> bool {
-    if matches!(line.kind, LineKind::Comment | LineKind::Blank) {
+fn has_comment_inside(source: &Source<'_>, line: usize) -> bool {
+    if matches!(source.kind(line), LineKind::Comment | LineKind::Blank) {
         return false;
     }
     let mut comment = false;
-    for token in tokens(line) {
-        if token == COMMENT {
+    for child in source.line(line).children() {
+        if child.kind() == COMMENT {
             comment = true;
-        } else if comment && !token.is_trivia() {
+        } else if child.is_node() && holds_comment(child) || comment && !child.kind().is_trivia() {
             return true;
         }
     }
     false
 }
 
-/// The kinds of all tokens of a line.
-fn tokens(line: &Line) -> impl Iterator<Item = SyntaxKind> + use<> {
-    line.syntax()
-        .descendants_with_tokens()
-        .filter_map(NodeOrToken::into_token)
-        .map(|token| token.kind())
+fn holds_comment(node: Node<'_>) -> bool {
+    node.children()
+        .any(|child| child.kind() == COMMENT || child.is_node() && holds_comment(child))
 }
 
 /// `fmt off` or `fmt on`.
@@ -225,43 +217,17 @@ pub(crate) fn directive(comment: &str) -> Option<Directive> {
 const BLANKS: [char; 2] = [' ', '\t'];
 
 /// The directive that stands alone on a line.
-fn directive_line(line: &Line) -> Option<Directive> {
-    if !matches!(line.kind, LineKind::Comment | LineKind::Rail) {
+fn directive_line(source: &Source<'_>, line: usize) -> Option<Directive> {
+    if !matches!(source.kind(line), LineKind::Comment | LineKind::Rail) {
         return None;
     }
-    let mut comments = line
-        .green()
+    let mut comments = source
+        .line(line)
         .children()
-        .filter_map(NodeOrToken::into_token)
-        .filter(|token| kind_of_raw(token.kind()) == COMMENT);
+        .filter(|child| child.kind() == COMMENT);
     let first = comments.next()?;
     if comments.next().is_some() {
         return None;
     }
-    directive(first.text())
-}
-
-/// The line of the place at which `unclosed-comment` is reported: the first comment that holds a line which
-/// looks like drawing, else the one that is never closed.
-fn unclosed_comment_line(parse: &Parse) -> Option<usize> {
-    let last = parse.lines().last()?;
-    if !last
-        .errors
-        .iter()
-        .any(|e| e.kind == SyntaxErrorKind::UnclosedComment)
-    {
-        return None;
-    }
-    let holds_drawing = |line: &Line| {
-        line.syntax()
-            .descendants_with_tokens()
-            .filter_map(NodeOrToken::into_token)
-            .filter(|token| token.kind() == COMMENT)
-            .any(|token| {
-                let mut lines = token.text().split(['\n', '\r']).skip(1);
-                lines.any(|line| line.starts_with(['+', '|', '/']))
-            })
-    };
-    let first = parse.lines().iter().position(holds_drawing);
-    Some(first.unwrap_or(parse.lines().len() - 1))
+    directive(&source.text[first.range()])
 }
