@@ -24,7 +24,7 @@ const LEAST_RAIL: u32 = 40;
 
 /// Formats a text: all of it, or what one of the ranges of `only` reaches into.
 pub(crate) fn format<S: Sink>(
-    source: &Source<'_>,
+    source: Source<'_>,
     options: &Options,
     only: Option<&[TextRange]>,
     sink: S,
@@ -73,7 +73,7 @@ struct Networks {
 
 impl Networks {
     /// Reads and places all networks. Those that turn out to stay are noted in `stays`.
-    fn read(source: &Source<'_>, options: &Options, stays: &mut Stays) -> Networks {
+    fn read(source: Source<'_>, options: &Options, stays: &mut Stays) -> Networks {
         let structure = source.parse.structure();
         let mut networks = Networks {
             reader: Reader::default(),
@@ -102,7 +102,7 @@ impl Networks {
 
     /// The column, from 0, in which all networks that stay have their right rail, if there is one and the
     /// others have room in it.
-    fn rail_as_drawn(&self, source: &Source<'_>, options: &Options, stays: &Stays) -> Option<u32> {
+    fn rail_as_drawn(&self, source: Source<'_>, options: &Options, stays: &Stays) -> Option<u32> {
         let mut drawn = None;
         let mut needed = 0;
         for (network, placed) in source.parse.structure().networks.iter().zip(&self.placed) {
@@ -146,7 +146,7 @@ fn file_rail(networks: &[Option<Placed>], options: &Options) -> Option<u32> {
 }
 
 /// Makes stay what none of the ranges reaches into.
-fn keep_all_but(source: &Source<'_>, ranges: &[TextRange], stays: &mut Stays) {
+fn keep_all_but(source: Source<'_>, ranges: &[TextRange], stays: &mut Stays) {
     let parse = source.parse;
     let items = &parse.structure().items;
     let is_touched = |lines: &Range<usize>| {
@@ -181,7 +181,7 @@ fn keep_all_but(source: &Source<'_>, ranges: &[TextRange], stays: &mut Stays) {
 }
 
 struct File<'f, S> {
-    source: &'f Source<'f>,
+    source: Source<'f>,
     options: &'f Options,
     stays: Stays,
     networks: Networks,

@@ -17,62 +17,103 @@ struct Entry {
     kind: SyntaxKind,
 }
 
-/// A text, its parse, and its tree as a list.
-pub(crate) struct Source<'s> {
-    pub(crate) text: &'s str,
-    pub(crate) parse: &'s Parse,
+/// The tree of a file as a list.
+pub(crate) struct Flat {
     entries: Vec<Entry>,
     /// For each line its entry, and whether a comment stands on it outside blocks.
     lines: Vec<(u32, bool)>,
 }
 
-impl<'s> Source<'s> {
-    /// Lays out the tree of a parse. `text` must be its text.
-    pub(crate) fn new(text: &'s str, parse: &'s Parse) -> Self {
-        let mut source = Source {
-            text,
-            parse,
-            entries: Vec::with_capacity(text.len() / 2),
+impl Flat {
+    /// Lays out the tree of a parse.
+    pub(crate) fn new(parse: &Parse) -> Flat {
+        Flat::lay_out(parse, |_| {})
+    }
+
+    /// Lays out the tree of a parse, and puts its text together on the way.
+    pub(crate) fn with_text(parse: &Parse) -> (Flat, String) {
+        let mut text = String::with_capacity(parse.text_len().into());
+        let flat = Flat::lay_out(parse, |token| text.push_str(token));
+        (flat, text)
+    }
+
+    fn lay_out(parse: &Parse, mut token: impl FnMut(&str)) -> Flat {
+        let mut flat = Flat {
+            entries: Vec::with_capacity(usize::from(parse.text_len()) / 3 + 1),
             lines: Vec::with_capacity(parse.lines().len()),
         };
         let mut at = 0;
         for line in parse.lines() {
-            let index = source.entries.len() as u32;
-            push(line.green(), &mut at, &mut source.entries);
-            source.lines.push((index, false));
-            let comment = source
-                .line(source.lines.len() - 1)
-                .children()
-                .any(|child| child.kind() == SyntaxKind::COMMENT);
-            if let Some(line) = source.lines.last_mut() {
-                line.1 = comment;
-            }
+            let first = flat.entries.len() as u32;
+            let comment = push(line.green(), &mut at, &mut flat.entries, &mut token);
+            flat.lines.push((first, comment));
         }
         // The end of the last entry.
-        source.entries.push(Entry {
+        flat.entries.push(Entry {
             start: at,
             size: 1,
             kind: SyntaxKind::EOF,
         });
-        source
+        flat
     }
+}
 
+/// Lays out a node. Returns whether a comment is among its children.
+fn push(node: &GreenNodeData, at: &mut u32, entries: &mut Vec<Entry>, text: &mut impl FnMut(&str)) -> bool {
+    let first = entries.len();
+    let mut comment = false;
+    entries.push(Entry {
+        start: *at,
+        size: 1,
+        kind: SyntaxKind::from_raw(node.kind()),
+    });
+    for child in node.children() {
+        match child {
+            NodeOrToken::Node(node) => {
+                push(node, at, entries, text);
+            }
+            NodeOrToken::Token(token) => {
+                let kind = SyntaxKind::from_raw(token.kind());
+                comment |= kind == SyntaxKind::COMMENT;
+                entries.push(Entry {
+                    start: *at,
+                    size: 1,
+                    kind,
+                });
+                text(token.text());
+                *at += u32::from(token.text_len());
+            }
+        }
+    }
+    entries[first].size = (entries.len() - first) as u32;
+    comment
+}
+
+/// A text, its parse, and its tree as a list.
+#[derive(Clone, Copy)]
+pub(crate) struct Source<'s> {
+    pub(crate) text: &'s str,
+    pub(crate) parse: &'s Parse,
+    pub(crate) flat: &'s Flat,
+}
+
+impl<'s> Source<'s> {
     /// A line's node.
-    pub(crate) fn line(&self, line: usize) -> Node<'_> {
-        self.node(self.lines[line].0)
+    pub(crate) fn line(&self, line: usize) -> Node<'s> {
+        self.node(self.flat.lines[line].0)
     }
 
     /// The node or token with a number that [`Node::index`] gave.
-    pub(crate) fn node(&self, index: u32) -> Node<'_> {
+    pub(crate) fn node(&self, index: u32) -> Node<'s> {
         Node {
-            entries: &self.entries,
+            entries: &self.flat.entries,
             index,
         }
     }
 
     /// Whether a comment stands on a line, outside its blocks.
     pub(crate) fn has_comment(&self, line: usize) -> bool {
-        self.lines[line].1
+        self.flat.lines[line].1
     }
 
     pub(crate) fn kind(&self, line: usize) -> LineKind {
@@ -103,29 +144,6 @@ impl<'s> Source<'s> {
         };
         Some(range.end - length)
     }
-}
-
-fn push(node: &GreenNodeData, at: &mut u32, entries: &mut Vec<Entry>) {
-    let index = entries.len();
-    entries.push(Entry {
-        start: *at,
-        size: 1,
-        kind: SyntaxKind::from_raw(node.kind()),
-    });
-    for child in node.children() {
-        match child {
-            NodeOrToken::Node(node) => push(node, at, entries),
-            NodeOrToken::Token(token) => {
-                entries.push(Entry {
-                    start: *at,
-                    size: 1,
-                    kind: SyntaxKind::from_raw(token.kind()),
-                });
-                *at += u32::from(token.text_len());
-            }
-        }
-    }
-    entries[index].size = (entries.len() - index) as u32;
 }
 
 /// A node or token of a [`Source`].

@@ -35,8 +35,7 @@ pub use sketch::{Element, ElementKind, Sketch};
 pub use width::display_width;
 
 use edit::{Edits, NewText};
-use flat::Source;
-use ladder_syntax::rowan::{GreenNodeData, NodeOrToken};
+use flat::{Flat, Source};
 use ladder_syntax::{Parse, TextRange, parse};
 
 /// How a text is laid out.
@@ -69,53 +68,33 @@ impl Options {
 /// The edits that bring a text into its canonical layout: sorted, none touching another, none where nothing
 /// changes.
 pub fn format(parse: &Parse, options: &Options) -> Vec<Edit> {
-    let text = text_of(parse);
-    file::format(
-        &Source::new(&text, parse),
-        &options.checked(),
-        None,
-        Edits::default(),
-    )
-    .0
+    edits(parse, options, None)
 }
 
 /// As [`format()`], but only for the networks, sections and lines that one of the ranges reaches into. They take
 /// the right rail that all other networks are drawn with; where those differ, or where it would not do, the one
 /// that formatting the whole file would give.
 pub fn format_ranges(parse: &Parse, options: &Options, ranges: &[TextRange]) -> Vec<Edit> {
-    let text = text_of(parse);
-    file::format(
-        &Source::new(&text, parse),
-        &options.checked(),
-        Some(ranges),
-        Edits::default(),
-    )
-    .0
+    edits(parse, options, Some(ranges))
+}
+
+fn edits(parse: &Parse, options: &Options, only: Option<&[TextRange]>) -> Vec<Edit> {
+    let (flat, text) = Flat::with_text(parse);
+    let source = Source {
+        text: &text,
+        parse,
+        flat: &flat,
+    };
+    file::format(source, &options.checked(), only, Edits::default()).0
 }
 
 /// The text in its canonical layout.
 pub fn format_text(text: &str, options: &Options) -> String {
     let parse = parse(text);
-    file::format(
-        &Source::new(text, &parse),
-        &options.checked(),
-        None,
-        NewText::new(text),
-    )
-    .finish()
-}
-
-/// The text of a parse, without going through the machinery of `Display`.
-fn text_of(parse: &Parse) -> String {
-    fn push(node: &GreenNodeData, text: &mut String) {
-        for child in node.children() {
-            match child {
-                NodeOrToken::Node(node) => push(node, text),
-                NodeOrToken::Token(token) => text.push_str(token.text()),
-            }
-        }
-    }
-    let mut text = String::with_capacity(parse.text_len().into());
-    push(parse.green(), &mut text);
-    text
+    let source = Source {
+        text,
+        parse: &parse,
+        flat: &Flat::new(&parse),
+    };
+    file::format(source, &options.checked(), None, NewText::new(text)).finish()
 }

@@ -6,7 +6,7 @@ use crate::draw::{self, Cover, Rails, Surface};
 use crate::edit::Sink;
 use crate::flat::{Node, Source};
 use crate::pen::Pen;
-use crate::pieces::Pieces;
+use crate::pieces::{Pieces, head_word};
 use crate::read::Atom;
 use crate::section::{comments_behind, line_end_near, write_piece};
 use crate::sketch::Sketch;
@@ -16,7 +16,7 @@ use ladder_syntax::{LineKind, Network};
 
 /// A network with all that is needed to write it.
 pub(crate) struct Drawing<'f> {
-    pub(crate) source: &'f Source<'f>,
+    pub(crate) source: Source<'f>,
     pub(crate) network: &'f Network,
     pub(crate) sketch: &'f Sketch,
     pub(crate) atoms: &'f [Atom],
@@ -162,10 +162,11 @@ impl<S: Sink> Surface for OldText<'_, '_, '_, S> {
             self.pen.keep(node.start(), node.end());
             return;
         }
+        let text = self.drawing.source.text;
         let in_body = self.drawing.network.block.is_some();
-        Pieces::new(self.drawing.source.text, in_body, |piece| {
+        Pieces::new(text, in_body, |piece| {
             write_piece(self.pen, piece);
         })
-        .block(node);
+        .block(node, head_word(text, node));
     }
 }

@@ -8,6 +8,7 @@ use ladder_syntax::SyntaxKind::{self, *};
 /// A token of the old text, with the blanks that belong before it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) struct Piece {
+    pub(crate) kind: SyntaxKind,
     /// Where it stands in the text.
     pub(crate) start: usize,
     pub(crate) end: usize,
@@ -66,9 +67,8 @@ impl<'t, F: FnMut(Piece)> Pieces<'t, F> {
         }
     }
 
-    /// Walks a block on a rung.
-    pub(crate) fn block(&mut self, block: Node<'_>) {
-        let head = head_word(self.text, block);
+    /// Walks a block on a rung whose first part holds the word `head`.
+    pub(crate) fn block(&mut self, block: Node<'_>, head: Option<(SyntaxKind, &str)>) {
         self.in_calc = head.is_some_and(|(_, word)| word.eq_ignore_ascii_case("CALC"));
         self.in_user_block = head.is_some_and(|(kind, _)| kind == BLOCK_NAME);
         let search = head.is_some_and(|(_, word)| word.eq_ignore_ascii_case("SEARCH"));
@@ -100,7 +100,10 @@ impl<'t, F: FnMut(Piece)> Pieces<'t, F> {
             // What could not be read stays as it is written.
             ERROR_NODE => self.piece(node, Space::Free, Space::Free, false),
             BLOCK_HEAD => {
-                let space = if word_in(self.text, node).is_some() {
+                let has_word = node
+                    .children()
+                    .any(|token| matches!(token.kind(), MNEMONIC | BLOCK_NAME));
+                let space = if has_word {
                     Space::Tight
                 } else {
                     // `[ ]` and `( )` keep their blank.
@@ -223,6 +226,7 @@ impl<'t, F: FnMut(Piece)> Pieces<'t, F> {
             }
         };
         (self.give)(Piece {
+            kind,
             start,
             end,
             blanks,
@@ -237,11 +241,9 @@ impl<'t, F: FnMut(Piece)> Pieces<'t, F> {
 
 /// The word in a block's first part, and whether it is a mnemonic or a user-defined block's name.
 pub(crate) fn head_word<'t>(text: &'t str, block: Node<'_>) -> Option<(SyntaxKind, &'t str)> {
-    word_in(text, block.child(BLOCK_HEAD)?)
-}
-
-fn word_in<'t>(text: &'t str, head: Node<'_>) -> Option<(SyntaxKind, &'t str)> {
-    head.children()
+    block
+        .child(BLOCK_HEAD)?
+        .children()
         .find(|token| matches!(token.kind(), MNEMONIC | BLOCK_NAME))
         .map(|token| (token.kind(), &text[token.range()]))
 }

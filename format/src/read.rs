@@ -8,7 +8,7 @@ use crate::width::display_width;
 use ladder_instructions::{Role, Shape, lookup};
 use ladder_syntax::SyntaxKind::*;
 use ladder_syntax::wiring::{self, Part, PartKind};
-use ladder_syntax::{Line, Network};
+use ladder_syntax::{Line, Network, SyntaxKind};
 
 /// A rung cannot be drawn anew without changing what it says (LANGUAGE §8 rule 10, and the few texts whose
 /// canonical form would read differently), so its network stays as it is.
@@ -36,7 +36,7 @@ pub(crate) struct Reader {
 
 impl Reader {
     /// Puts the rungs of a network behind those that are there. On `Err` none of them is there.
-    pub(crate) fn network(&mut self, source: &Source<'_>, network: &Network) -> Result<(), Stays> {
+    pub(crate) fn network(&mut self, source: Source<'_>, network: &Network) -> Result<(), Stays> {
         let first = self.sketch.rungs.len();
         let in_body = network.block.is_some();
         let read = source
@@ -53,7 +53,7 @@ impl Reader {
 
     /// Puts a rung behind those that are there. Comments before its first and behind its last element are no
     /// elements.
-    fn rung(&mut self, source: &Source<'_>, index: usize, in_body: bool) -> Result<(), Stays> {
+    fn rung(&mut self, source: Source<'_>, index: usize, in_body: bool) -> Result<(), Stays> {
         let text = source.text;
         let line = &source.parse.lines()[index];
         let node = source.line(index);
@@ -108,14 +108,15 @@ impl Reader {
                         return Err(Stays);
                     }
                     has_list = node.child(OPERAND_LIST).is_some();
+                    let head = head_word(text, node);
                     let width = if has_mistake(line, part) {
                         one_line_width(&text[node.range()])?
                     } else {
-                        let (width, canonical) = measure(text, node, in_body)?;
+                        let (width, canonical) = measure(text, node, head, in_body)?;
                         is_kept = canonical;
                         width
                     };
-                    (kind_of_block(text, node), width)
+                    (kind_of_block(node, head), width)
                 }
             };
             push(kind, joined, width, n, is_kept);
@@ -152,7 +153,7 @@ fn is_aside(part: &Part) -> bool {
 
 /// A comment before the first element goes onto a line of its own; it must not become a directive there.
 fn check_leading_comments(
-    source: &Source<'_>,
+    source: Source<'_>,
     parts: &[Part],
     nodes: &[u32],
     first: usize,
@@ -215,21 +216,28 @@ fn one_line_width(text: &str) -> Result<u32, Stays> {
 }
 
 /// The width of a block in its canonical form, and whether it is in that form.
-fn measure(text: &str, block: Node<'_>, in_body: bool) -> Result<(u32, bool), Stays> {
+fn measure(text: &str, block: Node<'_>, head: Head<'_>, in_body: bool) -> Result<(u32, bool), Stays> {
+    let bytes = text.as_bytes();
+    let ascii = bytes[block.range()].is_ascii();
     let mut width = 0;
     let mut canonical = true;
     let mut at = block.start();
     let mut several_lines = false;
     Pieces::new(text, in_body, |piece| {
-        let word = &text[piece.start..piece.end];
-        several_lines |= word.starts_with('#') && word.contains(['\n', '\r']);
-        width += piece.blanks + display_width(word);
+        let word = &bytes[piece.start..piece.end];
+        width += piece.blanks
+            + if ascii {
+                word.len() as u32
+            } else {
+                display_width(&text[piece.start..piece.end])
+            };
+        several_lines |= piece.kind == COMMENT && word.iter().any(|b| matches!(b, b'\n' | b'\r'));
         canonical &= at + piece.blanks as usize == piece.start
-            && (piece.blanks == 0 || text.as_bytes()[at] == b' ')
-            && !(piece.capitals && word.bytes().any(|b| b.is_ascii_lowercase()));
+            && (piece.blanks == 0 || bytes[at] == b' ')
+            && !(piece.capitals && word.iter().any(u8::is_ascii_lowercase));
         at = piece.end;
     })
-    .block(block);
+    .block(block, head);
     if several_lines {
         Err(Stays)
     } else {
@@ -237,17 +245,21 @@ fn measure(text: &str, block: Node<'_>, in_body: bool) -> Result<(u32, bool), St
     }
 }
 
+/// The word in a block's first part: a mnemonic or the name of a user-defined block.
+type Head<'t> = Option<(SyntaxKind, &'t str)>;
+
 /// Condition or acting (LANGUAGE §8 rule 5). What the table does not know acts, as do user-defined blocks.
-fn kind_of_block(text: &str, block: Node<'_>) -> ElementKind {
+fn kind_of_block(block: Node<'_>, head: Head<'_>) -> ElementKind {
+    let word = match (block.kind(), head) {
+        (LOGICAL_BLOCK, None) => return ElementKind::Condition,
+        (_, None) => return ElementKind::Acting,
+        (_, Some((MNEMONIC, word))) => word,
+        (_, Some(_)) => return ElementKind::Acting,
+    };
     let shape = match block.kind() {
         LOGICAL_BLOCK => Shape::Logical,
         COIL_BLOCK => Shape::Coil,
         _ => Shape::Function,
-    };
-    let word = match head_word(text, block) {
-        None => "",
-        Some((MNEMONIC, word)) => word,
-        Some(_) => return ElementKind::Acting,
     };
     let mut rows = lookup(shape, word);
     let row = if rows.len() > 1 {

@@ -32,7 +32,7 @@ struct Columns {
 }
 
 /// Writes a section that is whole and without mistakes.
-pub(crate) fn write<S: Sink>(source: &Source<'_>, lines: Range<usize>, pen: &mut Pen<'_, S>) {
+pub(crate) fn write<S: Sink>(source: Source<'_>, lines: Range<usize>, pen: &mut Pen<'_, S>) {
     let columns = columns(source, lines.clone());
     let mut blank_before = false;
     for line in lines.clone() {
@@ -58,7 +58,7 @@ pub(crate) fn write<S: Sink>(source: &Source<'_>, lines: Range<usize>, pen: &mut
 }
 
 /// A line of words with comments behind it: the first or last line of a section or of a block definition.
-pub(crate) fn words<S: Sink>(source: &Source<'_>, line: usize, pen: &mut Pen<'_, S>) {
+pub(crate) fn words<S: Sink>(source: Source<'_>, line: usize, pen: &mut Pen<'_, S>) {
     let node = source.line(line);
     let mut pieces = Pieces::new(source.text, false, |piece| write_piece(pen, piece));
     let mut behind = node.start();
@@ -70,7 +70,7 @@ pub(crate) fn words<S: Sink>(source: &Source<'_>, line: usize, pen: &mut Pen<'_,
 }
 
 /// A line that holds nothing but comments, from its first column.
-pub(crate) fn comment_line<S: Sink>(source: &Source<'_>, line: usize, pen: &mut Pen<'_, S>) {
+pub(crate) fn comment_line<S: Sink>(source: Source<'_>, line: usize, pen: &mut Pen<'_, S>) {
     let comments = source
         .line(line)
         .children()
@@ -84,12 +84,7 @@ pub(crate) fn comment_line<S: Sink>(source: &Source<'_>, line: usize, pen: &mut 
 }
 
 /// The comments of a line that stand behind a place, two blanks before each.
-pub(crate) fn comments_behind<S: Sink>(
-    source: &Source<'_>,
-    line: usize,
-    behind: usize,
-    pen: &mut Pen<'_, S>,
-) {
+pub(crate) fn comments_behind<S: Sink>(source: Source<'_>, line: usize, behind: usize, pen: &mut Pen<'_, S>) {
     if !source.has_comment(line) {
         return;
     }
@@ -111,7 +106,7 @@ pub(crate) fn write_piece<S: Sink>(pen: &mut Pen<'_, S>, piece: Piece) {
     }
 }
 
-fn columns(source: &Source<'_>, lines: Range<usize>) -> Columns {
+fn columns(source: Source<'_>, lines: Range<usize>) -> Columns {
     let mut widest = Widths::default();
     for line in lines.filter(|&line| source.kind(line) == LineKind::Declaration) {
         let widths = measure(source.text, source.line(line));
@@ -155,7 +150,7 @@ fn measure(text: &str, declaration: Node<'_>) -> Widths {
     widths
 }
 
-fn declaration<S: Sink>(source: &Source<'_>, line: usize, columns: Columns, pen: &mut Pen<'_, S>) {
+fn declaration<S: Sink>(source: Source<'_>, line: usize, columns: Columns, pen: &mut Pen<'_, S>) {
     let text = source.text;
     let node = source.line(line);
     let mut column = 0;

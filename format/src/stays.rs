@@ -12,7 +12,7 @@ pub(crate) struct Stays {
 
 impl Stays {
     /// What is known without looking into the rungs.
-    pub(crate) fn find(source: &Source<'_>) -> Stays {
+    pub(crate) fn find(source: Source<'_>) -> Stays {
         let parse = source.parse;
         let mut stays = Stays {
             lines: vec![false; parse.lines().len()],
@@ -44,7 +44,7 @@ impl Stays {
     }
 
     /// What stands between `fmt off` and `fmt on`.
-    fn switched_off(&mut self, source: &Source<'_>) {
+    fn switched_off(&mut self, source: Source<'_>) {
         let count = self.lines.len();
         let mut off = None;
         for line in 0..count {
@@ -64,7 +64,7 @@ impl Stays {
     }
 
     /// Two things on one physical line, which is a mistake: a new line end between them would take it away.
-    fn split_lines(&mut self, source: &Source<'_>) {
+    fn split_lines(&mut self, source: Source<'_>) {
         let mut before: Option<Range<usize>> = None;
         for item in &source.parse.structure().items {
             let lines = item_lines(source.parse, *item);
@@ -79,7 +79,7 @@ impl Stays {
         }
     }
 
-    fn broken_sections(&mut self, source: &Source<'_>) {
+    fn broken_sections(&mut self, source: Source<'_>) {
         let structure = source.parse.structure();
         for (index, item) in structure.items.iter().enumerate() {
             let &Item::Section(number) = item else { continue };
@@ -114,7 +114,7 @@ impl Stays {
         }
     }
 
-    fn broken_networks(&mut self, source: &Source<'_>) {
+    fn broken_networks(&mut self, source: Source<'_>) {
         for network in &source.parse.structure().networks {
             let lines = network.lines.clone();
             let cuts =
@@ -144,7 +144,7 @@ pub(crate) fn item_lines(parse: &Parse, item: Item) -> Range<usize> {
 }
 
 /// Whether a network has a mistake that makes its drawing uncertain.
-fn is_broken(source: &Source<'_>, network: &Network) -> bool {
+fn is_broken(source: Source<'_>, network: &Network) -> bool {
     let mut downs_above = 0;
     for rung in source.rungs(network) {
         let line = &source.parse.lines()[rung];
@@ -175,7 +175,7 @@ fn begins_at_rail(rung: Node<'_>) -> bool {
 }
 
 /// Whether a comment stands before the last token of a line of a section that is not one.
-fn has_comment_inside(source: &Source<'_>, line: usize) -> bool {
+fn has_comment_inside(source: Source<'_>, line: usize) -> bool {
     if matches!(source.kind(line), LineKind::Comment | LineKind::Blank) {
         return false;
     }
@@ -217,7 +217,7 @@ pub(crate) fn directive(comment: &str) -> Option<Directive> {
 const BLANKS: [char; 2] = [' ', '\t'];
 
 /// The directive that stands alone on a line.
-fn directive_line(source: &Source<'_>, line: usize) -> Option<Directive> {
+fn directive_line(source: Source<'_>, line: usize) -> Option<Directive> {
     if !matches!(source.kind(line), LineKind::Comment | LineKind::Rail) {
         return None;
     }
