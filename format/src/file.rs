@@ -14,7 +14,7 @@ use crate::sketch::ElementKind;
 use crate::stays::{Stays, item_lines};
 use crate::width::display_width;
 use ladder_syntax::SyntaxKind::COMMENT;
-use ladder_syntax::{Item, LineKind, TextRange};
+use ladder_syntax::{Item, LineKind, MAX_FILE_BYTES, TextRange};
 use std::ops::Range;
 
 /// The right rail stands in a multiple of this many columns, counted from 1.
@@ -81,6 +81,9 @@ impl Networks {
             placer: Placer::default(),
             placed: Vec::with_capacity(structure.networks.len()),
         };
+        // A staircase of rungs takes a drawing that grows with their square. What is drawn must remain a file
+        // that the tools read; a network for which there is no room stays as it is.
+        let mut room = MAX_FILE_BYTES as u64;
         for network in &structure.networks {
             let first = networks.reader.sketch.rungs.len();
             if stays.line(network.lines.start) || networks.reader.network(source, network).is_err() {
@@ -95,6 +98,14 @@ impl Networks {
                 networks
                     .placer
                     .place_left(sketch, rungs.clone(), options.spacing, &mut networks.columns);
+            let size = u64::from(outline.rail) * network.lines.len() as u64;
+            if size > room {
+                networks.reader.forget(first);
+                stays.keep(network.lines.clone());
+                networks.placed.push(None);
+                continue;
+            }
+            room -= size;
             networks.placed.push(Some(Placed { rungs, outline }));
         }
         networks
@@ -139,10 +150,15 @@ fn file_rail(networks: &[Option<Placed>], options: &Options) -> Option<u32> {
         .iter()
         .flatten()
         .filter(|network| network.outline.railed_right)
-        .map(|network| network.outline.rail + 1)
-        .filter(|&width| width <= options.width)
+        .map(|network| network.outline.rail)
+        .filter(|&rail| rail < options.width)
         .max()?;
-    Some(widest.next_multiple_of(RAIL_STEP).max(LEAST_RAIL) - 1)
+    Some(least_rail(widest))
+}
+
+/// The first column, from 0, that is good for a rail and not left of `rail`.
+pub(crate) fn least_rail(rail: u32) -> u32 {
+    (rail + 1).next_multiple_of(RAIL_STEP).max(LEAST_RAIL) - 1
 }
 
 /// Makes stay what none of the ranges reaches into.

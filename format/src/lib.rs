@@ -21,6 +21,7 @@ mod draw;
 mod edit;
 mod file;
 mod flat;
+mod layout;
 mod network;
 mod pen;
 mod pieces;
@@ -31,6 +32,7 @@ mod stays;
 mod width;
 
 pub use edit::{Edit, apply};
+pub use layout::Layout;
 pub use sketch::{Element, ElementKind, Sketch};
 pub use width::display_width;
 

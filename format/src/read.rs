@@ -45,10 +45,15 @@ impl Reader {
         if read.is_ok() {
             self.sketch.pair(first..self.sketch.rungs.len());
         } else {
-            self.sketch.truncate(first);
-            self.atoms.truncate(self.sketch.elements.len());
+            self.forget(first);
         }
         read
+    }
+
+    /// Forgets the rungs from one on.
+    pub(crate) fn forget(&mut self, first: usize) {
+        self.sketch.truncate(first);
+        self.atoms.truncate(self.sketch.elements.len());
     }
 
     /// Puts a rung behind those that are there. Comments before its first and behind its last element are no
