@@ -71,11 +71,28 @@ fn every_row_with_the_name_is_shown() {
 }
 
 #[test]
+fn the_page_of_a_rule() {
+    let folder = Folder::with(&[]);
+    let page = folder.ladder(&["explain", "double-coil"]).to_string();
+    assert!(
+        page.starts_with("exit status 0\n-- stdout\ndouble-coil\n\nA tag is written"),
+        "{page}"
+    );
+    for heading in ["Wrong", "Right", "What to do"] {
+        assert!(page.contains(&format!("\n\n{heading}\n\n")), "{page}");
+    }
+    assert_eq!(folder.ladder(&["explain", "Double_Coil"]).to_string(), page);
+}
+
+#[test]
 fn an_unknown_name_is_refused_with_what_was_meant() {
     let folder = Folder::with(&[]);
     let explain = |name: &str| folder.ladder(&["explain", name]);
-    explain("TOM").refused_with("no instruction is called `TOM`; did you mean `[TON]` (on-delay timer)?");
-    explain("XIC").refused_with("no instruction is called `XIC`; did you mean `[ ]` (open contact)?");
-    explain("blubber").refused_with("no instruction is called `blubber`");
-    explain("").refused_with("no instruction is called ``");
+    explain("TOM")
+        .refused_with("no rule or instruction is called `TOM`; did you mean `[TON]` (on-delay timer)?");
+    explain("XIC").refused_with("no rule or instruction is called `XIC`; did you mean `[ ]` (open contact)?");
+    explain("duoble-coil")
+        .refused_with("no rule or instruction is called `duoble-coil`; did you mean `double-coil`?");
+    explain("blubber").refused_with("no rule or instruction is called `blubber`");
+    explain("").refused_with("no rule or instruction is called ``");
 }

@@ -1,0 +1,58 @@
+//! The page of a rule, as the book has it.
+
+use super::look::Look;
+use super::markdown;
+use ladder_analysis::Rule;
+use std::io::{self, Write};
+
+include!(concat!(env!("OUT_DIR"), "/rule_pages.rs"));
+
+/// The rule of a name, as findings show it; capitals, and blanks or underscores for the hyphens, do not matter.
+pub(super) fn find(name: &str) -> Option<Rule> {
+    Rule::from_name(&name.trim().to_lowercase().replace(['_', ' '], "-"))
+}
+
+/// The name of a rule that is spelt almost like this.
+pub(super) fn closest(name: &str) -> Option<&'static str> {
+    Rule::ALL
+        .iter()
+        .map(|rule| {
+            (
+                strsim::osa_distance(&name.to_lowercase(), rule.name()),
+                rule.name(),
+            )
+        })
+        // The names are long: a third of the letters may be wrong before it is another word.
+        .filter(|(slips, rule)| *slips <= rule.len() / 3)
+        .min_by_key(|(slips, _)| *slips)
+        .map(|(_, rule)| rule)
+}
+
+fn page(rule: Rule) -> Option<&'static str> {
+    let found = RULE_PAGES.iter().find(|(name, _)| *name == rule.name());
+    found.map(|(_, page)| *page)
+}
+
+/// Writes the page.
+pub(super) fn print(rule: Rule, look: &Look, out: &mut impl Write) -> io::Result<()> {
+    markdown::print(page(rule).unwrap_or(rule.name()).trim_end(), look, out)?;
+    writeln!(
+        out,
+        "\n{heading}Severity{heading:#}\n\n{}",
+        rule.default_severity().name(),
+        heading = look.heading
+    )
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_rule_has_its_page() {
+        for rule in Rule::ALL {
+            let page = page(*rule).unwrap_or_else(|| panic!("docs/src/rules has no {rule}.md"));
+            assert!(page.starts_with(&format!("# `{rule}`")), "{rule}");
+        }
+    }
+}
