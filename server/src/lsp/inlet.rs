@@ -198,6 +198,9 @@ fn check(body: &[u8]) -> Result<(), Mistake> {
 
 #[cfg(test)]
 mod tests {
+    use proptest::prelude::*;
+    use tower_lsp::jsonrpc::Request;
+
     use super::*;
 
     /// What the framework would read for these bytes, one body a line.
@@ -279,5 +282,43 @@ mod tests {
     fn an_unfinished_message_is_dropped() {
         assert_eq!(fed(b"Content-Length: 100\r\n\r\n{"), "");
         assert_eq!(fed(b"Content-Le"), "");
+    }
+
+    /// Pieces of messages, whole and broken.
+    fn any_input() -> impl Strategy<Value = Vec<u8>> {
+        let body = prop_oneof![
+            Just(EXIT.to_owned()),
+            Just(r#"{"jsonrpc":"2.0","id":1,"method":"a","params":[1,{}]}"#.to_owned()),
+            Just(r#"{"jsonrpc":"2.0","id":null,"method":"a","params":null}"#.to_owned()),
+            Just(r#"{"jsonrpc":"2.0","id":"x","result":{}}"#.to_owned()),
+            Just(r#"{"jsonrpc":"2.0","id":1,"error":{"code":1,"message":"m","data":[]}}"#.to_owned()),
+            Just(r#"{"jsonrpc":"2.0","id":1,"error":{"code":1}}"#.to_owned()),
+            Just(r#"{"jsonrpc":"2.0","id":99999999999999999999,"method":"a"}"#.to_owned()),
+            Just(r#"{"jsonrpc":"2.0","id":1,"id":2,"method":"a"}"#.to_owned()),
+            Just(r#"{"jsonrpc":"2.0","method":"a","method":"b"}"#.to_owned()),
+            Just(r#"{"jsonrpc":"1.0","method":"a"}"#.to_owned()),
+            Just(r#"{"jsonrpc":2.0,"method":"a"}"#.to_owned()),
+            Just(r#"[{"jsonrpc":"2.0","method":"a"}]"#.to_owned()),
+            Just("[".repeat(500)),
+            "[{}:,\"0-9a-z]{0,30}",
+        ];
+        let piece = prop_oneof![
+            6 => body.prop_map(|body| frame(&body).into_bytes()),
+            1 => prop::collection::vec(any::<u8>(), 0..40),
+            1 => "(Content-Length|X): ?[0-9]{0,3}\r?\n{0,2}".prop_map(String::into_bytes),
+        ];
+        prop::collection::vec(piece, 0..12).prop_map(|pieces| pieces.concat())
+    }
+
+    proptest! {
+        #![proptest_config(ProptestConfig { failure_persistence: None, ..ProptestConfig::default() })]
+
+        #[test]
+        fn the_framework_can_decode_whatever_comes(input in any_input()) {
+            for body in fed(&input).lines() {
+                let request = serde_json::from_str::<Request>(body);
+                prop_assert!(request.is_ok() || serde_json::from_str::<Response>(body).is_ok(), "{}", body);
+            }
+        }
     }
 }
