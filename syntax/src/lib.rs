@@ -3,15 +3,16 @@
 //! Text flows one way:
 //!
 //! ```text
-//! text --lexer--> tokens --parser--> one green node per logical line --structure--> networks, sections,
+//! text --lexer--> tokens --grammar--> one green node per logical line --structure--> networks, sections,
 //!                                     + a small summary                              block definitions
-//!                                                  \--wiring--> segments, connector pairs, points
+//!                                       |           \--wiring--> parts, segments, connector pairs
+//!                                       \--chunks--> the file's tree, seen through `ast`
 //! ```
 //!
 //! The **logical line** is the unit: a rung, a rail, blank or comment line, one declaration, the first or last
 //! line of a section or block definition. Parsing a line is a function of its text and of the [`Mode`] it
-//! begins in, so an edit re-parses the lines it touches and nothing else. Networks and sections are ranges over
-//! lines, regrouped from the summaries; the file's tree is put together from the lines' nodes.
+//! begins in, so an edit ([`Parse::edited`]) re-parses the lines it touches and nothing else. Networks and sections
+//! are ranges over lines, regrouped from the summaries; the file's tree is put together from the lines' nodes.
 //!
 //! What holds for every text: `parse(text).to_string() == text`; parsing never fails, it gives a tree and
 //! [`SyntaxError`]s; a mistake never leaves its line (an open comment excepted); nesting is bounded.

@@ -77,9 +77,31 @@ mod tests {
         let index = LineIndex::new(text);
         let lines: Vec<&str> = (0..index.line_count()).map(|n| &text[index.range(n)]).collect();
         assert_eq!(lines, ["a\n", "b\r\n", "c\r", "d\u{2028}e\n", ""]);
-        assert_eq!(
-            index.line_column(text, TextSize::of("a\nb\r\nc\rd\u{2028}")),
-            LineColumn { line: 4, column: 3 }
-        );
+        assert!(index.range(99).is_empty());
+        assert_eq!(LineIndex::new("").line_count(), 1);
+    }
+
+    /// Columns count characters, whatever their bytes, and a byte order mark is none. Places inside a character or
+    /// behind the end are moved to the nearest that exists.
+    #[test]
+    fn columns() {
+        let text = "\u{feff}ab\näö温x\r\n";
+        let index = LineIndex::new(text);
+        for (offset, line, column) in [
+            (0, 1, 1),
+            (3, 1, 1),
+            (5, 1, 3),
+            (6, 2, 1),
+            (7, 2, 1),
+            (8, 2, 2),
+            (13, 2, 4),
+            (14, 2, 5),
+            (15, 2, 6),
+            (16, 3, 1),
+            (99, 3, 1),
+        ] {
+            let place = index.line_column(text, TextSize::new(offset));
+            assert_eq!(place, LineColumn { line, column }, "{offset}");
+        }
     }
 }

@@ -270,6 +270,10 @@ pub(super) fn arguments(p: &mut Parser<'_, '_>, closing: SyntaxKind, from: usize
             }
             return close(p, closing, from);
         } else if begins_operand(p.next()) && !names(p.next()) {
+            if p.depth == 0 {
+                // The values of a list are counted one by one, as operands are.
+                p.terms = 0;
+            }
             expression(p, 0);
         } else {
             junk(p, closing);

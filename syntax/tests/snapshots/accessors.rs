@@ -131,7 +131,7 @@ fn expressions() {
 #[test]
 fn parts_that_are_missing() {
     check_blocks(
-        "[CALC]( * b, a +, - , a[], a[..2], a[1..], a., (), f(), R :=, := r, 5 := x, a.5 )",
+        "[CALC]( * b, a +, - , a[], a[..2], a[1..], a., (), f(), R :=, := r, 5 := x, a.5, +1 + +b )",
         expect![[r#"
             Logical mnemonic CALC
               8..11 (? * name b)
@@ -147,6 +147,7 @@ fn parts_that_are_missing() {
               62..66 ? := name r
               68..74 ? := name x
               76..79 (name a . 5)
+              81..88 (literal 1 + name b)
         "#]],
     );
 }
