@@ -2,7 +2,7 @@
 
 use crate::invariants::check;
 
-const LENGTH: usize = 30_000;
+const LENGTH: usize = 20_000;
 
 /// A beginning, and what is repeated behind it.
 const PATTERNS: [(&str, &[&str]); 5] = [
