@@ -47,8 +47,11 @@ pub(crate) enum Trouble {
         to: i64,
         from: i64,
     },
-    /// The points of a curve do not rise.
-    Curve,
+    /// A range that ends before it begins.
+    EmptyRange {
+        from: i64,
+        to: i64,
+    },
     Watchdog(u64),
     CallDepth,
 }
@@ -100,10 +103,10 @@ impl Trouble {
             Trouble::Lengths { to, from } => format!(
                 "the ranges have different lengths, {to} and {from}: nothing was written; make them equal"
             ),
-            Trouble::Curve => {
-                "the points of the curve do not rise from left to right: nothing was written; put them in order"
-                    .into()
-            }
+            Trouble::EmptyRange { from, to } => format!(
+                "the range from {from} to {to} ends before it begins: nothing was written; check its ends before \
+                 this block"
+            ),
             Trouble::Watchdog(limit) => format!(
                 "this scan has evaluated more than {limit} blocks, so the watchdog stopped the simulation here; \
                  look for a jump or loop that does not end"

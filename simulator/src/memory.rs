@@ -1,5 +1,7 @@
 //! The memory of a running program: flat banks, so that a scan touches no heap but these.
 
+use std::collections::VecDeque;
+
 /// A slot of the bank of bits: BOOL tags, powers, edge memories. One byte each, 0 or 1.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub(crate) struct Bit(pub(crate) u32);
@@ -48,7 +50,7 @@ impl Word {
 
 /// A text with its type's limit. The room for `max` bytes is taken when the program is compiled, so writing it
 /// never allocates.
-#[derive(Debug, PartialEq, Eq)]
+#[derive(Debug, Default, PartialEq, Eq)]
 pub(crate) struct Text {
     bytes: Vec<u8>,
     max: usize,
@@ -101,6 +103,13 @@ impl Text {
     }
 }
 
+impl std::fmt::Write for Text {
+    fn write_str(&mut self, text: &str) -> std::fmt::Result {
+        self.push(text.as_bytes());
+        Ok(())
+    }
+}
+
 /// The banks, and what of them is held by forces.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct Memory {
@@ -108,7 +117,14 @@ pub(crate) struct Memory {
     pub(crate) words: Vec<i64>,
     pub(crate) texts: Vec<Text>,
     pub(crate) held: Held,
+    /// Bytes that wait at the serial port.
+    pub(crate) received: VecDeque<u8>,
+    /// Bytes that were sent through it; never more than there is room for.
+    pub(crate) sent: VecDeque<u8>,
 }
+
+/// How many sent bytes are kept.
+pub(crate) const SERIAL_ROOM: usize = 1 << 16;
 
 /// Which slots are forced. Empty unless there is a force: a scan without forces runs code that never looks here.
 #[derive(Debug, Clone, Default)]

@@ -16,6 +16,16 @@ impl Test {
     pub(crate) const LT: Test = Test(0b001);
     pub(crate) const LE: Test = Test(0b011);
 
+    /// As a routine's operand.
+    pub(crate) const fn operand(self) -> u32 {
+        self.0 as u32
+    }
+
+    /// The reverse.
+    pub(crate) const fn of_operand(operand: u32) -> Test {
+        Test(operand as u8)
+    }
+
     #[inline]
     pub(crate) fn holds(self, order: Ordering) -> bool {
         self.0 >> (order as i8 + 1) & 1 != 0

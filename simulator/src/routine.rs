@@ -1,37 +1,142 @@
 //! Routines: the work that is too rare or too long to be an instruction of its own. Each takes its operands, slots
 //! and numbers, from the code's operand pool.
 
+mod curve;
+mod numerals;
+mod ports;
 mod ranges;
+mod search;
+mod select;
+mod strings;
 
 use crate::fault::Trouble;
-use crate::memory::{Bit, Memory, Word};
+use crate::memory::{Bit, Memory, TextSlot, Word};
+use crate::operation::Test;
 use crate::timers::Clock;
+use ladder_analysis::types::Scalar;
 
 /// Which routine; behind each what its operands are. A range is two words: the slot of its first element, and how
-/// many there are.
+/// many there are. A list is its length and its members.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub(crate) enum Routine {
+    // Ranges.
     /// Finds a range whose ends are known only now: first and last index, base slot, first and last index of the
     /// array, to: start, count.
     Range,
+    /// Finds a range that begins at an index and is as long as another: index, count, base slot, first and last
+    /// index of the array, to: start.
+    RangeFrom,
     /// Whether all bits of a range are high: to, range.
     AllHigh,
     /// Whether none is: to, range.
     AllLow,
     /// Writes one bit into a range: range, from.
     FillBits,
+    FillWords,
+    FillTexts,
     /// Sets the bits of a range if EN is high: EN, range.
     SetBits,
     /// Clears them likewise.
     ResetBits,
+    /// Copies a range: to, from.
+    CopyBits,
+    CopyWords,
+    CopyTexts,
+    /// Moves a range one up: range, what enters at the first.
+    ShiftBits,
+    ShiftWords,
+    ShiftTexts,
+    /// Bits into a word: to, its type, range.
+    PackBits,
+    /// Words into a wider one: to, its type, range, its type.
+    PackWords,
+    /// The reverse: range, from.
+    UnpackBits,
+    /// range, its type, from.
+    UnpackWords,
+    /// Adds up a range: to, its type, range, its type.
+    Sum,
+    /// Looks for an element: y, its type, first index of the array, test, a, its type, range, its type, base slot,
+    /// NEXT, FOUND.
+    Search,
+
+    // One of several.
+    /// to, selector, list.
+    SelectBit,
+    SelectWord,
+    SelectText,
+    /// A point on a curve: to, type, x, list of x0, y0, x1, y1, ...
+    Curve,
+
+    // Strings: to, then the operands in their order.
+    Length,
+    Left,
+    Right,
+    Middle,
+    /// to, list.
+    Concat,
+    Insert,
+    Delete,
+    Replace,
+    Find,
+    /// A number or time as text: to, from, its type.
+    Format,
+    /// A BOOL as text: to, from.
+    FormatBit,
+    /// The reverse: to, its type, from.
+    Parse,
+    ParseBit,
+
+    // Ports.
+    /// Sends a byte: from.
+    Send,
+    /// Takes a byte: to, and to the power that tells whether there was one.
+    Receive,
+    /// Sends a text with numbers in it: text, list of pairs of a number and its type.
+    SendText,
+    /// Sends the scan time once a second: the second that was sent last.
+    SendScanTime,
+}
+
+/// Types as operands: their place in this list.
+const TYPES: [Scalar; 20] = [
+    Scalar::Bool,
+    Scalar::Byte,
+    Scalar::Word,
+    Scalar::Dword,
+    Scalar::Lword,
+    Scalar::Sint,
+    Scalar::Int,
+    Scalar::Dint,
+    Scalar::Lint,
+    Scalar::Usint,
+    Scalar::Uint,
+    Scalar::Udint,
+    Scalar::Ulint,
+    Scalar::Real,
+    Scalar::Lreal,
+    Scalar::Time,
+    Scalar::Date,
+    Scalar::Tod,
+    Scalar::Dt,
+    Scalar::String(0),
+];
+
+/// A type as an operand.
+pub(crate) fn type_operand(ty: Scalar) -> u32 {
+    let of_text = |other: &Scalar| ty.is_string() && other.is_string();
+    TYPES
+        .iter()
+        .position(|other| *other == ty || of_text(other))
+        .unwrap_or(0) as u32
 }
 
 /// Operands in their order.
-pub(crate) struct Operands<'c> {
+struct Operands<'c> {
     rest: std::slice::Iter<'c, u32>,
 }
 
-impl Operands<'_> {
+impl<'c> Operands<'c> {
     fn number(&mut self) -> u32 {
         self.rest.next().copied().unwrap_or(0)
     }
@@ -44,11 +149,33 @@ impl Operands<'_> {
         Word(self.number())
     }
 
+    fn text(&mut self) -> TextSlot {
+        TextSlot(self.number())
+    }
+
+    fn ty(&mut self) -> Scalar {
+        TYPES.get(self.number() as usize).copied().unwrap_or(Scalar::Lint)
+    }
+
+    fn test(&mut self) -> Test {
+        Test::of_operand(self.number())
+    }
+
+    /// What a word holds.
+    fn value(&mut self, memory: &Memory) -> i64 {
+        memory.word(self.word())
+    }
+
     /// The slots of a range.
     fn range(&mut self, memory: &Memory) -> std::ops::Range<usize> {
-        let (start, count) = (self.word(), self.word());
-        let start = memory.word(start) as usize;
-        start..start + memory.word(count) as usize
+        let (start, count) = (self.value(memory), self.value(memory));
+        start as usize..(start + count) as usize
+    }
+
+    /// The members of a list.
+    fn list(&mut self) -> &'c [u32] {
+        let count = self.number() as usize;
+        &self.rest.as_slice()[..count]
     }
 }
 
@@ -57,32 +184,54 @@ pub(crate) fn run<const FORCED: bool>(
     routine: Routine,
     memory: &mut Memory,
     operands: &[u32],
-    _clock: Clock,
+    clock: Clock,
 ) -> Result<(), Trouble> {
-    let operands = Operands {
+    let with = Operands {
         rest: operands.iter(),
     };
     match routine {
-        Routine::Range => ranges::find(memory, operands),
-        Routine::AllHigh => {
-            ranges::all(memory, operands, 1);
-            Ok(())
-        }
-        Routine::AllLow => {
-            ranges::all(memory, operands, 0);
-            Ok(())
-        }
-        Routine::FillBits => {
-            ranges::fill_bits::<FORCED>(memory, operands);
-            Ok(())
-        }
-        Routine::SetBits => {
-            ranges::write_bits_when::<FORCED>(memory, operands, true);
-            Ok(())
-        }
-        Routine::ResetBits => {
-            ranges::write_bits_when::<FORCED>(memory, operands, false);
-            Ok(())
-        }
+        Routine::Range => return ranges::find(memory, with),
+        Routine::RangeFrom => return ranges::find_from(memory, with),
+        Routine::AllHigh => ranges::all(memory, with, 1),
+        Routine::AllLow => ranges::all(memory, with, 0),
+        Routine::FillBits => ranges::fill_bits::<FORCED>(memory, with),
+        Routine::FillWords => ranges::fill_words::<FORCED>(memory, with),
+        Routine::FillTexts => ranges::fill_texts::<FORCED>(memory, with),
+        Routine::SetBits => ranges::write_bits_when::<FORCED>(memory, with, true),
+        Routine::ResetBits => ranges::write_bits_when::<FORCED>(memory, with, false),
+        Routine::CopyBits => return ranges::copy_bits::<FORCED>(memory, with),
+        Routine::CopyWords => return ranges::copy_words::<FORCED>(memory, with),
+        Routine::CopyTexts => return ranges::copy_texts::<FORCED>(memory, with),
+        Routine::ShiftBits => ranges::shift_bits::<FORCED>(memory, with),
+        Routine::ShiftWords => ranges::shift_words::<FORCED>(memory, with),
+        Routine::ShiftTexts => ranges::shift_texts::<FORCED>(memory, with),
+        Routine::PackBits => return ranges::pack_bits::<FORCED>(memory, with),
+        Routine::PackWords => return ranges::pack_words::<FORCED>(memory, with),
+        Routine::UnpackBits => ranges::unpack_bits::<FORCED>(memory, with),
+        Routine::UnpackWords => ranges::unpack_words::<FORCED>(memory, with),
+        Routine::Sum => return ranges::sum(memory, with),
+        Routine::Search => search::search::<FORCED>(memory, with),
+        Routine::SelectBit => return select::bit(memory, with),
+        Routine::SelectWord => return select::word(memory, with),
+        Routine::SelectText => return select::text(memory, with),
+        Routine::Curve => return curve::point(memory, with),
+        Routine::Length => strings::length(memory, with),
+        Routine::Left => return strings::left(memory, with),
+        Routine::Right => return strings::right(memory, with),
+        Routine::Middle => return strings::middle(memory, with),
+        Routine::Concat => strings::concat(memory, with),
+        Routine::Insert => return strings::insert(memory, with),
+        Routine::Delete => return strings::delete(memory, with),
+        Routine::Replace => return strings::replace(memory, with),
+        Routine::Find => strings::find(memory, with),
+        Routine::Format => numerals::format(memory, with),
+        Routine::FormatBit => numerals::format_bit(memory, with),
+        Routine::Parse => return numerals::parse(memory, with),
+        Routine::ParseBit => return numerals::parse_bit(memory, with),
+        Routine::Send => ports::send(memory, with),
+        Routine::Receive => ports::receive(memory, with),
+        Routine::SendText => ports::send_text(memory, with),
+        Routine::SendScanTime => ports::send_scan_time(memory, with, clock),
     }
+    Ok(())
 }

@@ -4,8 +4,8 @@ use crate::compile::{CompileError, Compiled, compile};
 use crate::fault::Fault;
 use crate::fuse::Power;
 use crate::machine::{FaultRecord, Halt, Machine};
-use crate::memory::{Bit, Memory, Word};
-use crate::tags::{Names, Point, PointSlot, UnknownTag};
+use crate::memory::{Bit, Memory, SERIAL_ROOM, Word};
+use crate::tags::{self, Names, Point, PointSlot, UnknownTag};
 use ladder_analysis::program::{ElementKind, Location, Program, Role};
 use ladder_analysis::types::Scalar;
 use ladder_analysis::value::Value;
@@ -73,7 +73,11 @@ impl Simulation {
     /// The program needs more memory than there is.
     pub fn new(program: Arc<Program>, options: Options) -> Result<Simulation, CompileError> {
         let compiled = compile(&program)?;
-        let memory = compiled.initial.clone();
+        let mut memory = compiled.initial.clone();
+        if compiled.ports.serial {
+            // All the room at once: a scan allocates nothing.
+            memory.sent.reserve_exact(SERIAL_ROOM);
+        }
         let machine = Machine::new(
             memory,
             &compiled.fused.code,
@@ -226,12 +230,26 @@ impl Simulation {
         &self.points
     }
 
-    /// The value that a text names: `run`, `t1.ET`, `a[3]`, `w.15`, `SYS.SCAN`, in any case.
+    /// The value that a text names: `run`, `t1.ET`, `a[3]`, `w.15`, `SYS.SCAN`, in any case; or a channel of a port,
+    /// `PORT.ADC[0]`.
     ///
     /// # Errors
     /// There is no such value.
     pub fn resolve(&self, text: &str) -> Result<Point, UnknownTag> {
+        if let Some(port) = tags::port(self.compiled.ports, text) {
+            return port;
+        }
         self.names.resolve(&self.program, &self.compiled.homes, text)
+    }
+
+    /// Lets bytes come in at the serial port.
+    pub fn feed_serial(&mut self, bytes: &[u8]) {
+        self.machine.memory.received.extend(bytes);
+    }
+
+    /// The bytes that were sent through the serial port since they were last taken. The newest 65,536 are kept.
+    pub fn take_serial(&mut self) -> Vec<u8> {
+        self.machine.memory.sent.drain(..).collect()
     }
 
     /// What a point holds.

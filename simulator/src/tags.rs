@@ -1,5 +1,6 @@
 //! Tags by name: what a person writes (`t1.ET`, `a[3]`, `w.3`) to where it lives.
 
+use crate::compile::{CHANNELS, Ports};
 use crate::layout::{self, Home, MemberSlot};
 use crate::memory::{Bit, TextSlot, Word};
 use ladder_analysis::program::{Member, Program, Role, SystemTag};
@@ -317,6 +318,53 @@ fn system_tag(name: &str) -> Result<Point, UnknownTag> {
         read_only: true,
         slot,
     })
+}
+
+/// A channel of a port: `PORT.ADC[3]`, `PORT.DUTY[0]`, `PORT.FREQUENCY[0]`. None if the text names no port.
+pub(crate) fn port(ports: Ports, text: &str) -> Option<Result<Point, UnknownTag>> {
+    let (head, rest) = text.trim().split_at_checked(5)?;
+    if !head.eq_ignore_ascii_case("PORT.") {
+        return None;
+    }
+    let (name, channel) = rest
+        .strip_suffix(']')
+        .and_then(|rest| rest.split_once('['))
+        .unwrap_or((rest, ""));
+    let (name, base, role) = match name.to_ascii_uppercase().as_str() {
+        "ADC" => ("ADC", ports.analog, Role::Input),
+        "DUTY" => ("DUTY", ports.pulse, Role::Output),
+        "FREQUENCY" => (
+            "FREQUENCY",
+            ports.pulse.map(|base| base.offset(CHANNELS)),
+            Role::Output,
+        ),
+        _ => {
+            return Some(unknown(format!(
+                "there is no port `{name}`: the ports are PORT.ADC[0], PORT.DUTY[0], PORT.FREQUENCY[0]"
+            )));
+        }
+    };
+    let Some(base) = base else {
+        return Some(unknown(format!("the program does not use PORT.{name}")));
+    };
+    let Some(channel) = channel
+        .trim()
+        .parse::<u32>()
+        .ok()
+        .filter(|&channel| channel < CHANNELS)
+    else {
+        return Some(unknown(format!(
+            "the channels of PORT.{name} are 0 to {}",
+            CHANNELS - 1
+        )));
+    };
+    Some(Ok(Point {
+        name: format!("PORT.{name}[{channel}]"),
+        ty: Scalar::Lint,
+        role,
+        read_only: false,
+        slot: PointSlot::Word(base.offset(channel)),
+    }))
 }
 
 /// The members of a type by the names of LANGUAGE §4.

@@ -3,61 +3,112 @@
 use ladder_analysis::literal::{Literal, LiteralProblem, literal};
 use ladder_analysis::types::Scalar;
 use ladder_analysis::value::{Value, wrap};
-use std::fmt::Write;
+use std::fmt::{self, Write};
 
 /// A value as a cell of a trace: BOOL as 0 or 1, TIME in milliseconds, reals in the shortest form that reads back
 /// the same, always with a point or exponent, bit strings as plain numbers, text as it is (bytes that are no text
 /// as `$hh`).
 pub fn cell(value: &Value, ty: Scalar) -> String {
-    match value {
-        Value::Bool(high) => u8::from(*high).to_string(),
-        // A REAL is shortest among 32-bit numbers: 0.1, not 0.10000000149011612.
-        Value::Real(real) if ty == Scalar::Real => format!("{:?}", *real as f32),
-        Value::Real(real) => format!("{real:?}"),
-        Value::Text(bytes) => escaped(bytes, false),
-        Value::Int(number) => match ty {
-            Scalar::Time => milliseconds(*number),
-            Scalar::Date => date(*number),
-            Scalar::Tod => time_of_day(*number),
-            Scalar::Dt => format!("{}-{}", date(*number), time_of_day(*number)),
-            // Held as the same 64 bits.
-            Scalar::Ulint | Scalar::Lword => (*number as u64).to_string(),
-            _ => number.to_string(),
-        },
-    }
+    let mut text = String::new();
+    // Writing to a string does not fail.
+    let _ = write_cell(&mut text, value, ty);
+    text
 }
 
 /// A value as a person reads it, and as the language writes it: `TRUE`, `T#1m30s`, `16#00FF`, `'text'`.
 pub fn display(value: &Value, ty: Scalar) -> String {
-    match (value, ty) {
-        (Value::Bool(high), _) => if *high { "TRUE" } else { "FALSE" }.to_owned(),
-        (Value::Text(bytes), _) => format!("'{}'", escaped(bytes, true)),
-        (Value::Int(number), Scalar::Time) => duration(*number),
-        (Value::Int(_), Scalar::Date) => format!("D#{}", cell(value, ty)),
-        (Value::Int(_), Scalar::Tod) => format!("TOD#{}", cell(value, ty)),
-        (Value::Int(_), Scalar::Dt) => format!("DT#{}", cell(value, ty)),
-        (Value::Int(number), _) if ty.is_bits() => {
-            format!("16#{:0width$X}", *number as u64, width = ty.width() as usize / 4)
-        }
-        _ => cell(value, ty),
-    }
+    let mut text = String::new();
+    let _ = write_display(&mut text, value, ty);
+    text
 }
 
 /// Nanoseconds as milliseconds: whole, or with the decimals they need.
 pub fn milliseconds(nanoseconds: i64) -> String {
+    let mut text = String::new();
+    let _ = write_milliseconds(&mut text, nanoseconds);
+    text
+}
+
+/// See [`cell`]. Allocates nothing.
+pub(crate) fn write_cell(out: &mut dyn Write, value: &Value, ty: Scalar) -> fmt::Result {
+    match value {
+        Value::Bool(high) => write!(out, "{}", u8::from(*high)),
+        // A REAL is shortest among 32-bit numbers: 0.1, not 0.10000000149011612.
+        Value::Real(real) if ty == Scalar::Real => write!(out, "{:?}", *real as f32),
+        Value::Real(real) => write!(out, "{real:?}"),
+        Value::Text(bytes) => write_characters(out, bytes, false),
+        Value::Int(number) => match ty {
+            Scalar::Time => write_milliseconds(out, *number),
+            Scalar::Date => write_date(out, *number),
+            Scalar::Tod => write_time_of_day(out, *number),
+            Scalar::Dt => {
+                write_date(out, *number)?;
+                out.write_str("-")?;
+                write_time_of_day(out, *number)
+            }
+            // Held as the same 64 bits.
+            Scalar::Ulint | Scalar::Lword => write!(out, "{}", *number as u64),
+            _ => write!(out, "{number}"),
+        },
+    }
+}
+
+/// See [`display`]. Allocates nothing.
+pub(crate) fn write_display(out: &mut dyn Write, value: &Value, ty: Scalar) -> fmt::Result {
+    match (value, ty) {
+        (Value::Bool(high), _) => out.write_str(if *high { "TRUE" } else { "FALSE" }),
+        (Value::Text(bytes), _) => {
+            out.write_str("'")?;
+            write_characters(out, bytes, true)?;
+            out.write_str("'")
+        }
+        (Value::Int(number), Scalar::Time) => write_duration(out, *number),
+        (Value::Int(_), Scalar::Date) => {
+            out.write_str("D#")?;
+            write_cell(out, value, ty)
+        }
+        (Value::Int(_), Scalar::Tod) => {
+            out.write_str("TOD#")?;
+            write_cell(out, value, ty)
+        }
+        (Value::Int(_), Scalar::Dt) => {
+            out.write_str("DT#")?;
+            write_cell(out, value, ty)
+        }
+        (Value::Int(number), _) if ty.is_bits() => {
+            write!(
+                out,
+                "16#{:0width$X}",
+                *number as u64,
+                width = ty.width() as usize / 4
+            )
+        }
+        _ => write_cell(out, value, ty),
+    }
+}
+
+fn write_milliseconds(out: &mut dyn Write, nanoseconds: i64) -> fmt::Result {
     let sign = if nanoseconds < 0 { "-" } else { "" };
     let nanoseconds = nanoseconds.unsigned_abs();
-    let (whole, rest) = (nanoseconds / 1_000_000, nanoseconds % 1_000_000);
-    if rest == 0 {
-        return format!("{sign}{whole}");
+    write!(out, "{sign}{}", nanoseconds / 1_000_000)?;
+    write_fraction(out, nanoseconds % 1_000_000, 6)
+}
+
+/// A point and the digits of a fraction, without zeros at its end; nothing for 0.
+fn write_fraction(out: &mut dyn Write, mut fraction: u64, mut digits: usize) -> fmt::Result {
+    if fraction == 0 {
+        return Ok(());
     }
-    let decimals = format!("{rest:06}");
-    format!("{sign}{whole}.{}", decimals.trim_end_matches('0'))
+    while fraction.is_multiple_of(10) {
+        fraction /= 10;
+        digits -= 1;
+    }
+    write!(out, ".{fraction:0digits$}")
 }
 
 /// `T#1h30m`, with the units that it needs.
-fn duration(nanoseconds: i64) -> String {
-    let mut text = String::from(if nanoseconds < 0 { "T#-" } else { "T#" });
+fn write_duration(out: &mut dyn Write, nanoseconds: i64) -> fmt::Result {
+    out.write_str(if nanoseconds < 0 { "T#-" } else { "T#" })?;
     let mut rest = nanoseconds.unsigned_abs();
     let units = [
         ("d", 86_400_000_000_000),
@@ -69,23 +120,22 @@ fn duration(nanoseconds: i64) -> String {
         ("ns", 1),
     ];
     if rest == 0 {
-        text.push_str("0s");
+        out.write_str("0s")?;
     }
     for (unit, size) in units {
         let count = rest / size;
         rest %= size;
         if count > 0 {
-            // Writing to a string does not fail.
-            let _ = write!(text, "{count}{unit}");
+            write!(out, "{count}{unit}")?;
         }
     }
-    text
+    Ok(())
 }
 
 const DAY: i64 = 86_400_000_000_000;
 
 /// `2026-11-21`: the Gregorian calendar, counted in eras of 400 years that begin in March.
-fn date(nanoseconds: i64) -> String {
+fn write_date(out: &mut dyn Write, nanoseconds: i64) -> fmt::Result {
     let days = nanoseconds.div_euclid(DAY) + 719_468;
     let (era, day_of_era) = (days.div_euclid(146_097), days.rem_euclid(146_097));
     let year_of_era = (day_of_era - day_of_era / 1_460 + day_of_era / 36_524 - day_of_era / 146_096) / 365;
@@ -94,47 +144,41 @@ fn date(nanoseconds: i64) -> String {
     let day = day_of_year - (153 * shifted + 2) / 5 + 1;
     let month = if shifted < 10 { shifted + 3 } else { shifted - 9 };
     let year = era * 400 + year_of_era + i64::from(month <= 2);
-    format!("{year:04}-{month:02}-{day:02}")
+    write!(out, "{year:04}-{month:02}-{day:02}")
 }
 
 /// `13:45:00.5`
-fn time_of_day(nanoseconds: i64) -> String {
-    let of_day = nanoseconds.rem_euclid(DAY);
-    let (seconds, rest) = (of_day / 1_000_000_000, of_day % 1_000_000_000);
-    let mut text = format!(
+fn write_time_of_day(out: &mut dyn Write, nanoseconds: i64) -> fmt::Result {
+    let of_day = nanoseconds.rem_euclid(DAY) as u64;
+    let seconds = of_day / 1_000_000_000;
+    write!(
+        out,
         "{:02}:{:02}:{:02}",
         seconds / 3600,
         seconds / 60 % 60,
         seconds % 60
-    );
-    if rest > 0 {
-        let decimals = format!(".{rest:09}");
-        text.push_str(decimals.trim_end_matches('0'));
-    }
-    text
+    )?;
+    write_fraction(out, of_day % 1_000_000_000, 9)
 }
 
-fn escaped(bytes: &[u8], quotes: bool) -> String {
-    let mut text = String::with_capacity(bytes.len());
+fn write_characters(out: &mut dyn Write, bytes: &[u8], quoted: bool) -> fmt::Result {
     for chunk in bytes.utf8_chunks() {
         for c in chunk.valid().chars() {
             match c {
-                '\'' if quotes => text.push_str("$'"),
-                '$' if quotes => text.push_str("$$"),
-                '\n' if quotes => text.push_str("$N"),
-                '\r' if quotes => text.push_str("$R"),
-                '\t' if quotes => text.push_str("$T"),
-                c if quotes && c.is_ascii_control() => {
-                    let _ = write!(text, "${:02X}", c as u32);
-                }
-                c => text.push(c),
+                '\'' if quoted => out.write_str("$'")?,
+                '$' if quoted => out.write_str("$$")?,
+                '\n' if quoted => out.write_str("$N")?,
+                '\r' if quoted => out.write_str("$R")?,
+                '\t' if quoted => out.write_str("$T")?,
+                c if quoted && c.is_ascii_control() => write!(out, "${:02X}", c as u32)?,
+                c => out.write_char(c)?,
             }
         }
         for byte in chunk.invalid() {
-            let _ = write!(text, "${byte:02X}");
+            write!(out, "${byte:02X}")?;
         }
     }
-    text
+    Ok(())
 }
 
 /// Reads a value that a person or a file gives for a tag: a literal of the language without need of a prefix, BOOL

@@ -90,6 +90,14 @@ impl<'b> Arguments<'b> {
         }
     }
 
+    /// These operands cannot be put to work.
+    pub(super) fn refused(self, message: String) -> CompileError {
+        CompileError {
+            message,
+            location: self.block.location,
+        }
+    }
+
     /// The model does not hold what the block's row asks for: a mistake in the analysis, not in the program.
     pub(super) fn mistaken(self) -> CompileError {
         CompileError {

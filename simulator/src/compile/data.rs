@@ -131,6 +131,17 @@ impl Compiler<'_> {
                 Slot::Word(self.integer(op, ty, a, n))
             }
             Op::Sel => return self.select(operands),
+            Op::Mux | Op::Lut => return self.choose(operands),
+            Op::Pwl => return self.curve(ty, operands),
+            Op::Len
+            | Op::Left
+            | Op::Right
+            | Op::Mid
+            | Op::Concat
+            | Op::Insert
+            | Op::Delete
+            | Op::Replace
+            | Op::Find => return self.string_function(op, ty, operands),
             _ => match real_function_of(op) {
                 Some(function) => Slot::Word(self.function_of_one(function, ty, operands[0])?),
                 None => return Ok(None),
@@ -141,6 +152,11 @@ impl Compiler<'_> {
 
     /// From the left, but for powers, which group from the right.
     fn arithmetic(&mut self, op: Op, ty: Scalar, operands: &[&Expr]) -> Result<Word> {
+        let mut operands = operands.to_vec();
+        if op == Op::Mul && ty == Scalar::Time {
+            // A time is scaled by numbers, wherever among them it stands.
+            operands.sort_by_key(|operand| operand.ty != Scalar::Time);
+        }
         let words: Vec<Word> = operands
             .iter()
             .map(|operand| self.word(operand))
@@ -262,37 +278,7 @@ impl Compiler<'_> {
         }
     }
 
-    /// `[SEL]`: both values are read, one is taken.
-    fn select(&mut self, operands: &[&Expr]) -> Result<Option<Slot>> {
-        let [g, a, b] = operands else { return Ok(None) };
-        let g = self.bit(g)?;
-        let (a, b) = (self.expression(a)?, self.expression(b)?);
-        let to = match a {
-            Slot::Bit(_) => Slot::Bit(self.layout.bit()),
-            Slot::Word(_) => Slot::Word(self.layout.word()),
-            Slot::Text(a) => {
-                let Slot::Text(b) = b else { return Ok(None) };
-                Slot::Text(self.layout.text(self.text_room(a).max(self.text_room(b))))
-            }
-        };
-        let take = |compiler: &mut Self, from| match (to, from) {
-            (Slot::Bit(to), Slot::Bit(from)) => compiler.emit(Instr::MoveBit { to, from }),
-            (Slot::Word(to), Slot::Word(from)) => compiler.emit(Instr::Move { to, from }),
-            (Slot::Text(to), Slot::Text(from)) => compiler.emit(Instr::MoveText { to, from }),
-            _ => {}
-        };
-        take(self, a);
-        // Over `a` goes `b`, unless g is low. What the skip gives as power nobody takes.
-        let out = self.layout.bit();
-        let skip = self.code.instrs.len();
-        self.emit(Instr::Powered { out, en: g, end: 0 });
-        take(self, b);
-        let end = self.here();
-        self.code.instrs[skip] = Instr::Powered { out, en: g, end };
-        Ok(Some(to))
-    }
-
-    /// `[TYP]`: between the types that are held in words. None where there is no conversion.
+    /// `[TYP]`. None where there is no conversion.
     fn convert_to(&mut self, to: Scalar, from: Scalar, value: Slot) -> Option<Slot> {
         match (value, to) {
             (Slot::Bit(_), Scalar::Bool) => Some(value),
@@ -326,8 +312,8 @@ impl Compiler<'_> {
                 Some(Slot::Bit(bit))
             }
             (Slot::Word(word), _) if !to.is_string() => self.convert_word(to, from, word),
-            (Slot::Text(_), Scalar::String(_)) => Some(value),
-            _ => None,
+            (Slot::Text(text), _) => Some(self.from_text(text, to)),
+            (_, _) => Some(Slot::Text(self.as_text(value, from))),
         }
     }
 
@@ -364,11 +350,6 @@ impl Compiler<'_> {
             },
         };
         Some(self.convert(conversion, word))
-    }
-
-    /// How many bytes a text slot has room for.
-    pub(super) fn text_room(&self, slot: crate::memory::TextSlot) -> usize {
-        self.layout.memory.texts[slot.0 as usize].room()
     }
 }
 

@@ -37,7 +37,7 @@ impl Compiler<'_> {
                     None => Err(self.unknown_expression()),
                 }
             }
-            ExprKind::Sum(_) => Err(self.unknown_expression()),
+            ExprKind::Sum(range) => Ok(Slot::Word(self.sum(expr.ty, range)?)),
         }
     }
 

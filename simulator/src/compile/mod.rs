@@ -14,8 +14,12 @@ mod data;
 mod expression;
 mod flow;
 mod place;
+mod ports;
 mod range;
+mod range_blocks;
+mod selection;
 mod state;
+mod strings;
 
 use crate::code::{ArrayPlace, BlockPlace, Code, ElementPlace, Instr};
 use crate::fuse::{Fused, fuse};
@@ -27,6 +31,7 @@ use call_graph::Cycles;
 use flow::Region;
 use ladder_analysis::program::{Block, BlockKind, Location, Network, Program, Step};
 use ladder_instructions::{Instruction, Op};
+pub(crate) use ports::{CHANNELS, Ports};
 use std::collections::HashMap;
 
 /// Why a program cannot run in the simulator.
@@ -60,6 +65,8 @@ pub(crate) struct Compiled {
     pub(crate) elements: Vec<ElementPlace>,
     /// For each network of the drawing, whether some scans may not reach it.
     pub(crate) skippable: Vec<bool>,
+    /// Where the ports are.
+    pub(crate) ports: Ports,
     /// What a warm restart keeps.
     pub(crate) retained: Vec<Retained>,
 }
@@ -94,6 +101,7 @@ pub(crate) fn compile(program: &Program) -> Result<Compiled> {
         step: 0,
         repeats: flow::may_repeat(program),
         cycles: Cycles::default(),
+        ports: Ports::default(),
     };
     compiler.regions()?;
     Ok(compiler.finish())
@@ -122,6 +130,7 @@ struct Compiler<'p> {
     repeats: bool,
     /// Which functions call each other.
     cycles: Cycles,
+    ports: Ports,
 }
 
 impl Compiler<'_> {
@@ -153,6 +162,7 @@ impl Compiler<'_> {
         let fused = fuse(&self.code, temporary, &mut memory);
         Compiled {
             fused,
+            ports: self.ports,
             retained: retained(self.program, &self.homes),
             code: self.code,
             homes: self.homes,
@@ -313,8 +323,8 @@ impl Compiler<'_> {
             | Op::Max
             | Op::Limit
             | Op::Sel
-            | Op::Calc => self.data(row.op, arguments, en),
-            Op::Mux
+            | Op::Calc
+            | Op::Mux
             | Op::Lut
             | Op::Pwl
             | Op::Len
@@ -325,8 +335,13 @@ impl Compiler<'_> {
             | Op::Insert
             | Op::Delete
             | Op::Replace
-            | Op::Find => Err(not_yet(block)),
-            Op::Bmov | Op::Fill | Op::Pack | Op::Unpack | Op::Shift | Op::Search => Err(not_yet(block)),
+            | Op::Find => self.data(row.op, arguments, en),
+            Op::Bmov => self.move_range(arguments, en),
+            Op::Fill => self.fill_range(arguments, en),
+            Op::Pack => self.pack(arguments, en),
+            Op::Unpack => self.unpack(arguments, en),
+            Op::Shift => self.shift_range(arguments, en),
+            Op::Search => self.search(arguments, en),
 
             Op::Ton | Op::Tof | Op::Tp | Op::Rto | Op::Rtof => self.timer(row.op, arguments, en),
             Op::Ctu | Op::Ctd | Op::Ctud | Op::Ctc => self.counter(row.op, arguments, en),
@@ -341,7 +356,8 @@ impl Compiler<'_> {
             Op::FallingCoil => self.edge_coil(arguments, en, false),
             Op::Res => self.clear(arguments, en),
 
-            Op::Lbl | Op::Fun | Op::Next => Ok(en),
+            // What PERSIST does is known when the program starts.
+            Op::Lbl | Op::Fun | Op::Next | Op::Persist => Ok(en),
             Op::Jmp => self.jump(arguments, en),
             Op::Call => self.call(arguments, en),
             Op::Ret => Ok(self.ret(en)),
@@ -349,9 +365,12 @@ impl Compiler<'_> {
             Op::For => self.for_loop(arguments, en),
             Op::Mcr => Ok(self.mcr(en)),
 
-            Op::Adc | Op::Pwm | Op::Usnd | Op::Urcv | Op::Fmt | Op::Persist | Op::Scantime => {
-                Err(not_yet(block))
-            }
+            Op::Adc => self.analog_input(arguments, en),
+            Op::Pwm => self.pulse_output(arguments, en),
+            Op::Usnd => self.send(arguments, en),
+            Op::Urcv => self.receive(arguments, en),
+            Op::Fmt => self.send_text(arguments, en),
+            Op::Scantime => self.scan_time(arguments, en),
         }
     }
 }

@@ -47,6 +47,17 @@ pub(super) enum Slot {
     Text(TextSlot),
 }
 
+impl Slot {
+    /// Its number in its bank, as routines take it.
+    pub(super) const fn number(self) -> u32 {
+        match self {
+            Slot::Bit(slot) => slot.0,
+            Slot::Word(slot) => slot.0,
+            Slot::Text(slot) => slot.0,
+        }
+    }
+}
+
 impl Compiler<'_> {
     /// Finds a place. Emits what computes the index of an element, if that is not known yet.
     pub(super) fn spot(&mut self, place: &Place) -> Result<Spot> {
@@ -124,7 +135,7 @@ impl Compiler<'_> {
         Ok(element_spot(to, ty))
     }
 
-    fn array(&mut self, place: ArrayPlace) -> u32 {
+    pub(super) fn array(&mut self, place: ArrayPlace) -> u32 {
         let arrays = &mut self.code.arrays;
         *self.arrays.entry(place).or_insert_with(|| {
             arrays.push(place);
@@ -213,12 +224,5 @@ fn element_spot(at: Word, ty: Scalar) -> Spot {
         Scalar::Bool => Spot::BitAt(at),
         Scalar::String(max) => Spot::TextAt { at, max },
         _ => Spot::WordAt(at),
-    }
-}
-
-impl Spot {
-    /// Whether finding, reading or writing it can go wrong or takes instructions.
-    pub(super) fn is_direct(self) -> bool {
-        matches!(self, Spot::Bit(_) | Spot::Word(_) | Spot::Text(_))
     }
 }

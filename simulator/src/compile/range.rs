@@ -24,13 +24,7 @@ impl Span {
 impl Compiler<'_> {
     /// Finds a range. An end that is left out is the end of the array.
     pub(super) fn range(&mut self, range: &RangeRef) -> Result<Span> {
-        let (base, first, len) = match self.homes[range.tag.0 as usize] {
-            Home::Bits { at, first, len } => (at.0, first, len),
-            Home::Words { at, first, len, .. } => (at.0, first, len),
-            Home::Texts { at, first, len, .. } => (at.0, first, len),
-            _ => (0, 0, 1),
-        };
-        let last = first + i64::from(len) - 1;
+        let (base, first, last) = self.bounds(range);
         let ends = (
             constant(&range.first),
             range.last.as_deref().map_or(Some(last), constant),
@@ -60,6 +54,30 @@ impl Compiler<'_> {
             &[from.0, to.0, base, first.0, last.0, span.start.0, span.count.0],
         );
         Ok(span)
+    }
+
+    /// A range that begins at an index and has so many elements.
+    pub(super) fn range_from(&mut self, range: &RangeRef, count: Word) -> Result<Span> {
+        let (base, first, last) = self.bounds(range);
+        let from = self.count(&range.first)?;
+        let start = self.layout.word();
+        let (first, last) = (self.constant(first), self.constant(last));
+        self.routine(
+            Routine::RangeFrom,
+            &[from.0, count.0, base, first.0, last.0, start.0],
+        );
+        Ok(Span { start, count })
+    }
+
+    /// The slot of an array's first element, and its bounds.
+    fn bounds(&self, range: &RangeRef) -> (u32, i64, i64) {
+        let (base, first, len) = match self.homes[range.tag.0 as usize] {
+            Home::Bits { at, first, len } => (at.0, first, len),
+            Home::Words { at, first, len, .. } => (at.0, first, len),
+            Home::Texts { at, first, len, .. } => (at.0, first, len),
+            _ => (0, 0, 1),
+        };
+        (base, first, first + i64::from(len) - 1)
     }
 
     pub(super) fn routine(&mut self, routine: Routine, operands: &[u32]) {

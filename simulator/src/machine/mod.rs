@@ -117,6 +117,8 @@ impl Machine {
         self.memory.bits.copy_from_slice(&memory.bits);
         self.memory.words.copy_from_slice(&memory.words);
         self.memory.texts.clone_from(&memory.texts);
+        self.memory.received.clear();
+        self.memory.sent.clear();
         (self.now, self.scan, self.faulted) = (0, 0, false);
         self.faults.clear();
         self.faults_lost = 0;

@@ -1,0 +1,172 @@
+//! Ports (LANGUAGE §5.6). Analog inputs and pulse outputs are arrays of words, the serial port two queues.
+
+use super::arguments::Arguments;
+use super::place::Slot;
+use super::{Compiler, Result};
+use crate::code::{ArrayPlace, Instr};
+use crate::memory::{Bit, Word};
+use crate::operation::{Conversion, Width};
+use crate::routine::{Routine, type_operand};
+use ladder_analysis::program::Expr;
+use ladder_analysis::types::Scalar;
+
+/// How many analog inputs and pulse outputs there are, counted from 0.
+pub(crate) const CHANNELS: u32 = 64;
+
+/// Where the ports of a program begin; none where it does not use them.
+#[derive(Debug, Clone, Copy, Default)]
+pub(crate) struct Ports {
+    /// Analog inputs.
+    pub(crate) analog: Option<Word>,
+    /// Duty of each pulse output, in percent, then the frequency of each, in hertz.
+    pub(crate) pulse: Option<Word>,
+    /// Whether it uses the serial port.
+    pub(crate) serial: bool,
+}
+
+impl Compiler<'_> {
+    /// Words for all channels of a port.
+    fn channels(&mut self, known: Option<Word>, count: u32) -> Word {
+        known.unwrap_or_else(|| {
+            let first = self.layout.word();
+            for _ in 1..count {
+                self.layout.word();
+            }
+            first
+        })
+    }
+
+    /// The slot of a channel; a number that no channel has is a fault.
+    fn channel(&mut self, base: Word, number: &Expr) -> Result<Word> {
+        let index = self.count(number)?;
+        let to = self.layout.word();
+        let array = self.array(ArrayPlace {
+            base: base.0,
+            first: 0,
+            last: i64::from(CHANNELS) - 1,
+        });
+        self.emit(Instr::Index { to, index, array });
+        Ok(to)
+    }
+
+    /// `[ADC]`
+    pub(super) fn analog_input(&mut self, arguments: Arguments, en: Bit) -> Result<Bit> {
+        let (place, ty) = arguments.place(0)?;
+        let base = self.channels(self.ports.analog, CHANNELS);
+        self.ports.analog = Some(base);
+        let (out, start) = self.begin_powered(en);
+        let spot = self.spot(place)?;
+        let at = self.channel(base, arguments.value(1)?)?;
+        let value = self.layout.word();
+        self.emit(Instr::LoadWord { to: value, at });
+        let value = self.convert(
+            Conversion::Fit {
+                from: Width::I64,
+                to: Width::of(ty),
+            },
+            value,
+        );
+        self.write_result(spot, Slot::Word(value));
+        self.end_powered(start);
+        Ok(out)
+    }
+
+    /// `[PWM]`
+    pub(super) fn pulse_output(&mut self, arguments: Arguments, en: Bit) -> Result<Bit> {
+        let base = self.channels(self.ports.pulse, 2 * CHANNELS);
+        self.ports.pulse = Some(base);
+        let (out, start) = self.begin_powered(en);
+        for (n, base) in [base, base.offset(CHANNELS)].into_iter().enumerate() {
+            let from = self.count(arguments.value(n)?)?;
+            match arguments.named_value("CH")? {
+                Some(number) => {
+                    let at = self.channel(base, number)?;
+                    self.emit(Instr::StoreWord { at, from });
+                }
+                None => self.emit(Instr::Move { to: base, from }),
+            }
+        }
+        self.end_powered(start);
+        Ok(out)
+    }
+
+    /// `[USND]`
+    pub(super) fn send(&mut self, arguments: Arguments, en: Bit) -> Result<Bit> {
+        self.ports.serial = true;
+        let (out, start) = self.begin_powered(en);
+        let from = self.count(arguments.value(0)?)?;
+        self.routine(Routine::Send, &[from.0]);
+        self.end_powered(start);
+        Ok(out)
+    }
+
+    /// `[URCV]`: its power tells whether a byte came.
+    pub(super) fn receive(&mut self, arguments: Arguments, en: Bit) -> Result<Bit> {
+        self.ports.serial = true;
+        let (place, ty) = arguments.place(0)?;
+        let (out, start) = self.begin_powered(en);
+        let spot = self.spot(place)?;
+        let byte = self.layout.word();
+        let came = self.layout.bit();
+        self.routine(Routine::Receive, &[byte.0, came.0]);
+        // A second power on the same slot: low where none came, and then nothing is written.
+        let inner = self.code.instrs.len();
+        self.emit(Instr::Powered {
+            out,
+            en: came,
+            end: 0,
+        });
+        let value = self.convert(
+            Conversion::Fit {
+                from: Width::I64,
+                to: Width::of(ty),
+            },
+            byte,
+        );
+        self.write_result(spot, Slot::Word(value));
+        let end = self.here();
+        self.code.instrs[inner] = Instr::Powered { out, en: came, end };
+        self.end_powered(start);
+        Ok(out)
+    }
+
+    /// `[FMT]`
+    pub(super) fn send_text(&mut self, arguments: Arguments, en: Bit) -> Result<Bit> {
+        self.ports.serial = true;
+        let (out, start) = self.begin_powered(en);
+        let text = self.text(arguments.value(0)?)?;
+        let values = arguments.values_from(1)?;
+        let mut list = vec![text.0, 2 * values.len() as u32];
+        for value in values {
+            list.extend([self.word(value)?.0, type_operand(value.ty)]);
+        }
+        self.routine(Routine::SendText, &list);
+        self.end_powered(start);
+        Ok(out)
+    }
+
+    /// `[SCANTIME]`
+    pub(super) fn scan_time(&mut self, arguments: Arguments, en: Bit) -> Result<Bit> {
+        let (out, start) = self.begin_powered(en);
+        if arguments.by_place().next().is_none() {
+            self.ports.serial = true;
+            let last = self.layout.word();
+            self.routine(Routine::SendScanTime, &[last.0]);
+            self.end_powered(start);
+            return Ok(out);
+        }
+        let (place, ty) = arguments.place(0)?;
+        let spot = self.spot(place)?;
+        let conversion = if ty.is_real() {
+            Conversion::TimeToReal {
+                single: ty == Scalar::Real,
+            }
+        } else {
+            Conversion::ToMilliseconds(Width::of(ty))
+        };
+        let value = self.convert(conversion, Word::SCAN_TIME);
+        self.write_result(spot, Slot::Word(value));
+        self.end_powered(start);
+        Ok(out)
+    }
+}
