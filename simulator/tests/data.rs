@@ -118,13 +118,26 @@ fn texts_that_are_no_values() {
 #[test]
 fn selections() {
     check(
-        "VAR_INPUT k : INT; g : BOOL; END_VAR\nVAR n, m : INT; b : BOOL; s, t : STRING[5]; x : BYTE; END_VAR\n\
-         +--[SEL]( n, g, 10, 20 )--[SEL]( b, g, FALSE, TRUE )--[SEL]( s, g, 'low', 'high!!' )--+\n\
+        "VAR_INPUT k : INT; g : BOOL; END_VAR\nVAR n, m : INT; b, ok : BOOL; s, t : STRING[5]; x : BYTE; END_VAR\n\
+         +--[SEL]( n, g, 10, 20 )--[SEL]( b, g, FALSE, TRUE )--[SEL]( s, g, 'low', 'high!' )--+\n\
          +--[MUX]( m, k, 5, 6, 7 )--( )( ok )--+\n\
          +--[LUT]( x, k, 16#3F, 16#06 )--[MUX]( t, k, 'a', s )--+\n",
         "k 0 1 2 3 -1\ng _-___",
         "n b s m ok x t",
-        expect![[""]],
+        expect![[r#"
+            n   10 20 10 10 10
+            b   _-___
+            s   low high! low low low
+            m   5 6 7 7 7
+            ok  ---__
+            x   63 6 6 6 6
+            t   a high! high! high! high!
+            scan 2 at 233: 2 selects none of the 2 values, which count from 0 to 1: nothing was written
+            scan 3 at 193: 3 selects none of the 3 values, which count from 0 to 2: nothing was written
+            scan 3 at 233: 3 selects none of the 2 values, which count from 0 to 1: nothing was written
+            scan 4 at 193: -1 selects none of the 3 values, which count from 0 to 2: nothing was written
+            scan 4 at 233: -1 selects none of the 2 values, which count from 0 to 1: nothing was written
+        "#]],
     );
 }
 
@@ -219,7 +232,23 @@ fn ranges_of_arrays() {
          +--[FILL]( b[i..j], 9 )--( )( ok2 )--+\n",
         "i 0 2 3 0\nj 0 4 4 -1",
         "b[0] b[1] b[2] b[3] b[4] a[1] a[2] a[5] s[3] f[1] f[2] ok ok2",
-        expect![[""]],
+        expect![[r#"
+            b[0]  9 9 9 1
+            b[1]  3 3 3 1
+            b[2]  4 9 9 1
+            b[3]  0 9 9 9
+            b[4]  0 9 9 9
+            a[1]  1 1 1 1
+            a[2]  1 1 1 1
+            a[5]  4 3 2 1
+            s[3]  text text text text
+            f[1]  ____
+            f[2]  ----
+            ok    --_-
+            ok2   ---_
+            scan 2 at 195: index 5 is outside the array [0..4]: nothing was written; limit the index before this block
+            scan 3 at 321: index -1 is outside the array [0..4]: nothing was written; limit the index before this block
+        "#]],
     );
 }
 
@@ -231,7 +260,16 @@ fn shift_registers() {
          +--[ ]( step )--[SHIFT]( belt[1..3], d )--[SHIFT]( n[0..2], 7 )--[SHIFT]( s[1..2], s[2] )--( )( y )--+\n",
         "step --_-_-\nd    -_____",
         "belt[1] belt[2] belt[3] n[0] n[1] s[1] s[2] y",
-        expect![[""]],
+        expect![[r#"
+            belt[1]  ---___
+            belt[2]  ___--_
+            belt[3]  _____-
+            n[0]     7 7 7 7 7 7
+            n[1]     0 0 0 7 7 7
+            s[1]     b b b a a b
+            s[2]     a a a b b a
+            y        --_-_-
+        "#]],
     );
 }
 
@@ -312,7 +350,7 @@ fn expressions() {
 #[test]
 fn ports() {
     let mut simulation = simulation(
-        "VAR_INPUT go : BOOL; END_VAR\nVAR raw, b : INT; u : USINT; END_VAR\n\
+        "VAR_INPUT go : BOOL; END_VAR\nVAR raw, b : INT; u : USINT; came, fits : BOOL; END_VAR\n\
          +--[ADC]( raw, 3 )--[PWM]( 40, 1000, CH := 2 )--[URCV]( b )--( )( came )--+\n\
          +--[P]( go )--[FMT]( 'n=%d of %d%d$N', raw, -1 )--[USND]( 321 )--+\n\
          +--[ADC]( u, 4 )--( )( fits )--+\n",
@@ -352,7 +390,8 @@ fn ports() {
     expect![[r#"
         the channels of PORT.ADC are 0 to 63
         the channels of PORT.ADC are 0 to 63
-        there is no port `DAC`: the ports are PORT.ADC[0], PORT.DUTY[0], PORT.FREQUENCY[0]"#]].assert_eq(&messages.join("\n"));
+        there is no port `DAC`: the ports are PORT.ADC[0], PORT.DUTY[0], PORT.FREQUENCY[0]"#]]
+    .assert_eq(&messages.join("\n"));
 }
 
 #[test]

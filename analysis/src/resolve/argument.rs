@@ -82,6 +82,10 @@ impl Resolver<'_, '_> {
                 _ => self.argument(&written.value, operand),
             };
             if let Some(argument) = argument {
+                // What is written into a range takes the type of its elements ([FILL], [SHIFT]).
+                if let Argument::Range(range) = &argument {
+                    works_in = works_in.or(Some(range.element));
+                }
                 let range = bound.absolute(written.range);
                 arguments.push(Bound {
                     operand: Some(operand),

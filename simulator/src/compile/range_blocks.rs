@@ -120,7 +120,9 @@ impl Compiler<'_> {
                 match self.expression(value)? {
                     Slot::Text(text) => self.from_text(text, ty),
                     _ => {
-                        return Err(arguments.refused("a range or a STRING is packed, no single value".into()));
+                        return Err(
+                            arguments.refused("a range or a STRING is packed, no single value".into())
+                        );
                     }
                 }
             }
