@@ -312,7 +312,7 @@ impl Compiler<'_> {
                 Some(Slot::Bit(bit))
             }
             (Slot::Word(word), _) if !to.is_string() => self.convert_word(to, from, word),
-            (Slot::Text(text), _) => Some(self.from_text(text, to)),
+            (Slot::Text(text), _) => Some(self.read_text(text, to)),
             (_, _) => Some(Slot::Text(self.as_text(value, from))),
         }
     }

@@ -118,7 +118,7 @@ impl Compiler<'_> {
             argument => {
                 let value = arguments.as_value(argument)?;
                 match self.expression(value)? {
-                    Slot::Text(text) => self.from_text(text, ty),
+                    Slot::Text(text) => self.read_text(text, ty),
                     _ => {
                         return Err(
                             arguments.refused("a range or a STRING is packed, no single value".into())

@@ -78,7 +78,7 @@ impl Compiler<'_> {
     }
 
     /// A text as a number, time or BOOL.
-    pub(super) fn from_text(&mut self, text: TextSlot, ty: Scalar) -> Slot {
+    pub(super) fn read_text(&mut self, text: TextSlot, ty: Scalar) -> Slot {
         match ty {
             Scalar::String(_) => Slot::Text(text),
             Scalar::Bool => {

@@ -22,9 +22,10 @@ pub(super) fn format(memory: &mut Memory, mut with: Operands) {
     let (to, word, ty) = (with.text(), with.value(memory), with.ty());
     write(memory, to, |text| {
         let value = value(word, ty);
-        match ty == Scalar::Time || ty.is_date() {
-            true => value_text::write_display(text, &value, ty),
-            false => value_text::write_cell(text, &value, ty),
+        if ty == Scalar::Time || ty.is_date() {
+            value_text::write_display(text, &value, ty)
+        } else {
+            value_text::write_cell(text, &value, ty)
         }
     });
 }

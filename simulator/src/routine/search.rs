@@ -42,9 +42,12 @@ fn compare(memory: &Memory, slot: usize, element: Scalar, a: u32, a_type: Scalar
     }
     let (left, right) = (memory.word(Word(slot as u32)), memory.word(Word(a)));
     if element.is_real() || a_type.is_real() {
-        let real = |word: i64, ty: Scalar| match ty.is_real() {
-            true => f64::from_bits(word as u64),
-            false => word as f64,
+        let real = |word: i64, ty: Scalar| {
+            if ty.is_real() {
+                f64::from_bits(word as u64)
+            } else {
+                word as f64
+            }
         };
         return real(left, element)
             .partial_cmp(&real(right, a_type))
