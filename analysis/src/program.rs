@@ -6,8 +6,8 @@
 
 use crate::types::{Scalar, Type};
 use crate::value::Value;
-use ladder_instructions::{Instruction, Op, Operand};
-use ladder_syntax::TextRange;
+use ladder_instructions::{Instruction, Op, Operand, Shape};
+use ladder_syntax::{Name, TextRange};
 use std::ops::Range;
 
 /// A place in the text of one of the program's files.
@@ -38,6 +38,8 @@ pub struct Program {
     pub functions: Vec<Function>,
     /// The user-defined blocks that the program can reach.
     pub blocks: Vec<UserBlock>,
+    /// Every label with the network that holds it, in the order of the networks.
+    pub labels: Vec<(Name, usize)>,
 }
 
 /// A function (`<FUN>`).
@@ -54,6 +56,8 @@ pub struct Function {
 pub struct UserBlock {
     /// As written, with the `$`.
     pub name: String,
+    /// The shape that its header shows.
+    pub shape: Shape,
     /// Its parameters in the order of their declaration: tags of its body.
     pub parameters: Vec<(TagId, ParameterKind)>,
     /// The tags `EN` and `ENO` of its body.
@@ -219,6 +223,9 @@ pub enum Argument {
     Range(RangeRef),
     /// The network that a jump to this label from this block goes to; none for the label in `<LBL>` itself.
     Label(Option<usize>),
+    /// In the body of a `<$B>`: a label that the body does not have, as names are compared. It is looked up where
+    /// the block stands, see [`Program::labels`].
+    OuterLabel(Name),
     /// A function: index into [`Program::functions`]; in `<FUN>` its own.
     Function(usize),
     /// SEARCH's operator: one of `Eq Ne Gt Ge Lt Le`.

@@ -373,6 +373,11 @@ pub(crate) enum Instr {
     Network {
         network: u32,
     },
+    /// A network is left at this step; what follows it there is not reached.
+    Left {
+        step: u32,
+        network: u32,
+    },
     /// EN high: goes on at `to`, which lies in the same frame. Ends a loop unless `to` lies in its body.
     Jump {
         en: Bit,
@@ -523,6 +528,7 @@ impl Instr {
             | I::Records { .. }
             | I::Routine { .. }
             | I::Network { .. }
+            | I::Left { .. }
             | I::Finish
             | I::Enter { .. }
             | I::Again

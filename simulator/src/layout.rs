@@ -2,6 +2,7 @@
 
 use crate::compile::CompileError;
 use crate::memory::{Bit, Memory, Text, TextSlot, Word};
+use crate::operation::Width;
 use ladder_analysis::program::{Member, Tag};
 use ladder_analysis::types::{Scalar, Type};
 use ladder_analysis::value::Value;
@@ -41,7 +42,13 @@ pub(crate) enum Home {
     BitOf {
         word: Word,
         bit: u8,
-        ty: Scalar,
+        width: Width,
+    },
+    /// The same, of an element of an array.
+    BitOfAt {
+        at: Word,
+        bit: u8,
+        width: Width,
     },
     /// A parameter that is not bound yet.
     Unbound,

@@ -2,7 +2,7 @@
 
 use crate::layout::{Home, state_size, timer};
 use crate::memory::{Bit, Memory, TextSlot, Word};
-use ladder_analysis::program::{Argument, BlockKind, Place, Program, TagId};
+use ladder_analysis::program::{Argument, BlockKind, Place, Program, Tag, TagId};
 use ladder_instructions::Op;
 
 /// The slots of one retentive tag.
@@ -46,14 +46,14 @@ impl Retained {
                     memory.words[first_word.offset(crate::layout::counter::STAMP).0 as usize] = 0;
                 }
             }
-            Home::Element { .. } | Home::BitOf { .. } | Home::Unbound => {}
+            Home::Element { .. } | Home::BitOf { .. } | Home::BitOfAt { .. } | Home::Unbound => {}
         }
     }
 }
 
 /// The tags of a program that are retentive: declared so, or written by `(M)` `(SM)` `(RM)`, or named by
 /// `[PERSIST]`.
-pub(crate) fn retained(program: &Program, homes: &[Home]) -> Vec<Retained> {
+pub(crate) fn retained(program: &Program, homes: &[Home], of_bodies: &[Home]) -> Vec<Retained> {
     let mut keeps: Vec<bool> = program.tags.iter().map(|tag| tag.retain).collect();
     for block in program.networks.iter().flat_map(|network| &network.blocks) {
         let BlockKind::Instruction(row) = block.kind else {
@@ -69,8 +69,13 @@ pub(crate) fn retained(program: &Program, homes: &[Home]) -> Vec<Retained> {
             keeps[tag.0 as usize] = true;
         }
     }
-    let kept = homes.iter().zip(keeps).filter(|(_, keep)| *keep);
-    kept.map(|(home, _)| Retained(*home)).collect()
+    // The tags of a body have a home for each place where the block stands; the last one is no better than the rest.
+    let is_shared = |tag: &Tag| tag.block.is_none();
+    let kept = homes.iter().zip(&program.tags).zip(keeps);
+    let shared = kept
+        .filter(|((_, tag), keep)| *keep && is_shared(tag))
+        .map(|((home, _), _)| home);
+    shared.chain(of_bodies).map(|home| Retained(*home)).collect()
 }
 
 fn tag_of(argument: &Argument) -> Option<TagId> {

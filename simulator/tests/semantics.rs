@@ -9,7 +9,7 @@ use std::path::{Path, PathBuf};
 use support::{set, simulation_with};
 
 /// Programs that need what the engine does not do yet. To shrink to nothing.
-const NOT_YET: &[&str] = &["block_debounce"];
+const NOT_YET: &[&str] = &[];
 
 fn folder() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("../tests/corpus/semantics")

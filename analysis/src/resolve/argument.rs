@@ -9,7 +9,7 @@ use crate::rules::{bad_operand, type_mismatch, unknown_function, unknown_label};
 use crate::scope::Access;
 use crate::types::{Scalar, Type, common, passes};
 use crate::value::Value;
-use ladder_instructions::{Accepts, Direction, Instruction, Op, Operand, TypeClass};
+use ladder_instructions::{Accepts, Direction, Instruction, Op, Operand, Shape, TypeClass};
 use ladder_syntax::Name;
 
 /// Whether a type is in a class of result types.
@@ -372,6 +372,7 @@ impl Resolver<'_, '_> {
         let key = Name::new(name);
         match self.context.jump_target(self.network, &key) {
             Some(target) => Some(Argument::Label(Some(self.network_numbers[target]))),
+            None if self.is_in_function_shape() => Some(Argument::OuterLabel(key)),
             None => {
                 let diagnostic =
                     unknown_label::unknown(self.context, self.network, name, self.at(node.range));
@@ -379,6 +380,12 @@ impl Resolver<'_, '_> {
                 None
             }
         }
+    }
+
+    /// Whether this is the body of a `<$B>`, which may jump to labels around the place where the block stands.
+    fn is_in_function_shape(&self) -> bool {
+        let block = self.scope.block.map(|block| &self.context.user_blocks[block]);
+        block.is_some_and(|block| block.shape == Shape::Function)
     }
 
     fn function(&mut self, node: &Node) -> Option<Argument> {

@@ -83,6 +83,11 @@ pub(crate) fn program(context: &Context, file: &str, out: &mut Vec<Diagnostic>) 
     program.networks = networks.into_iter().flatten().collect();
     functions(context, &numbers, &mut program);
     user_blocks(context, &numbers, &ids, &mut program);
+    let labels = context.labels.iter();
+    program.labels = labels
+        .map(|label| (label.key.clone(), numbers[label.network]))
+        .collect();
+    program.labels.sort_by_key(|(_, network)| *network);
     program
 }
 
@@ -211,6 +216,7 @@ fn user_blocks(context: &Context, numbers: &[usize], ids: &[Vec<TagId>], program
             let own = |name: &str| id(scope.find(&Name::new(name)).unwrap_or(0));
             UserBlock {
                 name: block.name.clone(),
+                shape: block.shape,
                 parameters: block.parameters.iter().map(|p| (id(p.tag), p.kind)).collect(),
                 en: own("EN"),
                 eno: own("ENO"),

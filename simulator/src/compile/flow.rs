@@ -5,24 +5,54 @@ use super::call_graph::Cycles;
 use super::{Compiler, Result};
 use crate::code::{Instr, NOTHING_SAVED};
 use crate::memory::Bit;
-use ladder_analysis::program::{Argument, BlockKind, Network, Program};
+use ladder_analysis::program::{Argument, Block, BlockKind, Network, Program};
 use ladder_instructions::Op;
+use ladder_syntax::Name;
 use std::ops::Range;
 
 /// A stretch of networks that jumps and loops do not leave: the main program, a function, a block's body.
 #[derive(Debug)]
 pub(super) struct Region {
     networks: Range<usize>,
-    /// The function, if it is one.
-    function: Option<usize>,
+    kind: Kind,
     /// Whether the rails can be switched off here.
     pub(super) has_mcr: bool,
     /// The first instruction of each network, and the one behind the last.
     starts: Vec<u32>,
     /// Jumps, to be aimed when all networks stand: instruction and network.
     jumps: Vec<(u32, usize)>,
+    /// Returns from a block's body, to be aimed at its end.
+    returns: Vec<u32>,
     /// Loops likewise: the instruction that enters, the first network of the body, the network behind it.
     loops: Vec<(u32, usize, usize)>,
+}
+
+/// What a stretch of networks is.
+#[derive(Debug)]
+pub(super) enum Kind {
+    Main,
+    Function(usize),
+    Body(BodyExit),
+}
+
+/// What is left to do where a body is left from within.
+#[derive(Debug, Clone)]
+pub(super) struct BodyExit {
+    /// The block where it stands.
+    pub(super) block: Block,
+    /// Which user-defined block it is.
+    pub(super) user: usize,
+    /// Whether it has a frame of its own.
+    pub(super) framed: bool,
+    /// `<$B>`: what it does not do itself acts where the block stands.
+    pub(super) passes_on: bool,
+    /// The step of the outer network at which it stands.
+    pub(super) step: usize,
+}
+
+/// Whether a network holds a block of one of these instructions.
+pub(super) fn holds_any(network: &Network, ops: &[Op]) -> bool {
+    ops.iter().any(|&op| holds(network, op))
 }
 
 /// Whether a network holds a block of this instruction.
@@ -71,6 +101,13 @@ fn may_leave(network: &Network) -> bool {
     })
 }
 
+impl Region {
+    /// The network that is being compiled.
+    fn current(&self) -> usize {
+        (self.networks.start + self.starts.len()).saturating_sub(1)
+    }
+}
+
 impl Compiler<'_> {
     pub(super) fn region(&mut self) -> &mut Region {
         self.regions
@@ -86,25 +123,29 @@ impl Compiler<'_> {
         if let Some(first) = main.clone().find(|&index| may_leave(&program.networks[index])) {
             self.skippable[first..main.end].fill(true);
         }
-        self.stretch(main, None)?;
+        self.stretch(main, Kind::Main)?;
+        self.emit(Instr::Finish);
         for (index, function) in program.functions.iter().enumerate() {
             self.functions[index] = self.here();
             self.skippable[function.networks.clone()].fill(true);
-            self.stretch(function.networks.clone(), Some(index))?;
+            self.stretch(function.networks.clone(), Kind::Function(index))?;
+            self.emit(Instr::Finish);
         }
         Ok(())
     }
 
-    fn stretch(&mut self, networks: Range<usize>, function: Option<usize>) -> Result<()> {
+    /// A region: all its networks, with its jumps and loops aimed.
+    pub(super) fn stretch(&mut self, networks: Range<usize>, kind: Kind) -> Result<()> {
         let program = self.program;
         self.regions.push(Region {
             has_mcr: program.networks[networks.clone()]
                 .iter()
                 .any(|network| holds(network, Op::Mcr)),
             networks: networks.clone(),
-            function,
+            kind,
             starts: Vec::with_capacity(networks.len() + 1),
             jumps: Vec::new(),
+            returns: Vec::new(),
             loops: Vec::new(),
         });
         for index in networks {
@@ -115,7 +156,6 @@ impl Compiler<'_> {
         }
         let end = self.here();
         self.region().starts.push(end);
-        self.emit(Instr::Finish);
         self.aim();
         Ok(())
     }
@@ -150,6 +190,11 @@ impl Compiler<'_> {
                 *to = start(network);
             }
         }
+        for &at in &region.returns {
+            if let Instr::Jump { to, .. } = &mut self.code.instrs[at as usize] {
+                *to = region.starts[region.networks.len()];
+            }
+        }
         for &(at, first, next) in &region.loops {
             self.code.instrs[at as usize] = Instr::Enter {
                 body: start(first),
@@ -158,29 +203,112 @@ impl Compiler<'_> {
         }
     }
 
-    /// The network that is being compiled.
-    fn current_network(&mut self) -> usize {
-        let region = self.region();
-        region.networks.start + region.starts.len() - 1
-    }
-
     /// `<JMP>`: no power passes it. With EN low there is none, with EN high it leaves.
     pub(super) fn jump(&mut self, arguments: Arguments, en: Bit) -> Result<Bit> {
-        let Argument::Label(Some(target)) = *arguments.get(0)? else {
-            return Err(arguments.mistaken());
-        };
-        let (at, network) = (self.here(), self.current_network());
-        if !self.region().networks.contains(&target) {
-            return Err(arguments.mistaken());
+        match arguments.get(0)? {
+            Argument::Label(Some(target)) if self.region().networks.contains(target) => {
+                let (at, target) = (self.here(), *target);
+                self.region().jumps.push((at, target));
+                let (step, network) = self.whereabouts();
+                self.emit(Instr::Jump {
+                    en,
+                    to: 0,
+                    step,
+                    network,
+                });
+                Ok(Bit::LOW)
+            }
+            Argument::OuterLabel(label) => self.jump_out(arguments, label, en),
+            _ => Err(arguments.mistaken()),
         }
-        self.region().jumps.push((at, target));
-        self.emit(Instr::Jump {
-            en,
-            to: 0,
-            step: self.step as u32,
-            network: network as u32,
-        });
-        Ok(Bit::LOW)
+    }
+
+    /// A jump from the body of a `<$B>` to a label around the place where the block stands: the nearest behind that
+    /// place, else the nearest before it.
+    fn jump_out(&mut self, arguments: Arguments, label: &Name, en: Bit) -> Result<Bit> {
+        let program = self.program;
+        let outer = self.regions.len().saturating_sub(1);
+        for level in (0..outer).rev() {
+            if !matches!(&self.regions[level + 1].kind, Kind::Body(exit) if exit.passes_on) {
+                break;
+            }
+            let (here, networks) = (
+                self.regions[level].current(),
+                self.regions[level].networks.clone(),
+            );
+            let labels = program
+                .labels
+                .iter()
+                .filter(|(name, network)| name == label && networks.contains(network));
+            let mut networks = labels.map(|&(_, network)| network);
+            let target = networks
+                .clone()
+                .find(|&network| network > here)
+                .or_else(|| networks.next_back());
+            if let Some(target) = target {
+                let (step, network) = self.whereabouts();
+                let (en, start) = self.leave_bodies(level, en)?;
+                let at = self.here();
+                self.regions[level].jumps.push((at, target));
+                self.emit(Instr::Jump {
+                    en,
+                    to: 0,
+                    step,
+                    network,
+                });
+                self.end_leaving(start);
+                return Ok(Bit::LOW);
+            }
+        }
+        Err(arguments.refused(format!(
+            "there is no label `{}` in this block, nor where the block stands",
+            label.as_str()
+        )))
+    }
+
+    /// The step and the network that are being compiled.
+    fn whereabouts(&self) -> (u32, u32) {
+        (
+            self.step as u32,
+            self.regions.last().map_or(0, Region::current) as u32,
+        )
+    }
+
+    /// The number of the region in which a `<RET>` or `<END>` takes effect, counted from the outermost: the bodies
+    /// of `<$B>` blocks pass it on.
+    fn acting_region(&self) -> usize {
+        let acts = |region: &Region| !matches!(&region.kind, Kind::Body(exit) if exit.passes_on);
+        self.regions.iter().rposition(acts).unwrap_or(0)
+    }
+
+    /// Begins what leaves the bodies inside the region `outer`: their outputs are copied out and their frames
+    /// closed, with EN high only. Gives the power with which the rest is to be done, and where it began.
+    fn leave_bodies(&mut self, outer: usize, en: Bit) -> Result<(Bit, Option<usize>)> {
+        if outer + 1 == self.regions.len() {
+            return Ok((en, None));
+        }
+        let (_, start) = self.begin_powered(en);
+        let (mut step, mut network) = self.whereabouts();
+        for level in (outer + 1..self.regions.len()).rev() {
+            self.emit(Instr::Left { step, network });
+            let Kind::Body(exit) = &self.regions[level].kind else {
+                continue;
+            };
+            let exit = exit.clone();
+            self.copy_out(exit.user, &exit.block)?;
+            if exit.framed {
+                self.emit(Instr::LeaveBody);
+            }
+            (step, network) = (exit.step as u32, self.regions[level - 1].current() as u32);
+        }
+        self.emit(Instr::Left { step, network });
+        Ok((Bit::HIGH, Some(start)))
+    }
+
+    fn end_leaving(&mut self, start: Option<usize>) {
+        if let Some(start) = start {
+            self.end_powered(start);
+        }
     }
 
     /// `<CALL>`: its power is EN, whatever the function does.
@@ -190,11 +318,15 @@ impl Compiler<'_> {
         };
         let at = self.here();
         self.calls.push((at, function));
-        let caller = self.region().function;
+        let caller = self.regions.iter().find_map(|region| match region.kind {
+            Kind::Function(function) => Some(function),
+            _ => None,
+        });
         let saved = match caller {
             // The call may come back to this network before it returns, and would overwrite its powers.
             Some(caller) if self.cycles.are_together(caller, function) => {
-                let mut powers = self.powers.clone();
+                let mut powers = self.outer_powers.concat();
+                powers.extend(&self.powers);
                 powers.retain(|&power| power != Bit::LOW && power != Bit::HIGH);
                 self.code.saved.push(powers);
                 self.code.saved.len() as u32 - 1
@@ -205,26 +337,34 @@ impl Compiler<'_> {
         Ok(en)
     }
 
-    /// `<RET>`
-    pub(super) fn ret(&mut self, en: Bit) -> Bit {
-        let network = self.current_network() as u32;
-        self.emit(Instr::Return {
-            en,
-            step: self.step as u32,
-            network,
-        });
-        Bit::LOW
+    /// `<RET>`: ends the function, the scan, or the body of a `[$B]`.
+    pub(super) fn ret(&mut self, en: Bit) -> Result<Bit> {
+        let outer = self.acting_region();
+        let (step, network) = self.whereabouts();
+        let (en, start) = self.leave_bodies(outer, en)?;
+        if matches!(self.regions[outer].kind, Kind::Body(_)) {
+            let at = self.here();
+            self.regions[outer].returns.push(at);
+            self.emit(Instr::Jump {
+                en,
+                to: 0,
+                step,
+                network,
+            });
+        } else {
+            self.emit(Instr::Return { en, step, network });
+        }
+        self.end_leaving(start);
+        Ok(Bit::LOW)
     }
 
     /// `<END>`
-    pub(super) fn end(&mut self, en: Bit) -> Bit {
-        let network = self.current_network() as u32;
-        self.emit(Instr::End {
-            en,
-            step: self.step as u32,
-            network,
-        });
-        Bit::LOW
+    pub(super) fn end(&mut self, en: Bit) -> Result<Bit> {
+        let (step, network) = self.whereabouts();
+        let (en, start) = self.leave_bodies(0, en)?;
+        self.emit(Instr::End { en, step, network });
+        self.end_leaving(start);
+        Ok(Bit::LOW)
     }
 
     /// `<FOR>`: notes the turns; the loop is entered at the end of the network. With EN low the count is not read.

@@ -20,6 +20,7 @@ mod range_blocks;
 mod selection;
 mod state;
 mod strings;
+mod user_block;
 
 use crate::code::{ArrayPlace, BlockPlace, Code, ElementPlace, Instr};
 use crate::fuse::{Fused, fuse};
@@ -29,7 +30,7 @@ use crate::retain::{Retained, retained};
 use arguments::Arguments;
 use call_graph::Cycles;
 use flow::Region;
-use ladder_analysis::program::{Block, BlockKind, Location, Network, Program, Step};
+use ladder_analysis::program::{Block, BlockKind, Location, Network, Program, Step, TagId};
 use ladder_instructions::{Instruction, Op};
 pub(crate) use ports::{CHANNELS, Ports};
 use std::collections::HashMap;
@@ -71,6 +72,9 @@ pub(crate) struct Compiled {
     pub(crate) retained: Vec<Retained>,
 }
 
+/// More code than this is refused: user-defined blocks inside blocks can multiply without end.
+const MOST_INSTRUCTIONS: usize = 1 << 24;
+
 type Result<T> = std::result::Result<T, CompileError>;
 
 /// Compiles a program.
@@ -85,6 +89,12 @@ pub(crate) fn compile(program: &Program) -> Result<Compiled> {
             None => layout.tag(tag),
         })
         .collect::<Result<Vec<Home>>>()?;
+    let mut block_tags = vec![Vec::new(); program.blocks.len()];
+    for (index, tag) in program.tags.iter().enumerate() {
+        if let Some(block) = tag.block {
+            block_tags[block].push(TagId(index as u32));
+        }
+    }
     let mut compiler = Compiler {
         program,
         layout,
@@ -102,6 +112,10 @@ pub(crate) fn compile(program: &Program) -> Result<Compiled> {
         repeats: flow::may_repeat(program),
         cycles: Cycles::default(),
         ports: Ports::default(),
+        block_tags,
+        shown: vec![false; program.blocks.len()],
+        outer_powers: Vec::new(),
+        retained: Vec::new(),
     };
     compiler.regions()?;
     Ok(compiler.finish())
@@ -131,6 +145,14 @@ struct Compiler<'p> {
     /// Which functions call each other.
     cycles: Cycles,
     ports: Ports,
+    /// Of each user-defined block the tags of its body.
+    block_tags: Vec<Vec<TagId>>,
+    /// Whether a place where it stands was compiled.
+    shown: Vec<bool>,
+    /// The powers of the networks around the body that is being compiled.
+    outer_powers: Vec<Vec<Bit>>,
+    /// Retentive tags of bodies, one for each place.
+    retained: Vec<Home>,
 }
 
 impl Compiler<'_> {
@@ -163,7 +185,7 @@ impl Compiler<'_> {
         Compiled {
             fused,
             ports: self.ports,
-            retained: retained(self.program, &self.homes),
+            retained: retained(self.program, &self.homes, &self.retained),
             code: self.code,
             homes: self.homes,
             initial: memory,
@@ -223,7 +245,7 @@ impl Compiler<'_> {
                 step: element.step as u32,
             }));
         self.powers = outer;
-        if self.layout.is_too_large() {
+        if self.layout.is_too_large() || self.code.instrs.len() > MOST_INSTRUCTIONS {
             return Err(CompileError {
                 message: "the program takes more memory than the simulator has; user-defined blocks inside \
                           blocks multiply"
@@ -267,7 +289,7 @@ impl Compiler<'_> {
         });
         let out = match block.kind {
             BlockKind::Instruction(row) => self.instruction(row, block, en)?,
-            BlockKind::User(_) => return Err(not_yet(block)),
+            BlockKind::User(index) => self.user_block(index, block, en)?,
         };
         let end = self.here();
         let place = &mut self.code.blocks[number];
@@ -360,8 +382,8 @@ impl Compiler<'_> {
             Op::Lbl | Op::Fun | Op::Next | Op::Persist => Ok(en),
             Op::Jmp => self.jump(arguments, en),
             Op::Call => self.call(arguments, en),
-            Op::Ret => Ok(self.ret(en)),
-            Op::End => Ok(self.end(en)),
+            Op::Ret => self.ret(en),
+            Op::End => self.end(en),
             Op::For => self.for_loop(arguments, en),
             Op::Mcr => Ok(self.mcr(en)),
 
@@ -372,16 +394,5 @@ impl Compiler<'_> {
             Op::Fmt => self.send_text(arguments, en),
             Op::Scantime => self.scan_time(arguments, en),
         }
-    }
-}
-
-fn not_yet(block: &Block) -> CompileError {
-    let name = match block.kind {
-        BlockKind::Instruction(row) => row.block(),
-        BlockKind::User(_) => "this user-defined block".to_owned(),
-    };
-    CompileError {
-        message: format!("the simulator cannot run {name} yet; take it out to run the rest"),
-        location: block.location,
     }
 }

@@ -68,11 +68,8 @@ impl Compiler<'_> {
                 Home::Texts { at, .. } => Spot::Text(at),
                 Home::State { bits, .. } => Spot::Bit(bits),
                 Home::Element { at, ty } => element_spot(at, ty),
-                Home::BitOf { word, bit, ty } => Spot::BitOf {
-                    word,
-                    bit,
-                    width: Width::of(ty),
-                },
+                Home::BitOf { word, bit, width } => Spot::BitOf { word, bit, width },
+                Home::BitOfAt { at, bit, width } => Spot::BitOfAt { at, bit, width },
                 Home::Unbound => Spot::Bit(Bit::LOW),
             },
             Place::Element(tag, index) => self.element(*tag, index)?,

@@ -189,6 +189,7 @@ impl Machine {
                     self.reached[network as usize] = clock.scan;
                     self.left_at[network as usize] = u32::MAX;
                 }
+                Instr::Left { step, network } => self.left_at[network as usize] = step,
                 Instr::Jump {
                     en,
                     to,

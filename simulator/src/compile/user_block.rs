@@ -1,0 +1,211 @@
+//! User-defined blocks (LANGUAGE §5.7). Each place where a block stands has a state of its own, so it gets code of
+//! its own too: the body is compiled in place, on that place's slots.
+
+use super::arguments::Arguments;
+use super::flow::{BodyExit, Kind, holds_any};
+use super::place::{Slot, Spot};
+use super::{CompileError, Compiler, Result};
+use crate::code::Instr;
+use crate::layout::Home;
+use crate::memory::Bit;
+use ladder_analysis::program::{Argument, Block, BlockKind, Bound, Network, ParameterKind, Place, TagId};
+use ladder_analysis::types::{Scalar, Type};
+use ladder_analysis::value::Value;
+use ladder_instructions::{Op, Shape};
+
+/// Blocks inside blocks; compiling them nests as deep.
+const DEEPEST: usize = 100;
+
+impl Compiler<'_> {
+    /// A user-defined block; its power is what the body leaves in ENO.
+    pub(super) fn user_block(&mut self, index: usize, block: &Block, en: Bit) -> Result<Bit> {
+        let program = self.program;
+        let user = &program.blocks[index];
+        let refused = |message: String| CompileError {
+            message,
+            location: block.location,
+        };
+        if self.regions.len() > DEEPEST {
+            return Err(refused(format!(
+                "{} is nested deeper than {DEEPEST} blocks",
+                user.name
+            )));
+        }
+        let arguments = Arguments::of(block);
+        let given = |parameter: usize| {
+            block
+                .arguments
+                .iter()
+                .find(|bound| bound.parameter == Some(parameter))
+        };
+        let out = self.layout.bit();
+        // Low until the body has run: a fault in an operand leaves it so.
+        self.emit(Instr::Follow { out, en: Bit::LOW });
+        for (number, &(tag, kind)) in user.parameters.iter().enumerate() {
+            if kind == ParameterKind::InOut {
+                let bound = given(number).ok_or_else(|| arguments.mistaken())?;
+                let home = self.reference(&bound.argument, arguments)?;
+                self.homes[tag.0 as usize] = home;
+            }
+        }
+        self.own_tags(index)?;
+        for (number, &(tag, kind)) in user.parameters.iter().enumerate() {
+            if kind == ParameterKind::Input {
+                self.copy_in(tag, given(number), arguments)?;
+            }
+        }
+        self.write_tag(user.en, Slot::Bit(en))?;
+        self.write_tag(user.eno, Slot::Bit(en))?;
+
+        let networks = &program.networks[user.networks.clone()];
+        let framed = networks.iter().any(needs_frame);
+        if framed {
+            self.emit(Instr::EnterBody);
+        }
+        let shown = std::mem::replace(&mut self.shown[index], true);
+        let elements = self.elements.len();
+        self.skippable[user.networks.clone()].fill(true);
+        let (step, powers) = (self.step, std::mem::take(&mut self.powers));
+        self.outer_powers.push(powers);
+        let kind = Kind::Body(BodyExit {
+            block: block.clone(),
+            user: index,
+            framed,
+            passes_on: user.shape == Shape::Function,
+            step,
+        });
+        self.stretch(user.networks.clone(), kind)?;
+        self.powers = self.outer_powers.pop().unwrap_or_default();
+        self.step = step;
+        if shown {
+            // Drawn once, with the power of the first place.
+            self.elements.truncate(elements);
+        }
+        if framed {
+            self.emit(Instr::LeaveBody);
+        }
+        self.copy_out(index, block)?;
+        let Slot::Bit(eno) = self.tag_value(user.eno)? else {
+            return Err(arguments.mistaken());
+        };
+        self.emit(Instr::Follow { out, en: eno });
+        Ok(out)
+    }
+
+    /// Room for the tags of a body, but for its in-outs, which stand for others.
+    fn own_tags(&mut self, index: usize) -> Result<()> {
+        let program = self.program;
+        let in_outs = &program.blocks[index].parameters;
+        for tag in std::mem::take(&mut self.block_tags[index]) {
+            let is_reference = in_outs
+                .iter()
+                .any(|&(other, kind)| other == tag && kind == ParameterKind::InOut);
+            if !is_reference {
+                let declared = &program.tags[tag.0 as usize];
+                let home = self.layout.tag(declared)?;
+                self.homes[tag.0 as usize] = home;
+                if declared.retain {
+                    self.retained.push(home);
+                }
+            }
+            self.block_tags[index].push(tag);
+        }
+        Ok(())
+    }
+
+    /// What an in-out stands for.
+    fn reference(&mut self, argument: &Argument, arguments: Arguments) -> Result<Home> {
+        match argument {
+            Argument::State(tag) => Ok(self.homes[tag.0 as usize]),
+            Argument::Range(range) => Ok(self.homes[range.tag.0 as usize]),
+            Argument::Place(place, ty) => {
+                let spot = self.spot(place)?;
+                home_of(spot, *ty).ok_or_else(|| arguments.mistaken())
+            }
+            _ => Err(arguments.mistaken()),
+        }
+    }
+
+    /// An input that is left out has its default in every run.
+    fn copy_in(&mut self, tag: TagId, given: Option<&Bound>, arguments: Arguments) -> Result<()> {
+        let value = match given {
+            Some(bound) => self.expression(arguments.as_value(&bound.argument)?)?,
+            None => {
+                let declared = &self.program.tags[tag.0 as usize];
+                let Type::Scalar(ty) = declared.ty else {
+                    return Err(arguments.mistaken());
+                };
+                let default = declared
+                    .initial
+                    .first()
+                    .cloned()
+                    .unwrap_or_else(|| Value::zero(ty));
+                self.literal(&default)
+            }
+        };
+        self.write_tag(tag, value)
+    }
+
+    fn write_tag(&mut self, tag: TagId, value: Slot) -> Result<()> {
+        let spot = self.spot(&Place::Tag(tag))?;
+        self.store(spot, value);
+        Ok(())
+    }
+
+    fn tag_value(&mut self, tag: TagId) -> Result<Slot> {
+        let spot = self.spot(&Place::Tag(tag))?;
+        Ok(self.load(spot))
+    }
+
+    /// Copies the outputs to what they are given for.
+    pub(super) fn copy_out(&mut self, index: usize, block: &Block) -> Result<()> {
+        let program = self.program;
+        let user = &program.blocks[index];
+        for bound in &block.arguments {
+            let Some(&(tag, ParameterKind::Output)) = bound.parameter.and_then(|n| user.parameters.get(n))
+            else {
+                continue;
+            };
+            let (place, to) = Arguments::of(block).as_place(&bound.argument)?;
+            let from = program.tags[tag.0 as usize].ty.scalar().unwrap_or(to);
+            let spot = self.spot(place)?;
+            let value = self.tag_value(tag)?;
+            let value = self.pass(value, from, to);
+            self.write_result(spot, value);
+        }
+        Ok(())
+    }
+}
+
+/// A place as the home of a tag.
+fn home_of(spot: Spot, ty: Scalar) -> Option<Home> {
+    Some(match spot {
+        Spot::Bit(at) => Home::Bits { at, first: 0, len: 1 },
+        Spot::Word(at) => Home::Words {
+            at,
+            first: 0,
+            len: 1,
+            ty,
+        },
+        Spot::Text(at) => Home::Texts {
+            at,
+            first: 0,
+            len: 1,
+            max: 0,
+        },
+        Spot::BitAt(at) | Spot::WordAt(at) | Spot::TextAt { at, .. } => Home::Element { at, ty },
+        Spot::BitOf { word, bit, width } => Home::BitOf { word, bit, width },
+        Spot::BitOfAt { at, bit, width } => Home::BitOfAt { at, bit, width },
+        Spot::Timing { .. } => return None,
+    })
+}
+
+/// Whether a body's network has jumps, loops or rails of its own.
+fn needs_frame(network: &Network) -> bool {
+    let flow = [Op::Jmp, Op::Ret, Op::For, Op::Next, Op::Mcr];
+    holds_any(network, &flow)
+        || network
+            .blocks
+            .iter()
+            .any(|block| matches!(block.kind, BlockKind::User(_)))
+}
