@@ -90,8 +90,10 @@ impl Reader {
             at_bar = true;
         }
         let mut without_list = false;
+        let mut block_before: Option<Node<'_>> = None;
         for (n, part) in parts.iter().enumerate().take(last + 1).skip(first) {
             let node = source.node(nodes[n]);
+            let before = block_before.take();
             let in_segment = part.segment.is_some() && part.segment == segment;
             let joined = at_bar || in_segment || part.kind == PartKind::StrayBar;
             let mut is_kept = true;
@@ -114,6 +116,13 @@ impl Reader {
                     }
                     has_list = node.child(OPERAND_LIST).is_some();
                     let head = head_word(text, node);
+                    if part.touches
+                        && !has_list
+                        && before.is_some_and(|before| takes_head(text, before, node))
+                    {
+                        return Err(Stays);
+                    }
+                    block_before = Some(node);
                     let width = if has_mistake(line, part) {
                         one_line_width(&text[node.range()])?
                     } else {
@@ -261,12 +270,7 @@ fn kind_of_block(block: Node<'_>, head: Head<'_>) -> ElementKind {
         (_, Some((MNEMONIC, word))) => word,
         (_, Some(_)) => return ElementKind::Acting,
     };
-    let shape = match block.kind() {
-        LOGICAL_BLOCK => Shape::Logical,
-        COIL_BLOCK => Shape::Coil,
-        _ => Shape::Function,
-    };
-    let mut rows = lookup(shape, word);
+    let mut rows = lookup(shape(block), word);
     let row = if rows.len() > 1 {
         // `[NOT]` is a condition without operands, and acts with them.
         let operands = positional_operands(block);
@@ -277,6 +281,26 @@ fn kind_of_block(block: Node<'_>, head: Head<'_>) -> ElementKind {
     match row.map_or(Role::Acting, |row| row.role) {
         Role::Condition => ElementKind::Condition,
         Role::Acting => ElementKind::Acting,
+    }
+}
+
+/// Whether a block has taken the first part of the one that touches it for its operands, as in `[OSR]( )( y )`.
+/// The wire that is missing there does not belong between the two, so they stay together for the fix.
+fn takes_head(text: &str, block: Node<'_>, next: Node<'_>) -> bool {
+    let Some((MNEMONIC, word)) = head_word(text, block) else {
+        return false;
+    };
+    block.child(OPERAND_LIST).is_some()
+        && next.kind() == COIL_BLOCK
+        && head_word(text, next).is_some()
+        && lookup(shape(block), word).any(|row| row.limit() == Some(0))
+}
+
+fn shape(block: Node<'_>) -> Shape {
+    match block.kind() {
+        LOGICAL_BLOCK => Shape::Logical,
+        COIL_BLOCK => Shape::Coil,
+        _ => Shape::Function,
     }
 }
 
