@@ -8,7 +8,7 @@ use crate::flat::{Node, Source};
 use crate::pen::Pen;
 use crate::pieces::{Pieces, head_word};
 use crate::read::Atom;
-use crate::section::{comments_behind, line_end_near, write_piece};
+use crate::section::{comments_behind, write_piece};
 use crate::sketch::Sketch;
 use crate::width::display_width;
 use ladder_syntax::SyntaxKind::COMMENT;
@@ -131,7 +131,7 @@ impl Drawing<'_> {
             } else {
                 self.comment_line(std::iter::once(comment), rung, pen);
             }
-            pen.line_end(line_end_near(self.source.text, comment.end()));
+            pen.split_line(comment.end());
         }
     }
 }

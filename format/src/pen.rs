@@ -1,6 +1,8 @@
 //! The pen: walks the old text and notes where the new one differs.
 
 use crate::edit::Sink;
+use memchr::memchr2;
+use std::ops::Range;
 
 /// Draws over an old text. What the old text says is kept piece by piece, in order; between two pieces stands
 /// what was drawn since the first of them. So nothing but the gaps can change, and no piece can be lost or
@@ -12,6 +14,8 @@ pub(crate) struct Pen<'t, S> {
     /// What stands in the new text behind `at` so far.
     gap: String,
     sink: S,
+    /// A range of places on one physical line, and the line end that belongs there.
+    line_end: (Range<usize>, &'t str),
 }
 
 const BLANKS: &str = "                                                                ";
@@ -24,6 +28,7 @@ impl<'t, S: Sink> Pen<'t, S> {
             at: 0,
             gap: String::new(),
             sink,
+            line_end: (0..0, "\n"),
         }
     }
 
@@ -39,8 +44,14 @@ impl<'t, S: Sink> Pen<'t, S> {
         self.gap.push('|');
     }
 
-    pub(crate) fn line_end(&mut self, line_end: &str) {
-        self.gap.push_str(line_end);
+    /// Draws a new line end for the part of a physical line that ends at a place: that of the line itself;
+    /// where the last line has none, that of the line before.
+    pub(crate) fn split_line(&mut self, at: usize) {
+        // One line may be split very often, and it may be long.
+        if !self.line_end.0.contains(&at) {
+            self.line_end = line_end_at(self.text, at);
+        }
+        self.gap.push_str(self.line_end.1);
     }
 
     /// Keeps a piece of the old text. Pieces come in the order in which they stand.
@@ -67,6 +78,23 @@ impl<'t, S: Sink> Pen<'t, S> {
         self.keep(self.text.len(), self.text.len());
         self.sink
     }
+}
+
+/// The line end that belongs to a place, and up to where it does.
+fn line_end_at(text: &str, at: usize) -> (Range<usize>, &str) {
+    let bytes = text.as_bytes();
+    if let Some(n) = memchr2(b'\n', b'\r', &bytes[at..]) {
+        let end = at + n;
+        let length = if bytes[end..].starts_with(b"\r\n") { 2 } else { 1 };
+        return (at..end + 1, &text[end..end + length]);
+    }
+    let before = &text[..at];
+    let line_end = match before.trim_end_matches(|c| c != '\n' && c != '\r') {
+        "" => "\n",
+        lines if lines.ends_with("\r\n") => "\r\n",
+        lines => &lines[lines.len() - 1..],
+    };
+    (at..text.len() + 1, line_end)
 }
 
 fn push_run(to: &mut String, of: &str, mut count: u32) {

@@ -51,7 +51,7 @@ pub(crate) fn write<S: Sink>(source: Source<'_>, lines: Range<usize>, pen: &mut 
         let end = source.range(line).end;
         match source.line_end(line) {
             Some(line_end) => pen.keep(line_end, end),
-            None if line + 1 < lines.end => pen.line_end(line_end_near(source.text, end)),
+            None if line + 1 < lines.end => pen.split_line(end),
             None => {}
         }
     }
@@ -180,24 +180,4 @@ fn declaration<S: Sink>(source: Source<'_>, line: usize, columns: Columns, pen: 
         behind = part.end();
     }
     comments_behind(source, line, behind, pen);
-}
-
-/// The line end of the physical line around a place; where the last line has none, the one before it.
-pub(crate) fn line_end_near(text: &str, at: usize) -> &str {
-    let at_end = |from: usize| {
-        let rest = &text[from..];
-        if rest.starts_with("\r\n") {
-            &rest[..2]
-        } else {
-            &rest[..1]
-        }
-    };
-    if let Some(n) = text[at..].find(['\n', '\r']) {
-        return at_end(at + n);
-    }
-    match text[..at].rfind(['\n', '\r']) {
-        Some(n) if n > 0 && text[..=n].ends_with("\r\n") => "\r\n",
-        Some(n) => at_end(n),
-        None => "\n",
-    }
 }

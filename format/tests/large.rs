@@ -73,3 +73,15 @@ fn many_mistakes_on_a_rung() {
     let new = format_text(&text, &Options::default());
     assert!(new.starts_with("+--[TON](t,)--[TON](t,)--"));
 }
+
+#[test]
+fn a_line_that_is_split_very_often() {
+    for end in ["\n", ""] {
+        let text = format!("VAR {}END_VAR{end}", "a : INT; ".repeat(50_000));
+        let new = format_text(&text, &Options::default());
+        assert_eq!(new.lines().count(), 50_002);
+        let text = format!("{}+-[ ]( a )-( )( y )-+{end}", "# c #".repeat(50_000));
+        let new = format_text(&text, &Options::default());
+        assert_eq!(new.lines().count(), 50_001);
+    }
+}
