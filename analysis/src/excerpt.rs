@@ -17,10 +17,40 @@ pub(crate) fn text(parse: &Parse, range: TextRange) -> String {
     node.text().slice(within).to_string()
 }
 
+/// Texts of places that come in the order of the file: each line is put together once.
+pub(crate) struct Excerpts<'p> {
+    parse: &'p Parse,
+    line: Option<(usize, String)>,
+}
+
+impl<'p> Excerpts<'p> {
+    pub(crate) fn new(parse: &'p Parse) -> Excerpts<'p> {
+        Excerpts { parse, line: None }
+    }
+
+    /// The text of a range that lies on one logical line, and what follows it there.
+    pub(crate) fn text(&mut self, range: TextRange) -> (&str, &str) {
+        let Some(line) = self.parse.line_at(range.start()) else {
+            return ("", "");
+        };
+        if self.line.as_ref().is_none_or(|(known, _)| *known != line) {
+            self.line = Some((line, self.parse.lines()[line].syntax().text().to_string()));
+        }
+        let text = self.line.as_ref().map_or("", |(_, text)| text.as_str());
+        let start = self.parse.line_start(line);
+        let (from, to) = (
+            usize::from(range.start() - start),
+            usize::from(range.end() - start),
+        );
+        let to = to.min(text.len());
+        (&text[from..to], &text[to..])
+    }
+}
+
 /// At most `most` characters of a text, on one line.
 pub(crate) fn shortened(text: &str, most: usize) -> String {
     let line = text.lines().next().unwrap_or("").trim_end();
-    if line.chars().count() <= most {
+    if line.chars().nth(most).is_none() {
         return line.to_owned();
     }
     let kept: String = line.chars().take(most.saturating_sub(3)).collect();
@@ -37,15 +67,11 @@ pub(crate) fn trimmed_line(parse: &Parse, line: usize) -> TextRange {
     )
 }
 
-/// The blanks directly behind an offset, if the line goes on behind them.
-pub(crate) fn blanks_behind(parse: &Parse, offset: TextSize) -> TextRange {
-    let Some(line) = parse.line_at(offset) else {
-        return TextRange::empty(offset);
-    };
-    let rest = text(parse, TextRange::new(offset, parse.line_range(line).end()));
+/// The length of the blanks that a rest of a line begins with, if the line goes on behind them.
+pub(crate) fn blanks_before_drawing(rest: &str) -> TextSize {
     let blanks = rest.len() - rest.trim_start_matches([' ', '\t']).len();
     let goes_on = !rest[blanks..].is_empty() && !rest[blanks..].starts_with(['\n', '\r', '|']);
-    TextRange::at(offset, TextSize::new(if goes_on { blanks as u32 } else { 0 }))
+    TextSize::new(if goes_on { blanks as u32 } else { 0 })
 }
 
 /// The title of an instruction inside a sentence: "on-delay timer".
@@ -59,12 +85,22 @@ pub(crate) fn in_sentence(title: &str) -> String {
     }
 }
 
-/// The column of an offset in a logical line, in display width from 0.
-pub(crate) fn column(parse: &Parse, line: usize, offset: TextSize) -> usize {
-    let before = parse.lines()[line].syntax().text().slice(..offset).to_string();
-    // A comment may have brought line ends onto the line.
-    let last = before.rsplit(['\n', '\r']).next().unwrap_or("");
-    display_width(last) as usize
+/// The columns of some offsets in a logical line, in display width from 0. The offsets ascend.
+pub(crate) fn columns(parse: &Parse, line: usize, offsets: impl Iterator<Item = TextSize>) -> Vec<usize> {
+    let text = parse.lines()[line].syntax().text().to_string();
+    let (mut at, mut column) = (0, 0);
+    offsets
+        .map(|offset| {
+            let between = &text[at..usize::from(offset)];
+            at = offset.into();
+            // A comment may have brought line ends onto the line.
+            match between.rsplit_once(['\n', '\r']) {
+                Some((_, last)) => column = display_width(last) as usize,
+                None => column += display_width(between) as usize,
+            }
+            column
+        })
+        .collect()
 }
 
 /// `1st`, `2nd`, `3rd`, `4th`; `ordinal` counts from 0.

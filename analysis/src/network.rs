@@ -131,9 +131,10 @@ pub fn network(parse: &Parse, network: &Network, user_blocks: &[UserBlockFacts])
     let mut blocks = Vec::new();
     for (rung, &line) in wiring.lines.iter().enumerate() {
         let parts = wiring.rungs[rung].connectors(PartKind::Block);
-        let errors = &parse.lines()[line].errors;
+        let mut mistakes: Vec<TextRange> = parse.lines()[line].errors.iter().map(|e| e.range).collect();
+        mistakes.sort_unstable_by_key(|range| range.start());
         for facts in facts::blocks(&parse.lines()[line], rung, parts) {
-            let faulty = errors.iter().any(|error| is_mistake_in(error, facts.range));
+            let faulty = is_mistake_in(&mistakes, facts.range);
             blocks.push(bind(facts, parse.line_start(line), user_blocks, faulty));
         }
     }
@@ -171,9 +172,12 @@ pub(crate) fn breaks_drawing(error: &SyntaxError) -> bool {
     )
 }
 
-fn is_mistake_in(error: &SyntaxError, block: TextRange) -> bool {
-    let at = error.range.start();
-    block.contains(at) || (at == block.end() && error.range.is_empty())
+/// Whether a mistake begins in a block, or right behind it where something is missing.
+fn is_mistake_in(mistakes: &[TextRange], block: TextRange) -> bool {
+    let first = mistakes.partition_point(|range| range.start() < block.start());
+    let rest = mistakes[first..].iter();
+    rest.take_while(|range| range.start() <= block.end())
+        .any(|range| range.start() < block.end() || range.is_empty())
 }
 
 fn bind(facts: BlockFacts, base: TextSize, user_blocks: &[UserBlockFacts], faulty: bool) -> BoundBlock {

@@ -19,6 +19,7 @@ use crate::scope::Scope;
 use crate::types::{Scalar, Type};
 use ladder_instructions::Op;
 use ladder_syntax::{Name, TextRange, TextSize};
+use std::collections::HashMap;
 use std::ops::Range;
 
 /// What is known while the operands of one block are resolved.
@@ -81,8 +82,9 @@ pub(crate) fn program(context: &Context, file: &str, out: &mut Vec<Diagnostic>) 
         networks[numbers[index]] = Some(lowered(context, facts, blocks));
     }
     program.networks = networks.into_iter().flatten().collect();
-    functions(context, &numbers, &mut program);
-    user_blocks(context, &numbers, &ids, &mut program);
+    let bodies = body_ranges(context, &numbers);
+    functions(context, &bodies, &mut program);
+    user_blocks(context, &bodies, &ids, &mut program);
     let labels = context.labels.iter();
     program.labels = labels
         .map(|label| (label.key.clone(), numbers[label.network]))
@@ -175,37 +177,35 @@ fn retain(program: &mut Program, blocks: &[Block]) {
     }
 }
 
-/// The networks of a body, as the program numbers them.
-fn body_range(context: &Context, numbers: &[usize], body: Body) -> Range<usize> {
-    let mut of_body = context
-        .bodies
-        .iter()
-        .zip(numbers)
-        .filter(|(b, _)| **b == body)
-        .map(|(_, &number)| number);
-    match of_body.next() {
-        Some(first) => {
-            let (low, high) = of_body.fold((first, first), |(low, high), n| (low.min(n), high.max(n)));
-            low..high + 1
-        }
-        None => 0..0,
+/// The networks of each body, as the program numbers them.
+fn body_ranges(context: &Context, numbers: &[usize]) -> HashMap<Body, Range<usize>> {
+    let mut ranges: HashMap<Body, Range<usize>> = HashMap::new();
+    for (&body, &number) in context.bodies.iter().zip(numbers) {
+        let range = ranges.entry(body).or_insert(number..number + 1);
+        *range = range.start.min(number)..range.end.max(number + 1);
     }
+    ranges
 }
 
-fn functions(context: &Context, numbers: &[usize], program: &mut Program) {
-    program.main = body_range(context, numbers, Body::Main);
+fn functions(context: &Context, bodies: &HashMap<Body, Range<usize>>, program: &mut Program) {
+    program.main = bodies.get(&Body::Main).cloned().unwrap_or_default();
     program.functions = context
         .functions
         .iter()
         .enumerate()
         .map(|(index, function)| Function {
             name: function.name.clone(),
-            networks: body_range(context, numbers, Body::Function(index)),
+            networks: bodies.get(&Body::Function(index)).cloned().unwrap_or_default(),
         })
         .collect();
 }
 
-fn user_blocks(context: &Context, numbers: &[usize], ids: &[Vec<TagId>], program: &mut Program) {
+fn user_blocks(
+    context: &Context,
+    bodies: &HashMap<Body, Range<usize>>,
+    ids: &[Vec<TagId>],
+    program: &mut Program,
+) {
     program.blocks = context
         .user_blocks
         .iter()
@@ -220,7 +220,7 @@ fn user_blocks(context: &Context, numbers: &[usize], ids: &[Vec<TagId>], program
                 parameters: block.parameters.iter().map(|p| (id(p.tag), p.kind)).collect(),
                 en: own("EN"),
                 eno: own("ENO"),
-                networks: body_range(context, numbers, Body::Block(index)),
+                networks: bodies.get(&Body::Block(index)).cloned().unwrap_or_default(),
             }
         })
         .collect();

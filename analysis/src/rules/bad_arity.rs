@@ -251,6 +251,9 @@ fn given_twice(bound: &BoundBlock, out: &mut Vec<Diagnostic>) {
     for (index, formal) in bound.formals.iter().enumerate() {
         let operand = &bound.facts.operands[index];
         let Some(name) = &operand.name else { continue };
+        if !matches!(formal, Formal::Operand(_) | Formal::Parameter(_)) {
+            continue;
+        }
         let same = |other: &Formal| match (formal, other) {
             (Formal::Operand(a), Formal::Operand(b)) => std::ptr::eq(*a, *b),
             (Formal::Parameter(a), Formal::Parameter(b)) => a == b,

@@ -2,7 +2,7 @@
 
 use crate::context::Context;
 use crate::diagnostic::Diagnostic;
-use crate::excerpt::{column, nth};
+use crate::excerpt::{columns, nth};
 use crate::network::NetworkFacts;
 use crate::rule::Rule;
 use ladder_syntax::TextRange;
@@ -30,14 +30,15 @@ fn is_straight(network: &NetworkFacts, point: &Point) -> bool {
 fn misleading(context: &Context, network: &NetworkFacts, points: &[Point]) -> Option<Diagnostic> {
     let wiring = &network.wiring;
     let upper = points[0].upper;
-    let columns = |rung: usize, part: usize| {
-        let offset = wiring.rungs[rung].parts[part].range.start();
-        column(&context.parse, wiring.lines[rung], offset)
+    let starts = |rung: usize, part: usize| wiring.rungs[rung].parts[part].range.start();
+    let of_rung = |rung: usize, part: fn(&Point) -> usize| {
+        let offsets = points.iter().map(|point| starts(rung, part(point)));
+        columns(&context.parse, wiring.lines[rung], offsets)
     };
-    let downs: Vec<usize> = points.iter().map(|point| columns(upper, point.down)).collect();
-    let ups: Vec<usize> = points.iter().map(|point| columns(upper + 1, point.up)).collect();
+    let downs = of_rung(upper, |point| point.down);
+    let ups = of_rung(upper + 1, |point| point.up);
     let (pair, looks_like) = downs.iter().enumerate().find_map(|(pair, column)| {
-        let other = ups.iter().position(|up| up == column)?;
+        let other = ups.binary_search(column).ok()?;
         (other != pair).then_some((pair, other))
     })?;
     let place = |rung: usize, part: usize| network.part_range(&context.parse, rung, part);

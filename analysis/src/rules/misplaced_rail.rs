@@ -2,13 +2,19 @@
 
 use crate::context::Context;
 use crate::diagnostic::Diagnostic;
+use crate::network::breaks_drawing;
 use crate::rule::Rule;
 use ladder_syntax::TextRange;
-use ladder_syntax::wiring::PartKind;
+use ladder_syntax::wiring::{Part, PartKind};
 
 pub(crate) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
     for network in &context.networks {
         for (rung, drawing) in network.wiring.rungs.iter().enumerate() {
+            let is_stray = |part: &Part| matches!(part.kind, PartKind::StrayRail | PartKind::StrayBar);
+            let line = &context.parse.lines()[network.wiring.lines[rung]];
+            if !drawing.parts.iter().any(is_stray) || line.errors.iter().any(breaks_drawing) {
+                continue;
+            }
             for (index, part) in drawing.parts.iter().enumerate() {
                 let (message, help) = match part.kind {
                     PartKind::StrayRail => (
@@ -21,10 +27,6 @@ pub(crate) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
                     ),
                     _ => continue,
                 };
-                let line = &context.parse.lines()[network.wiring.lines[rung]];
-                if line.errors.iter().any(crate::network::breaks_drawing) {
-                    continue;
-                }
                 let range = network.part_range(&context.parse, rung, index);
                 let right =
                     index > 0 && drawing.parts[index - 1].kind == PartKind::StrayRail && !part.touches;

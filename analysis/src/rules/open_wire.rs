@@ -110,12 +110,9 @@ impl<'c> Reach<'c> {
     /// A pair of connectors that both of its lines begin with: nothing arrives along either.
     fn lost_at_point(&self, rung: usize, segment: usize) -> Option<Diagnostic> {
         let down = self.segments(rung)[segment].parts.start;
-        let point = self
-            .network
-            .wiring
-            .points
-            .iter()
-            .find(|point| point.upper == rung && point.down == down)?;
+        let points = &self.network.wiring.points;
+        let point = points.binary_search_by_key(&(rung, down), |point| (point.upper, point.down));
+        let point = &points[point.ok()?];
         let below = rung + 1;
         let segment_below = self.part(below, point.up).segment? as usize;
         if self.segments(below)[segment_below].parts.start != point.up {

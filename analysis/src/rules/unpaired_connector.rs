@@ -2,11 +2,14 @@
 
 use crate::context::{Context, rung_above, rung_below};
 use crate::diagnostic::Diagnostic;
-use crate::excerpt::{column, nth, trimmed_line};
+use crate::excerpt::{columns, nth, trimmed_line};
 use crate::network::breaks_drawing;
 use crate::rule::Rule;
 use ladder_syntax::wiring::{self, PartKind, Rung};
 use ladder_syntax::{Parse, TextRange, TextSize};
+
+/// How many connectors of one line are told: whoever draws more of them without partners knows.
+const MOST: usize = 10;
 
 pub(crate) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
     for network in context.networks.iter().filter(|n| !n.wiring.unpaired.is_empty()) {
@@ -35,10 +38,8 @@ impl Side {
     fn new(parse: &Parse, line: usize, kind: PartKind) -> Side {
         let rung = wiring::rung(&parse.lines()[line]);
         let parts: Vec<usize> = rung.connectors(kind).collect();
-        let columns = parts
-            .iter()
-            .map(|&part| column(parse, line, rung.parts[part].range.start()))
-            .collect();
+        let starts = parts.iter().map(|&part| rung.parts[part].range.start());
+        let columns = columns(parse, line, starts);
         Side {
             line,
             rung,
@@ -68,7 +69,8 @@ fn unpaired(context: &Context, line: usize, kind: PartKind, out: &mut Vec<Diagno
     let other = other_line.map(|line| Side::new(parse, line, partner(kind)));
     let paired = other.as_ref().map_or(0, |other| other.parts.len());
     let culprits = other.as_ref().and_then(|other| culprits(&own, other));
-    for (index, ordinal) in (paired..own.parts.len()).enumerate() {
+    let belongs = other.as_ref().map(|other| trimmed_line(parse, other.line));
+    for (index, ordinal) in (paired..own.parts.len()).enumerate().take(MOST) {
         let suspect = culprits.as_ref().map_or(ordinal, |culprits| culprits[index]);
         let range = own.range(parse, ordinal);
         let mut found = Diagnostic::new(
@@ -92,10 +94,10 @@ fn unpaired(context: &Context, line: usize, kind: PartKind, out: &mut Vec<Diagno
                     format!("no `{partner_name}` stands {} this `{name}`", beside(kind)),
                 )
         };
-        if let Some(other) = &other {
+        if let Some(rung) = belongs {
             found = found.related(
-                trimmed_line(parse, other.line),
-                format!("its partner `{}` belongs onto this rung", symbol(other.kind)),
+                rung,
+                format!("its partner `{}` belongs onto this rung", symbol(partner(kind))),
             );
         }
         out.push(with_fix(parse, &own, other.as_ref(), suspect, found));
@@ -143,20 +145,15 @@ fn with_fix(
     suspect: usize,
     found: Diagnostic,
 ) -> Diagnostic {
-    let column_of = own.columns[suspect];
     let wire = other.and_then(|other| {
-        let start = parse.line_start(other.line);
-        other
-            .rung
-            .parts
-            .iter()
-            .filter(|part| part.kind == PartKind::Wire)
-            .find_map(|part| {
-                let first = column(parse, other.line, part.range.start());
-                let within = column_of.checked_sub(first)?;
-                let at = part.range.start() + TextSize::new(within as u32);
-                (at < part.range.end()).then(|| TextRange::at(at + start, TextSize::new(1)))
-            })
+        let wires = || other.rung.parts.iter().filter(|part| part.kind == PartKind::Wire);
+        let firsts = columns(parse, other.line, wires().map(|part| part.range.start()));
+        wires().zip(firsts).find_map(|(part, first)| {
+            let within = own.columns[suspect].checked_sub(first)?;
+            let at = part.range.start() + TextSize::new(within as u32);
+            let start = parse.line_start(other.line);
+            (at < part.range.end()).then(|| TextRange::at(at + start, TextSize::new(1)))
+        })
     });
     if let (Some(at), Some(other)) = (wire, other) {
         let partner = symbol(other.kind);
