@@ -6,79 +6,98 @@ use crate::scope::SectionKind;
 use ladder_format::Edit;
 use ladder_syntax::ast::{AstNode, SectionHeader};
 use ladder_syntax::{LineKind, Parse, Section, TextRange, TextSize};
+use std::collections::HashMap;
 
-/// A tag that is to be declared.
-pub(crate) struct NewTag<'t> {
-    /// The scope: 0 the file's, else that of block definition `scope - 1`.
-    pub(crate) scope: usize,
-    pub(crate) section: SectionKind,
-    pub(crate) name: &'t str,
-    /// As it is written: `ARRAY[1..9] OF INT`.
-    pub(crate) ty: &'t str,
+/// Where declarations of a scope go.
+pub(crate) struct Places {
+    /// The last section of each kind that takes them: the place, and whether it begins a line.
+    sections: HashMap<SectionKind, (TextSize, bool)>,
+    /// Where a new section goes, what must stand before it, and whether a blank line follows it.
+    new: TextSize,
+    before_new: &'static str,
+    blank_behind: bool,
+    line_end: &'static str,
+    /// A section is not closed: nobody knows where it ends.
+    open: bool,
 }
 
-/// The fix that declares a tag: in the last section of its kind, else in a new one. None if a section that is not
-/// closed leaves no place for it.
-pub(crate) fn declare(context: &Context, tag: &NewTag<'_>) -> Option<Fix> {
-    let parse = &*context.parse;
-    let block = tag.scope.checked_sub(1);
-    let line_end = line_end(parse);
-    let (name, ty, keyword) = (tag.name, tag.ty, tag.section.keyword());
-    let mut last = None;
-    let mut same = None;
-    for section in parse
-        .structure()
-        .sections
-        .iter()
-        .filter(|section| section.block == block)
-    {
-        if !section.closed {
-            return None;
-        }
-        last = Some(section);
-        if is_plain(parse, section, tag.section) {
-            same = Some(section);
-        }
-    }
-    let (at, text) = if let Some(section) = same {
-        let end = section.lines.end - 1;
-        let at = parse.line_start(end);
-        if begins_line(parse, end) {
-            (at, format!("    {name} : {ty};{line_end}"))
-        } else {
-            (at, format!(" {name} : {ty}; "))
-        }
-    } else {
-        let section = format!("{keyword}{line_end}    {name} : {ty};{line_end}END_VAR{line_end}");
-        match last {
+impl Places {
+    /// The places of scope 0, the file's, or of block definition `scope - 1`.
+    pub(crate) fn new(context: &Context, scope: usize) -> Places {
+        let parse = &*context.parse;
+        let block = scope.checked_sub(1);
+        let line_end = line_end(parse);
+        let sections = || {
+            parse
+                .structure()
+                .sections
+                .iter()
+                .filter(|section| section.block == block)
+        };
+        let (new, before_new, blank_behind) = match sections().next_back() {
             Some(last) => {
                 let behind = last.lines.end;
                 let at = parse.line_range(behind - 1).end();
                 // END_VAR on the last line of the text, or with something behind it.
                 let before = if begins_line(parse, behind) { "" } else { line_end };
-                (at, format!("{before}{section}"))
+                (at, before, false)
             }
-            None => (first_place(parse, block), format!("{section}{line_end}")),
+            None => (first_place(parse, block), "", true),
+        };
+        Places {
+            sections: sections()
+                .filter_map(|section| {
+                    let end = section.lines.end - 1;
+                    Some((
+                        plain_kind(parse, section)?,
+                        (parse.line_start(end), begins_line(parse, end)),
+                    ))
+                })
+                .collect(),
+            new,
+            before_new,
+            blank_behind,
+            line_end,
+            open: sections().any(|section| !section.closed),
         }
-    };
-    Some(Fix {
-        title: format!("Declare `{name} : {ty}` in {keyword}"),
-        edits: vec![Edit {
-            range: TextRange::empty(at),
-            text,
-        }],
-    })
+    }
+
+    /// The fix that declares a tag: in the last section of its kind, else in a new one. None if a section that is
+    /// not closed leaves no place for it.
+    pub(crate) fn declare(&self, section: SectionKind, name: &str, ty: &str) -> Option<Fix> {
+        if self.open {
+            return None;
+        }
+        let (keyword, line_end) = (section.keyword(), self.line_end);
+        let (at, text) = match self.sections.get(&section) {
+            Some((at, true)) => (*at, format!("    {name} : {ty};{line_end}")),
+            Some((at, false)) => (*at, format!(" {name} : {ty}; ")),
+            None => {
+                let blank = if self.blank_behind { line_end } else { "" };
+                let before = self.before_new;
+                let text = format!(
+                    "{before}{keyword}{line_end}    {name} : {ty};{line_end}END_VAR{line_end}{blank}"
+                );
+                (self.new, text)
+            }
+        };
+        Some(Fix {
+            title: format!("Declare `{name} : {ty}` in {keyword}"),
+            edits: vec![Edit {
+                range: TextRange::empty(at),
+                text,
+            }],
+        })
+    }
 }
 
-/// Whether a section is of a kind, and neither RETAIN nor CONSTANT.
-fn is_plain(parse: &Parse, section: &Section, kind: SectionKind) -> bool {
-    let header = SectionHeader::cast(parse.lines()[section.lines.start].syntax());
-    header.is_some_and(|header| {
-        let keyword = header
-            .section()
-            .and_then(|token| SectionKind::from_keyword(token.text()));
-        keyword == Some(kind) && header.qualifiers().next().is_none()
-    })
+/// The kind of a section that is neither RETAIN nor CONSTANT.
+fn plain_kind(parse: &Parse, section: &Section) -> Option<SectionKind> {
+    let header = SectionHeader::cast(parse.lines()[section.lines.start].syntax())?;
+    if header.qualifiers().next().is_some() {
+        return None;
+    }
+    SectionKind::from_keyword(header.section()?.text())
 }
 
 /// Whether a logical line, or the end of the text, begins a physical one.

@@ -108,44 +108,56 @@ fn untyped(scope: &Scope, node: &Node) -> Option<usize> {
     scope.tags[tag].ty.is_none().then_some(tag)
 }
 
-/// Rule 2, until no type changes: a type that is found here may give another.
+/// Rule 2, until no type changes: a type that is found here may give another. After the first round only blocks
+/// that name a tag whose type has just been found can say more.
 fn by_company(context: &mut Context) {
-    loop {
+    let all = context.networks.iter().enumerate();
+    let mut blocks: Vec<(usize, usize)> = all
+        .flat_map(|(network, facts)| (0..facts.blocks.len()).map(move |block| (network, block)))
+        .collect();
+    while !blocks.is_empty() {
         let mut found: Vec<(usize, usize, Scalar)> = Vec::new();
-        for network in &context.networks {
+        for &(network, block) in &blocks {
+            let network = &context.networks[network];
             let scope = &context.scopes[network.scope];
-            for bound in &network.blocks {
-                company(scope, bound, |tag, ty| found.push((network.scope, tag, ty)));
+            company(scope, &network.blocks[block], |tag, ty| {
+                found.push((network.scope, tag, ty));
+            });
+        }
+        blocks.clear();
+        for (scope, tag, ty) in found {
+            let facts = &mut context.scopes[scope].tags[tag];
+            if facts.ty.is_none() {
+                facts.ty = Some(Type::Scalar(ty));
+                blocks.extend(facts.uses.iter().map(|place| (place.network, place.block)));
             }
         }
-        let mut changed = false;
-        for (scope, tag, ty) in found {
-            let slot = &mut context.scopes[scope].tags[tag].ty;
-            changed |= slot.is_none();
-            slot.get_or_insert(Type::Scalar(ty));
-        }
-        if !changed {
-            return;
-        }
+        blocks.sort_unstable();
+        blocks.dedup();
     }
 }
 
 fn company(scope: &Scope, bound: &BoundBlock, mut give: impl FnMut(usize, Scalar)) {
     let operands = || bound.facts.operands.iter().zip(&bound.formals);
+    let told = |asked: fn(Accepts) -> bool| {
+        operands()
+            .filter(|(_, formal)| matches!(formal, Formal::Operand(o) if asked(o.accepts)))
+            .find_map(|(other, _)| telling(scope, &other.value))
+    };
+    // All compared operands have one company: it is asked for once.
+    let mut compared = None;
     for (operand, formal) in operands() {
         let Formal::Operand(row) = formal else { continue };
+        if !matches!(row.accepts, Accepts::Result(_) | Accepts::Compared) {
+            continue;
+        }
         let Some(tag) = untyped(scope, &operand.value) else {
             continue;
         };
         let company = match row.accepts {
             Accepts::Result(TypeClass::Real) => Some(Scalar::Lreal),
-            Accepts::Result(_) => operands()
-                .filter(|(_, f)| matches!(f, Formal::Operand(o) if matches!(o.accepts, Accepts::Value | Accepts::Expression)))
-                .find_map(|(other, _)| telling(scope, &other.value)),
-            Accepts::Compared => operands()
-                .filter(|(_, f)| matches!(f, Formal::Operand(o) if o.accepts == Accepts::Compared))
-                .find_map(|(other, _)| telling(scope, &other.value)),
-            _ => None,
+            Accepts::Result(_) => told(|accepts| matches!(accepts, Accepts::Value | Accepts::Expression)),
+            _ => *compared.get_or_insert_with(|| told(|accepts| accepts == Accepts::Compared)),
         };
         if let Some(ty) = company {
             give(tag, ty);

@@ -77,28 +77,31 @@ fn slips(typed: &[char], spelling: &str) -> Option<usize> {
     if longer - shorter > forgiven {
         return None;
     }
-    let distance = distance(typed, &spelling.chars().collect::<Vec<_>>());
+    let distance = distance(typed, spelling.as_bytes());
     // Where every letter differs nothing is alike: `[X]` is not a slip of `[P]`.
     (distance <= forgiven && distance < longer).then_some(distance)
 }
 
 /// Damerau-Levenshtein distance in its restricted form: insertions, deletions, replacements, and swaps of two
-/// neighbours that are not touched again.
-fn distance(left: &[char], right: &[char]) -> usize {
-    let mut before_last: Vec<usize>;
-    let mut last: Vec<usize> = Vec::new();
-    let mut row: Vec<usize> = (0..=right.len()).collect();
+/// neighbours that are not touched again. `right` is a spelling of the table, which is short and ASCII.
+fn distance(left: &[char], right: &[u8]) -> usize {
+    // One column more than the longest spelling has letters.
+    const COLUMNS: usize = 9;
+    let mut before_last: [usize; COLUMNS];
+    let mut last = [0; COLUMNS];
+    let mut row: [usize; COLUMNS] = std::array::from_fn(|column| column);
     for (i, a) in left.iter().enumerate() {
-        before_last = std::mem::replace(&mut last, row);
-        row = vec![i + 1];
+        (before_last, last) = (last, row);
+        row[0] = i + 1;
         for (j, b) in right.iter().enumerate() {
-            let mut cost = (last[j] + usize::from(a != b))
+            let same = *a == char::from(*b);
+            let mut cost = (last[j] + usize::from(!same))
                 .min(last[j + 1] + 1)
                 .min(row[j] + 1);
-            if i > 0 && j > 0 && *a == right[j - 1] && left[i - 1] == *b {
+            if i > 0 && j > 0 && *a == char::from(right[j - 1]) && left[i - 1] == char::from(*b) {
                 cost = cost.min(before_last[j - 1] + 1);
             }
-            row.push(cost);
+            row[j + 1] = cost;
         }
     }
     row[right.len()]

@@ -4,28 +4,28 @@
 //! letter is taken out of each. So all names with one letter taken out stand in a table.
 
 use ladder_syntax::Name;
-use std::collections::HashMap;
-use std::hash::{BuildHasherDefault, DefaultHasher, Hash, Hasher};
+use rustc_hash::FxHashMap;
 
 /// Shorter names are alike too easily: `a` and `b` differ by one letter.
 const SHORTEST: usize = 3;
-/// Taking letters out costs the square of a name's length; nobody has seen a longer name for a tag.
+/// Nobody has seen a longer name for a tag.
 const LONGEST: usize = 100;
-/// Names that only differ in one place, like those of a row of lamps, are all kept under one key.
-const MOST_IN_A_ROW: usize = 50;
+/// Any large odd number spreads the letters over the hash.
+const BASE: u64 = 0x9E37_79B9_7F4A_7C15;
 
 /// Names that can be asked for.
 pub(super) struct NearNames<'n> {
     names: Vec<(&'n str, Vec<char>)>,
-    /// The hash of a name with one letter taken out, and which names it may come from.
-    shortened: HashMap<u64, Vec<u32>, BuildHasherDefault<DefaultHasher>>,
+    /// The hash of a name with one letter taken out, and the first name that it comes from: where several do,
+    /// they differ in that letter alone, and one is as near as the other.
+    shortened: FxHashMap<u64, u32>,
 }
 
 impl<'n> NearNames<'n> {
     pub(super) fn new(names: impl Iterator<Item = &'n str>) -> NearNames<'n> {
         let mut near = NearNames {
             names: Vec::new(),
-            shortened: HashMap::default(),
+            shortened: FxHashMap::default(),
         };
         for name in names {
             let letters = letters(name);
@@ -34,10 +34,7 @@ impl<'n> NearNames<'n> {
             }
             let index = near.names.len() as u32;
             each_shortened(&letters, |hash| {
-                let row = near.shortened.entry(hash).or_default();
-                if row.len() < MOST_IN_A_ROW && row.last() != Some(&index) {
-                    row.push(index);
-                }
+                near.shortened.entry(hash).or_insert(index);
             });
             near.names.push((name, letters));
         }
@@ -52,16 +49,13 @@ impl<'n> NearNames<'n> {
         }
         let mut found: Option<u32> = None;
         each_shortened(&wanted, |hash| {
-            let row = self.shortened.get(&hash).map_or(&[][..], Vec::as_slice);
-            let fits = row
-                .iter()
-                .copied()
-                .find(|&n| differ_by_a_letter(&wanted, &self.names[n as usize].1));
+            let near = self.shortened.get(&hash).copied();
             // The first of the file, whichever letter led to it.
-            found = match (found, fits) {
-                (Some(a), Some(b)) => Some(a.min(b)),
-                (a, b) => a.or(b),
-            };
+            if let Some(near) = near.filter(|&near| found.is_none_or(|found| near < found))
+                && differ_by_a_letter(&wanted, &self.names[near as usize].1)
+            {
+                found = Some(near);
+            }
         });
         found.map(|index| self.names[index as usize].0)
     }
@@ -71,21 +65,36 @@ fn letters(name: &str) -> Vec<char> {
     Name::new(name).as_str().chars().collect()
 }
 
-/// The name itself, and the name without each of its letters.
+/// Hashes of the name itself, and of the name without each of its letters. A name's hash is a polynomial in its
+/// letters, so that each of the shorter names costs one step.
 fn each_shortened(letters: &[char], mut give: impl FnMut(u64)) {
-    let hash = |before: &[char], behind: &[char]| {
-        let mut hasher = DefaultHasher::new();
-        for letter in before.iter().chain(behind) {
-            letter.hash(&mut hasher);
-        }
-        hasher.finish()
-    };
-    give(hash(letters, &[]));
-    for (index, letter) in letters.iter().enumerate() {
+    let step = |hash: u64, letter: char| hash.wrapping_mul(BASE).wrapping_add(u64::from(letter) + 1);
+    let whole = letters.iter().fold(0, |hash, &letter| step(hash, letter));
+    give(whole);
+    // From the last letter to the first: the letters behind the one taken out, and BASE to the power of their
+    // number.
+    let mut before = whole;
+    let (mut behind, mut power) = (0u64, 1u64);
+    let inverse = inverse(BASE);
+    for &letter in letters.iter().rev() {
+        before = before.wrapping_sub(u64::from(letter) + 1).wrapping_mul(inverse);
         if !letter.is_numeric() {
-            give(hash(&letters[..index], &letters[index + 1..]));
+            give(before.wrapping_mul(power).wrapping_add(behind));
         }
+        behind = behind.wrapping_add(power.wrapping_mul(u64::from(letter) + 1));
+        power = power.wrapping_mul(BASE);
     }
+}
+
+/// The number that undoes a multiplication by an odd number, modulo 2^64 (Newton's iteration).
+const fn inverse(odd: u64) -> u64 {
+    let mut x = odd;
+    let mut round = 0;
+    while round < 5 {
+        x = x.wrapping_mul(2u64.wrapping_sub(odd.wrapping_mul(x)));
+        round += 1;
+    }
+    x
 }
 
 /// Whether exactly one letter is too many, missing, wrong, or swapped with its neighbour.
@@ -111,6 +120,20 @@ fn differ_by_a_letter(a: &[char], b: &[char]) -> bool {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn shorter_names_have_the_hash_that_they_have_by_themselves() {
+        let hashes = |name: &str| {
+            let mut hashes = Vec::new();
+            each_shortened(&letters(name), |hash| hashes.push(hash));
+            hashes
+        };
+        let shortened = hashes("lamp_1");
+        for shorter in ["lamp_1", "lamp1", "lam_1", "lap_1", "lmp_1", "amp_1"] {
+            assert!(shortened.contains(&hashes(shorter)[0]), "{shorter}");
+        }
+        assert!(!shortened.contains(&hashes("lamp_")[0]), "a digit stays");
+    }
 
     #[test]
     fn one_letter() {

@@ -7,8 +7,8 @@
 use super::did_you_mean;
 use super::near_names::NearNames;
 use crate::context::Context;
-use crate::declaration_fix::{self, NewTag};
-use crate::diagnostic::Diagnostic;
+use crate::declaration_fix::Places;
+use crate::diagnostic::{Diagnostic, Fix};
 use crate::network::Formal;
 use crate::program::Role;
 use crate::rule::{Rule, Severity};
@@ -17,21 +17,29 @@ use crate::types::{Scalar, Type};
 use ladder_instructions::Accepts;
 use ladder_syntax::{Name, TextRange};
 
+/// For how many tags of a file a near name is looked for among all declared ones.
+const MOST_SUGGESTIONS: usize = 20;
+
 pub(crate) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
     for (scope, facts) in context.scopes.iter().enumerate() {
         let declares = facts.declares();
+        let mut suggestions = MOST_SUGGESTIONS;
+        let mut places = None;
         let undeclared = || facts.tags.iter().filter(|tag| is_undeclared(tag, scope));
         for tag in undeclared() {
             let mut uses = tag.uses.iter().filter(|place| is_clear(context, place));
             let Some(first) = uses.clone().next() else {
                 continue;
             };
+            let places = &*places.get_or_insert_with(|| Places::new(context, scope));
             if let Some(index) = uses.find(|place| place.indexed) {
-                out.push(array(context, scope, tag, index.range));
+                out.push(array(context, places, tag, index.range));
             } else if scope > 0 {
-                out.push(in_body(context, scope, tag, first.range));
+                out.push(in_body(context, scope, places, tag, first.range));
             } else if declares {
-                out.push(forgotten(context, tag, first.range));
+                let look = suggestions > 0;
+                suggestions = suggestions.saturating_sub(1);
+                out.push(forgotten(context, places, tag, first.range, look));
             }
         }
         if scope == 0 && !declares {
@@ -66,7 +74,7 @@ fn found(severity: Severity, range: TextRange, message: String) -> Diagnostic {
 }
 
 /// An array must be declared: its bounds are nowhere else.
-fn array(context: &Context, scope: usize, tag: &TagFacts, range: TextRange) -> Diagnostic {
+fn array(context: &Context, places: &Places, tag: &TagFacts, range: TextRange) -> Diagnostic {
     let name = &tag.name;
     let (last, element) = extent(context, tag);
     let ty = format!("ARRAY[1..{last}] OF {element}");
@@ -76,15 +84,7 @@ fn array(context: &Context, scope: usize, tag: &TagFacts, range: TextRange) -> D
         format!("the array `{name}` is not declared"),
     )
     .help(format!("declare it with its bounds: {name} : {ty};"))
-    .with(declaration_fix::declare(
-        context,
-        &NewTag {
-            scope,
-            section: SectionKind::Var,
-            name,
-            ty: &ty,
-        },
-    ))
+    .with(places.declare(SectionKind::Var, name, &ty))
 }
 
 /// The highest index that is written out, and the type of the elements, as far as the places say.
@@ -113,7 +113,7 @@ fn extent(context: &Context, tag: &TagFacts) -> (i64, Scalar) {
 }
 
 /// In a block's body.
-fn in_body(context: &Context, scope: usize, tag: &TagFacts, range: TextRange) -> Diagnostic {
+fn in_body(context: &Context, scope: usize, places: &Places, tag: &TagFacts, range: TextRange) -> Diagnostic {
     let (name, block) = (&tag.name, &context.user_blocks[scope - 1]);
     let mut found = found(
         Severity::Error,
@@ -130,15 +130,16 @@ fn in_body(context: &Context, scope: usize, tag: &TagFacts, range: TextRange) ->
             );
         }
     }
-    found.with(declare(context, scope, tag))
+    found.with(declare(places, Role::Internal, tag))
 }
 
 /// In a file that declares tags.
-fn forgotten(context: &Context, tag: &TagFacts, range: TextRange) -> Diagnostic {
+fn forgotten(context: &Context, places: &Places, tag: &TagFacts, range: TextRange, look: bool) -> Diagnostic {
     let name = &tag.name;
     let found = found(Severity::Warning, range, format!("`{name}` is not declared"));
     let declared = context.scopes[0].tags.iter().filter(|tag| tag.is_declared());
-    let near = did_you_mean::closest(name, declared.map(|tag| tag.name.as_str()));
+    let names = declared.map(|tag| tag.name.as_str());
+    let near = look.then(|| did_you_mean::closest(name, names)).flatten();
     let found = match near {
         Some(near) if tag.uses.len() == 1 => {
             found
@@ -147,25 +148,17 @@ fn forgotten(context: &Context, tag: &TagFacts, range: TextRange) -> Diagnostic 
         }
         _ => found.help("declare it, so that a typing mistake cannot make a new tag"),
     };
-    found.with(declare(context, 0, tag))
+    found.with(declare(places, tag.role, tag))
 }
 
-fn declare(context: &Context, scope: usize, tag: &TagFacts) -> Option<crate::diagnostic::Fix> {
-    let section = match tag.role {
-        Role::Input if scope == 0 => SectionKind::Input,
-        Role::Output if scope == 0 => SectionKind::Output,
-        _ => SectionKind::Var,
+fn declare(places: &Places, role: Role, tag: &TagFacts) -> Option<Fix> {
+    let section = match role {
+        Role::Input => SectionKind::Input,
+        Role::Output => SectionKind::Output,
+        Role::Internal => SectionKind::Var,
     };
     let ty = tag.ty.unwrap_or(Type::Scalar(Scalar::Dint)).to_string();
-    declaration_fix::declare(
-        context,
-        &NewTag {
-            scope,
-            section,
-            name: &tag.name,
-            ty: &ty,
-        },
-    )
+    places.declare(section, &tag.name, &ty)
 }
 
 /// In a file without declarations: used once, and one letter away from a tag that is used more often.

@@ -14,12 +14,16 @@ const MOST: usize = 10;
 pub(crate) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
     for network in context.networks.iter().filter(|n| !n.wiring.unpaired.is_empty()) {
         let wiring = &network.wiring;
-        for side in wiring.unpaired.chunk_by(|a, b| {
-            a.0 == b.0 && wiring.rungs[a.0].parts[a.1].kind == wiring.rungs[b.0].parts[b.1].kind
-        }) {
-            let (rung, part) = side[0];
-            let kind = wiring.rungs[rung].parts[part].kind;
-            unpaired(context, wiring.lines[rung], kind, out);
+        for of_rung in wiring.unpaired.chunk_by(|a, b| a.0 == b.0) {
+            let rung = of_rung[0].0;
+            for kind in [PartKind::Up, PartKind::Down] {
+                if of_rung
+                    .iter()
+                    .any(|&(_, part)| wiring.rungs[rung].parts[part].kind == kind)
+                {
+                    unpaired(context, wiring.lines[rung], kind, out);
+                }
+            }
         }
     }
 }

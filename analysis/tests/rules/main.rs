@@ -5,6 +5,7 @@ mod check;
 mod connectors;
 mod names;
 mod pages;
+mod pathological;
 mod program;
 mod text;
 mod wiring;
