@@ -56,6 +56,7 @@ const CHECKS: &[Check] = &[
     duplicate_timer::check,
     duplicate_label::check,
     duplicate_function::check,
+    unknown_label::check,
     unknown_block::check,
     duplicate_block::check,
     recursive_block::check,

@@ -315,3 +315,52 @@ fn definitions_of_blocks() {
         "#]],
     );
 }
+
+#[test]
+fn labels_around_a_block() {
+    let block = |body: &str| {
+        format!("FUNCTION_BLOCK <$Skip>\n+--[ ]( EN )--<JMP>( there )--+\n{body}END_FUNCTION_BLOCK\n\n")
+    };
+    clean(&format!(
+        "{}+--<$Skip>--+\n\n+--<LBL>( there )--( )( y )--+\n",
+        block("")
+    ));
+    clean(&format!(
+        "{}+--<$Skip>--+\n",
+        block("+--<LBL>( there )--( )( ENO )--+\n")
+    ));
+    check(
+        &format!(
+            "{}+--<$Skip>--<CALL>( f )--+\n\n+--<LBL>( there )--( )( y )--+\n\n+--<FUN>( f )--<$Skip>--+\n",
+            block("")
+        ),
+        expect![[r#"
+            > +--[ ]( EN )--<JMP>( there )--+
+                                   ^^^^^ error[unknown-label]: there is no label `there` in the block, nor where the block stands
+                help: put the label into the block, or at each place that uses the block
+                at 9:16 `<$Skip>`: here the block stands, and no label of this name
+        "#]],
+    );
+    check(
+        &format!(
+            "{}FUNCTION_BLOCK <$Outer>\n+--<$Skip>--+\nEND_FUNCTION_BLOCK\n\n+--<$Outer>--+\n",
+            block("")
+        ),
+        expect![[r#"
+            > +--[ ]( EN )--<JMP>( there )--+
+                                   ^^^^^ error[unknown-label]: there is no label `there` in the block, nor where the block stands
+                help: put the label into the block, or at each place that uses the block
+                at 9:4 `<$Outer>`: here the block stands, and no label of this name
+        "#]],
+    );
+    // In other shapes a jump stays in the body.
+    check(
+        "FUNCTION_BLOCK [$Skip]\n+--[ ]( EN )--<JMP>( there )--+\nEND_FUNCTION_BLOCK\n\n+--[$Skip]--<LBL>( there )--( )( y )--+\n",
+        expect![[r#"
+            > +--[ ]( EN )--<JMP>( there )--+
+                                   ^^^^^ error[unknown-label]: there is no label `there` to jump to
+                help: a jump stays in its own program or function: put a label there, or use <CALL>
+                at 5:20 `there`: the label of this name belongs to another function or block
+        "#]],
+    );
+}
