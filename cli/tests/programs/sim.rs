@@ -173,6 +173,8 @@ fn the_output_goes_to_a_file() {
     let run = folder.ladder(&["sim", "motor.clad", "--scans", "1", "-o", "out.csv"]);
     assert_eq!(run.to_string(), "exit status 0\n");
     assert_eq!(folder.read("out.csv"), "scan,time_ms,run,start,stop\n0,0,0,0,0\n");
+    let run = folder.ladder(&["sim", "motor.clad", "--scans", "0", "-o", "-"]);
+    assert_eq!(run.stdout, "scan,time_ms,run,start,stop\n");
     let run = folder.ladder(&["sim", "motor.clad", "--scans", "1", "-o", "no/out.csv"]);
     assert_eq!(run.status, Some(2));
     assert!(

@@ -74,7 +74,7 @@ pub(crate) struct Arguments {
     #[arg(long, value_name = "TAG=VALUE")]
     force: Vec<String>,
 
-    /// The tags to write, in this order; without it all of them, sorted by name
+    /// The tags to write, in this order; without it every single-valued tag but constants, sorted by name
     #[arg(long, value_name = "TAG,...", value_delimiter = ',')]
     watch: Vec<String>,
 
@@ -82,7 +82,7 @@ pub(crate) struct Arguments {
     #[arg(long, value_enum, default_value_t = Format::Csv)]
     format: Format,
 
-    /// Write to this file instead of stdout
+    /// Write to this file instead of stdout; `-` is stdout
     #[arg(short, long, value_name = "FILE")]
     output: Option<PathBuf>,
 }

@@ -15,8 +15,8 @@ pub(super) enum Output {
 impl Output {
     pub(super) fn open(file: Option<&Path>) -> Result<Output, Failure> {
         Ok(match file {
-            Some(file) => Output::File(Replacement::of(file)?),
-            None => Output::Stdout(Stdout::new()),
+            Some(file) if file != Path::new("-") => Output::File(Replacement::of(file)?),
+            _ => Output::Stdout(Stdout::new()),
         })
     }
 
