@@ -3,7 +3,7 @@
 use crate::context::Context;
 use crate::diagnostic::Diagnostic;
 use crate::facts::Head;
-use crate::network::NetworkFacts;
+use crate::network::{NetworkFacts, breaks_drawing};
 use crate::rule::{Rule, Severity};
 use ladder_instructions::{Shape, lookup};
 use ladder_syntax::wiring::PartKind;
@@ -14,7 +14,10 @@ pub(crate) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
         // Blocks stand in the order of the rungs and parts, so one index follows them.
         let mut block = 0;
         for (rung, drawing) in network.wiring.rungs.iter().enumerate() {
-            let start = context.parse.line_start(network.wiring.lines[rung]);
+            let line = network.wiring.lines[rung];
+            let start = context.parse.line_start(line);
+            // Where a bracket is missing, two blocks touch because of that.
+            let misread = context.parse.lines()[line].errors.iter().any(breaks_drawing);
             for (index, part) in drawing.parts.iter().enumerate() {
                 let is_block = part.kind == PartKind::Block;
                 block += usize::from(is_block);
@@ -32,7 +35,7 @@ pub(crate) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
                     PartKind::Block => is_block || connects(part.kind),
                     kind => is_block && connects(kind),
                 };
-                if !lacks_wire {
+                if !lacks_wire || misread {
                     continue;
                 }
                 let seam = TextRange::new(before.range.end(), part.range.start()) + start;
