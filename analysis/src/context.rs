@@ -138,7 +138,7 @@ pub fn context(parse: &Arc<Parse>, out: &mut Vec<Diagnostic>) -> Context {
         .blocks
         .iter()
         .zip(&scopes[1..])
-        .map(|(definition, scope)| user_block::user_block(parse, definition.lines.start, scope))
+        .map(|(definition, scope)| user_block::user_block(parse, definition, scope))
         .collect();
     let mut networks: Vec<NetworkFacts> = structure
         .networks

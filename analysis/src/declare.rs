@@ -46,7 +46,12 @@ pub(crate) fn section(parse: &Parse, section: &Section, scope: &mut Scope, out: 
             continue;
         }
         if let Some(node) = Declaration::cast(parse.lines()[line].syntax()) {
+            let before = out.len();
             declaration(&node, parse.line_start(line), &context, scope, out);
+            if !parse.lines()[line].errors.is_empty() {
+                // What the parser has to say about the line is enough.
+                out.truncate(before);
+            }
         }
     }
 }

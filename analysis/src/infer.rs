@@ -62,7 +62,7 @@ fn by_place(context: &mut Context, out: &mut Vec<Diagnostic>) {
     // `(R)` also takes timers and counters: it makes a tag BOOL only where no other place has a say.
     let mut reset: Vec<(usize, usize)> = Vec::new();
     for network in &context.networks {
-        for bound in &network.blocks {
+        for bound in network.blocks.iter().filter(|bound| !bound.faulty) {
             for (operand, &formal) in bound.facts.operands.iter().zip(&bound.formals) {
                 let Some(tag) = untyped(&context.scopes[network.scope], &operand.value) else {
                     continue;
@@ -138,6 +138,9 @@ fn by_company(context: &mut Context) {
 }
 
 fn company(scope: &Scope, bound: &BoundBlock, mut give: impl FnMut(usize, Scalar)) {
+    if bound.faulty {
+        return;
+    }
     let operands = || bound.facts.operands.iter().zip(&bound.formals);
     let told = |asked: fn(Accepts) -> bool| {
         operands()

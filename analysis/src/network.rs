@@ -165,6 +165,7 @@ pub(crate) fn breaks_drawing(error: &SyntaxError) -> bool {
             | SyntaxErrorKind::UnclosedComment
             | SyntaxErrorKind::UnclosedString
             | SyntaxErrorKind::TooComplex
+            | SyntaxErrorKind::BadDeclaration(_)
             | SyntaxErrorKind::UnexpectedCharacter {
                 place: Place::Rung,
                 ..

@@ -1,10 +1,11 @@
 //! Definitions of user-defined blocks: name, shape, parameters (LANGUAGE §5.7).
 
 use crate::program::ParameterKind;
+use crate::rules::syntax_errors::looks_like_declaration;
 use crate::scope::{Origin, Scope, SectionKind};
 use ladder_instructions::Shape;
 use ladder_syntax::ast::{AstNode, BlockHeader, BlockShape, HeadName};
-use ladder_syntax::{Name, Parse, TextRange};
+use ladder_syntax::{BlockDefinition, Line, LineKind, Name, Parse, TextRange};
 
 /// A block definition as its header and declarations give it.
 #[derive(Debug, Clone)]
@@ -17,6 +18,8 @@ pub struct UserBlockFacts {
     pub shape: Shape,
     /// Where the header's first part stands.
     pub at: TextRange,
+    /// Its header or a declaration could not be read: its operands are not all known.
+    pub doubtful: bool,
     /// The operands in the order of their declaration.
     pub parameters: Vec<Parameter>,
 }
@@ -34,9 +37,10 @@ pub struct Parameter {
     pub has_default: bool,
 }
 
-/// The definition whose lines begin at `header_line`; `scope` is its body's, with its declarations. A header
+/// The facts of a definition; `scope` is its body's, with its declarations. A header
 /// that names no block gives a name that nothing can call.
-pub(crate) fn user_block(parse: &Parse, header_line: usize, scope: &Scope) -> UserBlockFacts {
+pub(crate) fn user_block(parse: &Parse, definition: &BlockDefinition, scope: &Scope) -> UserBlockFacts {
+    let header_line = definition.lines.start;
     let start = parse.line_start(header_line);
     let head = BlockHeader::cast(parse.lines()[header_line].syntax()).and_then(|header| header.head());
     let (name, shape, at) = match head {
@@ -75,9 +79,16 @@ pub(crate) fn user_block(parse: &Parse, header_line: usize, scope: &Scope) -> Us
         .collect();
     UserBlockFacts {
         key: Name::new(&name),
+        doubtful: parse.lines()[definition.lines.clone()].iter().any(is_doubtful),
         name,
         shape,
         at,
         parameters,
     }
+}
+
+/// Whether a line may have been a declaration that could not be read.
+fn is_doubtful(line: &Line) -> bool {
+    let mistaken = line.kind == LineKind::Stray || !line.errors.is_empty();
+    mistaken && (line.kind != LineKind::Rung || looks_like_declaration(line))
 }

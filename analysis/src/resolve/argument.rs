@@ -421,6 +421,9 @@ impl Resolver<'_, '_> {
                 continue;
             }
             let parameter = &facts.parameters[index];
+            if context.scopes[block + 1].tags[parameter.tag].mistyped {
+                continue;
+            }
             let ty = context.scopes[block + 1].tags[parameter.tag]
                 .ty
                 .unwrap_or(Type::Scalar(Scalar::Dint));

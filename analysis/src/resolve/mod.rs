@@ -250,6 +250,8 @@ impl Resolver<'_, '_> {
             range: bound.range(),
         };
         match bound.meaning {
+            // bad-arity says so; what the operands are is then anybody's guess.
+            Meaning::Instruction(row) if !row.takes(bound.positional_count()) => None,
             Meaning::Instruction(row) => {
                 let (arguments, works_in) = self.arguments(row, bound);
                 Some(Block {
@@ -259,6 +261,7 @@ impl Resolver<'_, '_> {
                     works_in,
                 })
             }
+            Meaning::User(index) if self.context.user_blocks[index].doubtful => None,
             Meaning::User(index) => {
                 let arguments = self.user_arguments(index, bound);
                 Some(Block {

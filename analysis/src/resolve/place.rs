@@ -127,8 +127,10 @@ impl Resolver<'_, '_> {
                 .any(|&state| infer::member(state, &word.text).is_some())
         {
             self.report(unknown_member::of_no_state(
+                self.scope,
                 &self.scope.tags[tag].name,
                 &word.text,
+                self.at(base.range),
                 at,
             ));
             return None;

@@ -183,6 +183,9 @@ fn placeholder(operand: &Operand) -> &'static str {
 
 fn user_block(context: &Context, bound: &BoundBlock, block: usize, out: &mut Vec<Diagnostic>) {
     let facts = &context.user_blocks[block];
+    if facts.doubtful {
+        return;
+    }
     let names = &context.scopes[block + 1].tags;
     let name_of = |index: usize| names[facts.parameters[index].tag].name.as_str();
     let signature = || format!("it is written {}", signature(facts, bound, &name_of));

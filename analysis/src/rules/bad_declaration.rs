@@ -21,6 +21,13 @@ pub(crate) fn block_name(header: bool, text: &str, range: TextRange) -> Diagnost
         .help("a block's name is a `$` and a letter, then letters and digits: $Debounce2")
 }
 
+/// A word where a declaration should stand that was probably meant to begin or end something.
+pub(crate) fn misspelt(word: &str, keyword: &str, range: TextRange) -> Diagnostic {
+    wrong(range, format!("`{word}` is no declaration"))
+        .help(format!("did you mean {keyword}?"))
+        .fix(format!("Replace with {keyword}"), range, keyword)
+}
+
 /// What the parser could not read. `text` is what stands in the range.
 pub(crate) fn unreadable(problem: DeclarationProblem, text: &str, range: TextRange) -> Diagnostic {
     use DeclarationProblem::*;
@@ -74,7 +81,7 @@ pub(crate) fn unreadable(problem: DeclarationProblem, text: &str, range: TextRan
             "a section begins with VAR, VAR_INPUT, VAR_OUTPUT, VAR_IN_OUT, VAR_GLOBAL or VAR_EXTERNAL",
         ),
         LineNotEnded => (
-            format!("`{found}` stands behind the end of a section"),
+            format!("`{found}` does not belong onto this line"),
             "rungs and sections begin on a line of their own",
         ),
         BlockHeadExpected => (

@@ -18,6 +18,9 @@ pub(crate) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
         for (operand, formal) in bound.facts.operands.iter().zip(&bound.formals) {
             let Some(name) = &operand.name else { continue };
             let is_read = match (*formal, bound.meaning) {
+                (Formal::UnknownName, Meaning::User(block)) if context.user_blocks[block].doubtful => {
+                    continue;
+                }
                 (Formal::UnknownName, _) => {
                     out.push(unknown_name(context, bound, operand, name));
                     continue;

@@ -62,6 +62,7 @@ fn is_plain_coil(context: &Context, place: &Use) -> bool {
     let network = &context.networks[place.network];
     place.access.writes()
         && !network.broken
+        && !network.blocks[place.block].faulty
         && matches!(
             network.blocks[place.block].op(),
             Some(Op::Coil | Op::NegatedCoil | Op::RetentiveCoil)

@@ -35,7 +35,9 @@ pub(crate) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
                     PartKind::Block => is_block || connects(part.kind),
                     kind => is_block && connects(kind),
                 };
-                if !lacks_wire || misread {
+                // A connector without its partner is the greater mistake.
+                let is_unpaired = |part| network.wiring.unpaired.binary_search(&(rung, part)).is_ok();
+                if !lacks_wire || misread || is_unpaired(index) || is_unpaired(index - 1) {
                     continue;
                 }
                 let seam = TextRange::new(before.range.end(), part.range.start()) + start;

@@ -15,6 +15,8 @@ pub(crate) mod duplicate_declaration;
 mod duplicate_function;
 mod duplicate_label;
 mod duplicate_timer;
+mod follow_ups;
+mod frame_keyword;
 mod misleading_alignment;
 mod misplaced_rail;
 pub(crate) mod missing_wire;
@@ -22,7 +24,7 @@ mod near_names;
 mod no_output;
 mod open_wire;
 mod recursive_block;
-mod syntax_errors;
+pub(crate) mod syntax_errors;
 pub(crate) mod type_mismatch;
 mod unclosed_block;
 pub(crate) mod unclosed_comment;
@@ -44,7 +46,6 @@ type Check = fn(&Context, &mut Vec<Diagnostic>);
 
 /// Every rule that looks at the whole context.
 const CHECKS: &[Check] = &[
-    syntax_errors::check,
     missing_wire::check,
     misplaced_rail::check,
     unpaired_connector::check,
@@ -71,4 +72,6 @@ pub(crate) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
     for check in CHECKS {
         check(context, out);
     }
+    follow_ups::remove(context, out);
+    syntax_errors::check(context, out);
 }

@@ -92,6 +92,11 @@ impl<'c> Reach<'c> {
 
     /// A segment that begins with wire or a block.
     fn lost_at_start(&self, rung: usize, segment: usize) -> Option<Diagnostic> {
+        let parts = &self.network.wiring.rungs[rung].parts;
+        if parts.iter().any(|part| part.kind == PartKind::StrayRail) {
+            // The line may begin at that rail.
+            return None;
+        }
         if segment > 0 {
             return self.cut_before(rung, segment);
         }

@@ -1,12 +1,19 @@
 //! What the parser found, as findings of the rules.
+//!
+//! One slip often makes the parser stumble more than once: a bracket that is missing leaves its partner over, a
+//! section that is not recognised leaves its END_VAR alone. What follows so from an earlier mistake is not told.
 
 use super::{
-    bad_declaration, bad_literal, bad_operand, unclosed_block, unclosed_comment, unexpected_character,
+    bad_declaration, bad_literal, bad_operand, frame_keyword, unclosed_block, unclosed_comment,
+    unexpected_character,
 };
 use crate::context::Context;
 use crate::diagnostic::Diagnostic;
 use crate::excerpt::{Excerpts, blanks_before_drawing};
-use ladder_syntax::{LineKind, Parse, SyntaxError, SyntaxErrorKind, TextRange};
+use ladder_syntax::{
+    DeclarationProblem, LineKind, Parse, Place, SyntaxError, SyntaxErrorKind, TextRange, TextSize,
+    is_identifier,
+};
 
 pub(crate) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
     let parse = &*context.parse;
@@ -15,34 +22,80 @@ pub(crate) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
         return;
     }
     let taken = taken_rests(parse, &errors);
+    let lost = LostFrames::new(parse);
     let mut excerpts = Excerpts::new(parse);
-    for (error, taken) in errors.iter().zip(taken) {
+    let mut line = Line::default();
+    let mut number = None;
+    for (index, (error, taken)) in errors.iter().zip(taken).enumerate() {
         let range = error.range;
-        let (text, rest) = excerpts.text(range);
-        out.push(match error.kind {
+        let on_line = parse.line_at(range.start());
+        if std::mem::replace(&mut number, on_line) != on_line {
+            line = Line::default();
+        }
+        let opens_text = errors
+            .get(index + 1)
+            .is_some_and(|next| next.kind == SyntaxErrorKind::UnclosedString && next.range == range);
+        let since = range.start().min(line.last_operand.unwrap_or(range.start()));
+        let between = excerpts
+            .text(TextRange::new(since, range.start()))
+            .0
+            .contains(')');
+        let (text, _) = excerpts.text(range);
+        if taken && matches!(error.kind, SyntaxErrorKind::UnclosedBlock { .. }) {
             // The text or comment that took the rest of the line took the closing bracket as well.
-            SyntaxErrorKind::UnclosedBlock { .. } if taken => continue,
-            SyntaxErrorKind::UnclosedBlock { closing } => {
-                let blanks = TextRange::at(range.end(), blanks_before_drawing(rest));
-                unclosed_block::missing(closing, text, range, blanks)
+            continue;
+        }
+        if opens_text || line.explains(error, text, between) || lost.explain(parse, error) {
+            continue;
+        }
+        line.met(error);
+        out.push(match misspelt_frame(parse, error, &mut excerpts) {
+            Some(finding) => finding,
+            None => {
+                let (text, rest) = excerpts.text(range);
+                finding(parse, error, text, rest)
             }
-            SyntaxErrorKind::WrongBracket { closing } => unclosed_block::wrong(closing, text, range),
-            SyntaxErrorKind::UnclosedComment => unclosed_comment::unclosed(parse, range),
-            SyntaxErrorKind::UnexpectedCharacter {
-                place,
-                behind_comment,
-            } => unexpected_character::unexpected(place, behind_comment, text, range),
-            SyntaxErrorKind::UnclosedString => bad_literal::unclosed_string(range),
-            SyntaxErrorKind::BadBlockName => {
-                let line = parse.line_at(range.start());
-                let header = line.is_some_and(|line| parse.lines()[line].kind == LineKind::BlockHeader);
-                bad_declaration::block_name(header, text, range)
-            }
-            SyntaxErrorKind::MissingOperand { place } => bad_operand::missing(place, range),
-            SyntaxErrorKind::MissingComma => bad_operand::missing_comma(range),
-            SyntaxErrorKind::TooComplex => bad_operand::too_complex(range),
-            SyntaxErrorKind::BadDeclaration(problem) => bad_declaration::unreadable(problem, text, range),
         });
+    }
+}
+
+/// `END_VR` in a section: the parser takes it for a name and waits for its type.
+fn misspelt_frame(parse: &Parse, error: &SyntaxError, excerpts: &mut Excerpts<'_>) -> Option<Diagnostic> {
+    if error.kind != SyntaxErrorKind::BadDeclaration(DeclarationProblem::TypeExpected) {
+        return None;
+    }
+    let start = parse.line_start(parse.line_at(error.range.start())?);
+    let (before, _) = excerpts.text(TextRange::new(start, error.range.start()));
+    let word = before.trim();
+    let keyword = frame_keyword::misspelt(word)?;
+    let blanks = before.len() - before.trim_start().len();
+    let range = TextRange::at(start + TextSize::new(blanks as u32), TextSize::of(word));
+    Some(bad_declaration::misspelt(word, keyword, range))
+}
+
+fn finding(parse: &Parse, error: &SyntaxError, text: &str, rest: &str) -> Diagnostic {
+    let range = error.range;
+    match error.kind {
+        SyntaxErrorKind::UnclosedBlock { closing } => {
+            let blanks = TextRange::at(range.end(), blanks_before_drawing(rest));
+            unclosed_block::missing(closing, text, range, blanks)
+        }
+        SyntaxErrorKind::WrongBracket { closing } => unclosed_block::wrong(closing, text, range),
+        SyntaxErrorKind::UnclosedComment => unclosed_comment::unclosed(parse, range),
+        SyntaxErrorKind::UnexpectedCharacter {
+            place,
+            behind_comment,
+        } => unexpected_character::unexpected(place, behind_comment, text, range),
+        SyntaxErrorKind::UnclosedString => bad_literal::unclosed_string(range),
+        SyntaxErrorKind::BadBlockName => {
+            let line = parse.line_at(range.start());
+            let header = line.is_some_and(|line| parse.lines()[line].kind == LineKind::BlockHeader);
+            bad_declaration::block_name(header, text, range)
+        }
+        SyntaxErrorKind::MissingOperand { place } => bad_operand::missing(place, range),
+        SyntaxErrorKind::MissingComma => bad_operand::missing_comma(range),
+        SyntaxErrorKind::TooComplex => bad_operand::too_complex(range),
+        SyntaxErrorKind::BadDeclaration(problem) => bad_declaration::unreadable(problem, text, range),
     }
 }
 
@@ -61,4 +114,124 @@ fn taken_rests(parse: &Parse, errors: &[SyntaxError]) -> Vec<bool> {
         }
     }
     taken
+}
+
+/// What was told on a line so far.
+#[derive(Default)]
+struct Line {
+    /// A bracket is missing or something stands on the rung that does not belong there: where the drawing goes on
+    /// behind it is a guess.
+    misread: bool,
+    /// Up to where a block that is not closed reaches.
+    unclosed_to: TextSize,
+    /// The end of the last mistake in an operand list.
+    last_operand: Option<TextSize>,
+}
+
+impl Line {
+    /// Whether a mistake follows from one before it on the line. `list_ended`: a parenthesis closes between it
+    /// and the last one in an operand list.
+    fn explains(&self, error: &SyntaxError, text: &str, list_ended: bool) -> bool {
+        let same_list = self.last_operand.is_some() && !list_ended;
+        match error.kind {
+            SyntaxErrorKind::UnexpectedCharacter { place, .. } => {
+                // A drawing made of typographic characters is mended piece by piece.
+                let typographic = unexpected_character::is_typographic(text);
+                (self.misread && !typographic)
+                    || error.range.start() < self.unclosed_to
+                    || (place == Place::Operands && same_list)
+            }
+            SyntaxErrorKind::MissingOperand { .. } | SyntaxErrorKind::MissingComma => {
+                same_list || error.range.start() < self.unclosed_to
+            }
+            SyntaxErrorKind::UnclosedBlock { .. } => self.misread,
+            _ => false,
+        }
+    }
+
+    fn met(&mut self, error: &SyntaxError) {
+        let end = error.range.end();
+        match error.kind {
+            SyntaxErrorKind::UnclosedBlock { .. } => {
+                self.misread = true;
+                self.unclosed_to = self.unclosed_to.max(end);
+                self.last_operand = Some(end);
+            }
+            SyntaxErrorKind::UnexpectedCharacter { place, .. } => match place {
+                Place::Operands => self.last_operand = Some(end),
+                _ => self.misread = true,
+            },
+            SyntaxErrorKind::MissingOperand { .. } | SyntaxErrorKind::MissingComma => {
+                self.last_operand = Some(end);
+            }
+            _ => {}
+        }
+    }
+}
+
+/// First or last lines of sections and block definitions that could not be read as such.
+struct LostFrames {
+    /// The first such line of a section, and of a block definition.
+    section: Option<usize>,
+    block: Option<usize>,
+}
+
+impl LostFrames {
+    fn new(parse: &Parse) -> LostFrames {
+        let mut lost = LostFrames {
+            section: None,
+            block: None,
+        };
+        for (index, line) in parse.lines().iter().enumerate() {
+            let frame = matches!(
+                line.kind,
+                LineKind::SectionHeader | LineKind::SectionEnd | LineKind::BlockHeader | LineKind::BlockEnd
+            );
+            if frame || (line.errors.is_empty() && line.kind != LineKind::Stray) {
+                continue;
+            }
+            let text = line.syntax().text().to_string();
+            for keyword in identifiers(&text).filter_map(frame_keyword::nearest) {
+                if keyword.contains("BLOCK") {
+                    lost.block.get_or_insert(index);
+                } else {
+                    lost.section.get_or_insert(index);
+                }
+            }
+        }
+        lost
+    }
+
+    /// Whether a mistake follows from such a line.
+    fn explain(&self, parse: &Parse, error: &SyntaxError) -> bool {
+        use DeclarationProblem::*;
+        let Some(line) = parse.line_at(error.range.start()) else {
+            return false;
+        };
+        let elsewhere = |lost: Option<usize>| lost.is_some_and(|lost| lost != line);
+        match error.kind {
+            SyntaxErrorKind::BadDeclaration(SectionNotClosed | EndWithoutSection) => elsewhere(self.section),
+            SyntaxErrorKind::BadDeclaration(BlockNotClosed | EndWithoutBlock | NestedBlock) => {
+                elsewhere(self.block)
+            }
+            // A declaration behind the first line of its section.
+            SyntaxErrorKind::UnexpectedCharacter { .. } => {
+                self.section.is_some_and(|section| section < line)
+                    && looks_like_declaration(&parse.lines()[line])
+            }
+            _ => false,
+        }
+    }
+}
+
+/// The identifiers of a text.
+pub(crate) fn identifiers(text: &str) -> impl Iterator<Item = &str> {
+    text.split(|c: char| !c.is_alphanumeric() && c != '_')
+        .filter(|word| is_identifier(word))
+}
+
+/// Whether a line that could not be read may have been meant as declarations.
+pub(crate) fn looks_like_declaration(line: &ladder_syntax::Line) -> bool {
+    let not_read = line.kind == LineKind::Stray || !line.errors.is_empty();
+    not_read && line.syntax().text().contains_char(';')
 }

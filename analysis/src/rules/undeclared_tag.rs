@@ -9,6 +9,7 @@ use super::near_names::NearNames;
 use crate::context::Context;
 use crate::declaration_fix::Places;
 use crate::diagnostic::{Diagnostic, Fix};
+use crate::facts::NodeKind;
 use crate::network::Formal;
 use crate::program::Role;
 use crate::rule::{Rule, Severity};
@@ -27,7 +28,7 @@ pub(crate) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
         let mut places = None;
         let undeclared = || facts.tags.iter().filter(|tag| is_undeclared(tag, scope));
         for tag in undeclared() {
-            let mut uses = tag.uses.iter().filter(|place| is_clear(context, place));
+            let mut uses = tag.uses.iter().filter(|place| is_clear(context, tag, place));
             let Some(first) = uses.clone().next() else {
                 continue;
             };
@@ -48,14 +49,27 @@ pub(crate) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
     }
 }
 
-/// Whether the place says that a tag is meant: the block is known, and could be read.
-fn is_clear(context: &Context, place: &Use) -> bool {
+/// Whether the place says that a tag is meant: the block is known and could be read, and no other rule speaks of
+/// the operand.
+fn is_clear(context: &Context, tag: &TagFacts, place: &Use) -> bool {
     let bound = &context.networks[place.network].blocks[place.block];
-    let known = matches!(
-        bound.formals[place.operand],
-        Formal::Operand(_) | Formal::Parameter(_)
-    );
-    known && !bound.faulty
+    let value = &bound.facts.operands[place.operand].value;
+    let known = match bound.formals[place.operand] {
+        Formal::Operand(operand) => {
+            // An expression where none may stand is a mistake of its own.
+            operand.accepts == Accepts::Expression
+                || !matches!(
+                    value.kind,
+                    NodeKind::Unary(..) | NodeKind::Binary(..) | NodeKind::Call(..)
+                )
+        }
+        Formal::Parameter(_) => true,
+        _ => false,
+    };
+    // `t.Q` where nothing makes a timer of `t`: unknown-member says so.
+    let no_member = !matches!(tag.ty, Some(Type::State(_)))
+        && matches!(&value.kind, NodeKind::Member(_, word) if word.text.parse::<u32>().is_err());
+    known && !bound.faulty && !no_member
 }
 
 /// In a body names do not say a type; only direct addresses need no declaration there.
@@ -171,7 +185,7 @@ fn slips(context: &Context, tags: &[TagFacts], out: &mut Vec<Diagnostic>) {
         .filter(|tag| tag.uses.len() > 1)
         .map(|tag| tag.name.as_str());
     let near = NearNames::new(often);
-    for tag in undeclared().filter(|tag| tag.uses.len() == 1 && is_clear(context, &tag.uses[0])) {
+    for tag in undeclared().filter(|tag| tag.uses.len() == 1 && is_clear(context, tag, &tag.uses[0])) {
         let Some(other) = near.one_letter_from(&tag.name) else {
             continue;
         };

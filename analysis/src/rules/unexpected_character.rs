@@ -1,5 +1,6 @@
 //! `unexpected-character`: characters that mean nothing where they stand.
 
+use super::frame_keyword;
 use crate::diagnostic::Diagnostic;
 use crate::excerpt::shortened;
 use crate::rule::Rule;
@@ -25,6 +26,13 @@ pub(crate) fn unexpected(place: Place, behind_comment: bool, text: &str, range: 
             .help(format!("a drawing uses plain characters: write `{drawn}`"))
             .fix(format!("Replace with `{drawn}`"), range, drawn);
     }
+    if let Some(keyword) = frame_keyword::misspelt(text) {
+        return found.help(format!("did you mean {keyword}?")).fix(
+            format!("Replace with {keyword}"),
+            range,
+            keyword,
+        );
+    }
     match place {
         Place::Rung if is_identifier(text) => found.help(format!(
             "a contact is written [ ]( {shown} ), a coil ( )( {shown} )"
@@ -32,6 +40,11 @@ pub(crate) fn unexpected(place: Place, behind_comment: bool, text: &str, range: 
         Place::Rung => found.help("a rung is drawn with - + | \\ / and blocks; text stands in # comments #"),
         _ => found,
     }
+}
+
+/// Whether all of the text can be drawn with plain characters.
+pub(crate) fn is_typographic(text: &str) -> bool {
+    drawn_with(text).is_some()
 }
 
 /// The plain characters for typographic ones, which word processors and terminals put in their place.

@@ -1,8 +1,10 @@
 //! `unknown-member`: the word or number behind a point names no part of the tag.
 
+use super::did_you_mean;
 use crate::diagnostic::Diagnostic;
 use crate::rule::Rule;
-use crate::types::Scalar;
+use crate::scope::Scope;
+use crate::types::{Scalar, Type};
 use ladder_instructions::StateType;
 use ladder_syntax::TextRange;
 
@@ -30,14 +32,31 @@ pub(crate) fn of_state(name: &str, state: StateType, word: &str, range: TextRang
 }
 
 /// A member of a timer, on a tag that is neither declared nor the tag of a block.
-pub(crate) fn of_no_state(name: &str, word: &str, range: TextRange) -> Diagnostic {
-    unknown(
+pub(crate) fn of_no_state(
+    scope: &Scope,
+    name: &str,
+    word: &str,
+    base: TextRange,
+    range: TextRange,
+) -> Diagnostic {
+    let found = unknown(
         range,
         format!("`{name}` has no `{word}`: no block makes it a timer or counter, and it is not declared"),
-    )
-    .help(format!(
-        "check the name, or write the block that it belongs to, such as [TON]( {name}, T#5s )"
-    ))
+    );
+    let states = scope
+        .tags
+        .iter()
+        .filter(|tag| matches!(tag.ty, Some(Type::State(_))));
+    match did_you_mean::closest(name, states.map(|tag| tag.name.as_str())) {
+        Some(near) => {
+            found
+                .help(format!("did you mean `{near}`?"))
+                .fix(format!("Replace with `{near}`"), base, near)
+        }
+        None => found.help(format!(
+            "check the name, or write the block that it belongs to, such as [TON]( {name}, T#5s )"
+        )),
+    }
 }
 
 pub(crate) fn of_scalar(ty: Scalar, word: &str, range: TextRange) -> Diagnostic {

@@ -3,6 +3,7 @@
 mod blocks;
 mod check;
 mod connectors;
+mod follow_ups;
 mod mutated;
 mod names;
 mod pages;

@@ -215,9 +215,6 @@ fn the_new_section_finds_its_place() {
             > +--[ ]( b )--( )( a )--+
               ^ error[bad-declaration]: the declarations above are not closed: END_VAR is missing
                 help: a section ends with END_VAR on a line of its own
-            > +--[ ]( b )--( )( a )--+
-                      ^ warning[undeclared-tag]: `b` is not declared
-                help: declare it, so that a typing mistake cannot make a new tag
         "#]],
     );
 }
@@ -315,13 +312,10 @@ fn a_mistake_in_a_type_is_told_once() {
         "+--[TON]( delay, T#5s )--[ ]( dleay.Q )--[ ]( delay.QU )--( )( y )--+\n",
         expect![[r#"
             > +--[TON]( delay, T#5s )--[ ]( dleay.Q )--[ ]( delay.QU )--( )( y )--+
-                                            ^^^^^ info[undeclared-tag]: `dleay` stands here only, and looks like `delay`
-                help: a typing mistake makes a new tag: correct it, or declare the tags of the file
+                                                  ^ error[unknown-member]: `dleay` has no `Q`: no block makes it a timer or counter, and it is not declared
+                help: did you mean `delay`?
                 fix: Replace with `delay`
                   +--[TON]( delay, T#5s )--[ ]( delay.Q )--[ ]( delay.QU )-------------( )( y )--+
-            > +--[TON]( delay, T#5s )--[ ]( dleay.Q )--[ ]( delay.QU )--( )( y )--+
-                                                  ^ error[unknown-member]: `dleay` has no `Q`: no block makes it a timer or counter, and it is not declared
-                help: check the name, or write the block that it belongs to, such as [TON]( dleay, T#5s )
             > +--[TON]( delay, T#5s )--[ ]( dleay.Q )--[ ]( delay.QU )--( )( y )--+
                                                                   ^^ error[unknown-member]: `delay` is a TON and has no member `QU`
                 help: its members are IN PT Q ET R TT

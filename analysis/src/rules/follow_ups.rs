@@ -1,0 +1,188 @@
+//! Findings that only follow from another one: a mistake is told once.
+//!
+//! A slip in the text changes what is read behind it: a label that cannot be read makes its jumps lead nowhere, a
+//! section that is not recognised leaves its tags undeclared. What can be explained so is not shown; it comes back
+//! if it is still true when the slip is gone.
+
+use super::frame_keyword;
+use super::syntax_errors::{identifiers, looks_like_declaration};
+use crate::context::Context;
+use crate::diagnostic::Diagnostic;
+use crate::excerpt::Excerpts;
+use crate::facts::{Node, NodeKind};
+use crate::network::{BoundBlock, Meaning, breaks_drawing};
+use crate::rule::Rule;
+use ladder_instructions::Op;
+use ladder_syntax::{LineKind, Name, Parse, SyntaxErrorKind, TextRange};
+use rustc_hash::FxHashSet;
+
+/// Removes what follows from the mistakes of the text. The findings about these themselves are added later.
+pub(crate) fn remove(context: &Context, found: &mut Vec<Diagnostic>) {
+    if found.is_empty() {
+        return;
+    }
+    let doubt = Doubt::new(context);
+    let mut excerpts = Excerpts::new(&context.parse);
+    found.retain(|diagnostic| !doubt.explains(context, diagnostic, &mut excerpts));
+}
+
+/// What mistakes leave in doubt.
+#[derive(Default)]
+struct Doubt {
+    /// Rungs on which something was misread.
+    misread: FxHashSet<usize>,
+    /// Words on lines that could not be read, and operands of blocks that are not known.
+    words: FxHashSet<Name>,
+    /// A line that could not be read may have been meant as declarations.
+    declarations: bool,
+    /// The first line of a block definition could not be read.
+    block_header: bool,
+    /// A label, or a function, has no name that can be read.
+    nameless_label: bool,
+    nameless_function: bool,
+    /// Block definitions that reach to the end of the text because their end was not found.
+    open_blocks: Vec<TextRange>,
+    /// An END_FUNCTION_BLOCK has no beginning: a body may stand in the program.
+    lost_header: bool,
+}
+
+impl Doubt {
+    fn new(context: &Context) -> Doubt {
+        let mut doubt = Doubt::default();
+        let parse = &*context.parse;
+        for (index, line) in parse.lines().iter().enumerate() {
+            if line.errors.is_empty() && line.kind != LineKind::Stray {
+                continue;
+            }
+            if line.kind == LineKind::Rung && line.errors.iter().any(breaks_drawing) {
+                doubt.misread.insert(index);
+            }
+            doubt.lost_header |= line.kind == LineKind::BlockEnd;
+            let text = parse.lines()[index].syntax().text().to_string();
+            doubt.words.extend(identifiers(&text).map(Name::new));
+            doubt.declarations |= match line.kind {
+                LineKind::Declaration | LineKind::SectionHeader | LineKind::SectionEnd => true,
+                _ => {
+                    looks_like_declaration(line)
+                        || identifiers(&text).any(|word| frame_keyword::nearest(word).is_some())
+                }
+            };
+            doubt.block_header |= line.kind == LineKind::BlockHeader;
+        }
+        for bound in context.networks.iter().flat_map(|network| &network.blocks) {
+            doubt.block(bound);
+        }
+        let definitions = parse.structure().blocks.iter();
+        let open = definitions.filter(|block| !block.closed);
+        doubt.open_blocks = open
+            .map(|block| {
+                let last = parse.line_range(block.lines.end - 1);
+                parse.line_range(block.lines.start).cover(last)
+            })
+            .collect();
+        doubt.lost_header |= !doubt.open_blocks.is_empty() || has_lost_header(parse);
+        doubt
+    }
+
+    fn block(&mut self, bound: &BoundBlock) {
+        match bound.meaning {
+            Meaning::Unknown => {
+                let names = bound
+                    .facts
+                    .operands
+                    .iter()
+                    .filter_map(|operand| name(&operand.value));
+                self.words.extend(names.map(Name::new));
+            }
+            Meaning::Instruction(row) if matches!(row.op, Op::Lbl | Op::Fun) => {
+                let named = bound
+                    .facts
+                    .operands
+                    .first()
+                    .is_some_and(|o| name(&o.value).is_some());
+                let named = named && !bound.faulty;
+                self.nameless_label |= row.op == Op::Lbl && !named;
+                self.nameless_function |= row.op == Op::Fun && !named;
+            }
+            _ => {}
+        }
+    }
+
+    fn explains(&self, context: &Context, found: &Diagnostic, excerpts: &mut Excerpts<'_>) -> bool {
+        let (at, parse) = (found.range, &*context.parse);
+        let on_misread_line = || {
+            let line = parse.line_at(at.start());
+            line.is_some_and(|line| self.misread.contains(&line))
+        };
+        if !self.misread.is_empty() && on_misread_line() {
+            return true;
+        }
+        let is_in =
+            |words: &FxHashSet<Name>, text: &str| !words.is_empty() && words.contains(&Name::new(text));
+        match found.rule {
+            Rule::UnknownLabel => self.nameless_label || is_in(&self.words, excerpts.text(at).0),
+            Rule::UnknownFunction => self.nameless_function || is_in(&self.words, excerpts.text(at).0),
+            Rule::UnknownBlock => {
+                let (head, _) = excerpts.text(at);
+                let name = head.trim_matches(|c: char| !c.is_alphanumeric() && c != '_');
+                self.block_header || is_in(&self.words, name)
+            }
+            Rule::UndeclaredTag => self.lost_header || self.declarations || self.in_open_block(at),
+            Rule::UnknownMember => {
+                !self.words.is_empty() && is_in(&self.words, word_before(parse, at, excerpts))
+            }
+            Rule::RecursiveBlock | Rule::WrongPlace => self.in_open_block(at),
+            _ => false,
+        }
+    }
+
+    fn in_open_block(&self, range: TextRange) -> bool {
+        // In the order of the file, none inside another.
+        let next = self
+            .open_blocks
+            .partition_point(|block| block.start() <= range.start());
+        next.checked_sub(1)
+            .is_some_and(|block| self.open_blocks[block].contains_inclusive(range.start()))
+    }
+}
+
+/// Whether an END_FUNCTION_BLOCK ends no definition.
+fn has_lost_header(parse: &Parse) -> bool {
+    use ladder_syntax::DeclarationProblem::EndWithoutBlock;
+    let ends = parse
+        .lines()
+        .iter()
+        .filter(|line| line.kind == LineKind::BlockEnd)
+        .count();
+    let closed = parse
+        .structure()
+        .blocks
+        .iter()
+        .filter(|block| block.closed)
+        .count();
+    ends > closed
+        && parse
+            .errors()
+            .iter()
+            .any(|error| error.kind == SyntaxErrorKind::BadDeclaration(EndWithoutBlock))
+}
+
+fn name(node: &Node) -> Option<&str> {
+    match &node.kind {
+        NodeKind::Name(name) => Some(name),
+        _ => None,
+    }
+}
+
+/// The identifier before the point of a member.
+fn word_before<'e>(parse: &Parse, member: TextRange, excerpts: &'e mut Excerpts<'_>) -> &'e str {
+    let Some(line) = parse.line_at(member.start()) else {
+        return "";
+    };
+    let (before, _) = excerpts.text(TextRange::new(parse.line_start(line), member.start()));
+    let before = before.trim_end_matches(['.', ' ', '\t']);
+    before
+        .rsplit(|c: char| !c.is_alphanumeric() && c != '_')
+        .next()
+        .unwrap_or_default()
+}

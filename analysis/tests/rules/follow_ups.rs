@@ -1,0 +1,222 @@
+//! One slip is told once, whatever it does to what stands behind it.
+
+use crate::check::check;
+use expect_test::expect;
+
+#[test]
+fn on_its_line() {
+    check(
+        "+--\\--[ ] start )--\\--[/]( stop )--( )( run )--+\n|  /--[ ]( run )---/                          |\n",
+        expect![[r#"
+            > +--\--[ ] start )--\--[/]( stop )--( )( run )--+
+                        ^^^^^^^ error[unexpected-character]: `start )` means nothing on a rung
+                help: a rung is drawn with - + | \ / and blocks; text stands in # comments #
+        "#]],
+    );
+    check(
+        "+--[ ]( run )--TON]( t, T#5s, R := stop )--[ ]( t.Q )--( )( lamp )--+\n",
+        expect![[r#"
+            > +--[ ]( run )--TON]( t, T#5s, R := stop )--[ ]( t.Q )--( )( lamp )--+
+                             ^^^^ error[unexpected-character]: `TON]` means nothing on a rung
+                help: a rung is drawn with - + | \ / and blocks; text stands in # comments #
+        "#]],
+    );
+    check(
+        "+--[ ]( a )--[\\]( b )--( )( y )--+\n",
+        expect![[r#"
+        > +--[ ]( a )--[\]( b )--( )( y )--+
+                       ^ error[unclosed-block]: `[` is not closed: `]` is missing
+            help: a block is closed on its own line
+            fix: Insert `]`
+              +--[ ]( a )--[]\]( b )--( )( y )--+
+    "#]],
+    );
+    check(
+        "+--[EQ]( n, 5 )--[CALC]( m, n * 3 + k ) )--( )( y )--+\n",
+        expect![[r#"
+            > +--[EQ]( n, 5 )--[CALC]( m, n * 3 + k ) )--( )( y )--+
+                                                      ^ error[unexpected-character]: `)` means nothing on a rung
+                help: a rung is drawn with - + | \ / and blocks; text stands in # comments #
+        "#]],
+    );
+    check(
+        "+--[ ]( a )--[MOV]( s, text' )--( )( y )--+\n",
+        expect![[r#"
+        > +--[ ]( a )--[MOV]( s, text' )--( )( y )--+
+                                     ^ error[bad-literal]: this text is not closed: `'` is missing
+            help: a text ends on its own line; a quote in it is written $'
+            fix: Insert `'`
+              +--[ ]( a )------------------[MOV]( s, text'' )--( )( y )--+
+    "#]],
+    );
+    check(
+        "+--[TON]( t- T#5s )--( )( y )--+\n",
+        expect![[r#"
+        > +--[TON]( t- T#5s )--( )( y )--+
+             ^^^^^^^^^^^^^^^^ error[bad-arity]: [TON] takes 2 operands, 1 is given
+            help: it is written [TON]( t, PT, R := )
+            fix: Add PT
+              +---[TON]( t - T#5s, T#1s )--( )( y )--+
+    "#]],
+    );
+    check(
+        "+--[ ]( a b c )--( )( y, , )--+\n",
+        expect![[r#"
+        > +--[ ]( a b c )--( )( y, , )--+
+                    ^ error[bad-operand]: a comma is missing before this operand
+            help: operands are separated by commas
+            fix: Insert `,`
+              +--[ ]( a , b c )---------( )( y, , )--+
+        > +--[ ]( a b c )--( )( y, , )--+
+                                   ^ error[bad-operand]: an operand is missing here
+            help: write the operand, or take the comma away
+    "#]],
+    );
+}
+
+#[test]
+fn labels_and_functions_that_cannot_be_read() {
+    check(
+        "+--[ ]( a )--<JMP>( out )--+\n\n+--<LBL> out )--( )( y )--+\n",
+        expect![[r#"
+            > +--<LBL> out )--( )( y )--+
+                       ^^^^^ error[unexpected-character]: `out )` means nothing on a rung
+                help: a rung is drawn with - + | \ / and blocks; text stands in # comments #
+        "#]],
+    );
+    check(
+        "+--[ ]( a )--<JMP>( out )--+\n\n+--<LBK>( out )--( )( y )--+\n",
+        expect![[r#"
+            > +--<LBK>( out )--( )( y )--+
+                 ^^^^^ error[unknown-instruction]: there is no instruction <LBK>
+                help: did you mean <LBL> (label)?
+                fix: Replace with <LBL>
+                  +--<LBL>( out )--( )( y )--+
+        "#]],
+    );
+    check(
+        "+--[ ]( a )--<JMP>( out )--+\n\n+--<LBL>( o t )--( )( y )--+\n",
+        expect![[r#"
+            > +--<LBL>( o t )--( )( y )--+
+                          ^ error[bad-operand]: a comma is missing before this operand
+                help: operands are separated by commas
+                fix: Insert `,`
+                  +--<LBL>( o, t )-------------( )( y )--+
+        "#]],
+    );
+    check(
+        "+--<CALL>( f )--+\n\n+--<FUN>( )--( )( y )--+\n",
+        expect![[r#"
+            > +--<FUN>( )--( )( y )--+
+                 ^^^^^^^^ error[bad-arity]: <FUN> takes 1 operand, none is given
+                help: it is written <FUN>( name )
+                fix: Add name
+                  +--<FUN>( name )-------------( )( y )--+
+        "#]],
+    );
+}
+
+#[test]
+fn frames_of_sections() {
+    check(
+        "VAR_INPT\n    a : BOOL;\nEND_VAR\nVAR x : BOOL; END_VAR\n\n+--[ ]( a )--( )( x )--+\n",
+        expect![[r#"
+            > VAR_INPT
+              ^^^^^^^^ error[unexpected-character]: `VAR_INPT` stands outside of any block
+                help: did you mean VAR_INPUT?
+                fix: Replace with VAR_INPUT
+                  VAR_INPUT
+        "#]],
+    );
+    check(
+        "VAR\n    a : BOOL;\nEND_VR\n\n+--[ ]( a )--( )( x )--+\n",
+        expect![[r#"
+            > END_VR
+              ^^^^^^ error[bad-declaration]: `END_VR` is no declaration
+                help: did you mean END_VAR?
+                fix: Replace with END_VAR
+                  END_VAR
+        "#]],
+    );
+    check(
+        "VAR_INPUT a : BOOL; END_VAR+--[ ]( a )--( )( y )--+\n",
+        expect![[r#"
+            > VAR_INPUT a : BOOL; END_VAR+--[ ]( a )--( )( y )--+
+                                         ^ error[bad-declaration]: `+` does not belong onto this line
+                help: rungs and sections begin on a line of their own
+        "#]],
+    );
+}
+
+#[test]
+fn frames_of_blocks() {
+    let rest = "VAR_INPUT\n    raw : BOOL;\nEND_VAR\n+--[ ]( EN )--[ ]( raw )--( )( ENO )--+\nEND_FUNCTION_BLOCK\n\n+--[$Pass]( a )--( )( y )--+\n";
+    check(
+        &format!("FUNCTON_BLOCK [$Pass]\n{rest}"),
+        expect![[r#"
+        > FUNCTON_BLOCK [$Pass]
+          ^^^^^^^^^^^^^ error[unexpected-character]: `FUNCTON_BLOCK` stands outside of any block
+            help: did you mean FUNCTION_BLOCK?
+            fix: Replace with FUNCTION_BLOCK
+              FUNCTION_BLOCK [$Pass]
+    "#]],
+    );
+    check(
+        &format!("FUNCTION_BLOCK [$Pass\n{rest}"),
+        expect![[r#"
+        > FUNCTION_BLOCK [$Pass
+                         ^^^^^^ error[unclosed-block]: `[$Pass` is not closed: `]` is missing
+            help: a block is closed on its own line
+            fix: Insert `]`
+              FUNCTION_BLOCK [$Pass]
+    "#]],
+    );
+    let text = format!("FUNCTION_BLOCK [$Pass]\n{rest}");
+    check(
+        &text.replace("END_FUNCTION", "END-FUNCTION"),
+        expect![[r#"
+        > END-FUNCTION_BLOCK
+          ^^^ error[unexpected-character]: `END` stands outside of any block
+            help: a contact is written [ ]( END ), a coil ( )( END )
+    "#]],
+    );
+    check(
+        &text.replace("raw : BOOL", "raw BOOL"),
+        expect![[r#"
+        >     raw BOOL;
+                  ^^^^ error[bad-declaration]: expected `:` and a type, found `BOOL`
+            help: a declaration is written: start : BOOL; the types are BOOL, INT, DINT, REAL, TIME, TON, CTU and others
+    "#]],
+    );
+    check(
+        &text.replace("raw : BOOL", "raw : BOL"),
+        expect![[r#"
+        >     raw : BOL;
+                    ^^^ error[bad-declaration]: there is no type `BOL`: did you mean BOOL?
+    "#]],
+    );
+}
+
+#[test]
+fn rails() {
+    check(
+        "-+--[ ]( a )--( )( y )--+\n",
+        expect![[r#"
+        > -+--[ ]( a )--( )( y )--+
+           ^ error[misplaced-rail]: `+` stands in the middle of a line
+            help: `+` is where a line leaves the left rail or ends at the right rail; lines are joined with \ and /
+            fix: Replace with wire
+              ----[ ]( a )-----------------( )( y )--+
+    "#]],
+    );
+    check(
+        "+--\\[ ]( a )--( )( y )--+\n",
+        expect![[r#"
+        > +--\[ ]( a )--( )( y )--+
+             ^ error[unpaired-connector]: the `\` on line 1 has no partner: there is no rung below it
+            help: every `\` needs a `/` on the rung below: together they join the two lines
+            fix: Replace `\` with wire
+              +--[ ]( a )------------------( )( y )--+
+    "#]],
+    );
+}
