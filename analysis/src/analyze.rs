@@ -30,7 +30,7 @@ impl Analysis {
 pub fn analyze(parse: &Arc<Parse>, name: &str) -> Analysis {
     let mut diagnostics = Vec::new();
     let context = context(parse, &mut diagnostics);
-    let program = resolve::program(&context, name, &mut diagnostics);
+    let (program, unresolved) = resolve::program(&context, name, &mut diagnostics);
     rules::check(&context, &mut diagnostics);
     rules::unclosed_comment::hide_what_follows(parse, &mut diagnostics);
     diagnostics.sort_by_key(|d| (d.range.start(), d.range.end(), d.rule));
@@ -41,6 +41,9 @@ pub fn analyze(parse: &Arc<Parse>, name: &str) -> Analysis {
         diagnostics,
         program: None,
     };
+    if let Some(block) = unresolved.filter(|_| !analysis.has_errors()) {
+        analysis.diagnostics.push(rules::bad_operand::meaningless(block));
+    }
     if !analysis.has_errors() {
         analysis.program = Some(Arc::new(program));
     }

@@ -127,6 +127,8 @@ pub enum NodeKind {
     Array(Vec<Node>),
     /// `4(0)` in an initial value.
     Repeat(Box<Node>, Vec<Node>),
+    /// Parentheses behind something that is no function's name: `a[1]( 2 )`. It reads well and means nothing.
+    NoFunction,
     /// Nothing, or nothing that can be read; the parser said so.
     Missing,
 }
@@ -289,7 +291,8 @@ pub fn node(expression: &Expression) -> Node {
             match call.callee() {
                 Some(Expression::Name(token)) => NodeKind::Call(word(&token), arguments),
                 Some(count @ Expression::Literal(_)) => NodeKind::Repeat(Box::new(node(&count)), arguments),
-                _ => NodeKind::Missing,
+                Some(_) => NodeKind::NoFunction,
+                None => NodeKind::Missing,
             }
         }
         Expression::Array(array) => NodeKind::Array(array.values().map(|v| node(&v)).collect()),

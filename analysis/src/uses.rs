@@ -95,7 +95,7 @@ fn walk(node: &Node, access: Access, whole: bool, place: &Place<'_>, scope: &mut
                 walk(argument, Access::Read, true, place, scope);
             }
         }
-        NodeKind::Literal(_) | NodeKind::Missing => {}
+        NodeKind::Literal(_) | NodeKind::NoFunction | NodeKind::Missing => {}
     }
 }
 

@@ -39,7 +39,12 @@ pub(crate) struct Resolver<'c, 'o> {
 }
 
 /// Resolves all networks. The program is whole only if `out` has no errors afterwards.
-pub(crate) fn program(context: &Context, file: &str, out: &mut Vec<Diagnostic>) -> Program {
+/// Gives the first block beside it that could not be resolved whole: such a program must not run.
+pub(crate) fn program(
+    context: &Context,
+    file: &str,
+    out: &mut Vec<Diagnostic>,
+) -> (Program, Option<TextRange>) {
     let numbers = network_numbers(context);
     let mut program = Program {
         files: vec![file.to_owned()],
@@ -62,6 +67,7 @@ pub(crate) fn program(context: &Context, file: &str, out: &mut Vec<Diagnostic>) 
             },
         }));
     }
+    let mut unresolved = None;
     let mut networks: Vec<Option<Network>> = vec![None; context.networks.len()];
     for (index, facts) in context.networks.iter().enumerate() {
         let mut blocks = Vec::with_capacity(facts.blocks.len());
@@ -76,7 +82,14 @@ pub(crate) fn program(context: &Context, file: &str, out: &mut Vec<Diagnostic>) 
                 network_numbers: &numbers,
                 out: &mut *out,
             };
-            blocks.extend(resolver.block(bound));
+            let block = resolver.block(bound);
+            let whole = block
+                .as_ref()
+                .is_some_and(|block| block.arguments.len() == bound.formals.len());
+            if !whole {
+                unresolved.get_or_insert(bound.range());
+            }
+            blocks.extend(block);
         }
         retain(&mut program, &blocks);
         networks[numbers[index]] = Some(lowered(context, facts, blocks));
@@ -90,7 +103,7 @@ pub(crate) fn program(context: &Context, file: &str, out: &mut Vec<Diagnostic>) 
         .map(|label| (label.key.clone(), numbers[label.network]))
         .collect();
     program.labels.sort_by_key(|(_, network)| *network);
-    program
+    (program, unresolved)
 }
 
 /// The id of each tag of each scope. What is shared has the id of the tag that it leads to.

@@ -83,6 +83,10 @@ impl Resolver<'_, '_> {
             NodeKind::Member(base, word) => self.member(base, word),
             NodeKind::Paren(inner) => self.place(inner),
             NodeKind::Missing => None,
+            NodeKind::NoFunction => {
+                self.report(bad_operand::no_function(range));
+                None
+            }
             NodeKind::Range(..) => {
                 self.report(bad_operand::wrong(
                     range,

@@ -127,6 +127,20 @@ pub(crate) fn state_expected(state: StateType, range: TextRange) -> Diagnostic {
     ))
 }
 
+/// Parentheses behind an element, a member, another call.
+pub(crate) fn no_function(range: TextRange) -> Diagnostic {
+    wrong(
+        range,
+        "parentheses stand behind the name of a function only: this is none",
+    )
+}
+
+/// What stands in an operand's place means nothing, and no other rule says why. Never wanted, but better than a
+/// program that runs without the operand.
+pub(crate) fn meaningless(block: TextRange) -> Diagnostic {
+    wrong(block, "an operand of this block means nothing here")
+}
+
 pub(crate) fn unknown_function(name: &str, range: TextRange) -> Diagnostic {
     let found = wrong(range, format!("there is no function `{name}` for expressions"));
     match ladder_instructions::closest(ladder_instructions::Shape::Logical, name) {
