@@ -9,13 +9,13 @@ use crate::diagnostic::Fix;
 use ladder_format::{Edit, Options, apply, format_ranges};
 use ladder_syntax::{TextRange, TextSize, parse};
 
-/// The edits that make a fix in `text`, the text that it was found in: at most one, whole lines, empty if it
-/// changes nothing.
+/// The edits that make a fix in `text`, the text that it was found in: sorted, none touching another, none where
+/// nothing changes.
 pub fn aligned(text: &str, fix: &Fix, options: &Options) -> Vec<Edit> {
     let raw = apply(text, &fix.edits);
     let parsed = parse(&raw);
     let tidied = apply(&raw, &format_ranges(&parsed, options, &moved(&fix.edits)));
-    difference(text, &tidied).into_iter().collect()
+    difference(text, &tidied)
 }
 
 /// Where the edits' texts stand once all are made. Sorted and disjoint edits are asked for.
@@ -31,11 +31,9 @@ fn moved(edits: &[Edit]) -> Vec<TextRange> {
         .collect()
 }
 
-/// The lines that differ, as one replacement.
-fn difference(old: &str, new: &str) -> Option<Edit> {
-    if old == new {
-        return None;
-    }
+/// What differs: line by line where both have as many lines between those that are the same, else as one
+/// replacement. Small edits leave an editor's cursors and marks where they are.
+fn difference(old: &str, new: &str) -> Vec<Edit> {
     let mut start = 0;
     for (a, b) in old.split_inclusive('\n').zip(new.split_inclusive('\n')) {
         if a != b {
@@ -53,10 +51,41 @@ fn difference(old: &str, new: &str) -> Option<Edit> {
         }
         behind += a.len();
     }
-    let (old_end, new_end) = (old.len() - behind, new.len() - behind);
+    let old = &old[start..old.len() - behind];
+    let new = &new[start..new.len() - behind];
+    if old.split_inclusive('\n').count() != new.split_inclusive('\n').count() {
+        return replacement(start, old, new).into_iter().collect();
+    }
+    let mut at = start;
+    let lines = old.split_inclusive('\n').zip(new.split_inclusive('\n'));
+    lines
+        .filter_map(|(old, new)| {
+            let line = at;
+            at += old.len();
+            replacement(line, old, new)
+        })
+        .collect()
+}
+
+/// The edit that makes one text of another, without what they begin and end with.
+fn replacement(start: usize, old: &str, new: &str) -> Option<Edit> {
+    if old == new {
+        return None;
+    }
+    let same = |(a, b): &(char, char)| a == b;
+    let length = |pairs: &mut dyn Iterator<Item = (char, char)>| -> usize {
+        pairs.take_while(same).map(|(c, _)| c.len_utf8()).sum()
+    };
+    let before = length(&mut old.chars().zip(new.chars()));
+    let (old, new) = (&old[before..], &new[before..]);
+    let behind = length(&mut old.chars().rev().zip(new.chars().rev()));
+    let range = TextRange::at(
+        TextSize::new((start + before) as u32),
+        TextSize::new((old.len() - behind) as u32),
+    );
     Some(Edit {
-        range: TextRange::new(TextSize::new(start as u32), TextSize::new(old_end as u32)),
-        text: new[start..new_end].to_owned(),
+        range,
+        text: new[..new.len() - behind].to_owned(),
     })
 }
 
@@ -99,11 +128,31 @@ mod tests {
     }
 
     #[test]
-    fn nothing_to_do_is_no_edit() {
-        assert_eq!(difference("a\nb\n", "a\nb\n"), None);
-        let edit = difference("a\nb\nb\nc\n", "a\nb\nc\n").unwrap();
-        assert_eq!(apply("a\nb\nb\nc\n", &[edit]), "a\nb\nc\n");
-        let edit = difference("a\n", "a\nb").unwrap();
-        assert_eq!(edit.text, "b");
+    fn edits_are_small() {
+        let check = |old: &str, new: &str, expected: &[(usize, usize, &str)]| {
+            let edits = difference(old, new);
+            assert_eq!(apply(old, &edits), new);
+            let shown: Vec<_> = edits
+                .iter()
+                .map(|e| {
+                    (
+                        usize::from(e.range.start()),
+                        usize::from(e.range.end()),
+                        e.text.as_str(),
+                    )
+                })
+                .collect();
+            assert_eq!(shown, expected);
+        };
+        check("a\nb\n", "a\nb\n", &[]);
+        check("a\nb\nb\nc\n", "a\nb\nc\n", &[(4, 6, "")]);
+        check("a\n", "a\nb", &[(2, 2, "b")]);
+        check(
+            "+--a--+\n|     |\n+--b--+\n",
+            "+--aa-+\n|     |\n+--bb-+\n",
+            &[(4, 5, "a"), (20, 21, "b")],
+        );
+        check("é--\n", "è--\n", &[(0, 2, "è")]);
+        check("--\r\n", "---\r\n", &[(2, 2, "-")]);
     }
 }

@@ -2,8 +2,9 @@
 
 use std::sync::Arc;
 
+use ladder_analysis::fix::aligned;
 use ladder_analysis::program::Program;
-use ladder_analysis::{Diagnostic, analyze};
+use ladder_analysis::{Diagnostic, Fix, analyze};
 use ladder_format::{Edit, Options, format};
 use ladder_ide::{Hover, hover};
 use ladder_syntax::{TextSize, parse};
@@ -31,6 +32,16 @@ impl Analysis {
     /// What stands at an offset.
     pub(crate) fn hover(&self, offset: TextSize) -> Option<Hover> {
         hover(&self.0, offset)
+    }
+
+    /// The edits that make fixes together, with the drawing around them put straight. They are given as edits that
+    /// do not touch each other.
+    pub(crate) fn mend(&self, edits: Vec<Edit>) -> Vec<Edit> {
+        let fix = Fix {
+            title: String::new(),
+            edits,
+        };
+        aligned(&self.0.context.parse.to_string(), &fix, &Options::default())
     }
 
     /// The edits that bring the text into its canonical layout: sorted, none touching another.

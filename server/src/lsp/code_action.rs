@@ -13,6 +13,7 @@ use super::capabilities::{Agreed, FIX_ALL};
 use super::convert;
 use super::shared::Shared;
 use crate::document::Revision;
+use crate::language::Analysis;
 use ladder_analysis::{Diagnostic, Fix};
 use ladder_format::Edit;
 use ladder_syntax::TextSize;
@@ -26,7 +27,8 @@ pub(super) async fn code_action(
     };
     let agreed = shared.agreed();
     blocking(move |_| {
-        let problems = revision.analysis()?.diagnostics();
+        let analysis = revision.analysis()?;
+        let problems = analysis.diagnostics();
         let range = convert::our_range(params.range);
         let (start, end) = (revision.offset(range.start), revision.offset(range.end));
         let mut actions = Vec::new();
@@ -34,10 +36,10 @@ pub(super) async fn code_action(
             let touched = problems
                 .iter()
                 .filter(|problem| problem.range.start() <= end && start <= problem.range.end());
-            actions.extend(touched.flat_map(|problem| quick_fixes(agreed, &revision, problem)));
+            actions.extend(touched.flat_map(|problem| quick_fixes(agreed, &revision, analysis, problem)));
         }
         if wanted(&params.context, &FIX_ALL) {
-            actions.extend(fix_all(agreed, &revision, problems));
+            actions.extend(fix_all(agreed, &revision, analysis));
         }
         Some(actions)
     })
@@ -53,14 +55,19 @@ fn wanted(context: &CodeActionContext, kind: &CodeActionKind) -> bool {
     })
 }
 
-fn quick_fixes(agreed: Agreed, revision: &Revision, problem: &Diagnostic) -> Vec<CodeActionOrCommand> {
+fn quick_fixes(
+    agreed: Agreed,
+    revision: &Revision,
+    analysis: &Analysis,
+    problem: &Diagnostic,
+) -> Vec<CodeActionOrCommand> {
     let diagnostic = convert::diagnostic(agreed, revision, problem);
     let action = |(nth, fix): (usize, &Fix)| {
         CodeActionOrCommand::CodeAction(CodeAction {
             title: fix.title.clone(),
             kind: Some(CodeActionKind::QUICKFIX),
             diagnostics: Some(vec![diagnostic.clone()]),
-            edit: convert::workspace_edit(agreed, revision, &fix.edits),
+            edit: convert::workspace_edit(agreed, revision, &analysis.mend(fix.edits.clone())),
             is_preferred: Some(nth == 0),
             ..CodeAction::default()
         })
@@ -69,7 +76,7 @@ fn quick_fixes(agreed: Agreed, revision: &Revision, problem: &Diagnostic) -> Vec
 }
 
 /// The first fix of every problem, as far as they do not touch each other: the rest is for the next round.
-fn fix_all(agreed: Agreed, revision: &Revision, problems: &[Diagnostic]) -> Option<CodeActionOrCommand> {
+fn first_fixes(problems: &[Diagnostic]) -> Vec<Edit> {
     let mut edits: BTreeMap<TextSize, Edit> = BTreeMap::new();
     for fix in problems.iter().filter_map(|problem| problem.fixes.first()) {
         // Those taken do not touch each other, so only the last one that begins before the end can touch.
@@ -81,10 +88,15 @@ fn fix_all(agreed: Agreed, revision: &Revision, problems: &[Diagnostic]) -> Opti
             edits.extend(fix.edits.iter().map(|edit| (edit.range.start(), edit.clone())));
         }
     }
+    edits.into_values().collect()
+}
+
+fn fix_all(agreed: Agreed, revision: &Revision, analysis: &Analysis) -> Option<CodeActionOrCommand> {
+    let edits = first_fixes(analysis.diagnostics());
     if edits.is_empty() {
         return None;
     }
-    let edits: Vec<Edit> = edits.into_values().collect();
+    let edits = analysis.mend(edits);
     Some(CodeActionOrCommand::CodeAction(CodeAction {
         title: "Apply all fixes".into(),
         kind: Some(FIX_ALL),
@@ -99,28 +111,15 @@ mod tests {
     use ladder_syntax::TextRange;
 
     use super::*;
-    use crate::document::Documents;
-    use crate::document::position::Encoding;
 
     /// The texts that "Apply all fixes" puts in for findings with these fixes, each an edit.
     fn all_fixes(fixes: &[(u32, u32, &str)]) -> Vec<String> {
-        let documents = Documents::default();
-        let revision = documents.open("file:///a.clad", 1, Encoding::Utf8, "+--[ ]( a )--( )( b )--+");
         let finding = |&(start, end, text): &(u32, u32, &str)| {
             let range = TextRange::new(start.into(), end.into());
             Diagnostic::new(Rule::MissingWire, range, "").fix("", range, text)
         };
         let findings: Vec<_> = fixes.iter().map(finding).collect();
-        let Some(CodeActionOrCommand::CodeAction(action)) = fix_all(Agreed::default(), &revision, &findings)
-        else {
-            return Vec::new();
-        };
-        let changes = action.edit.and_then(|edit| edit.changes).unwrap();
-        changes
-            .into_values()
-            .flatten()
-            .map(|edit| edit.new_text)
-            .collect()
+        first_fixes(&findings).into_iter().map(|edit| edit.text).collect()
     }
 
     #[test]
