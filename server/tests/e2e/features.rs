@@ -160,7 +160,12 @@ async fn all_fixes_at_once() {
     assert_eq!(offered.len(), 1);
     assert_eq!(offered[0]["kind"], "source.fixAll.ladder");
     let fixed = edited(MISTYPED, &offered[0]["edit"]["changes"][URI]);
-    assert_eq!(fixed, MISTYPED.replace("agian", "again").replace("-<JMP>( agan", "<JMP>( again"));
+    assert_eq!(
+        fixed,
+        MISTYPED
+            .replace("agian", "again")
+            .replace("-<JMP>( agan", "<JMP>( again")
+    );
     client.finish().await;
 }
 
