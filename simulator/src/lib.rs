@@ -34,6 +34,7 @@ mod routine;
 mod simulation;
 mod tags;
 mod timers;
+pub mod trace;
 pub mod value_text;
 
 pub use compile::CompileError;

@@ -10,4 +10,5 @@ mod help;
 mod lsp;
 mod lsp_ending;
 mod sim;
+mod sim_formats;
 mod tree;

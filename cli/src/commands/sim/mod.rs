@@ -30,6 +30,8 @@ Examples:
   ladder sim motor.clad --scans 3 --set start=1 --format diagram
                                                          the program with its power after three scans
   ladder sim motor.clad --scans 50 --inputs in.csv --watch run,warmup.ET -o out.csv
+  ladder sim motor.clad --scans 90 --inputs in.csv --format svg -o motor.svg
+                                                         a timing diagram
 
 A row of the file for --inputs is given to the program before one scan; its header names the tags:
 
@@ -92,6 +94,12 @@ pub(crate) struct Arguments {
 enum Format {
     /// A row of values for each scan
     Csv,
+    /// One object: the tags with their types, and the values of each scan
+    Json,
+    /// A value change dump, for waveform viewers such as GTKWave
+    Vcd,
+    /// A timing diagram as a picture
+    Svg,
     /// The program with its power after the last scan; `=` is a live wire
     Diagram,
 }
@@ -139,7 +147,10 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
         scans,
     };
     match arguments.format {
-        Format::Csv => out = trace::write(&mut run, &watched, out)?,
+        Format::Csv => trace::write(trace::Format::Csv, &mut run, &watched, &mut out)?,
+        Format::Json => trace::write(trace::Format::Json, &mut run, &watched, &mut out)?,
+        Format::Vcd => trace::write(trace::Format::Vcd, &mut run, &watched, &mut out)?,
+        Format::Svg => trace::write(trace::Format::Svg, &mut run, &watched, &mut out)?,
         Format::Diagram => {
             while run.scan() {}
             out.write_all(diagram(&source.text, &run.simulation).as_bytes())?;

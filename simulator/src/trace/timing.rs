@@ -1,0 +1,116 @@
+//! Timing diagrams as pictures: a lane for each tag, time from left to right.
+//!
+//! BOOL is a waveform; other values are drawn as a bus with the value in it, or, where they change too often to be
+//! read, as a curve. The picture follows the light or dark scheme of its reader, and its text stays text.
+
+mod axis;
+mod draw;
+
+use super::{Header, Write};
+use crate::value_text;
+use ladder_analysis::types::Scalar;
+use ladder_analysis::value::Value;
+
+/// What a timing diagram shows.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Timing {
+    /// Said to those who cannot see the picture, and shown where a pointer rests on it.
+    pub title: String,
+    /// Nanoseconds that a column stands for.
+    pub interval: i64,
+    /// How many columns there are.
+    pub columns: u64,
+    /// From top to bottom.
+    pub lanes: Vec<Lane>,
+}
+
+/// One line of a timing diagram.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Lane {
+    /// What stands at its left.
+    pub name: String,
+    /// What it draws.
+    pub signal: Signal,
+}
+
+/// What a lane draws. A change is a column and what holds from there on; the first stands at column 0.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Signal {
+    /// A waveform.
+    Levels(Vec<(u64, bool)>),
+    /// Values: as they are read, and as a number if they are one.
+    Values(Vec<(u64, String, Option<f64>)>),
+}
+
+impl Timing {
+    /// The picture: one SVG document.
+    pub fn svg(&self) -> String {
+        draw::svg(self)
+    }
+}
+
+/// Collects the changes of a run; the picture is drawn at its end.
+#[derive(Debug, Default)]
+pub(super) struct Recorder {
+    lanes: Vec<Lane>,
+    before: Vec<Value>,
+}
+
+impl Write for Recorder {
+    fn begin(&mut self, header: &Header, _: &mut String) {
+        let lanes = header.tags.iter().map(|tag| Lane {
+            name: tag.name.clone(),
+            signal: match tag.ty() {
+                Scalar::Bool => Signal::Levels(Vec::new()),
+                _ => Signal::Values(Vec::new()),
+            },
+        });
+        self.lanes = lanes.collect();
+    }
+
+    fn row(&mut self, header: &Header, scan: u64, values: &[Value], _: &mut String) {
+        for (index, value) in values.iter().enumerate() {
+            if self.before.get(index) == Some(value) {
+                continue;
+            }
+            match (&mut self.lanes[index].signal, value) {
+                (Signal::Levels(changes), value) => changes.push((scan, *value == Value::Bool(true))),
+                (Signal::Values(changes), value) => {
+                    let ty = header.tags[index].ty();
+                    changes.push((scan, shown(value, ty), number(value, ty)));
+                }
+            }
+        }
+        self.before.clear();
+        self.before.extend_from_slice(values);
+    }
+
+    fn end(&mut self, header: &Header, scans: u64, out: &mut String) {
+        let timing = Timing {
+            title: format!("Timing diagram of {}", header.program),
+            interval: header.interval,
+            columns: scans,
+            lanes: std::mem::take(&mut self.lanes),
+        };
+        out.push_str(&timing.svg());
+    }
+}
+
+/// A value as it stands in a bus: `1s500ms` is a time without being told.
+fn shown(value: &Value, ty: Scalar) -> String {
+    let text = value_text::display(value, ty);
+    match text.strip_prefix("T#") {
+        Some(duration) if ty == Scalar::Time => duration.to_owned(),
+        _ => text,
+    }
+}
+
+fn number(value: &Value, ty: Scalar) -> Option<f64> {
+    match value {
+        Value::Int(_) if ty.is_date() => None,
+        Value::Int(number) if matches!(ty, Scalar::Ulint | Scalar::Lword) => Some(*number as u64 as f64),
+        Value::Int(number) => Some(*number as f64),
+        Value::Real(real) => Some(*real),
+        _ => None,
+    }
+}
