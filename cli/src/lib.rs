@@ -13,6 +13,7 @@
 //!
 //! - `outcome` has the exit status: 0 fine, 1 findings, 2 the command could not do its work.
 //! - `findings` shows what is wrong in a program.
+//! - `settings` has what the `ladder.toml` of a program's workspace asks for.
 //! - `terminal` is the only module that names stdout and stderr: messages go to stderr as `error: ...`, colours
 //!   only to a terminal, and a reader that closes the pipe early is no error.
 //!
@@ -23,6 +24,7 @@ mod arguments;
 mod commands;
 mod findings;
 mod outcome;
+mod settings;
 mod terminal;
 
 use clap::Parser;

@@ -1,7 +1,7 @@
 //! How a command ends.
 
 use crate::terminal;
-use ladder_workspace::FileError;
+use ladder_workspace::{FileError, SettingsError};
 use std::fmt;
 use std::process::ExitCode;
 
@@ -55,6 +55,12 @@ impl fmt::Display for Failure {
 
 impl From<FileError> for Failure {
     fn from(error: FileError) -> Failure {
+        Failure(error.to_string())
+    }
+}
+
+impl From<SettingsError> for Failure {
+    fn from(error: SettingsError) -> Failure {
         Failure(error.to_string())
     }
 }

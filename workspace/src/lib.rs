@@ -22,6 +22,7 @@
 mod error;
 mod root;
 mod search;
+mod settings;
 mod text;
 mod write;
 
@@ -29,5 +30,6 @@ pub use error::{FileError, Problem};
 pub use ladder_syntax::MAX_FILE_BYTES;
 pub use root::{Root, SETTINGS_FILE};
 pub use search::{EXTENSION, find_programs, is_program};
+pub use settings::{Files, LintLevel, Mistake, Settings, SettingsError, Simulate};
 pub use text::{decode, read};
 pub use write::{Replacement, write};

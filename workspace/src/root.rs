@@ -1,6 +1,7 @@
 //! The workspace of a program (LANGUAGE §4).
 
-use crate::search::{find_programs, is_program};
+use crate::search::{is_program, programs_below};
+use crate::settings::{Files, Settings, SettingsError};
 use std::io;
 use std::path::{Path, PathBuf};
 
@@ -48,11 +49,26 @@ impl Root {
         }
     }
 
-    /// The programs of the workspace, sorted. What cannot be read is left out: a program must be usable beside a
-    /// folder that is not.
-    pub fn programs(&self) -> Vec<PathBuf> {
+    /// The settings of the workspace; without a file those that hold anyway.
+    ///
+    /// # Errors
+    /// There is a settings file that cannot be read, or something in it is wrong.
+    pub fn settings(&self) -> Result<Settings, SettingsError> {
+        match self.settings_file() {
+            Some(file) => Settings::read(&file),
+            None => Ok(Settings::default()),
+        }
+    }
+
+    /// The programs of the workspace, sorted; `files` are those that its settings ask for. What cannot be read is
+    /// left out: a program must be usable beside a folder that is not.
+    pub fn programs(&self, files: &Files) -> Vec<PathBuf> {
         match self {
-            Root::Settings(folder) => find_programs(std::slice::from_ref(folder)).0,
+            Root::Settings(folder) => {
+                let mut programs = programs_below(folder);
+                programs.retain(|program| files.contain(program));
+                programs
+            }
             Root::Folder(folder) => {
                 let mut programs: Vec<PathBuf> = std::fs::read_dir(folder)
                     .into_iter()

@@ -1,8 +1,9 @@
 //! Which files are meant when a person names files and folders.
 
-use crate::{FileError, Problem};
+use crate::settings::{Files, Settings};
+use crate::{FileError, Problem, SETTINGS_FILE};
 use ignore::WalkBuilder;
-use std::collections::HashSet;
+use std::collections::{HashMap, HashSet};
 use std::io;
 use std::path::{Path, PathBuf};
 
@@ -17,7 +18,7 @@ pub fn is_program(path: &Path) -> bool {
 
 /// The programs that the paths stand for, in the order of the paths; those of a folder sorted, sub-folders
 /// included. A file that is named is taken whatever its name; in folders hidden files, and what `.gitignore` and
-/// `.ignore` exclude, are passed over. Nothing is listed twice.
+/// `.ignore` exclude, are passed over, and what the settings of a workspace exclude. Nothing is listed twice.
 ///
 /// What is wrong with single paths does not keep the others from being found: it is in the second list.
 pub fn find_programs(paths: &[PathBuf]) -> (Vec<PathBuf>, Vec<FileError>) {
@@ -32,11 +33,32 @@ pub fn find_programs(paths: &[PathBuf]) -> (Vec<PathBuf>, Vec<FileError>) {
     (search.found, search.errors)
 }
 
+/// The programs of one workspace: those below its folder, but not those below another settings file.
+pub(crate) fn programs_below(root: &Path) -> Vec<PathBuf> {
+    let mut walk = walker(root);
+    walk.filter_entry(|entry| entry.depth() == 0 || !entry.path().join(SETTINGS_FILE).is_file());
+    walk.build()
+        .filter_map(Result::ok)
+        .map(ignore::DirEntry::into_path)
+        .filter(|path| is_program(path) && path.is_file())
+        .collect()
+}
+
+/// What lies below a folder, sorted, by the rules of `.gitignore`.
+fn walker(folder: &Path) -> WalkBuilder {
+    let mut walk = WalkBuilder::new(folder);
+    // A folder that is no repository (yet) has its `.gitignore` obeyed too.
+    walk.require_git(false).sort_by_file_path(Path::cmp);
+    walk
+}
+
 #[derive(Default)]
 struct Search {
     found: Vec<PathBuf>,
     /// The files behind `found`, by their true paths: `.` and `motor.clad` name one file twice.
     seen: HashSet<PathBuf>,
+    /// By folder, which of its files belong to the workspace.
+    belonging: HashMap<PathBuf, Files>,
     errors: Vec<FileError>,
 }
 
@@ -50,17 +72,14 @@ impl Search {
 
     fn folder(&mut self, folder: &Path) {
         let mut empty = true;
-        // A folder that is no repository (yet) has its `.gitignore` obeyed too.
-        let walk = WalkBuilder::new(folder)
-            .require_git(false)
-            .sort_by_file_path(Path::cmp)
-            .build();
-        for entry in walk {
+        for entry in walker(folder).build() {
             match entry {
                 // Asked through links: a linked file is a program like any other, a linked folder is not entered.
                 Ok(entry) if is_program(entry.path()) && entry.path().is_file() => {
                     empty = false;
-                    self.take(without_dot(folder, entry.into_path()));
+                    if self.belongs(entry.path()) {
+                        self.take(without_dot(folder, entry.into_path()));
+                    }
                 }
                 Ok(_) => {}
                 Err(error) => self.unreadable(folder, &error),
@@ -69,6 +88,20 @@ impl Search {
         if empty && self.errors.iter().all(|error| !error.path.starts_with(folder)) {
             self.errors.push(FileError::new(folder, Problem::NoPrograms));
         }
+    }
+
+    /// Whether the settings above a file do not exclude it. Settings that cannot be read exclude nothing: whoever
+    /// needs them says what is wrong with them.
+    fn belongs(&mut self, path: &Path) -> bool {
+        let Ok(path) = std::path::absolute(path) else {
+            return true;
+        };
+        let folder = path.parent().unwrap_or(&path).to_owned();
+        let files = self.belonging.entry(folder).or_insert_with(|| {
+            let settings = Settings::of(&path);
+            settings.map(|settings| settings.files).unwrap_or_default()
+        });
+        files.contain(&path)
     }
 
     fn unreadable(&mut self, folder: &Path, error: &ignore::Error) {

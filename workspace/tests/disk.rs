@@ -1,6 +1,6 @@
 //! Reading, searching and writing over real folders.
 
-use ladder_workspace::{MAX_FILE_BYTES, Replacement, Root, find_programs, read, write};
+use ladder_workspace::{Files, MAX_FILE_BYTES, Replacement, Root, find_programs, read, write};
 use std::fs;
 use std::io::Write;
 use std::path::{Path, PathBuf};
@@ -226,12 +226,15 @@ fn the_root_is_the_nearest_settings_file_or_the_own_folder() {
         dir.path().join("plant/ladder.toml")
     );
     assert_eq!(
-        relative(&dir, &plant.programs()),
+        relative(&dir, &plant.programs(&Files::default())),
         ["plant/a.clad", "plant/line/b.clad"]
     );
 
     let other = root("other/c.clad");
     assert_eq!(other, Root::Folder(dir.path().join("other")));
     assert_eq!(other.settings_file(), None);
-    assert_eq!(relative(&dir, &other.programs()), ["other/c.clad"]);
+    assert_eq!(
+        relative(&dir, &other.programs(&Files::default())),
+        ["other/c.clad"]
+    );
 }

@@ -5,9 +5,10 @@ mod layout;
 mod selection;
 
 use crate::outcome::{Failure, Outcome};
+use crate::settings::SettingsFiles;
 use crate::terminal::{self, Stdout};
 use clap::Args;
-use ladder_workspace::{FileError, MAX_FILE_BYTES};
+use ladder_workspace::{FileError, MAX_FILE_BYTES, Settings};
 use selection::Selection;
 use std::io::{Read, Write};
 use std::path::{Path, PathBuf};
@@ -21,13 +22,13 @@ Examples:
   ldfmt - < motor.clad              from stdin to stdout
   ldfmt --range 12-20 motor.clad    only the networks on lines 12 to 20
 
-Exit status: 0 fine, 1 a file would change (--check, --diff), 2 a file cannot be read or written.";
+Exit status: 0 fine, 1 a file would change (--check, --diff), 2 a file cannot be read or written, or ladder.toml is wrong.";
 
 /// Align ladder diagrams
 ///
 /// Brings programs into the one canonical layout, in place. Only white space, the length of wires, decoration
 /// and the case of keywords change: the program does what it did before. A network that cannot be read stays as
-/// it is, the others are aligned.
+/// it is, the others are aligned. The width and the spacing can be set in ladder.toml.
 ///
 /// `ladder fmt` and `ldfmt` are the same formatter.
 #[derive(Debug, Args)]
@@ -106,9 +107,10 @@ fn format_files(arguments: &Arguments) -> Result<Outcome, Failure> {
         Outcome::Failed
     };
     let mut out = Stdout::new();
+    let mut settings = SettingsFiles::default();
     for file in &files {
         // One file that is bad does not keep the others from being aligned.
-        match format_file(file, arguments, &mut out) {
+        match format_file(file, arguments, &mut settings, &mut out) {
             Ok(found) => outcome = outcome.max(found),
             Err(failure) => {
                 terminal::error(&failure);
@@ -120,9 +122,17 @@ fn format_files(arguments: &Arguments) -> Result<Outcome, Failure> {
     Ok(outcome)
 }
 
-fn format_file(file: &Path, arguments: &Arguments, out: &mut Stdout) -> Result<Outcome, Failure> {
+fn format_file(
+    file: &Path,
+    arguments: &Arguments,
+    settings: &mut SettingsFiles,
+    out: &mut Stdout,
+) -> Result<Outcome, Failure> {
+    let Some(settings) = settings.of(file)? else {
+        return Ok(Outcome::Failed);
+    };
     let text = ladder_workspace::read(file)?;
-    let formatted = layout::formatted(&text, arguments.range);
+    let formatted = layout::formatted(&text, &settings.format, arguments.range);
     if formatted == text {
         return Ok(Outcome::Fine);
     }
@@ -148,7 +158,8 @@ fn format_stdin(arguments: &Arguments) -> Result<Outcome, Failure> {
         .as_deref()
         .unwrap_or(Path::new("<stdin>"));
     let text = read_stdin(name)?;
-    let formatted = layout::formatted(&text, arguments.range);
+    let settings = Settings::of(name)?;
+    let formatted = layout::formatted(&text, &settings.format, arguments.range);
     let changes = formatted != text;
     let mut out = Stdout::new();
     match arguments.task() {

@@ -17,6 +17,7 @@ use ladder_analysis::program::{Location, Program};
 use ladder_analysis::types::{Scalar, Type};
 use ladder_analysis::value::Value;
 use ladder_simulator::{Options, Point, Simulation, Status, diagram, value_text};
+use ladder_workspace::Settings;
 use output::Output;
 use run::Run;
 use std::io::Write;
@@ -60,9 +61,9 @@ pub(crate) struct Arguments {
     #[arg(long, value_name = "N")]
     scans: Option<u64>,
 
-    /// The time from one scan to the next
-    #[arg(long, value_name = "TIME", default_value = "10ms", value_parser = interval)]
-    dt: i64,
+    /// The time from one scan to the next [default: what ladder.toml says, else 10ms]
+    #[arg(long, value_name = "TIME", value_parser = interval)]
+    dt: Option<i64>,
 
     /// A CSV file with the values that tags are set to before each scan
     #[arg(long, value_name = "FILE")]
@@ -106,6 +107,7 @@ enum Format {
 
 pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     let text = ladder_workspace::read(&arguments.file)?;
+    let settings = Settings::of(&arguments.file)?.simulate.options();
     let scans = arguments.scans.ok_or_else(|| {
         Failure::new("say how many scans to run, for example --scans 100; `ladder sim --help` shows more")
     })?;
@@ -114,8 +116,8 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
         return Ok(Outcome::Findings);
     };
     let options = Options {
-        interval: arguments.dt,
-        ..Options::default()
+        interval: arguments.dt.unwrap_or(settings.interval),
+        ..settings
     };
     let mut simulation = Simulation::new(program, options)
         .map_err(|error| Failure::new(format!("{}: {}", place(&source, error.location), error.message)))?;

@@ -1,0 +1,87 @@
+//! What the commands take from `ladder.toml`.
+
+use crate::harness::{CROOKED, Folder, MOTOR};
+use expect_test::expect;
+
+const SPACED: &str = "\
++----\\----[ ]( start )----\\----[/]( stop )-----------------------( )( run )----+
+|    /----[ ]( run )------/                                                    |
+";
+
+#[test]
+fn the_formatter_takes_width_and_spacing() {
+    let folder = Folder::with(&[
+        ("ladder.toml", "[format]\nspacing = 4\n"),
+        ("sub/a.clad", CROOKED),
+    ]);
+    expect![[r#"
+        exit status 0
+    "#]]
+    .assert_eq(&folder.ldfmt(&["sub/a.clad"]).to_string());
+    assert_eq!(folder.read("sub/a.clad"), SPACED);
+    let named = ["-", "--stdin-filename", "sub/new.clad"];
+    assert_eq!(folder.ldfmt_stdin(&named, CROOKED.as_bytes()).stdout, SPACED);
+    // Without a name stdin is a file of the current folder.
+    assert_eq!(folder.ldfmt_stdin(&["-"], CROOKED.as_bytes()).stdout, SPACED);
+}
+
+#[test]
+fn the_simulator_takes_the_interval_and_the_watchdog() {
+    let folder = Folder::with(&[
+        ("ladder.toml", "[simulate]\ninterval = \"50ms\"\nwatchdog = 1\n"),
+        ("slow.clad", "+--( )( run )--+\n"),
+        ("sub/ladder.toml", "[simulate]\nwatchdog = 1\n"),
+        ("sub/busy.clad", "+--( )( run )--+\n+--( )( on )--+\n"),
+    ]);
+    expect![[r#"
+        exit status 0
+        -- stdout
+        scan,time_ms,run
+        0,0,1
+        1,50,1
+    "#]]
+    .assert_eq(&folder.ladder(&["sim", "slow.clad", "--scans", "2"]).to_string());
+    expect![[r#"
+        exit status 0
+        -- stdout
+        scan,time_ms,run
+        0,0,1
+        1,20,1
+    "#]]
+    .assert_eq(
+        &folder
+            .ladder(&["sim", "slow.clad", "--scans", "2", "--dt", "20ms"])
+            .to_string(),
+    );
+    expect![[r#"
+        exit status 1
+        -- stdout
+        scan,time_ms,on,run
+        -- stderr
+        sub/busy.clad:2:4: fault in scan 0: this scan has evaluated more than 1 blocks, so the watchdog stopped the simulation here; look for a jump or loop that does not end
+    "#]]
+    .assert_eq(
+        &folder
+            .ladder(&["sim", "sub/busy.clad", "--scans", "2"])
+            .to_string(),
+    );
+}
+
+#[test]
+fn a_broken_settings_file_is_told_once() {
+    let broken = [
+        ("ladder.toml", "[format]\nwith = 3\n"),
+        ("a.clad", MOTOR),
+        ("b.clad", CROOKED),
+    ];
+    let folder = Folder::with(&broken);
+    let message = "ladder.toml:2:1: `with` is no setting in [format]: did you mean `width`?";
+    folder.ldfmt(&["."]).refused_with(message);
+    folder
+        .ldfmt_stdin(&["-"], CROOKED.as_bytes())
+        .refused_with(message);
+    folder
+        .ladder(&["sim", "a.clad", "--scans", "1"])
+        .refused_with(message);
+    assert_eq!(folder.read("b.clad"), CROOKED);
+}

@@ -1,0 +1,56 @@
+//! `[workspace]`: which files belong to it.
+
+use super::reader::{Given, Reader, Table};
+use ignore::gitignore::{Gitignore, GitignoreBuilder};
+use std::path::Path;
+
+/// The programs of a workspace. Patterns are those of `.gitignore`, seen from the settings file's folder.
+#[derive(Debug, Clone, Default)]
+pub struct Files {
+    /// Only what matches one of these; without them everything.
+    include: Option<Gitignore>,
+    /// But not what matches one of these.
+    exclude: Option<Gitignore>,
+}
+
+impl Files {
+    /// Whether a program below the settings file's folder belongs to the workspace.
+    pub fn contain(&self, program: &Path) -> bool {
+        let matches = |patterns: &Gitignore| {
+            // What does not lie below the folder is none of its business (and would be a panic).
+            program.starts_with(patterns.path())
+                && patterns.matched_path_or_any_parents(program, false).is_ignore()
+        };
+        self.include.as_ref().is_none_or(matches) && !self.exclude.as_ref().is_some_and(matches)
+    }
+}
+
+pub(super) fn read<'t>(mut table: Table<'t>, folder: &Path, reader: &mut Reader<'t>) -> Files {
+    let include = table.take("include");
+    let exclude = table.take("exclude");
+    table.finish(reader);
+    Files {
+        include: include.map(|given| patterns(&given, "\"lines/**\"", folder, reader)),
+        exclude: exclude.map(|given| patterns(&given, "\"old/\"", folder, reader)),
+    }
+}
+
+fn patterns<'t>(given: &Given<'t>, example: &str, folder: &Path, reader: &mut Reader<'t>) -> Gitignore {
+    let mut builder = GitignoreBuilder::new(folder);
+    for (range, pattern) in reader.strings(given, example) {
+        if let Err(error) = builder.add_line(None, &pattern) {
+            reader.wrong(
+                range,
+                format!("`{pattern}` is no pattern as in .gitignore: {}", plain(&error)),
+            );
+        }
+    }
+    builder.build().unwrap_or_else(|_| Gitignore::empty())
+}
+
+fn plain(error: &ignore::Error) -> String {
+    match error {
+        ignore::Error::Glob { err, .. } => err.clone(),
+        other => other.to_string(),
+    }
+}
