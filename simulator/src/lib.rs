@@ -6,7 +6,8 @@
 //! ```
 //!
 //! [`Simulation`] is what the command line, the language server and tests share: it takes a program of
-//! `ladder-analysis`, runs scans on a clock of its own, and shows every tag and the power of every wire.
+//! `ladder-analysis`, runs scans on a clock of its own, and shows every tag and the power of every wire. A [`Session`]
+//! is one that remembers: it steps back to earlier scans.
 //!
 //! - The same program, inputs and interval give the same values on every machine: time moves by the interval and
 //!   never by the wall clock, and transcendental functions come from `libm`.
@@ -31,6 +32,7 @@ mod memory;
 mod operation;
 mod retain;
 mod routine;
+mod session;
 mod simulation;
 mod tags;
 mod timers;
@@ -40,5 +42,6 @@ pub mod value_text;
 pub use compile::CompileError;
 pub use diagram::diagram;
 pub use fault::Fault;
+pub use session::{HistoryLimits, Session, Stop};
 pub use simulation::{Options, Refused, Simulation, Status};
 pub use tags::{Point, UnknownTag};

@@ -46,21 +46,21 @@ pub enum Status {
 /// A running program.
 #[derive(Debug)]
 pub struct Simulation {
-    program: Arc<Program>,
-    compiled: Compiled,
-    names: Names,
-    points: Vec<Point>,
-    machine: Machine,
-    options: Options,
-    status: Status,
-    forces: BTreeMap<String, Force>,
+    pub(crate) program: Arc<Program>,
+    pub(crate) compiled: Compiled,
+    pub(crate) names: Names,
+    pub(crate) points: Vec<Point>,
+    pub(crate) machine: Machine,
+    pub(crate) options: Options,
+    pub(crate) status: Status,
+    pub(crate) forces: BTreeMap<String, Force>,
     /// The last scan ran plain code, with forces.
-    ran_plain: bool,
+    pub(crate) ran_plain: bool,
 }
 
 /// A force that is in effect.
-#[derive(Debug, Clone)]
-struct Force {
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct Force {
     point: Point,
     /// What an input would show if it were not forced.
     underneath: Option<Value>,
@@ -208,7 +208,7 @@ impl Simulation {
         faults
     }
 
-    fn fault(&self, record: &FaultRecord) -> Fault {
+    pub(crate) fn fault(&self, record: &FaultRecord) -> Fault {
         let blocks = &self.compiled.code.blocks;
         let nowhere = Location {
             file: 0,
@@ -254,15 +254,7 @@ impl Simulation {
 
     /// What a point holds.
     pub fn value(&self, point: &Point) -> Value {
-        let memory = &self.machine.memory;
-        match point.slot {
-            PointSlot::Bit(slot) => Value::Bool(memory.bit(slot)),
-            PointSlot::Word(slot) if point.ty.is_real() => Value::Real(memory.real(slot)),
-            PointSlot::Word(slot) => Value::Int(memory.word(slot)),
-            PointSlot::Text(slot) => Value::Text(memory.text(slot).into()),
-            PointSlot::BitOf { word, bit, .. } => Value::Bool(memory.word(word) >> bit & 1 != 0),
-            PointSlot::Timing { input, done } => Value::Bool(memory.bit(input) && !memory.bit(done)),
-        }
+        point.read(&self.machine.memory)
     }
 
     /// Every part of the drawing that carries power, and whether it had power in the last scan. What that scan
@@ -326,11 +318,8 @@ impl Simulation {
             Some(force) => force.underneath.clone(),
             None => (point.role == Role::Input).then(|| self.value(&point)),
         };
-        let memory = &mut self.machine.memory;
         if self.forces.is_empty() {
-            memory.held.bits = vec![0; memory.bits.len()];
-            memory.held.words = vec![0; memory.words.len()];
-            memory.held.texts = vec![false; memory.texts.len()];
+            self.make_room_for_marks();
         }
         self.mark(&point, true);
         // The value goes in underneath the mark, which only keeps the program from writing.
@@ -369,6 +358,30 @@ impl Simulation {
                 self.write(&force.point, &value);
             }
         }
+    }
+
+    /// Makes these the forces. The banks already hold what forced points show.
+    pub(crate) fn restore_forces(&mut self, forces: &BTreeMap<String, Force>) {
+        if self.forces == *forces {
+            return;
+        }
+        for force in std::mem::take(&mut self.forces).into_values() {
+            self.mark(&force.point, false);
+        }
+        self.forces.clone_from(forces);
+        if !forces.is_empty() {
+            self.make_room_for_marks();
+        }
+        for force in forces.values() {
+            self.mark(&force.point, true);
+        }
+    }
+
+    fn make_room_for_marks(&mut self) {
+        let memory = &mut self.machine.memory;
+        memory.held.bits = vec![0; memory.bits.len()];
+        memory.held.words = vec![0; memory.words.len()];
+        memory.held.texts = vec![false; memory.texts.len()];
     }
 
     /// Whether a point is forced.

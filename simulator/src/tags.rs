@@ -2,9 +2,10 @@
 
 use crate::compile::{CHANNELS, Ports};
 use crate::layout::{self, Home, MemberSlot};
-use crate::memory::{Bit, TextSlot, Word};
+use crate::memory::{Bit, Memory, TextSlot, Word};
 use ladder_analysis::program::{Member, Program, Role, SystemTag};
 use ladder_analysis::types::{Scalar, Type};
+use ladder_analysis::value::Value;
 use ladder_instructions::StateType;
 use ladder_syntax::Name;
 use std::collections::HashMap;
@@ -22,6 +23,20 @@ pub struct Point {
     /// It cannot be set or forced: a constant or system tag.
     pub read_only: bool,
     pub(crate) slot: PointSlot,
+}
+
+impl Point {
+    /// What it holds in a memory.
+    pub(crate) fn read(&self, memory: &Memory) -> Value {
+        match self.slot {
+            PointSlot::Bit(slot) => Value::Bool(memory.bit(slot)),
+            PointSlot::Word(slot) if self.ty.is_real() => Value::Real(memory.real(slot)),
+            PointSlot::Word(slot) => Value::Int(memory.word(slot)),
+            PointSlot::Text(slot) => Value::Text(memory.text(slot).into()),
+            PointSlot::BitOf { word, bit, .. } => Value::Bool(memory.word(word) >> bit & 1 != 0),
+            PointSlot::Timing { input, done } => Value::Bool(memory.bit(input) && !memory.bit(done)),
+        }
+    }
 }
 
 /// Where a point lives.

@@ -1,0 +1,381 @@
+//! What was: the differences between scans, so that any kept one can be gone back to exactly.
+//!
+//! ```text
+//! base --given, ran--> after scan 0 --given, ran--> after scan 1 .. here .. newest --given--> not scanned yet
+//! ```
+//!
+//! Each entry is one scan in two parts: what was given from outside before it, and what it did. Both are the bytes
+//! of [`Banks::follow`], which lead either way, so no full copies are kept but one: the banks of the moment
+//! that the simulation stands at.
+
+use super::banks::Banks;
+use super::delta::{Bytes, Way};
+use super::serial::SerialLog;
+use crate::simulation::{Force, Simulation, Status};
+use std::collections::{BTreeMap, VecDeque};
+
+/// How much of the past is kept.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct HistoryLimits {
+    /// At most so many scans; none with 0.
+    pub scans: usize,
+    /// At most so many bytes.
+    pub bytes: usize,
+}
+
+impl Default for HistoryLimits {
+    /// 10,000 scans (100 seconds at 10 ms) in at most 64 MiB.
+    fn default() -> Self {
+        HistoryLimits {
+            scans: 10_000,
+            bytes: 64 << 20,
+        }
+    }
+}
+
+impl HistoryLimits {
+    /// So many scans, in at most as many bytes as by default.
+    pub fn of_scans(scans: usize) -> HistoryLimits {
+        HistoryLimits {
+            scans,
+            ..HistoryLimits::default()
+        }
+    }
+}
+
+type Forces = BTreeMap<String, Force>;
+
+/// The clock of a moment, and how the program stood.
+#[derive(Debug, Clone, Copy)]
+struct Moment {
+    now: i64,
+    scan: i64,
+    faulted: bool,
+    status: Status,
+    ran_plain: bool,
+}
+
+impl Moment {
+    fn of(simulation: &Simulation) -> Moment {
+        Moment {
+            now: simulation.machine.now,
+            scan: simulation.machine.scan,
+            faulted: simulation.machine.faulted,
+            status: simulation.status,
+            ran_plain: simulation.ran_plain,
+        }
+    }
+
+    fn restore(self, simulation: &mut Simulation) {
+        simulation.machine.now = self.now;
+        simulation.machine.scan = self.scan;
+        simulation.machine.faulted = self.faulted;
+        simulation.status = self.status;
+        simulation.ran_plain = self.ran_plain;
+    }
+}
+
+/// What was given from outside, beyond what the banks show: the forces before and after. None if they stayed.
+type ForceChange = Option<Box<(Forces, Forces)>>;
+
+/// One scan.
+#[derive(Debug)]
+struct Entry {
+    /// Bytes of what was given before it.
+    given: u32,
+    /// Bytes of what it did.
+    ran: u32,
+    /// Bytes that it sent through the serial port.
+    sent: u32,
+    forces: ForceChange,
+    after: Moment,
+}
+
+impl Entry {
+    fn bytes(&self) -> usize {
+        self.given as usize + self.ran as usize
+    }
+}
+
+/// What was given for a scan that has not ended.
+#[derive(Debug, Default)]
+struct Given {
+    bytes: Vec<u8>,
+    forces: ForceChange,
+}
+
+impl Given {
+    fn is_nothing(&self) -> bool {
+        self.bytes.is_empty() && self.forces.is_none()
+    }
+}
+
+/// The kept scans.
+#[derive(Debug)]
+pub(super) struct History {
+    limits: HistoryLimits,
+    /// The banks where the simulation stands: after a scan and before anything was given since.
+    banks: Banks,
+    /// The forces there.
+    forces: Forces,
+    /// The moment before the oldest entry.
+    base: Moment,
+    entries: VecDeque<Entry>,
+    /// The bytes of all entries.
+    bytes: VecDeque<u8>,
+    /// How many entries, and how many of the bytes, lie before the moment where the simulation stands.
+    here: usize,
+    bytes_here: usize,
+    /// What was given for the scan that runs.
+    given: Given,
+    /// What was given behind the newest scan, while the simulation stands before it.
+    waiting: Given,
+    serial: SerialLog,
+    scratch: Vec<u8>,
+}
+
+impl History {
+    /// Nothing kept yet.
+    pub(super) fn new(simulation: &Simulation, limits: HistoryLimits) -> History {
+        History {
+            serial: SerialLog::default(),
+            limits,
+            banks: Banks::of(&simulation.machine),
+            forces: simulation.forces.clone(),
+            base: Moment::of(simulation),
+            entries: VecDeque::new(),
+            bytes: VecDeque::new(),
+            here: 0,
+            bytes_here: 0,
+            given: Given::default(),
+            waiting: Given::default(),
+            scratch: Vec::new(),
+        }
+    }
+
+    /// Forgets everything: the program begins again.
+    pub(super) fn clear(&mut self, simulation: &Simulation) {
+        *self = History::new(simulation, self.limits);
+    }
+
+    /// Whether anything is kept at all.
+    pub(super) fn is_on(&self) -> bool {
+        self.limits.scans > 0
+    }
+
+    /// How many scans can be gone back.
+    pub(super) fn behind(&self) -> usize {
+        self.here
+    }
+
+    /// How many scans can be gone forward again.
+    pub(super) fn ahead(&self) -> usize {
+        self.entries.len() - self.here
+    }
+
+    /// After how many scans the values are known, the one that the simulation stands behind among them.
+    pub(super) fn known(&self) -> usize {
+        if !self.is_on() {
+            return 0;
+        }
+        // The moment before the oldest entry follows a scan too, unless that is the first one.
+        self.here + usize::from(self.base.scan > 0)
+    }
+
+    /// How many bytes are in use.
+    pub(super) fn size(&self) -> usize {
+        self.bytes.len() + self.serial.size() + self.entries.len() * size_of::<Entry>()
+    }
+
+    /// What was sent through the serial port.
+    pub(super) fn serial(&self) -> Vec<u8> {
+        self.serial.shown().collect()
+    }
+
+    /// Takes what was sent in a scan that is not kept.
+    pub(super) fn take_serial(&mut self, simulation: &mut Simulation) {
+        let sent = self.serial.take(&mut simulation.machine.memory.sent);
+        self.serial.forget_oldest(sent);
+    }
+
+    /// The banks after the last scan.
+    pub(super) fn banks(&self) -> &Banks {
+        &self.banks
+    }
+
+    /// What lies ahead will not be gone to any more: something else happens from here on.
+    pub(super) fn forget_ahead(&mut self) {
+        self.entries.truncate(self.here);
+        self.bytes.truncate(self.bytes_here);
+        self.serial.forget_ahead();
+        self.waiting = Given::default();
+    }
+
+    /// A scan is about to run. `changed` says whether anything was given from outside since the last one.
+    pub(super) fn begin(&mut self, simulation: &Simulation, changed: bool) {
+        self.forget_ahead();
+        if changed {
+            self.given = self.take_up(simulation);
+        } else {
+            self.given.bytes.clear();
+            self.given.forces = None;
+        }
+    }
+
+    /// Notes what was given since the last scan.
+    fn take_up(&mut self, simulation: &Simulation) -> Given {
+        let mut given = Given {
+            bytes: std::mem::take(&mut self.given.bytes),
+            forces: None,
+        };
+        given.bytes.clear();
+        self.banks.follow(&simulation.machine, &mut given.bytes);
+        if self.forces != simulation.forces {
+            let before = std::mem::replace(&mut self.forces, simulation.forces.clone());
+            given.forces = Some(Box::new((before, simulation.forces.clone())));
+        }
+        given
+    }
+
+    /// The scan that was begun has been run.
+    pub(super) fn finish(&mut self, simulation: &mut Simulation) {
+        let mut ran = std::mem::take(&mut self.scratch);
+        ran.clear();
+        self.banks.follow(&simulation.machine, &mut ran);
+        self.bytes.extend(&self.given.bytes);
+        self.bytes.extend(&ran);
+        self.entries.push_back(Entry {
+            given: self.given.bytes.len() as u32,
+            ran: ran.len() as u32,
+            sent: self.serial.take(&mut simulation.machine.memory.sent),
+            forces: self.given.forces.take(),
+            after: Moment::of(simulation),
+        });
+        self.scratch = ran;
+        self.given.bytes.clear();
+        while self.entries.len() > self.limits.scans || self.size() > self.limits.bytes {
+            let Some(oldest) = self.entries.pop_front() else {
+                break;
+            };
+            self.bytes.drain(..oldest.bytes());
+            self.serial.forget_oldest(oldest.sent);
+            self.base = oldest.after;
+        }
+        (self.here, self.bytes_here) = (self.entries.len(), self.bytes.len());
+    }
+
+    /// The scan that was begun is given up: the simulation stands before it again, with what was given for it. Gives
+    /// whether that is anything.
+    pub(super) fn give_up(&mut self, simulation: &mut Simulation) -> bool {
+        self.banks.restore(&mut simulation.machine);
+        self.moment().restore(simulation);
+        let given = std::mem::take(&mut self.given);
+        self.take_back(&given);
+        !given.is_nothing()
+    }
+
+    fn take_back(&mut self, given: &Given) {
+        if !given.bytes.is_empty() {
+            self.banks.go(Bytes(&given.bytes), Way::Back);
+        }
+        if let Some(change) = &given.forces {
+            self.forces.clone_from(&change.0);
+        }
+    }
+
+    fn moment(&self) -> Moment {
+        match self.here.checked_sub(1) {
+            Some(last) => self.entries[last].after,
+            None => self.base,
+        }
+    }
+
+    /// Goes back up to so many scans; how many it were. What was given since the last scan (`changed`) is kept for
+    /// when the simulation comes forward again.
+    pub(super) fn back(&mut self, simulation: &mut Simulation, scans: usize, changed: bool) -> usize {
+        let scans = scans.min(self.here);
+        if scans == 0 {
+            return 0;
+        }
+        if changed {
+            let given = self.take_up(simulation);
+            self.take_back(&given);
+            self.waiting = given;
+        }
+        for _ in 0..scans {
+            self.here -= 1;
+            let entry = &self.entries[self.here];
+            let (given, ran) = (entry.given as usize, entry.ran as usize);
+            self.serial.back(entry.sent);
+            if let Some(change) = &entry.forces {
+                self.forces.clone_from(&change.0);
+            }
+            self.bytes_here -= ran;
+            self.go(self.bytes_here, ran, Way::Back);
+            self.bytes_here -= given;
+            self.go(self.bytes_here, given, Way::Back);
+        }
+        self.restore(simulation);
+        scans
+    }
+
+    /// Goes forward one kept scan. None if there is none; else whether something was given behind it, which is
+    /// given again now.
+    pub(super) fn forward(&mut self, simulation: &mut Simulation) -> Option<bool> {
+        let entry = self.entries.get(self.here)?;
+        let (given, ran) = (entry.given as usize, entry.ran as usize);
+        self.serial.forward(entry.sent);
+        if let Some(change) = &entry.forces {
+            self.forces.clone_from(&change.1);
+        }
+        self.here += 1;
+        self.go(self.bytes_here, given, Way::Forward);
+        self.bytes_here += given;
+        self.go(self.bytes_here, ran, Way::Forward);
+        self.bytes_here += ran;
+        self.restore(simulation);
+        if self.ahead() > 0 || self.waiting.is_nothing() {
+            return Some(false);
+        }
+        let given = std::mem::take(&mut self.waiting);
+        if let Some(change) = &given.forces {
+            simulation.restore_forces(&change.1);
+        }
+        let mut then = self.banks.clone();
+        then.go(Bytes(&given.bytes), Way::Forward);
+        then.restore(&mut simulation.machine);
+        Some(true)
+    }
+
+    /// Moves the banks over a part of the bytes.
+    fn go(&mut self, start: usize, len: usize, way: Way) {
+        if len == 0 {
+            return;
+        }
+        self.scratch.clear();
+        self.scratch.extend(self.bytes.range(start..start + len));
+        self.banks.go(Bytes(&self.scratch), way);
+    }
+
+    fn restore(&self, simulation: &mut Simulation) {
+        simulation.restore_forces(&self.forces);
+        self.banks.restore(&mut simulation.machine);
+        self.moment().restore(simulation);
+    }
+
+    /// The entries before here, the newest first: of each the bytes of what it did and of what was given before it.
+    pub(super) fn back_from_here(&self, mut each: impl FnMut(Bytes<'_>, Bytes<'_>) -> bool) {
+        let mut end = self.bytes_here;
+        let mut bytes = Vec::new();
+        for entry in self.entries.range(..self.here).rev() {
+            let start = end - entry.bytes();
+            bytes.clear();
+            bytes.extend(self.bytes.range(start..end));
+            let (given, ran) = bytes.split_at(entry.given as usize);
+            if !each(Bytes(ran), Bytes(given)) {
+                return;
+            }
+            end = start;
+        }
+    }
+}

@@ -1,0 +1,266 @@
+//! A simulation that remembers: what the language server, the interactive screen and tests drive.
+//!
+//! Whatever is given from outside goes through the session, so that it becomes part of the [history](history): going
+//! back restores an earlier scan exactly, and going forward again replays what was given. Once something else is given
+//! in the past, what followed there is forgotten.
+
+mod banks;
+mod delta;
+mod history;
+mod past;
+mod serial;
+
+use crate::compile::CompileError;
+use crate::fault::Fault;
+use crate::machine::FaultRecord;
+use crate::simulation::{Options, Refused, Simulation, Status};
+use crate::tags::Point;
+use history::History;
+pub use history::HistoryLimits;
+use ladder_analysis::program::{Program, Role};
+use ladder_analysis::value::Value;
+use std::collections::VecDeque;
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
+
+/// So many faults are kept: those that happened last.
+const FAULTS: usize = 4096;
+
+/// Why a run stopped.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Stop {
+    /// It ran as many scans as it was to.
+    Done,
+    /// It was told to stop.
+    Cancelled,
+    /// The program has ended with `<END>`.
+    Ended,
+    /// The watchdog, or calls nested too deep, stopped the simulation.
+    Faulted,
+}
+
+/// A simulation with its history.
+#[derive(Debug)]
+pub struct Session {
+    simulation: Simulation,
+    history: History,
+    /// Something was given since the last scan.
+    changed: bool,
+    faults: VecDeque<FaultRecord>,
+}
+
+impl Session {
+    /// A program before its first scan: a cold start.
+    ///
+    /// # Errors
+    /// The program needs more memory than there is.
+    pub fn new(
+        program: Arc<Program>,
+        options: Options,
+        limits: HistoryLimits,
+    ) -> Result<Session, CompileError> {
+        Ok(Session::of(Simulation::new(program, options)?, limits))
+    }
+
+    /// A session over a simulation; what it did before is not known.
+    pub fn of(mut simulation: Simulation, limits: HistoryLimits) -> Session {
+        let mut faults = VecDeque::new();
+        collect_faults(&mut simulation, &mut faults);
+        let mut history = History::new(&simulation, limits);
+        history.take_serial(&mut simulation);
+        Session {
+            history,
+            simulation,
+            changed: false,
+            faults,
+        }
+    }
+
+    /// The simulation, to be looked at: values, power, forces, names.
+    pub fn simulation(&self) -> &Simulation {
+        &self.simulation
+    }
+
+    /// Gives a tag a value before the next scan, as the world outside does.
+    ///
+    /// # Errors
+    /// The point is read-only, or the value does not fit its type.
+    pub fn set(&mut self, point: &Point, value: Value) -> Result<(), Refused> {
+        let differs = self.simulation.is_forced(point) && point.role == Role::Input
+            || self.simulation.value(point) != value;
+        self.simulation.set(point, value)?;
+        if differs {
+            self.change();
+        }
+        Ok(())
+    }
+
+    /// Holds a tag at a value.
+    ///
+    /// # Errors
+    /// The point is read-only, or the value does not fit its type.
+    pub fn force(&mut self, point: &Point, value: Value) -> Result<(), Refused> {
+        self.simulation.force(point, value)?;
+        self.change();
+        Ok(())
+    }
+
+    /// Lets a tag go.
+    pub fn unforce(&mut self, point: &Point) {
+        if self.simulation.is_forced(point) {
+            self.simulation.unforce(point);
+            self.change();
+        }
+    }
+
+    /// Lets all tags go.
+    pub fn unforce_all(&mut self) {
+        if self.simulation.forced().next().is_some() {
+            self.simulation.unforce_all();
+            self.change();
+        }
+    }
+
+    /// Lets bytes come in at the serial port.
+    pub fn feed_serial(&mut self, bytes: &[u8]) {
+        if !bytes.is_empty() {
+            self.simulation.feed_serial(bytes);
+            self.change();
+        }
+    }
+
+    /// The bytes that were sent through the serial port so far: the newest 65,536.
+    pub fn serial(&self) -> Vec<u8> {
+        self.history.serial()
+    }
+
+    /// Something happens that did not happen here before.
+    fn change(&mut self) {
+        if !self.changed {
+            self.forget_ahead();
+        }
+        self.changed = true;
+    }
+
+    /// Runs one scan, or goes forward over one that was stepped back from and is still kept. False, and nothing
+    /// happens, if the program has ended or a fault stopped it; false also if a fault stops it now.
+    pub fn scan(&mut self) -> bool {
+        if !self.history.is_on() {
+            let ran = self.simulation.scan();
+            collect_faults(&mut self.simulation, &mut self.faults);
+            self.history.take_serial(&mut self.simulation);
+            return ran;
+        }
+        if let Some(given) = self.history.forward(&mut self.simulation) {
+            self.changed = given;
+            return self.simulation.status() != Status::Faulted;
+        }
+        if self.simulation.status() != Status::Ready {
+            return false;
+        }
+        self.history.begin(&self.simulation, self.changed);
+        self.changed = false;
+        let ran = self.simulation.scan();
+        collect_faults(&mut self.simulation, &mut self.faults);
+        self.history.finish(&mut self.simulation);
+        ran
+    }
+
+    /// Runs up to so many scans. How many were run, and why no more.
+    pub fn run(&mut self, scans: u64, cancel: &AtomicBool) -> (u64, Stop) {
+        for run in 0..scans {
+            if cancel.load(Ordering::Relaxed) {
+                return (run, Stop::Cancelled);
+            }
+            if !self.scan() {
+                let why = match self.simulation.status() {
+                    Status::Ended => Stop::Ended,
+                    _ => Stop::Faulted,
+                };
+                return (run, why);
+            }
+        }
+        (scans, Stop::Done)
+    }
+
+    /// Goes back up to so many scans, to how things stood then; what was given since is undone with them. How many
+    /// scans it were: fewer if fewer are kept.
+    pub fn step_back(&mut self, scans: usize) -> usize {
+        let gone = self.history.back(&mut self.simulation, scans, self.changed);
+        if gone > 0 {
+            self.changed = false;
+        }
+        gone
+    }
+
+    /// How many scans can be stepped back.
+    pub fn scans_behind(&self) -> usize {
+        self.history.behind()
+    }
+
+    /// How many scans were stepped back from and can be gone forward to again.
+    pub fn scans_ahead(&self) -> usize {
+        self.history.ahead()
+    }
+
+    /// Makes the place where the simulation stands the newest: what was stepped back from is forgotten.
+    pub fn forget_ahead(&mut self) {
+        self.history.forget_ahead();
+        self.forget_faults_ahead();
+    }
+
+    /// How many bytes the history takes.
+    pub fn history_size(&self) -> usize {
+        self.history.size()
+    }
+
+    /// Begins again from cold: all tags as before the first scan. Forces stay; the history begins anew.
+    pub fn reset(&mut self) {
+        self.simulation.reset();
+        self.begin_anew();
+    }
+
+    /// Begins again as after a power failure: retentive tags keep their values. Forces stay; the history begins anew.
+    pub fn warm_restart(&mut self) {
+        self.simulation.warm_restart();
+        self.begin_anew();
+    }
+
+    fn begin_anew(&mut self) {
+        self.faults.clear();
+        self.changed = false;
+        self.history.clear(&self.simulation);
+    }
+
+    /// The faults so far, the oldest first: the last 4,096 of them. Those of scans that were stepped back from are not
+    /// among them.
+    pub fn faults(&self) -> Vec<Fault> {
+        let happened = self.faults.iter().take_while(|record| self.has_happened(record));
+        happened.map(|record| self.simulation.fault(record)).collect()
+    }
+
+    fn has_happened(&self, record: &FaultRecord) -> bool {
+        let scans = self.simulation.machine.scan;
+        record.scan < scans || (record.scan == scans && self.simulation.status() == Status::Faulted)
+    }
+
+    fn forget_faults_ahead(&mut self) {
+        let kept = self
+            .faults
+            .iter()
+            .take_while(|record| self.has_happened(record))
+            .count();
+        self.faults.truncate(kept);
+    }
+}
+
+/// Takes the faults that the last scan recorded.
+fn collect_faults(simulation: &mut Simulation, faults: &mut VecDeque<FaultRecord>) {
+    let machine = &mut simulation.machine;
+    if machine.faults.is_empty() {
+        return;
+    }
+    faults.extend(machine.faults.drain(..));
+    machine.faults_lost = 0;
+    faults.drain(..faults.len().saturating_sub(FAULTS));
+}
