@@ -2,7 +2,7 @@
 
 #[cfg(feature = "server")]
 use crate::commands::lsp;
-use crate::commands::{check, explain, fmt, sim, tree};
+use crate::commands::{check, explain, fmt, render, sim, tree};
 use crate::outcome::exit;
 use clap::{Parser, Subcommand};
 use std::process::ExitCode;
@@ -30,6 +30,7 @@ enum Command {
     Check(check::Arguments),
     Fmt(fmt::Arguments),
     Sim(sim::Arguments),
+    Render(render::Arguments),
     Explain(explain::Arguments),
     #[cfg(feature = "server")]
     Lsp(lsp::Arguments),
@@ -45,6 +46,7 @@ impl Ladder {
             Command::Check(arguments) => check::run(&arguments),
             Command::Fmt(arguments) => fmt::run(&arguments),
             Command::Sim(arguments) => sim::run(&arguments),
+            Command::Render(arguments) => render::run(&arguments),
             Command::Explain(arguments) => explain::run(&arguments),
             Command::Tree(arguments) => tree::run(&arguments),
         };

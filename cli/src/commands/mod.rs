@@ -5,5 +5,6 @@ pub(crate) mod explain;
 pub(crate) mod fmt;
 #[cfg(feature = "server")]
 pub(crate) mod lsp;
+pub(crate) mod render;
 pub(crate) mod sim;
 pub(crate) mod tree;

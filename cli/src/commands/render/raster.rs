@@ -1,0 +1,43 @@
+//! An SVG document as pixels.
+//!
+//! Letters come from a font that is built in: a picture looks the same on every machine, also on one without
+//! fonts.
+
+use resvg::tiny_skia::{Pixmap, Transform};
+use resvg::usvg::{Options, Tree, fontdb};
+use std::sync::Arc;
+
+/// More pixels than this in one direction are refused: they would take gigabytes.
+const LARGEST: f32 = 16_384.0;
+
+/// The PNG of a document, with so many pixels for each of its units.
+///
+/// # Errors
+/// The picture would be too large, in words for a person.
+pub(super) fn png(svg: &str, scale: f32) -> Result<Vec<u8>, String> {
+    let mut fonts = fontdb::Database::new();
+    fonts.load_font_data(dejavu::sans_mono::regular().to_vec());
+    fonts.load_font_data(dejavu::sans_mono::bold().to_vec());
+    fonts.load_font_data(dejavu::sans_mono::oblique().to_vec());
+    fonts.set_monospace_family("DejaVu Sans Mono");
+    let options = Options {
+        font_family: "DejaVu Sans Mono".to_owned(),
+        fontdb: Arc::new(fonts),
+        ..Options::default()
+    };
+    let tree =
+        Tree::from_str(svg, &options).map_err(|error| format!("the picture cannot be drawn: {error}"))?;
+    let size = tree.size();
+    let (width, height) = (size.width() * scale, size.height() * scale);
+    if width.max(height) > LARGEST {
+        return Err(format!(
+            "the picture would be {width:.0} by {height:.0} pixels; make it smaller with --scale, or write an SVG"
+        ));
+    }
+    let mut pixels = Pixmap::new(width.ceil() as u32, height.ceil() as u32)
+        .ok_or_else(|| "the picture is too large; write an SVG".to_owned())?;
+    resvg::render(&tree, Transform::from_scale(scale, scale), &mut pixels.as_mut());
+    pixels
+        .encode_png()
+        .map_err(|error| format!("the picture cannot be written as PNG: {error}"))
+}

@@ -1,0 +1,317 @@
+//! Which symbol a block is drawn as, and how much room it takes.
+//!
+//! Contacts, coils, timers and counters stand as IEC 61131-3 draws them: the tag above, the inputs in a box. A
+//! comparison of two values is a contact with the comparison in it, which keeps a rung on one line.
+
+use super::style::{HALF, LINE, UNIT};
+use super::{Values, comment};
+use ladder_analysis::context::Context;
+use ladder_analysis::facts::OperandFacts;
+use ladder_analysis::network::{BoundBlock, Formal, Meaning};
+use ladder_format::display_width;
+use ladder_instructions::{Direction, Group, Instruction, Op, Shape};
+use ladder_syntax::TextRange;
+
+/// A text and the value that it has while a program runs.
+#[derive(Debug, Clone, PartialEq, Eq, Default)]
+pub(super) struct Label {
+    pub(super) text: String,
+    pub(super) value: Option<String>,
+}
+
+impl Label {
+    fn width(&self) -> u32 {
+        let value = self.value.as_deref().map_or(0, |value| display_width(value) + 1);
+        display_width(&self.text) + value
+    }
+}
+
+/// A block as it is drawn.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub(super) enum Symbol {
+    /// Two bars with a mark between them.
+    Contact { mark: Mark, over: Label, under: Label },
+    /// Two arcs with a mark between them.
+    Coil { mark: Mark, over: Label },
+    /// A box with its name, the pins that the wire goes through, and a row for each further operand.
+    Box {
+        over: Label,
+        name: String,
+        pins: Option<(&'static str, &'static str)>,
+        rows: Vec<(String, Label)>,
+    },
+    /// `>>name`: power that goes on at a label.
+    Jump(String),
+    /// A word in a box with pointed ends: `CALL pumps`, `RETURN`.
+    Flow(String),
+    /// A name that a jump or call comes to.
+    Target(String),
+}
+
+/// What stands between the bars of a contact or the arcs of a coil.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub(super) enum Mark {
+    Nothing,
+    /// The stroke of a negated contact or coil.
+    Stroke,
+    Word(String),
+}
+
+impl Mark {
+    /// Columns between the bars.
+    pub(super) fn width(&self) -> u32 {
+        match self {
+            Mark::Nothing | Mark::Stroke => 2,
+            Mark::Word(word) => (display_width(word) + 1).max(2),
+        }
+    }
+}
+
+/// The room that something takes: columns, and pixels over and under the wire.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub(super) struct Room {
+    pub(super) columns: u32,
+    pub(super) over: i32,
+    pub(super) under: i32,
+}
+
+/// The rows of a box begin so far under the wire.
+pub(super) const ROWS: i32 = 12;
+/// The top of a box over the wire: room for its name.
+pub(super) const NAME: i32 = LINE + 12;
+
+impl Symbol {
+    pub(super) fn room(&self) -> Room {
+        let text = |label: &Label| if label.text.is_empty() { 0 } else { LINE };
+        match self {
+            Symbol::Contact { mark, over, under } => Room {
+                columns: (mark.width() + 3).max(over.width()).max(under.width()),
+                over: HALF + text(over),
+                under: HALF + text(under),
+            },
+            Symbol::Coil { mark, over } => Room {
+                columns: (mark.width() + 3).max(over.width()),
+                over: HALF + text(over),
+                under: HALF,
+            },
+            Symbol::Box {
+                over,
+                name,
+                pins,
+                rows,
+            } => {
+                let pins = pins.map_or(0, |(left, right)| left.len() + right.len() + 2) as u32;
+                let widest = rows
+                    .iter()
+                    .map(|(name, label)| row_name_width(rows) + label.width() + u32::from(!name.is_empty()))
+                    .max()
+                    .unwrap_or(0);
+                Room {
+                    columns: (display_width(name).max(pins).max(widest) + 2).max(over.width()),
+                    over: NAME + text(over),
+                    under: ROWS + rows.len() as i32 * LINE + if rows.is_empty() { 0 } else { 4 },
+                }
+            }
+            Symbol::Jump(name) => Room {
+                columns: display_width(name) + 3,
+                over: HALF,
+                under: HALF,
+            },
+            Symbol::Flow(word) => Room {
+                columns: display_width(word) + 4,
+                over: HALF + 2,
+                under: HALF + 2,
+            },
+            Symbol::Target(name) => Room {
+                columns: display_width(name) + 3,
+                over: HALF + 2,
+                under: HALF + 2,
+            },
+        }
+    }
+}
+
+/// The columns that the names of a box's rows take.
+pub(super) fn row_name_width(rows: &[(String, Label)]) -> u32 {
+    rows.iter()
+        .map(|(name, _)| display_width(name))
+        .max()
+        .unwrap_or(0)
+}
+
+/// What a text takes, in pixels.
+pub(super) fn width(text: &str) -> i32 {
+    display_width(text) as i32 * UNIT
+}
+
+/// What a block's texts are made of.
+pub(super) struct Words<'c> {
+    pub(super) context: &'c Context,
+    pub(super) text: &'c str,
+    pub(super) value: Option<&'c Values<'c>>,
+}
+
+impl<'c> Words<'c> {
+    /// A place's text.
+    pub(super) fn text_of(&self, range: TextRange) -> &'c str {
+        self.text
+            .get(usize::from(range.start())..usize::from(range.end()))
+            .unwrap_or_default()
+    }
+
+    /// The lines of the comments on a line that is no rung, but for those that speak to the tools.
+    pub(super) fn comments_of(&self, line: usize) -> Vec<String> {
+        let text = self.text_of(self.context.parse.line_range(line));
+        // A comment reaches to the very next `#`, so every second piece is one.
+        let comments = text.split('#').skip(1).step_by(2);
+        comments
+            .filter(|comment| !comment.trim_start().starts_with("ladder:"))
+            .flat_map(comment::lines)
+            .map(str::to_owned)
+            .collect()
+    }
+
+    fn operand(&self, bound: &BoundBlock, operand: &OperandFacts) -> String {
+        let text = self.text_of(bound.absolute(operand.value.range));
+        text.split_whitespace().collect::<Vec<_>>().join(" ")
+    }
+
+    fn label(&self, bound: &BoundBlock, index: usize, with_value: bool) -> Label {
+        let Some(operand) = bound.facts.operands.get(index) else {
+            return Label::default();
+        };
+        let text = self.operand(bound, operand);
+        let value = self
+            .value
+            .filter(|_| with_value)
+            .and_then(|value| value(&text))
+            .map(|value| format!("= {value}"));
+        Label { text, value }
+    }
+
+    /// The symbol of a block.
+    pub(super) fn symbol(&self, bound: &BoundBlock) -> Symbol {
+        match bound.meaning {
+            Meaning::Instruction(row) => self.instruction(bound, row),
+            Meaning::User(_) | Meaning::UnknownUser | Meaning::Unknown => {
+                let pins = match bound.facts.shape {
+                    Shape::Logical | Shape::Coil => Some(("EN", "ENO")),
+                    Shape::Function => None,
+                };
+                self.box_of(bound, bound.facts.head.text(), pins, 0)
+            }
+        }
+    }
+
+    fn instruction(&self, bound: &BoundBlock, row: &Instruction) -> Symbol {
+        let operands = bound.facts.operands.len();
+        let contact = |mark| Symbol::Contact {
+            mark,
+            over: self.label(bound, 0, false),
+            under: Label::default(),
+        };
+        let coil = |mark| Symbol::Coil {
+            mark,
+            over: self.label(bound, 0, false),
+        };
+        let word = |word: &str| Mark::Word(word.to_owned());
+        match row.op {
+            Op::Contact => contact(Mark::Nothing),
+            Op::NegatedContact => contact(Mark::Stroke),
+            Op::RisingContact
+            | Op::FallingContact
+            | Op::Inverter
+            | Op::OneShotRising
+            | Op::OneShotFalling => contact(word(row.mnemonic)),
+            Op::Eq | Op::Ne | Op::Gt | Op::Ge | Op::Lt | Op::Le if operands == 2 => Symbol::Contact {
+                mark: word(sign(row.op)),
+                over: self.label(bound, 0, true),
+                under: self.label(bound, 1, true),
+            },
+            Op::Coil => coil(Mark::Nothing),
+            Op::NegatedCoil => coil(Mark::Stroke),
+            _ if row.group == Group::Coil => coil(word(row.mnemonic)),
+            Op::Jmp => Symbol::Jump(self.label(bound, 0, false).text),
+            Op::Lbl => Symbol::Target(format!("{}:", self.label(bound, 0, false).text)),
+            Op::Ret => Symbol::Flow("RETURN".to_owned()),
+            _ if row.group == Group::Flow => {
+                let name = self.label(bound, 0, false).text;
+                let words = format!("{} {name}", row.mnemonic);
+                Symbol::Flow(words.trim_end().to_owned())
+            }
+            _ if row.group == Group::State => {
+                let (left, right) = pins_of(row.op);
+                self.box_of(bound, row.mnemonic, Some((left, right)), 1)
+            }
+            _ if row.group == Group::Condition => self.box_of(bound, row.mnemonic, Some(("", "")), 0),
+            _ => self.box_of(bound, row.mnemonic, Some(("EN", "ENO")), 0),
+        }
+    }
+
+    /// A box; its first `over` operands stand above it.
+    fn box_of(
+        &self,
+        bound: &BoundBlock,
+        name: &str,
+        pins: Option<(&'static str, &'static str)>,
+        over: usize,
+    ) -> Symbol {
+        let rows = (over..bound.facts.operands.len())
+            .map(|index| (self.row_name(bound, index), self.label(bound, index, true)))
+            .collect();
+        Symbol::Box {
+            over: if over > 0 {
+                self.label(bound, 0, true)
+            } else {
+                Label::default()
+            },
+            name: name.to_owned(),
+            pins,
+            rows,
+        }
+    }
+
+    /// What an operand is called inside the box. Results have an arrow.
+    fn row_name(&self, bound: &BoundBlock, index: usize) -> String {
+        match bound.formals.get(index) {
+            Some(Formal::Operand(operand)) => match operand.direction {
+                Direction::In | Direction::InOut => operand.name.to_owned(),
+                Direction::Out => format!("{} ←", operand.name),
+            },
+            Some(Formal::Parameter(parameter)) => {
+                let Meaning::User(block) = bound.meaning else {
+                    return String::new();
+                };
+                let tag = self.context.user_blocks[block].parameters[*parameter].tag;
+                let scope = self.context.scopes.get(block + 1);
+                scope
+                    .and_then(|scope| scope.tags.get(tag))
+                    .map_or_else(String::new, |tag| tag.name.clone())
+            }
+            _ => String::new(),
+        }
+    }
+}
+
+fn sign(op: Op) -> &'static str {
+    match op {
+        Op::Eq => "=",
+        Op::Ne => "≠",
+        Op::Gt => ">",
+        Op::Ge => "≥",
+        Op::Lt => "<",
+        _ => "≤",
+    }
+}
+
+/// The pins of a box that the wire goes through, as IEC 61131-3 names them.
+fn pins_of(op: Op) -> (&'static str, &'static str) {
+    match op {
+        Op::Ctu | Op::Ctc => ("CU", "Q"),
+        Op::Ctd => ("CD", "Q"),
+        Op::Ctud => ("CU", "QU"),
+        Op::Sr => ("S1", "Q1"),
+        Op::Rs => ("S", "Q1"),
+        _ => ("IN", "Q"),
+    }
+}
