@@ -14,6 +14,8 @@
 //! - `outcome` has the exit status: 0 fine, 1 findings, 2 the command could not do its work.
 //! - `findings` shows what is wrong in a program.
 //! - `settings` has what the `ladder.toml` of a program's workspace asks for.
+//! - `run` is a program on its way through its scans, with what the world outside gives to it.
+//! - `output` is a file that is there whole or not at all, or stdout.
 //! - `terminal` is the only module that names stdout and stderr: messages go to stderr as `error: ...`, colours
 //!   only to a terminal, and a reader that closes the pipe early is no error.
 //!
@@ -24,6 +26,8 @@ mod arguments;
 mod commands;
 mod findings;
 mod outcome;
+mod output;
+mod run;
 mod settings;
 mod terminal;
 

@@ -79,9 +79,9 @@ fn rules(colours: &Colours) -> String {
     format!(
         "\
 .paper {{ fill: {paper}; }}
-.line {{ stroke: {ink}; stroke-width: 1.5; fill: none; }}
-.dead {{ stroke: {faint}; stroke-width: 1.5; fill: none; }}
-.live {{ stroke: {live}; stroke-width: 3.5; fill: none; }}
+.line {{ stroke: {ink}; stroke-width: 1.5; stroke-linecap: square; fill: none; }}
+.dead {{ stroke: {faint}; stroke-width: 1.5; stroke-linecap: square; fill: none; }}
+.live {{ stroke: {live}; stroke-width: 3.5; stroke-linecap: round; fill: none; }}
 .rail {{ stroke: {ink}; stroke-width: 3; fill: none; }}
 .box {{ stroke: {ink}; stroke-width: 1.5; fill: {box_}; }}
 .dot {{ fill: {ink}; }}

@@ -4,9 +4,12 @@ mod raster;
 
 use crate::findings::Source;
 use crate::outcome::{Failure, Outcome};
+use crate::run::{Run, Stimulus, place, program};
 use crate::terminal::Stdout;
 use clap::{Args, ValueEnum};
+use ladder_analysis::types::Scalar;
 use ladder_interchange::picture::{self, Options, Theme};
+use ladder_simulator::{Simulation, value_text};
 use std::io::{IsTerminal, Write};
 use std::path::{Path, PathBuf};
 
@@ -15,6 +18,8 @@ Examples:
   ladder render motor.clad -o motor.svg            the diagram, in the reader's own light or dark colours
   ladder render motor.clad -o motor.png --scale 2  the same as pixels
   ladder render motor.clad --theme dark > motor.svg
+  ladder render motor.clad -o motor.svg --scans 3 --set start=1
+                                                   with the power and the values after three scans
 
 Exit status: 0 fine, 1 the program has errors, 2 a file or an argument cannot be used.";
 
@@ -43,6 +48,13 @@ pub(crate) struct Arguments {
     /// Pixels of a PNG for each unit of the drawing
     #[arg(long, value_name = "FACTOR", default_value = "2", value_parser = scale)]
     scale: f32,
+
+    /// Run so many scans first, and show the power and the values after the last
+    #[arg(long, value_name = "N")]
+    scans: Option<u64>,
+
+    #[command(flatten)]
+    stimulus: Stimulus,
 }
 
 /// What a picture is made of.
@@ -68,16 +80,24 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     let format = format(arguments)?;
     let text = ladder_workspace::read(&arguments.file)?;
     let source = Source::new(arguments.file.display().to_string(), text);
-    let analysis = source.analyze();
-    let options = Options {
-        theme: match (arguments.theme, format) {
-            (Colours::Auto, Format::Svg) => Theme::Auto,
-            (Colours::Auto, Format::Png) | (Colours::Light, _) => Theme::Light,
-            (Colours::Dark, _) => Theme::Dark,
-        },
-        ..Options::default()
+    let theme = match (arguments.theme, format) {
+        (Colours::Auto, Format::Svg) => Theme::Auto,
+        (Colours::Auto, Format::Png) | (Colours::Light, _) => Theme::Light,
+        (Colours::Dark, _) => Theme::Dark,
     };
-    let svg = picture::svg(&analysis.context, &options);
+    let svg = match arguments.scans {
+        None => picture::svg(
+            &source.analyze().context,
+            &Options {
+                theme,
+                ..Options::default()
+            },
+        ),
+        Some(scans) => match running(arguments, &source, scans, theme)? {
+            Some(svg) => svg,
+            None => return Ok(Outcome::Findings),
+        },
+    };
     let bytes = match format {
         Format::Svg => svg.into_bytes(),
         Format::Png => raster::png(&svg, arguments.scale)
@@ -92,6 +112,54 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
         }
     }
     Ok(Outcome::Fine)
+}
+
+/// The picture of the program after so many scans; none if it has errors, which stderr then shows.
+fn running(
+    arguments: &Arguments,
+    source: &Source,
+    scans: u64,
+    theme: Theme,
+) -> Result<Option<String>, Failure> {
+    let options = arguments.stimulus.options(&arguments.file)?;
+    let Some(program) = program(source) else {
+        return Ok(None);
+    };
+    let mut simulation = Simulation::new(program, options)
+        .map_err(|error| Failure::new(format!("{}: {}", place(source, error.location), error.message)))?;
+    let inputs = arguments.stimulus.give(&mut simulation)?;
+    let mut run = Run {
+        simulation,
+        inputs,
+        source,
+        scans,
+    };
+    while run.scan() {}
+    let simulation = &run.simulation;
+    let power = simulation
+        .power()
+        .filter(|(_, location, _)| location.file == 0)
+        .map(|(_, location, on)| (location.range, on))
+        .collect();
+    let value = |operand: &str| value_of(simulation, operand);
+    let options = Options {
+        theme,
+        power: Some(power),
+        value: Some(&value),
+    };
+    Ok(Some(picture::svg(&source.analyze().context, &options)))
+}
+
+/// The value of an operand that is worth showing: how far a timer or counter is, or a number. That of a BOOL is
+/// seen by its power, that of a literal by itself.
+fn value_of(simulation: &Simulation, operand: &str) -> Option<String> {
+    if operand.starts_with(|first: char| first.is_ascii_digit() || matches!(first, '-' | '\'')) {
+        return None;
+    }
+    let point = ["", ".ET", ".CV"]
+        .iter()
+        .find_map(|member| simulation.resolve(&format!("{operand}{member}")).ok())?;
+    (point.ty != Scalar::Bool).then(|| value_text::display(&simulation.value(&point), point.ty))
 }
 
 /// The file to write; none for stdout.

@@ -1,28 +1,16 @@
 //! `ladder sim`: runs a program.
 
-mod inputs;
-mod output;
-mod run;
-mod table;
 mod trace;
 
-use crate::findings::{Source, full};
+use crate::findings::Source;
 use crate::outcome::{Failure, Outcome};
-use crate::terminal::{self, stderr_has_colours};
-use annotate_snippets::Renderer;
+use crate::output::Output;
+use crate::run::{Run, Stimulus, place, program};
 use clap::{Args, ValueEnum};
-use inputs::Inputs;
-use ladder_analysis::Severity;
-use ladder_analysis::program::{Location, Program};
-use ladder_analysis::types::{Scalar, Type};
-use ladder_analysis::value::Value;
-use ladder_simulator::{Options, Point, Simulation, Status, diagram, value_text};
-use ladder_workspace::Settings;
-use output::Output;
-use run::Run;
+use ladder_analysis::types::Type;
+use ladder_simulator::{Point, Simulation, Status, diagram};
 use std::io::Write;
 use std::path::PathBuf;
-use std::sync::Arc;
 
 const EXAMPLES: &str = "\
 Examples:
@@ -61,21 +49,8 @@ pub(crate) struct Arguments {
     #[arg(long, value_name = "N")]
     scans: Option<u64>,
 
-    /// The time from one scan to the next [default: what ladder.toml says, else 10ms]
-    #[arg(long, value_name = "TIME", value_parser = interval)]
-    dt: Option<i64>,
-
-    /// A CSV file with the values that tags are set to before each scan
-    #[arg(long, value_name = "FILE")]
-    inputs: Option<PathBuf>,
-
-    /// Set a tag before the first scan; may be given again
-    #[arg(long, value_name = "TAG=VALUE")]
-    set: Vec<String>,
-
-    /// Hold a tag at a value during the whole run; may be given again
-    #[arg(long, value_name = "TAG=VALUE")]
-    force: Vec<String>,
+    #[command(flatten)]
+    stimulus: Stimulus,
 
     /// The tags to write, in this order; without it every single-valued tag but constants, sorted by name
     #[arg(long, value_name = "TAG,...", value_delimiter = ',')]
@@ -107,7 +82,7 @@ enum Format {
 
 pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     let text = ladder_workspace::read(&arguments.file)?;
-    let settings = Settings::of(&arguments.file)?.simulate.options();
+    let options = arguments.stimulus.options(&arguments.file)?;
     let scans = arguments.scans.ok_or_else(|| {
         Failure::new("say how many scans to run, for example --scans 100; `ladder sim --help` shows more")
     })?;
@@ -115,31 +90,12 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     let Some(program) = program(&source) else {
         return Ok(Outcome::Findings);
     };
-    let options = Options {
-        interval: arguments.dt.unwrap_or(settings.interval),
-        ..settings
-    };
     let mut simulation = Simulation::new(program, options)
         .map_err(|error| Failure::new(format!("{}: {}", place(&source, error.location), error.message)))?;
 
     // All that can be wrong with the arguments is found before anything is written.
     let watched = watched(&simulation, &arguments.watch)?;
-    let inputs = match &arguments.inputs {
-        Some(file) => Inputs::read(file, &simulation)?,
-        None => Inputs::none(),
-    };
-    for text in &arguments.set {
-        let (point, value) = assignment("--set", text, &simulation)?;
-        simulation
-            .set(&point, value)
-            .map_err(|refused| Failure::new(format!("--set {text}: {refused}")))?;
-    }
-    for text in &arguments.force {
-        let (point, value) = assignment("--force", text, &simulation)?;
-        simulation
-            .force(&point, value)
-            .map_err(|refused| Failure::new(format!("--force {text}: {refused}")))?;
-    }
+    let inputs = arguments.stimulus.give(&mut simulation)?;
 
     let mut out = Output::open(arguments.output.as_deref())?;
     let mut run = Run {
@@ -163,33 +119,6 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
         Status::Faulted => Outcome::Findings,
         Status::Ready | Status::Ended => Outcome::Fine,
     })
-}
-
-/// `motor.clad:3:12`
-fn place(source: &Source, location: Location) -> String {
-    let place = source.place(location.range.start());
-    format!("{}:{}:{}", source.file, place.line, place.column)
-}
-
-/// The program, or its errors on stderr.
-fn program(source: &Source) -> Option<Arc<Program>> {
-    let analysis = source.analyze();
-    if analysis.program.is_none() {
-        let renderer = if stderr_has_colours() {
-            Renderer::styled()
-        } else {
-            Renderer::plain()
-        };
-        let errors = analysis
-            .diagnostics
-            .iter()
-            .filter(|found| found.severity == Severity::Error);
-        for error in errors {
-            terminal::plain(&format_args!("{}\n", full::render(source, error, &renderer)));
-        }
-        terminal::error(&format_args!("{}: a program with errors is not run", source.file));
-    }
-    analysis.program
 }
 
 /// The tags to write: those asked for, by the names they were asked for with, or every elementary tag of the
@@ -217,25 +146,4 @@ fn watched(simulation: &Simulation, names: &[String]) -> Result<Vec<(String, Poi
         .into_iter()
         .filter_map(|name| Some((name.to_owned(), simulation.resolve(name).ok()?)))
         .collect())
-}
-
-/// `start=1`
-fn assignment(option: &str, text: &str, simulation: &Simulation) -> Result<(Point, Value), Failure> {
-    let failure = |problem: &str| Failure::new(format!("{option} {text}: {problem}"));
-    let (tag, value) = text
-        .split_once('=')
-        .ok_or_else(|| failure("write it TAG=VALUE, for example start=1"))?;
-    let point = simulation
-        .resolve(tag)
-        .map_err(|unknown| failure(&unknown.to_string()))?;
-    let value = value_text::parse(value, point.ty).map_err(|problem| failure(&problem))?;
-    Ok((point, value))
-}
-
-/// The interval, in nanoseconds.
-fn interval(text: &str) -> Result<i64, String> {
-    match value_text::parse(text, Scalar::Time)? {
-        Value::Int(nanoseconds) if nanoseconds > 0 => Ok(nanoseconds),
-        _ => Err("the time from one scan to the next must be longer than 0".to_owned()),
-    }
 }

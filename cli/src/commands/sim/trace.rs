@@ -1,7 +1,7 @@
 //! What a run writes: scan by scan, in the chosen form.
 
-use super::output::Output;
-use super::run::Run;
+use crate::output::Output;
+use crate::run::Run;
 use ladder_simulator::Point;
 pub(super) use ladder_simulator::trace::Format;
 use ladder_simulator::trace::Trace;

@@ -6,7 +6,7 @@ use ladder_simulator::{Point, Simulation, value_text};
 use std::path::Path;
 
 /// The assignments of a run. A cell of row k is one assignment before scan k, an empty cell none.
-pub(super) struct Inputs {
+pub(crate) struct Inputs {
     table: Table,
     /// The tag of each column.
     points: Vec<Point>,
@@ -14,7 +14,7 @@ pub(super) struct Inputs {
 
 impl Inputs {
     /// No assignments.
-    pub(super) fn none() -> Inputs {
+    pub(crate) fn none() -> Inputs {
         Inputs {
             table: Table::default(),
             points: Vec::new(),
@@ -25,7 +25,7 @@ impl Inputs {
     ///
     /// # Errors
     /// The file cannot be read, a column names no tag that can be set, or a cell holds no value of its tag's type.
-    pub(super) fn read(file: &Path, simulation: &Simulation) -> Result<Inputs, Failure> {
+    pub(crate) fn read(file: &Path, simulation: &Simulation) -> Result<Inputs, Failure> {
         let table = Table::read(file)?;
         let points = table
             .names
@@ -59,7 +59,7 @@ impl Inputs {
     }
 
     /// Makes the assignments that stand before a scan.
-    pub(super) fn give(&self, scan: u64, simulation: &mut Simulation) {
+    pub(crate) fn give(&self, scan: u64, simulation: &mut Simulation) {
         let Some(row) = usize::try_from(scan)
             .ok()
             .filter(|row| *row < self.table.rows.len())

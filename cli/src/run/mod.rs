@@ -1,22 +1,30 @@
 //! A run: scan after scan, with what is given to the program and what it complains about.
 
-use super::inputs::Inputs;
+mod inputs;
+mod program;
+mod stimulus;
+mod table;
+
+pub(crate) use program::{place, program};
+pub(crate) use stimulus::Stimulus;
+
 use crate::findings::Source;
 use crate::terminal;
+use inputs::Inputs;
 use ladder_simulator::{Fault, Simulation};
 
 /// A program on its way through a number of scans.
-pub(super) struct Run<'s> {
-    pub(super) simulation: Simulation,
-    pub(super) inputs: Inputs,
-    pub(super) source: &'s Source,
+pub(crate) struct Run<'s> {
+    pub(crate) simulation: Simulation,
+    pub(crate) inputs: Inputs,
+    pub(crate) source: &'s Source,
     /// How many scans to run.
-    pub(super) scans: u64,
+    pub(crate) scans: u64,
 }
 
 impl Run<'_> {
     /// Runs the next scan. False if all have been run, or if the program did not come to the end of this one.
-    pub(super) fn scan(&mut self) -> bool {
+    pub(crate) fn scan(&mut self) -> bool {
         let scan = self.simulation.scans();
         if scan >= self.scans {
             return false;
@@ -31,7 +39,7 @@ impl Run<'_> {
 
     /// Faults go to stderr, each on a line of its own, in the form that editors and terminals find places in.
     fn report(&self, fault: &Fault) {
-        let place = super::place(self.source, fault.location);
+        let place = place(self.source, fault.location);
         terminal::plain(&format_args!(
             "{place}: fault in scan {}: {}",
             fault.scan, fault.message

@@ -7,13 +7,13 @@ use std::io::{self, Write};
 use std::path::Path;
 
 /// The output of a run.
-pub(super) enum Output {
+pub(crate) enum Output {
     Stdout(Stdout),
     File(Replacement),
 }
 
 impl Output {
-    pub(super) fn open(file: Option<&Path>) -> Result<Output, Failure> {
+    pub(crate) fn open(file: Option<&Path>) -> Result<Output, Failure> {
         Ok(match file {
             Some(file) if file != Path::new("-") => Output::File(Replacement::of(file)?),
             _ => Output::Stdout(Stdout::new()),
@@ -21,7 +21,7 @@ impl Output {
     }
 
     /// Whether nobody reads any more, so that going on is idle.
-    pub(super) fn is_closed(&self) -> bool {
+    pub(crate) fn is_closed(&self) -> bool {
         match self {
             Output::Stdout(out) => out.is_closed(),
             Output::File(_) => false,
@@ -29,7 +29,7 @@ impl Output {
     }
 
     /// Puts what was written where it belongs.
-    pub(super) fn finish(self) -> Result<(), Failure> {
+    pub(crate) fn finish(self) -> Result<(), Failure> {
         match self {
             Output::Stdout(mut out) => out.flush()?,
             Output::File(file) => file.commit()?,

@@ -1,0 +1,89 @@
+//! What the world outside gives to a program that runs: options that several commands share.
+
+use super::inputs::Inputs;
+use crate::outcome::Failure;
+use clap::Args;
+use ladder_analysis::types::Scalar;
+use ladder_analysis::value::Value;
+use ladder_simulator::{Options, Point, Simulation, value_text};
+use ladder_workspace::Settings;
+use std::path::{Path, PathBuf};
+
+/// The clock and the inputs of a run.
+#[derive(Debug, Args)]
+pub(crate) struct Stimulus {
+    /// The time from one scan to the next [default: what ladder.toml says, else 10ms]
+    #[arg(long, value_name = "TIME", value_parser = interval)]
+    dt: Option<i64>,
+
+    /// A CSV file with the values that tags are set to before each scan
+    #[arg(long, value_name = "FILE")]
+    inputs: Option<PathBuf>,
+
+    /// Set a tag before the first scan; may be given again
+    #[arg(long, value_name = "TAG=VALUE")]
+    set: Vec<String>,
+
+    /// Hold a tag at a value during the whole run; may be given again
+    #[arg(long, value_name = "TAG=VALUE")]
+    force: Vec<String>,
+}
+
+impl Stimulus {
+    /// How the program of a file is run: as its workspace has it, unless the command line says otherwise.
+    ///
+    /// # Errors
+    /// The workspace's settings cannot be read.
+    pub(crate) fn options(&self, program: &Path) -> Result<Options, Failure> {
+        let settings = Settings::of(program)?.simulate.options();
+        Ok(Options {
+            interval: self.dt.unwrap_or(settings.interval),
+            ..settings
+        })
+    }
+
+    /// Sets and forces what is asked for before the first scan, and reads what is given later.
+    ///
+    /// # Errors
+    /// A tag is not there or cannot be written, a value is not of its type, or the file cannot be read.
+    pub(crate) fn give(&self, simulation: &mut Simulation) -> Result<Inputs, Failure> {
+        let inputs = match &self.inputs {
+            Some(file) => Inputs::read(file, simulation)?,
+            None => Inputs::none(),
+        };
+        for text in &self.set {
+            let (point, value) = assignment("--set", text, simulation)?;
+            simulation
+                .set(&point, value)
+                .map_err(|refused| Failure::new(format!("--set {text}: {refused}")))?;
+        }
+        for text in &self.force {
+            let (point, value) = assignment("--force", text, simulation)?;
+            simulation
+                .force(&point, value)
+                .map_err(|refused| Failure::new(format!("--force {text}: {refused}")))?;
+        }
+        Ok(inputs)
+    }
+}
+
+/// `start=1`
+fn assignment(option: &str, text: &str, simulation: &Simulation) -> Result<(Point, Value), Failure> {
+    let failure = |problem: &str| Failure::new(format!("{option} {text}: {problem}"));
+    let (tag, value) = text
+        .split_once('=')
+        .ok_or_else(|| failure("write it TAG=VALUE, for example start=1"))?;
+    let point = simulation
+        .resolve(tag)
+        .map_err(|unknown| failure(&unknown.to_string()))?;
+    let value = value_text::parse(value, point.ty).map_err(|problem| failure(&problem))?;
+    Ok((point, value))
+}
+
+/// The interval, in nanoseconds.
+fn interval(text: &str) -> Result<i64, String> {
+    match value_text::parse(text, Scalar::Time)? {
+        Value::Int(nanoseconds) if nanoseconds > 0 => Ok(nanoseconds),
+        _ => Err("the time from one scan to the next must be longer than 0".to_owned()),
+    }
+}
