@@ -9,6 +9,7 @@ mod harness;
 mod help;
 mod lsp;
 mod lsp_ending;
+mod render;
 mod settings;
 mod sim;
 mod sim_formats;
