@@ -92,7 +92,8 @@ pub(crate) fn fuse(plain: &Code, mut temporary: Vec<bool>, memory: &mut Memory) 
         records: fuser.records,
         blocks: Vec::with_capacity(plain.blocks.len()),
         arrays: plain.arrays.clone(),
-        network_starts: Vec::new(),
+        networks: Vec::new(),
+        stops: Vec::new(),
         operands: plain.operands.clone(),
         saved: plain.saved.clone(),
         depth: plain.depth,
@@ -217,10 +218,10 @@ impl Fuser<'_> {
         let mut moved = Vec::with_capacity(plain.instrs.len() + 1);
         // Up to here code may be skipped, or left by a fault: it stays as it is.
         let mut guarded = 0;
-        let mut networks = plain.network_starts.iter().peekable();
+        let mut networks = plain.networks.iter().peekable();
         for (at, instr) in plain.instrs.iter().enumerate() {
             // A group of two networks would hold inputs that have nothing in common.
-            while networks.next_if(|&&start| start as usize <= at).is_some() {
+            while networks.next_if(|place| place.start as usize <= at).is_some() {
                 self.close(at);
             }
             if is_target[at] {

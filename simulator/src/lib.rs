@@ -14,6 +14,28 @@
 //! - A scan allocates nothing. All room is taken when the program is compiled.
 //! - The power of every element is kept as it is computed: each power has a slot that is written once in a scan.
 //! - Forces cost nothing while there are none: the scan is compiled twice, once with the looks at them.
+//! - Nor does looking into the midst of a scan. [`Simulation::step_block`] and [`Simulation::step_network`] run the
+//!   plain code and halt in front of the next block or network, where tags and power can be seen; `scan()` runs fused
+//!   code, in which such places are gone. Both leave the same state behind.
+//! - [`Simulation::state`] is all that a scan can change, in the midst of one too; [`Simulation::restore`] goes on from it
+//!   as if nothing had happened since.
+//!
+//! ```
+//! # use ladder_simulator::{Options, Simulation, Stepped};
+//! # let text = "+--[ ]( start )--( )( run )--+\n+--[ ]( run )--( )( lamp )--+\n";
+//! # let analysis = ladder_analysis::analyze(&ladder_syntax::parse(text).into(), "motor.clad");
+//! let mut simulation = Simulation::new(analysis.program.clone().unwrap(), Options::default())?;
+//! let before = simulation.state();
+//! let mut blocks = Vec::new();
+//! while let Stepped::At(block) = simulation.step_block() {
+//!     blocks.push(&text[block.range]);
+//! }
+//! assert_eq!(blocks, ["[ ]( start )", "( )( run )", "[ ]( run )", "( )( lamp )"]);
+//! assert_eq!(simulation.scans(), 1);
+//! assert!(simulation.restore(&before));
+//! assert_eq!(simulation.scans(), 0);
+//! # Ok::<(), ladder_simulator::CompileError>(())
+//! ```
 //!
 //! A new instruction is a row of the table in `ladder-instructions` and a line in `compile/mod.rs`, which does not
 //! compile without it.
@@ -43,5 +65,5 @@ pub use compile::CompileError;
 pub use diagram::diagram;
 pub use fault::Fault;
 pub use session::{HistoryLimits, Session, Stop};
-pub use simulation::{Options, Refused, Simulation, Status};
+pub use simulation::{Options, Refused, Simulation, State, Status, Stepped};
 pub use tags::{Point, UnknownTag};

@@ -111,7 +111,7 @@ impl std::fmt::Write for Text {
 }
 
 /// The banks, and what of them is held by forces.
-#[derive(Debug, Clone, Default)]
+#[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub(crate) struct Memory {
     pub(crate) bits: Vec<u8>,
     pub(crate) words: Vec<i64>,
@@ -126,8 +126,9 @@ pub(crate) struct Memory {
 /// How many sent bytes are kept.
 pub(crate) const SERIAL_ROOM: usize = 1 << 16;
 
-/// Which slots are forced. Empty unless there is a force: a scan without forces runs code that never looks here.
-#[derive(Debug, Clone, Default)]
+/// Which slots are forced. Empty until there was a force, or a scan in steps: any other scan runs code that never looks
+/// here.
+#[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub(crate) struct Held {
     /// One for each bit: 1 where it is held.
     pub(crate) bits: Vec<u8>,
@@ -154,6 +155,32 @@ impl Memory {
 
     pub(crate) fn text(&self, slot: TextSlot) -> &[u8] {
         self.texts[slot.0 as usize].bytes()
+    }
+
+    /// Room to note what is forced; nothing is, unless it was there.
+    pub(crate) fn make_room_for_forces(&mut self) {
+        self.held.bits.resize(self.bits.len(), 0);
+        self.held.words.resize(self.words.len(), 0);
+        self.held.texts.resize(self.texts.len(), false);
+    }
+
+    /// Takes over what another memory of the same program holds. No room is given up.
+    pub(crate) fn take_from(&mut self, other: &Memory) {
+        self.bits.clone_from(&other.bits);
+        self.words.clone_from(&other.words);
+        self.texts.clone_from(&other.texts);
+        self.held.bits.clone_from(&other.held.bits);
+        self.held.words.clone_from(&other.held.words);
+        self.held.texts.clone_from(&other.held.texts);
+        self.received.clone_from(&other.received);
+        self.sent.clone_from(&other.sent);
+    }
+
+    /// Whether another memory has as many slots.
+    pub(crate) fn has_room_of(&self, other: &Memory) -> bool {
+        self.bits.len() == other.bits.len()
+            && self.words.len() == other.words.len()
+            && self.texts.len() == other.texts.len()
     }
 
     /// Writes power, or anything else that cannot be forced.

@@ -22,7 +22,7 @@ mod state;
 mod strings;
 mod user_block;
 
-use crate::code::{ArrayPlace, BlockPlace, Code, ElementPlace, Instr};
+use crate::code::{ArrayPlace, BlockPlace, Code, ElementPlace, Instr, NetworkPlace};
 use crate::fuse::{Fused, fuse};
 use crate::layout::{Home, Layout};
 use crate::memory::{Bit, Memory, Word};
@@ -34,6 +34,7 @@ use ladder_analysis::program::{Block, BlockKind, Location, Network, Program, Ste
 use ladder_instructions::{Instruction, Op};
 pub(crate) use ports::{CHANNELS, Ports};
 use std::collections::HashMap;
+use std::ops::Range;
 
 /// Why a program cannot run in the simulator.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -66,6 +67,8 @@ pub(crate) struct Compiled {
     pub(crate) elements: Vec<ElementPlace>,
     /// For each network of the drawing, whether some scans may not reach it.
     pub(crate) skippable: Vec<bool>,
+    /// For each network of the drawing where its code stands; that of the first place where it is in a block's body.
+    pub(crate) stretches: Vec<Range<u32>>,
     /// Where the ports are.
     pub(crate) ports: Ports,
     /// What a warm restart keeps.
@@ -102,6 +105,7 @@ pub(crate) fn compile(program: &Program) -> Result<Compiled> {
         code: Code::default(),
         elements: Vec::new(),
         skippable: vec![false; program.networks.len()],
+        stretches: vec![0..0; program.networks.len()],
         constants: HashMap::new(),
         arrays: HashMap::new(),
         regions: Vec::new(),
@@ -128,6 +132,7 @@ struct Compiler<'p> {
     code: Code,
     elements: Vec<ElementPlace>,
     skippable: Vec<bool>,
+    stretches: Vec<Range<u32>>,
     constants: HashMap<i64, Word>,
     arrays: HashMap<ArrayPlace, u32>,
     /// The stretch of networks that is being compiled, with those it stands in.
@@ -176,6 +181,7 @@ impl Compiler<'_> {
                 blocks as u32
             })
             .collect();
+        self.code.note_stops();
         let Layout {
             mut memory,
             temporary,
@@ -191,6 +197,7 @@ impl Compiler<'_> {
             initial: memory,
             elements: self.elements,
             skippable: self.skippable,
+            stretches: self.stretches,
         }
     }
 
@@ -216,13 +223,18 @@ impl Compiler<'_> {
     fn network(&mut self, index: usize) -> Result<()> {
         let program = self.program;
         let network = &program.networks[index];
-        self.code.network_starts.push(self.here());
+        let start = self.here();
+        self.code.networks.push(NetworkPlace {
+            start,
+            network: index as u32,
+        });
         if self.skippable[index] {
             self.emit(Instr::Network {
                 network: index as u32,
             });
         }
         let outer = std::mem::take(&mut self.powers);
+        let mut ends = Vec::with_capacity(network.steps.len());
         for (number, &step) in network.steps.iter().enumerate() {
             self.step = number;
             let power = match step {
@@ -232,6 +244,7 @@ impl Compiler<'_> {
                 Step::Block { block, en } => self.block(&network.blocks[block], self.powers[en])?,
             };
             self.powers.push(power);
+            ends.push(self.here());
         }
         self.elements
             .extend(network.elements.iter().map(|element| ElementPlace {
@@ -243,7 +256,11 @@ impl Compiler<'_> {
                 power: self.powers[element.step],
                 network: index as u32,
                 step: element.step as u32,
+                at: ends[element.step],
             }));
+        if self.stretches[index].is_empty() {
+            self.stretches[index] = start..self.here();
+        }
         self.powers = outer;
         if self.layout.is_too_large() || self.code.instrs.len() > MOST_INSTRUCTIONS {
             return Err(CompileError {

@@ -1,12 +1,17 @@
 //! The machine that runs flat code: one scan is one walk through it.
 
 mod execute;
+mod position;
+mod state;
 
 use crate::code::{Code, Instr, NOTHING_SAVED, Record};
 use crate::fault::Trouble;
 use crate::memory::{Bit, Memory};
 use crate::timers::Clock;
 use execute::execute;
+use position::Position;
+pub(crate) use position::Until;
+pub(crate) use state::MachineState;
 
 /// How deep calls may nest (LANGUAGE §5.5).
 pub(crate) const CALL_DEPTH: usize = 64;
@@ -20,6 +25,8 @@ pub(crate) enum Halt {
     Ended,
     /// Watchdog or call depth: the scan was not finished.
     Stopped,
+    /// It stands in front of a block or network where it was to halt, and can go on.
+    Halted,
 }
 
 /// A fault as the machine records it.
@@ -32,7 +39,7 @@ pub(crate) struct FaultRecord {
 }
 
 /// A loop that is being run: code from `body` up to `behind`.
-#[derive(Debug, Clone, Copy, Default)]
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
 struct Loop {
     body: u32,
     behind: u32,
@@ -41,7 +48,7 @@ struct Loop {
 }
 
 /// What a call, or the body of a user-defined block, has of its own.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
 struct Frame {
     /// Where the caller goes on.
     back: u32,
@@ -80,12 +87,15 @@ pub(crate) struct Machine {
     pub(crate) faults_lost: u64,
     /// Whether the last scan recorded a fault.
     pub(crate) faulted: bool,
+    /// Whether the scan that runs has recorded one.
+    fault_now: bool,
     /// For each network the last scan that reached it, counted from 1; kept only where scans may skip it.
     pub(crate) reached: Vec<i64>,
     /// For each network the step at which it was last left early, else the largest number.
     pub(crate) left_at: Vec<u32>,
     /// For each record of fused code the row that it last took.
     pub(crate) rows: Vec<u8>,
+    position: Position,
     frames: Vec<Frame>,
     saved: Vec<u8>,
 }
@@ -104,6 +114,8 @@ impl Machine {
             faults: Vec::with_capacity(FAULTS),
             faults_lost: 0,
             faulted: false,
+            fault_now: false,
+            position: Position::start(watchdog),
             reached: vec![0; networks],
             left_at: vec![u32::MAX; networks],
             rows: vec![0; code.records.len()],
@@ -126,18 +138,34 @@ impl Machine {
         self.left_at.fill(u32::MAX);
     }
 
-    /// Runs one scan. With `FORCED`, writes respect forces.
-    pub(crate) fn run<const FORCED: bool>(&mut self, code: &Code) -> Halt {
+    /// Begins a scan.
+    pub(crate) fn begin(&mut self) {
+        self.frames.clear();
+        self.saved.clear();
+        self.fault_now = false;
+        self.position = Position::start(self.watchdog);
+    }
+
+    /// Ends a scan that ran to an end of its own.
+    pub(crate) fn finish(&mut self, interval: i64) {
+        self.faulted = self.fault_now;
+        self.scan += 1;
+        self.now = self.now.saturating_add(interval);
+    }
+
+    /// Runs on in the scan that was begun. `PLAIN` code respects forces, and can halt; fused code is never asked to.
+    pub(crate) fn run<const PLAIN: bool>(&mut self, code: &Code, until: Until) -> Halt {
         let clock = Clock {
             now: self.now,
             scan: self.scan + 1,
         };
-        self.frames.clear();
-        self.saved.clear();
-        let mut frame = Frame::new(0, NOTHING_SAVED);
-        let mut calls = 0;
-        let mut pc = 0usize;
-        let mut budget = self.watchdog;
+        let Position {
+            mut pc,
+            mut frame,
+            mut calls,
+            mut budget,
+            mut passed,
+        } = self.position;
         // The stretch of code that may run before the watchdog must be asked again: where code runs straight on,
         // what is evaluated is known beforehand, so nothing is counted there.
         let (mut entered, mut instrs) = stretch(code, pc, budget);
@@ -170,6 +198,22 @@ impl Machine {
                 self.record(Trouble::Watchdog(self.watchdog), block as u32, clock.scan);
                 return Halt::Stopped;
             };
+            if PLAIN {
+                if until.halts(code, pc, passed) {
+                    let paid = blocks_before(code, pc).saturating_sub(entered);
+                    budget = budget.saturating_sub(paid);
+                    passed = until.passed();
+                    self.position = Position {
+                        pc,
+                        frame,
+                        calls,
+                        budget,
+                        passed,
+                    };
+                    return Halt::Halted;
+                }
+                passed = 0;
+            }
             let memory = &mut self.memory;
             match instr {
                 Instr::Rail { out } => memory.set_bit(out, frame.rail),
@@ -282,7 +326,7 @@ impl Machine {
                     }
                 }
                 straight => {
-                    if let Err(trouble) = execute::<FORCED>(memory, code, straight, clock) {
+                    if let Err(trouble) = execute::<PLAIN>(memory, code, straight, clock) {
                         fault!(trouble);
                     }
                 }
@@ -304,6 +348,7 @@ impl Machine {
     }
 
     fn record(&mut self, trouble: Trouble, block: u32, scan: i64) {
+        self.fault_now = true;
         // A fault that stops the simulation is always kept: it is why nothing moves any more.
         if self.faults.len() == self.faults.capacity() {
             self.faults_lost += 1;
@@ -323,10 +368,7 @@ impl Machine {
 /// The code that may run on from an instruction before the watchdog must be asked, and the number of blocks that
 /// stand before it.
 fn stretch(code: &Code, pc: usize, budget: u64) -> (u64, &[Instr]) {
-    let before = match pc {
-        0 => 0,
-        _ => u64::from(code.blocks_through[pc - 1]),
-    };
+    let before = blocks_before(code, pc);
     let most = before.saturating_add(budget);
     let all = code.blocks_through.last().map_or(0, |&blocks| u64::from(blocks));
     if most >= all {
@@ -336,6 +378,14 @@ fn stretch(code: &Code, pc: usize, budget: u64) -> (u64, &[Instr]) {
         .blocks_through
         .partition_point(|&blocks| u64::from(blocks) <= most);
     (before, &code.instrs[..end])
+}
+
+/// How many blocks begin before an instruction.
+fn blocks_before(code: &Code, pc: usize) -> u64 {
+    match pc {
+        0 => 0,
+        _ => u64::from(code.blocks_through[pc - 1]),
+    }
 }
 
 /// The innermost block that an instruction belongs to.

@@ -1,10 +1,8 @@
-//! The flat code that a program becomes: instructions in their order of evaluation, and the tables that lead
-//! from a place in the code back to the drawing.
+//! The instructions of flat code.
 
 use crate::memory::{Bit, TextSlot, Word};
 use crate::operation::{Conversion, IntegerOp, RealFunction, RealOp, Test, Width};
 use crate::routine::Routine;
-use ladder_analysis::program::{ElementKind, Location};
 
 /// One instruction. At most 24 bytes, so that code stays dense; a test watches over it.
 ///
@@ -561,72 +559,6 @@ pub(crate) const NOTHING_SAVED: u32 = u32::MAX;
 
 /// For a block that cannot be reached twice in one scan.
 pub(crate) const NO_STAMP: Word = Word(u32::MAX);
-
-/// One result of a few boolean instructions: the bit of a truth table that three bits select.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) struct Record {
-    pub(crate) inputs: [Bit; 3],
-    pub(crate) out: Bit,
-    /// Bit n is the result where the inputs are the binary digits of n, the first one the lowest.
-    pub(crate) truth: u8,
-}
-
-/// The instructions of a program.
-#[derive(Debug, Default)]
-pub(crate) struct Code {
-    pub(crate) instrs: Vec<Instr>,
-    pub(crate) records: Vec<Record>,
-    /// For each instruction how many blocks begin at it or before it. Not kept up behind jumps: it counts text.
-    pub(crate) blocks_through: Vec<u32>,
-    /// The blocks in the order of the code.
-    pub(crate) blocks: Vec<BlockPlace>,
-    /// The first instruction of each network.
-    pub(crate) network_starts: Vec<u32>,
-    /// Arrays that are indexed while scanning.
-    pub(crate) arrays: Vec<ArrayPlace>,
-    /// Operands of routines.
-    pub(crate) operands: Vec<u32>,
-    /// Powers that a call which can come back to the same network must keep.
-    pub(crate) saved: Vec<Vec<Bit>>,
-    /// Most frames that can be open at once.
-    pub(crate) depth: usize,
-}
-
-/// Where a block's code stands.
-#[derive(Debug, Clone, Copy)]
-pub(crate) struct BlockPlace {
-    /// Its first instruction.
-    pub(crate) start: u32,
-    /// The one behind it.
-    pub(crate) end: u32,
-    /// The power that leaves it: low if it faults.
-    pub(crate) out: Bit,
-    /// Where it is drawn.
-    pub(crate) location: Location,
-}
-
-/// An array that is indexed while scanning.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-pub(crate) struct ArrayPlace {
-    /// Slot of its first element.
-    pub(crate) base: u32,
-    /// Index of the first element.
-    pub(crate) first: i64,
-    /// Index of the last element.
-    pub(crate) last: i64,
-}
-
-/// A part of the drawing and the slot that holds its power.
-#[derive(Debug, Clone, Copy)]
-pub(crate) struct ElementPlace {
-    pub(crate) kind: ElementKind,
-    pub(crate) location: Location,
-    pub(crate) power: Bit,
-    /// Its network, by its number in the program.
-    pub(crate) network: u32,
-    /// The step whose power it shows, to see whether it was reached.
-    pub(crate) step: u32,
-}
 
 #[cfg(test)]
 mod tests {

@@ -1,0 +1,128 @@
+//! The flat code that a program becomes: instructions in their order of evaluation, and the tables that lead
+//! from a place in the code back to the drawing.
+
+mod instr;
+
+pub(crate) use instr::{Instr, NO_STAMP, NOTHING_SAVED};
+
+use crate::memory::Bit;
+use ladder_analysis::program::{ElementKind, Location};
+
+/// One result of a few boolean instructions: the bit of a truth table that three bits select.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) struct Record {
+    pub(crate) inputs: [Bit; 3],
+    pub(crate) out: Bit,
+    /// Bit n is the result where the inputs are the binary digits of n, the first one the lowest.
+    pub(crate) truth: u8,
+}
+
+/// The instructions of a program.
+#[derive(Debug, Default)]
+pub(crate) struct Code {
+    pub(crate) instrs: Vec<Instr>,
+    pub(crate) records: Vec<Record>,
+    /// For each instruction how many blocks begin at it or before it. Not kept up behind jumps: it counts text.
+    pub(crate) blocks_through: Vec<u32>,
+    /// The blocks in the order of the code.
+    pub(crate) blocks: Vec<BlockPlace>,
+    /// Where each network begins, in the order of the code: its first instruction and its number.
+    pub(crate) networks: Vec<NetworkPlace>,
+    /// For each instruction the kinds of [`stop`] in front of it. Plain code only.
+    pub(crate) stops: Vec<u8>,
+    /// Arrays that are indexed while scanning.
+    pub(crate) arrays: Vec<ArrayPlace>,
+    /// Operands of routines.
+    pub(crate) operands: Vec<u32>,
+    /// Powers that a call which can come back to the same network must keep.
+    pub(crate) saved: Vec<Vec<Bit>>,
+    /// Most frames that can be open at once.
+    pub(crate) depth: usize,
+}
+
+/// Where a scan can halt: in front of what has code. A set of kinds for each instruction.
+pub(crate) mod stop {
+    /// A block.
+    pub(crate) const BLOCK: u8 = 1;
+    /// The first instruction of a network.
+    pub(crate) const NETWORK: u8 = 2;
+}
+
+impl Code {
+    /// The network that begins at an instruction; one without code is passed by.
+    pub(crate) fn network_at(&self, pc: u32) -> Option<usize> {
+        let through = self.networks.partition_point(|place| place.start <= pc);
+        let place = self.networks[..through].last()?;
+        (place.start == pc).then_some(place.network as usize)
+    }
+
+    /// The block that begins at an instruction; one without code is passed by.
+    pub(crate) fn block_from(&self, pc: u32) -> Option<&BlockPlace> {
+        let through = self.blocks.partition_point(|place| place.start <= pc);
+        let here = self.blocks[..through]
+            .iter()
+            .rev()
+            .take_while(|place| place.start == pc);
+        here.into_iter().find(|place| place.end > pc)
+    }
+
+    /// Notes where scans can halt.
+    pub(crate) fn note_stops(&mut self) {
+        self.stops = vec![0; self.instrs.len()];
+        for place in self.blocks.iter().filter(|place| place.start < place.end) {
+            self.stops[place.start as usize] |= stop::BLOCK;
+        }
+        for place in &self.networks {
+            // Networks without code at the end have no instruction to halt at.
+            if let Some(stops) = self.stops.get_mut(place.start as usize) {
+                *stops |= stop::NETWORK;
+            }
+        }
+    }
+}
+
+/// Where a network's code begins.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct NetworkPlace {
+    pub(crate) start: u32,
+    /// By its number in the program.
+    pub(crate) network: u32,
+}
+
+/// Where a block's code stands.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct BlockPlace {
+    /// Its first instruction.
+    pub(crate) start: u32,
+    /// The one behind it.
+    pub(crate) end: u32,
+    /// The power that leaves it: low if it faults.
+    pub(crate) out: Bit,
+    /// Where it is drawn.
+    pub(crate) location: Location,
+}
+
+/// An array that is indexed while scanning.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub(crate) struct ArrayPlace {
+    /// Slot of its first element.
+    pub(crate) base: u32,
+    /// Index of the first element.
+    pub(crate) first: i64,
+    /// Index of the last element.
+    pub(crate) last: i64,
+}
+
+/// A part of the drawing and the slot that holds its power.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct ElementPlace {
+    pub(crate) kind: ElementKind,
+    pub(crate) location: Location,
+    pub(crate) power: Bit,
+    /// Its network, by its number in the program.
+    pub(crate) network: u32,
+    /// The step whose power it shows, to see whether it was reached.
+    pub(crate) step: u32,
+    /// The instruction before which that power is there.
+    pub(crate) at: u32,
+}

@@ -1,0 +1,100 @@
+//! Where a scan stands that is not finished, and where it is to halt.
+
+use super::{Frame, Machine};
+use crate::code::{Code, NOTHING_SAVED, stop};
+
+/// Where a scan goes on. A scan that runs through keeps this in the machine's locals.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) struct Position {
+    /// The next instruction.
+    pub(super) pc: usize,
+    pub(super) frame: Frame,
+    pub(super) calls: usize,
+    /// Blocks that may still be evaluated.
+    pub(super) budget: u64,
+    /// The kinds of stop that were made in front of the next instruction.
+    pub(super) passed: u8,
+}
+
+impl Position {
+    /// Before the first instruction.
+    pub(super) fn start(watchdog: u64) -> Position {
+        Position {
+            pc: 0,
+            frame: Frame::new(0, NOTHING_SAVED),
+            calls: 0,
+            budget: watchdog,
+            passed: 0,
+        }
+    }
+}
+
+/// How far a scan runs on.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Until {
+    /// To its end.
+    End,
+    /// In front of the next block.
+    Block,
+    /// In front of the next network.
+    Network,
+}
+
+impl Until {
+    /// The kinds of stop at which it halts.
+    const fn kinds(self) -> u8 {
+        match self {
+            Until::End => 0,
+            Until::Block => stop::BLOCK,
+            Until::Network => stop::NETWORK,
+        }
+    }
+
+    /// What lies behind a stop of this kind: a network begins before its first block does.
+    pub(super) const fn passed(self) -> u8 {
+        match self {
+            Until::End => 0,
+            Until::Block => stop::BLOCK | stop::NETWORK,
+            Until::Network => stop::NETWORK,
+        }
+    }
+
+    /// Whether to halt in front of an instruction.
+    #[inline]
+    pub(super) fn halts(self, code: &Code, pc: usize, passed: u8) -> bool {
+        let kinds = self.kinds();
+        kinds != 0 && code.stops[pc] & kinds & !passed != 0
+    }
+}
+
+/// What a scan that halted has open: instructions that all lie in different activations, the innermost first. What
+/// stands before them in their networks has run.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct OpenScan<'m> {
+    machine: &'m Machine,
+}
+
+impl OpenScan<'_> {
+    /// The instruction that runs next.
+    pub(crate) fn pc(self) -> u32 {
+        self.machine.position.pc as u32
+    }
+
+    /// The instruction up to which a stretch of code has run, if it is open.
+    pub(crate) fn within(self, start: u32, end: u32) -> Option<u32> {
+        let frames = self.machine.frames.iter().rev();
+        let callers = std::iter::once(&self.machine.position.frame).chain(frames);
+        // A caller goes on behind its call, whose power is not there yet. The main program and bodies have no caller.
+        let calls = callers.filter(|frame| frame.back > 0).map(|frame| frame.back - 1);
+        std::iter::once(self.pc())
+            .chain(calls)
+            .find(|pc| (start..end).contains(pc))
+    }
+}
+
+impl Machine {
+    /// What is open in the scan that was begun and not finished.
+    pub(crate) fn open_scan(&self) -> OpenScan<'_> {
+        OpenScan { machine: self }
+    }
+}

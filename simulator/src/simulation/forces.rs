@@ -1,0 +1,224 @@
+//! Values from outside: assigned before a scan, or held by force.
+
+use super::{Change, Force, Simulation};
+use crate::tags::{Point, PointSlot};
+use ladder_analysis::program::Role;
+use ladder_analysis::types::Scalar;
+use ladder_analysis::value::Value;
+use std::collections::BTreeMap;
+
+impl Simulation {
+    /// Gives a tag a value before the next scan, as the world outside does. A forced tag goes on showing its
+    /// forced value. While a scan is open ([`Self::is_open`]) this waits for its end, and so do forces.
+    ///
+    /// # Errors
+    /// The point is read-only, or the value does not fit its type.
+    pub fn set(&mut self, point: &Point, value: Value) -> Result<(), Refused> {
+        check(point, &value)?;
+        if self.open {
+            self.pending.push(Change::Set(point.clone(), value));
+            return Ok(());
+        }
+        self.assign(point, value);
+        Ok(())
+    }
+
+    fn assign(&mut self, point: &Point, value: Value) {
+        if let Some(force) = self.forces.get_mut(&point.name) {
+            if point.role == Role::Input {
+                force.underneath = Some(value);
+            }
+            return;
+        }
+        self.write(point, &value);
+    }
+
+    /// Does what was asked for while a scan was open.
+    pub(super) fn take_pending(&mut self) {
+        for change in std::mem::take(&mut self.pending) {
+            match change {
+                Change::Set(point, value) => self.assign(&point, value),
+                Change::Force(point, value) => self.hold(point, value),
+                Change::Unforce(point) => self.unforce(&point),
+                Change::UnforceAll => self.unforce_all(),
+            }
+        }
+    }
+
+    /// Holds a tag at a value: it reads as this value everywhere, and writes to it have no effect.
+    ///
+    /// # Errors
+    /// The point is read-only, or the value does not fit its type.
+    pub fn force(&mut self, point: &Point, value: Value) -> Result<(), Refused> {
+        check(point, &value)?;
+        if self.open {
+            self.pending.push(Change::Force(point.clone(), value));
+        } else {
+            self.hold(point.clone(), value);
+        }
+        Ok(())
+    }
+
+    pub(super) fn hold(&mut self, point: Point, value: Value) {
+        let before = match self.forces.get(&point.name) {
+            Some(force) => force.underneath.clone(),
+            None => (point.role == Role::Input).then(|| self.value(&point)),
+        };
+        self.machine.memory.make_room_for_forces();
+        self.mark(&point, true);
+        // The value goes in underneath the mark, which only keeps the program from writing.
+        self.write(&point, &value);
+        self.forces.insert(
+            point.name.clone(),
+            Force {
+                point,
+                underneath: before,
+            },
+        );
+    }
+
+    /// Lets a tag go. An input shows its own value again, any other tag keeps the forced one until it is written.
+    /// Nothing happens if it is not forced.
+    pub fn unforce(&mut self, point: &Point) {
+        if self.open {
+            self.pending.push(Change::Unforce(point.clone()));
+            return;
+        }
+        let Some(force) = self.forces.remove(&point.name) else {
+            return;
+        };
+        self.mark(&force.point, false);
+        // A word and a bit of it may both be forced.
+        let others: Vec<Point> = self.forces.values().map(|other| other.point.clone()).collect();
+        for other in &others {
+            self.mark(other, true);
+        }
+        if let Some(value) = force.underneath {
+            self.write(&force.point, &value);
+        }
+    }
+
+    /// Lets all tags go.
+    pub fn unforce_all(&mut self) {
+        if self.open {
+            self.pending.push(Change::UnforceAll);
+            return;
+        }
+        for force in std::mem::take(&mut self.forces).into_values() {
+            self.mark(&force.point, false);
+            if let Some(value) = force.underneath {
+                self.write(&force.point, &value);
+            }
+        }
+    }
+
+    /// Makes these the forces. The banks already hold what forced points show.
+    pub(crate) fn restore_forces(&mut self, forces: &BTreeMap<String, Force>) {
+        if self.forces == *forces {
+            return;
+        }
+        for force in std::mem::take(&mut self.forces).into_values() {
+            self.mark(&force.point, false);
+        }
+        self.forces.clone_from(forces);
+        self.machine.memory.make_room_for_forces();
+        for force in forces.values() {
+            self.mark(&force.point, true);
+        }
+    }
+
+    /// Whether a point is forced.
+    pub fn is_forced(&self, point: &Point) -> bool {
+        !self.forces.is_empty() && self.forces.contains_key(&point.name)
+    }
+
+    /// The points that are forced, by name.
+    pub fn forced(&self) -> impl Iterator<Item = &Point> {
+        self.forces.values().map(|force| &force.point)
+    }
+
+    /// Writes past all forces.
+    fn write(&mut self, point: &Point, value: &Value) {
+        let memory = &mut self.machine.memory;
+        match (point.slot, value) {
+            (PointSlot::Bit(slot), Value::Bool(high)) => memory.set_bit(slot, *high),
+            (PointSlot::Word(slot), Value::Int(number)) => memory.words[slot.0 as usize] = *number,
+            (PointSlot::Word(slot), Value::Real(real)) => {
+                let real = if point.ty == Scalar::Real {
+                    f64::from(*real as f32)
+                } else {
+                    *real
+                };
+                memory.words[slot.0 as usize] = real.to_bits() as i64;
+            }
+            (PointSlot::Text(slot), Value::Text(bytes)) => memory.texts[slot.0 as usize].set(bytes),
+            (PointSlot::BitOf { word, bit, ty }, Value::Bool(high)) => {
+                let mask = 1i64 << bit;
+                let value = memory.word(word) & !mask | if *high { mask } else { 0 };
+                memory.words[word.0 as usize] = ladder_analysis::value::wrap(value, ty);
+            }
+            _ => {}
+        }
+    }
+
+    /// Marks a slot as held, or not.
+    fn mark(&mut self, point: &Point, held: bool) {
+        let marks = &mut self.machine.memory.held;
+        match point.slot {
+            PointSlot::Bit(slot) => marks.bits[slot.0 as usize] = u8::from(held),
+            PointSlot::Word(slot) => marks.words[slot.0 as usize] = if held { -1 } else { 0 },
+            PointSlot::Text(slot) => marks.texts[slot.0 as usize] = held,
+            PointSlot::BitOf { word, bit, ty } => {
+                // The sign's copies above the width go with the highest bit.
+                let mask = if ty.is_signed() && u32::from(bit) + 1 == ty.width() {
+                    -1 << bit
+                } else {
+                    1 << bit
+                };
+                let marks = &mut marks.words[word.0 as usize];
+                *marks = if held { *marks | mask } else { *marks & !mask };
+            }
+            PointSlot::Timing { .. } => {}
+        }
+    }
+}
+
+/// Whether a point takes a value from outside.
+fn check(point: &Point, value: &Value) -> Result<(), Refused> {
+    if point.read_only {
+        return Err(Refused {
+            message: format!("{} is read-only: it cannot be given a value", point.name),
+        });
+    }
+    let fits = match (value, point.ty) {
+        (Value::Bool(_), Scalar::Bool) => true,
+        (Value::Real(real), ty) => ty.is_real() && real.is_finite(),
+        (Value::Text(_), ty) => ty.is_string(),
+        (Value::Int(number), ty) => match ty.bounds() {
+            Some(_) => ladder_analysis::value::wrap(*number, ty) == *number,
+            None => ty == Scalar::Time || ty.is_date(),
+        },
+        (Value::Bool(_), _) => false,
+    };
+    if fits {
+        return Ok(());
+    }
+    Err(Refused {
+        message: format!("{} is a {} and cannot hold this value", point.name, point.ty),
+    })
+}
+
+/// Why a tag did not take a value.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Refused {
+    /// What is wrong and what to do.
+    pub message: String,
+}
+
+impl std::fmt::Display for Refused {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.write_str(&self.message)
+    }
+}
+
+impl std::error::Error for Refused {}

@@ -1,0 +1,239 @@
+//! A program that runs: scans, inputs, forces, faults, and what can be seen of it.
+
+mod forces;
+mod power;
+mod scan;
+mod state;
+
+use crate::compile::{CompileError, Compiled, compile};
+use crate::fault::Fault;
+use crate::machine::{FaultRecord, Machine};
+use crate::memory::{Memory, SERIAL_ROOM};
+use crate::tags::{self, Names, Point, UnknownTag};
+use ladder_analysis::program::{Location, Program};
+use ladder_analysis::value::Value;
+use std::collections::BTreeMap;
+use std::sync::Arc;
+
+pub use forces::Refused;
+pub use scan::Stepped;
+pub use state::State;
+
+/// How a program is run.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Options {
+    /// The time from one scan to the next, in nanoseconds.
+    pub interval: i64,
+    /// How many blocks a scan may evaluate before the watchdog stops the simulation.
+    pub watchdog: u64,
+}
+
+impl Default for Options {
+    /// 10 ms and 1,000,000 blocks.
+    fn default() -> Self {
+        Options {
+            interval: 10_000_000,
+            watchdog: 1_000_000,
+        }
+    }
+}
+
+/// Whether a program can go on.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum Status {
+    /// The next scan can run.
+    Ready,
+    /// The program stopped itself with `<END>`.
+    Ended,
+    /// The watchdog, or calls nested too deep, stopped it in the middle of a scan.
+    Faulted,
+}
+
+/// A running program.
+#[derive(Debug)]
+pub struct Simulation {
+    pub(crate) program: Arc<Program>,
+    pub(crate) compiled: Compiled,
+    pub(crate) names: Names,
+    pub(crate) points: Vec<Point>,
+    pub(crate) machine: Machine,
+    pub(crate) options: Options,
+    pub(crate) status: Status,
+    pub(crate) forces: BTreeMap<String, Force>,
+    /// The last scan ran plain code: with forces, or in steps.
+    pub(crate) ran_plain: bool,
+    /// A scan was begun and is not finished.
+    pub(crate) open: bool,
+    /// What waits for its end.
+    pending: Vec<Change>,
+}
+
+/// A force that is in effect.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct Force {
+    point: Point,
+    /// What an input would show if it were not forced.
+    underneath: Option<Value>,
+}
+
+/// What was asked for in the midst of a scan.
+#[derive(Debug, Clone, PartialEq)]
+enum Change {
+    Set(Point, Value),
+    Force(Point, Value),
+    Unforce(Point),
+    UnforceAll,
+}
+
+impl Simulation {
+    /// A program before its first scan: a cold start.
+    ///
+    /// # Errors
+    /// The program needs more memory than there is.
+    pub fn new(program: Arc<Program>, options: Options) -> Result<Simulation, CompileError> {
+        let compiled = compile(&program)?;
+        let mut memory = compiled.initial.clone();
+        if compiled.ports.serial {
+            // All the room at once: a scan allocates nothing.
+            memory.sent.reserve_exact(SERIAL_ROOM);
+        }
+        let machine = Machine::new(
+            memory,
+            &compiled.fused.code,
+            program.networks.len(),
+            options.watchdog,
+        );
+        Ok(Simulation {
+            names: Names::of(&program),
+            points: Names::points(&program, &compiled.homes),
+            program,
+            compiled,
+            machine,
+            options,
+            status: Status::Ready,
+            forces: BTreeMap::new(),
+            ran_plain: false,
+            open: false,
+            pending: Vec::new(),
+        })
+    }
+
+    /// The program that runs.
+    pub fn program(&self) -> &Arc<Program> {
+        &self.program
+    }
+
+    /// How it runs.
+    pub fn options(&self) -> Options {
+        self.options
+    }
+
+    /// Whether it can go on.
+    pub fn status(&self) -> Status {
+        self.status
+    }
+
+    /// How many scans have been run.
+    pub fn scans(&self) -> u64 {
+        self.machine.scan as u64
+    }
+
+    /// The clock of the next scan, in nanoseconds since the start.
+    pub fn time(&self) -> i64 {
+        self.machine.now
+    }
+
+    /// Begins again from cold: all tags as before the first scan. Forces stay.
+    pub fn reset(&mut self) {
+        self.restart(None);
+    }
+
+    /// Begins again as after a power failure: retentive tags keep their values, all others begin as before the
+    /// first scan. Forces stay.
+    pub fn warm_restart(&mut self) {
+        let kept = self.machine.memory.clone();
+        self.restart(Some(&kept));
+    }
+
+    fn restart(&mut self, kept: Option<&Memory>) {
+        // A scan that is open is given up.
+        self.open = false;
+        self.take_pending();
+        let now = self.machine.now;
+        let forced: Vec<(Point, Value)> = self
+            .forces
+            .values()
+            .map(|force| (force.point.clone(), self.value(&force.point)))
+            .collect();
+        self.unforce_all();
+        self.machine.restart(&self.compiled.initial);
+        if let Some(kept) = kept {
+            for range in &self.compiled.retained {
+                range.restore(&mut self.machine.memory, kept, now);
+            }
+        }
+        self.status = Status::Ready;
+        for (point, value) in forced {
+            self.hold(point, value);
+        }
+    }
+
+    /// The faults that were recorded since they were last taken, oldest first.
+    pub fn take_faults(&mut self) -> Vec<Fault> {
+        self.machine.faults_lost = 0;
+        let records = std::mem::take(&mut self.machine.faults);
+        let faults = records.iter().map(|record| self.fault(record)).collect();
+        self.machine.faults = records;
+        self.machine.faults.clear();
+        faults
+    }
+
+    pub(crate) fn fault(&self, record: &FaultRecord) -> Fault {
+        let blocks = &self.compiled.code.blocks;
+        let nowhere = Location {
+            file: 0,
+            range: ladder_syntax::TextRange::default(),
+        };
+        Fault {
+            message: record.trouble.message(),
+            location: blocks
+                .get(record.block as usize)
+                .map_or(nowhere, |block| block.location),
+            scan: record.scan as u64,
+            stops: record.trouble.stops(),
+        }
+    }
+
+    /// Every scalar tag in the order of its first appearance. Of timers, counters and bistables it has the members
+    /// that show what they do (`t1.Q`, `t1.ET`); arrays are found element by element with [`Self::resolve`].
+    pub fn points(&self) -> &[Point] {
+        &self.points
+    }
+
+    /// The value that a text names: `run`, `t1.ET`, `a[3]`, `w.15`, `SYS.SCAN`, in any case; or a channel of a port,
+    /// `PORT.ADC[0]`.
+    ///
+    /// # Errors
+    /// There is no such value.
+    pub fn resolve(&self, text: &str) -> Result<Point, UnknownTag> {
+        if let Some(port) = tags::port(self.compiled.ports, text) {
+            return port;
+        }
+        self.names.resolve(&self.program, &self.compiled.homes, text)
+    }
+
+    /// Lets bytes come in at the serial port.
+    pub fn feed_serial(&mut self, bytes: &[u8]) {
+        self.machine.memory.received.extend(bytes);
+    }
+
+    /// The bytes that were sent through the serial port since they were last taken. The newest 65,536 are kept.
+    pub fn take_serial(&mut self) -> Vec<u8> {
+        self.machine.memory.sent.drain(..).collect()
+    }
+
+    /// What a point holds.
+    pub fn value(&self, point: &Point) -> Value {
+        point.read(&self.machine.memory)
+    }
+}

@@ -1,0 +1,55 @@
+//! The power of what is drawn.
+
+use super::{Simulation, Status};
+use crate::code::ElementPlace;
+use crate::fuse::Power;
+use crate::memory::Bit;
+use ladder_analysis::program::{ElementKind, Location};
+
+impl Simulation {
+    /// Every part of the drawing that carries power, and whether it had power in the last scan, or has in the one
+    /// that is open. What that scan did not reach, or not yet, has none.
+    pub fn power(&self) -> impl Iterator<Item = (ElementKind, Location, bool)> + '_ {
+        let elements = self.compiled.elements.iter();
+        elements.map(|element| {
+            let live = self.is_reached(element) && self.has_power(element.power);
+            (element.kind, element.location, live)
+        })
+    }
+
+    fn is_reached(&self, element: &ElementPlace) -> bool {
+        let network = element.network as usize;
+        let machine = &self.machine;
+        if self.open {
+            let stretch = &self.compiled.stretches[network];
+            let scan = machine.open_scan();
+            if let Some(pc) = scan.within(stretch.start, stretch.end) {
+                return element.at <= pc;
+            }
+            if !self.compiled.skippable[network] {
+                return element.at <= scan.pc();
+            }
+        }
+        // A scan that is open, or was stopped in its midst, is not counted yet.
+        let scan = if self.open || self.status == Status::Faulted {
+            machine.scan + 1
+        } else {
+            machine.scan
+        };
+        scan > 0
+            && (!self.compiled.skippable[network]
+                || (machine.reached[network] == scan && element.step <= machine.left_at[network]))
+    }
+
+    fn has_power(&self, slot: Bit) -> bool {
+        let place = if self.ran_plain {
+            Power::Slot(slot)
+        } else {
+            self.compiled.fused.power(slot)
+        };
+        match place {
+            Power::Slot(slot) => self.machine.memory.bit(slot),
+            Power::Row { record, truth } => truth >> (self.machine.rows[record as usize] & 7) & 1 != 0,
+        }
+    }
+}

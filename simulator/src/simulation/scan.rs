@@ -1,0 +1,148 @@
+//! Scans: whole, or in steps.
+
+use super::{Simulation, Status};
+use crate::machine::{Halt, Until};
+use crate::memory::{Bit, Word};
+use ladder_analysis::program::Location;
+use std::sync::atomic::{AtomicBool, Ordering};
+
+/// Where a step in a scan led.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Stepped {
+    /// In front of this block or network, which runs next.
+    At(Location),
+    /// The scan is over. [`Simulation::status`] tells whether another can follow.
+    Done,
+    /// A fault stopped the program in the midst of this scan.
+    Stopped,
+}
+
+impl Simulation {
+    /// Runs one scan; the rest of it, if one is open. False, and nothing happens, if the program has ended or a
+    /// fault stopped it; false also if a fault stops it now, in the middle of this scan. The scan that reaches
+    /// `<END>` counts as run.
+    pub fn scan(&mut self) -> bool {
+        if self.open {
+            return self.finish_scan();
+        }
+        if self.status != Status::Ready {
+            return false;
+        }
+        self.start();
+        self.ran_plain = !self.forces.is_empty();
+        let halt = if self.ran_plain {
+            self.machine.run::<true>(&self.compiled.code, Until::End)
+        } else {
+            self.machine.run::<false>(&self.compiled.fused.code, Until::End)
+        };
+        self.settle(halt) == Stepped::Done
+    }
+
+    /// Runs up to so many scans; fewer if the program stops, or when `cancel` is set. How many were run.
+    pub fn run(&mut self, scans: u64, cancel: &AtomicBool) -> u64 {
+        (0..scans)
+            .take_while(|_| !cancel.load(Ordering::Relaxed) && self.scan())
+            .count() as u64
+    }
+
+    /// Begins a scan that is to be run in steps: it stands in front of the first network. False if the program has
+    /// ended or a fault stopped it. Nothing happens if one is open.
+    ///
+    /// What of it has run shows in [`Self::value`] and [`Self::power`]; what is set or forced now waits for its end.
+    pub fn begin_scan(&mut self) -> bool {
+        if self.open {
+            return true;
+        }
+        if self.status != Status::Ready {
+            return false;
+        }
+        self.start();
+        self.machine.memory.make_room_for_forces();
+        self.ran_plain = true;
+        self.open = true;
+        true
+    }
+
+    /// Whether a scan was begun and is not finished.
+    pub fn is_open(&self) -> bool {
+        self.open
+    }
+
+    /// The block that runs next in the scan that is open; none behind the last one.
+    pub fn next_block(&self) -> Option<Location> {
+        let code = &self.compiled.code;
+        let pc = self.open.then(|| self.machine.open_scan().pc())?;
+        code.block_from(pc).map(|block| block.location)
+    }
+
+    /// Goes on up to the next block, into called functions and the bodies of user-defined blocks too. Blocks that do
+    /// nothing when they run (`<LBL>`, `<FUN>`, `<NEXT>`, `[PERSIST]`) are passed by. Begins a scan if none is open:
+    /// then it stands in front of the first block.
+    pub fn step_block(&mut self) -> Stepped {
+        self.step(Until::Block)
+    }
+
+    /// Goes on up to the next network, likewise.
+    pub fn step_network(&mut self) -> Stepped {
+        self.step(Until::Network)
+    }
+
+    /// Runs the rest of the scan that is open. False if a fault stops it, or if none is open.
+    pub fn finish_scan(&mut self) -> bool {
+        self.open && self.step(Until::End) == Stepped::Done
+    }
+
+    fn step(&mut self, until: Until) -> Stepped {
+        if !self.begin_scan() {
+            return Stepped::Stopped;
+        }
+        let halt = self.machine.run::<true>(&self.compiled.code, until);
+        if halt == Halt::Halted {
+            return Stepped::At(self.stands_at(until));
+        }
+        self.open = false;
+        let stepped = self.settle(halt);
+        self.take_pending();
+        stepped
+    }
+
+    /// The network or block in front of which the scan has halted.
+    fn stands_at(&self, until: Until) -> Location {
+        let code = &self.compiled.code;
+        let pc = self.machine.open_scan().pc();
+        let network = || {
+            let network = code.network_at(pc).unwrap_or_default();
+            self.program.networks[network].location
+        };
+        match until {
+            Until::Block => code.block_from(pc).map_or_else(network, |block| block.location),
+            Until::Network | Until::End => network(),
+        }
+    }
+
+    /// Sets the system tags and begins.
+    fn start(&mut self) {
+        let interval = self.options.interval;
+        let machine = &mut self.machine;
+        machine.memory.set_bit(Bit::FIRST_SCAN, machine.scan == 0);
+        machine.memory.set_bit(Bit::FAULT, machine.faulted);
+        // SYS.SCAN is a DINT and wraps.
+        machine.memory.words[Word::SCAN.0 as usize] = i64::from(machine.scan as i32);
+        machine.memory.words[Word::TIME.0 as usize] = machine.now;
+        machine.memory.words[Word::SCAN_TIME.0 as usize] = if machine.scan == 0 { 0 } else { interval };
+        machine.begin();
+    }
+
+    /// What the end of a scan means for the next one.
+    fn settle(&mut self, halt: Halt) -> Stepped {
+        if halt == Halt::Stopped {
+            self.status = Status::Faulted;
+            return Stepped::Stopped;
+        }
+        self.machine.finish(self.options.interval);
+        if halt == Halt::Ended {
+            self.status = Status::Ended;
+        }
+        Stepped::Done
+    }
+}
