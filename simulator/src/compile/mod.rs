@@ -26,7 +26,7 @@ use crate::code::{ArrayPlace, BlockPlace, Code, ElementPlace, Instr, NetworkPlac
 use crate::fuse::{Fused, fuse};
 use crate::layout::{Home, Layout};
 use crate::memory::{Bit, Memory, Word};
-use crate::retain::{Retained, retained};
+use crate::retain::{Retained, kept_tags, retained};
 use arguments::Arguments;
 use call_graph::Cycles;
 use flow::Region;
@@ -119,6 +119,7 @@ pub(crate) fn compile(program: &Program) -> Result<Compiled> {
         block_tags,
         shown: vec![false; program.blocks.len()],
         outer_powers: Vec::new(),
+        keeps: kept_tags(program),
         retained: Vec::new(),
     };
     compiler.regions()?;
@@ -156,8 +157,10 @@ struct Compiler<'p> {
     shown: Vec<bool>,
     /// The powers of the networks around the body that is being compiled.
     outer_powers: Vec<Vec<Bit>>,
+    /// Of each tag whether it is retentive.
+    keeps: Vec<bool>,
     /// Retentive tags of bodies, one for each place.
-    retained: Vec<Home>,
+    retained: Vec<(TagId, Home)>,
 }
 
 impl Compiler<'_> {
@@ -191,7 +194,7 @@ impl Compiler<'_> {
         Compiled {
             fused,
             ports: self.ports,
-            retained: retained(self.program, &self.homes, &self.retained),
+            retained: retained(self.program, &self.homes, &self.keeps, &self.retained),
             code: self.code,
             homes: self.homes,
             initial: memory,

@@ -104,8 +104,8 @@ impl Compiler<'_> {
                 let declared = &program.tags[tag.0 as usize];
                 let home = self.layout.tag(declared)?;
                 self.homes[tag.0 as usize] = home;
-                if declared.retain {
-                    self.retained.push(home);
+                if self.keeps[tag.0 as usize] {
+                    self.retained.push((tag, home));
                 }
             }
             self.block_tags[index].push(tag);

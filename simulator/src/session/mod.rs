@@ -13,6 +13,7 @@ mod serial;
 use crate::compile::CompileError;
 use crate::fault::Fault;
 use crate::machine::FaultRecord;
+use crate::retain::Kept;
 use crate::simulation::{Options, Refused, Simulation, Status};
 use crate::tags::Point;
 use history::History;
@@ -224,6 +225,13 @@ impl Session {
     pub fn warm_restart(&mut self) {
         self.simulation.warm_restart();
         self.begin_anew();
+    }
+
+    /// Begins with the values of retentive tags that were kept elsewhere, see [`Simulation::warm_start`].
+    pub fn warm_start(&mut self, kept: &[Kept]) -> Vec<String> {
+        let complaints = self.simulation.warm_start(kept);
+        self.begin_anew();
+        complaints
     }
 
     fn begin_anew(&mut self) {

@@ -2,13 +2,14 @@
 
 mod forces;
 mod power;
+mod restart;
 mod scan;
 mod state;
 
 use crate::compile::{CompileError, Compiled, compile};
 use crate::fault::Fault;
 use crate::machine::{FaultRecord, Machine};
-use crate::memory::{Memory, SERIAL_ROOM};
+use crate::memory::SERIAL_ROOM;
 use crate::tags::{self, Names, Point, UnknownTag};
 use ladder_analysis::program::{Location, Program};
 use ladder_analysis::value::Value;
@@ -141,41 +142,6 @@ impl Simulation {
     /// The clock of the next scan, in nanoseconds since the start.
     pub fn time(&self) -> i64 {
         self.machine.now
-    }
-
-    /// Begins again from cold: all tags as before the first scan. Forces stay.
-    pub fn reset(&mut self) {
-        self.restart(None);
-    }
-
-    /// Begins again as after a power failure: retentive tags keep their values, all others begin as before the
-    /// first scan. Forces stay.
-    pub fn warm_restart(&mut self) {
-        let kept = self.machine.memory.clone();
-        self.restart(Some(&kept));
-    }
-
-    fn restart(&mut self, kept: Option<&Memory>) {
-        // A scan that is open is given up.
-        self.open = false;
-        self.take_pending();
-        let now = self.machine.now;
-        let forced: Vec<(Point, Value)> = self
-            .forces
-            .values()
-            .map(|force| (force.point.clone(), self.value(&force.point)))
-            .collect();
-        self.unforce_all();
-        self.machine.restart(&self.compiled.initial);
-        if let Some(kept) = kept {
-            for range in &self.compiled.retained {
-                range.restore(&mut self.machine.memory, kept, now);
-            }
-        }
-        self.status = Status::Ready;
-        for (point, value) in forced {
-            self.hold(point, value);
-        }
     }
 
     /// The faults that were recorded since they were last taken, oldest first.

@@ -1,0 +1,194 @@
+//! Retentive tags as texts, for a file: out of memory and into it, perhaps of a program that was changed since.
+
+use super::Retained;
+use crate::layout::{Home, counter, state_size, timer};
+use crate::memory::{Bit, Memory, TextSlot, Word};
+use crate::value_text;
+use ladder_analysis::program::Program;
+use ladder_analysis::types::{Scalar, Type};
+use ladder_analysis::value::Value;
+use ladder_instructions::StateType;
+use ladder_syntax::Name;
+use std::collections::HashMap;
+
+/// The value of one retentive tag.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Kept {
+    /// Its name.
+    pub name: String,
+    /// Its type, as it is declared.
+    pub ty: String,
+    /// Its values as the language writes them: one, or one for each element of an array. Of a timer, counter or
+    /// bistable the numbers of its state.
+    pub values: Vec<String>,
+}
+
+/// What the retentive tags hold; `now` is the clock.
+pub(crate) fn kept(program: &Program, retained: &[Retained], memory: &Memory, now: i64) -> Vec<Kept> {
+    let kept = retained.iter().map(|tag| Kept {
+        name: tag.name.clone(),
+        ty: program.tags[tag.tag.0 as usize].ty.to_string(),
+        values: values(tag.home, memory, now),
+    });
+    kept.collect()
+}
+
+fn values(home: Home, memory: &Memory, now: i64) -> Vec<String> {
+    match home {
+        Home::Bits { at, len, .. } => (0..len)
+            .map(|n| value_text::display(&Value::Bool(memory.bit(at.offset(n))), Scalar::Bool))
+            .collect(),
+        Home::Words { at, len, ty, .. } => (0..len)
+            .map(|n| {
+                let word = at.offset(n);
+                let value = if ty.is_real() {
+                    Value::Real(memory.real(word))
+                } else {
+                    Value::Int(memory.word(word))
+                };
+                value_text::display(&value, ty)
+            })
+            .collect(),
+        Home::Texts { at, len, max, .. } => (at.0..at.0 + len)
+            .map(|slot| {
+                let value = Value::Text(memory.text(TextSlot(slot)).into());
+                value_text::display(&value, Scalar::String(max))
+            })
+            .collect(),
+        Home::State { state, bits, words } => {
+            let (bit_count, word_count) = state_size(state);
+            let bits = (0..bit_count).map(|n| i64::from(memory.bits[bits.offset(n).0 as usize]));
+            let words = (0..word_count).map(|n| match part(state, n) {
+                Part::Stamp => 0,
+                Part::Instant => memory.word(words.offset(n)).saturating_sub(now),
+                Part::Time | Part::Count => memory.word(words.offset(n)),
+            });
+            bits.chain(words).map(|number| number.to_string()).collect()
+        }
+        Home::Element { .. } | Home::BitOf { .. } | Home::BitOfAt { .. } | Home::Unbound => Vec::new(),
+    }
+}
+
+/// What a word of a state is.
+enum Part {
+    /// The scan of the last evaluation: means nothing behind a restart.
+    Stamp,
+    /// A moment of the clock: kept as how long ago it was, for the clock begins anew.
+    Instant,
+    Time,
+    Count,
+}
+
+fn part(state: StateType, word: u32) -> Part {
+    match word {
+        timer::STAMP if state.is_timer() => Part::Stamp,
+        timer::SINCE if state.is_timer() => Part::Instant,
+        _ if state.is_timer() => Part::Time,
+        counter::STAMP => Part::Stamp,
+        _ => Part::Count,
+    }
+}
+
+/// Puts kept values into a memory whose clock stands at 0. Gives for each tag that cannot be restored why.
+pub(crate) fn restore(
+    program: &Program,
+    retained: &[Retained],
+    kept: &[Kept],
+    memory: &mut Memory,
+) -> Vec<String> {
+    let tags: HashMap<Name, &Retained> = retained.iter().map(|tag| (Name::new(&tag.name), tag)).collect();
+    let mut complaints = Vec::new();
+    for kept in kept {
+        let name = &kept.name;
+        let Some(tag) = tags.get(&Name::new(name)) else {
+            complaints.push(format!(
+                "{name} was kept, but the program has no retentive tag of that name any more"
+            ));
+            continue;
+        };
+        let ty = program.tags[tag.tag.0 as usize].ty;
+        if ty.to_string() != kept.ty {
+            complaints.push(format!(
+                "{name} was kept as {}, but it is {ty} now: it begins with its initial value",
+                kept.ty
+            ));
+        } else if let Err(problem) = put(tag.home, ty, &kept.values, memory) {
+            complaints.push(format!("{name}: {problem}: it begins with its initial value"));
+        }
+    }
+    complaints
+}
+
+/// All values of a tag, or none.
+fn put(home: Home, ty: Type, texts: &[String], memory: &mut Memory) -> Result<(), String> {
+    let count = match home {
+        Home::Bits { len, .. } | Home::Words { len, .. } | Home::Texts { len, .. } => len,
+        Home::State { state, .. } => {
+            let (bits, words) = state_size(state);
+            bits + words
+        }
+        Home::Element { .. } | Home::BitOf { .. } | Home::BitOfAt { .. } | Home::Unbound => 0,
+    };
+    if texts.len() != count as usize {
+        return Err(format!("{} values were kept where {count} belong", texts.len()));
+    }
+    if let Home::State { state, bits, words } = home {
+        return put_state(state, bits, words, texts, memory);
+    }
+    let (Type::Scalar(scalar) | Type::Array { element: scalar, .. }) = ty else {
+        return Ok(());
+    };
+    let values: Vec<Value> = texts
+        .iter()
+        .map(|text| value_text::parse(text, scalar))
+        .collect::<Result<_, _>>()?;
+    for (n, value) in (0..).zip(values) {
+        match (home, value) {
+            (Home::Bits { at, .. }, Value::Bool(high)) => memory.set_bit(at.offset(n), high),
+            (Home::Texts { at, .. }, Value::Text(bytes)) => memory.texts[(at.0 + n) as usize].set(&bytes),
+            (Home::Words { at, .. }, value) => {
+                memory.words[at.offset(n).0 as usize] = crate::layout::word_of(&value);
+            }
+            _ => {}
+        }
+    }
+    Ok(())
+}
+
+fn put_state(
+    state: StateType,
+    bits: Bit,
+    words: Word,
+    texts: &[String],
+    memory: &mut Memory,
+) -> Result<(), String> {
+    let (bit_count, _) = state_size(state);
+    let numbers: Vec<i64> = texts
+        .iter()
+        .map(|text| text.parse().map_err(|_| format!("`{text}` is no number")))
+        .collect::<Result<_, _>>()?;
+    let (bit_numbers, word_numbers) = numbers.split_at(bit_count as usize);
+    let is_possible = |(n, &number): (u32, &i64)| {
+        let most = if state.is_timer() && n == timer::PHASE {
+            7
+        } else {
+            1
+        };
+        (0..=most).contains(&number)
+    };
+    let is_count =
+        |(n, &number): (u32, &i64)| !matches!(part(state, n), Part::Count) || i32::try_from(number).is_ok();
+    if !(0..).zip(bit_numbers).all(is_possible) || !(0..).zip(word_numbers).all(is_count) {
+        return Err(format!("this is no state of a {}", state.name()));
+    }
+    for (n, &number) in (0..).zip(bit_numbers) {
+        memory.bits[bits.offset(n).0 as usize] = number as u8;
+    }
+    for (n, &number) in (0..).zip(word_numbers) {
+        memory.words[words.offset(n).0 as usize] = match part(state, n) {
+            Part::Stamp => 0,
+            Part::Instant | Part::Time | Part::Count => number,
+        };
+    }
+    Ok(())
+}

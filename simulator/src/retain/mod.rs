@@ -1,0 +1,159 @@
+//! What keeps its value over a warm restart (LANGUAGE §5.4).
+//!
+//! Always a whole tag: `(M)( w.3 )` keeps all of `w`, `[PERSIST]( a[2] )` the array, and of a timer, counter or
+//! bistable everything it remembers. The memory of edges belongs to a place in the text and is not kept.
+
+mod kept;
+
+use crate::layout::{Home, state_size, timer};
+use crate::memory::{Bit, Memory, TextSlot, Word};
+pub use kept::Kept;
+pub(crate) use kept::{kept, restore};
+use ladder_analysis::program::{Argument, BlockKind, ParameterKind, Place, Program, Tag, TagId};
+use ladder_instructions::Op;
+use std::collections::HashMap;
+
+/// One retentive tag.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct Retained {
+    /// Its name; for a tag in the body of a user-defined block with the place where the block stands, counted in
+    /// the order in which they run first: `$Debounce[2].t`.
+    name: String,
+    tag: TagId,
+    home: Home,
+}
+
+impl Retained {
+    /// Copies the tag's value from a memory that was running until `then`. A timer goes on where it was: its
+    /// instant is moved to before the new clock's zero.
+    pub(crate) fn restore(&self, memory: &mut Memory, kept: &Memory, then: i64) {
+        let bits = |memory: &mut Memory, at: Bit, len: u32| {
+            let range = at.0 as usize..(at.0 + len) as usize;
+            memory.bits[range.clone()].copy_from_slice(&kept.bits[range]);
+        };
+        let words = |memory: &mut Memory, at: Word, len: u32| {
+            let range = at.0 as usize..(at.0 + len) as usize;
+            memory.words[range.clone()].copy_from_slice(&kept.words[range]);
+        };
+        match self.home {
+            Home::Bits { at, len, .. } => bits(memory, at, len),
+            Home::Words { at, len, .. } => words(memory, at, len),
+            Home::Texts { at, len, .. } => {
+                for slot in at.0..at.0 + len {
+                    memory.texts[slot as usize].set(kept.text(TextSlot(slot)));
+                }
+            }
+            Home::State {
+                state,
+                bits: first_bit,
+                words: first_word,
+            } => {
+                let (bit_count, word_count) = state_size(state);
+                bits(memory, first_bit, bit_count);
+                words(memory, first_word, word_count);
+                if state.is_timer() {
+                    let since = &mut memory.words[first_word.offset(timer::SINCE).0 as usize];
+                    *since = since.saturating_sub(then);
+                    memory.words[first_word.offset(timer::STAMP).0 as usize] = 0;
+                }
+                if state.is_counter() {
+                    memory.words[first_word.offset(crate::layout::counter::STAMP).0 as usize] = 0;
+                }
+            }
+            Home::Element { .. } | Home::BitOf { .. } | Home::BitOfAt { .. } | Home::Unbound => {}
+        }
+    }
+}
+
+/// The retentive tags of a program, see [`kept_tags`]. `of_bodies` are those of user-defined blocks, one for each
+/// place, in the order of the code.
+pub(crate) fn retained(
+    program: &Program,
+    homes: &[Home],
+    keeps: &[bool],
+    of_bodies: &[(TagId, Home)],
+) -> Vec<Retained> {
+    let is_shared = |tag: &Tag| tag.block.is_none();
+    let shared = (0..).map(TagId).zip(homes.iter().zip(&program.tags).zip(keeps));
+    let shared = shared.filter(|(_, ((_, tag), keep))| **keep && is_shared(tag));
+    let mut retained: Vec<Retained> = shared
+        .map(|(id, ((home, tag), _))| Retained {
+            name: tag.name.clone(),
+            tag: id,
+            home: *home,
+        })
+        .collect();
+    let mut places: HashMap<TagId, u32> = HashMap::new();
+    retained.extend(of_bodies.iter().map(|&(id, home)| {
+        let place = places.entry(id).or_default();
+        *place += 1;
+        let tag = &program.tags[id.0 as usize];
+        let block = tag.block.map_or("", |block| &program.blocks[block].name);
+        Retained {
+            name: format!("{block}[{place}].{}", tag.name),
+            tag: id,
+            home,
+        }
+    }));
+    retained
+}
+
+/// Of each tag whether it is retentive: declared so, or written by `(M)` `(SM)` `(RM)`, or named by `[PERSIST]`; also
+/// where a user-defined block does that to what an in-out stands for.
+pub(crate) fn kept_tags(program: &Program) -> Vec<bool> {
+    let mut keeps: Vec<bool> = program.tags.iter().map(|tag| tag.retain).collect();
+    let blocks = || program.networks.iter().flat_map(|network| &network.blocks);
+    for block in blocks() {
+        let BlockKind::Instruction(row) = block.kind else {
+            continue;
+        };
+        if !matches!(
+            row.op,
+            Op::RetentiveCoil | Op::RetentiveSet | Op::RetentiveReset | Op::Persist
+        ) {
+            continue;
+        }
+        if let Some(tag) = block.arguments.first().and_then(|bound| tag_of(&bound.argument)) {
+            keeps[tag.0 as usize] = true;
+        }
+    }
+    // Blocks inside blocks hand in-outs on.
+    let mut grew = !program.blocks.is_empty();
+    while grew {
+        grew = false;
+        for block in blocks() {
+            let BlockKind::User(index) = block.kind else {
+                continue;
+            };
+            for bound in &block.arguments {
+                let parameter = bound
+                    .parameter
+                    .and_then(|n| program.blocks[index].parameters.get(n));
+                if let Some(&(inner, ParameterKind::InOut)) = parameter
+                    && keeps[inner.0 as usize]
+                    && let Some(outer) = tag_of(&bound.argument)
+                {
+                    grew |= !std::mem::replace(&mut keeps[outer.0 as usize], true);
+                }
+            }
+        }
+    }
+    keeps
+}
+
+fn tag_of(argument: &Argument) -> Option<TagId> {
+    match argument {
+        Argument::Place(place, _) => tag_of_place(place),
+        Argument::Range(range) => Some(range.tag),
+        Argument::State(tag) => Some(*tag),
+        _ => None,
+    }
+}
+
+fn tag_of_place(place: &Place) -> Option<TagId> {
+    match place {
+        Place::Tag(tag) | Place::Element(tag, _) | Place::Member(tag, _) => Some(*tag),
+        Place::Bit(word, ..) => tag_of_place(word),
+        Place::System(_) => None,
+    }
+}
