@@ -16,10 +16,12 @@
 //!   new one, never a half.
 //! - [`Root::of`] finds the folder that a program belongs to (LANGUAGE §4), which is where the settings file
 //!   [`SETTINGS_FILE`] stands.
+//! - [`RetentiveFile`] keeps the values of retentive tags over a restart.
 //!
 //! Every error is a [`FileError`]: it names the file and says in plain words what is wrong with it.
 
 mod error;
+mod retentive;
 mod root;
 mod search;
 mod settings;
@@ -28,6 +30,7 @@ mod write;
 
 pub use error::{FileError, Problem};
 pub use ladder_syntax::MAX_FILE_BYTES;
+pub use retentive::{Found, RetentiveFile};
 pub use root::{Root, SETTINGS_FILE};
 pub use search::{EXTENSION, find_programs, is_program};
 pub use settings::{Files, LintLevel, Mistake, Settings, SettingsError, Simulate};

@@ -1,0 +1,248 @@
+//! The file that keeps retentive tags over a restart (LANGUAGE §6).
+//!
+//! A line for each tag, between a head that names the format and an end that tells a whole file from a damaged one:
+//!
+//! ```text
+//! ladder-retain 1
+//! program motor.clad
+//! total   DINT            42
+//! recipe  ARRAY[1..2] OF INT      7       9
+//! end 5e3f90b1
+//! ```
+//!
+//! The parts of a line are separated by tabs. The number behind `end` is the CRC-32 of all that stands before it.
+
+use crate::{FileError, Problem, write};
+use ladder_simulator::Kept;
+use std::fs;
+use std::io;
+use std::path::{Path, PathBuf};
+use std::time::{Duration, Instant};
+
+/// The format that is written, and the only one that is read.
+const FORMAT: u32 = 1;
+/// At most one save in this time.
+const PAUSE: Duration = Duration::from_secs(1);
+
+/// A retentive file that is in use.
+#[derive(Debug)]
+pub struct RetentiveFile {
+    path: PathBuf,
+    program: String,
+    /// What stands in it.
+    written: Option<String>,
+    saved: Option<Instant>,
+}
+
+/// What was found in a retentive file.
+#[derive(Debug, Clone, Default, PartialEq, Eq)]
+pub struct Found {
+    /// The values, to start warm with; none where the program must start cold.
+    pub kept: Option<Vec<Kept>>,
+    /// What a person should know: the file was damaged, or belongs to another program.
+    pub notes: Vec<String>,
+}
+
+impl RetentiveFile {
+    /// Opens the file for a program and reads what it kept. A file that is not there yet is no mistake. One that
+    /// cannot be understood is put aside beside it, as `NAME.damaged`, and the program starts cold.
+    ///
+    /// # Errors
+    /// The operating system refuses to read it, or to put it aside.
+    pub fn open(path: &Path, program: &str) -> Result<(RetentiveFile, Found), FileError> {
+        let mut file = RetentiveFile {
+            path: path.to_owned(),
+            program: program.to_owned(),
+            written: None,
+            saved: None,
+        };
+        let bytes = match fs::read(path) {
+            Ok(bytes) => bytes,
+            Err(error) if error.kind() == io::ErrorKind::NotFound => return Ok((file, Found::default())),
+            Err(error) => return Err(FileError::reading(path, error)),
+        };
+        let found = match understand(&bytes) {
+            Ok(content) => {
+                let mut notes = Vec::new();
+                if content.program != program {
+                    notes.push(format!(
+                        "{}: the values were kept by {}; {program} takes those that fit",
+                        path.display(),
+                        content.program
+                    ));
+                }
+                file.written = String::from_utf8(bytes).ok();
+                Found {
+                    kept: Some(content.kept),
+                    notes,
+                }
+            }
+            Err(damage) => {
+                let aside = put_aside(path)?;
+                Found {
+                    kept: None,
+                    notes: vec![format!(
+                        "{}: {damage}; the program starts cold, and the file is kept as {}",
+                        path.display(),
+                        aside.display()
+                    )],
+                }
+            }
+        };
+        Ok((file, found))
+    }
+
+    /// The file.
+    pub fn path(&self) -> &Path {
+        &self.path
+    }
+
+    /// Whether a second has passed since it was last written: before that a save is not due.
+    pub fn is_due(&self) -> bool {
+        self.saved.is_none_or(|saved| saved.elapsed() >= PAUSE)
+    }
+
+    /// Writes the values, in one step: whoever looks sees the old file or the new one. Nothing is written if they
+    /// are those that stand there already.
+    ///
+    /// # Errors
+    /// The operating system refuses; the old file is then untouched.
+    pub fn save(&mut self, kept: &[Kept]) -> Result<(), FileError> {
+        self.saved = Some(Instant::now());
+        let text = compose(&self.program, kept);
+        if self.written.as_ref() != Some(&text) {
+            write(&self.path, text.as_bytes())?;
+            self.written = Some(text);
+        }
+        Ok(())
+    }
+}
+
+fn compose(program: &str, kept: &[Kept]) -> String {
+    let mut text = format!("ladder-retain {FORMAT}\nprogram {program}\n");
+    for tag in kept {
+        text.push_str(&tag.name);
+        for part in std::iter::once(&tag.ty).chain(&tag.values) {
+            text.push('\t');
+            text.push_str(part);
+        }
+        text.push('\n');
+    }
+    let sum = crc32(text.as_bytes());
+    text.push_str(&format!("end {sum:08x}\n"));
+    text
+}
+
+struct Content {
+    program: String,
+    kept: Vec<Kept>,
+}
+
+/// Reads a file; else what is wrong with it.
+fn understand(bytes: &[u8]) -> Result<Content, String> {
+    let text = std::str::from_utf8(bytes).unwrap_or("");
+    let Some(format) = text
+        .lines()
+        .next()
+        .and_then(|line| line.strip_prefix("ladder-retain "))
+    else {
+        return Err("this is no file of retentive values".into());
+    };
+    if format.parse() != Ok(FORMAT) {
+        return Err(format!(
+            "the file has format {format}, but this version of ladder reads format {FORMAT} only"
+        ));
+    }
+    let damaged = || "the file is damaged".to_owned();
+    let (body, end) = text
+        .strip_suffix('\n')
+        .and_then(|text| text.rsplit_once('\n'))
+        .ok_or_else(damaged)?;
+    // With the line end in front of the last line.
+    let body = &text[..=body.len()];
+    let sum = end.strip_prefix("end ").ok_or_else(damaged)?;
+    if u32::from_str_radix(sum, 16) != Ok(crc32(body.as_bytes())) {
+        return Err(damaged());
+    }
+    let mut lines = body.lines().skip(1);
+    let program = lines
+        .next()
+        .and_then(|line| line.strip_prefix("program "))
+        .ok_or_else(damaged)?;
+    let kept = lines.map(|line| {
+        let mut parts = line.split('\t').map(str::to_owned);
+        let (name, ty) = (parts.next()?, parts.next()?);
+        Some(Kept {
+            name,
+            ty,
+            values: parts.collect(),
+        })
+    });
+    Ok(Content {
+        program: program.to_owned(),
+        kept: kept.collect::<Option<_>>().ok_or_else(damaged)?,
+    })
+}
+
+/// Renames a file to `NAME.damaged`, or with a number behind it where that is taken.
+fn put_aside(path: &Path) -> Result<PathBuf, FileError> {
+    let name = path.file_name().unwrap_or_default().to_string_lossy();
+    let names = (1..).map(|number| match number {
+        1 => format!("{name}.damaged"),
+        _ => format!("{name}.damaged.{number}"),
+    });
+    let free = names
+        .map(|name| path.with_file_name(name))
+        .find(|aside| fs::symlink_metadata(aside).is_err());
+    let aside = free.ok_or_else(|| FileError::new(path, Problem::ReadOnly))?;
+    fs::rename(path, &aside).map_err(|error| FileError::writing(&aside, error))?;
+    Ok(aside)
+}
+
+/// CRC-32 as zip and PNG have it.
+fn crc32(bytes: &[u8]) -> u32 {
+    let step = |sum: u32, &byte: &u8| {
+        (0..8).fold(sum ^ u32::from(byte), |sum, _| {
+            (sum >> 1) ^ (0xEDB8_8320 & (sum & 1).wrapping_neg())
+        })
+    };
+    !bytes.iter().fold(u32::MAX, step)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_sum_is_the_one_that_others_compute() {
+        assert_eq!(crc32(b"123456789"), 0xCBF4_3926);
+    }
+
+    #[test]
+    fn every_damage_is_seen() {
+        let kept = [Kept {
+            name: "total".into(),
+            ty: "DINT".into(),
+            values: vec!["42".into()],
+        }];
+        let text = compose("motor.clad", &kept);
+        assert_eq!(
+            understand(text.as_bytes())
+                .unwrap_or_else(|damage| panic!("{damage}"))
+                .kept,
+            kept
+        );
+        for at in 0..text.len() {
+            assert!(understand(&text.as_bytes()[..at]).is_err(), "cut at {at}");
+            for bit in 0..8 {
+                let mut bytes = text.clone().into_bytes();
+                bytes[at] ^= 1 << bit;
+                // The case of the sum's digits says nothing.
+                if bytes.eq_ignore_ascii_case(text.as_bytes()) && at + 9 >= text.len() {
+                    continue;
+                }
+                assert!(understand(&bytes).is_err(), "bit {bit} of byte {at}");
+            }
+        }
+    }
+}
