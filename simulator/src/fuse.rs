@@ -44,18 +44,19 @@ impl Fused {
 /// Fuses a program's code. `temporary` tells of each bit whether nothing but code reads it; memory may grow by bits
 /// that fused code needs.
 pub(crate) fn fuse(plain: &Code, mut temporary: Vec<bool>, memory: &mut Memory) -> Fused {
+    let mut is_target = vec![false; plain.instrs.len() + 1];
     for block in &plain.blocks {
-        // A fault takes the block's power back, in its slot.
-        if plain.instrs[block.start as usize..block.end as usize]
-            .iter()
-            .any(Instr::can_fault)
-            && let Some(temporary) = temporary.get_mut(block.out.0 as usize)
-        {
-            *temporary = false;
+        let instrs = &plain.instrs[block.start as usize..block.end as usize];
+        if instrs.iter().any(Instr::can_fault) {
+            // A fault goes on behind the block: what the block would have written must not be found there.
+            is_target[block.end as usize] = true;
+            // It takes the block's power back, in its slot.
+            if let Some(temporary) = temporary.get_mut(block.out.0 as usize) {
+                *temporary = false;
+            }
         }
     }
     let mut last_read = vec![0; memory.bits.len()];
-    let mut is_target = vec![false; plain.instrs.len() + 1];
     for (at, instr) in plain.instrs.iter().enumerate() {
         instr.for_each_bit_read(|bit| last_read[bit.0 as usize] = at as u32);
         instr.for_each_target(|to| is_target[to as usize] = true);

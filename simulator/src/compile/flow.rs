@@ -46,6 +46,8 @@ pub(super) struct BodyExit {
     pub(super) framed: bool,
     /// `<$B>`: what it does not do itself acts where the block stands.
     pub(super) passes_on: bool,
+    /// It is drawn with the power of another place, so what it reaches is not noted.
+    pub(super) hidden: bool,
     /// The step of the outer network at which it stands.
     pub(super) step: usize,
 }
@@ -268,10 +270,17 @@ impl Compiler<'_> {
 
     /// The step and the network that are being compiled.
     fn whereabouts(&self) -> (u32, u32) {
-        (
-            self.step as u32,
-            self.regions.last().map_or(0, Region::current) as u32,
-        )
+        (self.step as u32, self.noted(self.regions.len().saturating_sub(1)))
+    }
+
+    /// The network that is being compiled in a region, as the machine notes how far it was run. A body is drawn
+    /// once, as its first place runs it: networks of all other places share a number behind all of them.
+    pub(super) fn noted(&self, region: usize) -> u32 {
+        let hides = |region: &Region| matches!(&region.kind, Kind::Body(exit) if exit.hidden);
+        match self.regions.get(..=region) {
+            Some(regions) if regions.iter().any(hides) => self.program.networks.len() as u32,
+            _ => self.regions.get(region).map_or(0, Region::current) as u32,
+        }
     }
 
     /// The number of the region in which a `<RET>` or `<END>` takes effect, counted from the outermost: the bodies
@@ -299,7 +308,7 @@ impl Compiler<'_> {
             if exit.framed {
                 self.emit(Instr::LeaveBody);
             }
-            (step, network) = (exit.step as u32, self.regions[level - 1].current() as u32);
+            (step, network) = (exit.step as u32, self.noted(level - 1));
         }
         self.emit(Instr::Left { step, network });
         Ok((Bit::HIGH, Some(start)))

@@ -232,9 +232,8 @@ impl Compiler<'_> {
             network: index as u32,
         });
         if self.skippable[index] {
-            self.emit(Instr::Network {
-                network: index as u32,
-            });
+            let network = self.noted(self.regions.len() - 1);
+            self.emit(Instr::Network { network });
         }
         let outer = std::mem::take(&mut self.powers);
         let mut ends = Vec::with_capacity(network.steps.len());

@@ -72,6 +72,7 @@ impl Compiler<'_> {
             user: index,
             framed,
             passes_on: user.shape == Shape::Function,
+            hidden: shown,
             step,
         });
         self.stretch(user.networks.clone(), kind)?;

@@ -101,7 +101,8 @@ impl Simulation {
         let machine = Machine::new(
             memory,
             &compiled.fused.code,
-            program.networks.len(),
+            // One more for the places of blocks that are not drawn.
+            program.networks.len() + 1,
             options.watchdog,
         );
         Ok(Simulation {
