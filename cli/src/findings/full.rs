@@ -3,7 +3,8 @@
 use super::source::{Lines, Source};
 use annotate_snippets::{Annotation, AnnotationKind, Group, Level, Patch, Renderer, Snippet};
 use ladder_analysis::Severity;
-use ladder_analysis::{Diagnostic, Fix, Related};
+use ladder_analysis::{Diagnostic, Fix, Related, fix};
+use ladder_format::Options;
 use ladder_syntax::{TextRange, TextSize};
 use std::borrow::Cow;
 use std::ops::Range;
@@ -56,14 +57,21 @@ fn near_and_far<'d>(source: &Source, finding: &'d Diagnostic) -> (Vec<&'d Relate
         .partition(|place| source.lines(place.range).distance(own) <= NEAR)
 }
 
+/// In texts up to this length a fix is shown with the drawing laid out again: that reads the whole text for each.
+const SHORT: usize = 64 << 10;
+
 /// The lines as they would be.
 fn suggestion<'a>(source: &'a Source, fix: &'a Fix) -> Option<Group<'a>> {
-    let whole = fix.edits.iter().map(|edit| edit.range).reduce(TextRange::cover)?;
+    let edits = if source.text.len() <= SHORT {
+        fix::aligned(&source.text, fix, &Options::default())
+    } else {
+        fix.edits.clone()
+    };
+    let whole = edits.iter().map(|edit| edit.range).reduce(TextRange::cover)?;
     let excerpt = Excerpt::of(source, source.lines(whole));
-    let patches = fix
-        .edits
-        .iter()
-        .map(|edit| Patch::new(excerpt.span(edit.range), edit.text.as_str()));
+    let patches = edits
+        .into_iter()
+        .map(|edit| Patch::new(excerpt.span(edit.range), edit.text));
     let snippet = excerpt.snippet(source).patches(patches);
     Some(Level::HELP.secondary_title(fix.title.as_str()).element(snippet))
 }
@@ -143,19 +151,19 @@ mod tests {
             "\n+--[«TOM»]( t )--+\n",
             Some("TON"),
             expect![[r#"
-            error[duplicate-timer]: something is wrong here
-             --> a.clad:2:5
-              |
-            2 | +--[TOM]( t )--+
-              |     ^^^
-              |
-              = help: do this
-            help: Do it
-              |
-            2 - +--[TOM]( t )--+
-            2 + +--[TON]( t )--+
-              |
-        "#]],
+                error[duplicate-timer]: something is wrong here
+                 --> a.clad:2:5
+                  |
+                2 | +--[TOM]( t )--+
+                  |     ^^^
+                  |
+                  = help: do this
+                help: Do it
+                  |
+                2 - +--[TOM]( t )--+
+                2 + +--------------------------[TON]( t )--+
+                  |
+            "#]],
         );
     }
 
@@ -165,18 +173,18 @@ mod tests {
             "+--[ ]( a )«»( )( b )--+\n",
             Some("--"),
             expect![[r#"
-            error[duplicate-timer]: something is wrong here
-             --> a.clad:1:12
-              |
-            1 | +--[ ]( a )( )( b )--+
-              |            ^
-              |
-              = help: do this
-            help: Do it
-              |
-            1 | +--[ ]( a )--( )( b )--+
-              |            ++
-        "#]],
+                error[duplicate-timer]: something is wrong here
+                 --> a.clad:1:12
+                  |
+                1 | +--[ ]( a )( )( b )--+
+                  |            ^
+                  |
+                  = help: do this
+                help: Do it
+                  |
+                1 | +--[ ]( a )------------------( )( b )--+
+                  |            ++++++++++++++++++
+            "#]],
         );
     }
 

@@ -1,8 +1,8 @@
 //! Findings for machines: one array of objects.
 
+use super::place::{Place, place};
 use super::source::Source;
 use ladder_analysis::{Diagnostic, Fix, Related};
-use ladder_syntax::TextRange;
 use serde::Serialize;
 
 /// One finding. The names of the members are documented; nothing may be renamed.
@@ -20,15 +20,6 @@ pub(crate) struct Finding<'a> {
     related: Vec<RelatedPlace<'a>>,
     #[serde(skip_serializing_if = "Option::is_none")]
     fix: Option<Mend<'a>>,
-}
-
-/// Lines and columns from 1, columns in characters; the end is behind the last character.
-#[derive(Serialize)]
-struct Place {
-    line: u32,
-    column: u32,
-    end_line: u32,
-    end_column: u32,
 }
 
 #[derive(Serialize)]
@@ -68,16 +59,6 @@ impl<'a> Finding<'a> {
                 .collect(),
             fix: finding.fixes.first().map(|fix| mend(source, fix)),
         }
-    }
-}
-
-fn place(source: &Source, range: TextRange) -> Place {
-    let (start, end) = (source.place(range.start()), source.place(range.end()));
-    Place {
-        line: start.line,
-        column: start.column,
-        end_line: end.line,
-        end_column: end.column,
     }
 }
 

@@ -32,23 +32,23 @@ fn an_error_with_what_to_do() {
     check(
         ERROR,
         expect![[r#"
-        exit status 1
-        -- stdout
-        error[unknown-label]: there is no label `finish` to jump to
-         --> a.clad:1:25
-          |
-        1 | +--[ ]( start )--<JMP>( finish )--+
-          |                         ^^^^^^
-          |
-          = help: did you mean `finsh`?
-        help: Jump to `finsh`
-          |
-        1 - +--[ ]( start )--<JMP>( finish )--+
-        1 + +--[ ]( start )--<JMP>( finsh )--+
-          |
+            exit status 1
+            -- stdout
+            error[unknown-label]: there is no label `finish` to jump to
+             --> a.clad:1:25
+              |
+            1 | +--[ ]( start )--<JMP>( finish )--+
+              |                         ^^^^^^
+              |
+              = help: did you mean `finsh`?
+            help: Jump to `finsh`
+              |
+            1 - +--[ ]( start )--<JMP>( finish )--+
+            1 + +--[ ]( start )--------<JMP>( finsh )--+
+              |
 
-        Checked 1 file: 1 error.
-    "#]],
+            Checked 1 file: 1 error.
+        "#]],
     );
 }
 
@@ -68,8 +68,8 @@ fn a_warning_alone_does_not_fail() {
               = help: draw a `-` between them
             help: Insert wire
               |
-            1 | +--[ ]( start )--( )( run )--+
-              |                ++
+            1 | +--[ ]( start )------------( )( run )--+
+              |                ++++++++++++
 
             Checked 1 file: 1 warning.
         "#]],
@@ -90,25 +90,25 @@ fn a_fix_in_the_middle_of_a_network() {
     check(
         "+--\\--[ ]( a )--\\--( )( y )--+\n|  /--[ ]( b )                |\n",
         expect![[r#"
-        exit status 1
-        -- stdout
-        error[unpaired-connector]: the 2nd `\` on line 1 has no partner: line 1 has 2 `\`, line 2 below it has 1 `/`
-         --> a.clad:1:17
-          |
-        1 | +--\--[ ]( a )--\--( )( y )--+
-          |                 ^
-        2 | |  /--[ ]( b )                |
-          | ------------------------------- its partner `/` belongs onto this rung
-          |
-          = help: every `\` needs a `/` on the rung below: together they join the two lines
-        help: Replace `\` with wire
-          |
-        1 - +--\--[ ]( a )--\--( )( y )--+
-        1 + +--\--[ ]( a )-----( )( y )--+
-          |
+            exit status 1
+            -- stdout
+            error[unpaired-connector]: the 2nd `\` on line 1 has no partner: line 1 has 2 `\`, line 2 below it has 1 `/`
+             --> a.clad:1:17
+              |
+            1 | +--\--[ ]( a )--\--( )( y )--+
+              |                 ^
+            2 | |  /--[ ]( b )                |
+              | ------------------------------- its partner `/` belongs onto this rung
+              |
+              = help: every `\` needs a `/` on the rung below: together they join the two lines
+            help: Replace `\` with wire
+              |
+            1 ~ +--\--[ ]( a )---------------( )( y )--+
+            2 ~ |  /--[ ]( b )                         |
+              |
 
-        Checked 1 file: 1 error.
-    "#]],
+            Checked 1 file: 1 error.
+        "#]],
     );
 }
 

@@ -3,6 +3,7 @@
 
 mod bad_input;
 mod check;
+mod check_formats;
 mod explain;
 mod fmt;
 mod harness;

@@ -246,7 +246,7 @@ fn a_program_with_errors_is_not_run() {
         help: Replace with [TON]
           |
         1 - +--[TOM]( t, T#5s )--( )( run )--+
-        1 + +--[TON]( t, T#5s )--( )( run )--+
+        1 + +--------[TON]( t, T#5s )--( )( run )--+
           |
 
         error: a.clad: a program with errors is not run

@@ -1,20 +1,26 @@
 //! `ladder check`: the mistakes in programs.
 
+mod mend;
 mod report;
+mod tally;
 
 use crate::findings::Source;
 use crate::outcome::{Failure, Outcome};
 use crate::terminal;
 use clap::{Args, ValueEnum};
+use ladder_analysis::Diagnostic;
+use ladder_workspace::FileError;
+use rayon::prelude::*;
 use report::Report;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 const EXAMPLES: &str = "\
 Examples:
   ladder check motor.clad                 one program
   ladder check .                          all programs in this folder
   ladder check --deny warnings .          a warning, too, makes the exit status 1
-  ladder check --format json . > out.json
+  ladder check --fix motor.clad           mend what can be mended in one way only
+  ladder check --format sarif . > out.sarif
 
 Exit status: 0 no errors, 1 errors (with --deny warnings: errors or warnings), 2 a file cannot be read.";
 
@@ -35,6 +41,14 @@ pub(crate) struct Arguments {
     /// Treat findings of this severity as errors in the exit status
     #[arg(long, value_enum)]
     deny: Option<Deny>,
+
+    /// Mend what can be mended in one way only, keep the drawing aligned, and show what is left
+    #[arg(long)]
+    fix: bool,
+
+    /// Show at the end how often each rule found something
+    #[arg(long)]
+    statistics: bool,
 }
 
 /// How the findings are written.
@@ -42,8 +56,14 @@ pub(crate) struct Arguments {
 enum Format {
     /// For people: the lines, with the place marked
     Full,
+    /// One line each, with file, line and column
+    Concise,
     /// For machines: one array of objects
     Json,
+    /// For code scanning services: SARIF 2.1.0
+    Sarif,
+    /// For GitHub Actions: commands that mark the lines of a change
+    Github,
 }
 
 /// What `--deny` takes.
@@ -63,14 +83,17 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     } else {
         Outcome::Failed
     };
-    let mut report = Report::new(arguments.format);
-    for file in files {
-        // One file that is bad does not keep the others from being checked.
-        match ladder_workspace::read(&file) {
-            Ok(text) => report.add(&Source::new(file.display().to_string(), text))?,
-            Err(error) => {
-                terminal::error(&error);
-                outcome = Outcome::Failed;
+    let mut report = Report::new(arguments.format, arguments.statistics);
+    for files in files.chunks(AT_ONCE) {
+        let checked: Vec<_> = files.par_iter().map(|file| check(file, arguments.fix)).collect();
+        for checked in checked {
+            // One file that is bad does not keep the others from being checked.
+            match checked {
+                Ok(checked) => report.add(&checked)?,
+                Err(error) => {
+                    terminal::error(&error);
+                    outcome = Outcome::Failed;
+                }
             }
         }
     }
@@ -80,4 +103,29 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
         outcome = outcome.max(Outcome::Findings);
     }
     Ok(outcome)
+}
+
+/// So many files are checked at once: what is found in them is kept until their turn comes.
+const AT_ONCE: usize = 64;
+
+/// A program that was checked.
+struct Checked {
+    source: Source,
+    findings: Vec<Diagnostic>,
+    /// How many findings were mended.
+    mended: usize,
+}
+
+fn check(file: &Path, fix: bool) -> Result<Checked, FileError> {
+    let text = ladder_workspace::read(file)?;
+    let source = Source::new(file.display().to_string(), text);
+    if fix {
+        return mend::mend(file, source);
+    }
+    let findings = source.analyze().diagnostics;
+    Ok(Checked {
+        source,
+        findings,
+        mended: 0,
+    })
 }

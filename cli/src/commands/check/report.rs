@@ -1,24 +1,26 @@
 //! What is written while files are checked, in the chosen form.
 
-use super::Format;
-use crate::findings::{Source, full, json};
+use super::tally::Tally;
+use super::{Checked, Format};
+use crate::findings::{concise, full, github, json, sarif};
 use crate::terminal::{Stdout, stdout_has_colours};
 use annotate_snippets::Renderer;
-use ladder_analysis::Diagnostic;
-use ladder_analysis::Severity;
-use std::fmt;
+use serde_json::Value;
 use std::io::{self, Write};
 
-/// The report, written as the files come: none is kept in memory.
+/// The report, written as the files come: none is kept in memory (but for SARIF).
 pub(super) struct Report {
     format: Format,
     out: Stdout,
     renderer: Renderer,
     tally: Tally,
+    statistics: bool,
+    /// The results of SARIF, which stand in the middle of its document.
+    results: Vec<Value>,
 }
 
 impl Report {
-    pub(super) fn new(format: Format) -> Report {
+    pub(super) fn new(format: Format, statistics: bool) -> Report {
         let renderer = if stdout_has_colours() {
             Renderer::styled()
         } else {
@@ -29,17 +31,22 @@ impl Report {
             out: Stdout::new(),
             renderer,
             tally: Tally::default(),
+            statistics,
+            results: Vec::new(),
         }
     }
 
-    /// Checks a program and writes what is found.
-    pub(super) fn add(&mut self, source: &Source) -> io::Result<()> {
-        let findings = source.analyze().diagnostics;
-        for finding in &findings {
+    /// Writes what was found in a program.
+    pub(super) fn add(&mut self, checked: &Checked) -> io::Result<()> {
+        let source = &checked.source;
+        for finding in &checked.findings {
             match self.format {
                 Format::Full => {
                     writeln!(self.out, "{}\n", full::render(source, finding, &self.renderer))?;
                 }
+                Format::Concise => writeln!(self.out, "{}", concise::line(source, finding))?,
+                Format::Github => writeln!(self.out, "{}", github::line(source, finding))?,
+                Format::Sarif => self.results.push(sarif::result(source, finding)),
                 Format::Json => {
                     let before = if self.tally.findings() == 0 {
                         "[\n  "
@@ -52,64 +59,31 @@ impl Report {
             }
             self.tally.count(finding);
         }
-        self.tally.files += 1;
+        self.tally.file(checked.mended);
         Ok(())
     }
 
     /// Writes what stands at the end. Where no file could be checked, nothing is written at all.
     pub(super) fn finish(mut self) -> io::Result<Tally> {
+        let for_people = matches!(self.format, Format::Full | Format::Concise);
         match self.format {
-            _ if self.tally.files == 0 => {}
-            Format::Full => writeln!(self.out, "{}", self.tally)?,
+            _ if self.tally.is_empty() => {}
+            Format::Full | Format::Concise if self.statistics => {
+                write!(self.out, "{}", self.tally.statistics())?;
+            }
             Format::Json if self.tally.findings() == 0 => writeln!(self.out, "[]")?,
             Format::Json => writeln!(self.out, "\n]")?,
+            Format::Sarif => {
+                let document = sarif::document(std::mem::take(&mut self.results));
+                serde_json::to_writer_pretty(&mut self.out, &document)?;
+                writeln!(self.out)?;
+            }
+            Format::Full | Format::Concise | Format::Github => {}
+        }
+        if for_people && !self.tally.is_empty() {
+            writeln!(self.out, "{}", self.tally)?;
         }
         self.out.flush()?;
         Ok(self.tally)
-    }
-}
-
-/// How many findings of each kind there are.
-#[derive(Debug, Clone, Copy, Default)]
-pub(super) struct Tally {
-    files: usize,
-    pub(super) errors: usize,
-    pub(super) warnings: usize,
-    infos: usize,
-}
-
-impl Tally {
-    fn count(&mut self, finding: &Diagnostic) {
-        match finding.severity {
-            Severity::Error => self.errors += 1,
-            Severity::Warning => self.warnings += 1,
-            Severity::Info => self.infos += 1,
-        }
-    }
-
-    fn findings(&self) -> usize {
-        self.errors + self.warnings + self.infos
-    }
-}
-
-impl fmt::Display for Tally {
-    /// `Checked 5 files: 2 errors, 1 warning.`
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let counted = |count: usize, one: &str| format!("{count} {one}{}", if count == 1 { "" } else { "s" });
-        let found: Vec<String> = [
-            (self.errors, "error"),
-            (self.warnings, "warning"),
-            (self.infos, "info"),
-        ]
-        .into_iter()
-        .filter(|(count, _)| *count > 0)
-        .map(|(count, one)| counted(count, one))
-        .collect();
-        let found = if found.is_empty() {
-            "no mistakes found".to_owned()
-        } else {
-            found.join(", ")
-        };
-        write!(f, "Checked {}: {found}.", counted(self.files, "file"))
     }
 }

@@ -1,0 +1,24 @@
+//! A place as machines are told it.
+
+use super::source::Source;
+use ladder_syntax::TextRange;
+use serde::Serialize;
+
+/// Lines and columns from 1, columns in characters; the end is behind the last character.
+#[derive(Serialize)]
+pub(super) struct Place {
+    pub(super) line: u32,
+    pub(super) column: u32,
+    pub(super) end_line: u32,
+    pub(super) end_column: u32,
+}
+
+pub(super) fn place(source: &Source, range: TextRange) -> Place {
+    let (start, end) = (source.place(range.start()), source.place(range.end()));
+    Place {
+        line: start.line,
+        column: start.column,
+        end_line: end.line,
+        end_column: end.column,
+    }
+}
