@@ -5,11 +5,17 @@ use std::fmt::Display;
 use std::io::{self, BufWriter, ErrorKind, StdoutLock, Write};
 
 const ERROR: Style = AnsiColor::BrightRed.on_default().bold();
+const WARNING: Style = AnsiColor::BrightYellow.on_default().bold();
 const NOTE: Style = AnsiColor::BrightGreen.on_default().bold();
 
 /// Says on stderr why something was not done.
 pub(crate) fn error(message: &dyn Display) {
     say(ERROR, "error", message);
+}
+
+/// Says on stderr what a person should look at, though the work goes on.
+pub(crate) fn warning(message: &dyn Display) {
+    say(WARNING, "warning", message);
 }
 
 /// Says on stderr what else is worth knowing.

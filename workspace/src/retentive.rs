@@ -31,7 +31,8 @@ pub struct RetentiveFile {
     program: String,
     /// What stands in it.
     written: Option<String>,
-    saved: Option<Instant>,
+    /// When that was last done; a short run saves at its end only.
+    saved: Instant,
 }
 
 /// What was found in a retentive file.
@@ -54,7 +55,7 @@ impl RetentiveFile {
             path: path.to_owned(),
             program: program.to_owned(),
             written: None,
-            saved: None,
+            saved: Instant::now(),
         };
         let bytes = match fs::read(path) {
             Ok(bytes) => bytes,
@@ -97,9 +98,9 @@ impl RetentiveFile {
         &self.path
     }
 
-    /// Whether a second has passed since it was last written: before that a save is not due.
+    /// Whether a second has passed since it was opened or last saved: before that a save is not due.
     pub fn is_due(&self) -> bool {
-        self.saved.is_none_or(|saved| saved.elapsed() >= PAUSE)
+        self.saved.elapsed() >= PAUSE
     }
 
     /// Writes the values, in one step: whoever looks sees the old file or the new one. Nothing is written if they
@@ -108,7 +109,7 @@ impl RetentiveFile {
     /// # Errors
     /// The operating system refuses; the old file is then untouched.
     pub fn save(&mut self, kept: &[Kept]) -> Result<(), FileError> {
-        self.saved = Some(Instant::now());
+        self.saved = Instant::now();
         let text = compose(&self.program, kept);
         if self.written.as_ref() != Some(&text) {
             write(&self.path, text.as_bytes())?;

@@ -117,6 +117,8 @@ fn a_save_is_due_once_a_second_and_writes_only_what_changed() {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("motor.retain");
     let (mut file, _) = open(&path);
+    assert!(!file.is_due());
+    std::thread::sleep(std::time::Duration::from_millis(1001));
     assert!(file.is_due());
     file.save(&[kept("n", "INT", &["1"])]).unwrap();
     assert!(!file.is_due());

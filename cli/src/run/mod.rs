@@ -2,13 +2,16 @@
 
 mod inputs;
 mod program;
+mod retention;
 mod stimulus;
 mod table;
 
 pub(crate) use program::{place, program};
+pub(crate) use retention::Retention;
 pub(crate) use stimulus::Stimulus;
 
 use crate::findings::Source;
+use crate::outcome::Failure;
 use crate::terminal;
 use inputs::Inputs;
 use ladder_simulator::{Fault, Simulation};
@@ -20,6 +23,8 @@ pub(crate) struct Run<'s> {
     pub(crate) source: &'s Source,
     /// How many scans to run.
     pub(crate) scans: u64,
+    /// Where retentive tags are kept, if anywhere.
+    pub(crate) retention: Option<Retention>,
 }
 
 impl Run<'_> {
@@ -34,7 +39,21 @@ impl Run<'_> {
         for fault in self.simulation.take_faults() {
             self.report(&fault);
         }
+        if let Some(retention) = &mut self.retention {
+            retention.keep(&self.simulation);
+        }
         ran
+    }
+
+    /// What is left to do behind the last scan.
+    ///
+    /// # Errors
+    /// The retentive file cannot be written.
+    pub(crate) fn finish(&mut self) -> Result<(), Failure> {
+        match &mut self.retention {
+            Some(retention) => retention.finish(&self.simulation),
+            None => Ok(()),
+        }
     }
 
     /// Faults go to stderr, each on a line of its own, in the form that editors and terminals find places in.

@@ -11,6 +11,7 @@ mod help;
 mod lsp;
 mod lsp_ending;
 mod render;
+mod retain;
 mod settings;
 mod sim;
 mod sim_formats;

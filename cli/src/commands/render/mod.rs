@@ -133,6 +133,7 @@ fn running(
         inputs,
         source,
         scans,
+        retention: None,
     };
     while run.scan() {}
     let simulation = &run.simulation;

@@ -5,7 +5,7 @@ mod trace;
 use crate::findings::Source;
 use crate::outcome::{Failure, Outcome};
 use crate::output::Output;
-use crate::run::{Run, Stimulus, place, program};
+use crate::run::{Retention, Run, Stimulus, place, program};
 use clap::{Args, ValueEnum};
 use ladder_analysis::types::Type;
 use ladder_simulator::{Point, Simulation, Status, diagram};
@@ -52,6 +52,10 @@ pub(crate) struct Arguments {
     #[command(flatten)]
     stimulus: Stimulus,
 
+    /// Keep retentive tags in this file: what it holds is there before the first scan, and it is written at the end
+    #[arg(long, value_name = "FILE")]
+    retain: Option<PathBuf>,
+
     /// The tags to write, in this order; without it every single-valued tag but constants, sorted by name
     #[arg(long, value_name = "TAG,...", value_delimiter = ',')]
     watch: Vec<String>,
@@ -95,6 +99,10 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
 
     // All that can be wrong with the arguments is found before anything is written.
     let watched = watched(&simulation, &arguments.watch)?;
+    let retention = match &arguments.retain {
+        Some(file) => Some(Retention::begin(file, &arguments.file, &mut simulation)?),
+        None => None,
+    };
     let inputs = arguments.stimulus.give(&mut simulation)?;
 
     let mut out = Output::open(arguments.output.as_deref())?;
@@ -103,6 +111,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
         inputs,
         source: &source,
         scans,
+        retention,
     };
     match arguments.format {
         Format::Csv => trace::write(trace::Format::Csv, &mut run, &watched, &mut out)?,
@@ -115,6 +124,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
         }
     }
     out.finish()?;
+    run.finish()?;
     Ok(match run.simulation.status() {
         Status::Faulted => Outcome::Findings,
         Status::Ready | Status::Ended => Outcome::Fine,
