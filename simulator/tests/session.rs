@@ -169,7 +169,35 @@ fn walk_about(name: &str, text: &str, seed: u64) {
     let mut at = last;
     for step in 0..60 {
         let context = |at: usize| format!("{name}, seed {seed}, step {step}, behind {at} scans");
-        match dice.roll(5) {
+        match dice.roll(8) {
+            // Part of a scan, which is then finished or given up.
+            5..8 => {
+                for _ in 0..=dice.roll(4) {
+                    if dice.roll(2) == 0 {
+                        session.step_block();
+                    } else {
+                        session.step_network();
+                    }
+                    if !session.is_open() {
+                        break;
+                    }
+                }
+                if session.is_open() && dice.roll(2) == 0 {
+                    session.step_back(1);
+                    assert_eq!(see(&session, &points), seen[at], "{}", context(at));
+                } else if session.simulation().status() == Status::Ready || at < last {
+                    if session.is_open() {
+                        session.scan();
+                    }
+                    // Beyond what was run before there is nothing to compare with.
+                    if at == last {
+                        session.step_back(1);
+                        session.forget_ahead();
+                    } else {
+                        at += 1;
+                    }
+                }
+            }
             0 | 1 => {
                 let wanted = dice.roll(12) as usize;
                 let gone = session.step_back(wanted);

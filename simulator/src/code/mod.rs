@@ -56,6 +56,15 @@ impl Code {
         (place.start == pc).then_some(place.network as usize)
     }
 
+    /// All networks that begin at an instruction: those without code stand there too.
+    pub(crate) fn networks_at(&self, pc: u32) -> impl Iterator<Item = usize> + '_ {
+        let first = self.networks.partition_point(|place| place.start < pc);
+        let here = self.networks[first..]
+            .iter()
+            .take_while(move |place| place.start == pc);
+        here.map(|place| place.network as usize)
+    }
+
     /// The block that begins at an instruction; one without code is passed by.
     pub(crate) fn block_from(&self, pc: u32) -> Option<&BlockPlace> {
         let through = self.blocks.partition_point(|place| place.start <= pc);

@@ -38,6 +38,8 @@ pub(crate) enum Until {
     Block,
     /// In front of the next network.
     Network,
+    /// In front of whichever of them comes first.
+    BlockOrNetwork,
 }
 
 impl Until {
@@ -47,6 +49,7 @@ impl Until {
             Until::End => 0,
             Until::Block => stop::BLOCK,
             Until::Network => stop::NETWORK,
+            Until::BlockOrNetwork => stop::BLOCK | stop::NETWORK,
         }
     }
 
@@ -54,7 +57,7 @@ impl Until {
     pub(super) const fn passed(self) -> u8 {
         match self {
             Until::End => 0,
-            Until::Block => stop::BLOCK | stop::NETWORK,
+            Until::Block | Until::BlockOrNetwork => stop::BLOCK | stop::NETWORK,
             Until::Network => stop::NETWORK,
         }
     }
@@ -93,6 +96,11 @@ impl OpenScan<'_> {
 }
 
 impl Machine {
+    /// Counts the stops in front of the next instruction as made.
+    pub(crate) fn pass_stops(&mut self) {
+        self.position.passed = stop::BLOCK | stop::NETWORK;
+    }
+
     /// What is open in the scan that was begun and not finished.
     pub(crate) fn open_scan(&self) -> OpenScan<'_> {
         OpenScan { machine: self }

@@ -211,9 +211,26 @@ impl History {
         self.waiting = Given::default();
     }
 
+    /// Gives again what was given before the scan ahead.
+    pub(super) fn give_next(&mut self, simulation: &mut Simulation) {
+        let Some(entry) = self.entries.get(self.here) else {
+            return;
+        };
+        if let Some(change) = &entry.forces {
+            simulation.restore_forces(&change.1);
+        }
+        let given = entry.given as usize;
+        self.go(self.bytes_here, given, Way::Forward);
+        self.banks.restore(&mut simulation.machine);
+        self.go(self.bytes_here, given, Way::Back);
+    }
+
     /// A scan is about to run. `changed` says whether anything was given from outside since the last one.
     pub(super) fn begin(&mut self, simulation: &Simulation, changed: bool) {
         self.forget_ahead();
+        if !self.is_on() {
+            return;
+        }
         if changed {
             self.given = self.take_up(simulation);
         } else {
@@ -239,6 +256,10 @@ impl History {
 
     /// The scan that was begun has been run.
     pub(super) fn finish(&mut self, simulation: &mut Simulation) {
+        if !self.is_on() {
+            self.take_serial(simulation);
+            return;
+        }
         let mut ran = std::mem::take(&mut self.scratch);
         ran.clear();
         self.banks.follow(&simulation.machine, &mut ran);
@@ -357,7 +378,8 @@ impl History {
         self.banks.go(Bytes(&self.scratch), way);
     }
 
-    fn restore(&self, simulation: &mut Simulation) {
+    /// Makes the simulation stand here.
+    pub(super) fn restore(&self, simulation: &mut Simulation) {
         simulation.restore_forces(&self.forces);
         self.banks.restore(&mut simulation.machine);
         self.moment().restore(simulation);

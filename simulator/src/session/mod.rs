@@ -5,10 +5,12 @@
 //! in the past, what followed there is forgotten.
 
 mod banks;
+mod breakpoints;
 mod delta;
 mod history;
 mod past;
 mod serial;
+mod steps;
 
 use crate::compile::CompileError;
 use crate::fault::Fault;
@@ -16,13 +18,13 @@ use crate::machine::FaultRecord;
 use crate::retain::Kept;
 use crate::simulation::{Options, Refused, Simulation, Status};
 use crate::tags::Point;
+pub use breakpoints::{Breakpoint, Hit};
 use history::History;
 pub use history::HistoryLimits;
 use ladder_analysis::program::{Program, Role};
 use ladder_analysis::value::Value;
 use std::collections::VecDeque;
 use std::sync::Arc;
-use std::sync::atomic::{AtomicBool, Ordering};
 
 /// So many faults are kept: those that happened last.
 const FAULTS: usize = 4096;
@@ -38,6 +40,8 @@ pub enum Stop {
     Ended,
     /// The watchdog, or calls nested too deep, stopped the simulation.
     Faulted,
+    /// A breakpoint.
+    Breakpoint(Hit),
 }
 
 /// A simulation with its history.
@@ -47,7 +51,12 @@ pub struct Session {
     history: History,
     /// Something was given since the last scan.
     changed: bool,
+    /// The scan that is open was stepped back from and is run again.
+    repeats: bool,
     faults: VecDeque<FaultRecord>,
+    breakpoints: Vec<Breakpoint>,
+    /// The run stopped behind a block, and what stands there has not been looked at yet.
+    unseen_network: bool,
 }
 
 impl Session {
@@ -73,7 +82,10 @@ impl Session {
             history,
             simulation,
             changed: false,
+            repeats: false,
             faults,
+            breakpoints: Vec::new(),
+            unseen_network: false,
         }
     }
 
@@ -87,6 +99,9 @@ impl Session {
     /// # Errors
     /// The point is read-only, or the value does not fit its type.
     pub fn set(&mut self, point: &Point, value: Value) -> Result<(), Refused> {
+        if self.simulation.is_open() {
+            return self.simulation.set(point, value);
+        }
         let differs = self.simulation.is_forced(point) && point.role == Role::Input
             || self.simulation.value(point) != value;
         self.simulation.set(point, value)?;
@@ -102,13 +117,17 @@ impl Session {
     /// The point is read-only, or the value does not fit its type.
     pub fn force(&mut self, point: &Point, value: Value) -> Result<(), Refused> {
         self.simulation.force(point, value)?;
-        self.change();
+        if !self.simulation.is_open() {
+            self.change();
+        }
         Ok(())
     }
 
     /// Lets a tag go.
     pub fn unforce(&mut self, point: &Point) {
-        if self.simulation.is_forced(point) {
+        if self.simulation.is_open() {
+            self.simulation.unforce(point);
+        } else if self.simulation.is_forced(point) {
             self.simulation.unforce(point);
             self.change();
         }
@@ -116,7 +135,9 @@ impl Session {
 
     /// Lets all tags go.
     pub fn unforce_all(&mut self) {
-        if self.simulation.forced().next().is_some() {
+        if self.simulation.is_open() {
+            self.simulation.unforce_all();
+        } else if self.simulation.forced().next().is_some() {
             self.simulation.unforce_all();
             self.change();
         }
@@ -124,8 +145,11 @@ impl Session {
 
     /// Lets bytes come in at the serial port.
     pub fn feed_serial(&mut self, bytes: &[u8]) {
-        if !bytes.is_empty() {
-            self.simulation.feed_serial(bytes);
+        if bytes.is_empty() {
+            return;
+        }
+        self.simulation.feed_serial(bytes);
+        if !self.simulation.is_open() {
             self.change();
         }
     }
@@ -143,50 +167,15 @@ impl Session {
         self.changed = true;
     }
 
-    /// Runs one scan, or goes forward over one that was stepped back from and is still kept. False, and nothing
-    /// happens, if the program has ended or a fault stopped it; false also if a fault stops it now.
-    pub fn scan(&mut self) -> bool {
-        if !self.history.is_on() {
-            let ran = self.simulation.scan();
-            collect_faults(&mut self.simulation, &mut self.faults);
-            self.history.take_serial(&mut self.simulation);
-            return ran;
-        }
-        if let Some(given) = self.history.forward(&mut self.simulation) {
-            self.changed = given;
-            return self.simulation.status() != Status::Faulted;
-        }
-        if self.simulation.status() != Status::Ready {
-            return false;
-        }
-        self.history.begin(&self.simulation, self.changed);
-        self.changed = false;
-        let ran = self.simulation.scan();
-        collect_faults(&mut self.simulation, &mut self.faults);
-        self.history.finish(&mut self.simulation);
-        ran
-    }
-
-    /// Runs up to so many scans. How many were run, and why no more.
-    pub fn run(&mut self, scans: u64, cancel: &AtomicBool) -> (u64, Stop) {
-        for run in 0..scans {
-            if cancel.load(Ordering::Relaxed) {
-                return (run, Stop::Cancelled);
-            }
-            if !self.scan() {
-                let why = match self.simulation.status() {
-                    Status::Ended => Stop::Ended,
-                    _ => Stop::Faulted,
-                };
-                return (run, why);
-            }
-        }
-        (scans, Stop::Done)
-    }
-
     /// Goes back up to so many scans, to how things stood then; what was given since is undone with them. How many
     /// scans it were: fewer if fewer are kept.
+    ///
+    /// A scan that is open counts: going back one goes to its start.
     pub fn step_back(&mut self, scans: usize) -> usize {
+        if scans > 0 && self.simulation.is_open() {
+            self.give_up_scan();
+            return 1 + self.step_back(scans - 1);
+        }
         let gone = self.history.back(&mut self.simulation, scans, self.changed);
         if gone > 0 {
             self.changed = false;
@@ -206,6 +195,9 @@ impl Session {
 
     /// Makes the place where the simulation stands the newest: what was stepped back from is forgotten.
     pub fn forget_ahead(&mut self) {
+        if self.repeats {
+            return;
+        }
         self.history.forget_ahead();
         self.forget_faults_ahead();
     }
@@ -237,6 +229,7 @@ impl Session {
     fn begin_anew(&mut self) {
         self.faults.clear();
         self.changed = false;
+        self.repeats = false;
         self.history.clear(&self.simulation);
     }
 
@@ -249,7 +242,8 @@ impl Session {
 
     fn has_happened(&self, record: &FaultRecord) -> bool {
         let scans = self.simulation.machine.scan;
-        record.scan < scans || (record.scan == scans && self.simulation.status() == Status::Faulted)
+        let now = self.simulation.status() == Status::Faulted || (self.simulation.is_open() && !self.repeats);
+        record.scan < scans || (record.scan == scans && now)
     }
 
     fn forget_faults_ahead(&mut self) {

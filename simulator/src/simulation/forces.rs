@@ -34,13 +34,14 @@ impl Simulation {
     }
 
     /// Does what was asked for while a scan was open.
-    pub(super) fn take_pending(&mut self) {
+    pub(crate) fn take_pending(&mut self) {
         for change in std::mem::take(&mut self.pending) {
             match change {
                 Change::Set(point, value) => self.assign(&point, value),
                 Change::Force(point, value) => self.hold(point, value),
                 Change::Unforce(point) => self.unforce(&point),
                 Change::UnforceAll => self.unforce_all(),
+                Change::Serial(bytes) => self.feed_serial(&bytes),
             }
         }
     }

@@ -66,7 +66,7 @@ pub struct Simulation {
     /// A scan was begun and is not finished.
     pub(crate) open: bool,
     /// What waits for its end.
-    pending: Vec<Change>,
+    pub(crate) pending: Vec<Change>,
 }
 
 /// A force that is in effect.
@@ -79,11 +79,12 @@ pub(crate) struct Force {
 
 /// What was asked for in the midst of a scan.
 #[derive(Debug, Clone, PartialEq)]
-enum Change {
+pub(crate) enum Change {
     Set(Point, Value),
     Force(Point, Value),
     Unforce(Point),
     UnforceAll,
+    Serial(Vec<u8>),
 }
 
 impl Simulation {
@@ -191,6 +192,10 @@ impl Simulation {
 
     /// Lets bytes come in at the serial port.
     pub fn feed_serial(&mut self, bytes: &[u8]) {
+        if self.open {
+            self.pending.push(Change::Serial(bytes.to_vec()));
+            return;
+        }
         self.machine.memory.received.extend(bytes);
     }
 

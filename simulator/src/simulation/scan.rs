@@ -92,7 +92,7 @@ impl Simulation {
         self.open && self.step(Until::End) == Stepped::Done
     }
 
-    fn step(&mut self, until: Until) -> Stepped {
+    pub(crate) fn step(&mut self, until: Until) -> Stepped {
         if !self.begin_scan() {
             return Stepped::Stopped;
         }
@@ -115,7 +115,9 @@ impl Simulation {
             self.program.networks[network].location
         };
         match until {
-            Until::Block => code.block_from(pc).map_or_else(network, |block| block.location),
+            Until::Block | Until::BlockOrNetwork => {
+                code.block_from(pc).map_or_else(network, |block| block.location)
+            }
             Until::Network | Until::End => network(),
         }
     }

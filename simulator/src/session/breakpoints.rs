@@ -1,0 +1,172 @@
+//! Where a run stops of itself.
+
+use super::{Session, Stop};
+use crate::machine::Until;
+use crate::simulation::{Status, Stepped};
+use crate::tags::Point;
+use ladder_analysis::program::Location;
+use ladder_analysis::value::Value;
+use ladder_syntax::TextSize;
+use std::sync::atomic::{AtomicBool, Ordering};
+
+/// Where a run stops of itself.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Breakpoint {
+    /// In front of a network, by its number in the program: whenever it is about to be evaluated.
+    Network(usize),
+    /// Behind the block that changes what a point holds. What is given from outside does not count.
+    Change(Point),
+}
+
+/// Why a run stopped at a breakpoint.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Hit {
+    /// This network runs next.
+    Network(Location),
+    /// A point has changed.
+    Change {
+        /// The point.
+        point: Point,
+        /// What it held before.
+        before: Value,
+        /// What it holds now.
+        after: Value,
+        /// The block that ran.
+        block: Option<Location>,
+    },
+}
+
+impl Session {
+    /// The network that a place in the text belongs to, or else the first one behind it: its number.
+    pub fn network_at(&self, file: u32, offset: TextSize) -> Option<usize> {
+        let networks = self.simulation.program().networks.iter().enumerate();
+        let behind = networks
+            .filter(|(_, network)| network.location.file == file && network.location.range.end() > offset);
+        behind
+            .min_by_key(|(_, network)| network.location.range.start())
+            .map(|(number, _)| number)
+    }
+
+    /// Sets a breakpoint, if it is not set yet.
+    pub fn add_breakpoint(&mut self, breakpoint: Breakpoint) {
+        if !self.breakpoints.contains(&breakpoint) {
+            self.breakpoints.push(breakpoint);
+        }
+    }
+
+    /// Takes a breakpoint away. False if there was none.
+    pub fn remove_breakpoint(&mut self, breakpoint: &Breakpoint) -> bool {
+        let before = self.breakpoints.len();
+        self.breakpoints.retain(|known| known != breakpoint);
+        self.breakpoints.len() < before
+    }
+
+    /// Takes all breakpoints away.
+    pub fn clear_breakpoints(&mut self) {
+        self.breakpoints.clear();
+    }
+
+    /// The breakpoints, in the order in which they were set.
+    pub fn breakpoints(&self) -> &[Breakpoint] {
+        &self.breakpoints
+    }
+
+    /// Runs up to so many scans; one that is open counts. How many came to their end, and why there were no more.
+    pub fn run(&mut self, scans: u64, cancel: &AtomicBool) -> (u64, Stop) {
+        for run in 0..scans {
+            if cancel.load(Ordering::Relaxed) {
+                return (run, Stop::Cancelled);
+            }
+            if let Some(stop) = self.run_scan() {
+                // The last block of a scan may have hit the breakpoint.
+                let came_to_its_end = matches!(stop, Stop::Breakpoint(_)) && !self.simulation.is_open();
+                return (run + u64::from(came_to_its_end), stop);
+            }
+        }
+        (scans, Stop::Done)
+    }
+
+    /// Runs one scan, or the rest of the one that is open, unless a breakpoint stops it. None if it came to its end.
+    pub fn run_scan(&mut self) -> Option<Stop> {
+        if self.breakpoints.is_empty() {
+            return (!self.scan()).then(|| self.why_not());
+        }
+        let fresh = !self.simulation.is_open();
+        if !self.open_scan() {
+            return Some(self.why_not());
+        }
+        if (fresh || self.unseen_network)
+            && let Some(hit) = self.network_hit()
+        {
+            self.unseen_network = false;
+            return Some(Stop::Breakpoint(hit));
+        }
+        self.simulation.machine.pass_stops();
+        let watches = self
+            .breakpoints
+            .iter()
+            .any(|breakpoint| matches!(breakpoint, Breakpoint::Change(_)));
+        let until = if watches {
+            Until::BlockOrNetwork
+        } else {
+            Until::Network
+        };
+        loop {
+            let before = self.watched_values();
+            let block = self.simulation.next_block();
+            let stepped = self.go_on(until);
+            if let Some(hit) = self.change_hit(before, block) {
+                self.unseen_network = self.simulation.is_open();
+                return Some(Stop::Breakpoint(hit));
+            }
+            match stepped {
+                Stepped::Done => return None,
+                Stepped::Stopped => return Some(self.why_not()),
+                Stepped::At(_) => {
+                    if let Some(hit) = self.network_hit() {
+                        return Some(Stop::Breakpoint(hit));
+                    }
+                }
+            }
+        }
+    }
+
+    fn why_not(&self) -> Stop {
+        match self.simulation.status() {
+            Status::Ended => Stop::Ended,
+            _ => Stop::Faulted,
+        }
+    }
+
+    /// The network with a breakpoint that runs next.
+    fn network_hit(&self) -> Option<Hit> {
+        let pc = self.simulation.machine.open_scan().pc();
+        let mut here = self.simulation.compiled.code.networks_at(pc);
+        let network = here.find(|&network| self.breakpoints.contains(&Breakpoint::Network(network)))?;
+        Some(Hit::Network(self.simulation.program().networks[network].location))
+    }
+
+    fn watched_values(&self) -> Vec<Value> {
+        let points = self.breakpoints.iter().filter_map(|breakpoint| match breakpoint {
+            Breakpoint::Change(point) => Some(self.simulation.value(point)),
+            Breakpoint::Network(_) => None,
+        });
+        points.collect()
+    }
+
+    fn change_hit(&self, before: Vec<Value>, block: Option<Location>) -> Option<Hit> {
+        let points = self.breakpoints.iter().filter_map(|breakpoint| match breakpoint {
+            Breakpoint::Change(point) => Some(point),
+            Breakpoint::Network(_) => None,
+        });
+        points.zip(before).find_map(|(point, before)| {
+            let after = self.simulation.value(point);
+            (after != before).then(|| Hit::Change {
+                point: point.clone(),
+                before,
+                after,
+                block,
+            })
+        })
+    }
+}
