@@ -4,7 +4,9 @@ use crate::context::{Context, context};
 use crate::diagnostic::Diagnostic;
 use crate::program::Program;
 use crate::rule::Severity;
-use crate::{resolve, rules};
+use crate::others::Others;
+use crate::resolve::{self, Resolved, numbers::Unit};
+use crate::rules;
 use ladder_syntax::Parse;
 use std::sync::Arc;
 
@@ -15,8 +17,10 @@ pub struct Analysis {
     pub context: Context,
     /// The findings, in the order of their places.
     pub diagnostics: Vec<Diagnostic>,
-    /// The program, if there are no errors.
+    /// The program, if there are no errors and it uses no function or block of another file: see [`link`](crate::link).
     pub program: Option<Arc<Program>>,
+    /// What messages call the file.
+    pub name: Arc<str>,
 }
 
 impl Analysis {
@@ -26,11 +30,25 @@ impl Analysis {
     }
 }
 
-/// Analyses a file. `name` is how messages of a running program call it.
+/// Analyses a file that stands alone. `name` is how messages of a running program call it.
 pub fn analyze(parse: &Arc<Parse>, name: &str) -> Analysis {
+    analyze_in(parse, name, &Others::default())
+}
+
+/// Analyses a file among the others of its workspace, whose [`Exports`](crate::Exports) go by the same names.
+pub fn analyze_in(parse: &Arc<Parse>, name: &str, others: &Others) -> Analysis {
     let mut diagnostics = Vec::new();
-    let context = context(parse, &mut diagnostics);
-    let (program, unresolved) = resolve::program(&context, name, &mut diagnostics);
+    let context = context(parse, others, &mut diagnostics);
+    let alone = Unit {
+        context: &context,
+        name,
+        bodies: None,
+    };
+    let Resolved {
+        program,
+        unresolved,
+        linked,
+    } = resolve::program(&[alone], &mut diagnostics);
     rules::check(&context, &mut diagnostics);
     rules::unclosed_comment::hide_what_follows(parse, &mut diagnostics);
     diagnostics.sort_by_key(|d| (d.range.start(), d.range.end(), d.rule));
@@ -40,11 +58,12 @@ pub fn analyze(parse: &Arc<Parse>, name: &str) -> Analysis {
         context,
         diagnostics,
         program: None,
+        name: Arc::from(name),
     };
     if let Some(block) = unresolved.filter(|_| !analysis.has_errors()) {
         analysis.diagnostics.push(rules::bad_operand::meaningless(block));
     }
-    if !analysis.has_errors() {
+    if linked && !analysis.has_errors() {
         analysis.program = Some(Arc::new(program));
     }
     analysis

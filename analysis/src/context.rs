@@ -4,7 +4,9 @@ use crate::declare;
 use crate::diagnostic::Diagnostic;
 use crate::facts::NodeKind;
 use crate::infer;
+use crate::known_blocks::KnownBlocks;
 use crate::network::{self, NetworkFacts};
+use crate::others::{Import, Others};
 use crate::program::Role;
 use crate::scope::{Origin, Scope, TagFacts};
 use crate::shared;
@@ -12,7 +14,7 @@ use crate::types::Scalar;
 use crate::types::Type;
 use crate::user_block::{self, UserBlockFacts};
 use crate::uses;
-use ladder_instructions::Op;
+use ladder_instructions::{Op, Shape};
 use ladder_syntax::wiring::PartKind;
 use ladder_syntax::{LineIndex, LineKind, Name, Parse, TextRange, TextSize};
 use std::collections::HashMap;
@@ -27,14 +29,19 @@ pub struct Context {
     pub networks: Vec<NetworkFacts>,
     /// The file's scope, then one for each block definition.
     pub scopes: Vec<Scope>,
-    /// The definitions of user-defined blocks, as in the structure.
+    /// The definitions of user-defined blocks: the file's own as in the structure, then those of other files that
+    /// it uses.
     pub user_blocks: Vec<UserBlockFacts>,
+    /// How many of them are its own.
+    pub own_blocks: usize,
     /// The functions in the order of the text.
     pub functions: Vec<FunctionFacts>,
     /// The labels in the order of the text.
     pub labels: Vec<LabelFacts>,
     /// For each network the body it belongs to.
     pub bodies: Vec<Body>,
+    /// The other files of the workspace.
+    pub others: Others,
     line_index: OnceLock<LineIndex>,
     /// The labels of each body by name, in the order of the text.
     labels_by_name: HashMap<(Body, Name), Vec<usize>>,
@@ -50,6 +57,15 @@ pub enum Body {
     Function(usize),
     /// A block definition, by its index.
     Block(usize),
+}
+
+/// What a `<CALL>` calls.
+#[derive(Debug, Clone, PartialEq, Eq, Hash)]
+pub enum Callee {
+    /// A function of the file itself, by its index.
+    Own(usize),
+    /// A function of another file.
+    Other(Import),
 }
 
 /// A `<FUN>`.
@@ -112,10 +128,31 @@ impl Context {
     pub fn function(&self, name: &Name) -> Option<usize> {
         self.functions_by_name.get(name).copied()
     }
+
+    /// The function that a `<CALL>` of a name calls: the file's own, else that of another file.
+    pub fn callee(&self, name: &Name) -> Option<Callee> {
+        if let Some(own) = self.function(name) {
+            return Some(Callee::Own(own));
+        }
+        let (file, function) = self.others.functions(name).next()?;
+        Some(Callee::Other(Import {
+            file: Arc::clone(&file.file),
+            item: function.item,
+        }))
+    }
 }
 
 /// Reads a file's names, networks and blocks. What is wrong with declarations goes to `out`.
-pub fn context(parse: &Arc<Parse>, out: &mut Vec<Diagnostic>) -> Context {
+pub fn context(parse: &Arc<Parse>, others: &Others, out: &mut Vec<Diagnostic>) -> Context {
+    let mut context = skeleton(parse, others, out);
+    uses::collect(&mut context);
+    shared::share(&mut context, out);
+    infer::infer(&mut context, out);
+    context
+}
+
+/// The context before any use of a tag is looked at: declarations, blocks, networks, functions and labels.
+pub(crate) fn skeleton(parse: &Arc<Parse>, others: &Others, out: &mut Vec<Diagnostic>) -> Context {
     let structure = parse.structure();
     let mut scopes = vec![Scope::default()];
     scopes.extend(structure.blocks.iter().enumerate().map(|(index, definition)| {
@@ -140,17 +177,21 @@ pub fn context(parse: &Arc<Parse>, out: &mut Vec<Diagnostic>) -> Context {
         .zip(&scopes[1..])
         .map(|(definition, scope)| user_block::user_block(parse, definition, scope))
         .collect();
+    let own_blocks = user_blocks.len();
+    let mut known = KnownBlocks::new(user_blocks, others);
     let mut networks: Vec<NetworkFacts> = structure
         .networks
         .iter()
-        .map(|n| network::network(parse, n, &user_blocks))
+        .map(|n| network::network(parse, n, &mut known))
         .collect();
     break_neighbours(parse, &mut networks);
     let mut context = Context {
         parse: Arc::clone(parse),
         networks,
         scopes,
-        user_blocks,
+        user_blocks: known.into_list(),
+        own_blocks,
+        others: others.clone(),
         functions: Vec::new(),
         labels: Vec::new(),
         bodies: Vec::new(),
@@ -159,9 +200,6 @@ pub fn context(parse: &Arc<Parse>, out: &mut Vec<Diagnostic>) -> Context {
         functions_by_name: HashMap::new(),
     };
     bodies(&mut context);
-    uses::collect(&mut context);
-    shared::share(&mut context);
-    infer::infer(&mut context, out);
     context
 }
 
@@ -204,14 +242,22 @@ fn implicit(name: &str, at: TextRange) -> TagFacts {
         at,
         uses: Vec::new(),
         shared: None,
+        foreign: None,
         mistyped: false,
     }
 }
 
-/// Finds functions and labels, and which body each network belongs to. A network's first `<FUN>` counts.
+/// Finds functions and labels, and which body each network belongs to. A network's first `<FUN>` counts. One in the
+/// body of a `<$B>` begins a function of the file, which reaches to the end of the body (LANGUAGE §5.7).
 fn bodies(context: &mut Context) {
     let mut current = Body::Main;
-    for (index, network) in context.networks.iter().enumerate() {
+    // In the definition of a block: the function that its body has come to.
+    let mut inner: Option<(usize, usize)> = None;
+    for (index, network) in context.networks.iter_mut().enumerate() {
+        let definition = network.scope.checked_sub(1);
+        inner = inner.filter(|(of, _)| Some(*of) == definition);
+        let may_begin =
+            definition.is_none_or(|block| context.user_blocks[block].shape == Shape::Function);
         for block in &network.blocks {
             let Some(op @ (Op::Fun | Op::Lbl)) = block.op() else {
                 continue;
@@ -228,9 +274,11 @@ fn bodies(context: &mut Context) {
                     network: index,
                     at,
                 });
-            } else if network.scope == 0 && context.functions.last().is_none_or(|last| last.network != index)
-            {
-                current = Body::Function(context.functions.len());
+            } else if may_begin && context.functions.last().is_none_or(|last| last.network != index) {
+                match definition {
+                    Some(block) => inner = Some((block, context.functions.len())),
+                    None => current = Body::Function(context.functions.len()),
+                }
                 context.functions.push(FunctionFacts {
                     name,
                     key,
@@ -239,10 +287,14 @@ fn bodies(context: &mut Context) {
                 });
             }
         }
-        context.bodies.push(if network.scope == 0 {
-            current
-        } else {
-            Body::Block(network.scope - 1)
+        context.bodies.push(match (definition, inner) {
+            (None, _) => current,
+            (Some(_), Some((_, function))) => {
+                // It runs with the tags of the file.
+                network.scope = 0;
+                Body::Function(function)
+            }
+            (Some(block), None) => Body::Block(block),
         });
     }
     for (index, label) in context.labels.iter().enumerate() {

@@ -134,6 +134,7 @@ fn declaration(
             at: range,
             uses: Vec::new(),
             shared: None,
+            foreign: None,
         });
     }
 }

@@ -3,6 +3,7 @@
 use crate::rule::{Rule, Severity};
 use ladder_format::Edit;
 use ladder_syntax::TextRange;
+use std::sync::Arc;
 
 /// A finding of a rule. Ranges count bytes from the start of the file.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -26,6 +27,8 @@ pub struct Diagnostic {
 /// Another place that a finding has to do with.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Related {
+    /// The file, if it is another one of the workspace.
+    pub file: Option<Arc<str>>,
     /// Where.
     pub range: TextRange,
     /// What is there.
@@ -66,10 +69,41 @@ impl Diagnostic {
     #[must_use]
     pub fn related(mut self, range: TextRange, message: impl Into<String>) -> Diagnostic {
         self.related.push(Related {
+            file: None,
             range,
             message: message.into(),
         });
         self
+    }
+
+    /// Adds a related place in another file.
+    #[must_use]
+    pub fn related_in(
+        mut self,
+        file: &Arc<str>,
+        range: TextRange,
+        message: impl Into<String>,
+    ) -> Diagnostic {
+        self.related.push(Related {
+            file: Some(Arc::clone(file)),
+            range,
+            message: message.into(),
+        });
+        self
+    }
+
+    /// Adds a related place in another file, or in this one where there is none.
+    #[must_use]
+    pub(crate) fn related_at(
+        self,
+        file: Option<&Arc<str>>,
+        range: TextRange,
+        message: impl Into<String>,
+    ) -> Diagnostic {
+        match file {
+            Some(file) => self.related_in(file, range, message),
+            None => self.related(range, message),
+        }
     }
 
     /// Adds a fix, if there is one.

@@ -49,8 +49,7 @@ fn asked(context: &Context, bound: &BoundBlock, formal: Formal) -> Option<Type> 
             let Meaning::User(block) = bound.meaning else {
                 return None;
             };
-            let parameter = &context.user_blocks[block].parameters[index];
-            context.scopes[block + 1].tags[parameter.tag].ty
+            context.user_blocks[block].parameters[index].ty
         }
         _ => None,
     }

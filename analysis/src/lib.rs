@@ -17,16 +17,20 @@ mod declaration_fix;
 mod declare;
 pub mod diagnostic;
 mod excerpt;
+mod exports;
 pub mod facts;
 pub mod fix;
 mod infer;
 #[cfg(test)]
 mod infer_tests;
+mod known_blocks;
+mod link;
 pub mod literal;
 pub mod network;
 pub mod order;
 #[cfg(test)]
 mod order_tests;
+mod others;
 pub mod program;
 mod resolve;
 pub mod rule;
@@ -38,6 +42,9 @@ pub mod user_block;
 mod uses;
 pub mod value;
 
-pub use analyze::{Analysis, analyze};
+pub use analyze::{Analysis, analyze, analyze_in};
 pub use diagnostic::{Diagnostic, Fix, Related};
+pub use exports::{ExportedBlock, ExportedFunction, Exports, Global, exports};
+pub use link::{NotWhole, link};
+pub use others::{Exported, Import, Others};
 pub use rule::{Rule, RuleGroup, Severity};

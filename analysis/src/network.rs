@@ -3,7 +3,7 @@
 
 use crate::facts::{self, BlockFacts, Head};
 use crate::order::{Order, order};
-use crate::user_block::UserBlockFacts;
+use crate::known_blocks::KnownBlocks;
 use ladder_instructions::{Instruction, Op, Operand, lookup};
 use ladder_syntax::wiring::{PartKind, Wiring, wiring};
 use ladder_syntax::{Name, Network, Parse, Place, SyntaxError, SyntaxErrorKind, TextRange, TextSize};
@@ -107,6 +107,14 @@ impl BoundBlock {
         }
     }
 
+    /// The name of a user-defined block, known or not.
+    pub fn user_name(&self) -> Option<&str> {
+        match &self.facts.head {
+            Head::User(name) => Some(name),
+            Head::Mnemonic(_) => None,
+        }
+    }
+
     /// Number of operands given by place.
     pub fn positional_count(&self) -> usize {
         self.facts
@@ -125,7 +133,7 @@ impl NetworkFacts {
 }
 
 /// The facts of a network.
-pub fn network(parse: &Parse, network: &Network, user_blocks: &[UserBlockFacts]) -> NetworkFacts {
+pub(crate) fn network(parse: &Parse, network: &Network, known: &mut KnownBlocks<'_>) -> NetworkFacts {
     let wiring = wiring(parse, network);
     let order = order(&wiring);
     let mut blocks = Vec::new();
@@ -135,7 +143,7 @@ pub fn network(parse: &Parse, network: &Network, user_blocks: &[UserBlockFacts])
         mistakes.sort_unstable_by_key(|range| range.start());
         for facts in facts::blocks(&parse.lines()[line], rung, parts) {
             let faulty = is_mistake_in(&mistakes, facts.range);
-            blocks.push(bind(facts, parse.line_start(line), user_blocks, faulty));
+            blocks.push(bind(facts, parse.line_start(line), known, faulty));
         }
     }
     let syntax_mistake = network
@@ -181,23 +189,17 @@ fn is_mistake_in(mistakes: &[TextRange], block: TextRange) -> bool {
         .any(|range| range.start() < block.end() || range.is_empty())
 }
 
-fn bind(facts: BlockFacts, base: TextSize, user_blocks: &[UserBlockFacts], faulty: bool) -> BoundBlock {
+fn bind(facts: BlockFacts, base: TextSize, known: &mut KnownBlocks<'_>, faulty: bool) -> BoundBlock {
     let positional = facts
         .operands
         .iter()
         .filter(|operand| operand.name.is_none())
         .count();
     let meaning = match &facts.head {
-        Head::User(name) => {
-            let key = Name::new(name);
-            match user_blocks
-                .iter()
-                .position(|block| block.key == key && block.shape == facts.shape)
-            {
-                Some(index) => Meaning::User(index),
-                None => Meaning::UnknownUser,
-            }
-        }
+        Head::User(name) => match known.find(name, facts.shape) {
+            Some(index) => Meaning::User(index),
+            None => Meaning::UnknownUser,
+        },
         Head::Mnemonic(text) => {
             // NOT has two rows: the inverter without operands, and the bitwise one.
             let mut rows = lookup(facts.shape, text);
@@ -228,7 +230,7 @@ fn bind(facts: BlockFacts, base: TextSize, user_blocks: &[UserBlockFacts], fault
             }
             (Some(name), Meaning::User(index)) => {
                 let key = Name::new(&name.text);
-                let parameters = &user_blocks[index].parameters;
+                let parameters = &known.get(index).parameters;
                 parameters
                     .iter()
                     .position(|p| p.key == key)
@@ -240,7 +242,7 @@ fn bind(facts: BlockFacts, base: TextSize, user_blocks: &[UserBlockFacts], fault
             }
             (None, Meaning::User(index)) => {
                 place += 1;
-                if place <= user_blocks[index].parameters.len() {
+                if place <= known.get(index).parameters.len() {
                     Formal::Parameter(place - 1)
                 } else {
                     Formal::Excess

@@ -5,6 +5,7 @@ use crate::types::{Scalar, Type};
 use crate::value::Value;
 use ladder_syntax::{Name, TextRange};
 use rustc_hash::FxHashMap;
+use std::sync::Arc;
 
 /// The section that a tag is declared in.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
@@ -56,7 +57,7 @@ pub enum Origin {
     Implicit,
     /// It is only used.
     Undeclared,
-    /// A tag of another scope: a VAR_GLOBAL tag, or a direct address in a block's body.
+    /// A tag of another scope or file: a VAR_GLOBAL tag, or a direct address in a block's body.
     Shared,
 }
 
@@ -127,6 +128,8 @@ pub struct TagFacts {
     pub uses: Vec<Use>,
     /// The scope and tag that this entry leads to, if it is one of another scope.
     pub shared: Option<(usize, usize)>,
+    /// The file that declares it, if it is a VAR_GLOBAL tag of another one.
+    pub foreign: Option<Arc<str>>,
 }
 
 impl TagFacts {

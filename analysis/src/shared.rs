@@ -1,46 +1,116 @@
-//! Tags that several scopes share: VAR_GLOBAL tags, and direct addresses.
+//! Tags that several scopes share: VAR_GLOBAL tags, of the file or of another one, and direct addresses.
 //!
-//! A body knows a shared tag under an entry of its own, which leads to the tag itself; types, constants and uses
-//! are those of the tag.
+//! A scope knows a shared tag under an entry of its own, which leads to the tag itself; types, constants and uses
+//! are those of the tag. A tag of another file has one entry in this file's own scope, to which all others lead.
 
 use crate::context::Context;
+use crate::diagnostic::Diagnostic;
+use crate::exports::{Exports, Global};
+use crate::rules::shared_globals;
 use crate::scope::{Origin, SectionKind, TagFacts};
 use ladder_syntax::Name;
-use std::collections::HashMap;
+use rustc_hash::FxHashMap;
+use std::sync::Arc;
+
+/// A scope and a tag in it.
+type Entry = (usize, usize);
 
 /// Leads what is shared to where it is declared. To be done when all uses are known, before types are inferred.
-pub(crate) fn share(context: &mut Context) {
-    if context.scopes.len() == 1 {
-        return;
-    }
-    let mut globals: HashMap<Name, (usize, usize)> = HashMap::new();
+/// What does not agree goes to `out`.
+pub(crate) fn share(context: &mut Context, out: &mut Vec<Diagnostic>) {
+    let mut globals: FxHashMap<Name, Entry> = FxHashMap::default();
+    let mut external = false;
     for (scope, facts) in context.scopes.iter().enumerate() {
         for (tag, facts) in facts.tags.iter().enumerate() {
-            if facts.origin == Origin::Declared(SectionKind::Global) {
-                globals.entry(Name::new(&facts.name)).or_insert((scope, tag));
+            match facts.origin {
+                Origin::Declared(SectionKind::Global) => {
+                    shared_globals::check_declared(context, facts, globals.get(&Name::new(&facts.name)), out);
+                    globals.entry(Name::new(&facts.name)).or_insert((scope, tag));
+                }
+                Origin::Declared(SectionKind::External) => external = true,
+                _ => {}
             }
         }
     }
+    let others = context.others.clone();
+    if context.scopes.len() == 1 && !external && !others.have_globals() {
+        return;
+    }
+    let mut imported: FxHashMap<Name, Entry> = FxHashMap::default();
     for scope in 0..context.scopes.len() {
         for tag in 0..context.scopes[scope].tags.len() {
             let facts = &context.scopes[scope].tags[tag];
+            let key = Name::new(&facts.name);
             let target = match facts.origin {
-                Origin::Undeclared | Origin::Declared(SectionKind::External) => {
-                    globals.get(&Name::new(&facts.name)).copied()
-                }
                 // An address is one tag for the whole file.
-                Origin::Form if scope > 0 && facts.address.is_some() => Some(of_file(context, scope, tag)),
+                Origin::Form if facts.address.is_some() => (scope > 0).then(|| of_file(context, scope, tag)),
+                // A block may introduce a tag that the file declares as well.
+                Origin::Declared(SectionKind::Global) => globals.get(&key).copied(),
+                Origin::Undeclared | Origin::Form | Origin::Declared(SectionKind::External) => {
+                    match (globals.get(&key), others.globals(&key).next()) {
+                        (Some(&own), _) => Some(own),
+                        (None, Some((file, global))) => {
+                            shared_globals::check_others(facts, &others, file, global, out);
+                            Some(import(context, &mut imported, (scope, tag), file, global))
+                        }
+                        (None, None) => None,
+                    }
+                }
                 _ => None,
             };
-            if let Some(target) = target.filter(|target| target.0 != scope) {
+            if context.scopes[scope].tags[tag].origin == Origin::Declared(SectionKind::External) {
+                let tag = &context.scopes[scope].tags[tag];
+                let global = target.map(|(scope, tag)| &context.scopes[scope].tags[tag]);
+                shared_globals::check_external(tag, global, out);
+            }
+            if let Some(target) = target.filter(|target| *target != (scope, tag)) {
                 lead(context, (scope, tag), target);
             }
         }
     }
 }
 
+/// The file's entry for a global of another file.
+fn import(
+    context: &mut Context,
+    imported: &mut FxHashMap<Name, Entry>,
+    (scope, tag): Entry,
+    file: &Exports,
+    global: &Global,
+) -> Entry {
+    if let Some(&entry) = imported.get(&global.key) {
+        return entry;
+    }
+    let used = &context.scopes[scope].tags[tag];
+    let facts = TagFacts {
+        name: global.name.clone(),
+        ty: global.ty,
+        role: global.role,
+        origin: Origin::Shared,
+        mistyped: global.ty.is_none(),
+        retain: global.retain,
+        constant: global.constant,
+        initial: global.initial.clone(),
+        address: None,
+        at: used.at,
+        uses: Vec::new(),
+        shared: None,
+        foreign: Some(Arc::clone(&file.file)),
+    };
+    let entry = if scope == 0 && !used.is_declared() {
+        let uses = used.uses.clone();
+        context.scopes[0].tags[tag] = TagFacts { uses, ..facts };
+        (0, tag)
+    } else {
+        // A tag of the file's own may have the name: it is still found by it.
+        (0, context.scopes[0].add(facts))
+    };
+    imported.insert(global.key.clone(), entry);
+    entry
+}
+
 /// The file's entry for an address that a body uses.
-fn of_file(context: &mut Context, scope: usize, tag: usize) -> (usize, usize) {
+fn of_file(context: &mut Context, scope: usize, tag: usize) -> Entry {
     let facts = &context.scopes[scope].tags[tag];
     if let Some(found) = context.scopes[0].find(&Name::new(&facts.name)) {
         return (0, found);
@@ -52,17 +122,31 @@ fn of_file(context: &mut Context, scope: usize, tag: usize) -> (usize, usize) {
     (0, context.scopes[0].add(facts))
 }
 
-fn lead(context: &mut Context, from: (usize, usize), to: (usize, usize)) {
+fn lead(context: &mut Context, from: Entry, to: Entry) {
     let target = &context.scopes[to.0].tags[to.1];
-    let (ty, role, constant, retain, at) =
-        (target.ty, target.role, target.constant, target.retain, target.at);
+    let (ty, role, constant, retain, at, mistyped) = (
+        target.ty,
+        target.role,
+        target.constant,
+        target.retain,
+        target.at,
+        target.mistyped,
+    );
+    let foreign = target.foreign.clone();
     let entry = &mut context.scopes[from.0].tags[from.1];
     entry.shared = Some(to);
     if !entry.is_declared() {
         entry.origin = Origin::Shared;
         entry.at = at;
     }
-    (entry.ty, entry.role, entry.constant, entry.retain) = (ty, role, constant, retain);
+    (
+        entry.ty,
+        entry.role,
+        entry.constant,
+        entry.retain,
+        entry.mistyped,
+        entry.foreign,
+    ) = (ty, role, constant, retain, mistyped, foreign);
     let uses = entry.uses.clone();
     context.scopes[to.0].tags[to.1].uses.extend(uses);
 }

@@ -1,11 +1,14 @@
 //! Definitions of user-defined blocks: name, shape, parameters (LANGUAGE §5.7).
 
+use crate::others::Import;
 use crate::program::ParameterKind;
 use crate::rules::syntax_errors::looks_like_declaration;
 use crate::scope::{Origin, Scope, SectionKind};
+use crate::types::Type;
 use ladder_instructions::Shape;
 use ladder_syntax::ast::{AstNode, BlockHeader, BlockShape, HeadName};
 use ladder_syntax::{BlockDefinition, Line, LineKind, Name, Parse, TextRange};
+use std::sync::Arc;
 
 /// A block definition as its header and declarations give it.
 #[derive(Debug, Clone)]
@@ -22,13 +25,34 @@ pub struct UserBlockFacts {
     pub doubtful: bool,
     /// The operands in the order of their declaration.
     pub parameters: Vec<Parameter>,
+    /// Where it is defined, if in another file. Its places are those of that file.
+    pub import: Option<Import>,
+}
+
+impl UserBlockFacts {
+    /// The file that defines it, if it is another one.
+    pub fn file(&self) -> Option<&Arc<str>> {
+        self.import.as_ref().map(|import| &import.file)
+    }
+
+    /// Whether a caller sees no difference.
+    pub(crate) fn looks_like(&self, other: &UserBlockFacts) -> bool {
+        let parameters = self.parameters.iter().zip(&other.parameters);
+        (&self.name, self.shape, self.doubtful, self.parameters.len())
+            == (&other.name, other.shape, other.doubtful, other.parameters.len())
+            && parameters.into_iter().all(|(a, b)| a == b)
+    }
 }
 
 /// A parameter of a user-defined block.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct Parameter {
+    /// As declared.
+    pub name: String,
     /// As it is compared.
     pub key: Name,
+    /// Its type; none if that cannot be read.
+    pub ty: Option<Type>,
     /// The tag in the body's scope.
     pub tag: usize,
     /// How it is passed.
@@ -70,7 +94,9 @@ pub(crate) fn user_block(parse: &Parse, definition: &BlockDefinition, scope: &Sc
                 _ => return None,
             };
             Some(Parameter {
+                name: facts.name.clone(),
                 key: Name::new(&facts.name),
+                ty: facts.ty.filter(|_| !facts.mistyped),
                 tag,
                 kind,
                 has_default: !facts.initial.is_empty(),
@@ -84,6 +110,7 @@ pub(crate) fn user_block(parse: &Parse, definition: &BlockDefinition, scope: &Sc
         shape,
         at,
         parameters,
+        import: None,
     }
 }
 

@@ -144,6 +144,7 @@ fn tag(name: &str, range: TextRange, access: Access, part: Part, place: &Place<'
             at,
             uses: Vec::new(),
             shared: None,
+            foreign: None,
             mistyped: false,
         })
     });

@@ -1,11 +1,12 @@
 //! Arguments: what is given for each operand of a block.
 
 use super::Resolver;
+use crate::context::Callee;
 use crate::constant::{natural_type, signed_literal};
 use crate::facts::{Node, NodeKind};
 use crate::network::{BoundBlock, Formal};
 use crate::program::{Argument, BinaryOperator, Bound, Expr, ExprKind, ParameterKind, Place};
-use crate::rules::{bad_operand, type_mismatch, unknown_function, unknown_label};
+use crate::rules::{bad_operand, duplicate_function, type_mismatch, unknown_function, unknown_label};
 use crate::scope::Access;
 use crate::types::{Scalar, Type, common, passes};
 use crate::value::Value;
@@ -76,7 +77,11 @@ impl Resolver<'_, '_> {
                 Accepts::Label if row.op == Op::Lbl => Some(Argument::Label(None)),
                 // One that begins no function stands in a wrong place.
                 Accepts::Function if row.op == Op::Fun => match &written.value.kind {
-                    NodeKind::Name(name) => self.context.function(&Name::new(name)).map(Argument::Function),
+                    NodeKind::Name(name) => {
+                        let own = self.context.function(&Name::new(name));
+                        own.map(|item| self.numbers.function(self.unit, &Callee::Own(item)))
+                            .map(Argument::Function)
+                    }
                     _ => self.argument(&written.value, operand),
                 },
                 _ => self.argument(&written.value, operand),
@@ -371,7 +376,7 @@ impl Resolver<'_, '_> {
         };
         let key = Name::new(name);
         match self.context.jump_target(self.network, &key) {
-            Some(target) => Some(Argument::Label(Some(self.network_numbers[target]))),
+            Some(target) => Some(Argument::Label(self.numbers.network(self.unit, target))),
             None if self.is_in_function_shape() => Some(Argument::OuterLabel(key)),
             None => {
                 let diagnostic =
@@ -396,14 +401,26 @@ impl Resolver<'_, '_> {
             ));
             return None;
         };
-        match self.context.function(&Name::new(name)) {
-            Some(function) => Some(Argument::Function(function)),
+        if let Some(found) = self.several_functions(name, node) {
+            self.report(found);
+            return None;
+        }
+        match self.context.callee(&Name::new(name)) {
+            Some(callee) => Some(Argument::Function(self.numbers.function(self.unit, &callee))),
             None => {
                 let diagnostic = unknown_function::unknown(self.context, name, self.at(node.range));
                 self.report(diagnostic);
                 None
             }
         }
+    }
+
+    /// Says so if a function that the file does not have is one of several other files.
+    fn several_functions(&self, name: &str, node: &Node) -> Option<crate::diagnostic::Diagnostic> {
+        if self.context.function(&Name::new(name)).is_some() {
+            return None;
+        }
+        duplicate_function::of_several_files(self.context, name, self.at(node.range))
     }
 
     /// The arguments of a user-defined block, in the order of its parameters.
@@ -421,12 +438,8 @@ impl Resolver<'_, '_> {
                 continue;
             }
             let parameter = &facts.parameters[index];
-            if context.scopes[block + 1].tags[parameter.tag].mistyped {
-                continue;
-            }
-            let ty = context.scopes[block + 1].tags[parameter.tag]
-                .ty
-                .unwrap_or(Type::Scalar(Scalar::Dint));
+            // One whose type cannot be read is a mistake of its own.
+            let Some(ty) = parameter.ty else { continue };
             if let Some(argument) = self.user_argument(&written.value, ty, parameter.kind) {
                 let range = bound.absolute(written.range);
                 arguments.push(Bound {

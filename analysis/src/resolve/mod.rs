@@ -1,11 +1,14 @@
-//! From a file's context to its program: names become tags, operands become typed arguments.
+//! From a file's context, and those of the files that it uses, to its program: names become tags, operands become
+//! typed arguments.
 //!
 //! What does not fit is reported through the rules' own constructors; a program is made only of a file without
 //! errors.
 
 mod argument;
 mod expression;
+pub(crate) mod numbers;
 mod place;
+mod tags;
 
 pub(crate) use expression::is_function;
 
@@ -16,10 +19,10 @@ use crate::program::{
     Block, BlockKind, Element, Function, Location, Network, Program, Tag, TagId, UserBlock,
 };
 use crate::scope::Scope;
-use crate::types::{Scalar, Type};
 use ladder_instructions::Op;
 use ladder_syntax::{Name, TextRange, TextSize};
-use std::collections::HashMap;
+use numbers::{Numbers, Unit};
+use rustc_hash::FxHashMap;
 use std::ops::Range;
 
 /// What is known while the operands of one block are resolved.
@@ -30,46 +33,67 @@ pub(crate) struct Resolver<'c, 'o> {
     ids: &'c [TagId],
     /// The program's tags.
     tags: &'c [Tag],
+    /// The program's files, and which of them this is.
+    files: &'c [String],
+    file: u32,
     /// Where the block's line starts.
     base: TextSize,
     network: usize,
-    /// Structure's networks to the program's.
-    network_numbers: &'c [usize],
+    numbers: &'c Numbers,
+    /// Which of the numbers' units this is.
+    unit: usize,
     out: &'o mut Vec<Diagnostic>,
 }
 
-/// Resolves all networks. The program is whole only if `out` has no errors afterwards.
-/// Gives the first block beside it that could not be resolved whole: such a program must not run.
-pub(crate) fn program(
-    context: &Context,
-    file: &str,
-    out: &mut Vec<Diagnostic>,
-) -> (Program, Option<TextRange>) {
-    let numbers = network_numbers(context);
+/// A program as it was resolved. It is whole only if no errors were found.
+pub(crate) struct Resolved {
+    pub(crate) program: Program,
+    /// The first block beside those with errors that could not be resolved whole: such a program must not run.
+    pub(crate) unresolved: Option<TextRange>,
+    /// Everything that it uses of other files is in it.
+    pub(crate) linked: bool,
+}
+
+/// Resolves all networks of the units. What is wrong goes to `out`, for the first unit alone: the others were
+/// looked through by themselves.
+pub(crate) fn program(units: &[Unit<'_>], out: &mut Vec<Diagnostic>) -> Resolved {
+    let numbers = Numbers::of(units);
     let mut program = Program {
-        files: vec![file.to_owned()],
+        files: units.iter().map(|unit| unit.name.to_owned()).collect(),
         ..Program::default()
     };
-    let ids = tag_ids(context);
-    for (index, scope) in context.scopes.iter().enumerate() {
-        let own = scope.tags.iter().filter(|tag| tag.shared.is_none());
-        program.tags.extend(own.map(|tag| Tag {
-            name: tag.name.clone(),
-            ty: tag.ty.unwrap_or(Type::Scalar(Scalar::Dint)),
-            role: tag.role,
-            retain: tag.retain,
-            constant: tag.constant,
-            initial: tag.initial.clone(),
-            block: index.checked_sub(1),
-            location: Location {
-                file: 0,
-                range: tag.at,
-            },
-        }));
-    }
+    let ids = tags::tags(units, &numbers, &mut program);
     let mut unresolved = None;
-    let mut networks: Vec<Option<Network>> = vec![None; context.networks.len()];
-    for (index, facts) in context.networks.iter().enumerate() {
+    let mut elsewhere = Vec::new();
+    for (index, unit) in units.iter().enumerate() {
+        let out = if index == 0 { &mut *out } else { &mut elsewhere };
+        let found = networks(unit, index, &numbers, &ids[index], &mut program, out);
+        unresolved = unresolved.or(found);
+    }
+    bodies(units, &numbers, &ids, &mut program);
+    Resolved {
+        program,
+        unresolved,
+        linked: numbers.are_whole(),
+    }
+}
+
+/// Adds a unit's networks. Gives the first block that is not resolved whole.
+fn networks(
+    unit: &Unit<'_>,
+    index: usize,
+    numbers: &Numbers,
+    ids: &[Vec<TagId>],
+    program: &mut Program,
+    out: &mut Vec<Diagnostic>,
+) -> Option<TextRange> {
+    let context = unit.context;
+    let mut unresolved = None;
+    let mut lowered: Vec<(usize, Network)> = Vec::with_capacity(context.networks.len());
+    for (network, facts) in context.networks.iter().enumerate() {
+        let Some(number) = numbers.network(index, network) else {
+            continue;
+        };
         let mut blocks = Vec::with_capacity(facts.blocks.len());
         for bound in &facts.blocks {
             let mut resolver = Resolver {
@@ -77,9 +101,12 @@ pub(crate) fn program(
                 scope: &context.scopes[facts.scope],
                 ids: &ids[facts.scope],
                 tags: &program.tags,
+                files: &program.files,
+                file: index as u32,
                 base: bound.base,
-                network: index,
-                network_numbers: &numbers,
+                network,
+                numbers,
+                unit: index,
                 out: &mut *out,
             };
             let block = resolver.block(bound);
@@ -91,55 +118,17 @@ pub(crate) fn program(
             }
             blocks.extend(block);
         }
-        retain(&mut program, &blocks);
-        networks[numbers[index]] = Some(lowered(context, facts, blocks));
+        retain(program, &blocks);
+        lowered.push((number, lower(context, index as u32, facts, blocks)));
     }
-    program.networks = networks.into_iter().flatten().collect();
-    let bodies = body_ranges(context, &numbers);
-    functions(context, &bodies, &mut program);
-    user_blocks(context, &bodies, &ids, &mut program);
-    let labels = context.labels.iter();
-    program.labels = labels
-        .map(|label| (label.key.clone(), numbers[label.network]))
-        .collect();
-    program.labels.sort_by_key(|(_, network)| *network);
-    (program, unresolved)
+    lowered.sort_unstable_by_key(|(number, _)| *number);
+    program
+        .networks
+        .extend(lowered.into_iter().map(|(_, network)| network));
+    unresolved
 }
 
-/// The id of each tag of each scope. What is shared has the id of the tag that it leads to.
-fn tag_ids(context: &Context) -> Vec<Vec<TagId>> {
-    let mut next = 0;
-    let mut ids: Vec<Vec<TagId>> = Vec::with_capacity(context.scopes.len());
-    for scope in &context.scopes {
-        let own = scope.tags.iter().map(|tag| {
-            let id = TagId(next);
-            next += u32::from(tag.shared.is_none());
-            id
-        });
-        ids.push(own.collect());
-    }
-    for (scope, facts) in context.scopes.iter().enumerate() {
-        for (tag, facts) in facts.tags.iter().enumerate() {
-            if let Some((shared_scope, shared_tag)) = facts.shared {
-                ids[scope][tag] = ids[shared_scope][shared_tag];
-            }
-        }
-    }
-    ids
-}
-
-/// The file's own networks come first, then those of each block's body, so that every body is one range.
-fn network_numbers(context: &Context) -> Vec<usize> {
-    let mut order: Vec<usize> = (0..context.networks.len()).collect();
-    order.sort_by_key(|&index| (context.networks[index].scope, index));
-    let mut numbers = vec![0; order.len()];
-    for (number, index) in order.into_iter().enumerate() {
-        numbers[index] = number;
-    }
-    numbers
-}
-
-fn lowered(context: &Context, facts: &NetworkFacts, blocks: Vec<Block>) -> Network {
+fn lower(context: &Context, file: u32, facts: &NetworkFacts, blocks: Vec<Block>) -> Network {
     let elements = facts
         .order
         .elements
@@ -152,7 +141,7 @@ fn lowered(context: &Context, facts: &NetworkFacts, blocks: Vec<Block>) -> Netwo
         .collect();
     Network {
         location: Location {
-            file: 0,
+            file,
             range: facts.range,
         },
         steps: facts.order.steps.clone(),
@@ -190,53 +179,52 @@ fn retain(program: &mut Program, blocks: &[Block]) {
     }
 }
 
-/// The networks of each body, as the program numbers them.
-fn body_ranges(context: &Context, numbers: &[usize]) -> HashMap<Body, Range<usize>> {
-    let mut ranges: HashMap<Body, Range<usize>> = HashMap::new();
-    for (&body, &number) in context.bodies.iter().zip(numbers) {
-        let range = ranges.entry(body).or_insert(number..number + 1);
-        *range = range.start.min(number)..range.end.max(number + 1);
-    }
-    ranges
-}
-
-fn functions(context: &Context, bodies: &HashMap<Body, Range<usize>>, program: &mut Program) {
-    program.main = bodies.get(&Body::Main).cloned().unwrap_or_default();
-    program.functions = context
-        .functions
-        .iter()
-        .enumerate()
-        .map(|(index, function)| Function {
-            name: function.name.clone(),
-            networks: bodies.get(&Body::Function(index)).cloned().unwrap_or_default(),
-        })
-        .collect();
-}
-
-fn user_blocks(
-    context: &Context,
-    bodies: &HashMap<Body, Range<usize>>,
-    ids: &[Vec<TagId>],
-    program: &mut Program,
-) {
-    program.blocks = context
-        .user_blocks
-        .iter()
-        .enumerate()
-        .map(|(index, block)| {
-            let scope = &context.scopes[index + 1];
-            let id = |tag: usize| ids[index + 1][tag];
+/// The main program, the functions and blocks with their networks, and the labels.
+fn bodies(units: &[Unit<'_>], numbers: &Numbers, ids: &[Vec<Vec<TagId>>], program: &mut Program) {
+    for (index, unit) in units.iter().enumerate() {
+        let context = unit.context;
+        let mut ranges: FxHashMap<Body, Range<usize>> = FxHashMap::default();
+        for (network, &body) in context.bodies.iter().enumerate() {
+            if let Some(number) = numbers.network(index, network) {
+                let range = ranges.entry(body).or_insert(number..number + 1);
+                *range = range.start.min(number)..range.end.max(number + 1);
+            }
+        }
+        let of = |body: Body| ranges.get(&body).cloned().unwrap_or_default();
+        if index == 0 {
+            program.main = of(Body::Main);
+        }
+        for (item, function) in context.functions.iter().enumerate() {
+            if numbers.has_function(index, item) {
+                program.functions.push(Function {
+                    name: function.name.clone(),
+                    networks: of(Body::Function(item)),
+                });
+            }
+        }
+        for (item, block) in context.user_blocks[..context.own_blocks].iter().enumerate() {
+            if !numbers.has_block(index, item) {
+                continue;
+            }
+            let scope = &context.scopes[item + 1];
+            let id = |tag: usize| ids[index][item + 1][tag];
             let own = |name: &str| id(scope.find(&Name::new(name)).unwrap_or(0));
-            UserBlock {
+            program.blocks.push(UserBlock {
                 name: block.name.clone(),
                 shape: block.shape,
                 parameters: block.parameters.iter().map(|p| (id(p.tag), p.kind)).collect(),
                 en: own("EN"),
                 eno: own("ENO"),
-                networks: bodies.get(&Body::Block(index)).cloned().unwrap_or_default(),
+                networks: of(Body::Block(item)),
+            });
+        }
+        for label in &context.labels {
+            if let Some(number) = numbers.network(index, label.network) {
+                program.labels.push((label.key.clone(), number));
             }
-        })
-        .collect();
+        }
+    }
+    program.labels.sort_by_key(|(_, network)| *network);
 }
 
 impl Resolver<'_, '_> {
@@ -259,7 +247,7 @@ impl Resolver<'_, '_> {
             return None;
         }
         let location = Location {
-            file: 0,
+            file: self.file,
             range: bound.range(),
         };
         match bound.meaning {
@@ -278,7 +266,7 @@ impl Resolver<'_, '_> {
             Meaning::User(index) => {
                 let arguments = self.user_arguments(index, bound);
                 Some(Block {
-                    kind: BlockKind::User(index),
+                    kind: BlockKind::User(self.numbers.block(self.unit, self.context, index)),
                     location,
                     arguments,
                     works_in: None,

@@ -186,8 +186,7 @@ fn user_block(context: &Context, bound: &BoundBlock, block: usize, out: &mut Vec
     if facts.doubtful {
         return;
     }
-    let names = &context.scopes[block + 1].tags;
-    let name_of = |index: usize| names[facts.parameters[index].tag].name.as_str();
+    let name_of = |index: usize| facts.parameters[index].name.as_str();
     let signature = || format!("it is written {}", signature(facts, bound, &name_of));
     let excess: Vec<usize> = (0..bound.formals.len())
         .filter(|&n| matches!(bound.formals[n], Formal::Excess))
@@ -204,7 +203,7 @@ fn user_block(context: &Context, bound: &BoundBlock, block: usize, out: &mut Vec
         );
         let found = Diagnostic::new(Rule::BadArity, bound.absolute(range), message)
             .help(signature())
-            .related(facts.at, "the block is defined here");
+            .related_at(facts.file(), facts.at, "the block is defined here");
         out.push(remove_excess(bound, &excess, found));
         return;
     }
@@ -236,7 +235,7 @@ fn user_block(context: &Context, bound: &BoundBlock, block: usize, out: &mut Vec
     out.push(
         Diagnostic::new(Rule::BadArity, bound.range(), message)
             .help(signature())
-            .related(facts.at, "the block is defined here"),
+            .related_at(facts.file(), facts.at, "the block is defined here"),
     );
 }
 

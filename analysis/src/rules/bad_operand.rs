@@ -67,9 +67,8 @@ fn unknown_name(context: &Context, bound: &BoundBlock, operand: &OperandFacts, n
             (named.map(|o| o.name).collect(), by_place)
         }
         Meaning::User(block) => {
-            let tags = &context.scopes[block + 1].tags;
             let parameters = context.user_blocks[block].parameters.iter();
-            (parameters.map(|p| tags[p.tag].name.as_str()).collect(), false)
+            (parameters.map(|p| p.name.as_str()).collect(), false)
         }
         _ => (Vec::new(), false),
     };

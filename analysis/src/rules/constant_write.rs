@@ -3,15 +3,17 @@
 use crate::diagnostic::Diagnostic;
 use crate::rule::Rule;
 use ladder_syntax::TextRange;
+use std::sync::Arc;
 
-pub(crate) fn constant(name: &str, range: TextRange, declared: TextRange) -> Diagnostic {
+/// `file` is the one that declares it, if that is another.
+pub(crate) fn constant(name: &str, range: TextRange, file: Option<&str>, declared: TextRange) -> Diagnostic {
     Diagnostic::new(
         Rule::ConstantWrite,
         range,
         format!("`{name}` is a constant: no block may write it"),
     )
     .help("declare it in a VAR section without CONSTANT, or write another tag")
-    .related(declared, format!("`{name}` is declared CONSTANT here"))
+    .related_at(file.map(Arc::from).as_ref(), declared, format!("`{name}` is declared CONSTANT here"))
 }
 
 pub(crate) fn system(range: TextRange) -> Diagnostic {

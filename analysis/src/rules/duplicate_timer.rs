@@ -4,9 +4,10 @@ use crate::context::Context;
 use crate::diagnostic::Diagnostic;
 use crate::network::Formal;
 use crate::rule::Rule;
-use crate::scope::{TagFacts, Use};
+use crate::scope::{Origin, SectionKind, TagFacts, Use};
 use crate::types::Type;
 use ladder_instructions::{Accepts, StateType};
+use ladder_syntax::Name;
 
 pub(crate) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
     for tag in context.own_tags() {
@@ -22,6 +23,9 @@ pub(crate) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
         };
         let mut owners = tag.uses.iter().filter(|place| owns(context, place, state));
         let Some(first) = owners.next() else { continue };
+        if tag.foreign.is_some() || tag.origin == Origin::Declared(SectionKind::Global) {
+            out.extend(in_another_file(context, rule, tag, state, first));
+        }
         out.extend(owners.map(|second| second_block(rule, tag, state, first, second)));
     }
 }
@@ -32,12 +36,40 @@ fn owns(context: &Context, place: &Use, state: StateType) -> bool {
     matches!(bound.formals[place.operand], Formal::Operand(o) if o.accepts == Accepts::State(state))
 }
 
+/// A global belongs to one block of the whole workspace.
+fn in_another_file(
+    context: &Context,
+    rule: Rule,
+    tag: &TagFacts,
+    state: StateType,
+    own: &Use,
+) -> Option<Diagnostic> {
+    let (file, at) = context.others.states(&Name::new(&tag.name)).next()?;
+    let (name, kind) = (&tag.name, kind(rule));
+    let message = format!(
+        "the {kind} `{name}` has another block in {}: both would work on one {}",
+        file.file,
+        state.name()
+    );
+    Some(
+        Diagnostic::new(rule, own.range, message)
+            .help(format!(
+                "give one of the blocks a {kind} of its own; to use the {kind} elsewhere read `{name}.Q`"
+            ))
+            .related_in(&file.file, at, "this is the other block"),
+    )
+}
+
+const fn kind(rule: Rule) -> &'static str {
+    match rule {
+        Rule::DuplicateTimer => "timer",
+        _ => "counter",
+    }
+}
+
 fn second_block(rule: Rule, tag: &TagFacts, state: StateType, first: &Use, second: &Use) -> Diagnostic {
     let name = &tag.name;
-    let (kind, output) = match rule {
-        Rule::DuplicateTimer => ("timer", "Q"),
-        _ => ("counter", "Q"),
-    };
+    let (kind, output) = (kind(rule), "Q");
     Diagnostic::new(
         rule,
         second.range,

@@ -2,35 +2,116 @@
 //!
 //! Each use has a state of its own, so such a block would need state without end.
 
-use crate::context::Context;
+use crate::context::{Body, Context};
 use crate::diagnostic::Diagnostic;
+use crate::exports::{ExportedBlock, Exports};
 use crate::network::Meaning;
 use crate::rule::Rule;
-use ladder_syntax::TextRange;
+use ladder_syntax::{Name, TextRange};
+use rustc_hash::FxHashMap;
+use std::sync::Arc;
 
 /// A block that is used, and where.
 type Use = (usize, TextRange);
 
 pub(crate) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
-    if context.user_blocks.is_empty() {
+    if context.own_blocks == 0 {
         return;
     }
-    let mut uses: Vec<Vec<Use>> = vec![Vec::new(); context.user_blocks.len()];
-    for network in context.networks.iter().filter(|network| network.scope > 0) {
-        for bound in &network.blocks {
-            if let Meaning::User(used) = bound.meaning {
-                uses[network.scope - 1].push((used, bound.head_range()));
+    let graph = Graph::of(context);
+    for circle in circles(&graph.uses, context.own_blocks) {
+        out.push(recursive(context, &graph, circle));
+    }
+}
+
+/// Which block uses which: the file's own first, then those of other files that they lead to.
+struct Graph {
+    uses: Vec<Vec<Use>>,
+    /// The name, and for a block of another file that file.
+    nodes: Vec<(String, Option<Arc<str>>)>,
+}
+
+impl Graph {
+    fn of(context: &Context) -> Graph {
+        let own = &context.user_blocks[..context.own_blocks];
+        let mut graph = Graph {
+            uses: vec![Vec::new(); own.len()],
+            nodes: own.iter().map(|block| (block.name.clone(), None)).collect(),
+        };
+        let mut foreign: FxHashMap<(Arc<str>, usize), usize> = FxHashMap::default();
+        let mut open: Vec<(usize, Arc<str>, &ExportedBlock)> = Vec::new();
+        for (network, body) in context.networks.iter().zip(&context.bodies) {
+            let Body::Block(user) = *body else { continue };
+            for bound in &network.blocks {
+                let Meaning::User(used) = bound.meaning else {
+                    continue;
+                };
+                let used = match &context.user_blocks[used].import {
+                    None => used,
+                    Some(_) => {
+                        let key = &context.user_blocks[used].key;
+                        let Some((file, block)) = context.others.blocks(key).next() else {
+                            continue;
+                        };
+                        graph.enter(&mut foreign, &mut open, file, block)
+                    }
+                };
+                graph.uses[user].push((used, bound.head_range()));
             }
         }
+        while let Some((node, file, block)) = open.pop() {
+            for (name, at) in &block.uses {
+                let used = graph.used_by(context, &mut foreign, &mut open, &file, name);
+                graph.uses[node].extend(used.map(|used| (used, *at)));
+            }
+        }
+        graph
     }
-    for circle in circles(&uses) {
-        out.push(recursive(context, &circle));
+
+    /// The block that a name in another file means: one of that file, else one of the rest of the workspace, to
+    /// which this file belongs too.
+    fn used_by<'c>(
+        &mut self,
+        context: &'c Context,
+        foreign: &mut FxHashMap<(Arc<str>, usize), usize>,
+        open: &mut Vec<(usize, Arc<str>, &'c ExportedBlock)>,
+        file: &Arc<str>,
+        name: &Name,
+    ) -> Option<usize> {
+        let mut there = context.others.blocks(name);
+        if let Some((found, block)) = there.find(|(other, _)| other.file == *file) {
+            return Some(self.enter(foreign, open, found, block));
+        }
+        let own = &context.user_blocks[..context.own_blocks];
+        if let Some(own) = own.iter().position(|block| block.key == *name) {
+            return Some(own);
+        }
+        let (found, block) = context.others.blocks(name).next()?;
+        Some(self.enter(foreign, open, found, block))
+    }
+
+    fn enter<'c>(
+        &mut self,
+        foreign: &mut FxHashMap<(Arc<str>, usize), usize>,
+        open: &mut Vec<(usize, Arc<str>, &'c ExportedBlock)>,
+        file: &Exports,
+        block: &'c ExportedBlock,
+    ) -> usize {
+        let key = (Arc::clone(&file.file), block.item);
+        *foreign.entry(key).or_insert_with(|| {
+            let node = self.uses.len();
+            self.uses.push(Vec::new());
+            self.nodes
+                .push((block.facts.name.clone(), Some(Arc::clone(&file.file))));
+            open.push((node, Arc::clone(&file.file), block));
+            node
+        })
     }
 }
 
 /// The circles that a walk through all uses closes: each as the uses that lead around it, and the block that it
-/// begins with.
-fn circles(uses: &[Vec<Use>]) -> Vec<(usize, Vec<Use>)> {
+/// begins with. Only those that go through one of the `own` first blocks: others are told where they stand.
+fn circles(uses: &[Vec<Use>], own: usize) -> Vec<(usize, Vec<Use>)> {
     #[derive(Clone, Copy, PartialEq)]
     enum Mark {
         New,
@@ -39,7 +120,7 @@ fn circles(uses: &[Vec<Use>]) -> Vec<(usize, Vec<Use>)> {
     }
     let mut marks = vec![Mark::New; uses.len()];
     let mut circles = Vec::new();
-    for start in 0..uses.len() {
+    for start in 0..own {
         if marks[start] != Mark::New {
             continue;
         }
@@ -60,11 +141,18 @@ fn circles(uses: &[Vec<Use>]) -> Vec<(usize, Vec<Use>)> {
                 }
                 Mark::Open => {
                     let from = stack.iter().position(|(block, _)| *block == used).unwrap_or(0);
-                    let around = stack[from..]
+                    let mut around: Vec<Use> = stack[from..]
                         .iter()
                         .map(|&(block, next)| uses[block][next - 1])
                         .collect();
-                    circles.push((used, around));
+                    // Told at a block of this file.
+                    let at = match around.iter().rposition(|&(block, _)| block < own) {
+                        Some(at) => at,
+                        None => continue,
+                    };
+                    around.rotate_left(at + 1);
+                    let first = around.last().map_or(used, |&(block, _)| block);
+                    circles.push((first, around));
                 }
                 Mark::Done => {}
             }
@@ -73,10 +161,10 @@ fn circles(uses: &[Vec<Use>]) -> Vec<(usize, Vec<Use>)> {
     circles
 }
 
-fn recursive(context: &Context, (first, around): &(usize, Vec<Use>)) -> Diagnostic {
-    let name = |block: usize| context.user_blocks[block].name.as_str();
+fn recursive(context: &Context, graph: &Graph, (first, around): (usize, Vec<Use>)) -> Diagnostic {
+    let name = |block: usize| graph.nodes[block].0.as_str();
     let message = match around.as_slice() {
-        [_] => format!("the block `{}` uses itself", name(*first)),
+        [_] => format!("the block `{}` uses itself", name(first)),
         _ => {
             let way: Vec<String> = around
                 .iter()
@@ -84,16 +172,20 @@ fn recursive(context: &Context, (first, around): &(usize, Vec<Use>)) -> Diagnost
                 .collect();
             format!(
                 "the block `{}` uses itself: it uses {}",
-                name(*first),
+                name(first),
                 way.join(", which uses ")
             )
         }
     };
-    let mut found = Diagnostic::new(Rule::RecursiveBlock, context.user_blocks[*first].at, message).help(
+    let mut found = Diagnostic::new(Rule::RecursiveBlock, context.user_blocks[first].at, message).help(
         "every place of a block has a state of its own, so a block cannot contain itself: break the circle",
     );
-    for &(block, at) in around {
-        found = found.related(at, format!("`{}` is used here", name(block)));
+    // Each use stands in the block that the use before it leads to.
+    let mut user = first;
+    for &(block, at) in &around {
+        let file = graph.nodes[user].1.as_ref();
+        found = found.related_at(file, at, format!("`{}` is used here", name(block)));
+        user = block;
     }
     found
 }

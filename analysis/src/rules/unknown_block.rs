@@ -23,7 +23,8 @@ fn unknown(context: &Context, bound: &BoundBlock) -> Diagnostic {
         let (open, close) = bound.facts.shape.brackets();
         format!("{open}{name}{close}")
     };
-    if let Some(definition) = context.user_blocks.iter().find(|block| block.key == key) {
+    let own = context.user_blocks.iter().find(|block| block.key == key);
+    if let Some(definition) = own {
         let (open, close) = definition.shape.brackets();
         let right = format!("{open}{}{close}", definition.name);
         return Diagnostic::new(
@@ -32,13 +33,15 @@ fn unknown(context: &Context, bound: &BoundBlock) -> Diagnostic {
             format!("the block is drawn {right}, not {written}"),
         )
         .help("a block keeps the brackets of its definition")
-        .related(definition.at, "it is defined here")
+        .related_at(definition.file(), definition.at, "it is defined here")
         .fix(format!("Replace with {right}"), range, right);
     }
     let found = Diagnostic::new(Rule::UnknownBlock, range, format!("there is no block {written}"));
+    let others = context.others.all_blocks().map(|block| &block.facts);
     let same_shape = context
         .user_blocks
         .iter()
+        .chain(others)
         .filter(|block| block.shape == bound.facts.shape);
     match did_you_mean::closest(name, same_shape.map(|block| block.name.as_str())) {
         Some(near) => {

@@ -12,7 +12,9 @@ pub(crate) fn unknown(context: &Context, name: &str, range: TextRange) -> Diagno
         range,
         format!("there is no function `{name}`"),
     );
-    match did_you_mean::closest(name, context.functions.iter().map(|f| f.name.as_str())) {
+    let own = context.functions.iter().map(|f| f.name.as_str());
+    let names = own.chain(context.others.function_names());
+    match did_you_mean::closest(name, names) {
         Some(near) => {
             found
                 .help(format!("did you mean `{near}`?"))

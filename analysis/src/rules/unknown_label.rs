@@ -9,6 +9,7 @@ use crate::rule::Rule;
 use ladder_instructions::{Op, Shape};
 use ladder_syntax::{Name, TextRange};
 use std::collections::HashSet;
+use std::sync::Arc;
 
 pub(crate) fn unknown(context: &Context, network: usize, name: &str, range: TextRange) -> Diagnostic {
     let body = context.bodies[network];
@@ -47,6 +48,9 @@ pub(crate) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
     }
     let uses = places(context);
     let mut jumps = outward_jumps(context);
+    for block in (context.own_blocks..context.user_blocks.len()).filter(|&block| is_open(block)) {
+        foreign_jumps(context, block, &mut jumps);
+    }
     let mut seen: HashSet<(usize, Name)> = jumps.iter().map(|jump| (jump.block, jump.key.clone())).collect();
     while let Some(jump) = jumps.pop() {
         for &(network, at) in &uses[jump.block] {
@@ -63,34 +67,87 @@ pub(crate) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
                         });
                     }
                 }
-                _ => out.push(
-                    Diagnostic::new(
-                        Rule::UnknownLabel,
-                        jump.at,
-                        format!(
-                            "there is no label `{}` in the block, nor where the block stands",
-                            jump.name
-                        ),
-                    )
-                    .help("put the label into the block, or at each place that uses the block")
-                    .related(at, "here the block stands, and no label of this name"),
-                ),
+                _ => out.push(nowhere(context, &jump, at)),
             }
         }
     }
 }
 
-/// A jump in the body of a `<$B>` to a label that the body does not have.
-#[derive(Clone)]
-struct Jump {
-    /// The block whose places must have the label.
-    block: usize,
-    key: Name,
-    name: Box<str>,
-    at: TextRange,
+fn nowhere(context: &Context, jump: &Jump, place: TextRange) -> Diagnostic {
+    match &jump.file {
+        None => Diagnostic::new(
+            Rule::UnknownLabel,
+            jump.at,
+            format!(
+                "there is no label `{}` in the block, nor where the block stands",
+                jump.name
+            ),
+        )
+        .help("put the label into the block, or at each place that uses the block")
+        .related(place, "here the block stands, and no label of this name"),
+        // The other file is not wrong by itself.
+        Some(file) => Diagnostic::new(
+            Rule::UnknownLabel,
+            place,
+            format!(
+                "the block `{}` jumps to the label `{}`, which is not here",
+                context.user_blocks[jump.block].name, jump.name
+            ),
+        )
+        .help(format!("mark a network with <LBL>( {} )", jump.name))
+        .related_in(file, jump.at, "this is the jump"),
+    }
 }
 
-fn outward_jumps(context: &Context) -> Vec<Jump> {
+/// A jump in the body of a `<$B>` to a label that the body does not have.
+#[derive(Clone)]
+pub(crate) struct Jump {
+    /// The block whose places must have the label.
+    pub(crate) block: usize,
+    pub(crate) key: Name,
+    name: Box<str>,
+    /// Where the jump stands.
+    pub(crate) at: TextRange,
+    /// The file of the jump, if it is another one.
+    file: Option<Arc<str>>,
+}
+
+/// The jumps out of a block of another file, and out of the blocks in it.
+fn foreign_jumps(context: &Context, block: usize, jumps: &mut Vec<Jump>) {
+    let key = &context.user_blocks[block].key;
+    let Some((file, exported)) = context.others.blocks(key).next() else {
+        return;
+    };
+    // Each block with the labels that those around it have.
+    let mut open = vec![(Arc::clone(&file.file), exported, HashSet::<&Name>::new())];
+    let mut seen = HashSet::new();
+    while let Some((file, exported, mut around)) = open.pop() {
+        if exported.facts.shape != Shape::Function || !seen.insert((Arc::clone(&file), exported.item)) {
+            continue;
+        }
+        around.extend(&exported.own_labels);
+        for (label, at) in &exported.labels {
+            if !around.contains(label) {
+                jumps.push(Jump {
+                    block,
+                    key: label.clone(),
+                    name: label.as_str().into(),
+                    at: *at,
+                    file: Some(Arc::clone(&file)),
+                });
+            }
+        }
+        for (used, _) in &exported.uses {
+            let mut all = context.others.blocks(used);
+            let own = all.find(|(other, _)| other.file == file);
+            if let Some((file, inner)) = own.or_else(|| context.others.blocks(used).next()) {
+                open.push((Arc::clone(&file.file), inner, around.clone()));
+            }
+        }
+    }
+}
+
+pub(crate) fn outward_jumps(context: &Context) -> Vec<Jump> {
     let mut jumps = Vec::new();
     for (index, network) in context.networks.iter().enumerate() {
         let Body::Block(block) = context.bodies[index] else {
@@ -117,6 +174,7 @@ fn outward_jumps(context: &Context) -> Vec<Jump> {
                     key,
                     name: name.as_str().into(),
                     at: bound.absolute(operand.value.range),
+                    file: None,
                 });
             }
         }

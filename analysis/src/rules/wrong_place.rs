@@ -1,4 +1,4 @@
-//! `wrong-place`: `<END>` or `<FUN>` in the body of a block, or a second `<FUN>` in one network.
+//! `wrong-place`: `<END>` or `<FUN>` in the body of a `[$B]` or `($B)` block, or a second `<FUN>` in one network.
 
 use crate::context::Context;
 use crate::diagnostic::Diagnostic;
@@ -27,7 +27,7 @@ pub(crate) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
                     wrong(
                         bound,
                         "<FUN> cannot stand in this block",
-                        "write the function in the program, outside of block definitions",
+                        "write the function in the program, or in the body of a <$B> block",
                     )
                     .related(block.at, "this is the block"),
                 ),

@@ -1,7 +1,7 @@
 //! Shows what is found in a text the way a person reads it.
 
 use expect_test::Expect;
-use ladder_analysis::{Diagnostic, analyze, fix};
+use ladder_analysis::{Diagnostic, Exported, analyze, analyze_in, exports, fix};
 use ladder_format::{Options, apply};
 use ladder_syntax::{LineIndex, TextRange, parse};
 use std::sync::Arc;
@@ -15,6 +15,57 @@ pub(crate) fn check(text: &str, expected: Expect) {
 /// Nothing is found.
 pub(crate) fn clean(text: &str) {
     assert_eq!(findings(text), "", "in:\n{text}");
+}
+
+/// As [`check`], for the files of a workspace: each begins with a line `%% name.clad`.
+pub(crate) fn check_files(texts: &str, expected: Expect) {
+    let files = files(texts);
+    let parsed: Vec<_> = files
+        .iter()
+        .map(|(name, text)| (*name, text, Arc::new(parse(text))))
+        .collect();
+    let summaries = parsed.iter().map(|(name, _, parse)| Arc::new(exports(parse, name)));
+    let exported = Arc::new(Exported::new(summaries.collect()));
+    let mut shown = String::new();
+    for (name, text, parse) in &parsed {
+        let found = analyze_in(parse, name, &exported.others_of(name)).diagnostics;
+        if found.is_empty() {
+            continue;
+        }
+        shown.push_str(&format!("== {name}\n"));
+        let index = LineIndex::new(text);
+        for mut diagnostic in found {
+            let line = index.line(diagnostic.range.start());
+            shown.push_str(&format!("> {}\n", text[index.range(line)].trim_end()));
+            // Those in other files are shown with their text; fixes are tried where files stand alone.
+            let elsewhere: Vec<_> = diagnostic.related.extract_if(.., |place| place.file.is_some()).collect();
+            diagnostic.fixes.clear();
+            show(text, &index, &diagnostic, &mut shown);
+            for place in elsewhere {
+                let file = place.file.unwrap_or_default();
+                let (_, text) = files.iter().find(|(name, _)| **name == *file).unwrap();
+                let at = LineIndex::new(text).line_column(text, place.range.start());
+                let marked = &text[place.range];
+                shown.push_str(&format!(
+                    "    at {file}:{}:{} `{marked}`: {}\n",
+                    at.line, at.column, place.message
+                ));
+            }
+        }
+    }
+    expected.assert_eq(&shown);
+}
+
+/// The names and texts of a fixture of several files.
+pub(crate) fn files(texts: &str) -> Vec<(&str, String)> {
+    let mut files: Vec<(&str, String)> = Vec::new();
+    for line in texts.split_inclusive('\n') {
+        match line.strip_prefix("%% ") {
+            Some(name) => files.push((name.trim_end(), String::new())),
+            None => files.last_mut().expect("a fixture begins with `%% name`").1.push_str(line),
+        }
+    }
+    files
 }
 
 fn findings(text: &str) -> String {

@@ -9,5 +9,6 @@ mod names;
 mod pages;
 mod pathological;
 mod program;
+mod several_files;
 mod text;
 mod wiring;

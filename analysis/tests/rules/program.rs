@@ -310,7 +310,7 @@ fn definitions_of_blocks() {
                 at 1:16 `[$A]`: this is the block
             > +--<FUN>( f )--( )( ENO )--+
                  ^^^^^ error[wrong-place]: <FUN> cannot stand in this block
-                help: write the function in the program, outside of block definitions
+                help: write the function in the program, or in the body of a <$B> block
                 at 1:16 `[$A]`: this is the block
         "#]],
     );

@@ -1,0 +1,61 @@
+//! The user-defined blocks that a file can use: its own, then those of other files that it does use.
+
+use crate::others::{Import, Others};
+use crate::user_block::UserBlockFacts;
+use ladder_instructions::Shape;
+use ladder_syntax::Name;
+use rustc_hash::FxHashMap;
+use std::sync::Arc;
+
+/// Blocks by name. What other files define is taken in when it is first asked for.
+pub(crate) struct KnownBlocks<'o> {
+    list: Vec<UserBlockFacts>,
+    first: FxHashMap<Name, usize>,
+    others: &'o Others,
+}
+
+impl<'o> KnownBlocks<'o> {
+    pub(crate) fn new(own: Vec<UserBlockFacts>, others: &'o Others) -> KnownBlocks<'o> {
+        let mut first = FxHashMap::default();
+        for (index, block) in own.iter().enumerate() {
+            first.entry(block.key.clone()).or_insert(index);
+        }
+        KnownBlocks {
+            list: own,
+            first,
+            others,
+        }
+    }
+
+    /// The block of a name in a shape. A name of the file's own is looked up nowhere else.
+    pub(crate) fn find(&mut self, name: &str, shape: Shape) -> Option<usize> {
+        let key = Name::new(name);
+        if let Some(&index) = self.first.get(&key) {
+            if self.list[index].shape == shape {
+                return Some(index);
+            }
+            // Defined twice, in two shapes: a mistake, of which each use takes its side.
+            let mut all = self.list.iter();
+            return all.position(|block| block.key == key && block.shape == shape);
+        }
+        let (file, block) = self.others.blocks(&key).next()?;
+        let index = self.list.len();
+        self.list.push(UserBlockFacts {
+            import: Some(Import {
+                file: Arc::clone(&file.file),
+                item: block.item,
+            }),
+            ..block.facts.clone()
+        });
+        self.first.insert(key, index);
+        (block.facts.shape == shape).then_some(index)
+    }
+
+    pub(crate) fn get(&self, index: usize) -> &UserBlockFacts {
+        &self.list[index]
+    }
+
+    pub(crate) fn into_list(self) -> Vec<UserBlockFacts> {
+        self.list
+    }
+}

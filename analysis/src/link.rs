@@ -1,0 +1,156 @@
+//! A program of several files: the file itself, and of others the functions and blocks that it reaches.
+
+use crate::analyze::Analysis;
+use crate::context::{Body, Callee, Context};
+use crate::facts::NodeKind;
+use crate::network::Meaning;
+use crate::others::Import;
+use crate::program::Program;
+use crate::resolve::{self, numbers::Unit};
+use ladder_instructions::Op;
+use ladder_syntax::Name;
+use rustc_hash::{FxHashMap, FxHashSet};
+use std::sync::Arc;
+
+/// Why a file has no program that can run.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum NotWhole {
+    /// There are errors in this file: the program's own, or one that it uses.
+    Errors(Arc<str>),
+    /// This file, which it uses, is not there any more, or not as it was.
+    Missing(Arc<str>),
+}
+
+/// The bodies that are reached in each file, by its name.
+struct Reached {
+    /// The files in the order in which they are reached, the program's own first.
+    files: Vec<(Arc<Analysis>, Option<FxHashSet<Body>>)>,
+    by_name: FxHashMap<Arc<str>, usize>,
+    /// For each file what each of its bodies uses.
+    targets: Vec<FxHashMap<Body, Vec<Target>>>,
+}
+
+/// What a body calls, or holds.
+#[derive(Debug, Clone)]
+enum Target {
+    Own(Body),
+    Function(Import),
+    Block(Import),
+}
+
+/// The program of a file. `analysis` gives the analysis of another file of the workspace by its name.
+///
+/// # Errors
+/// The file, or one that it uses, has errors or cannot be had.
+pub fn link(
+    own: &Arc<Analysis>,
+    analysis: &dyn Fn(&str) -> Option<Arc<Analysis>>,
+) -> Result<Arc<Program>, NotWhole> {
+    if let Some(program) = &own.program {
+        return Ok(Arc::clone(program));
+    }
+    if own.has_errors() {
+        return Err(NotWhole::Errors(Arc::clone(&own.name)));
+    }
+    let reached = Reached::from(own, analysis)?;
+    let units: Vec<Unit<'_>> = reached
+        .files
+        .iter()
+        .map(|(analysis, bodies)| Unit {
+            context: &analysis.context,
+            name: &analysis.name,
+            bodies: bodies.clone(),
+        })
+        .collect();
+    let mut found = Vec::new();
+    let resolved = resolve::program(&units, &mut found);
+    if resolved.unresolved.is_some() || !resolved.linked {
+        return Err(NotWhole::Missing(Arc::clone(&own.name)));
+    }
+    Ok(Arc::new(resolved.program))
+}
+
+impl Reached {
+    fn from(
+        own: &Arc<Analysis>,
+        analysis: &dyn Fn(&str) -> Option<Arc<Analysis>>,
+    ) -> Result<Reached, NotWhole> {
+        let mut reached = Reached {
+            files: Vec::new(),
+            by_name: FxHashMap::default(),
+            targets: Vec::new(),
+        };
+        reached.enter(Arc::clone(own), None);
+        let mut open: Vec<(usize, Target)> = Vec::new();
+        open.extend(reached.targets[0].values().flatten().map(|target| (0, target.clone())));
+        while let Some((from, target)) = open.pop() {
+            let (file, body) = match target {
+                Target::Own(body) => (from, body),
+                Target::Function(import) => {
+                    (reached.file(&import.file, analysis)?, Body::Function(import.item))
+                }
+                Target::Block(import) => (reached.file(&import.file, analysis)?, Body::Block(import.item)),
+            };
+            let (_, bodies) = &mut reached.files[file];
+            if bodies.as_mut().is_some_and(|bodies| bodies.insert(body)) {
+                let targets = reached.targets[file].get(&body).into_iter().flatten();
+                open.extend(targets.map(|target| (file, target.clone())));
+            }
+        }
+        Ok(reached)
+    }
+
+    fn file(
+        &mut self,
+        name: &Arc<str>,
+        analysis: &dyn Fn(&str) -> Option<Arc<Analysis>>,
+    ) -> Result<usize, NotWhole> {
+        if let Some(&file) = self.by_name.get(name) {
+            return Ok(file);
+        }
+        let found = analysis(name).ok_or_else(|| NotWhole::Missing(Arc::clone(name)))?;
+        if found.has_errors() {
+            return Err(NotWhole::Errors(Arc::clone(name)));
+        }
+        Ok(self.enter(found, Some(FxHashSet::default())))
+    }
+
+    fn enter(&mut self, analysis: Arc<Analysis>, bodies: Option<FxHashSet<Body>>) -> usize {
+        let file = self.files.len();
+        self.by_name.insert(Arc::clone(&analysis.name), file);
+        self.targets.push(targets(&analysis.context));
+        self.files.push((analysis, bodies));
+        file
+    }
+}
+
+/// What each body of a file uses.
+fn targets(context: &Context) -> FxHashMap<Body, Vec<Target>> {
+    let mut targets: FxHashMap<Body, Vec<Target>> = FxHashMap::default();
+    for (network, &body) in context.networks.iter().zip(&context.bodies) {
+        for bound in &network.blocks {
+            let target = match bound.meaning {
+                Meaning::User(index) => match &context.user_blocks[index].import {
+                    Some(import) => Some(Target::Block(import.clone())),
+                    None => Some(Target::Own(Body::Block(index))),
+                },
+                Meaning::Instruction(row) if row.op == Op::Call => {
+                    let operand = bound.facts.operands.first();
+                    let callee = operand.and_then(|operand| match &operand.value.kind {
+                        NodeKind::Name(name) => context.callee(&Name::new(name)),
+                        _ => None,
+                    });
+                    callee.map(|callee| match callee {
+                        Callee::Own(function) => Target::Own(Body::Function(function)),
+                        Callee::Other(import) => Target::Function(import),
+                    })
+                }
+                _ => None,
+            };
+            if let Some(target) = target {
+                targets.entry(body).or_default().push(target);
+            }
+        }
+    }
+    targets
+}

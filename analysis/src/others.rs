@@ -1,0 +1,141 @@
+//! The other files of a workspace, as one of its files sees them: their [`Exports`], found by name.
+
+use crate::exports::{ExportedBlock, ExportedFunction, Exports, Global};
+use ladder_syntax::Name;
+use rustc_hash::FxHashMap;
+use std::sync::Arc;
+
+/// What all files of a workspace show to each other.
+#[derive(Debug, Default)]
+pub struct Exported {
+    files: Vec<Arc<Exports>>,
+    functions: FxHashMap<Name, Vec<(u32, u32)>>,
+    blocks: FxHashMap<Name, Vec<(u32, u32)>>,
+    globals: FxHashMap<Name, Vec<(u32, u32)>>,
+    states: FxHashMap<Name, Vec<(u32, u32)>>,
+}
+
+/// Something in another file: its name, and the index in that file's own context.
+#[derive(Debug, Clone, PartialEq, Eq, Hash)]
+pub struct Import {
+    /// The file.
+    pub file: Arc<str>,
+    /// The function or block.
+    pub item: usize,
+}
+
+impl Exported {
+    /// Of all files of a workspace. Where several files offer one name the first of them stands for all.
+    pub fn new(files: Vec<Arc<Exports>>) -> Exported {
+        let mut exported = Exported::default();
+        for (file, exports) in files.iter().enumerate() {
+            let enter = |map: &mut FxHashMap<Name, Vec<(u32, u32)>>, key: &Name, item: usize| {
+                map.entry(key.clone()).or_default().push((file as u32, item as u32));
+            };
+            for (item, function) in exports.functions.iter().enumerate() {
+                enter(&mut exported.functions, &function.key, item);
+            }
+            for (item, block) in exports.blocks.iter().enumerate() {
+                enter(&mut exported.blocks, &block.facts.key, item);
+            }
+            for (item, global) in exports.globals.iter().enumerate() {
+                enter(&mut exported.globals, &global.key, item);
+            }
+            for (item, (name, _)) in exports.states.iter().enumerate() {
+                enter(&mut exported.states, name, item);
+            }
+        }
+        exported.files = files;
+        exported
+    }
+
+    /// The files.
+    pub fn files(&self) -> &[Arc<Exports>] {
+        &self.files
+    }
+
+    /// As the file of this name sees it.
+    pub fn others_of(self: &Arc<Exported>, file: &str) -> Others {
+        Others {
+            own: self.files.iter().position(|exports| &*exports.file == file),
+            exported: Some(Arc::clone(self)),
+        }
+    }
+}
+
+/// All files of a workspace but one.
+#[derive(Debug, Clone, Default)]
+pub struct Others {
+    exported: Option<Arc<Exported>>,
+    own: Option<usize>,
+}
+
+type Entries = fn(&Exported) -> &FxHashMap<Name, Vec<(u32, u32)>>;
+
+impl Others {
+    /// The functions of a name, at most one of each file.
+    pub fn functions(&self, name: &Name) -> impl Iterator<Item = (&Exports, &ExportedFunction)> {
+        self.find(name, |exported| &exported.functions)
+            .map(|(file, item)| (file, &file.functions[item]))
+    }
+
+    /// The blocks of a name, at most one of each file.
+    pub fn blocks(&self, name: &Name) -> impl Iterator<Item = (&Exports, &ExportedBlock)> {
+        let mut last: *const Exports = std::ptr::null();
+        self.find(name, |exported| &exported.blocks)
+            .filter(move |(file, _)| !std::ptr::eq(std::mem::replace(&mut last, *file), *file))
+            .map(|(file, item)| (file, &file.blocks[item]))
+    }
+
+    /// The VAR_GLOBAL tags of a name, at most one of each file.
+    pub fn globals(&self, name: &Name) -> impl Iterator<Item = (&Exports, &Global)> {
+        self.find(name, |exported| &exported.globals)
+            .map(|(file, item)| (file, &file.globals[item]))
+    }
+
+    /// The blocks that keep their state on a shared tag.
+    pub(crate) fn states(
+        &self,
+        name: &Name,
+    ) -> impl Iterator<Item = (&Exports, ladder_syntax::TextRange)> {
+        self.find(name, |exported| &exported.states)
+            .map(|(file, item)| (file, file.states[item].1))
+    }
+
+    /// Whether any file offers a VAR_GLOBAL tag.
+    pub(crate) fn have_globals(&self) -> bool {
+        self.exported
+            .as_ref()
+            .is_some_and(|exported| !exported.globals.is_empty())
+    }
+
+    /// The names of all functions of the others.
+    pub(crate) fn function_names(&self) -> impl Iterator<Item = &str> {
+        self.files()
+            .flat_map(|file| &file.functions)
+            .map(|function| function.name.as_str())
+    }
+
+    /// All blocks of the others.
+    pub(crate) fn all_blocks(&self) -> impl Iterator<Item = &ExportedBlock> {
+        self.files().flat_map(|file| &file.blocks)
+    }
+
+    fn files(&self) -> impl Iterator<Item = &Exports> {
+        let files = self.exported.iter().flat_map(|exported| &exported.files);
+        files
+            .enumerate()
+            .filter(|(index, _)| Some(*index) != self.own)
+            .map(|(_, file)| &**file)
+    }
+
+    fn find(&self, name: &Name, entries: Entries) -> impl Iterator<Item = (&Exports, usize)> {
+        let exported = self.exported.as_deref();
+        let found = exported.and_then(|exported| entries(exported).get(name));
+        found
+            .into_iter()
+            .flatten()
+            .filter(|(file, _)| Some(*file as usize) != self.own)
+            .filter_map(move |&(file, item)| Some((&*exported?.files[file as usize], item as usize)))
+    }
+}

@@ -1,0 +1,105 @@
+//! The tags of a program: those of its own file, and of other files what the reached bodies name. A VAR_GLOBAL tag and
+//! a direct address are one tag, whichever file names them.
+
+use super::numbers::{Numbers, Unit};
+use crate::program::{Location, Program, Tag, TagId};
+use crate::scope::{Origin, SectionKind, TagFacts};
+use crate::types::{Scalar, Type};
+use ladder_syntax::Name;
+use rustc_hash::FxHashMap;
+
+/// The id of a tag that no reached body names: it is never asked for.
+const NOWHERE: TagId = TagId(u32::MAX);
+
+/// Adds the units' tags to the program. Gives the id of each tag of each scope of each unit; what is shared has the
+/// id of the tag that it leads to.
+pub(super) fn tags(units: &[Unit<'_>], numbers: &Numbers, program: &mut Program) -> Vec<Vec<Vec<TagId>>> {
+    // One file alone has its globals under one entry each.
+    let mut common: FxHashMap<Name, TagId> = FxHashMap::default();
+    let mut all = Vec::with_capacity(units.len());
+    for (index, unit) in units.iter().enumerate() {
+        let context = unit.context;
+        let mut ids: Vec<Vec<TagId>> = Vec::with_capacity(context.scopes.len());
+        for (scope, facts) in context.scopes.iter().enumerate() {
+            let block = numbers.block_of_scope(index, scope);
+            let of_scope = facts.tags.iter().map(|tag| {
+                let reached = unit.bodies.is_none()
+                    || block.is_some()
+                    || tag
+                        .uses
+                        .iter()
+                        .any(|place| unit.reaches(context.bodies[place.network]));
+                if tag.shared.is_some() || !reached {
+                    return NOWHERE;
+                }
+                if !is_common(tag) {
+                    let location = place(unit, index, tag, program);
+                    return add(program, tag, block, location);
+                }
+                let key = Name::new(&tag.name);
+                if let Some(&id) = common.get(&key) {
+                    return id;
+                }
+                let location = place(unit, index, tag, program);
+                let id = add(program, tag, None, location);
+                common.insert(key, id);
+                id
+            });
+            ids.push(of_scope.collect());
+        }
+        for (scope, facts) in context.scopes.iter().enumerate() {
+            for (tag, facts) in facts.tags.iter().enumerate() {
+                if let Some((shared_scope, shared_tag)) = facts.shared {
+                    ids[scope][tag] = ids[shared_scope][shared_tag];
+                }
+            }
+        }
+        all.push(ids);
+    }
+    all
+}
+
+/// Whether a tag is the same in all files.
+fn is_common(tag: &TagFacts) -> bool {
+    tag.foreign.is_some()
+        || tag.origin == Origin::Declared(SectionKind::Global)
+        || (tag.origin == Origin::Form && tag.address.is_some())
+}
+
+/// Where a tag is declared or first used; a global of another file there.
+fn place(unit: &Unit<'_>, index: usize, tag: &TagFacts, program: &mut Program) -> Location {
+    let own = Location {
+        file: index as u32,
+        range: tag.at,
+    };
+    if tag.foreign.is_none() {
+        return own;
+    }
+    let Some((file, global)) = unit.context.others.globals(&Name::new(&tag.name)).next() else {
+        return own;
+    };
+    let known = program.files.iter().position(|name| **name == *file.file);
+    let file = known.unwrap_or_else(|| {
+        program.files.push(file.file.to_string());
+        program.files.len() - 1
+    });
+    Location {
+        file: file as u32,
+        range: global.at,
+    }
+}
+
+fn add(program: &mut Program, tag: &TagFacts, block: Option<usize>, location: Location) -> TagId {
+    let id = TagId(program.tags.len() as u32);
+    program.tags.push(Tag {
+        name: tag.name.clone(),
+        ty: tag.ty.unwrap_or(Type::Scalar(Scalar::Dint)),
+        role: tag.role,
+        retain: tag.retain,
+        constant: tag.constant,
+        initial: tag.initial.clone(),
+        block,
+        location,
+    });
+    id
+}

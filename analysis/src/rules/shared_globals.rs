@@ -1,0 +1,118 @@
+//! Globals of one name must agree in type and initial value (LANGUAGE §4): `duplicate-declaration` where two of them
+//! do not, `bad-declaration` where a VAR_EXTERNAL names none.
+
+use crate::context::Context;
+use crate::diagnostic::Diagnostic;
+use crate::exports::{Exports, Global};
+use crate::others::Others;
+use crate::rule::Rule;
+use crate::scope::TagFacts;
+use crate::types::Type;
+use ladder_syntax::Name;
+
+const HELP: &str = "a global is one tag for the whole workspace: its declarations agree in type and initial value";
+
+/// A VAR_GLOBAL declaration of the file against the one before it, and against those of other files.
+pub(crate) fn check_declared(
+    context: &Context,
+    tag: &TagFacts,
+    first: Option<&(usize, usize)>,
+    out: &mut Vec<Diagnostic>,
+) {
+    if let Some(&(scope, index)) = first {
+        let first = &context.scopes[scope].tags[index];
+        if !agree(tag, first.ty, &first.initial) && !first.mistyped {
+            let message = format!("`{}` is declared otherwise before, as {}", tag.name, shown(first.ty));
+            out.push(
+                Diagnostic::new(Rule::DuplicateDeclaration, tag.at, message)
+                    .help(HELP)
+                    .related(first.at, format!("`{}` is first declared here", first.name)),
+            );
+        }
+    }
+    let key = Name::new(&tag.name);
+    for (file, global) in context.others.globals(&key) {
+        if global.ty.is_some() && !agree(tag, global.ty, &global.initial) {
+            out.push(otherwise(tag, file, global));
+            return;
+        }
+    }
+}
+
+fn agree(tag: &TagFacts, ty: Option<Type>, initial: &[crate::value::Value]) -> bool {
+    tag.mistyped || (tag.ty == ty && tag.initial == initial)
+}
+
+fn shown(ty: Option<Type>) -> String {
+    ty.map_or_else(|| "another type".to_owned(), |ty| ty.to_string())
+}
+
+fn otherwise(tag: &TagFacts, file: &Exports, global: &Global) -> Diagnostic {
+    let message = if tag.ty == global.ty {
+        format!("`{}` starts with another value in {}", tag.name, file.file)
+    } else {
+        format!("`{}` is {} in {}", tag.name, shown(global.ty), file.file)
+    };
+    Diagnostic::new(Rule::DuplicateDeclaration, tag.at, message)
+        .help(HELP)
+        .related_in(
+            &file.file,
+            global.at,
+            format!("`{}` is declared here as well", global.name),
+        )
+}
+
+/// A tag that several other files declare: they must agree where this file uses it.
+pub(crate) fn check_others(
+    tag: &TagFacts,
+    others: &Others,
+    first: &Exports,
+    global: &Global,
+    out: &mut Vec<Diagnostic>,
+) {
+    let differing = others
+        .globals(&global.key)
+        .find(|(_, other)| !global.agrees(other));
+    let Some((file, other)) = differing else { return };
+    let message = format!(
+        "`{}` is declared in {} and in {}, and not alike",
+        tag.name, first.file, file.file
+    );
+    let at = tag.uses.first().map_or(tag.at, |place| place.range);
+    out.push(
+        Diagnostic::new(Rule::DuplicateDeclaration, at, message)
+            .help(HELP)
+            .related_in(
+                &first.file,
+                global.at,
+                format!("`{}` is declared here", global.name),
+            )
+            .related_in(&file.file, other.at, "and here"),
+    );
+}
+
+/// A VAR_EXTERNAL declaration names a global, and agrees with it in type.
+pub(crate) fn check_external(tag: &TagFacts, global: Option<&TagFacts>, out: &mut Vec<Diagnostic>) {
+    let Some(global) = global else {
+        let message = format!("no file of the workspace declares `{}` as VAR_GLOBAL", tag.name);
+        out.push(
+            Diagnostic::new(Rule::BadDeclaration, tag.at, message)
+                .help("VAR_EXTERNAL names a global that is declared elsewhere: declare it, or correct the name"),
+        );
+        return;
+    };
+    if tag.mistyped || global.mistyped || tag.ty == global.ty {
+        return;
+    }
+    let message = format!(
+        "`{}` is {} here, the global of this name is {}",
+        tag.name,
+        shown(tag.ty),
+        shown(global.ty)
+    );
+    let found = Diagnostic::new(Rule::BadDeclaration, tag.at, message).help("write the type of the global");
+    out.push(match &global.foreign {
+        Some(_) => found,
+        None => found.related(global.at, "the global is declared here"),
+    });
+}
