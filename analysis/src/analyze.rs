@@ -2,10 +2,10 @@
 
 use crate::context::{Context, context};
 use crate::diagnostic::Diagnostic;
-use crate::program::Program;
-use crate::rule::Severity;
 use crate::others::Others;
+use crate::program::Program;
 use crate::resolve::{self, Resolved, numbers::Unit};
+use crate::rule::Severity;
 use crate::rules;
 use ladder_syntax::Parse;
 use std::sync::Arc;

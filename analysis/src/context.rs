@@ -256,8 +256,7 @@ fn bodies(context: &mut Context) {
     for (index, network) in context.networks.iter_mut().enumerate() {
         let definition = network.scope.checked_sub(1);
         inner = inner.filter(|(of, _)| Some(*of) == definition);
-        let may_begin =
-            definition.is_none_or(|block| context.user_blocks[block].shape == Shape::Function);
+        let may_begin = definition.is_none_or(|block| context.user_blocks[block].shape == Shape::Function);
         for block in &network.blocks {
             let Some(op @ (Op::Fun | Op::Lbl)) = block.op() else {
                 continue;

@@ -78,12 +78,7 @@ impl Diagnostic {
 
     /// Adds a related place in another file.
     #[must_use]
-    pub fn related_in(
-        mut self,
-        file: &Arc<str>,
-        range: TextRange,
-        message: impl Into<String>,
-    ) -> Diagnostic {
+    pub fn related_in(mut self, file: &Arc<str>, range: TextRange, message: impl Into<String>) -> Diagnostic {
         self.related.push(Related {
             file: Some(Arc::clone(file)),
             range,

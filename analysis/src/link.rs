@@ -82,7 +82,12 @@ impl Reached {
         };
         reached.enter(Arc::clone(own), None);
         let mut open: Vec<(usize, Target)> = Vec::new();
-        open.extend(reached.targets[0].values().flatten().map(|target| (0, target.clone())));
+        open.extend(
+            reached.targets[0]
+                .values()
+                .flatten()
+                .map(|target| (0, target.clone())),
+        );
         while let Some((from, target)) = open.pop() {
             let (file, body) = match target {
                 Target::Own(body) => (from, body),

@@ -2,8 +2,8 @@
 //! value is given for.
 
 use crate::facts::{self, BlockFacts, Head};
-use crate::order::{Order, order};
 use crate::known_blocks::KnownBlocks;
+use crate::order::{Order, order};
 use ladder_instructions::{Instruction, Op, Operand, lookup};
 use ladder_syntax::wiring::{PartKind, Wiring, wiring};
 use ladder_syntax::{Name, Network, Parse, Place, SyntaxError, SyntaxErrorKind, TextRange, TextSize};

@@ -30,7 +30,9 @@ impl Exported {
         let mut exported = Exported::default();
         for (file, exports) in files.iter().enumerate() {
             let enter = |map: &mut FxHashMap<Name, Vec<(u32, u32)>>, key: &Name, item: usize| {
-                map.entry(key.clone()).or_default().push((file as u32, item as u32));
+                map.entry(key.clone())
+                    .or_default()
+                    .push((file as u32, item as u32));
             };
             for (item, function) in exports.functions.iter().enumerate() {
                 enter(&mut exported.functions, &function.key, item);
@@ -94,10 +96,7 @@ impl Others {
     }
 
     /// The blocks that keep their state on a shared tag.
-    pub(crate) fn states(
-        &self,
-        name: &Name,
-    ) -> impl Iterator<Item = (&Exports, ladder_syntax::TextRange)> {
+    pub(crate) fn states(&self, name: &Name) -> impl Iterator<Item = (&Exports, ladder_syntax::TextRange)> {
         self.find(name, |exported| &exported.states)
             .map(|(file, item)| (file, file.states[item].1))
     }

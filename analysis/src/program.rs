@@ -93,7 +93,8 @@ pub enum Role {
 /// A tag: a variable of the program.
 #[derive(Debug, Clone)]
 pub struct Tag {
-    /// As declared, or as first written.
+    /// As declared, or as first written. A tag of another file has that file's stem before it (`library.count`),
+    /// unless it is a VAR_GLOBAL tag or a direct address.
     pub name: String,
     /// Its type.
     pub ty: Type,

@@ -62,7 +62,7 @@ pub mod trace;
 pub mod value_text;
 
 pub use compile::CompileError;
-pub use diagram::diagram;
+pub use diagram::{diagram, diagram_of};
 pub use fault::Fault;
 pub use retain::Kept;
 pub use session::{Breakpoint, HistoryLimits, Hit, Session, Stop};

@@ -18,9 +18,12 @@
 //!   [`SETTINGS_FILE`] stands.
 //! - [`RetentiveFile`] keeps the values of retentive tags over a restart.
 //!
+//! - [`Workspace`] has the programs of a workspace, analysed together, as those who check and run them need them.
+//!
 //! Every error is a [`FileError`]: it names the file and says in plain words what is wrong with it.
 
 mod error;
+mod programs;
 mod retentive;
 mod root;
 mod search;
@@ -30,6 +33,7 @@ mod write;
 
 pub use error::{FileError, Problem};
 pub use ladder_syntax::MAX_FILE_BYTES;
+pub use programs::{Source, Workspace};
 pub use retentive::{Found, RetentiveFile};
 pub use root::{Root, SETTINGS_FILE};
 pub use search::{EXTENSION, find_programs, is_program};

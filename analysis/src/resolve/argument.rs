@@ -1,8 +1,8 @@
 //! Arguments: what is given for each operand of a block.
 
 use super::Resolver;
-use crate::context::Callee;
 use crate::constant::{natural_type, signed_literal};
+use crate::context::Callee;
 use crate::facts::{Node, NodeKind};
 use crate::network::{BoundBlock, Formal};
 use crate::program::{Argument, BinaryOperator, Bound, Expr, ExprKind, ParameterKind, Place};

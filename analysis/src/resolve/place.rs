@@ -267,7 +267,8 @@ impl Resolver<'_, '_> {
         };
         let tag = &self.tags[tag.0 as usize];
         if tag.constant {
-            let file = (tag.location.file != self.file).then(|| self.files[tag.location.file as usize].as_str());
+            let file =
+                (tag.location.file != self.file).then(|| self.files[tag.location.file as usize].as_str());
             let diagnostic = constant_write::constant(&tag.name, range, file, tag.location.range);
             self.report(diagnostic);
             return false;

@@ -16,6 +16,7 @@ const NOWHERE: TagId = TagId(u32::MAX);
 pub(super) fn tags(units: &[Unit<'_>], numbers: &Numbers, program: &mut Program) -> Vec<Vec<Vec<TagId>>> {
     // One file alone has its globals under one entry each.
     let mut common: FxHashMap<Name, TagId> = FxHashMap::default();
+    let prefixes = prefixes(units);
     let mut all = Vec::with_capacity(units.len());
     for (index, unit) in units.iter().enumerate() {
         let context = unit.context;
@@ -34,7 +35,11 @@ pub(super) fn tags(units: &[Unit<'_>], numbers: &Numbers, program: &mut Program)
                 }
                 if !is_common(tag) {
                     let location = place(unit, index, tag, program);
-                    return add(program, tag, block, location);
+                    let id = add(program, tag, block, location);
+                    if let Some(prefix) = prefixes[index].as_ref().filter(|_| block.is_none()) {
+                        program.tags[id.0 as usize].name = format!("{prefix}.{}", tag.name);
+                    }
+                    return id;
                 }
                 let key = Name::new(&tag.name);
                 if let Some(&id) = common.get(&key) {
@@ -57,6 +62,22 @@ pub(super) fn tags(units: &[Unit<'_>], numbers: &Numbers, program: &mut Program)
         all.push(ids);
     }
     all
+}
+
+/// What stands before the names of a file's own tags in a program of several files, as in `library.count`: the stem
+/// of the file, or where two files have one stem its path. The program's own file needs none.
+fn prefixes(units: &[Unit<'_>]) -> Vec<Option<String>> {
+    let stem = |unit: &Unit<'_>| {
+        let file = unit.name.rsplit(['/', '\\']).next().unwrap_or(unit.name);
+        file.rsplit_once('.').map_or(file, |(stem, _)| stem).to_owned()
+    };
+    let stems: Vec<String> = units.iter().map(stem).collect();
+    let prefix = |index: usize| match index {
+        0 => None,
+        _ if stems[..index].contains(&stems[index]) => Some(units[index].name.to_owned()),
+        _ => Some(stems[index].clone()),
+    };
+    (0..units.len()).map(prefix).collect()
 }
 
 /// Whether a tag is the same in all files.

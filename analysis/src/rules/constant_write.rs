@@ -13,7 +13,11 @@ pub(crate) fn constant(name: &str, range: TextRange, file: Option<&str>, declare
         format!("`{name}` is a constant: no block may write it"),
     )
     .help("declare it in a VAR section without CONSTANT, or write another tag")
-    .related_at(file.map(Arc::from).as_ref(), declared, format!("`{name}` is declared CONSTANT here"))
+    .related_at(
+        file.map(Arc::from).as_ref(),
+        declared,
+        format!("`{name}` is declared CONSTANT here"),
+    )
 }
 
 pub(crate) fn system(range: TextRange) -> Diagnostic {

@@ -146,9 +146,8 @@ fn circles(uses: &[Vec<Use>], own: usize) -> Vec<(usize, Vec<Use>)> {
                         .map(|&(block, next)| uses[block][next - 1])
                         .collect();
                     // Told at a block of this file.
-                    let at = match around.iter().rposition(|&(block, _)| block < own) {
-                        Some(at) => at,
-                        None => continue,
+                    let Some(at) = around.iter().rposition(|&(block, _)| block < own) else {
+                        continue;
                     };
                     around.rotate_left(at + 1);
                     let first = around.last().map_or(used, |&(block, _)| block);

@@ -10,7 +10,8 @@ use crate::scope::TagFacts;
 use crate::types::Type;
 use ladder_syntax::Name;
 
-const HELP: &str = "a global is one tag for the whole workspace: its declarations agree in type and initial value";
+const HELP: &str =
+    "a global is one tag for the whole workspace: its declarations agree in type and initial value";
 
 /// A VAR_GLOBAL declaration of the file against the one before it, and against those of other files.
 pub(crate) fn check_declared(
@@ -22,7 +23,11 @@ pub(crate) fn check_declared(
     if let Some(&(scope, index)) = first {
         let first = &context.scopes[scope].tags[index];
         if !agree(tag, first.ty, &first.initial) && !first.mistyped {
-            let message = format!("`{}` is declared otherwise before, as {}", tag.name, shown(first.ty));
+            let message = format!(
+                "`{}` is declared otherwise before, as {}",
+                tag.name,
+                shown(first.ty)
+            );
             out.push(
                 Diagnostic::new(Rule::DuplicateDeclaration, tag.at, message)
                     .help(HELP)
@@ -96,8 +101,9 @@ pub(crate) fn check_external(tag: &TagFacts, global: Option<&TagFacts>, out: &mu
     let Some(global) = global else {
         let message = format!("no file of the workspace declares `{}` as VAR_GLOBAL", tag.name);
         out.push(
-            Diagnostic::new(Rule::BadDeclaration, tag.at, message)
-                .help("VAR_EXTERNAL names a global that is declared elsewhere: declare it, or correct the name"),
+            Diagnostic::new(Rule::BadDeclaration, tag.at, message).help(
+                "VAR_EXTERNAL names a global that is declared elsewhere: declare it, or correct the name",
+            ),
         );
         return;
     };

@@ -24,7 +24,9 @@ pub(crate) fn check_files(texts: &str, expected: Expect) {
         .iter()
         .map(|(name, text)| (*name, text, Arc::new(parse(text))))
         .collect();
-    let summaries = parsed.iter().map(|(name, _, parse)| Arc::new(exports(parse, name)));
+    let summaries = parsed
+        .iter()
+        .map(|(name, _, parse)| Arc::new(exports(parse, name)));
     let exported = Arc::new(Exported::new(summaries.collect()));
     let mut shown = String::new();
     for (name, text, parse) in &parsed {
@@ -38,7 +40,10 @@ pub(crate) fn check_files(texts: &str, expected: Expect) {
             let line = index.line(diagnostic.range.start());
             shown.push_str(&format!("> {}\n", text[index.range(line)].trim_end()));
             // Those in other files are shown with their text; fixes are tried where files stand alone.
-            let elsewhere: Vec<_> = diagnostic.related.extract_if(.., |place| place.file.is_some()).collect();
+            let elsewhere: Vec<_> = diagnostic
+                .related
+                .extract_if(.., |place| place.file.is_some())
+                .collect();
             diagnostic.fixes.clear();
             show(text, &index, &diagnostic, &mut shown);
             for place in elsewhere {
@@ -62,7 +67,11 @@ pub(crate) fn files(texts: &str) -> Vec<(&str, String)> {
     for line in texts.split_inclusive('\n') {
         match line.strip_prefix("%% ") {
             Some(name) => files.push((name.trim_end(), String::new())),
-            None => files.last_mut().expect("a fixture begins with `%% name`").1.push_str(line),
+            None => files
+                .last_mut()
+                .expect("a fixture begins with `%% name`")
+                .1
+                .push_str(line),
         }
     }
     files

@@ -36,7 +36,17 @@ pub(crate) fn render(source: &Source, finding: &Diagnostic, renderer: &Renderer)
             .annotation(AnnotationKind::Primary.span(excerpt.span(finding.range)))
             .annotations(near.iter().map(|place| excerpt.mark(place))),
     );
-    for place in far {
+    let others: Vec<Option<Source>> = far
+        .iter()
+        .map(|place| source.other(place.file.as_ref()?))
+        .collect();
+    for (place, other) in far.into_iter().zip(&others) {
+        let source = match (other, &place.file) {
+            (Some(other), _) => other,
+            (None, None) => source,
+            // A file that is gone.
+            (None, Some(_)) => continue,
+        };
         let excerpt = Excerpt::of(source, source.lines(place.range));
         group = group.element(excerpt.snippet(source).annotation(excerpt.mark(place)));
     }
@@ -54,7 +64,7 @@ fn near_and_far<'d>(source: &Source, finding: &'d Diagnostic) -> (Vec<&'d Relate
     finding
         .related
         .iter()
-        .partition(|place| source.lines(place.range).distance(own) <= NEAR)
+        .partition(|place| place.file.is_none() && source.lines(place.range).distance(own) <= NEAR)
 }
 
 /// In texts up to this length a fix is shown with the drawing laid out again: that reads the whole text for each.

@@ -4,6 +4,7 @@ use super::place::{Place, place};
 use super::source::Source;
 use ladder_analysis::{Diagnostic, Fix, Related};
 use serde::Serialize;
+use std::borrow::Cow;
 
 /// One finding. The names of the members are documented; nothing may be renamed.
 #[derive(Serialize)]
@@ -24,7 +25,7 @@ pub(crate) struct Finding<'a> {
 
 #[derive(Serialize)]
 struct RelatedPlace<'a> {
-    file: &'a str,
+    file: Cow<'a, str>,
     message: &'a str,
     #[serde(flatten)]
     place: Place,
@@ -63,10 +64,18 @@ impl<'a> Finding<'a> {
 }
 
 fn related<'a>(source: &'a Source, other: &'a Related) -> RelatedPlace<'a> {
-    RelatedPlace {
-        file: &source.file,
-        message: &other.message,
-        place: place(source, other.range),
+    let elsewhere = other.file.as_ref().and_then(|file| source.other(file));
+    match elsewhere {
+        Some(file) => RelatedPlace {
+            place: place(&file, other.range),
+            file: Cow::Owned(file.file),
+            message: &other.message,
+        },
+        None => RelatedPlace {
+            file: Cow::Borrowed(&source.file),
+            message: &other.message,
+            place: place(source, other.range),
+        },
     }
 }
 

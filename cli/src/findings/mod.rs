@@ -7,5 +7,7 @@ pub(crate) mod json;
 mod place;
 pub(crate) mod sarif;
 mod source;
+mod workspaces;
 
 pub(crate) use source::Source;
+pub(crate) use workspaces::Workspaces;

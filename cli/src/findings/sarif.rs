@@ -56,6 +56,8 @@ pub(crate) fn result(source: &Source, finding: &Diagnostic) -> Value {
     });
     if !finding.related.is_empty() {
         let related = finding.related.iter().enumerate().map(|(id, related)| {
+            let elsewhere = related.file.as_ref().and_then(|file| source.other(file));
+            let source = elsewhere.as_ref().unwrap_or(source);
             json!({
                 "id": id,
                 "message": { "text": related.message },

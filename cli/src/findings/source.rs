@@ -1,9 +1,12 @@
 //! A program's text, and the places in it as people count them.
 
-use ladder_analysis::Analysis;
+use ladder_analysis::program::{Location, Program};
+use ladder_analysis::{Analysis, NotWhole};
 use ladder_syntax::{LineColumn, LineIndex, TextRange, TextSize};
+use ladder_workspace::Workspace;
 use std::borrow::Cow;
-use std::sync::Arc;
+use std::path::Path;
+use std::sync::{Arc, OnceLock};
 
 /// A text that was checked.
 pub(crate) struct Source {
@@ -12,16 +15,96 @@ pub(crate) struct Source {
     /// The text, byte for byte where the program has its own.
     pub(crate) text: String,
     index: LineIndex,
+    /// The workspace around the file, once it is needed. None: there is none that can be used.
+    workspace: OnceLock<Option<Arc<Workspace>>>,
+    analysis: OnceLock<Arc<Analysis>>,
+    program: OnceLock<Result<Arc<Program>, NotWhole>>,
 }
 
 impl Source {
     pub(crate) fn new(file: String, text: String) -> Source {
         let index = LineIndex::new(&text);
-        Source { file, text, index }
+        Source {
+            file,
+            text,
+            index,
+            workspace: OnceLock::new(),
+            analysis: OnceLock::new(),
+            program: OnceLock::new(),
+        }
     }
 
-    pub(crate) fn analyze(&self) -> Analysis {
-        ladder_analysis::analyze(&Arc::new(ladder_syntax::parse(&self.text)), &self.file)
+    /// In a workspace that is loaded already.
+    pub(crate) fn within(workspace: Arc<Workspace>, file: String, text: String) -> Source {
+        let source = Source::new(file, text);
+        let _ = source.workspace.set(Some(workspace));
+        source
+    }
+
+    /// The same file with another text.
+    pub(crate) fn with_text(&self, text: String) -> Source {
+        let source = Source::new(self.file.clone(), text);
+        if let Some(workspace) = self.workspace.get() {
+            let _ = source.workspace.set(workspace.clone());
+        }
+        source
+    }
+
+    /// What the file says among the others of its workspace.
+    pub(crate) fn analyze(&self) -> Arc<Analysis> {
+        let analysis = self.analysis.get_or_init(|| {
+            let Some(workspace) = self.workspace() else {
+                let parse = Arc::new(ladder_syntax::parse(&self.text));
+                return Arc::new(ladder_analysis::analyze(&parse, &self.file));
+            };
+            match workspace.program_at(Path::new(&self.file)) {
+                Some(program) if program.text == self.text => workspace.analysis(program),
+                // Mended, or changed since it was read.
+                Some(program) => workspace.analyze_guest(&self.text, &program.name),
+                None => workspace.analyze_guest(&self.text, &self.file),
+            }
+        });
+        Arc::clone(analysis)
+    }
+
+    /// What runs: the program with what it uses of other files.
+    pub(crate) fn program(&self) -> Result<Arc<Program>, NotWhole> {
+        let program = self.program.get_or_init(|| {
+            let analysis = self.analyze();
+            match self.workspace() {
+                Some(workspace) => workspace.link(&analysis),
+                None => ladder_analysis::link(&analysis, &|_| None),
+            }
+        });
+        program.clone()
+    }
+
+    /// Another file of the workspace, by the name that findings and programs know it by.
+    pub(crate) fn other(&self, name: &str) -> Option<Source> {
+        let workspace = self.workspace()?;
+        let program = workspace.program_named(name)?;
+        Some(Source::within(
+            Arc::clone(workspace),
+            name.to_owned(),
+            program.text.clone(),
+        ))
+    }
+
+    /// The workspace around the file. Settings that cannot be used are told by the commands, which read them first.
+    fn workspace(&self) -> Option<&Arc<Workspace>> {
+        let load = || Workspace::of(Path::new(&self.file)).ok().map(Arc::new);
+        self.workspace.get_or_init(load).as_ref()
+    }
+
+    /// A place of the program, in whichever file it lies: `motor.clad:3:12`.
+    pub(crate) fn place_name(&self, location: Location) -> String {
+        let elsewhere = match (location.file, self.program.get()) {
+            (1.., Some(Ok(program))) => self.other(&program.files[location.file as usize]),
+            _ => None,
+        };
+        let source = elsewhere.as_ref().unwrap_or(self);
+        let place = source.place(location.range.start());
+        format!("{}:{}:{}", source.file, place.line, place.column)
     }
 
     pub(crate) fn place(&self, offset: TextSize) -> LineColumn {

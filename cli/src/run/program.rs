@@ -3,33 +3,52 @@
 use crate::findings::{Source, full};
 use crate::terminal::{self, stderr_has_colours};
 use annotate_snippets::Renderer;
-use ladder_analysis::Severity;
 use ladder_analysis::program::{Location, Program};
+use ladder_analysis::{NotWhole, Severity};
 use std::sync::Arc;
 
 /// `motor.clad:3:12`
 pub(crate) fn place(source: &Source, location: Location) -> String {
-    let place = source.place(location.range.start());
-    format!("{}:{}:{}", source.file, place.line, place.column)
+    source.place_name(location)
 }
 
-/// The program, or its errors on stderr.
+/// The program with what it uses of other files, or the errors on stderr.
 pub(crate) fn program(source: &Source) -> Option<Arc<Program>> {
-    let analysis = source.analyze();
-    if analysis.program.is_none() {
-        let renderer = if stderr_has_colours() {
-            Renderer::styled()
-        } else {
-            Renderer::plain()
-        };
-        let errors = analysis
-            .diagnostics
-            .iter()
-            .filter(|found| found.severity == Severity::Error);
-        for error in errors {
-            terminal::plain(&format_args!("{}\n", full::render(source, error, &renderer)));
-        }
-        terminal::error(&format_args!("{}: a program with errors is not run", source.file));
+    let not_whole = match source.program() {
+        Ok(program) => return Some(program),
+        Err(not_whole) => not_whole,
+    };
+    match not_whole {
+        NotWhole::Missing(file) => terminal::error(&format_args!(
+            "{}: {file}, which this program uses, cannot be read any more",
+            source.file
+        )),
+        NotWhole::Errors(file) => match source.other(&file) {
+            Some(other) if source.analyze().name != file => {
+                errors(&other);
+                terminal::error(&format_args!(
+                    "{}: this program uses {file}; a program with errors is not run",
+                    source.file
+                ));
+            }
+            _ => {
+                errors(source);
+                terminal::error(&format_args!("{}: a program with errors is not run", source.file));
+            }
+        },
     }
-    analysis.program
+    None
+}
+
+fn errors(source: &Source) {
+    let renderer = if stderr_has_colours() {
+        Renderer::styled()
+    } else {
+        Renderer::plain()
+    };
+    let analysis = source.analyze();
+    let found = analysis.diagnostics.iter();
+    for error in found.filter(|found| found.severity == Severity::Error) {
+        terminal::plain(&format_args!("{}\n", full::render(source, error, &renderer)));
+    }
 }

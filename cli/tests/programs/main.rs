@@ -13,6 +13,7 @@ mod lsp_ending;
 mod render;
 mod retain;
 mod settings;
+mod several_files;
 mod sim;
 mod sim_formats;
 mod tree;

@@ -1,9 +1,10 @@
 //! What can be wrong with a settings file.
 
 use crate::FileError;
+use crate::programs::from_here;
 use ladder_syntax::{LineColumn, TextRange};
 use std::fmt;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 /// A settings file that cannot be used.
 #[derive(Debug)]
@@ -40,17 +41,11 @@ impl fmt::Display for SettingsError {
         for (index, mistake) in mistakes.iter().enumerate() {
             let line_end = if index > 0 { "\n" } else { "" };
             let LineColumn { line, column } = mistake.place;
-            let file = as_named(file).display();
+            let file = from_here(file).display();
             write!(f, "{line_end}{file}:{line}:{column}: {}", mistake.message)?;
         }
         Ok(())
     }
-}
-
-/// Settings files are looked for by their whole path; below the current folder a person names them without it.
-fn as_named(file: &Path) -> &Path {
-    let here = std::env::current_dir().ok();
-    here.and_then(|here| file.strip_prefix(here).ok()).unwrap_or(file)
 }
 
 impl std::error::Error for SettingsError {}

@@ -12,9 +12,9 @@ use std::path::Path;
 const ROUNDS: usize = 16;
 
 /// Mends a file. It is written once, at the end, and only if something was mended.
-pub(super) fn mend(file: &Path, mut source: Source) -> Result<Checked, FileError> {
+pub(super) fn mend(mut source: Source) -> Result<Checked, FileError> {
     let options = Options::default();
-    let mut findings = source.analyze().diagnostics;
+    let mut findings = source.analyze().diagnostics.clone();
     let mut mended = 0;
     for _ in 0..ROUNDS {
         let (fixes, count) = together(&findings);
@@ -22,8 +22,8 @@ pub(super) fn mend(file: &Path, mut source: Source) -> Result<Checked, FileError
             break;
         }
         let edits = fix::aligned(&source.text, &fixes, &options);
-        let next = Source::new(source.file.clone(), apply(&source.text, &edits));
-        let left = next.analyze().diagnostics;
+        let next = source.with_text(apply(&source.text, &edits));
+        let left = next.analyze().diagnostics.clone();
         // A fix that brings new errors is none.
         if errors(&left) > errors(&findings) {
             break;
@@ -32,7 +32,7 @@ pub(super) fn mend(file: &Path, mut source: Source) -> Result<Checked, FileError
         mended += count;
     }
     if mended > 0 {
-        ladder_workspace::write(file, source.text.as_bytes())?;
+        ladder_workspace::write(Path::new(&source.file), source.text.as_bytes())?;
     }
     Ok(Checked {
         source,

@@ -4,7 +4,7 @@ mod mend;
 mod report;
 mod tally;
 
-use crate::findings::Source;
+use crate::findings::{Source, Workspaces};
 use crate::outcome::{Failure, Outcome};
 use crate::terminal;
 use clap::{Args, ValueEnum};
@@ -22,11 +22,13 @@ Examples:
   ladder check --fix motor.clad           mend what can be mended in one way only
   ladder check --format sarif . > out.sarif
 
-Exit status: 0 no errors, 1 errors (with --deny warnings: errors or warnings), 2 a file cannot be read.";
+Exit status: 0 no errors, 1 errors (with --deny warnings: errors or warnings), 2 a file (or ladder.toml) cannot be read.";
 
 /// Look for mistakes in programs
 ///
-/// Shows each mistake with the lines it is on, the places that have to do with it, and what to do.
+/// Shows each mistake with the lines it is on, the places that have to do with it, and what to do. Global tags,
+/// functions and blocks of the other files in the workspace (the folder of the nearest ladder.toml, else the file's
+/// own folder) are known, also when only one file is named.
 #[derive(Debug, Args)]
 #[command(after_help = EXAMPLES)]
 pub(crate) struct Arguments {
@@ -84,10 +86,22 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
         Outcome::Failed
     };
     let mut report = Report::new(arguments.format, arguments.statistics);
+    let mut workspaces = Workspaces::default();
     for files in files.chunks(AT_ONCE) {
-        let checked: Vec<_> = files.par_iter().map(|file| check(file, arguments.fix)).collect();
+        let mut sources = Vec::with_capacity(files.len());
+        for file in files {
+            match source(file, &mut workspaces) {
+                Ok(source) => sources.extend(source),
+                // One file that is bad does not keep the others from being checked.
+                Err(failure) => {
+                    terminal::error(&failure);
+                    outcome = Outcome::Failed;
+                }
+            }
+        }
+        let sources = sources.into_par_iter();
+        let checked: Vec<_> = sources.map(|source| check(source, arguments.fix)).collect();
         for checked in checked {
-            // One file that is bad does not keep the others from being checked.
             match checked {
                 Ok(checked) => report.add(&checked)?,
                 Err(error) => {
@@ -116,16 +130,21 @@ struct Checked {
     mended: usize,
 }
 
-fn check(file: &Path, fix: bool) -> Result<Checked, FileError> {
-    let text = ladder_workspace::read(file)?;
-    let source = Source::new(file.display().to_string(), text);
+fn check(source: Source, fix: bool) -> Result<Checked, FileError> {
     if fix {
-        return mend::mend(file, source);
+        return mend::mend(source);
     }
-    let findings = source.analyze().diagnostics;
+    let findings = source.analyze().diagnostics.clone();
     Ok(Checked {
         source,
         findings,
         mended: 0,
     })
+}
+
+/// A file among the others of its workspace. None: that cannot be used, and it has been said why.
+fn source(file: &Path, workspaces: &mut Workspaces) -> Result<Option<Source>, Failure> {
+    let text = ladder_workspace::read(file)?;
+    let workspace = workspaces.of(file)?;
+    Ok(workspace.map(|workspace| Source::within(workspace, file.display().to_string(), text)))
 }

@@ -8,7 +8,7 @@ use crate::output::Output;
 use crate::run::{Retention, Run, Stimulus, place, program};
 use clap::{Args, ValueEnum};
 use ladder_analysis::types::Type;
-use ladder_simulator::{Point, Simulation, Status, diagram};
+use ladder_simulator::{Point, Simulation, Status, diagram, diagram_of};
 use std::io::Write;
 use std::path::PathBuf;
 
@@ -120,7 +120,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
         Format::Svg => trace::write(trace::Format::Svg, &mut run, &watched, &mut out)?,
         Format::Diagram => {
             while run.scan() {}
-            out.write_all(diagram(&source.text, &run.simulation).as_bytes())?;
+            diagrams(&source, &run.simulation, &mut out)?;
         }
     }
     out.finish()?;
@@ -129,6 +129,28 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
         Status::Faulted => Outcome::Findings,
         Status::Ready | Status::Ended => Outcome::Fine,
     })
+}
+
+/// The program with its power, and below it the other files that it uses, each under its name.
+fn diagrams(source: &Source, simulation: &Simulation, out: &mut Output) -> Result<(), Failure> {
+    out.write_all(diagram(&source.text, simulation).as_bytes())?;
+    let program = simulation.program();
+    for (index, name) in program.files.iter().enumerate().skip(1) {
+        let file = index as u32;
+        let runs = program
+            .networks
+            .iter()
+            .any(|network| network.location.file == file);
+        let Some(other) = source.other(name).filter(|_| runs) else {
+            continue;
+        };
+        write!(
+            out,
+            "\n# {name} #\n\n{}",
+            diagram_of(file, &other.text, simulation)
+        )?;
+    }
+    Ok(())
 }
 
 /// The tags to write: those asked for, by the names they were asked for with, or every elementary tag of the

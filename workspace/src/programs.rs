@@ -1,0 +1,155 @@
+//! The programs of a workspace, read and analysed together.
+
+use crate::settings::SettingsError;
+use crate::{FileError, Root, Settings, read};
+use ladder_analysis::program::Program;
+use ladder_analysis::{Analysis, Exported, Exports, NotWhole, analyze_in, exports, link};
+use ladder_syntax::Parse;
+use std::path::{Path, PathBuf};
+use std::sync::{Arc, OnceLock};
+
+/// A workspace: its settings, and its programs as they stand on disk.
+#[derive(Debug)]
+pub struct Workspace {
+    settings: Settings,
+    programs: Vec<Source>,
+    exported: OnceLock<Arc<Exported>>,
+}
+
+/// A program of a workspace.
+#[derive(Debug)]
+pub struct Source {
+    /// Its name in messages: the path, from the current folder on where it lies below it.
+    pub name: Arc<str>,
+    /// Its text.
+    pub text: String,
+    path: PathBuf,
+    parse: OnceLock<Arc<Parse>>,
+    exports: OnceLock<Arc<Exports>>,
+    analysis: OnceLock<Arc<Analysis>>,
+}
+
+impl Workspace {
+    /// The workspace that a program belongs to. Programs that cannot be read are left out: each must be usable
+    /// beside one that is not.
+    ///
+    /// # Errors
+    /// The settings file cannot be read, or something in it is wrong.
+    pub fn of(program: &Path) -> Result<Workspace, SettingsError> {
+        let Ok(root) = Root::of(program) else {
+            return Ok(Workspace::with(Settings::default(), Vec::new()));
+        };
+        let settings = root.settings()?;
+        let programs = root.programs(&settings.files);
+        let sources = programs.into_iter().filter_map(|path| Source::read(path).ok());
+        Ok(Workspace::with(settings, sources.collect()))
+    }
+
+    fn with(settings: Settings, programs: Vec<Source>) -> Workspace {
+        Workspace {
+            settings,
+            programs,
+            exported: OnceLock::new(),
+        }
+    }
+
+    /// What its settings file asks for.
+    pub fn settings(&self) -> &Settings {
+        &self.settings
+    }
+
+    /// Its programs, sorted by path.
+    pub fn programs(&self) -> &[Source] {
+        &self.programs
+    }
+
+    /// The program of a file, if it belongs to the workspace.
+    pub fn program_at(&self, path: &Path) -> Option<&Source> {
+        let wanted = path.canonicalize().ok()?;
+        let by_path = |source: &&Source| source.path.canonicalize().is_ok_and(|path| path == wanted);
+        let same_name = self
+            .programs
+            .iter()
+            .filter(|source| source.path.file_name() == wanted.file_name());
+        same_name.clone().find(by_path).or_else(|| {
+            let others = self.programs.iter();
+            others.filter(|source| source.path.is_symlink()).find(by_path)
+        })
+    }
+
+    /// The program of a name, as messages have it.
+    pub fn program_named(&self, name: &str) -> Option<&Source> {
+        self.programs.iter().find(|source| *source.name == *name)
+    }
+
+    /// A program's names, findings and, if it needs no other file, program.
+    pub fn analysis(&self, source: &Source) -> Arc<Analysis> {
+        let analysis = source.analysis.get_or_init(|| {
+            let others = self.exported().others_of(&source.name);
+            Arc::new(analyze_in(source.parse(), &source.name, &others))
+        });
+        Arc::clone(analysis)
+    }
+
+    /// As [`Workspace::analysis`], for a text that is no program of the workspace: it sees those, they do not see
+    /// it.
+    pub fn analyze_guest(&self, text: &str, name: &str) -> Arc<Analysis> {
+        let parse = Arc::new(ladder_syntax::parse(text));
+        Arc::new(analyze_in(&parse, name, &self.exported().others_of(name)))
+    }
+
+    /// What runs: the program with all that it uses of other files.
+    ///
+    /// # Errors
+    /// It, or a file that it uses, has errors.
+    pub fn link(&self, analysis: &Arc<Analysis>) -> Result<Arc<Program>, NotWhole> {
+        link(analysis, &|name| Some(self.analysis(self.program_named(name)?)))
+    }
+
+    fn exported(&self) -> &Arc<Exported> {
+        self.exported.get_or_init(|| {
+            let exports = self.programs.iter().map(|source| Arc::clone(source.exports()));
+            Arc::new(Exported::new(exports.collect()))
+        })
+    }
+}
+
+impl Source {
+    fn read(path: PathBuf) -> Result<Source, FileError> {
+        let text = read(&path)?;
+        Ok(Source {
+            name: Arc::from(from_here(&path).display().to_string()),
+            text,
+            path,
+            parse: OnceLock::new(),
+            exports: OnceLock::new(),
+            analysis: OnceLock::new(),
+        })
+    }
+
+    /// Where it lies.
+    pub fn path(&self) -> &Path {
+        &self.path
+    }
+
+    /// Reads off what it shows to the others, so that it is there when they are analysed.
+    pub fn prepare(&self) {
+        self.exports();
+    }
+
+    fn parse(&self) -> &Arc<Parse> {
+        self.parse
+            .get_or_init(|| Arc::new(ladder_syntax::parse(&self.text)))
+    }
+
+    fn exports(&self) -> &Arc<Exports> {
+        self.exports
+            .get_or_init(|| Arc::new(exports(self.parse(), &self.name)))
+    }
+}
+
+/// A path as a person in the current folder names it.
+pub(crate) fn from_here(path: &Path) -> &Path {
+    let here = std::env::current_dir().ok();
+    here.and_then(|here| path.strip_prefix(here).ok()).unwrap_or(path)
+}
