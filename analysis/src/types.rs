@@ -242,6 +242,19 @@ pub fn passes(from: Scalar, to: Scalar) -> bool {
     }
 }
 
+/// Whether `[TYP]` makes a value of one type into another. Numbers, BOOL and STRING go to and from all types; a
+/// duration is no point in time, and a day no time of day.
+pub fn converts(from: Scalar, to: Scalar) -> bool {
+    let is_clock = |ty: Scalar| ty == Scalar::Time || ty.is_date();
+    let both = is_clock(from) && is_clock(to);
+    !both
+        || from == to
+        || matches!(
+            (from, to),
+            (Scalar::Dt, Scalar::Date | Scalar::Tod) | (Scalar::Date, Scalar::Dt)
+        )
+}
+
 /// The type in which two operands of a comparison are compared: the smallest of the chains that holds both.
 /// Integers compare by value whatever their types; `LINT` stands for that. None: they cannot be compared.
 pub fn common(a: Scalar, b: Scalar) -> Option<Scalar> {

@@ -8,7 +8,7 @@ use crate::network::{BoundBlock, Formal};
 use crate::program::{Argument, BinaryOperator, Bound, Expr, ExprKind, ParameterKind, Place};
 use crate::rules::{bad_operand, duplicate_function, type_mismatch, unknown_function, unknown_label};
 use crate::scope::Access;
-use crate::types::{Scalar, Type, common, passes};
+use crate::types::{Scalar, Type, common, converts, passes};
 use crate::value::Value;
 use ladder_instructions::{Accepts, Direction, Instruction, Op, Operand, Shape, TypeClass};
 use ladder_syntax::Name;
@@ -73,6 +73,10 @@ impl Resolver<'_, '_> {
                     });
                     expr.map(Argument::Value)
                 }
+                Accepts::Convertible => match self.natural(&written.value) {
+                    Some(value) => self.convertible(row.op, value, works_in).map(Argument::Value),
+                    None => None,
+                },
                 // What a label or function block names is itself.
                 Accepts::Label if row.op == Op::Lbl => Some(Argument::Label(None)),
                 // One that begins no function stands in a wrong place.
@@ -147,6 +151,17 @@ impl Resolver<'_, '_> {
             (Op::Add | Op::Sub, Scalar::Dt, Some(Scalar::Time)) => self.natural(node),
             _ => self.value(node, ty),
         }
+    }
+
+    /// A value that `[TYP]` converts to the result's type, or that `[UNPACK]` takes apart.
+    fn convertible(&mut self, op: Op, value: Expr, result: Option<Scalar>) -> Option<Expr> {
+        if let (Op::Typ, Some(to)) = (op, result)
+            && !converts(value.ty, to)
+        {
+            self.report(type_mismatch::does_not_convert(value.ty, to, value.range));
+            return None;
+        }
+        Some(value)
     }
 
     /// The type that the operands of a comparison agree in.
@@ -252,7 +267,6 @@ impl Resolver<'_, '_> {
                     None
                 }
             },
-            Accepts::Convertible => self.natural(node).map(Argument::Value),
             Accepts::Integer => self.integer(node).map(Argument::Value),
             Accepts::Number => self.number(node).map(Argument::Value),
             Accepts::String => {
@@ -315,7 +329,11 @@ impl Resolver<'_, '_> {
                 self.place_or_say(node)
                     .map(|(place, ty)| Argument::Place(place, ty))
             }
-            Accepts::Result(_) | Accepts::Value | Accepts::Compared | Accepts::Expression => None,
+            Accepts::Result(_)
+            | Accepts::Value
+            | Accepts::Compared
+            | Accepts::Expression
+            | Accepts::Convertible => None,
         }
     }
 

@@ -107,6 +107,12 @@ impl Resolver<'_, '_> {
                 op if comparison(*op).is_some() => Some(Scalar::Bool),
                 Operator::Shl | Operator::Shr => self.own_type(left),
                 _ => match (self.own_type(left), self.own_type(right)) {
+                    // A TIME by a number, and a number by a TIME, are TIMEs.
+                    (Some(Scalar::Time), Some(_)) | (Some(_), Some(Scalar::Time))
+                        if matches!(operator, Operator::Mul | Operator::Div) =>
+                    {
+                        Some(Scalar::Time)
+                    }
                     (Some(a), Some(b)) => common(a, b),
                     (a, b) => a.or(b),
                 },

@@ -87,6 +87,15 @@ pub(crate) fn bool_order(range: TextRange) -> Diagnostic {
     .help("use contacts, or [EQ] and [NE]")
 }
 
+/// `[TYP]` between a duration and a point in time, or a day and a time of day.
+pub(crate) fn does_not_convert(from: Scalar, to: Scalar, range: TextRange) -> Diagnostic {
+    let message = format!("{from} cannot be converted into {to}");
+    wrong(range, message).help(
+        "a DT converts to its DATE and its TOD, a DATE to a DT; a TIME is the difference of two TODs or two DTs, \
+         [SUB]( time, later, earlier )",
+    )
+}
+
 /// The result's type is none that the instruction gives.
 pub(crate) fn result(ty: Scalar, class: TypeClass, range: TextRange) -> Diagnostic {
     let expected = match class {

@@ -276,3 +276,20 @@ fn spellings_that_are_right() {
     clean("+--[ton]( t, T#5s )--[]( a )--()( y )--+\n");
     clean("+--[EQU]( a, 5 )--[NOT]--[R_TRIG]--(RES)( c )--[CTU]( c, 5 )--+\n");
 }
+
+#[test]
+fn durations_and_points_in_time() {
+    check(
+        "VAR d : TOD; t : TIME; END_VAR\n+--[TYP]( t, d )--+\n",
+        expect![[r#"
+            > +--[TYP]( t, d )--+
+                           ^ error[type-mismatch]: TOD cannot be converted into TIME
+                help: a DT converts to its DATE and its TOD, a DATE to a DT; a TIME is the difference of two TODs or two DTs, [SUB]( time, later, earlier )
+        "#]],
+    );
+    clean(
+        "VAR d : DATE; c : TOD; x : DT; s : STRING; END_VAR\n+--[TYP]( d, x )--[TYP]( c, x )--[TYP]( x, d )--[TYP]( s, c )--+\n",
+    );
+    // The left side is a TIME, however many numbers it is divided by.
+    clean("VAR t, u : TIME; n : DINT; END_VAR\n+--[CALC]( t, u / n / n * 2 )--[CALC]( u, 3 * (t * n) )--+\n");
+}

@@ -66,6 +66,8 @@ END_VAR
 - BOOL and numbers: FALSE is 0, TRUE is 1.
 - A string is read as a number or a time; a number or a time can be written as a string.
 - TIME and numbers: the number is milliseconds.
+- A DT goes into its DATE or its TOD, a DATE into the DT of its midnight. A TIME is none of them: take the
+  difference of two DTs or TODs with `[SUB]`.
 
 A value that y's type cannot hold, or a string that cannot be read, is a fault: y keeps its value and ENO is
 low.
