@@ -12,7 +12,10 @@
 
 pub mod book;
 pub mod console;
+pub mod generator;
 pub mod instruction_pages;
 pub mod markdown;
 pub mod project;
+pub mod reference;
 pub mod rule_index;
+pub mod trace;
