@@ -19,6 +19,8 @@
 //! - `terminal` is the only module that names stdout and stderr: messages go to stderr as `error: ...`, colours
 //!   only to a terminal, and a reader that closes the pipe early is no error.
 //!
+//! - `screen` is `ladder sim` on a terminal: the diagram with live power.
+//!
 //! `ldfmt` is the command `fmt` alone. Both programs are linked from this library; the linker leaves out what a
 //! program does not reach, so `ldfmt` holds neither the language server nor its runtime.
 
@@ -28,6 +30,8 @@ mod findings;
 mod outcome;
 mod output;
 mod run;
+#[cfg(feature = "screen")]
+mod screen;
 mod settings;
 mod terminal;
 

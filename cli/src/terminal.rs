@@ -2,6 +2,8 @@
 
 use anstyle::{AnsiColor, Style};
 use std::fmt::Display;
+#[cfg(feature = "screen")]
+use std::io::IsTerminal;
 use std::io::{self, BufWriter, ErrorKind, StdoutLock, Write};
 
 const ERROR: Style = AnsiColor::BrightRed.on_default().bold();
@@ -42,6 +44,18 @@ pub(crate) fn stdout_has_colours() -> bool {
 /// Whether stderr shows colours.
 pub(crate) fn stderr_has_colours() -> bool {
     anstream::AutoStream::choice(&io::stderr()) != anstream::ColorChoice::Never
+}
+
+/// Whether a person sits there: keys can be read, and a screen be shown.
+#[cfg(feature = "screen")]
+pub(crate) fn is_interactive() -> bool {
+    io::stdin().is_terminal() && io::stdout().is_terminal()
+}
+
+/// The terminal for a screen that draws itself.
+#[cfg(feature = "screen")]
+pub(crate) fn raw_stdout() -> io::Stdout {
+    io::stdout()
 }
 
 /// Standard output, buffered. A reader that goes away (`ladder check . | head`) is no error: what follows is

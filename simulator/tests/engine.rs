@@ -275,3 +275,20 @@ fn arithmetic_in_each_type() {
         "#]],
     );
 }
+
+#[test]
+fn one_part_at_a_time_shows_the_same_power() {
+    let mut simulation = simulation(&mixed());
+    for scan in 0..6 {
+        set(&mut simulation, "a", if scan % 3 == 1 { "1" } else { "0" });
+        simulation.scan();
+        for (element, (kind, location, live)) in simulation.power().enumerate() {
+            assert_eq!(
+                simulation.is_live(element),
+                live,
+                "{kind:?} at {location:?} in scan {scan}"
+            );
+        }
+    }
+    assert!(!simulation.is_live(usize::MAX));
+}

@@ -28,6 +28,7 @@ mod retentive;
 mod root;
 mod search;
 mod settings;
+mod stamp;
 mod text;
 mod write;
 
@@ -38,5 +39,6 @@ pub use retentive::{Found, RetentiveFile};
 pub use root::{Root, SETTINGS_FILE};
 pub use search::{EXTENSION, find_programs, is_program};
 pub use settings::{Files, LintLevel, Mistake, Settings, SettingsError, Simulate};
+pub use stamp::Stamp;
 pub use text::{decode, read};
 pub use write::{Replacement, write};

@@ -111,6 +111,12 @@ impl Source {
         self.index.line_column(&self.text, offset)
     }
 
+    /// Every line with its line end, from first to last.
+    #[cfg(feature = "screen")]
+    pub(crate) fn line_ranges(&self) -> impl Iterator<Item = TextRange> + '_ {
+        (0..self.index.line_count()).map(|line| self.index.range(line))
+    }
+
     /// The whole lines that a range touches, and the number of the first, from 1. A range that ends with a line
     /// end does not touch the line behind it.
     pub(crate) fn lines(&self, range: TextRange) -> Lines {

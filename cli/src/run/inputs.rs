@@ -2,6 +2,7 @@
 
 use super::table::Table;
 use crate::outcome::Failure;
+use ladder_analysis::value::Value;
 use ladder_simulator::{Point, Simulation, value_text};
 use std::path::Path;
 
@@ -60,20 +61,21 @@ impl Inputs {
 
     /// Makes the assignments that stand before a scan.
     pub(crate) fn give(&self, scan: u64, simulation: &mut Simulation) {
-        let Some(row) = usize::try_from(scan)
-            .ok()
-            .filter(|row| *row < self.table.rows.len())
-        else {
-            return;
-        };
-        for (cell, point) in self.table.cells(row).zip(&self.points) {
-            if !cell.is_empty()
-                && let Ok(value) = value_text::parse(cell, point.ty)
-            {
-                // What could be refused was found when the file was read.
-                let _ = simulation.set(point, value);
-            }
+        for (point, value) in self.before(scan) {
+            // What could be refused was found when the file was read.
+            let _ = simulation.set(point, value);
         }
+    }
+
+    /// The assignments that stand before a scan.
+    pub(crate) fn before(&self, scan: u64) -> impl Iterator<Item = (&Point, Value)> {
+        let row = usize::try_from(scan)
+            .ok()
+            .filter(|row| *row < self.table.rows.len());
+        row.into_iter()
+            .flat_map(|row| self.table.cells(row).zip(&self.points))
+            .filter(|(cell, _)| !cell.is_empty())
+            .filter_map(|(cell, point)| Some((point, value_text::parse(cell, point.ty).ok()?)))
     }
 }
 

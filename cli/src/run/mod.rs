@@ -6,6 +6,7 @@ mod retention;
 mod stimulus;
 mod table;
 
+pub(crate) use inputs::Inputs;
 pub(crate) use program::{place, program};
 pub(crate) use retention::Retention;
 pub(crate) use stimulus::Stimulus;
@@ -13,7 +14,6 @@ pub(crate) use stimulus::Stimulus;
 use crate::findings::Source;
 use crate::outcome::Failure;
 use crate::terminal;
-use inputs::Inputs;
 use ladder_simulator::{Fault, Simulation};
 
 /// A program on its way through a number of scans.

@@ -10,7 +10,7 @@ use ladder_workspace::Settings;
 use std::path::{Path, PathBuf};
 
 /// The clock and the inputs of a run.
-#[derive(Debug, Args)]
+#[derive(Debug, Default, Args)]
 pub(crate) struct Stimulus {
     /// The time from one scan to the next [default: what ladder.toml says, else 10ms]
     #[arg(long, value_name = "TIME", value_parser = interval)]

@@ -240,6 +240,14 @@ impl Session {
         happened.map(|record| self.simulation.fault(record)).collect()
     }
 
+    /// The last fault so far, and how often it has happened in its block, as far as faults are kept.
+    pub fn last_fault(&self) -> Option<(Fault, usize)> {
+        let happened = || self.faults.iter().take_while(|record| self.has_happened(record));
+        let last = happened().last()?;
+        let times = happened().filter(|record| record.block == last.block).count();
+        Some((self.simulation.fault(last), times))
+    }
+
     fn has_happened(&self, record: &FaultRecord) -> bool {
         let scans = self.simulation.machine.scan;
         let now = self.simulation.status() == Status::Faulted || (self.simulation.is_open() && !self.repeats);

@@ -11,10 +11,20 @@ impl Simulation {
     /// that is open. What that scan did not reach, or not yet, has none.
     pub fn power(&self) -> impl Iterator<Item = (ElementKind, Location, bool)> + '_ {
         let elements = self.compiled.elements.iter();
-        elements.map(|element| {
-            let live = self.is_reached(element) && self.has_power(element.power);
-            (element.kind, element.location, live)
-        })
+        elements.map(|element| (element.kind, element.location, self.shows_power(element)))
+    }
+
+    /// Whether one part of the drawing has power, by its place in [`Self::power`]: for a screen that shows a few
+    /// lines of a long program.
+    pub fn is_live(&self, element: usize) -> bool {
+        let elements = &self.compiled.elements;
+        elements
+            .get(element)
+            .is_some_and(|element| self.shows_power(element))
+    }
+
+    fn shows_power(&self, element: &ElementPlace) -> bool {
+        self.is_reached(element) && self.has_power(element.power)
     }
 
     fn is_reached(&self, element: &ElementPlace) -> bool {

@@ -6,6 +6,8 @@ use crate::findings::Source;
 use crate::outcome::{Failure, Outcome};
 use crate::output::Output;
 use crate::run::{Retention, Run, Stimulus, place, program};
+#[cfg(feature = "screen")]
+use crate::{screen, terminal};
 use clap::{Args, ValueEnum};
 use ladder_analysis::types::Type;
 use ladder_simulator::{Point, Simulation, Status, diagram, diagram_of};
@@ -85,6 +87,15 @@ enum Format {
 }
 
 pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
+    #[cfg(feature = "screen")]
+    if arguments.scans.is_none() && terminal::is_interactive() {
+        return screen::run(&screen::Request {
+            file: &arguments.file,
+            stimulus: &arguments.stimulus,
+            retain: arguments.retain.as_deref(),
+            watch: &arguments.watch,
+        });
+    }
     let text = ladder_workspace::read(&arguments.file)?;
     let options = arguments.stimulus.options(&arguments.file)?;
     let scans = arguments.scans.ok_or_else(|| {

@@ -1,0 +1,216 @@
+//! The view and the program behind it: events go in, scans are run, commands are carried out.
+
+use super::draw::{self, Scene};
+use super::load::{self, Request};
+use super::plant::{Plant, Ran, Restart};
+use super::theme::Theme;
+use super::update::Command;
+use super::view::View;
+use ladder_simulator::Status;
+use ladder_workspace::Stamp;
+use ratatui::Frame;
+use ratatui::crossterm::event::Event;
+use ratatui::layout::Rect;
+use std::time::{Duration, Instant};
+
+/// A screen and its program.
+pub(super) struct App<'r> {
+    pub(super) view: View,
+    pub(super) plant: Plant,
+    theme: Theme,
+    request: &'r Request<'r>,
+    stamp: Stamp,
+    /// Simulated time that has passed and was not scanned yet.
+    debt: i64,
+}
+
+/// What the loop around it has to do.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Next {
+    Go,
+    Redraw,
+    Stop,
+    Quit,
+}
+
+impl<'r> App<'r> {
+    pub(super) fn new(area: Rect, plant: Plant, theme: Theme, request: &'r Request<'r>) -> App<'r> {
+        App {
+            view: View::new(area, &plant),
+            plant,
+            theme,
+            stamp: request.stamp(),
+            request,
+            debt: 0,
+        }
+    }
+
+    /// Takes in what happened at the terminal.
+    pub(super) fn handle(&mut self, event: &Event) -> Next {
+        let mut next = Next::Go;
+        for command in self.view.update(event, &self.plant) {
+            match self.carry_out(command) {
+                Next::Go => {}
+                other => next = other,
+            }
+        }
+        next
+    }
+
+    fn carry_out(&mut self, command: Command) -> Next {
+        let result = match command {
+            Command::Set(point, value) => self.plant.set(&point, value),
+            Command::Force(point, value) => self.plant.force(&point, value),
+            Command::Unforce(point) => {
+                self.plant.unforce(&point);
+                Ok(())
+            }
+            Command::UnforceAll => {
+                self.plant.unforce_all();
+                Ok(())
+            }
+            Command::Scan => {
+                self.step();
+                Ok(())
+            }
+            Command::Back => {
+                self.step_back();
+                Ok(())
+            }
+            Command::Restart(restart) => {
+                self.plant.restart(restart);
+                self.debt = 0;
+                self.view.say(match restart {
+                    Restart::Cold => {
+                        "restarted cold: all tags as at the beginning, inputs and forces as they are"
+                    }
+                    Restart::Warm => "restarted warm: retentive tags have kept their values",
+                });
+                Ok(())
+            }
+            Command::Watch(point) => {
+                self.plant.watch(&point);
+                self.view.say(format!("{} is watched", point.name));
+                self.view.show_selected(&self.plant);
+                Ok(())
+            }
+            Command::Unwatch(point) => {
+                self.plant.unwatch(&point);
+                self.view.say(format!("{} is watched no more", point.name));
+                Ok(())
+            }
+            Command::Reload => {
+                self.reload();
+                Ok(())
+            }
+            Command::Redraw => return Next::Redraw,
+            Command::Stop => return Next::Stop,
+            Command::Quit => return Next::Quit,
+        };
+        if let Err(problem) = result {
+            self.view.refuse(problem);
+        }
+        Next::Go
+    }
+
+    fn step(&mut self) {
+        match self.plant.status() {
+            Status::Ready => {
+                self.plant.scan();
+            }
+            Status::Ended => self
+                .view
+                .say("the program has ended: b goes back, c starts it again"),
+            Status::Faulted => self
+                .view
+                .say("a fault has stopped the program: b goes back, c starts it again"),
+        }
+    }
+
+    fn step_back(&mut self) {
+        if self.plant.step_back(1) == 0 {
+            self.view.say(match self.plant.scans() {
+                0 => "this is the beginning",
+                _ => "no earlier scan is kept; [simulate] history in ladder.toml says how many are",
+            });
+        }
+    }
+
+    /// Runs the scans that are due after some real time, as far as they fit into `room`. A program that is slower
+    /// than its clock is slow; it does not catch up. Whether anything was run.
+    pub(super) fn pass(&mut self, real: Duration, room: Duration) -> bool {
+        if !self.view.running {
+            self.debt = 0;
+            return false;
+        }
+        let interval = self.plant.simulation().options().interval;
+        let begun = Instant::now();
+        let before = self.plant.scans();
+        let due = self.view.speed.simulated(real);
+        self.debt = self.debt.saturating_add(due.unwrap_or(0));
+        while due.is_none() || self.debt >= interval {
+            self.debt -= if due.is_none() { 0 } else { interval };
+            if self.plant.scan() == Ran::Out {
+                self.view.running = false;
+                return true;
+            }
+            if begun.elapsed() >= room {
+                self.debt = 0;
+                break;
+            }
+        }
+        self.plant.scans() != before
+    }
+
+    /// Looks whether the file is still what runs. Whether that is news.
+    pub(super) fn look_at_file(&mut self) -> bool {
+        let stamp = self.request.stamp();
+        // An editor may put the new file in place of the old in two steps.
+        let changed = stamp != self.stamp && stamp.exists();
+        std::mem::replace(&mut self.view.changed_on_disk, changed) != changed
+    }
+
+    /// Loads the file again. The program begins anew with the inputs and forces that it had; if it cannot be run,
+    /// the old one goes on.
+    fn reload(&mut self) {
+        let stamp = self.request.stamp();
+        let mut plant = match load::again(self.request) {
+            Ok(plant) => plant,
+            Err(problem) => {
+                self.view.refuse(problem);
+                return;
+            }
+        };
+        let lost = plant.take_over(&mut self.plant);
+        self.plant = plant;
+        self.stamp = stamp;
+        self.debt = 0;
+        self.view.take_over(&self.plant);
+        self.view.say(match lost {
+            0 => format!(
+                "{} was loaded again; retentive tags have kept their values",
+                self.plant.sheet.file
+            ),
+            _ => format!(
+                "{} was loaded again; {lost} of the forces are gone, for their tags are",
+                self.plant.sheet.file
+            ),
+        });
+    }
+
+    /// Draws the screen.
+    pub(super) fn draw(&mut self, frame: &mut Frame) {
+        if frame.area() != self.view.area {
+            let area = frame.area();
+            self.handle(&Event::Resize(area.width, area.height));
+        }
+        draw::screen(
+            frame,
+            Scene {
+                view: &self.view,
+                plant: &self.plant,
+                theme: self.theme,
+            },
+        );
+    }
+}

@@ -1,0 +1,210 @@
+//! The program with its power: live wires are double and bold, what is high has a dot, what is forced an `F`.
+
+use super::{Scene, put};
+use crate::screen::columns;
+use crate::screen::sheet::{Block, Mark, Shown};
+use crate::screen::theme::heading as heading_style;
+use crate::screen::values;
+use ladder_analysis::program::ElementKind;
+use ratatui::buffer::Buffer;
+use ratatui::layout::Rect;
+use ratatui::style::{Modifier, Style};
+
+pub(super) fn draw(buffer: &mut Buffer, gutter: Rect, pane: Rect, scene: Scene) {
+    let Scene { view, plant, theme } = scene;
+    let sheet = &plant.sheet;
+    let selected_line = sheet.blocks.get(view.selected).map(|block| block.line);
+    let fault_line = plant
+        .last_fault()
+        .and_then(|(fault, _)| Some(sheet.place(fault.location)?.0));
+    let numbers = gutter.width > 2;
+    for row in 0..pane.height {
+        let line = view.top + row as usize;
+        if line >= sheet.height() {
+            return;
+        }
+        if numbers {
+            let width = gutter.width as usize - 2;
+            put(
+                buffer,
+                gutter,
+                0,
+                row,
+                &format!("{:>width$}", line + 1),
+                theme.quiet(),
+            );
+        }
+        let mark = if fault_line == Some(line) {
+            Some(("!", theme.alarm()))
+        } else if selected_line == Some(line) {
+            Some((">", heading_style()))
+        } else {
+            None
+        };
+        if let Some((mark, style)) = mark {
+            put(buffer, gutter, gutter.width.saturating_sub(2), row, mark, style);
+        }
+        draw_line(buffer, pane, row, line, scene);
+    }
+}
+
+/// How one character is drawn.
+#[derive(Clone, Copy)]
+struct Look {
+    style: Style,
+    /// Another character in its place.
+    instead: Option<char>,
+}
+
+fn draw_line(buffer: &mut Buffer, pane: Rect, row: u16, line: usize, scene: Scene) {
+    let Scene { view, plant, .. } = scene;
+    let sheet = &plant.sheet;
+    let text = sheet.line(line);
+    let start = sheet.line_start(line);
+    let first = sheet.blocks_of(line).start;
+    let blocks: Vec<(&Block, bool)> = sheet.blocks[sheet.blocks_of(line)]
+        .iter()
+        .enumerate()
+        .map(|(index, block)| (block, first + index == view.selected))
+        .collect();
+    let marks = sheet.marks(line);
+    let mut mark = 0;
+    let mut end = 0;
+    for cell in columns::cells(text) {
+        end = cell.column + cell.width;
+        if end <= view.left || cell.column >= view.left + pane.width as usize {
+            if cell.column >= view.left + pane.width as usize {
+                break;
+            }
+            continue;
+        }
+        let offset = start + cell.offset;
+        while mark < marks.len() && marks[mark].end <= offset {
+            mark += 1;
+        }
+        let under = marks.get(mark).filter(|mark| mark.start <= offset);
+        let look = look(offset, &text[cell.offset..], under, &blocks, scene);
+        if cell.column < view.left {
+            // The right half of a wide character.
+            continue;
+        }
+        let column = (cell.column - view.left) as u16;
+        let mut letter = [0; 4];
+        let shown = match look.instead {
+            Some(instead) => instead.encode_utf8(&mut letter),
+            None => cell.shown,
+        };
+        // A tab is more than one blank.
+        for blank in 1..cell.width {
+            put(buffer, pane, column + blank as u16, row, " ", look.style);
+        }
+        put(buffer, pane, column, row, shown, look.style);
+    }
+    if end >= view.left {
+        draw_values(buffer, pane, row, (end - view.left) as u16 + 2, line, scene);
+    }
+}
+
+fn look(offset: usize, rest: &str, mark: Option<&Mark>, blocks: &[(&Block, bool)], scene: Scene) -> Look {
+    let Scene { plant, theme, .. } = scene;
+    let live = mark.is_some_and(|mark| plant.simulation().is_live(mark.element));
+    let power = if live { theme.live() } else { Style::new() };
+    let block = blocks
+        .iter()
+        .find(|(block, _)| (block.start..block.end).contains(&offset));
+    let Some(&(block, selected)) = block else {
+        let is_wire = mark.is_some_and(|mark| mark.kind == ElementKind::Wire);
+        return match mark {
+            Some(_) if is_wire && rest.starts_with('-') => Look {
+                style: power,
+                instead: Some(theme.wire(live)),
+            },
+            // A comment that joins two wires keeps its text.
+            Some(_) if is_wire && !live => plain(theme.quiet()),
+            Some(_) => plain(power),
+            None if plant.sheet.is_comment(offset) => plain(theme.quiet()),
+            None => plain(Style::new()),
+        };
+    };
+    let mut look = look_of_block(offset, rest, block, power, scene);
+    if selected {
+        look.style = look.style.add_modifier(Modifier::REVERSED);
+    }
+    look
+}
+
+/// A block's brackets show the power that leaves it, its tags what they hold.
+fn look_of_block(offset: usize, rest: &str, block: &Block, power: Style, scene: Scene) -> Look {
+    let Scene { plant, theme, .. } = scene;
+    let blank = rest.starts_with(' ');
+    for operand in &block.operands {
+        let point = &operand.point;
+        let inside = (operand.start..operand.end).contains(&offset);
+        let before = blank && offset + 1 == operand.start;
+        let behind = blank && offset == operand.end;
+        if !inside && !before && !behind {
+            continue;
+        }
+        let high = plant.is_high(point);
+        let forced = plant.is_forced(point);
+        let state = match (forced, high) {
+            (true, _) => theme.forced(),
+            (false, true) => theme.live(),
+            (false, false) => Style::new(),
+        };
+        if inside {
+            return plain(state);
+        }
+        if before && high {
+            return Look {
+                style: state,
+                instead: Some(theme.dot(true)),
+            };
+        }
+        if behind && forced {
+            return Look {
+                style: state,
+                instead: Some('F'),
+            };
+        }
+        if before && forced {
+            return plain(state);
+        }
+    }
+    plain(power)
+}
+
+fn plain(style: Style) -> Look {
+    Look { style, instead: None }
+}
+
+/// The values behind the end of a line.
+fn draw_values(buffer: &mut Buffer, pane: Rect, row: u16, column: u16, line: usize, scene: Scene) {
+    let Scene { plant, theme, .. } = scene;
+    let mut column = column;
+    for shown in plant.sheet.shown(line) {
+        let forced = match shown {
+            Shown::Progress { reached, .. } => plant.is_forced(reached),
+            Shown::Value(point) => plant.is_forced(point),
+        };
+        let style = if forced { theme.forced() } else { theme.value() };
+        let mut text = value_text(shown, scene);
+        if forced {
+            text.push_str(" F");
+        }
+        column = put(buffer, pane, column, row, &text, style) + 2;
+    }
+}
+
+/// `warmup 1.2s/5s`, `level=42`
+pub(super) fn value_text(shown: &Shown, scene: Scene) -> String {
+    let plant = scene.plant;
+    match shown {
+        Shown::Progress { name, reached, goal } => format!(
+            "{name} {}/{}",
+            values::short(&plant.value(reached), reached.ty),
+            values::goal(&plant.value(goal), goal.ty),
+        ),
+        Shown::Value(point) => format!("{}={}", point.name, values::short(&plant.value(point), point.ty)),
+    }
+}

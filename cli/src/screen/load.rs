@@ -1,0 +1,130 @@
+//! From a file to a program that runs, and again when the file has changed.
+
+use super::plant::Plant;
+use crate::findings::Source;
+use crate::outcome::Failure;
+use crate::run::{self, Retention, Stimulus};
+use ladder_analysis::Severity;
+use ladder_analysis::program::{Program, Role};
+use ladder_analysis::types::Scalar;
+use ladder_simulator::{HistoryLimits, Point, Session, Simulation};
+use ladder_workspace::{Settings, Stamp};
+use std::path::Path;
+use std::sync::Arc;
+
+/// So many tags are watched where none are asked for.
+const WATCHED: usize = 4;
+
+/// What is to be run.
+pub(crate) struct Request<'a> {
+    pub(crate) file: &'a Path,
+    pub(crate) stimulus: &'a Stimulus,
+    /// The file that keeps retentive tags.
+    pub(crate) retain: Option<&'a Path>,
+    /// The tags to watch; none: those that show most.
+    pub(crate) watch: &'a [String],
+}
+
+impl Request<'_> {
+    pub(super) fn stamp(&self) -> Stamp {
+        Stamp::of(self.file)
+    }
+}
+
+/// Loads the program. None: it has errors, which were shown.
+pub(super) fn first(request: &Request) -> Result<Option<Plant>, Failure> {
+    let source = source(request)?;
+    match run::program(&source) {
+        Some(program) => plant(request, &source, program, request.retain).map(Some),
+        None => Ok(None),
+    }
+}
+
+/// Loads the program while the screen is up: what is wrong with it is told in one line.
+pub(super) fn again(request: &Request) -> Result<Plant, String> {
+    let source = source(request).map_err(|failure| failure.to_string())?;
+    let analysis = source.analyze();
+    let Some(program) = analysis.program else {
+        let mut errors = analysis
+            .diagnostics
+            .iter()
+            .filter(|found| found.severity == Severity::Error);
+        let first = errors.next().map_or(String::new(), |error| {
+            let place = source.place(error.range.start());
+            format!(
+                "{}:{}:{}: {}",
+                source.file, place.line, place.column, error.message
+            )
+        });
+        let more = match errors.count() {
+            0 => String::new(),
+            more => format!(" (and {more} more)"),
+        };
+        return Err(format!("{first}{more}; the old program goes on"));
+    };
+    plant(request, &source, program, None).map_err(|failure| failure.to_string())
+}
+
+fn source(request: &Request) -> Result<Source, Failure> {
+    let text = ladder_workspace::read(request.file)?;
+    Ok(Source::new(request.file.display().to_string(), text))
+}
+
+fn plant(
+    request: &Request,
+    source: &Source,
+    program: Arc<Program>,
+    retain: Option<&Path>,
+) -> Result<Plant, Failure> {
+    let options = request.stimulus.options(request.file)?;
+    let history = Settings::of(request.file)?.simulate.history;
+    let limits = history.map_or_else(HistoryLimits::default, |scans| {
+        HistoryLimits::of_scans(usize::try_from(scans).unwrap_or(usize::MAX))
+    });
+    let mut simulation = Simulation::new(program, options).map_err(|error| {
+        Failure::new(format!(
+            "{}: {}",
+            run::place(source, error.location),
+            error.message
+        ))
+    })?;
+    let watched = watched(&simulation, request.watch)?;
+    let retention = match retain {
+        Some(file) => Some(Retention::begin(file, request.file, &mut simulation)?),
+        None => None,
+    };
+    let inputs = request.stimulus.give(&mut simulation)?;
+    let mut plant = Plant::new(source, Session::of(simulation, limits), inputs, retention);
+    for point in &watched {
+        plant.watch(point);
+    }
+    Ok(plant)
+}
+
+/// The tags that were asked for; else the first outputs, how far timers and counters are, and what else coils write.
+fn watched(simulation: &Simulation, names: &[String]) -> Result<Vec<Point>, Failure> {
+    if !names.is_empty() {
+        return names
+            .iter()
+            .map(|name| {
+                let found = simulation.resolve(name);
+                found.map_err(|unknown| Failure::new(format!("--watch {name}: {unknown}")))
+            })
+            .collect();
+    }
+    let all = simulation.points();
+    let outputs = all.iter().filter(|point| point.role == Role::Output);
+    let progress = all
+        .iter()
+        .filter(|point| matches!(point.name.rsplit_once('.'), Some((_, "ET" | "CV"))));
+    let mut watched: Vec<Point> = outputs.take(WATCHED - 1).cloned().collect();
+    watched.extend(progress.take(WATCHED - watched.len()).cloned());
+    let others = all.iter().filter(|point| {
+        point.ty == Scalar::Bool
+            && point.role == Role::Internal
+            && !point.read_only
+            && !point.name.contains('.')
+    });
+    watched.extend(others.take(WATCHED - watched.len()).cloned());
+    Ok(watched)
+}

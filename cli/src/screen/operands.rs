@@ -1,0 +1,153 @@
+//! What of a block's operands can be looked at.
+
+use super::sheet::{Operand, Shown};
+use ladder_analysis::program::{Argument, Block, BlockKind, Bound, Expr, ExprKind, Place, Program, TagId};
+use ladder_analysis::types::{Scalar, Type};
+use ladder_instructions::{Direction, Instruction};
+use ladder_simulator::{Point, Simulation};
+use ladder_syntax::TextRange;
+
+/// The row of the instruction table.
+pub(super) fn instruction(block: &Block) -> Option<&'static Instruction> {
+    match block.kind {
+        BlockKind::Instruction(row) => Some(row),
+        BlockKind::User(_) => None,
+    }
+}
+
+/// The tags that stand between a block's parentheses and have one value.
+pub(super) fn named(text: &str, block: &Block, simulation: &Simulation) -> Vec<Operand> {
+    let program = simulation.program();
+    let mut operands = Vec::new();
+    for bound in &block.arguments {
+        if let Argument::State(tag) = bound.argument {
+            operands.extend(state(program, tag, bound.range, simulation));
+            continue;
+        }
+        for (place, range) in places(bound) {
+            let written = matches!(bound.argument, Argument::Place(..)) && writes(bound);
+            if let Some(point) = point(text, place, range, simulation) {
+                operands.push(Operand {
+                    start: range.start().into(),
+                    end: range.end().into(),
+                    point,
+                    written,
+                });
+            }
+        }
+    }
+    operands
+}
+
+/// A timer or counter stands for its output.
+fn state(program: &Program, tag: TagId, range: TextRange, simulation: &Simulation) -> Option<Operand> {
+    let tag = &program.tags[tag.0 as usize];
+    if tag.block.is_some() {
+        return None;
+    }
+    let output = |member| simulation.resolve(&format!("{}.{member}", tag.name)).ok();
+    Some(Operand {
+        start: range.start().into(),
+        end: range.end().into(),
+        point: output("Q").or_else(|| output("QU")).or_else(|| output("Q1"))?,
+        written: true,
+    })
+}
+
+/// What the end of the line shows: timers and counters with their goals, and every value that is no BOOL.
+pub(super) fn shown(text: &str, block: &Block, simulation: &Simulation) -> Vec<Shown> {
+    let program = simulation.program();
+    let mut shown = Vec::new();
+    for bound in &block.arguments {
+        if let Argument::State(tag) = bound.argument {
+            shown.extend(progress(program, tag, simulation));
+            continue;
+        }
+        let of_state =
+            matches!(block.arguments.first(), Some(first) if matches!(first.argument, Argument::State(_)));
+        for (place, range) in places(bound) {
+            // The preset of a timer stands beside what it has reached.
+            if of_state {
+                continue;
+            }
+            if let Some(point) = point(text, place, range, simulation)
+                && point.ty != Scalar::Bool
+            {
+                shown.push(Shown::Value(point));
+            }
+        }
+    }
+    shown
+}
+
+fn progress(program: &Program, tag: TagId, simulation: &Simulation) -> Option<Shown> {
+    let tag = &program.tags[tag.0 as usize];
+    let Type::State(state) = tag.ty else { return None };
+    if tag.block.is_some() {
+        return None;
+    }
+    let (reached, goal) = if state.is_timer() {
+        ("ET", "PT")
+    } else {
+        ("CV", "PV")
+    };
+    let member = |member| simulation.resolve(&format!("{}.{member}", tag.name)).ok();
+    Some(Shown::Progress {
+        name: tag.name.clone(),
+        reached: member(reached)?,
+        goal: member(goal)?,
+    })
+}
+
+fn writes(bound: &Bound) -> bool {
+    // In a user-defined block an argument that is a place is an output or in-out.
+    bound
+        .operand
+        .is_none_or(|operand| operand.direction != Direction::In)
+}
+
+/// The places that an argument names, with where they are written.
+fn places(bound: &Bound) -> Vec<(&Place, TextRange)> {
+    let mut found = Vec::new();
+    match &bound.argument {
+        Argument::Value(expression) => read_in(expression, &mut found),
+        Argument::Place(place, _) => found.push((place, bound.range)),
+        _ => {}
+    }
+    found
+}
+
+fn read_in<'e>(expression: &'e Expr, found: &mut Vec<(&'e Place, TextRange)>) {
+    match &expression.kind {
+        ExprKind::Read(place) => found.push((place, expression.range)),
+        ExprKind::Pass(inner) | ExprKind::Unary(_, inner) => read_in(inner, found),
+        ExprKind::Binary(_, left, right) | ExprKind::Compare(_, left, right) => {
+            read_in(left, found);
+            read_in(right, found);
+        }
+        ExprKind::Call(_, arguments) => arguments.iter().for_each(|argument| read_in(argument, found)),
+        ExprKind::Constant(_) | ExprKind::Sum(_) => {}
+    }
+}
+
+/// The value of a place, if it always is the same one: not `a[i]`, and not the tags of a user-defined block's body,
+/// of which every place where the block stands has its own.
+fn point(text: &str, place: &Place, range: TextRange, simulation: &Simulation) -> Option<Point> {
+    let tag = match place {
+        Place::System(_) => None,
+        place => Some(root(place)?),
+    };
+    let program = simulation.program();
+    if tag.is_some_and(|tag| program.tags[tag.0 as usize].block.is_some()) {
+        return None;
+    }
+    simulation.resolve(&text[range]).ok()
+}
+
+fn root(place: &Place) -> Option<TagId> {
+    match place {
+        Place::Tag(tag) | Place::Element(tag, _) | Place::Member(tag, _) => Some(*tag),
+        Place::Bit(inner, ..) => root(inner),
+        Place::System(_) => None,
+    }
+}

@@ -1,0 +1,243 @@
+//! What runs behind the screen: the session, with what the screen remembers of it.
+
+use super::record::Record;
+use super::sheet::Sheet;
+use crate::findings::Source;
+use crate::outcome::Failure;
+use crate::run::{Inputs, Retention};
+use ladder_analysis::program::Role;
+use ladder_analysis::value::Value;
+use ladder_simulator::{Fault, Point, Session, Simulation, Status};
+
+/// So many scans of the past are looked up when a tag is added to the watch list.
+const PAST: usize = 10_000;
+
+/// A running program.
+pub(super) struct Plant {
+    pub(super) sheet: Sheet,
+    session: Session,
+    /// What tags are given before each scan.
+    inputs: Inputs,
+    /// The file that keeps retentive tags.
+    retention: Option<Retention>,
+    /// The values of the watched tags, scan by scan.
+    pub(super) record: Record,
+}
+
+/// What a step came to.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Ran {
+    /// The program can go on.
+    On,
+    /// It cannot: it has ended, or a fault has stopped it.
+    Out,
+}
+
+impl Plant {
+    /// A program before its next scan.
+    pub(super) fn new(
+        source: &Source,
+        session: Session,
+        inputs: Inputs,
+        retention: Option<Retention>,
+    ) -> Plant {
+        Plant {
+            sheet: Sheet::new(source, session.simulation()),
+            session,
+            inputs,
+            retention,
+            record: Record::default(),
+        }
+    }
+
+    pub(super) fn simulation(&self) -> &Simulation {
+        self.session.simulation()
+    }
+
+    pub(super) fn status(&self) -> Status {
+        self.simulation().status()
+    }
+
+    pub(super) fn scans(&self) -> u64 {
+        self.simulation().scans()
+    }
+
+    pub(super) fn value(&self, point: &Point) -> Value {
+        self.simulation().value(point)
+    }
+
+    /// Whether a BOOL is high.
+    pub(super) fn is_high(&self, point: &Point) -> bool {
+        self.value(point) == Value::Bool(true)
+    }
+
+    pub(super) fn is_forced(&self, point: &Point) -> bool {
+        self.simulation().is_forced(point)
+    }
+
+    /// How many tags are forced.
+    pub(super) fn forces(&self) -> usize {
+        self.simulation().forced().count()
+    }
+
+    /// How many scans can be stepped back, and forward again.
+    pub(super) fn history(&self) -> (usize, usize) {
+        (self.session.scans_behind(), self.session.scans_ahead())
+    }
+
+    /// Runs one scan.
+    pub(super) fn scan(&mut self) -> Ran {
+        if self.status() != Status::Ready {
+            return Ran::Out;
+        }
+        // What was given once is part of the history.
+        if self.session.scans_ahead() == 0 {
+            let scan = self.scans();
+            for (point, value) in self.inputs.before(scan) {
+                // What could be refused was found when the file was read.
+                let _ = self.session.set(point, value);
+            }
+        }
+        if self.session.scan() {
+            let simulation = self.session.simulation();
+            self.record.take(|point| simulation.value(point));
+        }
+        match self.status() {
+            Status::Ready => Ran::On,
+            Status::Ended | Status::Faulted => Ran::Out,
+        }
+    }
+
+    /// Goes back so many scans; how many it were.
+    pub(super) fn step_back(&mut self, scans: usize) -> usize {
+        let gone = self.session.step_back(scans);
+        self.record.take_back(gone);
+        gone
+    }
+
+    /// The last thing that went wrong, and how often it did in its place.
+    pub(super) fn last_fault(&self) -> Option<(Fault, usize)> {
+        self.session.last_fault()
+    }
+
+    pub(super) fn set(&mut self, point: &Point, value: Value) -> Result<(), String> {
+        self.session.set(point, value).map_err(|refused| refused.message)
+    }
+
+    pub(super) fn force(&mut self, point: &Point, value: Value) -> Result<(), String> {
+        self.session
+            .force(point, value)
+            .map_err(|refused| refused.message)
+    }
+
+    pub(super) fn unforce(&mut self, point: &Point) {
+        self.session.unforce(point);
+    }
+
+    pub(super) fn unforce_all(&mut self) {
+        self.session.unforce_all();
+    }
+
+    /// Begins again. The switches outside stay as they are, and so do forces.
+    pub(super) fn restart(&mut self, restart: Restart) {
+        let inputs = self.switches();
+        match restart {
+            Restart::Cold => self.session.reset(),
+            Restart::Warm => self.session.warm_restart(),
+        }
+        for (point, value) in inputs {
+            // It held this value before.
+            let _ = self.session.set(&point, value);
+        }
+        self.record.clear();
+    }
+
+    /// What the inputs hold.
+    fn switches(&self) -> Vec<(Point, Value)> {
+        let inputs = self.sheet.inputs.iter();
+        inputs
+            .filter(|point| !self.is_forced(point))
+            .map(|point| (point.clone(), self.value(point)))
+            .collect()
+    }
+
+    /// Saves what is retentive, if that is due.
+    pub(super) fn keep(&mut self) {
+        if let Some(retention) = &mut self.retention {
+            retention.keep(self.session.simulation());
+        }
+    }
+
+    /// Saves what is retentive at the end.
+    pub(super) fn finish(&mut self) -> Result<(), Failure> {
+        match &mut self.retention {
+            Some(retention) => retention.finish(self.session.simulation()),
+            None => Ok(()),
+        }
+    }
+
+    /// Takes over from a program that ran before: its inputs, forces, retentive tags and watched tags, as far as
+    /// they are still there. How many forces are not.
+    pub(super) fn take_over(&mut self, before: &mut Plant) -> usize {
+        // What is no more, or of another type, begins as it is declared.
+        let _ = self.session.warm_start(&before.simulation().retained());
+        self.retention = before.retention.take();
+        let same = |point: &Point| {
+            let found = self.session.simulation().resolve(&point.name).ok();
+            found.filter(|found| found.ty == point.ty && found.role == point.role)
+        };
+        let inputs: Vec<_> = before
+            .switches()
+            .into_iter()
+            .filter_map(|(point, value)| Some((same(&point)?, value)))
+            .collect();
+        let forced: Vec<_> = before.simulation().forced().cloned().collect();
+        let forces: Vec<_> = forced
+            .iter()
+            .filter_map(|point| Some((same(point)?, before.value(point))))
+            .collect();
+        let watched: Vec<_> = before
+            .record
+            .tracks()
+            .iter()
+            .map(|track| track.point.clone())
+            .collect();
+        let watched: Vec<_> = watched.iter().filter_map(same).collect();
+        let lost = forced.len() - forces.len();
+        for (point, value) in inputs {
+            let _ = self.session.set(&point, value);
+        }
+        for (point, value) in forces {
+            let _ = self.session.force(&point, value);
+        }
+        for point in watched {
+            self.record.add(point, &[]);
+        }
+        lost
+    }
+
+    /// Watches a tag.
+    pub(super) fn watch(&mut self, point: &Point) {
+        let mut past = self.session.past(std::slice::from_ref(point), PAST);
+        self.record.add(point.clone(), &past.pop().unwrap_or_default());
+    }
+
+    /// Watches a tag no more.
+    pub(super) fn unwatch(&mut self, point: &Point) {
+        self.record.remove(point);
+    }
+
+    /// Whether a point is fed from outside.
+    pub(super) fn is_input(point: &Point) -> bool {
+        point.role == Role::Input
+    }
+}
+
+/// How a program begins again.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Restart {
+    /// All tags as before the first scan.
+    Cold,
+    /// Retentive tags keep their values.
+    Warm,
+}

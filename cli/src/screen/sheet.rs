@@ -1,0 +1,307 @@
+//! The program as it is drawn: its lines, and where on them stands what can be selected or carries power.
+//!
+//! All of it is found once, when the program is loaded; drawing a screen then costs what the screen shows.
+
+use super::operands;
+use crate::findings::Source;
+use ladder_analysis::program::{ElementKind, Location, Network, Program};
+use ladder_instructions::Instruction;
+use ladder_simulator::{Point, Simulation};
+use ladder_syntax::{SyntaxKind, TextRange};
+use std::collections::HashMap;
+use std::ops::Range;
+
+/// A program on paper.
+#[derive(Debug)]
+pub(super) struct Sheet {
+    /// The file as it was named.
+    pub(super) file: String,
+    text: String,
+    lines: Vec<Line>,
+    /// Every block of the drawing, in the order in which one reads.
+    pub(super) blocks: Vec<Block>,
+    marks: Vec<Mark>,
+    /// Where comments stand in the text.
+    comments: Vec<Range<usize>>,
+    /// What the world outside gives to the program.
+    pub(super) inputs: Vec<Point>,
+    /// Where each tag's blocks stand: indices into `blocks`, by the point's name.
+    uses: HashMap<String, Vec<usize>>,
+}
+
+/// One line of the file.
+#[derive(Debug, Clone, Default)]
+struct Line {
+    /// Its bytes in the text, without the line end.
+    text: Range<usize>,
+    marks: Range<usize>,
+    blocks: Range<usize>,
+}
+
+/// A part of the drawing that carries power.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Mark {
+    /// Its first byte in the text.
+    pub(super) start: usize,
+    /// Behind its last byte.
+    pub(super) end: usize,
+    pub(super) kind: ElementKind,
+    /// Its number in the simulation's list of powers.
+    pub(super) element: usize,
+}
+
+/// A block that can be selected.
+#[derive(Debug)]
+pub(super) struct Block {
+    /// Its line, from 0.
+    pub(super) line: usize,
+    /// Its bytes in the text.
+    pub(super) start: usize,
+    pub(super) end: usize,
+    /// Its network, as the program counts them.
+    pub(super) network: usize,
+    /// Its row of the instruction table; none for a user-defined block.
+    pub(super) instruction: Option<&'static Instruction>,
+    /// Its tags that can be looked at, in the order of its operands.
+    pub(super) operands: Vec<Operand>,
+    /// What the end of its line shows of it.
+    pub(super) shown: Vec<Shown>,
+}
+
+/// A tag that a block names.
+#[derive(Debug)]
+pub(super) struct Operand {
+    /// Its bytes in the text.
+    pub(super) start: usize,
+    pub(super) end: usize,
+    pub(super) point: Point,
+    /// The block writes it.
+    pub(super) written: bool,
+}
+
+/// A value at the end of a line.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) enum Shown {
+    /// A timer or counter: how far it is, and how far it goes.
+    Progress {
+        name: String,
+        reached: Point,
+        goal: Point,
+    },
+    /// A number, time or text.
+    Value(Point),
+}
+
+impl Sheet {
+    /// Draws up a program that is about to run.
+    pub(super) fn new(source: &Source, simulation: &Simulation) -> Sheet {
+        let program = simulation.program();
+        let lines = source.line_ranges().map(|range| Line {
+            text: without_line_end(&source.text, range),
+            ..Line::default()
+        });
+        let mut sheet = Sheet {
+            file: source.file.clone(),
+            text: source.text.clone(),
+            lines: lines.collect(),
+            blocks: Vec::new(),
+            marks: marks(simulation),
+            comments: comments(&source.text),
+            inputs: inputs(simulation),
+            uses: HashMap::new(),
+        };
+        // Behind the last line end there is no line.
+        if sheet.lines.len() > 1 && sheet.lines.last().is_some_and(|last| last.text.is_empty()) {
+            sheet.lines.pop();
+        }
+        for (index, network) in own_networks(program) {
+            for block in &network.blocks {
+                sheet.blocks.push(Block {
+                    line: 0,
+                    start: block.location.range.start().into(),
+                    end: block.location.range.end().into(),
+                    network: index,
+                    instruction: operands::instruction(block),
+                    operands: operands::named(&source.text, block, simulation),
+                    shown: operands::shown(&source.text, block, simulation),
+                });
+            }
+        }
+        sheet.blocks.sort_by_key(|block| block.start);
+        sheet.share_out();
+        for (index, block) in sheet.blocks.iter().enumerate() {
+            for operand in &block.operands {
+                let uses = sheet.uses.entry(operand.point.name.clone()).or_default();
+                // A block may name a tag twice.
+                if uses.last() != Some(&index) {
+                    uses.push(index);
+                }
+            }
+        }
+        sheet
+    }
+
+    /// Gives every line its blocks and marks.
+    fn share_out(&mut self) {
+        let (mut block, mut mark) = (0, 0);
+        for (number, line) in self.lines.iter_mut().enumerate() {
+            let first = block;
+            while block < self.blocks.len() && self.blocks[block].start < line.text.end {
+                self.blocks[block].line = number;
+                block += 1;
+            }
+            line.blocks = first..block;
+            // A comment that joins two wires may begin lines above.
+            let first = mark;
+            let mut last = mark;
+            while last < self.marks.len() && self.marks[last].start < line.text.end {
+                last += 1;
+            }
+            mark = last;
+            while mark > first && self.marks[mark - 1].end > line.text.end {
+                mark -= 1;
+            }
+            line.marks = first..last;
+        }
+    }
+
+    /// How many lines it has.
+    pub(super) fn height(&self) -> usize {
+        self.lines.len()
+    }
+
+    /// The text of a line, without its line end and the byte order mark.
+    pub(super) fn line(&self, line: usize) -> &str {
+        &self.text[self.lines[line].text.clone()]
+    }
+
+    /// Where a line begins in the text.
+    pub(super) fn line_start(&self, line: usize) -> usize {
+        self.lines[line].text.start
+    }
+
+    /// What carries power on a line, from left to right.
+    pub(super) fn marks(&self, line: usize) -> &[Mark] {
+        &self.marks[self.lines[line].marks.clone()]
+    }
+
+    /// The numbers of a line's blocks.
+    pub(super) fn blocks_of(&self, line: usize) -> Range<usize> {
+        self.lines[line].blocks.clone()
+    }
+
+    /// Whether a place in the text lies in a comment.
+    pub(super) fn is_comment(&self, offset: usize) -> bool {
+        let behind = self.comments.partition_point(|comment| comment.start <= offset);
+        behind
+            .checked_sub(1)
+            .is_some_and(|index| offset < self.comments[index].end)
+    }
+
+    /// The values that stand at the end of a line.
+    pub(super) fn shown(&self, line: usize) -> impl Iterator<Item = &Shown> {
+        let mut before: Vec<&Shown> = Vec::new();
+        self.blocks[self.blocks_of(line)]
+            .iter()
+            .flat_map(|block| &block.shown)
+            .filter(move |shown| {
+                let new = !before.contains(shown);
+                before.push(shown);
+                new
+            })
+    }
+
+    /// The blocks that name a tag, in the order in which one reads.
+    pub(super) fn uses(&self, point: &Point) -> &[usize] {
+        self.uses.get(&point.name).map_or(&[], Vec::as_slice)
+    }
+
+    /// The lines of a network's blocks, from first to last.
+    pub(super) fn first_line_of_network(&self, block: usize) -> usize {
+        let network = self.blocks[block].network;
+        let first = self.blocks[..=block]
+            .iter()
+            .rev()
+            .take_while(|other| other.network == network)
+            .last();
+        first.map_or(0, |first| first.line)
+    }
+
+    /// A block's text, as written.
+    pub(super) fn block_text(&self, block: &Block) -> &str {
+        &self.text[block.start..block.end]
+    }
+
+    /// The block that a place in the text belongs to.
+    pub(super) fn block_at(&self, offset: usize) -> Option<usize> {
+        let behind = self.blocks.partition_point(|block| block.start <= offset);
+        let index = behind.checked_sub(1)?;
+        (offset < self.blocks[index].end).then_some(index)
+    }
+
+    /// The line that a place in the program's own file stands on, from 0, and its column in characters, from 1.
+    pub(super) fn place(&self, location: Location) -> Option<(usize, usize)> {
+        if location.file != 0 {
+            return None;
+        }
+        let offset = usize::from(location.range.start());
+        let line = self
+            .lines
+            .partition_point(|line| line.text.start <= offset)
+            .checked_sub(1)?;
+        let before = self.text.get(self.lines[line].text.start..offset)?;
+        Some((line, before.chars().count() + 1))
+    }
+}
+
+/// The networks of the program's own file.
+fn own_networks(program: &Program) -> impl Iterator<Item = (usize, &Network)> {
+    let all = program.networks.iter().enumerate();
+    all.filter(|(_, network)| network.location.file == 0)
+}
+
+/// What carries power in the program's own file, in the order of the text.
+fn marks(simulation: &Simulation) -> Vec<Mark> {
+    let own = simulation.power().enumerate();
+    let mut marks: Vec<Mark> = own
+        .filter(|(_, (_, location, _))| location.file == 0)
+        .map(|(element, (kind, location, _))| Mark {
+            start: location.range.start().into(),
+            end: location.range.end().into(),
+            kind,
+            element,
+        })
+        .collect();
+    marks.sort_by_key(|mark| mark.start);
+    marks
+}
+
+fn comments(text: &str) -> Vec<Range<usize>> {
+    let parse = ladder_syntax::parse(text);
+    let tokens = parse.syntax().descendants_with_tokens();
+    tokens
+        .filter(|token| token.kind() == SyntaxKind::COMMENT)
+        .map(|token| usize::from(token.text_range().start())..usize::from(token.text_range().end()))
+        .collect()
+}
+
+fn inputs(simulation: &Simulation) -> Vec<Point> {
+    use ladder_analysis::program::Role;
+    let inputs = simulation.points().iter();
+    inputs
+        .filter(|point| point.role == Role::Input && !point.read_only)
+        .cloned()
+        .collect()
+}
+
+fn without_line_end(text: &str, range: TextRange) -> Range<usize> {
+    let range = usize::from(range.start())..usize::from(range.end());
+    let line = &text[range.clone()];
+    let kept = line.trim_end_matches(['\r', '\n']).len();
+    let mark = if line.starts_with('\u{feff}') {
+        '\u{feff}'.len_utf8()
+    } else {
+        0
+    };
+    range.start + mark..range.start + kept.max(mark)
+}

@@ -1,0 +1,292 @@
+//! How programs look.
+
+use super::{Bench, MOTOR, styles};
+use crate::screen::theme::Charset;
+use expect_test::expect;
+
+#[test]
+fn a_program_before_its_first_scan() {
+    Bench::new(MOTOR).check(
+        "",
+        expect![[r#"
+            | motor.clad  ■ PAUSED  speed 1x                                  scan 0  0.00 s
+            |  VAR_INPUT  start, stop : BOOL;  END_VAR
+            |  VAR  warmup : TON;  END_VAR
+            |
+            |  # Seal-in #
+            |> +──\──[ ]( start )──\──[/]( stop )─────────────( )( run )──+
+            |  |  /──[ ]( run )────/                                      |
+            |
+            |  # Warm-up #
+            |  +──[ ]( run )─────────[TON]( warmup, T#5s )──( )( ready )──+  warmup 0s/0s
+            |
+            |
+            |
+            |
+            |
+            |
+            |─ Inputs: press the number ─────────────────────────────────────────────────────
+            | 1 ○ start   2 ○ stop
+            |─ Watch ──────────────────────────────────────────────── [ ] 1 column = 100 ms ─
+            | ready      FALSE
+            | warmup.ET  0s
+            | run        FALSE
+            | Open contact: input start is FALSE; space switches it
+            | space switch p run s step b back +- speed f force w watch ? help q quit
+        "#]],
+    );
+}
+
+#[test]
+fn power_flows() {
+    Bench::new(MOTOR).check(
+        "p space +1200ms space +100ms",
+        expect![[r#"
+            | motor.clad  ▶ RUNNING 1x                                      scan 130  1.30 s
+            |  VAR_INPUT  start, stop : BOOL;  END_VAR
+            |  VAR  warmup : TON;  END_VAR
+            |
+            |  # Seal-in #
+            |> +══\══[ ]( start )──\══[/]( stop )═════════════( )(●run )══+
+            |  |  /══[ ](●run )════/                                      |
+            |
+            |  # Warm-up #
+            |  +══[ ](●run )═════════[TON]( warmup, T#5s )──( )( ready )──+  warmup 1.2s/5s
+            |
+            |
+            |
+            |
+            |
+            |
+            |─ Inputs: press the number ─────────────────────────────────────────────────────
+            | 1 ○ start   2 ○ stop
+            |─ Watch ──────────────────────────────────────────────── [ ] 1 column = 100 ms ─
+            | ready      FALSE                                                  ⣀⣀⣀⣀⣀⣀⣀⣀⣀⣀⣀⣀⣀
+            | warmup.ET  1.2s                                                   ▁▂▃▃▄▄▅▅▆▆▇▇█
+            | run        TRUE                                                   ⠉⠉⠉⠉⠉⠉⠉⠉⠉⠉⠉⠉⠉
+            | Open contact: input start is FALSE; space switches it
+            | space switch p pause s step b back +- speed f force w watch ? help q quit
+        "#]],
+    );
+}
+
+#[test]
+fn nothing_is_told_by_colour_alone() {
+    let bench = Bench::new(MOTOR);
+    expect![[r#"
+        |RRRRRRRRRRRRRRRRRRRRRRRRRRRRRRRRRRRRRRRRRRRRRRRRRRRRRRRRRRRRRRRRRRRRRRRRRRRRRRRR
+        |
+        |
+        |
+        |  DDDDDDDDDDD
+        |B BBBBBBBBBBBBBBBBBBBBBBBRRRRRRRRRRRBBBBBBBBBBBBBBBBBBBBBBBBBB
+        |     BBB    BBBB      B
+        |
+        |  DDDDDDDDDDD
+        |  BBBBBBBBBBBBBBBBBBBBBB
+        |
+        |
+        |
+        |
+        |
+        |
+        |DBBBBBBBBBBBBBBBBBBBBBBBBBBDDDDDDDDDDDDDDDDDDDDDDDDDDDDDDDDDDDDDDDDDDDDDDDDDDDDD
+        | U B BBBBB   U R RRRRR
+        |DBBBBBBBDDDDDDDDDDDDDDDDDDDDDDDDDDDDDDDDDDDDDDDDDDDDDDDDDDDDDDDDDDDDDDDDDDDDDDDD
+        |
+        |
+        | BBB        BBBB
+        |
+        | UUUUU        U     U      U      UU       U       U       U      U
+    "#]]
+    .assert_eq(&bench.play("space s tab f 0 b s", |_, buffer| styles(buffer)));
+    let bench = Bench::new(MOTOR).theme(true, Charset::Unicode);
+    expect![[r#"
+        |RRRRRRRRRRRRRRRRRRRRRRRRRRRRRRRRRRRRRRRRRRRRRRRRRRRRRRRRRRRRRRRRRRRRRRRRRRRRRRRR
+        |
+        |
+        |
+        |  ddddddddddd
+        |B gggggggggggggggggggggggRRRRyyyyyyRgggggggggggggggggggggggggg
+        |     ggg    gggg      g
+        |
+        |  ddddddddddd
+        |  gggggggggggggggggggggg                                        cccccccccccc
+        |
+        |
+        |
+        |
+        |
+        |
+        |dddddddddddddddddddddddddddddddddddddddddddddddddddddddddddddddddddddddddddddddd
+        | B g ggggg   B y yyyyy
+        |dddddddddddddddddddddddddddddddddddddddddddddddddddddddddddddddddddddddddddddddd
+        |                   ccccccccccccccccccccccccccccccccccccccccccccccccccccccccccccc
+        |            cc     ccccccccccccccccccccccccccccccccccccccccccccccccccccccccccccc
+        | ggg        gggg   ccccccccccccccccccccccccccccccccccccccccccccccccccccccccccccc
+        |
+        | BBBBB        B     B      B      BB       B       B       B      B
+    "#]]
+    .assert_eq(&bench.play("space s tab f 0 b s", |_, buffer| styles(buffer)));
+}
+
+#[test]
+fn plain_characters() {
+    Bench::new(MOTOR).theme(false, Charset::Ascii).check(
+        "p space +300ms",
+        expect![[r#"
+            | motor.clad  > RUNNING 1x                                       scan 30  0.30 s
+            |  VAR_INPUT  start, stop : BOOL;  END_VAR
+            |  VAR  warmup : TON;  END_VAR
+            |
+            |  # Seal-in #
+            |> +==\==[ ](*start )==\==[/]( stop )=============( )(*run )==+
+            |  |  /==[ ](*run )====/                                      |
+            |
+            |  # Warm-up #
+            |  +==[ ](*run )=========[TON]( warmup, T#5s )--( )( ready )--+  warmup 290ms/5s
+            |
+            |
+            |
+            |
+            |
+            |
+            |- Inputs: press the number -----------------------------------------------------
+            | 1 * start   2 . stop
+            |- Watch ------------------------------------------------ [ ] 1 column = 100 ms -
+            | ready      FALSE                                                            ___
+            | warmup.ET  290ms                                                            :+#
+            | run        TRUE                                                             ---
+            | Open contact: input start is TRUE; space switches it
+            | space switch p pause s step b back +- speed f force w watch ? help q quit
+        "#]],
+    );
+}
+
+#[test]
+fn large() {
+    Bench::new(MOTOR).size(160, 30).check("p space +700ms", expect![[r#"
+        | motor.clad  ▶ RUNNING 1x                                                                                                                       scan 70  0.70 s
+        |1  VAR_INPUT  start, stop : BOOL;  END_VAR                                                           ─ Watch ─────────────────────────── [ ] 1 column = 100 ms ─
+        |2  VAR  warmup : TON;  END_VAR                                                                        ready      FALSE                                   ⣀⣀⣀⣀⣀⣀⣀
+        |3                                                                                                     warmup.ET  690ms                                   ▂▃▄▅▆▇█
+        |4  # Seal-in #                                                                                        run        TRUE                                    ⠉⠉⠉⠉⠉⠉⠉
+        |5> +══\══[ ](●start )══\══[/]( stop )═════════════( )(●run )══+
+        |6  |  /══[ ](●run )════/                                      |
+        |7
+        |8  # Warm-up #
+        |9  +══[ ](●run )═════════[TON]( warmup, T#5s )──( )( ready )──+  warmup 690ms/5s
+        |
+        |
+        |
+        |
+        |
+        |
+        |
+        |
+        |
+        |
+        |
+        |
+        |
+        |
+        |
+        |
+        |─ Inputs: press the number ─────────────────────────────────────────────────────────────────────────────────────────────────────────────────────────────────────
+        | 1 ● start   2 ○ stop
+        | Open contact: input start is TRUE; space switches it
+        | space switch   p pause   s step   b back   +- speed   f force   w watch   ? help   q quit
+    "#]]);
+}
+
+#[test]
+fn tiny() {
+    let bench = Bench::new(MOTOR);
+    bench.check(
+        "size:30x8",
+        expect![[r#"
+            | motor.clad  ■ PAUSED  speed 1
+            |  # Seal-in #
+            |> +──\──[ ]( start )──\──[/](
+            |  |  /──[ ]( run )────/
+            |─ Inputs: press the number ───
+            | 1 ○ start   2 ○ stop
+            | Open contact: input start is
+            | space switch p run s step b b
+        "#]],
+    );
+    for (width, height) in [(1, 1), (2, 40), (200, 1), (5, 5), (12, 3)] {
+        bench.play(&format!("size:{width}x{height} ? esc w esc space"), |_, _| {
+            String::new()
+        });
+    }
+}
+
+#[test]
+fn wide_characters_tabs_and_line_ends() {
+    let text = "\u{feff}# 温度 🙂 #\r\n+--[ ](\t温度\t)--( )( a )--+\r\r\n+--[GT]( level, 80 )--# heiß #--( )( é )--+  # note #";
+    Bench::new(text).check_lines(
+        "2 enter 9 5 enter s",
+        0..8,
+        expect![[r#"
+            | motor.clad  ■ PAUSED  speed 1x                                  scan 1  0.01 s
+            |  # 温度 🙂 #
+            |> +══[ ]( 温度    )──( )( a )──+
+            |
+            |  +══[GT]( level, 80 )──# heiß #──( )( é )──+  # note #  level=0
+            |
+            |
+            |
+        "#]],
+    );
+}
+
+#[test]
+fn values_at_line_ends() {
+    let text = "\
++--[ADD]( total, total, 3 )--[ ]( go )--[CTU]( parts, 12 )--( )( full )--+
++--[MUL]( rate, total, 2.5 )--[TON]( t, wait )--+
+";
+    Bench::new(text).check_lines(
+        "space s s s",
+        1..4,
+        expect![[r#"
+            |> +══[ADD]( total, total, 3 )══[ ](●go )══[CTU]( parts, 12 )──( )( full )──+  to
+            |  +══[MUL]( rate, total, 2.5 )══[TON](●t, wait )══+  rate=22.5  total=9  t 0s/0s
+            |
+        "#]],
+    );
+}
+
+#[test]
+fn help() {
+    Bench::new(MOTOR).check(
+        "?",
+        expect![[r#"
+            | motor.clad  ■ PAUSED  speed 1x                                  scan 0  0.00 s
+            | ┌ Help: any key closes it ───────────────────────────────────────────────────┐
+            | │ Move                                      Run                              │
+            | │  arrows hjkl    from block to block        p          run, pause           │
+            | │  Tab, Shift-Tab next, previous block       s          one scan             │
+            | │  PgUp PgDn      a page                     b          one scan back        │
+            | │  g G            first, last block          + -        faster, slower       │
+            | │  / n N          find tag, next, previous   c C        restart cold, warm   │
+            | │                                                                            │
+            | │ Inputs                                    Look                             │
+            | │  space, Enter   switch, or set a number    w          watch, or no more    │
+            | │  1 .. 9         the same for that input    [ ]        shorter, longer time │
+            | │  mouse click    the same for that block    !          go to the last fault │
+            | │  v              set the selected tag       r          load the file again  │
+            | │  f              force the selected tag     Esc        close what is open   │
+            | │  u U            let it go, let all go      q, Ctrl-C  quit                 │
+            | │                                                                            │
+            | │ ═══ power    ─── no power    ● tag the tag is on    tag F forced           │
+            | │                                                                            │
+            | │ This is a simulator, not a safety device.                                  │
+            | │                                                                            │
+            | │                                                                            │
+            | └────────────────────────────────────────────────────────────────────────────┘
+            | space switch p run s step b back +- speed f force w watch ? help q quit
+        "#]],
+    );
+}

@@ -1,0 +1,279 @@
+//! Running, pausing, stepping, restarting, faults, and another version of the file.
+
+use super::{Bench, MOTOR, press};
+use crate::screen::app::Next;
+use expect_test::expect;
+use ratatui::crossterm::event::{KeyCode, KeyModifiers};
+
+#[test]
+fn the_clock_follows_the_speed() {
+    let bench = Bench::new(MOTOR);
+    bench.check_lines(
+        "p +1000ms",
+        0..1,
+        expect![[r#"
+            | motor.clad  ▶ RUNNING 1x                                      scan 100  1.00 s
+        "#]],
+    );
+    bench.check_lines(
+        "p +1000ms p +1000ms",
+        0..1,
+        expect![[r#"
+            | motor.clad  ■ PAUSED  speed 1x                                scan 100  1.00 s
+        "#]],
+    );
+    bench.check_lines(
+        "+ + p +1000ms",
+        0..1,
+        expect![[r#"
+            | motor.clad  ▶ RUNNING 5x                                      scan 500  5.00 s
+        "#]],
+    );
+    bench.check_lines(
+        "- - - p +1000ms",
+        0..1,
+        expect![[r#"
+            | motor.clad  ▶ RUNNING 0.1x                                     scan 10  0.10 s
+        "#]],
+    );
+}
+
+#[test]
+fn steps_and_back() {
+    let bench = Bench::new(MOTOR);
+    bench.check_lines(
+        "space s space s s",
+        0..6,
+        expect![[r#"
+            | motor.clad  ■ PAUSED  speed 1x                                  scan 3  0.03 s
+            |  VAR_INPUT  start, stop : BOOL;  END_VAR
+            |  VAR  warmup : TON;  END_VAR
+            |
+            |  # Seal-in #
+            |> +══\══[ ]( start )──\══[/]( stop )═════════════( )(●run )══+
+        "#]],
+    );
+    bench.check_lines(
+        "space s space s s b b b",
+        0..6,
+        expect![[r#"
+            | motor.clad  ■ PAUSED  speed 1x                          3 back  scan 0  0.00 s
+            |  VAR_INPUT  start, stop : BOOL;  END_VAR
+            |  VAR  warmup : TON;  END_VAR
+            |
+            |  # Seal-in #
+            |> +──\──[ ]( start )──\──[/]( stop )─────────────( )( run )──+
+        "#]],
+    );
+    bench.check_info(
+        "b",
+        expect![[r#"
+            | this is the beginning
+        "#]],
+    );
+    // Forward again, and then on.
+    bench.check_lines(
+        "space s space s s b b s s s",
+        0..1,
+        expect![[r#"
+            | motor.clad  ■ PAUSED  speed 1x                                  scan 4  0.04 s
+        "#]],
+    );
+}
+
+#[test]
+fn a_restart_leaves_the_switches_as_they_are() {
+    let bench = Bench::new(MOTOR);
+    bench.check_lines(
+        "space s space s s c",
+        0..6,
+        expect![[r#"
+            | motor.clad  ■ PAUSED  speed 1x                                  scan 0  0.00 s
+            |  VAR_INPUT  start, stop : BOOL;  END_VAR
+            |  VAR  warmup : TON;  END_VAR
+            |
+            |  # Seal-in #
+            |> +──\──[ ]( start )──\──[/]( stop )─────────────( )( run )──+
+        "#]],
+    );
+    bench.check_lines(
+        "space s s s c s",
+        0..6,
+        expect![[r#"
+            | motor.clad  ■ PAUSED  speed 1x                                  scan 1  0.01 s
+            |  VAR_INPUT  start, stop : BOOL;  END_VAR
+            |  VAR  warmup : TON;  END_VAR
+            |
+            |  # Seal-in #
+            |> +══\══[ ](●start )══\══[/]( stop )═════════════( )(●run )══+
+        "#]],
+    );
+    let retentive = "+--[ ]( go )--( M )( kept )--( )( lost )--+\n";
+    let retentive = retentive.replace("( M )", "(M)");
+    Bench::new(&retentive).check_lines(
+        "space s space C",
+        0..2,
+        expect![[r#"
+            | motor.clad  ■ PAUSED  speed 1x                                  scan 0  0.00 s
+            |> +──[ ]( go )──(M)(●kept )──( )( lost )──+
+        "#]],
+    );
+}
+
+#[test]
+fn the_end() {
+    let bench = Bench::new("+--[ ]( stop )--<END>--+\n").size(80, 10);
+    bench.check(
+        "p space +500ms",
+        expect![[r#"
+            | motor.clad  ■ ENDED                                             scan 1  0.01 s
+            |> +══[ ](●stop )══<END>──+
+            |
+            |
+            |
+            |
+            |─ Inputs: press the number ─────────────────────────────────────────────────────
+            | 1 ● stop
+            | Open contact: input stop is TRUE; space switches it
+            | space switch p run s step b back +- speed f force w watch ? help q quit
+        "#]],
+    );
+    bench.check_info(
+        "p space +500ms p",
+        expect![[r#"
+            | the program has ended: c starts it again
+        "#]],
+    );
+    bench.check_info(
+        "p space +500ms s",
+        expect![[r#"
+            | the program has ended: b goes back, c starts it again
+        "#]],
+    );
+    bench.check_lines(
+        "p space +500ms b",
+        0..1,
+        expect![[r#"
+            | motor.clad  ■ PAUSED  speed 1x                          1 back  scan 0  0.00 s
+        "#]],
+    );
+}
+
+#[test]
+fn faults_are_seen() {
+    let text = "\
+VAR_INPUT  parts : INT;  END_VAR
++--( )( a )--+
++--[DIV]( share, 12, parts )--( )( ok )--+
+";
+    let bench = Bench::new(text).size(90, 14);
+    bench.check(
+        "s s s",
+        expect![[r#"
+            | motor.clad  ■ PAUSED  speed 1x                                            scan 3  0.03 s
+            |  VAR_INPUT  parts : INT;  END_VAR
+            |> +══( )(●a )══+
+            |! +══[DIV]( share, 12, parts )──( )( ok )──+  share=0  parts=0
+            |
+            |
+            |─ Inputs: press the number ───────────────────────────────────────────────────────────────
+            | 1 parts=0
+            |─ Watch ────────────────────────────────────────────────────────── [ ] 1 column = 100 ms ─
+            | a   TRUE                                                                                ⠁
+            | ok  FALSE                                                                               ⡀
+            | ! motor.clad:3:4: scan 2 (3 times): division by zero: nothing was written; check the
+            | Coil: output a is TRUE
+            | space switch   p run   s step   b back   +- speed   f force   w watch   ? help   q quit
+        "#]],
+    );
+    bench.check_info(
+        "s tab !",
+        expect![[r#"
+            | Divide: share=0, parts=0
+        "#]],
+    );
+    bench.check_lines(
+        "s b",
+        11..13,
+        expect![[r#"
+            | ok  FALSE
+            | Coil: output a is FALSE
+        "#]],
+    );
+    let endless = Bench::new("+--<LBL>( again )--+\n+--[ ]( go )--<JMP>( again )--+\n").size(90, 12);
+    endless.check_lines(
+        "p +100ms space +100ms",
+        0..1,
+        expect![[r#"
+            | motor.clad  ! STOPPED BY A FAULT                                         scan 10  0.10 s
+        "#]],
+    );
+}
+
+#[test]
+fn another_version_of_the_file() {
+    let other = MOTOR.replace("( ready )", "( warm )").replace("T#5s", "T#9s");
+    let texts = [("other", other.as_str()), ("broken", "+--[ ]( a --+\n")];
+    let bench = Bench::new(MOTOR).size(150, 24);
+    let lines = |steps: &str, lines: std::ops::Range<usize>| {
+        bench.play_with(steps, &texts, |_, buffer| {
+            let all = super::characters(buffer);
+            let some: Vec<&str> = all.lines().skip(lines.start).take(lines.len()).collect();
+            some.join("\n") + "\n"
+        })
+    };
+    let info = |steps: &str| lines(steps, 22..23).replace(bench.folder.path().to_str().unwrap(), "");
+    expect![[r#"
+        | Open contact: input start is FALSE; space switches it
+    "#]]
+    .assert_eq(&info("look"));
+    expect![[r#"
+        | motor.clad has changed on disk: r loads it again
+    "#]]
+    .assert_eq(&info("space s write:other look"));
+    expect![[r#"
+        | /motor.clad was loaded again; retentive tags have kept their values
+    "#]]
+    .assert_eq(&info("space s write:other look r"));
+    expect![[r#"
+        | motor.clad  ■ PAUSED  speed 1x                                                                                               1 FORCE  scan 1  0.01 s
+        |1  VAR_INPUT  start, stop : BOOL;  END_VAR
+        |2  VAR  warmup : TON;  END_VAR
+        |3
+        |4  # Seal-in #
+        |5> +══\══[ ](●start )══\══[/]( stopF)═════════════( )(●run )══+
+        |6  |  /══[ ](●run )────/                                      |
+        |7
+        |8  # Warm-up #
+        |9  +══[ ](●run )═════════[TON]( warmup, T#9s )──( )( warm )──+  warmup 0s/9s
+    "#]]
+    .assert_eq(&lines("space tab f 0 s write:other look r s", 0..10));
+    expect![[r#"
+        | /motor.clad:1:7: `( a` is not closed: `)` is missing; the old program goes on
+    "#]]
+    .assert_eq(&info("space s write:broken look r"));
+    expect![[r#"
+        |5> +══\══[ ](●start )══\══[/]( stop )═════════════( )(●run )══+
+        |6  |  /══[ ](●run )════/                                      |
+    "#]]
+    .assert_eq(&lines("space s write:broken look r s", 5..7));
+}
+
+#[test]
+fn what_ends_it() {
+    let bench = Bench::new(MOTOR);
+    bench.play("", |app, _| {
+        assert_eq!(press(app, KeyCode::Char('q'), KeyModifiers::NONE), Next::Quit);
+        assert_eq!(press(app, KeyCode::Char('c'), KeyModifiers::CONTROL), Next::Quit);
+        String::new()
+    });
+    bench.play("w 'q'", |app, _| {
+        assert_eq!(press(app, KeyCode::Char('q'), KeyModifiers::NONE), Next::Go);
+        assert_eq!(press(app, KeyCode::Char('c'), KeyModifiers::CONTROL), Next::Quit);
+        String::new()
+    });
+    bench.play("?", |app, _| {
+        assert_eq!(press(app, KeyCode::Char('q'), KeyModifiers::NONE), Next::Quit);
+        String::new()
+    });
+}

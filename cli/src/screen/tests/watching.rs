@@ -1,0 +1,189 @@
+//! The watch list.
+
+use super::{Bench, MOTOR};
+use expect_test::expect;
+
+#[test]
+fn waves() {
+    let bench = Bench::new(MOTOR).watch(&["start", "run", "warmup.ET", "SYS.SCAN"]);
+    let steps = "p +500ms space +300ms space +900ms 2 +200ms 2 +100ms";
+    bench.check_lines(
+        steps,
+        16..22,
+        expect![[r#"
+            | 1 ○ start   2 ○ stop
+            |─ Watch ──────────────────────────────────────────────── [ ] 1 column = 100 ms ─
+            | start      FALSE                                           ⣀⣀⣀⣀⣀⡏⠉⠉⣇⣀⣀⣀⣀⣀⣀⣀⣀⣀⣀⣀
+            | run        FALSE                                           ⣀⣀⣀⣀⣀⡏⠉⠉⠉⠉⠉⠉⠉⠉⠉⠉⠉⣇⣀⣀
+            | warmup.ET  0s                                              ▁▁▁▁▁▂▂▃▃▄▄▅▆▆▇▇█▁▁▁
+            | SYS.SCAN   199                                             ▁▂▂▂▃▃▃▄▄▄▅▅▆▆▆▇▇▇██
+        "#]],
+    );
+    bench.check_lines(
+        &format!("{steps} ] ]"),
+        16..22,
+        expect![[r#"
+            | 1 ○ start   2 ○ stop
+            |─ Watch ──────────────────────────────────────────────── [ ] 1 column = 400 ms ─
+            | start      FALSE                                                          ⣀⡏⣇⣀⣀
+            | run        FALSE                                                          ⣀⡏⠉⠉⣇
+            | warmup.ET  0s                                                             ▁▃▅▇▁
+            | SYS.SCAN   199                                                            ▂▄▅▇█
+        "#]],
+    );
+    bench.check_lines(
+        &format!("{steps} [ [ [ [ ["),
+        16..22,
+        expect![[r#"
+            | 1 ○ start   2 ○ stop
+            |─ Watch ───────────────────────────────────────────────── [ ] 1 column = 10 ms ─
+            | start      FALSE  ⣀⣀⣀⣀⣀⣀⣀⣀⣀⣀⣀⣀⣀⣀⣀⣀⣀⣀⣀⣀⣀⣀⣀⣀⣀⣀⣀⣀⣀⣀⣀⣀⣀⣀⣀⣀⣀⣀⣀⣀⣀⣀⣀⣀⣀⣀⣀⣀⣀⣀⣀⣀⣀⣀⣀⣀⣀⣀⣀⣀⣀
+            | run        FALSE  ⠉⠉⠉⠉⠉⠉⠉⠉⠉⠉⠉⠉⠉⠉⠉⠉⠉⠉⠉⠉⠉⠉⠉⠉⠉⠉⠉⠉⠉⠉⠉⣇⣀⣀⣀⣀⣀⣀⣀⣀⣀⣀⣀⣀⣀⣀⣀⣀⣀⣀⣀⣀⣀⣀⣀⣀⣀⣀⣀⣀⣀
+            | warmup.ET  0s     ▆▆▆▆▆▇▇▇▇▇▇▇▇▇▇▇▇▇▇▇▇▇█████████▁▁▁▁▁▁▁▁▁▁▁▁▁▁▁▁▁▁▁▁▁▁▁▁▁▁▁▁▁▁
+            | SYS.SCAN   199    ▁▁▁▁▁▂▂▂▂▂▂▂▂▃▃▃▃▃▃▃▃▃▄▄▄▄▄▄▄▄▅▅▅▅▅▅▅▅▅▆▆▆▆▆▆▆▆▆▇▇▇▇▇▇▇▇█████
+        "#]],
+    );
+    bench.check_lines(
+        &format!("{steps} b b b b b b b b b b b"),
+        16..22,
+        expect![[r#"
+            | 1 ○ start   2 ● stop
+            |─ Watch ──────────────────────────────────────────────── [ ] 1 column = 100 ms ─
+            | start      FALSE                                            ⣀⣀⣀⣀⣀⡏⠉⠉⣇⣀⣀⣀⣀⣀⣀⣀⣀⣀⣀
+            | run        FALSE                                            ⣀⣀⣀⣀⣀⡏⠉⠉⠉⠉⠉⠉⠉⠉⠉⠉⠉⣇⣀
+            | warmup.ET  0s                                               ▁▁▁▁▁▂▂▃▃▄▄▅▆▆▇▇█▁▁
+            | SYS.SCAN   188                                              ▁▂▂▂▃▃▄▄▄▅▅▅▆▆▇▇▇██
+        "#]],
+    );
+}
+
+#[test]
+fn tags_are_added_and_removed() {
+    let bench = Bench::new(MOTOR).watch(&["run"]);
+    bench.check(
+        "w",
+        expect![[r#"
+            | motor.clad  ■ PAUSED  speed 1x                                  scan 0  0.00 s
+            |  VAR_INPUT  start, stop : BOOL;  END_VAR
+            |  VAR  warmup : TON;  END_VAR
+            |
+            |  # Seal-in #
+            |> +──\──[ ]( start )──\──[/]( stop )─────────────( )( run )──+
+            |  |  /──[ ]( run )────/                                      |
+            |
+            |  # Warm-up #
+            |  +──[ ]( run )─────────[TON]( warmup, T#5s )──( )( ready )──+  warmup 0s/0s
+            |
+            |
+            |
+            |
+            |┌ Enter: watch, or no more ────────────────────────┐
+            |│   start         BOOL      FALSE                  │
+            |│   stop          BOOL      FALSE                  │
+            |│   warmup.Q      BOOL      FALSE                  │
+            |│   warmup.ET     TIME      0s                     │────────────────────────────
+            |│ * run           BOOL      FALSE                  │
+            |│   ready         BOOL      FALSE                  │──── [ ] 1 column = 100 ms ─
+            |└──────────────────────────────────────────────────┘
+            | watch:    type some of its name; up, down, Enter, Esc
+            | space switch p run s step b back +- speed f force w watch ? help q quit
+        "#]],
+    );
+    bench.check_lines(
+        "w 'pt' enter",
+        16..23,
+        expect![[r#"
+            |
+            |─ Inputs: press the number ─────────────────────────────────────────────────────
+            | 1 ○ start   2 ○ stop
+            |─ Watch ──────────────────────────────────────────────── [ ] 1 column = 100 ms ─
+            | run        FALSE
+            | warmup.ET  0s
+            | warmup.ET is watched
+        "#]],
+    );
+    bench.check_lines(
+        "w 'run' enter",
+        14..23,
+        expect![[r#"
+            |
+            |
+            |
+            |
+            |
+            |
+            |─ Inputs: press the number ─────────────────────────────────────────────────────
+            | 1 ○ start   2 ○ stop
+            | run is watched no more
+        "#]],
+    );
+    bench.check_lines(
+        "w down enter",
+        16..23,
+        expect![[r#"
+            |
+            |─ Inputs: press the number ─────────────────────────────────────────────────────
+            | 1 ○ start   2 ○ stop
+            |─ Watch ──────────────────────────────────────────────── [ ] 1 column = 100 ms ─
+            | run   FALSE
+            | stop  FALSE
+            | stop is watched
+        "#]],
+    );
+    bench.check_info(
+        "w 'xyz' enter",
+        expect![[r#"
+            | there is no tag `xyz` in this program
+        "#]],
+    );
+    // What is added later has a past too.
+    bench.check_lines(
+        "space s s space s s w 'start' enter [ [ [ [",
+        16..23,
+        expect![[r#"
+            |
+            |─ Inputs: press the number ─────────────────────────────────────────────────────
+            | 1 ○ start   2 ○ stop
+            |─ Watch ───────────────────────────────────────────────── [ ] 1 column = 10 ms ─
+            | run    TRUE                                                                ⠉⠉⠉⠉
+            | start  FALSE                                                               ⠉⠉⣇⣀
+            | Open contact: input start is FALSE; space switches it
+        "#]],
+    );
+}
+
+#[test]
+fn more_tags_than_lines() {
+    let tags = [
+        "start",
+        "stop",
+        "run",
+        "ready",
+        "warmup.Q",
+        "warmup.ET",
+        "warmup.PT",
+        "warmup.IN",
+        "SYS.SCAN",
+        "SYS.TIME",
+    ];
+    Bench::new(MOTOR).watch(&tags).check_lines(
+        "s",
+        10..24,
+        expect![[r#"
+            |
+            |
+            |─ Inputs: press the number ─────────────────────────────────────────────────────
+            | 1 ○ start   2 ○ stop
+            |─ Watch ──────────────────────────────────────── 3 more  [ ] 1 column = 100 ms ─
+            | start      FALSE                                                              ⡀
+            | stop       FALSE                                                              ⡀
+            | run        FALSE                                                              ⡀
+            | ready      FALSE                                                              ⡀
+            | warmup.Q   FALSE                                                              ⡀
+            | warmup.ET  0s                                                                 ▁
+            | warmup.PT  5.0s                                                               ▄
+            | Open contact: input start is FALSE; space switches it
+            | space switch p run s step b back +- speed f force w watch ? help q quit
+        "#]],
+    );
+}
