@@ -4,9 +4,9 @@ use super::plant::Plant;
 use crate::findings::Source;
 use crate::outcome::Failure;
 use crate::run::{self, Retention, Stimulus};
-use ladder_analysis::Severity;
 use ladder_analysis::program::{Program, Role};
 use ladder_analysis::types::Scalar;
+use ladder_analysis::{NotWhole, Severity};
 use ladder_simulator::{HistoryLimits, Point, Session, Simulation};
 use ladder_workspace::{Settings, Stamp};
 use std::path::Path;
@@ -43,26 +43,40 @@ pub(super) fn first(request: &Request) -> Result<Option<Plant>, Failure> {
 /// Loads the program while the screen is up: what is wrong with it is told in one line.
 pub(super) fn again(request: &Request) -> Result<Plant, String> {
     let source = source(request).map_err(|failure| failure.to_string())?;
+    match source.program() {
+        Ok(program) => plant(request, &source, program, None).map_err(|failure| failure.to_string()),
+        Err(not_whole) => Err(format!(
+            "{}; the old program goes on",
+            problem(&source, &not_whole)
+        )),
+    }
+}
+
+fn problem(source: &Source, not_whole: &NotWhole) -> String {
+    match not_whole {
+        NotWhole::Missing(file) => format!("{file}, which this program uses, cannot be read any more"),
+        NotWhole::Errors(file) => match source.other(file) {
+            Some(other) if source.analyze().name != *file => first_error(&other),
+            _ => first_error(source),
+        },
+    }
+}
+
+fn first_error(source: &Source) -> String {
     let analysis = source.analyze();
-    let Some(program) = analysis.program else {
-        let mut errors = analysis
-            .diagnostics
-            .iter()
-            .filter(|found| found.severity == Severity::Error);
-        let first = errors.next().map_or(String::new(), |error| {
-            let place = source.place(error.range.start());
-            format!(
-                "{}:{}:{}: {}",
-                source.file, place.line, place.column, error.message
-            )
-        });
-        let more = match errors.count() {
-            0 => String::new(),
-            more => format!(" (and {more} more)"),
-        };
-        return Err(format!("{first}{more}; the old program goes on"));
-    };
-    plant(request, &source, program, None).map_err(|failure| failure.to_string())
+    let found = analysis.diagnostics.iter();
+    let mut errors = found.filter(|found| found.severity == Severity::Error);
+    let first = errors.next().map_or(String::new(), |error| {
+        let place = source.place(error.range.start());
+        format!(
+            "{}:{}:{}: {}",
+            source.file, place.line, place.column, error.message
+        )
+    });
+    match errors.count() {
+        0 => first,
+        more => format!("{first} (and {more} more)"),
+    }
 }
 
 fn source(request: &Request) -> Result<Source, Failure> {
