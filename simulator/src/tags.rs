@@ -26,6 +26,11 @@ pub struct Point {
 }
 
 impl Point {
+    /// Whether it is a system tag.
+    pub(crate) fn is_system(&self) -> bool {
+        self.name.starts_with("SYS.")
+    }
+
     /// What it holds in a memory.
     pub(crate) fn read(&self, memory: &Memory) -> Value {
         match self.slot {

@@ -83,6 +83,11 @@ impl OpenScan<'_> {
         self.machine.position.pc as u32
     }
 
+    /// Blocks that may still be evaluated.
+    pub(crate) fn budget(self) -> u64 {
+        self.machine.position.budget
+    }
+
     /// The instruction up to which a stretch of code has run, if it is open.
     pub(crate) fn within(self, start: u32, end: u32) -> Option<u32> {
         let frames = self.machine.frames.iter().rev();

@@ -43,13 +43,13 @@ impl HistoryLimits {
     }
 }
 
-type Forces = BTreeMap<String, Force>;
+pub(super) type Forces = BTreeMap<String, Force>;
 
 /// The clock of a moment, and how the program stood.
 #[derive(Debug, Clone, Copy)]
-struct Moment {
-    now: i64,
-    scan: i64,
+pub(super) struct Moment {
+    pub(super) now: i64,
+    pub(super) scan: i64,
     faulted: bool,
     status: Status,
     ran_plain: bool,
@@ -66,7 +66,7 @@ impl Moment {
         }
     }
 
-    fn restore(self, simulation: &mut Simulation) {
+    pub(super) fn restore(self, simulation: &mut Simulation) {
         simulation.machine.now = self.now;
         simulation.machine.scan = self.scan;
         simulation.machine.faulted = self.faulted;
@@ -76,18 +76,18 @@ impl Moment {
 }
 
 /// What was given from outside, beyond what the banks show: the forces before and after. None if they stayed.
-type ForceChange = Option<Box<(Forces, Forces)>>;
+pub(super) type ForceChange = Option<Box<(Forces, Forces)>>;
 
 /// One scan.
 #[derive(Debug)]
-struct Entry {
+pub(super) struct Entry {
     /// Bytes of what was given before it.
     given: u32,
     /// Bytes of what it did.
     ran: u32,
     /// Bytes that it sent through the serial port.
     sent: u32,
-    forces: ForceChange,
+    pub(super) forces: ForceChange,
     after: Moment,
 }
 
@@ -99,9 +99,9 @@ impl Entry {
 
 /// What was given for a scan that has not ended.
 #[derive(Debug, Default)]
-struct Given {
-    bytes: Vec<u8>,
-    forces: ForceChange,
+pub(super) struct Given {
+    pub(super) bytes: Vec<u8>,
+    pub(super) forces: ForceChange,
 }
 
 impl Given {
@@ -115,19 +115,19 @@ impl Given {
 pub(super) struct History {
     limits: HistoryLimits,
     /// The banks where the simulation stands: after a scan and before anything was given since.
-    banks: Banks,
+    pub(super) banks: Banks,
     /// The forces there.
-    forces: Forces,
+    pub(super) forces: Forces,
     /// The moment before the oldest entry.
-    base: Moment,
-    entries: VecDeque<Entry>,
+    pub(super) base: Moment,
+    pub(super) entries: VecDeque<Entry>,
     /// The bytes of all entries.
     bytes: VecDeque<u8>,
     /// How many entries, and how many of the bytes, lie before the moment where the simulation stands.
-    here: usize,
+    pub(super) here: usize,
     bytes_here: usize,
     /// What was given for the scan that runs.
-    given: Given,
+    pub(super) given: Given,
     /// What was given behind the newest scan, while the simulation stands before it.
     waiting: Given,
     serial: SerialLog,
@@ -305,7 +305,12 @@ impl History {
     }
 
     fn moment(&self) -> Moment {
-        match self.here.checked_sub(1) {
+        self.moment_before(self.here)
+    }
+
+    /// The moment before an entry.
+    pub(super) fn moment_before(&self, entry: usize) -> Moment {
+        match entry.checked_sub(1) {
             Some(last) => self.entries[last].after,
             None => self.base,
         }

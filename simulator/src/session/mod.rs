@@ -1,4 +1,4 @@
-//! A simulation that remembers: what the language server, the interactive screen and tests drive.
+//! A simulation that remembers, and can say why: what the language server, the interactive screen and tests drive.
 //!
 //! Whatever is given from outside goes through the session, so that it becomes part of the [history](history): going
 //! back restores an earlier scan exactly, and going forward again replays what was given. Once something else is given
@@ -9,8 +9,10 @@ mod breakpoints;
 mod delta;
 mod history;
 mod past;
+mod reach;
 mod serial;
 mod steps;
+mod why;
 
 use crate::compile::CompileError;
 use crate::fault::Fault;
@@ -25,6 +27,7 @@ use ladder_analysis::program::{Program, Role};
 use ladder_analysis::value::Value;
 use std::collections::VecDeque;
 use std::sync::Arc;
+pub use why::{Cause, Reason, Since, Why, Write};
 
 /// So many faults are kept: those that happened last.
 const FAULTS: usize = 4096;

@@ -1,0 +1,201 @@
+//! From what blocks name to points, and back.
+
+use crate::layout::{Home, state_size};
+use crate::memory::{Bit, TextSlot, Word};
+use crate::simulation::Simulation;
+use crate::tags::{Point, PointSlot};
+use ladder_analysis::program::{
+    Argument, Block, BlockKind, Expr, ExprKind, Member, Place, RangeRef, Step, SystemTag, TagId,
+};
+use ladder_analysis::value::Value;
+use ladder_instructions::Group;
+
+/// The tag that a point is, or is a part of. None for system tags and ports.
+pub(super) fn tag_of(simulation: &Simulation, point: &Point) -> Option<TagId> {
+    let homes = simulation.compiled.homes.iter();
+    let found = homes.zip(0..).find(|(home, _)| holds(home, point.slot));
+    found.map(|(_, tag)| TagId(tag))
+}
+
+fn holds(home: &Home, slot: PointSlot) -> bool {
+    let bit = |slot: Bit, at: Bit, len: u32| (at.0..at.0 + len).contains(&slot.0);
+    let word = |slot: Word, at: Word, len: u32| (at.0..at.0 + len).contains(&slot.0);
+    match (*home, slot) {
+        (Home::Bits { at, len, .. }, PointSlot::Bit(slot)) => bit(slot, at, len),
+        (Home::Words { at, len, .. }, PointSlot::Word(slot) | PointSlot::BitOf { word: slot, .. }) => {
+            word(slot, at, len)
+        }
+        (Home::Texts { at, len, .. }, PointSlot::Text(TextSlot(slot))) => (at.0..at.0 + len).contains(&slot),
+        (Home::State { state, bits, .. }, PointSlot::Bit(slot) | PointSlot::Timing { input: slot, .. }) => {
+            bit(slot, bits, state_size(state).0)
+        }
+        (Home::State { state, words, .. }, PointSlot::Word(slot)) => word(slot, words, state_size(state).1),
+        _ => false,
+    }
+}
+
+/// The tag that an argument names.
+pub(super) fn argument_tag(argument: &Argument) -> Option<TagId> {
+    match argument {
+        Argument::Place(place, _) => place_tag(place),
+        Argument::Range(range) => Some(range.tag),
+        Argument::State(tag) => Some(*tag),
+        _ => None,
+    }
+}
+
+fn place_tag(place: &Place) -> Option<TagId> {
+    match place {
+        Place::Tag(tag) | Place::Element(tag, _) | Place::Member(tag, _) => Some(*tag),
+        Place::Bit(word, ..) => place_tag(word),
+        Place::System(_) => None,
+    }
+}
+
+/// The name of what an argument writes, if it is always the same: a tag, or an element with a constant index.
+pub(super) fn written_name(simulation: &Simulation, argument: &Argument) -> Option<String> {
+    match argument {
+        Argument::Place(place, _) => {
+            let is_fixed =
+                !matches!(place, Place::Element(_, index) if !matches!(index.kind, ExprKind::Constant(_)));
+            is_fixed.then(|| name(simulation, place)).flatten()
+        }
+        Argument::State(tag) => Some(simulation.program().tags[tag.0 as usize].name.clone()),
+        _ => None,
+    }
+}
+
+/// The name of a place as a person writes it.
+fn name(simulation: &Simulation, place: &Place) -> Option<String> {
+    let tag = |tag: &TagId| simulation.program().tags[tag.0 as usize].name.clone();
+    Some(match place {
+        Place::Tag(it) => tag(it),
+        Place::Member(it, member) => format!("{}.{}", tag(it), member_name(*member)),
+        Place::Element(it, index) => format!("{}[{}]", tag(it), number(simulation, index)?),
+        Place::Bit(word, _, bit) => format!("{}.{bit}", name(simulation, word)?),
+        Place::System(system) => format!("SYS.{}", system_name(*system)),
+    })
+}
+
+/// An index whose value is known without computing.
+fn number(simulation: &Simulation, index: &Expr) -> Option<i64> {
+    let value = match &index.kind {
+        ExprKind::Constant(value) => value.clone(),
+        ExprKind::Read(place) => {
+            let point = simulation.resolve(&name(simulation, place)?).ok()?;
+            simulation.value(&point)
+        }
+        ExprKind::Pass(inner) => return number(simulation, inner),
+        _ => return None,
+    };
+    match value {
+        Value::Int(number) => Some(number),
+        _ => None,
+    }
+}
+
+const fn system_name(tag: SystemTag) -> &'static str {
+    match tag {
+        SystemTag::FirstScan => "FIRST_SCAN",
+        SystemTag::Scan => "SCAN",
+        SystemTag::Time => "TIME",
+        SystemTag::ScanTime => "SCAN_TIME",
+        SystemTag::Fault => "FAULT",
+        SystemTag::On => "ON",
+        SystemTag::Off => "OFF",
+    }
+}
+
+const fn member_name(member: Member) -> &'static str {
+    match member {
+        Member::In => "IN",
+        Member::Pt => "PT",
+        Member::Q => "Q",
+        Member::Et => "ET",
+        Member::Cu => "CU",
+        Member::Cd => "CD",
+        Member::R => "R",
+        Member::Ld => "LD",
+        Member::Pv => "PV",
+        Member::Cv => "CV",
+        Member::Qu => "QU",
+        Member::Qd => "QD",
+        Member::Q1 => "Q1",
+        Member::Changed => "CC",
+        Member::Timing => "TT",
+    }
+}
+
+/// What a block looks at, with the values of now. Of a timer or counter how far it has come.
+pub(super) fn values_read(simulation: &Simulation, block: &Block) -> Vec<(Point, Value)> {
+    let mut names = Vec::new();
+    for bound in &block.arguments {
+        match &bound.argument {
+            Argument::Value(expr) => read_in(simulation, expr, &mut names),
+            Argument::Range(range) => range_names(simulation, range, &mut names),
+            Argument::State(tag) if matches!(block.kind, BlockKind::Instruction(row) if row.group == Group::State) =>
+            {
+                let tag = &simulation.program().tags[tag.0 as usize].name;
+                names.extend(["ET", "CV"].map(|member| format!("{tag}.{member}")));
+            }
+            Argument::Place(place, _) if matches!(block.kind, BlockKind::Instruction(row) if row.group == Group::Condition) =>
+            {
+                names.extend(name(simulation, place));
+            }
+            _ => {}
+        }
+    }
+    let mut values: Vec<(Point, Value)> = Vec::new();
+    for point in names.iter().filter_map(|name| simulation.resolve(name).ok()) {
+        if values.iter().all(|(known, _)| *known != point) {
+            let value = simulation.value(&point);
+            values.push((point, value));
+        }
+    }
+    values
+}
+
+fn read_in(simulation: &Simulation, expr: &Expr, names: &mut Vec<String>) {
+    match &expr.kind {
+        ExprKind::Constant(_) => {}
+        ExprKind::Read(place) => names.extend(name(simulation, place)),
+        ExprKind::Pass(inner) | ExprKind::Unary(_, inner) => read_in(simulation, inner, names),
+        ExprKind::Binary(_, left, right) | ExprKind::Compare(_, left, right) => {
+            read_in(simulation, left, names);
+            read_in(simulation, right, names);
+        }
+        ExprKind::Call(_, arguments) => {
+            for argument in arguments {
+                read_in(simulation, argument, names);
+            }
+        }
+        ExprKind::Sum(range) => range_names(simulation, range, names),
+    }
+}
+
+/// The first elements of a range stand for all.
+fn range_names(simulation: &Simulation, range: &RangeRef, names: &mut Vec<String>) {
+    const SHOWN: i64 = 16;
+    let tag = &simulation.program().tags[range.tag.0 as usize].name;
+    let first = number(simulation, &range.first);
+    let last = range.last.as_ref().and_then(|last| number(simulation, last));
+    if let (Some(first), Some(last)) = (first, last) {
+        let elements = first..=last.min(first.saturating_add(SHOWN - 1));
+        names.extend(elements.map(|index| format!("{tag}[{index}]")));
+    }
+}
+
+/// The slot of each step's power in a network; where nothing is drawn there is no power.
+pub(super) fn slots(simulation: &Simulation, network: usize) -> Vec<Bit> {
+    let steps = &simulation.program().networks[network].steps;
+    let start = |step: &Step| match step {
+        Step::Start { rail: true } => Bit::HIGH,
+        _ => Bit::LOW,
+    };
+    let mut slots: Vec<Bit> = steps.iter().map(start).collect();
+    let elements = simulation.compiled.elements.iter();
+    for element in elements.filter(|element| element.network as usize == network) {
+        slots[element.step as usize] = element.power;
+    }
+    slots
+}

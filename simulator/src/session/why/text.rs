@@ -1,0 +1,140 @@
+//! Reasons in words.
+
+use super::{Cause, Reason, Since, Why, Write};
+use crate::tags::Point;
+use crate::value_text;
+use ladder_analysis::program::{Location, Role};
+use ladder_analysis::types::Scalar;
+use ladder_analysis::value::Value;
+use ladder_syntax::LineIndex;
+
+impl Why {
+    /// The reasons for people, a line for each tag: `run is 0 since scan 12 (120 ms): line 3, ( )( run ) wrote it;
+    /// blocked by [/]( stop ) (line 3, column 20): stop is 1`. `texts` are those of the program's files.
+    pub fn text(&self, texts: &[&str]) -> String {
+        let indexes = texts.iter().map(|text| LineIndex::new(text)).collect();
+        let words = Words { texts, indexes };
+        let mut lines = Vec::new();
+        words.why(self, 0, &mut lines);
+        lines.join("\n")
+    }
+}
+
+struct Words<'t> {
+    texts: &'t [&'t str],
+    indexes: Vec<LineIndex>,
+}
+
+impl Words<'_> {
+    fn why(&self, why: &Why, depth: usize, lines: &mut Vec<String>) {
+        let since = match why.since {
+            Since::Start => "since the start".to_owned(),
+            Since::Longer => "since before the scans that are kept".to_owned(),
+            Since::Scan { scan, time } => {
+                format!("since scan {scan} ({} ms)", value_text::milliseconds(time))
+            }
+        };
+        let value = value(&why.point, &why.value);
+        let cause = match &why.cause {
+            Cause::Initial if why.point.role == Role::Input => "nothing else was given".to_owned(),
+            Cause::Initial => "nothing has written it".to_owned(),
+            Cause::Given => "it was given from outside".to_owned(),
+            Cause::Forced => "it is forced".to_owned(),
+            Cause::System => "the simulation keeps it".to_owned(),
+            Cause::Unknown => "what wrote it is not known".to_owned(),
+            Cause::Block(write) => self.write(write),
+        };
+        let mut line = format!("{} is {value} {since}: {cause}", why.point.name);
+        if let Some(now) = &why.now {
+            line.push_str(&format!("; now, in scan {}, it is {}", now.scan, self.way(now)));
+        }
+        // The same tag may stand in several contacts.
+        if lines.iter().any(|known| known.trim_start() == line) {
+            return;
+        }
+        lines.push(format!("{:indent$}{line}", "", indent = depth * 2));
+        let then = match &why.cause {
+            Cause::Block(write) => Some(write),
+            _ => None,
+        };
+        for write in then.into_iter().chain(&why.now) {
+            let reasons = write.reasons.iter().flatten();
+            let because = reasons.flat_map(|reason| &reason.because);
+            for because in because.chain(&write.because) {
+                self.why(because, depth + 1, lines);
+            }
+        }
+    }
+
+    fn write(&self, write: &Write) -> String {
+        let (line, _, block) = self.place(write.block);
+        let read = if write.read.is_empty() {
+            String::new()
+        } else {
+            format!(" ({})", values(&write.read))
+        };
+        format!("line {line}, {block} wrote it{read}; {}", self.way(write))
+    }
+
+    /// How power came, or what blocked it.
+    fn way(&self, write: &Write) -> String {
+        let ways: Vec<String> = write
+            .reasons
+            .iter()
+            .filter(|way| !way.is_empty())
+            .map(|way| {
+                let reasons: Vec<String> = way.iter().map(|reason| self.reason(reason)).collect();
+                reasons.join(if write.power { ", " } else { " and by " })
+            })
+            .collect();
+        match (write.power, ways.as_slice()) {
+            (true, []) => "power came straight from the rail".to_owned(),
+            (true, _) => format!("power came through {}", ways.join("; ")),
+            (false, []) => "no power can reach it".to_owned(),
+            (false, _) => format!("blocked by {}", ways.join("; or else by ")),
+        }
+    }
+
+    fn reason(&self, reason: &Reason) -> String {
+        let (line, column, block) = self.place(reason.block);
+        if reason.is_rail {
+            return format!("the left rail (line {line}): an <MCR> has switched it off");
+        }
+        let place = format!("{block} (line {line}, column {column})");
+        if reason.values.is_empty() {
+            place
+        } else {
+            format!("{place}: {}", values(&reason.values))
+        }
+    }
+
+    /// Line, column and text of a block.
+    fn place(&self, location: Location) -> (u32, u32, &str) {
+        let file = location.file as usize;
+        let (Some(text), Some(index)) = (self.texts.get(file), self.indexes.get(file)) else {
+            return (0, 0, "");
+        };
+        let place = index.line_column(text, location.range.start());
+        let range = usize::from(location.range.start())..usize::from(location.range.end());
+        let drawn = text.get(range).unwrap_or_default();
+        (place.line, place.column, drawn.lines().next().unwrap_or_default())
+    }
+}
+
+/// `x is 1, n is 7`
+fn values(values: &[(Point, Value)]) -> String {
+    let values: Vec<String> = values
+        .iter()
+        .map(|(point, it)| format!("{} is {}", point.name, value(point, it)))
+        .collect();
+    values.join(", ")
+}
+
+/// BOOL as 0 and 1, all else as the language writes it.
+fn value(point: &Point, value: &Value) -> String {
+    if point.ty == Scalar::Bool {
+        value_text::cell(value, point.ty)
+    } else {
+        value_text::display(value, point.ty)
+    }
+}
