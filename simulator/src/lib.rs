@@ -54,6 +54,7 @@ mod memory;
 mod operation;
 mod retain;
 mod routine;
+pub mod scenario;
 mod session;
 mod simulation;
 mod tags;

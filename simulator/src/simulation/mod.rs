@@ -190,6 +190,11 @@ impl Simulation {
         self.names.resolve(&self.program, &self.compiled.homes, text)
     }
 
+    /// Whether the program uses the serial port.
+    pub fn has_serial(&self) -> bool {
+        self.compiled.ports.serial
+    }
+
     /// Lets bytes come in at the serial port.
     pub fn feed_serial(&mut self, bytes: &[u8]) {
         if self.open {

@@ -1,0 +1,258 @@
+//! The rows of a scenario that came out differently: what was expected and what came, the differing steps marked.
+
+use super::bind::{Case, Target};
+use super::run::{Difference, Ran};
+use crate::value_text;
+use ladder_analysis::types::Scalar;
+use ladder_analysis::value::Value;
+use unicode_width::UnicodeWidthStr;
+
+/// What a line of the drawing shows.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum LineKind {
+    /// What was given to a tag.
+    Given,
+    /// What was expected of a tag.
+    Expected,
+    /// What it really was.
+    Got,
+    /// Carets under the steps that differ.
+    Marks,
+    /// The first difference in words.
+    Words,
+}
+
+/// A line of the drawing.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Line {
+    /// What it shows.
+    pub kind: LineKind,
+    /// The line, without a line end.
+    pub text: String,
+}
+
+/// Draws the rows that differ, below what was given, in lines of at most about `width` letters: of a long scenario
+/// the part around the first difference. `interval` is that of the simulation that ran it.
+pub fn draw(case: &Case, ran: &Ran, interval: i64, width: usize) -> Vec<Line> {
+    let mut lines = Vec::new();
+    let names = case.given.iter().map(|row| row.name.as_str());
+    let differing = ran.differences.iter().map(|difference| difference.tag.as_str());
+    let longest = names
+        .chain(differing)
+        .map(UnicodeWidthStr::width)
+        .max()
+        .unwrap_or(0);
+    // `name  expected  `
+    let label = |name: &str, what: &str| {
+        let gap = longest - name.width().min(longest);
+        format!("{name}{}  {what:<8}  ", " ".repeat(gap))
+    };
+    let room = width.saturating_sub(longest + 12).max(20);
+    let table = Table::of(case, ran, room);
+    for row in &case.given {
+        let cells: Vec<Drawn> = row
+            .values
+            .iter()
+            .map(|value| drawn(value.as_ref(), &row.target, "."))
+            .collect();
+        lines.push(Line {
+            kind: LineKind::Given,
+            text: label(&row.name, "") + &table.row(&cells),
+        });
+    }
+    for difference in &ran.differences {
+        let (row, got) = (&case.expected[difference.row], &ran.got[difference.row]);
+        let expected: Vec<Drawn> = row
+            .values
+            .iter()
+            .map(|(value, _)| drawn(value.as_ref(), &row.target, "."))
+            .collect();
+        let got: Vec<Drawn> = got
+            .iter()
+            .map(|value| drawn(value.as_ref(), &row.target, "?"))
+            .collect();
+        for (kind, name, what, text) in [
+            (
+                LineKind::Expected,
+                row.name.as_str(),
+                "expected",
+                table.row(&expected),
+            ),
+            (LineKind::Got, "", "got", table.row(&got)),
+            (LineKind::Marks, "", "", table.marks(&difference.steps)),
+        ] {
+            let text = (label(name, what) + &text).trim_end().to_owned();
+            lines.push(Line { kind, text });
+        }
+        lines.push(Line {
+            kind: LineKind::Words,
+            text: words(case, ran, difference, interval),
+        });
+    }
+    lines
+}
+
+/// `run is FALSE in step 3 (at 300ms), TRUE was expected; 4 steps of 9 differ`
+fn words(case: &Case, ran: &Ran, difference: &Difference, interval: i64) -> String {
+    let row = &case.expected[difference.row];
+    let ty = row.target.ty();
+    let step = difference.steps[0];
+    let shown =
+        |value: Option<&Value>| value.map_or_else(String::new, |value| value_text::display(value, ty));
+    let wanted = shown(row.values[step].0.as_ref());
+    // The last scan of the step.
+    let scans = (step as i64 + 1).saturating_mul(case.scans as i64) - 1;
+    let time = value_text::display(&Value::Int(scans.saturating_mul(interval)), Scalar::Time);
+    let when = format!("in step {step} (at {})", time.trim_start_matches("T#"));
+    let mut text = match &ran.got[difference.row][step] {
+        Some(got) => format!(
+            "{} is {} {when}, {wanted} was expected",
+            row.name,
+            shown(Some(got))
+        ),
+        None => format!("{} has no value {when}, {wanted} was expected", row.name),
+    };
+    if difference.steps.len() > 1 {
+        text.push_str(&format!(
+            "; {} of {} steps differ",
+            difference.steps.len(),
+            case.steps
+        ));
+    }
+    if row.tolerance.is_none()
+        && let (Some(Value::Real(wanted)), Some(Value::Real(got))) =
+            (&row.values[step].0, &ran.got[difference.row][step])
+        && (wanted - got).abs() <= wanted.abs() * 1e-4
+    {
+        text.push_str("; give the row a tolerance, as in ± 0.001");
+    }
+    text
+}
+
+/// A cell as it is drawn.
+enum Drawn {
+    /// One letter that fills its column.
+    Level(char),
+    Text(String),
+}
+
+fn drawn(value: Option<&Value>, target: &Target, none: &str) -> Drawn {
+    match value {
+        None => Drawn::Text(none.to_owned()),
+        Some(Value::Bool(high)) => Drawn::Level(if *high { '-' } else { '_' }),
+        Some(value) => {
+            let text = value_text::display(value, target.ty());
+            Drawn::Text(match text.strip_prefix("T#") {
+                Some(duration) => duration.to_owned(),
+                None => text,
+            })
+        }
+    }
+}
+
+/// The columns of the drawing.
+struct Table {
+    /// How wide each step is.
+    widths: Vec<usize>,
+    /// The steps that are shown.
+    from: usize,
+    to: usize,
+}
+
+impl Table {
+    fn of(case: &Case, ran: &Ran, room: usize) -> Table {
+        let mut widths = vec![1; case.steps];
+        let mut has_texts = false;
+        let mut take = |step: usize, value: Option<&Value>, target: &Target| {
+            if let Drawn::Text(text) = drawn(value, target, ".") {
+                has_texts |= value.is_some();
+                widths[step] = widths[step].max(text.width());
+            }
+        };
+        for row in &case.given {
+            for (step, value) in row.values.iter().enumerate() {
+                take(step, value.as_ref(), &row.target);
+            }
+        }
+        for difference in &ran.differences {
+            let row = &case.expected[difference.row];
+            for (step, (wanted, _)) in row.values.iter().enumerate() {
+                take(step, wanted.as_ref(), &row.target);
+                take(step, ran.got[difference.row][step].as_ref(), &row.target);
+            }
+        }
+        if has_texts {
+            // A blank behind each value.
+            widths.iter_mut().for_each(|width| *width += 1);
+        }
+        let first = ran
+            .differences
+            .iter()
+            .filter_map(|difference| difference.steps.first())
+            .min();
+        let (from, to) = window(&widths, first.copied().unwrap_or(0), room);
+        Table { widths, from, to }
+    }
+
+    fn row(&self, cells: &[Drawn]) -> String {
+        let mut text = String::new();
+        if self.from > 0 {
+            text.push('…');
+        }
+        for (cell, &width) in cells.iter().zip(&self.widths).take(self.to).skip(self.from) {
+            match cell {
+                Drawn::Level(letter) => text.extend(std::iter::repeat_n(*letter, width)),
+                Drawn::Text(value) => {
+                    text.push_str(value);
+                    text.extend(std::iter::repeat_n(' ', width - value.width().min(width)));
+                }
+            }
+        }
+        if self.to < self.widths.len() {
+            text.push('…');
+        }
+        text.trim_end().to_owned()
+    }
+
+    fn marks(&self, steps: &[usize]) -> String {
+        let mut text = String::new();
+        if self.from > 0 {
+            text.push(' ');
+        }
+        let spaced = self.widths.iter().all(|&width| width > 1);
+        for (step, &width) in self.widths.iter().enumerate().take(self.to).skip(self.from) {
+            let mark = if steps.contains(&step) { '^' } else { ' ' };
+            // The blank behind a value is no part of it.
+            let marked = if spaced { width - 1 } else { width };
+            text.extend(std::iter::repeat_n(mark, marked));
+            text.extend(std::iter::repeat_n(' ', width - marked));
+        }
+        text.trim_end().to_owned()
+    }
+}
+
+/// As many steps as there is room for, with the first difference in the left third of them.
+fn window(widths: &[usize], first: usize, room: usize) -> (usize, usize) {
+    if widths.iter().sum::<usize>() <= room {
+        return (0, widths.len());
+    }
+    // Room for the dots at both ends.
+    let room = room - 2;
+    let mut from = first;
+    let mut before = 0;
+    while from > 0 && before + widths[from - 1] <= room / 3 {
+        from -= 1;
+        before += widths[from];
+    }
+    let (mut to, mut used) = (from, 0);
+    while to < widths.len() && (used + widths[to] <= room || to <= first) {
+        used += widths[to];
+        to += 1;
+    }
+    // Room that is left over at the end is used at the beginning.
+    while from > 0 && used + widths[from - 1] <= room {
+        from -= 1;
+        used += widths[from];
+    }
+    (from, to)
+}

@@ -1,0 +1,446 @@
+//! What the lines of a scenario file say, before anything is known of the program.
+
+use super::words::{Word, lines, range, words};
+use super::{Mistake, Tolerance};
+use crate::value_text;
+use ladder_analysis::types::Scalar;
+use ladder_analysis::value::Value;
+use ladder_syntax::{TextRange, TextSize};
+use std::collections::HashMap;
+
+/// A scenario file.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Suite {
+    /// The program, as it is named, seen from the file's own folder.
+    pub program: Option<(String, TextRange)>,
+    /// How long a step is, in nanoseconds. Without it a step is one scan.
+    pub step: Option<(i64, TextRange)>,
+    /// The time from one scan to the next, in nanoseconds.
+    pub interval: Option<(i64, TextRange)>,
+    /// For all reals that are expected, where a row does not have its own.
+    pub tolerance: Option<Tolerance>,
+    /// In the order of the file.
+    pub scenarios: Vec<Scenario>,
+    /// What could not be read.
+    pub mistakes: Vec<Mistake>,
+}
+
+/// One scenario.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Scenario {
+    /// What it is called.
+    pub name: String,
+    /// Its name, with the quotes.
+    pub range: TextRange,
+    /// How many steps it has.
+    pub steps: usize,
+    /// Its rows, in the order of the file.
+    pub rows: Vec<Row>,
+}
+
+/// A row: a tag, and a cell for each step.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Row {
+    /// The tag as it is written.
+    pub name: String,
+    /// Where that stands.
+    pub range: TextRange,
+    /// Whether it goes in or is expected to come out.
+    pub direction: Direction,
+    /// One for each step, with its place.
+    pub cells: Vec<(Cell, TextRange)>,
+    /// What stands behind `±`.
+    pub tolerance: Option<(String, TextRange)>,
+}
+
+/// Which way a row goes.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum Direction {
+    /// Into the program.
+    Given,
+    /// `=>`: out of it.
+    Expected,
+}
+
+/// What a row has for a step.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum Cell {
+    /// `_`
+    Low,
+    /// `-`
+    High,
+    /// `.`: as before; not checked.
+    Same,
+    /// Anything else: a value as it is written.
+    Value(String),
+}
+
+/// Reads a scenario file.
+pub fn parse(text: &str) -> Suite {
+    let mut reader = Reader {
+        suite: Suite {
+            program: None,
+            step: None,
+            interval: None,
+            tolerance: None,
+            scenarios: Vec::new(),
+            mistakes: Vec::new(),
+        },
+        names: HashMap::new(),
+        tolerance_given: false,
+    };
+    for (start, line) in lines(text) {
+        let words = words(line, start);
+        if let [first, rest @ ..] = words.as_slice() {
+            reader.line(*first, rest);
+        }
+    }
+    reader.finish(text)
+}
+
+/// The words that begin a line before the first scenario.
+const HEADINGS: [&str; 4] = ["program", "step", "interval", "tolerance"];
+
+struct Reader {
+    suite: Suite,
+    /// The scenarios' names, to find the second of a kind.
+    names: HashMap<String, TextRange>,
+    tolerance_given: bool,
+}
+
+impl Reader {
+    fn mistake(&mut self, range: TextRange, message: impl Into<String>, help: impl Into<String>) {
+        self.suite.mistakes.push(Mistake::new(range, message, help));
+    }
+
+    fn line(&mut self, first: Word, rest: &[Word]) {
+        if first.text == "scenario" {
+            return self.scenario(first, rest);
+        }
+        if !self.suite.scenarios.is_empty() {
+            return self.row(first, rest);
+        }
+        match first.text {
+            "program" => self.program(first, rest),
+            "step" | "interval" => self.duration(first, rest),
+            "tolerance" => self.tolerance(first, rest),
+            other => {
+                let wanted = HEADINGS
+                    .iter()
+                    .find(|heading| heading.eq_ignore_ascii_case(other));
+                let help = match wanted {
+                    Some(heading) => format!("write it in small letters: {heading}"),
+                    None if rest.is_empty() => "a comment begins with #".to_owned(),
+                    None => "rows stand behind a line as in: scenario \"what is shown\"".to_owned(),
+                };
+                self.mistake(
+                    first.range(),
+                    format!(
+                        "`{other}` stands before the first scenario, where only program, step, interval and \
+                         tolerance stand"
+                    ),
+                    help,
+                );
+            }
+        }
+    }
+
+    fn program(&mut self, first: Word, rest: &[Word]) {
+        let Some((from, to)) = rest.first().zip(rest.last()) else {
+            return self.mistake(
+                first.range(),
+                "the program is missing",
+                "name it, as in: program motor.clad",
+            );
+        };
+        if self.suite.program.is_some() {
+            return self.mistake(
+                first.range(),
+                "a second program: all scenarios of a file are about one",
+                "put the scenarios of another program into a file of their own",
+            );
+        }
+        // A name may hold blanks, in quotes or not.
+        let mut name = String::new();
+        let mut end = from.start;
+        for word in rest {
+            name.extend(std::iter::repeat_n(' ', word.start - end));
+            name.push_str(word.text);
+            end = word.end();
+        }
+        let unquoted = name.trim_matches('"').to_owned();
+        self.suite.program = Some((unquoted, range(from.start, to.end())));
+    }
+
+    fn duration(&mut self, first: Word, rest: &[Word]) {
+        let (what, example) = match first.text {
+            "step" => ("how long a step is", "step 100ms"),
+            _ => ("the time from one scan to the next", "interval 10ms"),
+        };
+        let [value] = rest else {
+            let place = rest.last().map_or(first.range(), Word::range);
+            return self.mistake(
+                place,
+                format!("one duration says {what}"),
+                format!("write it as in: {example}"),
+            );
+        };
+        match value_text::parse(value.text, Scalar::Time) {
+            Ok(Value::Int(nanoseconds)) if nanoseconds > 0 => {
+                let slot = match first.text {
+                    "step" => &mut self.suite.step,
+                    _ => &mut self.suite.interval,
+                };
+                if slot.is_some() {
+                    let twice = format!("`{}` stands here a second time", first.text);
+                    return self.mistake(first.range(), twice, "leave only one of them");
+                }
+                *slot = Some((nanoseconds, value.range()));
+            }
+            _ => self.mistake(
+                value.range(),
+                format!("`{}` is no duration longer than 0", value.text),
+                format!("write it as in: {example}"),
+            ),
+        }
+    }
+
+    fn tolerance(&mut self, first: Word, rest: &[Word]) {
+        let parsed = match rest {
+            [value] => Tolerance::parse(value.text, Scalar::Lreal),
+            _ => Err("one number says how far reals may be from what is expected".to_owned()),
+        };
+        match parsed {
+            Ok(_) if std::mem::replace(&mut self.tolerance_given, true) => self.mistake(
+                first.range(),
+                "`tolerance` stands here a second time",
+                "leave only one of them; a row may have its own, as in: level => 1.0 2.0 ± 0.01",
+            ),
+            Ok(tolerance) => self.suite.tolerance = Some(tolerance),
+            Err(problem) => {
+                let place = rest.last().map_or(first.range(), Word::range);
+                self.mistake(place, problem, "write it as in: tolerance 0.001");
+            }
+        }
+    }
+
+    fn scenario(&mut self, first: Word, rest: &[Word]) {
+        const EXAMPLE: &str = "write it as in: scenario \"the pump starts\"";
+        let whole = rest
+            .last()
+            .map_or(first.range(), |last| range(first.start, last.end()));
+        let (name, place) = match rest {
+            [name, ..] if name.text.starts_with('"') => {
+                if name.unclosed {
+                    self.mistake(name.range(), "the quote behind the name is missing", EXAMPLE);
+                } else if let Some(more) = rest.get(1) {
+                    self.mistake(
+                        more.range(),
+                        "nothing stands behind the name of a scenario",
+                        EXAMPLE,
+                    );
+                }
+                (name.text.trim_matches('"').trim(), name.range())
+            }
+            _ => {
+                self.mistake(whole, "a scenario's name stands in quotes", EXAMPLE);
+                ("", whole)
+            }
+        };
+        if name.is_empty() && rest.first().is_some_and(|word| word.text.starts_with('"')) {
+            self.mistake(place, "the scenario has no name", EXAMPLE);
+        }
+        if let Some(other) = self
+            .names
+            .insert(name.to_owned(), place)
+            .filter(|_| !name.is_empty())
+        {
+            self.names.insert(name.to_owned(), other);
+            self.mistake(
+                place,
+                format!("another scenario is called \"{name}\" too"),
+                "give each its own name: reports tell them apart by it",
+            );
+        }
+        self.suite.scenarios.push(Scenario {
+            name: name.to_owned(),
+            range: place,
+            steps: 0,
+            rows: Vec::new(),
+        });
+    }
+
+    fn row(&mut self, first: Word, rest: &[Word]) {
+        if first.text == "=>" || first.text.starts_with(['\'', '"']) || is_levels(first.text) {
+            return self.mistake(
+                first.range(),
+                "the row begins with no tag",
+                "a row is a tag and a value for each step, as in: start _-__",
+            );
+        }
+        let (direction, cells) = match rest {
+            [arrow, cells @ ..] if arrow.text == "=>" => (Direction::Expected, cells),
+            cells => (Direction::Given, cells),
+        };
+        let (cells, tolerance) = self.split_tolerance(cells);
+        let mut row = Row {
+            name: first.text.to_owned(),
+            range: first.range(),
+            direction,
+            cells: Vec::new(),
+            tolerance,
+        };
+        for word in cells {
+            if word.text == "=>" {
+                return self.mistake(
+                    word.range(),
+                    "the arrow stands directly behind the tag",
+                    "write it as in: run => _--_",
+                );
+            }
+            if word.unclosed {
+                return self.mistake(
+                    word.range(),
+                    "the quote behind the text is missing",
+                    "a text is written as in: 'it works'; a quote in it as $'",
+                );
+            }
+            push_cells(&mut row.cells, *word);
+        }
+        if row.cells.is_empty() {
+            return self.mistake(
+                first.range(),
+                format!("`{}` has no values", first.text),
+                "give it one for each step: _ low, - high, . as before, or numbers between blanks",
+            );
+        }
+        self.check_length(&row);
+        if let Some(scenario) = self.suite.scenarios.last_mut() {
+            scenario.steps = scenario.steps.max(row.cells.len());
+            scenario.rows.push(row);
+        }
+    }
+
+    /// What stands before `±` or `+-`, and behind it.
+    fn split_tolerance<'w, 't>(
+        &mut self,
+        words: &'w [Word<'t>],
+    ) -> (&'w [Word<'t>], Option<(String, TextRange)>) {
+        let sign = |word: &Word<'t>| {
+            word.text
+                .strip_prefix('±')
+                .or_else(|| word.text.strip_prefix("+-"))
+        };
+        let Some(at) = words.iter().position(|word| sign(word).is_some()) else {
+            return (words, None);
+        };
+        let behind = &words[at + 1..];
+        let touching = sign(&words[at]).unwrap_or_default();
+        let place = range(words[at].start, words.last().map_or(0, Word::end));
+        let text = match (touching, behind) {
+            (text, []) if !text.is_empty() => text,
+            ("", [one]) => one.text,
+            _ => {
+                self.mistake(
+                    place,
+                    "one number behind ± says how far the values may be away",
+                    "write it last in the row, as in: level => 1.0 2.0 ± 0.01",
+                );
+                return (&words[..at], None);
+            }
+        };
+        (&words[..at], Some((text.to_owned(), place)))
+    }
+
+    fn check_length(&mut self, row: &Row) {
+        let Some(first) = self
+            .suite
+            .scenarios
+            .last()
+            .and_then(|scenario| scenario.rows.first())
+        else {
+            return;
+        };
+        let (there, wanted) = (row.cells.len(), first.cells.len());
+        if there == wanted {
+            return;
+        }
+        let end = row.cells[there - 1].1.end();
+        let place = match row.cells.get(wanted) {
+            Some((_, surplus)) => TextRange::new(surplus.start(), end),
+            None => TextRange::new(row.cells[0].1.start(), end),
+        };
+        let message = format!(
+            "`{}` has {}, but `{}` has {wanted}",
+            row.name,
+            steps(there),
+            first.name
+        );
+        self.mistake(
+            place,
+            message,
+            "all rows of a scenario have one length: a value for each step",
+        );
+    }
+
+    fn finish(mut self, text: &str) -> Suite {
+        let end = TextSize::of(text);
+        let start = TextSize::new(if text.starts_with('\u{feff}') { 3 } else { 0 });
+        if self.suite.program.is_none() && !self.suite.mistakes.iter().any(|m| m.message.contains("program"))
+        {
+            self.mistake(
+                TextRange::empty(start),
+                "the program is missing",
+                "name it in the first line, as in: program motor.clad",
+            );
+        }
+        if self.suite.scenarios.is_empty() {
+            self.mistake(
+                TextRange::empty(end),
+                "there is no scenario in this file",
+                "begin one, as in: scenario \"the pump starts\"",
+            );
+        }
+        for scenario in &self.suite.scenarios {
+            let expects = scenario
+                .rows
+                .iter()
+                .any(|row| row.direction == Direction::Expected);
+            let mistaken = |mistake: &Mistake| mistake.range.start() > scenario.range.start();
+            if !expects && !self.suite.mistakes.iter().any(mistaken) {
+                self.suite.mistakes.push(Mistake::new(
+                    scenario.range,
+                    format!("the scenario \"{}\" expects nothing", scenario.name),
+                    "say what must come out, in a row with an arrow, as in: run => _--_",
+                ));
+            }
+        }
+        self.suite.mistakes.sort_by_key(|mistake| mistake.range.start());
+        self.suite
+    }
+}
+
+fn is_levels(text: &str) -> bool {
+    text.chars().all(|c| matches!(c, '_' | '-' | '.'))
+}
+
+/// A word of levels is a step a letter, any other word is one value.
+fn push_cells(cells: &mut Vec<(Cell, TextRange)>, word: Word) {
+    if !is_levels(word.text) {
+        cells.push((Cell::Value(word.text.to_owned()), word.range()));
+        return;
+    }
+    for (at, letter) in word.text.char_indices() {
+        let cell = match letter {
+            '_' => Cell::Low,
+            '-' => Cell::High,
+            _ => Cell::Same,
+        };
+        cells.push((cell, range(word.start + at, word.start + at + 1)));
+    }
+}
+
+/// `1 step`, `9 steps`
+fn steps(count: usize) -> String {
+    format!("{count} step{}", if count == 1 { "" } else { "s" })
+}

@@ -1,0 +1,149 @@
+//! Playing a scenario.
+
+use super::bind::{Case, Target};
+use crate::fault::Fault;
+use crate::simulation::{Simulation, Status};
+use ladder_analysis::value::Value;
+use ladder_syntax::TextRange;
+
+/// What came of a scenario.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Ran {
+    /// For each row that expects something, what was there at the end of each step; none behind a fault that
+    /// stopped the simulation.
+    pub(super) got: Vec<Vec<Option<Value>>>,
+    /// What is not as expected, row by row.
+    pub differences: Vec<Difference>,
+    /// The faults that were recorded, in their order.
+    pub faults: Vec<Fault>,
+    /// How many scans were run.
+    pub scans: u64,
+    /// The step in which a fault stopped the simulation, from 0, if that was not expected.
+    pub stopped: Option<usize>,
+}
+
+impl Ran {
+    /// Whether all is as expected.
+    pub fn passed(&self) -> bool {
+        self.differences.is_empty() && self.stopped.is_none()
+    }
+}
+
+/// A row that is not as expected.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Difference {
+    /// The row, among those that expect something.
+    pub(super) row: usize,
+    /// The tag.
+    pub tag: String,
+    /// Where the first value stands that is not met.
+    pub range: TextRange,
+    /// The steps that differ, from 0, in their order.
+    pub steps: Vec<usize>,
+}
+
+/// Runs a scenario from a cold start. `observe` sees the simulation after each scan.
+pub fn run(case: &Case, simulation: &mut Simulation, mut observe: impl FnMut(&Simulation)) -> Ran {
+    simulation.unforce_all();
+    simulation.reset();
+    simulation.take_faults();
+    simulation.take_serial();
+    let mut ran = Ran {
+        got: vec![Vec::with_capacity(case.steps); case.expected.len()],
+        differences: Vec::new(),
+        faults: Vec::new(),
+        scans: 0,
+        stopped: None,
+    };
+    for step in 0..case.steps {
+        give(case, step, simulation);
+        for _ in 0..case.scans {
+            if !simulation.scan() {
+                break;
+            }
+            observe(simulation);
+        }
+        ran.faults.extend(simulation.take_faults());
+        let stopped = simulation.status() == Status::Faulted;
+        if stopped && ran.stopped.is_none() {
+            ran.stopped = Some(step);
+        }
+        let sent = simulation.take_serial();
+        for (row, got) in case.expected.iter().zip(&mut ran.got) {
+            got.push(match &row.target {
+                // A scan that would follow would see it.
+                Target::Point(point) if stopped && point.name == "SYS.FAULT" => Some(Value::Bool(true)),
+                _ if stopped => None,
+                Target::Point(point) => Some(simulation.value(point)),
+                Target::Serial => Some(Value::Text(sent.as_slice().into())),
+            });
+        }
+    }
+    ran.scans = simulation.scans();
+    compare(case, &mut ran);
+    ran
+}
+
+fn give(case: &Case, step: usize, simulation: &mut Simulation) {
+    for row in &case.given {
+        let Some(Some(value)) = row.values.get(step) else {
+            continue;
+        };
+        match (&row.target, value) {
+            (Target::Point(point), value) => {
+                // What could be refused was found when the row was read.
+                let _ = simulation.set(point, value.clone());
+            }
+            (Target::Serial, Value::Text(bytes)) => simulation.feed_serial(bytes),
+            (Target::Serial, _) => {}
+        }
+    }
+}
+
+fn compare(case: &Case, ran: &mut Ran) {
+    for (index, (row, got)) in case.expected.iter().zip(&ran.got).enumerate() {
+        let ty = row.target.ty();
+        let mut range = row.range;
+        let mut steps = Vec::new();
+        for (step, ((wanted, place), got)) in row.values.iter().zip(got).enumerate() {
+            let Some(wanted) = wanted else {
+                continue;
+            };
+            let met = got.as_ref().is_some_and(|got| {
+                got == wanted
+                    || row
+                        .tolerance
+                        .is_some_and(|tolerance| tolerance.allows(wanted, got, ty))
+            });
+            if met {
+                continue;
+            }
+            if steps.is_empty() {
+                range = *place;
+            }
+            steps.push(step);
+        }
+        if !steps.is_empty() {
+            ran.differences.push(Difference {
+                row: index,
+                tag: row.name.clone(),
+                range,
+                steps,
+            });
+        }
+    }
+    // A scenario that says when the fault comes has asked for it.
+    let Some(step) = ran.stopped else {
+        return;
+    };
+    let asked_for = case.expected.iter().any(|row| {
+        row.name == "SYS.FAULT"
+            && row
+                .values
+                .get(step)
+                .is_some_and(|(wanted, _)| *wanted == Some(Value::Bool(true)))
+    });
+    if asked_for {
+        ran.stopped = None;
+    }
+}

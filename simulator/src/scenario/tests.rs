@@ -1,0 +1,471 @@
+//! Scenarios as texts, with what is said about them.
+
+use super::{Ran, bind, draw, parse, run};
+use crate::simulation::{Options, Simulation};
+use expect_test::{Expect, expect};
+use ladder_syntax::LineIndex;
+use std::sync::Arc;
+
+const MOTOR: &str = "\
+VAR_INPUT start, stop : BOOL; END_VAR
+VAR_OUTPUT run, ready : BOOL; END_VAR
+VAR warmup : TON; starts : DINT; hours : LREAL; text : STRING; list : ARRAY[1..3] OF INT; END_VAR
+VAR CONSTANT limit : INT := 80; END_VAR
++--\\--[ ]( start )--\\--[/]( stop )--( )( run )--+
+|  /--[ ]( run )----/
++--[ ]( run )--[TON]( warmup, T#50ms )--( )( ready )--+
++--[ ]( run )--[OSR]--[ADD]( starts, starts, 1 )--[ADD]( list[2], list[2], 2 )--+
++--[ ]( run )--[ADD]( hours, hours, 0.1 )--[MOV]( text, 'it runs' )--+
+";
+
+fn simulation(program: &str, interval: Option<i64>) -> Simulation {
+    let parse = Arc::new(ladder_syntax::parse(program));
+    let analysis = ladder_analysis::analyze(&parse, "motor.clad");
+    let program = analysis
+        .program
+        .unwrap_or_else(|| panic!("{:?}", analysis.diagnostics));
+    let options = Options {
+        interval: interval.unwrap_or(Options::default().interval),
+        ..Options::default()
+    };
+    Simulation::new(program, options).expect("it compiles")
+}
+
+/// The mistakes of a text, or what comes of its scenarios.
+fn told(program: &str, text: &str, width: usize) -> String {
+    let suite = parse(text);
+    let mut simulation = simulation(program, suite.interval.map(|interval| interval.0));
+    let (cases, mistakes) = bind(&suite, &simulation);
+    let mut out = String::new();
+    let lines = LineIndex::new(text);
+    for mistake in suite.mistakes.iter().chain(&mistakes) {
+        let (from, to) = (
+            lines.line_column(text, mistake.range.start()),
+            lines.line_column(text, mistake.range.end()),
+        );
+        out.push_str(&format!(
+            "{}:{}-{}: {}\n",
+            from.line, from.column, to.column, mistake.message
+        ));
+        if let Some(help) = &mistake.help {
+            out.push_str(&format!("    {help}\n"));
+        }
+    }
+    if !out.is_empty() {
+        return out;
+    }
+    for case in &cases {
+        let ran: Ran = run(case, &mut simulation, |_| {});
+        let word = if ran.passed() { "ok" } else { "FAILED" };
+        out.push_str(&format!("{word} {}, {} scans\n", case.name, ran.scans));
+        for line in draw(case, &ran, simulation.options().interval, width) {
+            if !ran.passed() {
+                out.push_str(&format!("{}\n", line.text));
+            }
+        }
+        if let Some(step) = ran.stopped {
+            out.push_str(&format!("stopped in step {step}\n"));
+        }
+        for fault in &ran.faults {
+            out.push_str(&format!("fault in scan {}: {}\n", fault.scan, fault.message));
+        }
+    }
+    out
+}
+
+fn check(text: &str, expected: Expect) {
+    expected.assert_eq(&told(MOTOR, text, 80));
+}
+
+#[test]
+fn the_example_of_the_language() {
+    check(
+        "\
+program motor.clad
+step 100ms
+
+scenario \"the seal-in holds after start is let go\"
+start   _-_______
+stop    ______-__
+run  => _-----___
+starts => 0 1 1 1 1 1 1 1 1
+",
+        expect![[r#"
+            ok the seal-in holds after start is let go, 90 scans
+        "#]],
+    );
+}
+
+#[test]
+fn what_differs_is_drawn_twice_and_marked() {
+    check(
+        "\
+program motor.clad
+scenario \"levels\"
+start   _-_______
+stop    ______-__
+run  => _---_._--
+starts => 0 1 1 1 1 1 1 1 1
+scenario \"numbers\"
+start       _    -    _    .    _    -
+starts =>   0    1    2    .    100  1
+warmup.ET => 0ms 0ms  10ms .    T#25ms 40
+text =>    ''    'it runs' . . . 'it ran'
+",
+        expect![[r#"
+            FAILED levels, 9 scans
+            start            _-_______
+            stop             ______-__
+            run    expected  _---_._--
+                   got       _-----___
+                                 ^  ^^
+            run is TRUE in step 4 (at 40ms), FALSE was expected; 3 of 9 steps differ
+            FAILED numbers, 6 scans
+            start                ___----------__________.         __________----------
+            starts     expected  0  1         2         .         100       1
+                       got       0  1         1         1         1         1
+                                              ^^^^^^^^^           ^^^^^^^^^
+            starts is 1 in step 2 (at 20ms), 2 was expected; 2 of 6 steps differ
+            warmup.ET  expected  0s 0s        10ms      .         25ms      40ms
+                       got       0s 0s        10ms      20ms      30ms      40ms
+                                                                  ^^^^^^^^^
+            warmup.ET is T#30ms in step 4 (at 40ms), T#25ms was expected
+            text       expected  '' 'it runs' .         .         .         'it ran'
+                       got       '' 'it runs' 'it runs' 'it runs' 'it runs' 'it runs'
+                                                                            ^^^^^^^^^
+            text is 'it runs' in step 5 (at 50ms), 'it ran' was expected
+        "#]],
+    );
+}
+
+#[test]
+fn each_scenario_starts_cold() {
+    check(
+        "\
+program motor.clad
+scenario \"one\"
+start -_
+starts => 1 1
+scenario \"two\"
+start _-
+starts => 0 1
+",
+        expect![[r#"
+            ok one, 2 scans
+            ok two, 2 scans
+        "#]],
+    );
+}
+
+#[test]
+fn reals_have_a_tolerance() {
+    check(
+        "\
+program motor.clad
+scenario \"exact\"
+start -__
+hours => 0.1 0.2 0.3
+scenario \"of the row\"
+start -__
+hours => 0.1 0.2 0.3 ± 0.01
+scenario \"in ASCII, and in parts\"
+start -__
+hours => 0.1 0.2 0.303 +-1%
+scenario \"of times and integers\"
+start -__
+warmup.ET => 5ms 15ms 15ms ± 5ms
+starts => 0 2 1 ±1
+scenario \"too far\"
+start -__
+hours => 0.1 0.2 0.32 ± 0.01
+",
+        expect![[r#"
+            FAILED exact, 3 scans
+            start            ----________________________
+            hours  expected  0.1 0.2 0.3
+                   got       0.1 0.2 0.30000000000000004
+                                     ^^^^^^^^^^^^^^^^^^^
+            hours is 0.30000000000000004 in step 2 (at 20ms), 0.3 was expected; give the row a tolerance, as in ± 0.001
+            ok of the row, 3 scans
+            ok in ASCII, and in parts, 3 scans
+            ok of times and integers, 3 scans
+            FAILED too far, 3 scans
+            start            ----________________________
+            hours  expected  0.1 0.2 0.32
+                   got       0.1 0.2 0.30000000000000004
+                                     ^^^^^^^^^^^^^^^^^^^
+            hours is 0.30000000000000004 in step 2 (at 20ms), 0.32 was expected
+        "#]],
+    );
+    check(
+        "program motor.clad\ntolerance 1e-9\nscenario \"of the file\"\nstart -__\nhours => 0.1 0.2 0.3\n",
+        expect![[r#"
+            ok of the file, 3 scans
+        "#]],
+    );
+}
+
+#[test]
+fn mistakes_of_the_file() {
+    check(
+        "\
+Program motor.clad
+step 15ms
+interval soon
+step 10ms
+tolerance much
+run => _-
+scenario pump
+start _-
+run => __-
+scenario \"\"
+scenario \"twice\" now
+=> _-
+start
+scenario \"twice\"
+scenario \"open
+text => 'open
+run _ => -
+run => _- ± 1 2
+",
+        expect![[r#"
+            1:1-8: `Program` stands before the first scenario, where only program, step, interval and tolerance stand
+                write it in small letters: program
+            3:10-14: `soon` is no duration longer than 0
+                write it as in: interval 10ms
+            4:1-5: `step` stands here a second time
+                leave only one of them
+            5:11-15: `much` is no tolerance: write it as in 0.01 or 1%
+                write it as in: tolerance 0.001
+            6:1-4: `run` stands before the first scenario, where only program, step, interval and tolerance stand
+                rows stand behind a line as in: scenario "what is shown"
+            7:1-14: a scenario's name stands in quotes
+                write it as in: scenario "the pump starts"
+            9:10-11: `run` has 3 steps, but `start` has 2
+                all rows of a scenario have one length: a value for each step
+            10:10-12: the scenario has no name
+                write it as in: scenario "the pump starts"
+            11:18-21: nothing stands behind the name of a scenario
+                write it as in: scenario "the pump starts"
+            12:1-3: the row begins with no tag
+                a row is a tag and a value for each step, as in: start _-__
+            13:1-6: `start` has no values
+                give it one for each step: _ low, - high, . as before, or numbers between blanks
+            14:10-17: another scenario is called "twice" too
+                give each its own name: reports tell them apart by it
+            15:10-15: the quote behind the name is missing
+                write it as in: scenario "the pump starts"
+            16:9-14: the quote behind the text is missing
+                a text is written as in: 'it works'; a quote in it as $'
+            17:7-9: the arrow stands directly behind the tag
+                write it as in: run => _--_
+            18:11-16: one number behind ± says how far the values may be away
+                write it last in the row, as in: level => 1.0 2.0 ± 0.01
+            2:6-10: a step is a whole number of scans, and 15ms is no multiple of the scan interval 10ms
+                write `step 10ms`, or give another scan interval, as in: interval 1ms
+        "#]],
+    );
+    check(
+        "# nothing #\n",
+        expect![[r#"
+        1:1-1: the program is missing
+            name it in the first line, as in: program motor.clad
+        2:1-1: there is no scenario in this file
+            begin one, as in: scenario "the pump starts"
+    "#]],
+    );
+    check(
+        "program motor.clad\nscenario \"a\"\nstart _-\n",
+        expect![[r#"
+            2:10-13: the scenario "a" expects nothing
+                say what must come out, in a row with an arrow, as in: run => _--_
+        "#]],
+    );
+}
+
+#[test]
+fn mistakes_that_the_program_shows() {
+    check(
+        "\
+program motor.clad
+step 15ms
+scenario \"a\"
+strat  _-_
+start  _2x
+start  _-_
+limit  1 2 3
+SYS.FAULT _-_
+starts => _-_
+list => 1 2 3
+list[9] => 1 2 3
+list[2] => 1 99999 x
+warmup => ___
+warmup.ET => 10ms x .
+run => _-_ ± 1
+warmup.PT => 1ms . . ± fast
+step 1 2 3
+PORT.SERIAL => 'a' 'b' 'c'
+ready _-_ ± 1
+text => 12 'a' b
+",
+        expect![[r#"
+            5:8-11: `start` has 1 step, but `strat` has 3
+                all rows of a scenario have one length: a value for each step
+            2:6-10: a step is a whole number of scans, and 15ms is no multiple of the scan interval 10ms
+                write `step 10ms`, or give another scan interval, as in: interval 1ms
+            4:1-6: there is no tag `strat`; did you mean start?
+            5:8-11: `_2x` is no waveform
+                its letters are _ low, - high and . as before
+            6:1-6: start is given by two rows of this scenario
+                leave only one of them
+            7:1-6: limit can only be read
+                write `limit => ...` to expect values of it
+            8:1-10: SYS.FAULT can only be read
+                write `SYS.FAULT => ...` to expect values of it
+            9:11-12: starts is a DINT: _ and - are the levels of a BOOL
+                give a value for each step, with blanks between them, as in: 0 1 2
+            10:1-5: list is an array: name one of its elements, as in list[1]
+            11:1-8: list[9] does not exist: the array goes from 1 to 3
+            12:14-19: 99999 does not fit
+                INT holds -32768 to 32767
+            12:20-21: `x` is no value for a INT
+                write a whole number as in 42 or 16#FF
+            13:1-7: warmup is a TON: name one of its members, as in warmup.Q
+            14:19-20: `x` is no value for a TIME
+                write a duration as in 5s or T#1h30m, or a number of milliseconds
+            15:12-15: values of a BOOL are equal or not: they have no tolerance
+                take the ± away
+            16:22-28: `fast` is no tolerance for a TIME: write it as in 20ms or 1%
+                the tolerance stands last in the row, as in: level => 1.0 2.0 ± 0.01
+            17:1-5: there is no tag `step`; did you mean stop?
+                `step` stands before the first scenario
+            18:1-12: the program does not use PORT.SERIAL
+                the blocks USND, URCV, FMT and SCANTIME without operand do
+            19:11-14: what is given has no tolerance
+                ± stands in rows with an arrow
+        "#]],
+    );
+}
+
+#[test]
+fn a_step_is_a_number_of_scans() {
+    let text = |step: &str| {
+        format!("program motor.clad\n{step}\nscenario \"a\"\nstart -_\nwarmup.ET => 30ms 50ms\n")
+    };
+    check(
+        &text("step 40ms"),
+        expect![[r#"
+        ok a, 8 scans
+    "#]],
+    );
+    check(
+        &text("interval 20ms\nstep 40ms"),
+        expect![[r#"
+        FAILED a, 4 scans
+        start                -----_____
+        warmup.ET  expected  30ms 50ms
+                   got       20ms 50ms
+                             ^^^^
+        warmup.ET is T#20ms in step 0 (at 20ms), T#30ms was expected
+    "#]],
+    );
+    check(
+        &text("interval 40ms\nstep 60ms"),
+        expect![[r#"
+        3:6-10: a step is a whole number of scans, and 60ms is no multiple of the scan interval 40ms
+            write `step 40ms`, or give another scan interval, as in: interval 1ms
+    "#]],
+    );
+}
+
+#[test]
+fn long_scenarios_are_shown_around_the_first_difference() {
+    let rows = format!(
+        "start -{}\nrun => {}_{}",
+        "_".repeat(199),
+        "-".repeat(120),
+        "-".repeat(79)
+    );
+    check(
+        &format!("program motor.clad\nscenario \"long\"\n{rows}\n"),
+        expect![[r#"
+            FAILED long, 200 scans
+            start            …_____________________________________________________________…
+            run    expected  …--------------------_----------------------------------------…
+                   got       …-------------------------------------------------------------…
+                                                  ^
+            run is TRUE in step 120 (at 1s200ms), FALSE was expected
+        "#]],
+    );
+    let rows = format!("start -{}\nhours =>{}", "_".repeat(59), " 0.1 . .".repeat(20));
+    check(
+        &format!("program motor.clad\ntolerance 1e-6\nscenario \"long numbers\"\n{rows}\n"),
+        expect![[r#"
+            FAILED long numbers, 60 scans
+            start            …___________________________________________________________…
+            hours  expected  ….   .                   0.1 .   .   0.1 .                  …
+                   got       …0.2 0.30000000000000004 0.4 0.5 0.6 0.7 0.7999999999999999 …
+                                                      ^^^         ^^^
+            hours is 0.4 in step 3 (at 30ms), 0.1 was expected; 19 of 60 steps differ
+        "#]],
+    );
+}
+
+const PORTS: &str = "\
+VAR_INPUT go : BOOL; END_VAR
+VAR level : LINT; share : INT; got : USINT; END_VAR
++--[ADC]( level, 2 )--[PWM]( 40, 1000, CH := 1 )--+
++--[ ]( go )--[DIV]( share, 12, share )--+
++--[URCV]( got )--[FMT]( 'got %d', got )--+
+";
+
+#[test]
+fn ports_and_faults() {
+    let text = "\
+program ports.clad
+scenario \"ports\"
+PORT.ADC[2] 100 . -5
+level => 100 100 -5
+PORT.DUTY[1] => 40 40 40
+PORT.SERIAL '' 'A' .
+PORT.SERIAL => '' 'got 65' ''
+scenario \"a fault is seen in the next scan\"
+go _-__
+SYS.FAULT => __-_
+scenario \"faults are told\"
+go -_
+share => 0 0
+";
+    expect![[r#""#]].assert_eq(&told(PORTS, text, 80));
+}
+
+const ENDLESS: &str = "\
+VAR_INPUT go : BOOL; END_VAR
++--[/]( go )--( )( idle )--+
++--<LBL>( again )--[ ]( go )--<JMP>( again )--+
+";
+
+#[test]
+fn a_program_that_does_not_end_fails_unless_that_is_expected() {
+    let text = "\
+program endless.clad
+scenario \"not expected\"
+go __-_
+idle => --._
+scenario \"expected\"
+go __-_
+SYS.FAULT => __--
+";
+    expect![[r#"
+        FAILED not expected, 2 scans
+        go              __-_
+        idle  expected  --._
+              got       --??
+                           ^
+        idle has no value in step 3 (at 30ms), FALSE was expected
+        stopped in step 2
+        fault in scan 2: this scan has evaluated more than 1000000 blocks, so the watchdog stopped the simulation here; look for a jump or loop that does not end
+        ok expected, 2 scans
+        fault in scan 2: this scan has evaluated more than 1000000 blocks, so the watchdog stopped the simulation here; look for a jump or loop that does not end
+    "#]].assert_eq(&told(ENDLESS, text, 80));
+}
