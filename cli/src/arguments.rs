@@ -2,7 +2,7 @@
 
 #[cfg(feature = "server")]
 use crate::commands::lsp;
-use crate::commands::{check, explain, fmt, render, sim, tree};
+use crate::commands::{check, explain, fmt, render, sim, test, tree};
 use crate::outcome::exit;
 use clap::{Parser, Subcommand};
 use std::process::ExitCode;
@@ -13,6 +13,7 @@ Examples:
   ladder fmt .                                  align all diagrams in this folder
   ladder sim motor.clad --scans 100 --set start=1
                                                 run 100 scans with `start` high
+  ladder test .                                 run all scenarios in this folder
   ladder explain TON                            how the on-delay timer works
 
 Exit status: 0 fine, 1 findings, 2 the command could not do its work.";
@@ -30,6 +31,7 @@ enum Command {
     Check(check::Arguments),
     Fmt(fmt::Arguments),
     Sim(sim::Arguments),
+    Test(test::Arguments),
     Render(render::Arguments),
     Explain(explain::Arguments),
     #[cfg(feature = "server")]
@@ -46,6 +48,7 @@ impl Ladder {
             Command::Check(arguments) => check::run(&arguments),
             Command::Fmt(arguments) => fmt::run(&arguments),
             Command::Sim(arguments) => sim::run(&arguments),
+            Command::Test(arguments) => test::run(&arguments),
             Command::Render(arguments) => render::run(&arguments),
             Command::Explain(arguments) => explain::run(&arguments),
             Command::Tree(arguments) => tree::run(&arguments),

@@ -58,6 +58,15 @@ pub(crate) fn raw_stdout() -> io::Stdout {
     io::stdout()
 }
 
+/// How wide lines may be: what the environment says, else 100.
+pub(crate) fn width() -> usize {
+    let columns = std::env::var("COLUMNS").ok();
+    columns
+        .and_then(|columns| columns.parse().ok())
+        .unwrap_or(100)
+        .max(40)
+}
+
 /// Standard output, buffered. A reader that goes away (`ladder check . | head`) is no error: what follows is
 /// dropped, and the command still ends with its true status.
 pub(crate) struct Stdout {

@@ -45,6 +45,7 @@
 mod code;
 mod compile;
 mod counters;
+pub mod coverage;
 mod diagram;
 mod fault;
 mod fuse;

@@ -24,6 +24,8 @@ pub enum Problem {
     Directory,
     /// A folder in which no program is found.
     NoPrograms,
+    /// A folder in which no scenario file is found.
+    NoScenarios,
     /// Larger than [`MAX_FILE_BYTES`].
     TooLarge,
     /// Bytes that are not UTF-8.
@@ -80,6 +82,9 @@ impl fmt::Display for Problem {
             Problem::Missing => f.write_str("no such file or folder"),
             Problem::Directory => f.write_str("this is a folder; name a file in it"),
             Problem::NoPrograms => f.write_str("no program (a file ending in .clad) is in this folder"),
+            Problem::NoScenarios => {
+                f.write_str("no scenarios (a file ending in .ladder-test) are in this folder")
+            }
             Problem::TooLarge => write!(
                 f,
                 "the file is larger than {} MiB, the most that is read",

@@ -37,7 +37,7 @@ pub use ladder_syntax::MAX_FILE_BYTES;
 pub use programs::{Source, Workspace};
 pub use retentive::{Found, RetentiveFile};
 pub use root::{Root, SETTINGS_FILE};
-pub use search::{EXTENSION, find_programs, is_program};
+pub use search::{EXTENSION, SCENARIO_EXTENSION, find_programs, find_scenarios, is_program, is_scenario};
 pub use settings::{Files, LintLevel, Mistake, Settings, SettingsError, Simulate};
 pub use stamp::Stamp;
 pub use text::{decode, read};

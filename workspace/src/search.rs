@@ -16,13 +16,38 @@ pub fn is_program(path: &Path) -> bool {
         .is_some_and(|extension| extension.eq_ignore_ascii_case(EXTENSION))
 }
 
+/// What the name of a scenario file ends in, without the dot.
+pub const SCENARIO_EXTENSION: &str = "ladder-test";
+
+/// Whether a file holds scenarios by its name.
+pub fn is_scenario(path: &Path) -> bool {
+    path.extension()
+        .is_some_and(|extension| extension.eq_ignore_ascii_case(SCENARIO_EXTENSION))
+}
+
+/// Which files of a folder are meant.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Wanted {
+    Programs,
+    Scenarios,
+}
+
 /// The programs that the paths stand for, in the order of the paths; those of a folder sorted, sub-folders
 /// included. A file that is named is taken whatever its name; in folders hidden files, and what `.gitignore` and
 /// `.ignore` exclude, are passed over, and what the settings of a workspace exclude. Nothing is listed twice.
 ///
 /// What is wrong with single paths does not keep the others from being found: it is in the second list.
 pub fn find_programs(paths: &[PathBuf]) -> (Vec<PathBuf>, Vec<FileError>) {
-    let mut search = Search::default();
+    find(paths, Wanted::Programs)
+}
+
+/// The scenario files that the paths stand for, by the rules of [`find_programs`].
+pub fn find_scenarios(paths: &[PathBuf]) -> (Vec<PathBuf>, Vec<FileError>) {
+    find(paths, Wanted::Scenarios)
+}
+
+fn find(paths: &[PathBuf], wanted: Wanted) -> (Vec<PathBuf>, Vec<FileError>) {
+    let mut search = Search::new(wanted);
     for path in paths {
         match std::fs::metadata(path) {
             Ok(metadata) if metadata.is_dir() => search.folder(path),
@@ -52,8 +77,8 @@ fn walker(folder: &Path) -> WalkBuilder {
     walk
 }
 
-#[derive(Default)]
 struct Search {
+    wanted: Wanted,
     found: Vec<PathBuf>,
     /// The files behind `found`, by their true paths: `.` and `motor.clad` name one file twice.
     seen: HashSet<PathBuf>,
@@ -63,6 +88,23 @@ struct Search {
 }
 
 impl Search {
+    fn new(wanted: Wanted) -> Search {
+        Search {
+            wanted,
+            found: Vec::new(),
+            seen: HashSet::new(),
+            belonging: HashMap::new(),
+            errors: Vec::new(),
+        }
+    }
+
+    fn wants(&self, path: &Path) -> bool {
+        match self.wanted {
+            Wanted::Programs => is_program(path),
+            Wanted::Scenarios => is_scenario(path),
+        }
+    }
+
     fn take(&mut self, path: PathBuf) {
         let true_path = path.canonicalize().unwrap_or_else(|_| path.clone());
         if self.seen.insert(true_path) {
@@ -75,7 +117,7 @@ impl Search {
         for entry in walker(folder).build() {
             match entry {
                 // Asked through links: a linked file is a program like any other, a linked folder is not entered.
-                Ok(entry) if is_program(entry.path()) && entry.path().is_file() => {
+                Ok(entry) if self.wants(entry.path()) && entry.path().is_file() => {
                     empty = false;
                     if self.belongs(entry.path()) {
                         self.take(without_dot(folder, entry.into_path()));
@@ -86,7 +128,13 @@ impl Search {
             }
         }
         if empty && self.errors.iter().all(|error| !error.path.starts_with(folder)) {
-            self.errors.push(FileError::new(folder, Problem::NoPrograms));
+            self.errors.push(FileError::new(
+                folder,
+                match self.wanted {
+                    Wanted::Programs => Problem::NoPrograms,
+                    Wanted::Scenarios => Problem::NoScenarios,
+                },
+            ));
         }
     }
 

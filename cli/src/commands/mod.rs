@@ -7,4 +7,5 @@ pub(crate) mod fmt;
 pub(crate) mod lsp;
 pub(crate) mod render;
 pub(crate) mod sim;
+pub(crate) mod test;
 pub(crate) mod tree;

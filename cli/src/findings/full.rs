@@ -87,14 +87,14 @@ fn suggestion<'a>(source: &'a Source, fix: &'a Fix) -> Option<Group<'a>> {
 }
 
 /// Some lines of the text. Only they are given to the renderer: it reads all it is given, for each finding.
-struct Excerpt<'a> {
+pub(super) struct Excerpt<'a> {
     text: Cow<'a, str>,
     start: TextSize,
     first_line: usize,
 }
 
 impl<'a> Excerpt<'a> {
-    fn of(source: &'a Source, lines: Lines) -> Excerpt<'a> {
+    pub(super) fn of(source: &'a Source, lines: Lines) -> Excerpt<'a> {
         let (text, start) = source.excerpt(lines);
         Excerpt {
             text,
@@ -103,7 +103,7 @@ impl<'a> Excerpt<'a> {
         }
     }
 
-    fn snippet<T: Clone>(&self, source: &'a Source) -> Snippet<'a, T> {
+    pub(super) fn snippet<T: Clone>(&self, source: &'a Source) -> Snippet<'a, T> {
         Snippet::source(self.text.clone())
             .path(source.file.as_str())
             .line_start(self.first_line)
@@ -115,7 +115,7 @@ impl<'a> Excerpt<'a> {
             .label(place.message.as_str())
     }
 
-    fn span(&self, range: TextRange) -> Range<usize> {
+    pub(super) fn span(&self, range: TextRange) -> Range<usize> {
         let within = |offset: TextSize| {
             offset
                 .checked_sub(self.start)

@@ -4,10 +4,13 @@ pub(crate) mod concise;
 pub(crate) mod full;
 pub(crate) mod github;
 pub(crate) mod json;
+mod mistake;
 mod place;
+mod problem;
 pub(crate) mod sarif;
 mod source;
 mod workspaces;
 
+pub(crate) use problem::{Place, Problem, annotation};
 pub(crate) use source::Source;
 pub(crate) use workspaces::Workspaces;

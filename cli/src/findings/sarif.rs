@@ -106,7 +106,7 @@ fn region(source: &Source, range: TextRange) -> Value {
 }
 
 /// A file as a relative URI reference (or, where it was named by its whole path, as one with the scheme).
-fn uri(file: &str) -> String {
+pub(super) fn uri(file: &str) -> String {
     let mut uri = String::with_capacity(file.len());
     for byte in file.replace('\\', "/").bytes() {
         match byte {

@@ -8,7 +8,9 @@ use expect_test::expect_file;
 fn help_texts() {
     let folder = Folder::with(&[]);
     let mut pages = String::new();
-    for command in ["", "check", "fmt", "sim", "render", "explain", "lsp", "tree"] {
+    for command in [
+        "", "check", "fmt", "sim", "test", "render", "explain", "lsp", "tree",
+    ] {
         let arguments: Vec<&str> = [command, "--help"]
             .into_iter()
             .filter(|a| !a.is_empty())

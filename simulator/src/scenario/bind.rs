@@ -8,7 +8,7 @@ use crate::value_text;
 use ladder_analysis::types::Scalar;
 use ladder_analysis::value::Value;
 use ladder_syntax::TextRange;
-use std::collections::HashMap;
+use std::collections::HashSet;
 
 /// A scenario that can be run.
 #[derive(Debug, Clone, PartialEq)]
@@ -77,7 +77,7 @@ pub fn bind(suite: &Suite, simulation: &Simulation) -> (Vec<Case>, Vec<Mistake>)
                 suite,
                 simulation,
                 mistakes: &mut mistakes,
-                rows: HashMap::new(),
+                rows: HashSet::new(),
             }
             .scenario(scenario, scans)
         })
@@ -118,7 +118,7 @@ struct Binder<'a> {
     simulation: &'a Simulation,
     mistakes: &'a mut Vec<Mistake>,
     /// Tags that have a row, by direction.
-    rows: HashMap<(Direction, String), ()>,
+    rows: HashSet<(Direction, String)>,
 }
 
 impl Binder<'_> {
@@ -140,7 +140,7 @@ impl Binder<'_> {
                 continue;
             };
             let values = self.values(row, &name, target.ty());
-            if self.rows.insert((row.direction, name.clone()), ()).is_some() {
+            if !self.rows.insert((row.direction, name.clone())) {
                 let way = match row.direction {
                     Direction::Given => "is given by two rows",
                     Direction::Expected => "is expected by two rows",

@@ -1,6 +1,6 @@
 //! The rows of a scenario that came out differently: what was expected and what came, the differing steps marked.
 
-use super::bind::{Case, Target};
+use super::bind::{Case, Given, Target};
 use super::run::{Difference, Ran};
 use crate::value_text;
 use ladder_analysis::types::Scalar;
@@ -18,8 +18,8 @@ pub enum LineKind {
     Got,
     /// Carets under the steps that differ.
     Marks,
-    /// The first difference in words.
-    Words,
+    /// The difference in words.
+    Sentence,
 }
 
 /// A line of the drawing.
@@ -33,67 +33,99 @@ pub struct Line {
 
 /// Draws the rows that differ, below what was given, in lines of at most about `width` letters: of a long scenario
 /// the part around the first difference. `interval` is that of the simulation that ran it.
+///
+/// Waveforms are drawn as they are written, a letter a step. Rows of values stand below them with columns as wide as
+/// their values need, and what was given once more in these columns.
 pub fn draw(case: &Case, ran: &Ran, interval: i64, width: usize) -> Vec<Line> {
+    let is_wave = |difference: &&Difference| case.expected[difference.row].target.ty() == Scalar::Bool;
+    let (waves, values): (Vec<&Difference>, Vec<&Difference>) = ran.differences.iter().partition(is_wave);
     let mut lines = Vec::new();
-    let names = case.given.iter().map(|row| row.name.as_str());
-    let differing = ran.differences.iter().map(|difference| difference.tag.as_str());
-    let longest = names
-        .chain(differing)
-        .map(UnicodeWidthStr::width)
-        .max()
-        .unwrap_or(0);
-    // `name  expected  `
-    let label = |name: &str, what: &str| {
-        let gap = longest - name.width().min(longest);
-        format!("{name}{}  {what:<8}  ", " ".repeat(gap))
-    };
-    let room = width.saturating_sub(longest + 12).max(20);
-    let table = Table::of(case, ran, room);
-    for row in &case.given {
-        let cells: Vec<Drawn> = row
-            .values
-            .iter()
-            .map(|value| drawn(value.as_ref(), &row.target, "."))
-            .collect();
-        lines.push(Line {
-            kind: LineKind::Given,
-            text: label(&row.name, "") + &table.row(&cells),
-        });
-    }
-    for difference in &ran.differences {
-        let (row, got) = (&case.expected[difference.row], &ran.got[difference.row]);
-        let expected: Vec<Drawn> = row
-            .values
-            .iter()
-            .map(|(value, _)| drawn(value.as_ref(), &row.target, "."))
-            .collect();
-        let got: Vec<Drawn> = got
-            .iter()
-            .map(|value| drawn(value.as_ref(), &row.target, "?"))
-            .collect();
-        for (kind, name, what, text) in [
-            (
-                LineKind::Expected,
-                row.name.as_str(),
-                "expected",
-                table.row(&expected),
-            ),
-            (LineKind::Got, "", "got", table.row(&got)),
-            (LineKind::Marks, "", "", table.marks(&difference.steps)),
-        ] {
-            let text = (label(name, what) + &text).trim_end().to_owned();
-            lines.push(Line { kind, text });
+    for (differences, only_waves) in [(waves, true), (values, false)] {
+        if !differences.is_empty() {
+            let given = case
+                .given
+                .iter()
+                .filter(|row| !only_waves || row.target.ty() == Scalar::Bool);
+            let group = Group {
+                case,
+                ran,
+                given: given.collect(),
+                differences,
+            };
+            group.draw(interval, width, &mut lines);
         }
-        lines.push(Line {
-            kind: LineKind::Words,
-            text: words(case, ran, difference, interval),
-        });
     }
     lines
 }
 
-/// `run is FALSE in step 3 (at 300ms), TRUE was expected; 4 steps of 9 differ`
-fn words(case: &Case, ran: &Ran, difference: &Difference, interval: i64) -> String {
+/// Rows that share their columns.
+struct Group<'a> {
+    case: &'a Case,
+    ran: &'a Ran,
+    given: Vec<&'a Given>,
+    differences: Vec<&'a Difference>,
+}
+
+impl Group<'_> {
+    fn draw(&self, interval: i64, width: usize, lines: &mut Vec<Line>) {
+        let names = self.given.iter().map(|row| row.name.as_str());
+        let differing = self.differences.iter().map(|difference| difference.tag.as_str());
+        let longest = names
+            .chain(differing)
+            .map(UnicodeWidthStr::width)
+            .max()
+            .unwrap_or(0);
+        // `name  expected  `
+        let label = |name: &str, what: &str| {
+            let gap = longest - name.width().min(longest);
+            format!("{name}{}  {what:<8}  ", " ".repeat(gap))
+        };
+        let table = Table::of(self, width.saturating_sub(longest + 12).max(20));
+        for row in &self.given {
+            let cells: Vec<Drawn> = row
+                .values
+                .iter()
+                .map(|value| drawn(value.as_ref(), &row.target, "."))
+                .collect();
+            lines.push(Line {
+                kind: LineKind::Given,
+                text: label(&row.name, "") + &table.row(&cells),
+            });
+        }
+        for difference in &self.differences {
+            let (row, got) = (&self.case.expected[difference.row], &self.ran.got[difference.row]);
+            let expected: Vec<Drawn> = row
+                .values
+                .iter()
+                .map(|(value, _)| drawn(value.as_ref(), &row.target, "."))
+                .collect();
+            let got: Vec<Drawn> = got
+                .iter()
+                .map(|value| drawn(value.as_ref(), &row.target, "?"))
+                .collect();
+            for (kind, name, what, text) in [
+                (
+                    LineKind::Expected,
+                    row.name.as_str(),
+                    "expected",
+                    table.row(&expected),
+                ),
+                (LineKind::Got, "", "got", table.row(&got)),
+                (LineKind::Marks, "", "", table.marks(&difference.steps)),
+            ] {
+                let text = (label(name, what) + &text).trim_end().to_owned();
+                lines.push(Line { kind, text });
+            }
+            lines.push(Line {
+                kind: LineKind::Sentence,
+                text: sentence(self.case, self.ran, difference, interval),
+            });
+        }
+    }
+}
+
+/// A difference in words: `run is FALSE in step 3 (at 300ms), TRUE was expected; 4 of 9 steps differ`.
+pub fn sentence(case: &Case, ran: &Ran, difference: &Difference, interval: i64) -> String {
     let row = &case.expected[difference.row];
     let ty = row.target.ty();
     let step = difference.steps[0];
@@ -160,8 +192,8 @@ struct Table {
 }
 
 impl Table {
-    fn of(case: &Case, ran: &Ran, room: usize) -> Table {
-        let mut widths = vec![1; case.steps];
+    fn of(group: &Group, room: usize) -> Table {
+        let mut widths = vec![1; group.case.steps];
         let mut has_texts = false;
         let mut take = |step: usize, value: Option<&Value>, target: &Target| {
             if let Drawn::Text(text) = drawn(value, target, ".") {
@@ -169,23 +201,25 @@ impl Table {
                 widths[step] = widths[step].max(text.width());
             }
         };
-        for row in &case.given {
+        for row in &group.given {
             for (step, value) in row.values.iter().enumerate() {
                 take(step, value.as_ref(), &row.target);
             }
         }
-        for difference in &ran.differences {
-            let row = &case.expected[difference.row];
+        for difference in &group.differences {
+            let row = &group.case.expected[difference.row];
             for (step, (wanted, _)) in row.values.iter().enumerate() {
                 take(step, wanted.as_ref(), &row.target);
-                take(step, ran.got[difference.row][step].as_ref(), &row.target);
+                take(step, group.ran.got[difference.row][step].as_ref(), &row.target);
             }
         }
         if has_texts {
             // A blank behind each value.
-            widths.iter_mut().for_each(|width| *width += 1);
+            for width in &mut widths {
+                *width += 1;
+            }
         }
-        let first = ran
+        let first = group
             .differences
             .iter()
             .filter_map(|difference| difference.steps.first())

@@ -19,14 +19,11 @@ mod tolerance;
 mod words;
 
 pub use bind::{Case, bind};
-pub use draw::{Line, LineKind, draw};
+pub use draw::{Line, LineKind, draw, sentence};
 use ladder_syntax::TextRange;
 pub use parse::{Cell, Direction, Row, Scenario, Suite, parse};
 pub use run::{Difference, Ran, run};
 pub use tolerance::Tolerance;
-
-/// What a scenario file's name ends in, without the dot.
-pub const EXTENSION: &str = "ladder-test";
 
 /// A mistake in a scenario file.
 #[derive(Debug, Clone, PartialEq, Eq)]

@@ -436,7 +436,14 @@ scenario \"faults are told\"
 go -_
 share => 0 0
 ";
-    expect![[r#""#]].assert_eq(&told(PORTS, text, 80));
+    expect![[r#"
+        ok ports, 3 scans
+        ok a fault is seen in the next scan, 4 scans
+        fault in scan 1: division by zero: nothing was written; check the divisor before this block
+        ok faults are told, 2 scans
+        fault in scan 0: division by zero: nothing was written; check the divisor before this block
+    "#]]
+    .assert_eq(&told(PORTS, text, 80));
 }
 
 const ENDLESS: &str = "\

@@ -27,6 +27,27 @@ impl Simulation {
         self.is_reached(element) && self.has_power(element.power)
     }
 
+    /// Every part of the drawing that carries power.
+    pub(crate) fn elements(&self) -> &[ElementPlace] {
+        &self.compiled.elements
+    }
+
+    /// The power of a part of the drawing in the last scan; none if that scan did not reach it.
+    pub(crate) fn element_power(&self, element: &ElementPlace) -> Option<bool> {
+        self.is_reached(element).then(|| self.has_power(element.power))
+    }
+
+    /// Whether some scans may not reach a network.
+    pub(crate) fn is_skippable(&self, network: usize) -> bool {
+        self.compiled.skippable[network]
+    }
+
+    /// Whether the last scan, which is not open, reached a network.
+    pub(crate) fn has_reached(&self, network: usize) -> bool {
+        let machine = &self.machine;
+        machine.scan > 0 && (!self.compiled.skippable[network] || machine.reached[network] == machine.scan)
+    }
+
     fn is_reached(&self, element: &ElementPlace) -> bool {
         let network = element.network as usize;
         let machine = &self.machine;

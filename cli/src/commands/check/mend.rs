@@ -37,6 +37,7 @@ pub(super) fn mend(mut source: Source) -> Result<Checked, FileError> {
     Ok(Checked {
         source,
         findings,
+        problems: Vec::new(),
         mended,
     })
 }

@@ -4,9 +4,11 @@ mod mend;
 mod report;
 mod tally;
 
-use crate::findings::{Source, Workspaces};
+use super::test;
+use crate::findings::{Problem, Source, Workspaces};
 use crate::outcome::{Failure, Outcome};
 use crate::terminal;
+use annotate_snippets::Renderer;
 use clap::{Args, ValueEnum};
 use ladder_analysis::Diagnostic;
 use ladder_workspace::FileError;
@@ -86,6 +88,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
         Outcome::Failed
     };
     let mut report = Report::new(arguments.format, arguments.statistics);
+    let renderer = report.renderer().clone();
     let mut workspaces = Workspaces::default();
     for files in files.chunks(AT_ONCE) {
         let mut sources = Vec::with_capacity(files.len());
@@ -100,10 +103,16 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
             }
         }
         let sources = sources.into_par_iter();
-        let checked: Vec<_> = sources.map(|source| check(source, arguments.fix)).collect();
+        let checked: Vec<_> = sources
+            .map(|source| check(source, arguments.fix, &renderer))
+            .collect();
         for checked in checked {
             match checked {
-                Ok(checked) => report.add(&checked)?,
+                Ok(checked) => {
+                    let problems = checked.problems.iter().map(|problem| problem.outcome);
+                    outcome = problems.fold(outcome, Outcome::max);
+                    report.add(&checked)?;
+                }
                 Err(error) => {
                     terminal::error(&error);
                     outcome = Outcome::Failed;
@@ -122,15 +131,26 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
 /// So many files are checked at once: what is found in them is kept until their turn comes.
 const AT_ONCE: usize = 64;
 
-/// A program that was checked.
+/// A program, or a file of scenarios, that was checked.
 struct Checked {
     source: Source,
     findings: Vec<Diagnostic>,
+    /// What is wrong in a file of scenarios.
+    problems: Vec<Problem>,
     /// How many findings were mended.
     mended: usize,
 }
 
-fn check(source: Source, fix: bool) -> Result<Checked, FileError> {
+fn check(source: Source, fix: bool, renderer: &Renderer) -> Result<Checked, FileError> {
+    let path = Path::new(&source.file);
+    if ladder_workspace::is_scenario(path) {
+        return Ok(Checked {
+            problems: test::mistakes(path, &source, renderer),
+            source,
+            findings: Vec::new(),
+            mended: 0,
+        });
+    }
     if fix {
         return mend::mend(source);
     }
@@ -138,6 +158,7 @@ fn check(source: Source, fix: bool) -> Result<Checked, FileError> {
     Ok(Checked {
         source,
         findings,
+        problems: Vec::new(),
         mended: 0,
     })
 }
@@ -145,6 +166,9 @@ fn check(source: Source, fix: bool) -> Result<Checked, FileError> {
 /// A file among the others of its workspace. None: that cannot be used, and it has been said why.
 fn source(file: &Path, workspaces: &mut Workspaces) -> Result<Option<Source>, Failure> {
     let text = ladder_workspace::read(file)?;
+    if ladder_workspace::is_scenario(file) {
+        return Ok(Some(Source::new(file.display().to_string(), text)));
+    }
     let workspace = workspaces.of(file)?;
     Ok(workspace.map(|workspace| Source::within(workspace, file.display().to_string(), text)))
 }

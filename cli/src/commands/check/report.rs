@@ -5,6 +5,7 @@ use super::{Checked, Format};
 use crate::findings::{concise, full, github, json, sarif};
 use crate::terminal::{Stdout, stdout_has_colours};
 use annotate_snippets::Renderer;
+use serde::Serialize;
 use serde_json::Value;
 use std::io::{self, Write};
 
@@ -36,7 +37,12 @@ impl Report {
         }
     }
 
-    /// Writes what was found in a program.
+    /// How excerpts look.
+    pub(super) fn renderer(&self) -> &Renderer {
+        &self.renderer
+    }
+
+    /// Writes what was found in a file.
     pub(super) fn add(&mut self, checked: &Checked) -> io::Result<()> {
         let source = &checked.source;
         for finding in &checked.findings {
@@ -47,19 +53,33 @@ impl Report {
                 Format::Concise => writeln!(self.out, "{}", concise::line(source, finding))?,
                 Format::Github => writeln!(self.out, "{}", github::line(source, finding))?,
                 Format::Sarif => self.results.push(sarif::result(source, finding)),
-                Format::Json => {
-                    let before = if self.tally.findings() == 0 {
-                        "[\n  "
-                    } else {
-                        ",\n  "
-                    };
-                    self.out.write_all(before.as_bytes())?;
-                    serde_json::to_writer(&mut self.out, &json::Finding::new(source, finding))?;
-                }
+                Format::Json => self.object(&json::Finding::new(source, finding))?,
             }
             self.tally.count(finding);
         }
+        for problem in &checked.problems {
+            match self.format {
+                Format::Full => writeln!(self.out, "{}\n", problem.shown)?,
+                Format::Concise => writeln!(self.out, "{}", problem.concise())?,
+                Format::Github => writeln!(self.out, "{}", problem.github())?,
+                Format::Sarif => self.results.push(problem.sarif()),
+                Format::Json => self.object(problem)?,
+            }
+            self.tally.errors += 1;
+        }
         self.tally.file(checked.mended);
+        Ok(())
+    }
+
+    /// One more element of the array.
+    fn object(&mut self, finding: &impl Serialize) -> io::Result<()> {
+        let before = if self.tally.findings() == 0 {
+            "[\n  "
+        } else {
+            ",\n  "
+        };
+        self.out.write_all(before.as_bytes())?;
+        serde_json::to_writer(&mut self.out, finding)?;
         Ok(())
     }
 

@@ -1,0 +1,298 @@
+//! What the scenarios of a run exercised, file by file: of a program that several scenario files test, and of a
+//! file that several programs share, what any of them exercised.
+
+use super::report::FileReport;
+use crate::findings::{Place, Source};
+use ladder_simulator::coverage::{Coverage, NetworkScans, Part, PartKind};
+use serde::Serialize;
+use std::collections::{BTreeMap, BTreeSet};
+use std::sync::Arc;
+
+/// What was exercised of all programs.
+#[derive(Default)]
+pub(super) struct Covered {
+    pub(super) files: BTreeMap<String, CoveredFile>,
+}
+
+/// What was exercised of one file.
+pub(super) struct CoveredFile {
+    pub(super) source: Arc<Source>,
+    /// By where they begin.
+    pub(super) networks: BTreeMap<u32, CoveredNetwork>,
+    pub(super) parts: BTreeMap<u32, CoveredPart>,
+}
+
+pub(super) struct CoveredNetwork {
+    pub(super) place: Place,
+    /// Its rungs, by line from 1.
+    pub(super) lines: BTreeSet<u32>,
+    pub(super) scans: u64,
+}
+
+pub(super) struct CoveredPart {
+    pub(super) kind: PartKind,
+    pub(super) place: Place,
+    pub(super) on: bool,
+    pub(super) off: bool,
+    /// The network that it stands in is reached.
+    pub(super) reached: bool,
+}
+
+impl Covered {
+    /// Takes in what a file's scenarios exercised.
+    pub(super) fn add(&mut self, report: &FileReport) {
+        let (Some(coverage), Some(program)) = (&report.coverage, &report.program) else {
+            return;
+        };
+        for (index, name) in coverage.files.iter().enumerate() {
+            let source = match index {
+                0 => Arc::clone(program),
+                _ => match program.other(name) {
+                    Some(other) => Arc::new(other),
+                    None => continue,
+                },
+            };
+            let name = source.file.clone();
+            let file = self.files.entry(name).or_insert_with(|| CoveredFile {
+                source,
+                networks: BTreeMap::new(),
+                parts: BTreeMap::new(),
+            });
+            file.add(index as u32, coverage);
+        }
+    }
+}
+
+impl CoveredFile {
+    fn add(&mut self, file: u32, coverage: &Coverage) {
+        for network in coverage
+            .networks
+            .iter()
+            .filter(|network| network.location.file == file)
+        {
+            self.network(network);
+        }
+        for part in coverage.parts.iter().filter(|part| part.location.file == file) {
+            self.part(part);
+        }
+        for network in self.networks.values().filter(|network| network.scans > 0) {
+            for part in self.parts.values_mut() {
+                part.reached |= network.lines.contains(&part.place.line);
+            }
+        }
+    }
+
+    fn network(&mut self, network: &NetworkScans) {
+        let source = &self.source;
+        let entry = self
+            .networks
+            .entry(network.location.range.start().into())
+            .or_insert_with(|| CoveredNetwork {
+                place: Place::of(source, network.location.range),
+                lines: network
+                    .elements
+                    .iter()
+                    .map(|element| source.place(element.range.start()).line)
+                    .collect(),
+                scans: 0,
+            });
+        entry.scans += network.scans;
+    }
+
+    fn part(&mut self, part: &Part) {
+        let source = &self.source;
+        let entry = self
+            .parts
+            .entry(part.location.range.start().into())
+            .or_insert_with(|| CoveredPart {
+                kind: part.kind,
+                place: Place::of(source, part.location.range),
+                on: false,
+                off: false,
+                reached: false,
+            });
+        entry.on |= part.on;
+        entry.off |= part.off;
+    }
+}
+
+/// How many of a file's things were exercised, and how many there are.
+#[derive(Debug, Clone, Copy, Default, Serialize)]
+struct Count {
+    exercised: usize,
+    all: usize,
+}
+
+impl Count {
+    fn add(&mut self, exercised: bool) {
+        self.exercised += usize::from(exercised);
+        self.all += 1;
+    }
+
+    fn shown(self) -> String {
+        format!("{}/{}", self.exercised, self.all)
+    }
+}
+
+/// Networks, contacts (comparisons are among them) and coils.
+fn counts(file: &CoveredFile) -> [Count; 3] {
+    let mut counts = [Count::default(); 3];
+    for network in file.networks.values() {
+        counts[0].add(network.scans > 0);
+    }
+    for part in file.parts.values() {
+        let coil = part.kind == PartKind::Coil;
+        counts[if coil { 2 } else { 1 }].add(part.on && part.off);
+    }
+    counts
+}
+
+/// A line for each file.
+pub(super) fn table(covered: &Covered) -> String {
+    let mut rows: Vec<[String; 4]> = vec![["networks", "contacts", "coils", ""].map(str::to_owned)];
+    for (name, file) in &covered.files {
+        let [networks, contacts, coils] = counts(file).map(Count::shown);
+        rows.push([networks, contacts, coils, name.clone()]);
+    }
+    let width = |column: usize| rows.iter().map(|row| row[column].len()).max().unwrap_or(0);
+    let widths = [width(0), width(1), width(2)];
+    let mut table = String::new();
+    for [networks, contacts, coils, name] in &rows {
+        let line = format!(
+            "  {networks:>0$}  {contacts:>1$}  {coils:>2$}  {name}",
+            widths[0], widths[1], widths[2]
+        );
+        table.push_str(line.trim_end());
+        table.push('\n');
+    }
+    table
+}
+
+/// Something that was not exercised, with its rung.
+pub(super) struct Missed {
+    /// `motor.clad:20:22: contact was never open`
+    pub(super) title: String,
+    pub(super) rung: String,
+    pub(super) marks: String,
+}
+
+/// What was not exercised, in the order of the files. Of a network that was never reached only that is told.
+pub(super) fn missed(covered: &Covered) -> Vec<Missed> {
+    let mut missed = Vec::new();
+    for file in covered.files.values() {
+        let networks = file
+            .networks
+            .iter()
+            .filter(|(_, network)| network.scans == 0)
+            .map(|(&start, network)| (start, &network.place, "this network was never reached".to_owned()));
+        let parts = file
+            .parts
+            .iter()
+            .filter(|(_, part)| part.reached && !(part.on && part.off))
+            .map(|(&start, part)| (start, &part.place, what_is_missing(part)));
+        let mut all: Vec<(u32, &Place, String)> = networks.chain(parts).collect();
+        all.sort_by_key(|(start, ..)| *start);
+        missed.extend(
+            all.into_iter()
+                .map(|(_, place, what)| excerpt(&file.source, place, &what)),
+        );
+    }
+    missed
+}
+
+fn what_is_missing(part: &CoveredPart) -> String {
+    let name = match part.kind {
+        PartKind::Contact => "contact",
+        PartKind::Comparison => "comparison",
+        PartKind::Coil => "coil",
+    };
+    let missing = match (part.kind, part.on, part.off) {
+        (PartKind::Coil, false, true) => "never had power",
+        (PartKind::Coil, true, false) => "was never without power",
+        (PartKind::Coil, ..) => "was never reached",
+        (_, true, _) => "was never open while power came to it",
+        (_, false, true) => "was never closed while power came to it",
+        (_, false, false) => "never had power coming to it",
+    };
+    format!("this {name} {missing}")
+}
+
+fn excerpt(source: &Source, place: &Place, what: &str) -> Missed {
+    let line = source
+        .text
+        .lines()
+        .nth(place.line as usize - 1)
+        .unwrap_or_default();
+    let rung = line.trim_end();
+    let rung = rung.strip_prefix('\u{feff}').unwrap_or(rung);
+    let before = place.column as usize - 1;
+    // Of something that goes on in the next line the rest of this one.
+    let end = if place.end_line == place.line {
+        place.end_column as usize - 1
+    } else {
+        rung.chars().count()
+    };
+    let marks: String = rung
+        .chars()
+        .take(end.max(before))
+        .enumerate()
+        .map(|(at, c)| match (at < before, c) {
+            (true, '\t') => '\t',
+            (true, _) => ' ',
+            (false, _) => '^',
+        })
+        .collect();
+    Missed {
+        title: format!("{}:{}:{}: {what}", place.file, place.line, place.column),
+        rung: rung.to_owned(),
+        marks,
+    }
+}
+
+/// A file, for machines.
+#[derive(Serialize)]
+struct FileObject<'a> {
+    file: &'a str,
+    networks: Count,
+    contacts: Count,
+    coils: Count,
+    parts: Vec<PartObject>,
+}
+
+#[derive(Serialize)]
+struct PartObject {
+    kind: &'static str,
+    line: u32,
+    column: u32,
+    on: bool,
+    off: bool,
+}
+
+/// What was exercised, for machines.
+pub(super) fn json(covered: &Covered) -> impl Serialize + '_ {
+    let files = covered.files.iter().map(|(name, file)| {
+        let [networks, contacts, coils] = counts(file);
+        FileObject {
+            file: name,
+            networks,
+            contacts,
+            coils,
+            parts: file
+                .parts
+                .values()
+                .map(|part| PartObject {
+                    kind: match part.kind {
+                        PartKind::Contact => "contact",
+                        PartKind::Comparison => "comparison",
+                        PartKind::Coil => "coil",
+                    },
+                    line: part.place.line,
+                    column: part.place.column,
+                    on: part.on,
+                    off: part.off,
+                })
+                .collect(),
+        }
+    });
+    files.collect::<Vec<_>>()
+}

@@ -1,0 +1,152 @@
+//! Results for machines: one object. Its members are documented; nothing may be renamed.
+
+use super::coverage;
+use super::report::{CaseReport, DifferenceReport, FaultReport, FileReport};
+use super::{All, Writer};
+use crate::findings::Problem;
+use serde::Serialize;
+use std::io::{self, Write};
+
+/// The files come first, each as soon as it is there.
+#[derive(Default)]
+pub(super) struct Json {
+    begun: bool,
+}
+
+impl Writer for Json {
+    fn file(&mut self, report: &FileReport, out: &mut dyn Write) -> io::Result<()> {
+        let before = if self.begun { ",\n" } else { "{\"files\": [\n" };
+        self.begun = true;
+        out.write_all(before.as_bytes())?;
+        serde_json::to_writer(out, &Suite::new(report)).map_err(io::Error::from)
+    }
+
+    fn end(&mut self, all: &All, out: &mut dyn Write) -> io::Result<()> {
+        write!(out, "\n],\n\"summary\": ")?;
+        serde_json::to_writer(
+            &mut *out,
+            &Summary {
+                files: all.tally.files,
+                passed: all.tally.passed,
+                failed: all.tally.failed,
+                not_run: all.tally.broken,
+                seconds: all.seconds,
+            },
+        )?;
+        if let Some(covered) = all.covered {
+            write!(out, ",\n\"coverage\": ")?;
+            serde_json::to_writer(&mut *out, &coverage::json(covered))?;
+        }
+        writeln!(out, "}}")
+    }
+}
+
+#[derive(Serialize)]
+struct Summary {
+    files: usize,
+    passed: usize,
+    failed: usize,
+    /// Files whose scenarios did not run.
+    not_run: usize,
+    seconds: f64,
+}
+
+#[derive(Serialize)]
+struct Suite<'a> {
+    file: &'a str,
+    program: Option<&'a str>,
+    seconds: f64,
+    /// With the members of the findings of `ladder check`.
+    mistakes: &'a [Problem],
+    scenarios: Vec<Scenario<'a>>,
+}
+
+impl<'a> Suite<'a> {
+    fn new(report: &'a FileReport) -> Suite<'a> {
+        Suite {
+            file: &report.file,
+            program: report.program.as_ref().map(|program| program.file.as_str()),
+            seconds: report.seconds,
+            mistakes: &report.problems,
+            scenarios: report.cases.iter().map(Scenario::new).collect(),
+        }
+    }
+}
+
+#[derive(Serialize)]
+struct Scenario<'a> {
+    name: &'a str,
+    line: u32,
+    column: u32,
+    passed: bool,
+    steps: usize,
+    scans: u64,
+    seconds: f64,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    stopped_in_step: Option<usize>,
+    differences: Vec<Difference<'a>>,
+    faults: Vec<Fault<'a>>,
+    /// What is shown to people.
+    #[serde(skip_serializing_if = "String::is_empty")]
+    diagram: String,
+}
+
+impl<'a> Scenario<'a> {
+    fn new(case: &'a CaseReport) -> Scenario<'a> {
+        Scenario {
+            name: &case.name,
+            line: case.place.line,
+            column: case.place.column,
+            passed: case.passed,
+            steps: case.steps,
+            scans: case.scans,
+            seconds: case.seconds,
+            stopped_in_step: case.stopped,
+            differences: case.differences.iter().map(Difference::new).collect(),
+            faults: case.faults.iter().map(Fault::new).collect(),
+            diagram: case.drawn(),
+        }
+    }
+}
+
+#[derive(Serialize)]
+struct Difference<'a> {
+    tag: &'a str,
+    line: u32,
+    column: u32,
+    steps: &'a [usize],
+    message: &'a str,
+}
+
+impl<'a> Difference<'a> {
+    fn new(difference: &'a DifferenceReport) -> Difference<'a> {
+        Difference {
+            tag: &difference.tag,
+            line: difference.place.line,
+            column: difference.place.column,
+            steps: &difference.steps,
+            message: &difference.sentence,
+        }
+    }
+}
+
+#[derive(Serialize)]
+struct Fault<'a> {
+    file: &'a str,
+    line: u32,
+    column: u32,
+    scan: u64,
+    message: &'a str,
+}
+
+impl<'a> Fault<'a> {
+    fn new(fault: &'a FaultReport) -> Fault<'a> {
+        Fault {
+            file: &fault.place.file,
+            line: fault.place.line,
+            column: fault.place.column,
+            scan: fault.scan,
+            message: &fault.message,
+        }
+    }
+}

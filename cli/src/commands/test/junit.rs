@@ -1,0 +1,127 @@
+//! Results as XML in the form that JUnit began and build servers read.
+
+use super::report::FileReport;
+use super::{All, Writer};
+use std::fmt::Write as _;
+use std::io::{self, Write};
+
+/// The sums stand at the beginning, so the suites are kept until all are there.
+#[derive(Default)]
+pub(super) struct Junit {
+    suites: String,
+    tests: usize,
+    failures: usize,
+    errors: usize,
+}
+
+impl Writer for Junit {
+    fn file(&mut self, report: &FileReport, _: &mut dyn Write) -> io::Result<()> {
+        let failures = report.cases.iter().filter(|case| !case.passed).count();
+        let errors = report.problems.len();
+        let tests = report.cases.len() + errors;
+        self.tests += tests;
+        self.failures += failures;
+        self.errors += errors;
+        // Writing to a String does not fail.
+        let _ = self.suite(report, tests, failures, errors);
+        Ok(())
+    }
+
+    fn end(&mut self, all: &All, out: &mut dyn Write) -> io::Result<()> {
+        writeln!(out, "<?xml version=\"1.0\" encoding=\"UTF-8\"?>")?;
+        writeln!(
+            out,
+            "<testsuites name=\"ladder test\" tests=\"{}\" failures=\"{}\" errors=\"{}\" time=\"{:.6}\">",
+            self.tests, self.failures, self.errors, all.seconds
+        )?;
+        write!(out, "{}", self.suites)?;
+        writeln!(out, "</testsuites>")
+    }
+}
+
+impl Junit {
+    fn suite(
+        &mut self,
+        report: &FileReport,
+        tests: usize,
+        failures: usize,
+        errors: usize,
+    ) -> std::fmt::Result {
+        let out = &mut self.suites;
+        let file = escaped(&report.file);
+        writeln!(
+            out,
+            "  <testsuite name=\"{file}\" tests=\"{tests}\" failures=\"{failures}\" errors=\"{errors}\" \
+             skipped=\"0\" time=\"{:.6}\" file=\"{file}\">",
+            report.seconds
+        )?;
+        for problem in &report.problems {
+            let place = &problem.place;
+            writeln!(
+                out,
+                "    <testcase name=\"{}:{}:{}\" classname=\"{file}\" time=\"0\" file=\"{}\" line=\"{}\">",
+                escaped(&place.file),
+                place.line,
+                place.column,
+                escaped(&place.file),
+                place.line
+            )?;
+            writeln!(
+                out,
+                "      <error message=\"{}\" type=\"{}\">{}</error>\n    </testcase>",
+                escaped(&problem.message),
+                problem.rule,
+                escaped(&problem.shown)
+            )?;
+        }
+        for case in &report.cases {
+            write!(
+                out,
+                "    <testcase name=\"{}\" classname=\"{file}\" time=\"{:.6}\" file=\"{file}\" line=\"{}\"",
+                escaped(&case.name),
+                case.seconds,
+                case.place.line
+            )?;
+            if case.passed && case.faults.is_empty() {
+                writeln!(out, "/>")?;
+                continue;
+            }
+            writeln!(out, ">")?;
+            if !case.passed {
+                writeln!(
+                    out,
+                    "      <failure message=\"{}\" type=\"scenario\">{}</failure>",
+                    escaped(&case.sentences().join("; ")),
+                    escaped(&case.drawn())
+                )?;
+            }
+            if !case.faults.is_empty() {
+                let faults: Vec<String> = case.faults.iter().map(super::report::FaultReport::line).collect();
+                writeln!(
+                    out,
+                    "      <system-err>{}</system-err>",
+                    escaped(&faults.join("\n"))
+                )?;
+            }
+            writeln!(out, "    </testcase>")?;
+        }
+        writeln!(out, "  </testsuite>")
+    }
+}
+
+/// Text inside of XML, in attributes too. Control characters are no part of XML.
+fn escaped(text: &str) -> String {
+    let mut out = String::with_capacity(text.len());
+    for c in text.chars() {
+        match c {
+            '&' => out.push_str("&amp;"),
+            '<' => out.push_str("&lt;"),
+            '>' => out.push_str("&gt;"),
+            '"' => out.push_str("&quot;"),
+            '\n' | '\t' => out.push(c),
+            c if c.is_control() || c == '\u{fffe}' || c == '\u{ffff}' => out.push('\u{fffd}'),
+            c => out.push(c),
+        }
+    }
+    out
+}

@@ -1,0 +1,220 @@
+//! `ladder test`: runs the scenarios of programs.
+
+mod coverage;
+mod github;
+mod json;
+mod junit;
+mod lcov;
+mod people;
+mod report;
+mod suite;
+
+use crate::findings::{Problem, Source};
+use crate::outcome::{Failure, Outcome};
+use crate::terminal::{self, Stdout, stdout_has_colours};
+use annotate_snippets::Renderer;
+use clap::{Args, ValueEnum};
+use coverage::Covered;
+use report::{FileReport, Tally};
+use std::collections::BTreeMap;
+use std::io::{self, Write};
+use std::path::{Path, PathBuf};
+use std::sync::atomic::{AtomicUsize, Ordering};
+use std::sync::{Mutex, mpsc};
+use std::time::Instant;
+use suite::Wishes;
+
+const EXAMPLES: &str = "\
+Examples:
+  ladder test .                                all scenarios in this folder
+  ladder test motor.ladder-test --filter stop  only scenarios with \"stop\" in their name
+  ladder test . --format junit > report.xml    for a build server
+  ladder test . --coverage                     and which contacts and coils were never exercised
+
+A file of scenarios, motor.ladder-test, says what goes into a program and what must come out of it:
+
+  program motor.clad
+  step 100ms
+
+  scenario \"the seal-in holds after start is let go\"
+  start   _-_______
+  stop    ______-__
+  run  => _-----___
+
+One column is one step: _ is low, - is high, . is as before (behind => it is not checked). Numbers stand with
+blanks between them.
+
+Exit status: 0 all is as expected, 1 a scenario failed, or a scenario file or its program has mistakes, 2 a file
+cannot be read, or no scenario has the name asked for.";
+
+/// Run the scenarios of programs
+///
+/// Searches folders for files that end in .ladder-test. Each scenario starts cold. A scenario that fails is shown
+/// as two diagrams, what was expected and what came, with the columns marked that differ.
+#[derive(Debug, Args)]
+#[command(after_help = EXAMPLES)]
+pub(crate) struct Arguments {
+    /// Scenario files, or folders to search for them
+    #[arg(value_name = "PATH", required = true)]
+    paths: Vec<PathBuf>,
+
+    /// Run only the scenarios whose name contains this, in any case
+    #[arg(long, value_name = "TEXT")]
+    filter: Option<String>,
+
+    /// How the results are written
+    #[arg(long, value_enum, default_value_t = Format::Full)]
+    format: Format,
+
+    /// Show which networks, contacts and coils were exercised
+    #[arg(long)]
+    coverage: bool,
+
+    /// Write what was exercised to this file, in the form of LCOV
+    #[arg(long, value_name = "FILE")]
+    coverage_output: Option<PathBuf>,
+}
+
+/// How the results are written.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+enum Format {
+    /// For people
+    Full,
+    /// For build servers: XML in the form of JUnit
+    Junit,
+    /// For machines: one object
+    Json,
+    /// For GitHub: annotations at the lines
+    Github,
+}
+
+/// A way to write results. They come file by file, in the order of the search.
+trait Writer {
+    fn file(&mut self, report: &FileReport, out: &mut dyn Write) -> io::Result<()>;
+    /// All files are done.
+    fn end(&mut self, all: &All, out: &mut dyn Write) -> io::Result<()>;
+}
+
+/// What stands at the end.
+struct All<'c> {
+    tally: Tally,
+    seconds: f64,
+    covered: Option<&'c Covered>,
+}
+
+pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
+    let began = Instant::now();
+    if let Some(program) = arguments
+        .paths
+        .iter()
+        .find(|path| ladder_workspace::is_program(path))
+    {
+        return Err(Failure::new(format!(
+            "{}: this is a program; name the file with its scenarios, for example {}",
+            program.display(),
+            program
+                .with_extension(ladder_workspace::SCENARIO_EXTENSION)
+                .display()
+        )));
+    }
+    let (files, errors) = ladder_workspace::find_scenarios(&arguments.paths);
+    for error in &errors {
+        terminal::error(error);
+    }
+    let mut outcome = if errors.is_empty() {
+        Outcome::Fine
+    } else {
+        Outcome::Failed
+    };
+    let for_people = arguments.format == Format::Full;
+    let colours = for_people && stdout_has_colours();
+    let wishes = Wishes {
+        filter: arguments.filter.as_ref().map(|filter| filter.to_lowercase()),
+        coverage: arguments.coverage || arguments.coverage_output.is_some(),
+        width: terminal::width().saturating_sub(people::INDENT.len()),
+        renderer: if colours {
+            Renderer::styled()
+        } else {
+            Renderer::plain()
+        },
+        workspaces: Mutex::default(),
+    };
+    let mut writer: Box<dyn Writer> = match arguments.format {
+        Format::Full => Box::new(people::People::new(colours, arguments.coverage)),
+        Format::Junit => Box::new(junit::Junit::default()),
+        Format::Json => Box::new(json::Json::default()),
+        Format::Github => Box::new(github::Github),
+    };
+    let mut covered = Covered::default();
+    let mut tally = Tally::default();
+    let mut out = Stdout::new();
+    in_order(&files, &wishes, |report| {
+        outcome = outcome.max(report.outcome());
+        tally.count(&report);
+        covered.add(&report);
+        writer.file(&report, &mut out)
+    })?;
+    if let Some(filter) = &arguments.filter
+        && tally.scenarios() == 0
+        && tally.files > tally.broken
+    {
+        return Err(Failure::new(format!("no scenario has `{filter}` in its name")));
+    }
+    if tally.files > 0 {
+        let all = All {
+            tally,
+            seconds: began.elapsed().as_secs_f64(),
+            covered: wishes.coverage.then_some(&covered),
+        };
+        writer.end(&all, &mut out)?;
+    }
+    out.flush()?;
+    if let Some(file) = &arguments.coverage_output {
+        ladder_workspace::write(file, lcov::text(&covered).as_bytes())?;
+    }
+    Ok(outcome)
+}
+
+/// Runs the files on all processors, and gives their reports in the order of the files, each as soon as it can be.
+fn in_order(
+    files: &[PathBuf],
+    wishes: &Wishes,
+    mut take: impl FnMut(FileReport) -> io::Result<()>,
+) -> io::Result<()> {
+    let threads = std::thread::available_parallelism()
+        .map_or(1, usize::from)
+        .min(files.len());
+    let next = AtomicUsize::new(0);
+    let (send, receive) = mpsc::channel();
+    std::thread::scope(|scope| {
+        for _ in 0..threads {
+            let (send, next) = (send.clone(), &next);
+            scope.spawn(move || {
+                while let Some((index, file)) = Some(next.fetch_add(1, Ordering::Relaxed))
+                    .and_then(|index| Some((index, files.get(index)?)))
+                {
+                    // Nobody takes the rest if the output is broken.
+                    if send.send((index, suite::run(file, wishes))).is_err() {
+                        return;
+                    }
+                }
+            });
+        }
+        drop(send);
+        let mut early = BTreeMap::new();
+        let mut wanted = 0;
+        for (index, report) in receive {
+            early.insert(index, report);
+            while let Some(report) = early.remove(&wanted) {
+                take(report)?;
+                wanted += 1;
+            }
+        }
+        Ok(())
+    })
+}
+
+/// The mistakes of a scenario file, and those of its program.
+pub(crate) fn mistakes(path: &Path, source: &Source, renderer: &Renderer) -> Vec<Problem> {
+    suite::check(path, source, renderer)
+}

@@ -1,0 +1,129 @@
+//! Results for people: a line for each scenario, and what differs below those that failed.
+
+use super::coverage::{self, Covered};
+use super::report::{CaseReport, FileReport, counted};
+use super::{All, Writer};
+use anstyle::{AnsiColor, Style};
+use ladder_simulator::scenario::LineKind;
+use std::io::{self, Write};
+
+/// What stands before a drawing.
+pub(super) const INDENT: &str = "        ";
+
+pub(super) struct People {
+    colours: bool,
+    coverage: bool,
+    /// Whether what stands above ends with a blank line.
+    separated: bool,
+}
+
+impl People {
+    pub(super) fn new(colours: bool, coverage: bool) -> People {
+        People {
+            colours,
+            coverage,
+            separated: false,
+        }
+    }
+
+    fn paint(&self, style: Style, text: &str) -> String {
+        if self.colours {
+            format!("{style}{text}{style:#}")
+        } else {
+            text.to_owned()
+        }
+    }
+
+    fn case(&self, case: &CaseReport, out: &mut dyn Write) -> io::Result<()> {
+        let word = if case.passed {
+            self.paint(GOOD, "ok  ")
+        } else {
+            self.paint(BAD, "FAIL")
+        };
+        writeln!(out, "  {word}  {}", case.name)?;
+        for line in &case.drawing {
+            let style = match line.kind {
+                LineKind::Given => FAINT,
+                LineKind::Expected => Style::new(),
+                LineKind::Got => Style::new().bold(),
+                LineKind::Marks => BAD,
+                LineKind::Sentence => Style::new(),
+            };
+            writeln!(out, "{INDENT}{}", self.paint(style, &line.text))?;
+        }
+        if let Some(step) = case.stopped {
+            writeln!(out, "{INDENT}the simulation stopped in step {step}")?;
+        }
+        for fault in &case.faults {
+            writeln!(out, "{INDENT}{}", fault.line())?;
+        }
+        if !case.passed {
+            let place = case.first_place();
+            let place = format!("{}:{}:{}", place.file, place.line, place.column);
+            writeln!(out, "{INDENT}{}", self.paint(FAINT, &format!("at {place}")))?;
+        }
+        Ok(())
+    }
+
+    fn covered(&self, covered: &Covered, out: &mut dyn Write) -> io::Result<()> {
+        writeln!(out, "\n{}", self.paint(Style::new().bold(), "Coverage"))?;
+        write!(out, "{}", coverage::table(covered))?;
+        let missed = coverage::missed(covered);
+        if missed.is_empty() {
+            return Ok(());
+        }
+        writeln!(out, "\n{}", self.paint(Style::new().bold(), "Never exercised"))?;
+        for place in missed {
+            writeln!(out, "  {}\n    {}", place.title, place.rung)?;
+            writeln!(out, "    {}", self.paint(BAD, &place.marks))?;
+        }
+        Ok(())
+    }
+}
+
+const GOOD: Style = AnsiColor::Green.on_default();
+const BAD: Style = AnsiColor::Red.on_default().bold();
+const FAINT: Style = AnsiColor::BrightBlack.on_default();
+
+impl Writer for People {
+    fn file(&mut self, report: &FileReport, out: &mut dyn Write) -> io::Result<()> {
+        for problem in &report.problems {
+            writeln!(out, "{}\n", problem.shown)?;
+            self.separated = true;
+        }
+        if report.cases.is_empty() {
+            return Ok(());
+        }
+        self.separated = false;
+        writeln!(out, "{}", self.paint(Style::new().bold(), &report.file))?;
+        report.cases.iter().try_for_each(|case| self.case(case, out))
+    }
+
+    /// `12 scenarios in 3 files: 11 passed, 1 failed, in 0.02 s.`
+    fn end(&mut self, all: &All, out: &mut dyn Write) -> io::Result<()> {
+        if let Some(covered) = all.covered.filter(|_| self.coverage) {
+            self.covered(covered, out)?;
+            self.separated = false;
+        }
+        if !self.separated {
+            writeln!(out)?;
+        }
+        let tally = all.tally;
+        let mut parts = vec![format!("{} passed", tally.passed)];
+        if tally.failed > 0 {
+            parts.push(self.paint(BAD, &format!("{} failed", tally.failed)));
+        }
+        if tally.broken > 0 {
+            let broken = format!("{} not run for mistakes", counted(tally.broken, "file"));
+            parts.push(self.paint(BAD, &broken));
+        }
+        writeln!(
+            out,
+            "{} in {}: {}, in {:.2} s.",
+            counted(tally.scenarios(), "scenario"),
+            counted(tally.files, "file"),
+            parts.join(", "),
+            all.seconds
+        )
+    }
+}

@@ -1,0 +1,280 @@
+//! One scenario file: its program is read, and its scenarios are run.
+
+use super::report::{CaseReport, DifferenceReport, FaultReport, FileReport};
+use crate::findings::{Place, Problem, Source, Workspaces, full};
+use crate::outcome::Outcome;
+use annotate_snippets::Renderer;
+use ladder_analysis::program::Location;
+use ladder_analysis::{NotWhole, Severity};
+use ladder_simulator::coverage::Coverage;
+use ladder_simulator::scenario::{self, Case, Mistake, Suite};
+use ladder_simulator::{Options, Simulation};
+use ladder_syntax::TextRange;
+use ladder_workspace::{FileError, Settings};
+use std::path::Path;
+use std::sync::{Arc, Mutex};
+use std::time::Instant;
+
+/// What is asked of each file.
+pub(super) struct Wishes {
+    /// Only scenarios whose name holds this, in small letters.
+    pub(super) filter: Option<String>,
+    /// Whether what is exercised is recorded.
+    pub(super) coverage: bool,
+    /// How wide drawings may be.
+    pub(super) width: usize,
+    pub(super) renderer: Renderer,
+    /// Those of the programs.
+    pub(super) workspaces: Mutex<Workspaces>,
+}
+
+impl Wishes {
+    /// A program among the others of its workspace, which many files of scenarios share.
+    fn source(&self, program: &Path, text: String) -> Source {
+        let file = program.display().to_string();
+        // Settings that cannot be used are told where they are read.
+        let workspace = match self.workspaces.lock() {
+            Ok(mut workspaces) => workspaces.of(program).ok().flatten(),
+            Err(_) => None,
+        };
+        match workspace {
+            Some(workspace) => Source::within(workspace, file, text),
+            None => Source::new(file, text),
+        }
+    }
+}
+
+/// Runs the scenarios of a file.
+pub(super) fn run(path: &Path, wishes: &Wishes) -> FileReport {
+    let began = Instant::now();
+    let mut report = FileReport {
+        file: path.display().to_string(),
+        program: None,
+        problems: Vec::new(),
+        cases: Vec::new(),
+        seconds: 0.0,
+        coverage: None,
+    };
+    match ladder_workspace::read(path) {
+        Ok(text) => {
+            let source = Source::new(report.file.clone(), text);
+            if let Err(problems) = play(path, &source, wishes, &mut report) {
+                report.problems = problems;
+            }
+        }
+        Err(error) => report
+            .problems
+            .push(Problem::unusable(Place::start(&report.file), &error)),
+    }
+    report.seconds = began.elapsed().as_secs_f64();
+    report
+}
+
+/// What is wrong with a scenario file, as far as it can be told.
+pub(super) fn check(path: &Path, source: &Source, renderer: &Renderer) -> Vec<Problem> {
+    let wishes = Wishes {
+        filter: None,
+        coverage: false,
+        width: 0,
+        renderer: renderer.clone(),
+        workspaces: Mutex::default(),
+    };
+    match Ready::new(path, source, &wishes) {
+        Ok(_) => Vec::new(),
+        Err((problems, _)) => problems,
+    }
+}
+
+/// A file whose scenarios can be run.
+struct Ready {
+    cases: Vec<Case>,
+    simulation: Simulation,
+    program: Arc<Source>,
+}
+
+impl Ready {
+    /// Reads the program and binds the scenarios to it. If that cannot be, the program is given as far as it was
+    /// read.
+    fn new(
+        path: &Path,
+        source: &Source,
+        wishes: &Wishes,
+    ) -> Result<Ready, (Vec<Problem>, Option<Arc<Source>>)> {
+        let suite = scenario::parse(&source.text);
+        let mistakes = |found: &[Mistake]| -> Vec<Problem> {
+            let mut found: Vec<&Mistake> = suite.mistakes.iter().chain(found).collect();
+            found.sort_by_key(|mistake| mistake.range.start());
+            found
+                .into_iter()
+                .map(|found| Problem::of(source, found, &wishes.renderer))
+                .collect()
+        };
+        let Some((name, range)) = &suite.program else {
+            return Err((mistakes(&[]), None));
+        };
+        let program = path.parent().unwrap_or(Path::new("")).join(name);
+        let text = ladder_workspace::read(&program).map_err(|error| {
+            let mut problems = mistakes(&[]);
+            problems.insert(0, missing_program(source, *range, &error, &wishes.renderer));
+            (problems, None)
+        })?;
+        let program_source = Arc::new(wishes.source(&program, text));
+        let mut simulation =
+            compile(&program, &program_source, &suite, &wishes.renderer).map_err(|problems| {
+                let mut all = mistakes(&[]);
+                all.extend(problems);
+                (all, Some(Arc::clone(&program_source)))
+            })?;
+        let (cases, found) = scenario::bind(&suite, &simulation);
+        let problems = mistakes(&found);
+        if !problems.is_empty() {
+            return Err((problems, Some(program_source)));
+        }
+        simulation.take_faults();
+        Ok(Ready {
+            cases,
+            simulation,
+            program: program_source,
+        })
+    }
+}
+
+fn play(path: &Path, source: &Source, wishes: &Wishes, report: &mut FileReport) -> Result<(), Vec<Problem>> {
+    let Ready {
+        cases,
+        mut simulation,
+        program,
+    } = Ready::new(path, source, wishes).map_err(|(problems, program)| {
+        report.program = program;
+        problems
+    })?;
+    let files = simulation.program().files.clone();
+    let mut coverage = wishes.coverage.then(|| Coverage::of(&simulation));
+    for case in &cases {
+        let wanted = |filter: &String| case.name.to_lowercase().contains(filter);
+        if !wishes.filter.as_ref().is_none_or(wanted) {
+            continue;
+        }
+        let began = Instant::now();
+        let ran = scenario::run(case, &mut simulation, |simulation| {
+            if let Some(coverage) = &mut coverage {
+                coverage.observe(simulation);
+            }
+        });
+        let seconds = began.elapsed().as_secs_f64();
+        let interval = simulation.options().interval;
+        let drawing = if ran.passed() {
+            Vec::new()
+        } else {
+            scenario::draw(case, &ran, interval, wishes.width)
+        };
+        report.cases.push(CaseReport {
+            name: case.name.clone(),
+            place: Place::of(source, case.range),
+            passed: ran.passed(),
+            steps: case.steps,
+            scans: ran.scans,
+            seconds,
+            drawing,
+            differences: ran
+                .differences
+                .iter()
+                .map(|difference| DifferenceReport {
+                    tag: difference.tag.clone(),
+                    place: Place::of(source, difference.range),
+                    steps: difference.steps.clone(),
+                    sentence: scenario::sentence(case, &ran, difference, interval),
+                })
+                .collect(),
+            faults: ran
+                .faults
+                .iter()
+                .map(|fault| FaultReport {
+                    place: place_of(&program, &files, fault.location),
+                    scan: fault.scan,
+                    message: fault.message.clone(),
+                })
+                .collect(),
+            stopped: ran.stopped,
+        });
+    }
+    if let Some(coverage) = &mut coverage {
+        coverage.finish(&simulation);
+    }
+    report.coverage = coverage;
+    report.program = Some(program);
+    Ok(())
+}
+
+/// The program, ready to run, at the interval that the scenarios or the workspace ask for.
+fn compile(
+    path: &Path,
+    source: &Source,
+    suite: &Suite,
+    renderer: &Renderer,
+) -> Result<Simulation, Vec<Problem>> {
+    let settings =
+        Settings::of(path).map_err(|error| vec![Problem::unusable(Place::start(&source.file), &error)])?;
+    let program = source.program().map_err(|why| match why {
+        NotWhole::Missing(file) => {
+            let message = format!("{file}, which this program uses, cannot be read any more");
+            vec![Problem::unusable(Place::start(&source.file), &message)]
+        }
+        NotWhole::Errors(file) => match source.other(&file) {
+            Some(other) if source.analyze().name != file => errors(&other, renderer),
+            _ => errors(source, renderer),
+        },
+    })?;
+    let mut options: Options = settings.simulate.options();
+    if let Some((interval, _)) = suite.interval {
+        options.interval = interval;
+    }
+    Simulation::new(program, options).map_err(|error| {
+        let found = Mistake {
+            range: error.location.range,
+            message: error.message,
+            help: None,
+        };
+        vec![Problem::of(source, &found, renderer)]
+    })
+}
+
+/// The errors in a program.
+fn errors(source: &Source, renderer: &Renderer) -> Vec<Problem> {
+    let analysis = source.analyze();
+    let found = analysis.diagnostics.iter();
+    found
+        .filter(|found| found.severity == Severity::Error)
+        .map(|error| Problem {
+            place: Place::of(source, error.range),
+            rule: error.rule.name(),
+            severity: error.severity.name(),
+            message: error.message.clone(),
+            help: error.help.clone(),
+            shown: full::render(source, error, renderer),
+            outcome: Outcome::Findings,
+        })
+        .collect()
+}
+
+/// A place of a program, in whichever file it lies.
+fn place_of(source: &Source, files: &[String], location: Location) -> Place {
+    let other = match location.file {
+        0 => None,
+        file => source.other(&files[file as usize]),
+    };
+    Place::of(other.as_ref().unwrap_or(source), location.range)
+}
+
+/// The program that a file names cannot be read: told where it is named.
+fn missing_program(source: &Source, range: TextRange, error: &FileError, renderer: &Renderer) -> Problem {
+    let found = Mistake {
+        range,
+        message: error.to_string(),
+        help: Some("a program is named as it is seen from the folder of the scenario file".to_owned()),
+    };
+    Problem {
+        outcome: Outcome::Failed,
+        ..Problem::of(source, &found, renderer)
+    }
+}

@@ -1,0 +1,159 @@
+//! Why the scenarios of a file do not run: a mistake in it, or in its program, or a file that cannot be read.
+
+use super::github::{data, property};
+use super::source::Source;
+use super::{mistake, sarif};
+use crate::outcome::Outcome;
+use annotate_snippets::Renderer;
+use ladder_simulator::scenario::Mistake;
+use ladder_syntax::TextRange;
+use serde::Serialize;
+use serde_json::{Value, json};
+use std::fmt::Display;
+
+/// A place in a file: lines and columns from 1, columns in characters.
+#[derive(Debug, Clone, Serialize)]
+pub(crate) struct Place {
+    pub(crate) file: String,
+    pub(crate) line: u32,
+    pub(crate) column: u32,
+    pub(crate) end_line: u32,
+    pub(crate) end_column: u32,
+}
+
+impl Place {
+    pub(crate) fn of(source: &Source, range: TextRange) -> Place {
+        let (start, end) = (source.place(range.start()), source.place(range.end()));
+        Place {
+            file: source.file.clone(),
+            line: start.line,
+            column: start.column,
+            end_line: end.line,
+            end_column: end.column,
+        }
+    }
+
+    /// The beginning of a file.
+    pub(crate) fn start(file: &str) -> Place {
+        Place {
+            file: file.to_owned(),
+            line: 1,
+            column: 1,
+            end_line: 1,
+            end_column: 1,
+        }
+    }
+}
+
+/// Why the scenarios of a file do not run. As JSON it has the members of a finding.
+#[derive(Serialize)]
+pub(crate) struct Problem {
+    #[serde(flatten)]
+    pub(crate) place: Place,
+    /// The rule, or what stands for one.
+    pub(crate) rule: &'static str,
+    pub(crate) severity: &'static str,
+    pub(crate) message: String,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(crate) help: Option<String>,
+    /// The same for people, with its excerpt.
+    #[serde(skip)]
+    pub(crate) shown: String,
+    /// Whether it is a finding, or keeps the command from doing its work.
+    #[serde(skip)]
+    pub(crate) outcome: Outcome,
+}
+
+impl Problem {
+    /// A mistake in a scenario file.
+    pub(crate) fn of(source: &Source, found: &Mistake, renderer: &Renderer) -> Problem {
+        Problem {
+            place: Place::of(source, found.range),
+            rule: mistake::NAME,
+            severity: "error",
+            message: found.message.clone(),
+            help: found.help.clone(),
+            shown: mistake::render(source, found, renderer),
+            outcome: Outcome::Findings,
+        }
+    }
+
+    /// Something that keeps the command from doing its work.
+    pub(crate) fn unusable(place: Place, error: &impl Display) -> Problem {
+        let message = error.to_string();
+        Problem {
+            place,
+            rule: mistake::NAME,
+            severity: "error",
+            shown: format!("error: {message}"),
+            message,
+            help: None,
+            outcome: Outcome::Failed,
+        }
+    }
+
+    /// `a.ladder-test:3:1: error[bad-scenario] message`
+    pub(crate) fn concise(&self) -> String {
+        let Place {
+            file, line, column, ..
+        } = &self.place;
+        let message = self.message.replace(['\r', '\n'], " ");
+        format!(
+            "{file}:{line}:{column}: {}[{}] {message}",
+            self.severity, self.rule
+        )
+    }
+
+    /// A workflow command of GitHub Actions.
+    pub(crate) fn github(&self) -> String {
+        annotation("error", &self.place, self.rule, &self.text())
+    }
+
+    /// A result of SARIF.
+    pub(crate) fn sarif(&self) -> Value {
+        let place = &self.place;
+        json!({
+            "ruleId": self.rule,
+            "level": "error",
+            "message": { "text": self.text() },
+            "locations": [{ "physicalLocation": {
+                "artifactLocation": { "uri": sarif::uri(&place.file) },
+                "region": {
+                    "startLine": place.line,
+                    "startColumn": place.column,
+                    "endLine": place.end_line,
+                    "endColumn": place.end_column,
+                },
+            }}],
+        })
+    }
+
+    /// The message, and what to do on a line of its own.
+    fn text(&self) -> String {
+        let help = self.help.as_ref().map(|help| format!("\n{help}"));
+        self.message.clone() + &help.unwrap_or_default()
+    }
+}
+
+/// A workflow command of GitHub Actions, which shows a message at a place in a change.
+pub(crate) fn annotation(kind: &str, place: &Place, title: &str, message: &str) -> String {
+    let Place {
+        file,
+        line,
+        column,
+        end_line,
+        end_column,
+    } = place;
+    // Columns are understood only for a place on one line.
+    let end = if line == end_line {
+        format!("col={column},endColumn={end_column}")
+    } else {
+        format!("endLine={end_line}")
+    };
+    format!(
+        "::{kind} file={},line={line},{end},title={}::{}",
+        property(file),
+        property(title),
+        data(message)
+    )
+}

@@ -1,0 +1,652 @@
+//! `ladder test`, and `ladder check` on scenario files
+
+use crate::harness::{Folder, MOTOR, Run};
+use expect_test::{Expect, expect};
+
+const PASSES: &str = "\
+program motor.clad
+step 100ms
+
+scenario \"the seal-in holds after start is let go\"
+start   _-_______
+stop    ______-__
+run  => _-----___
+";
+
+const FAILS: &str = "\
+program motor.clad
+
+scenario \"start runs it\"
+start   _--
+run  => _--
+
+scenario \"stop does nothing\"
+start   _-____
+stop    ___-__
+run  => _-----
+";
+
+/// Times differ from run to run.
+fn without_times(text: &str) -> String {
+    let mut out = String::new();
+    let mut rest = text;
+    // `time="0.001"`, `"seconds":0.001`, `in 0.01 s.`
+    while let Some((at, lead)) = ["time=\"", "\"seconds\":", ", in "]
+        .iter()
+        .filter_map(|lead| Some((rest.find(lead)?, *lead)))
+        .min()
+    {
+        let (before, behind) = rest.split_at(at + lead.len());
+        out.push_str(before);
+        out.push('T');
+        rest = behind.trim_start_matches(|c: char| c.is_ascii_digit() || matches!(c, '.' | 'e' | '-'));
+    }
+    out + rest
+}
+
+fn shown(run: &Run) -> String {
+    without_times(&run.to_string())
+}
+
+fn check(files: &[(&str, &str)], arguments: &[&str], expected: Expect) {
+    let folder = Folder::with(&[&[("motor.clad", MOTOR)], files].concat());
+    expected.assert_eq(&shown(&folder.ladder(arguments)));
+}
+
+#[test]
+fn a_line_for_each_scenario_and_a_sum() {
+    check(
+        &[("motor.ladder-test", PASSES)],
+        &["test", "motor.ladder-test"],
+        expect![[r#"
+            exit status 0
+            -- stdout
+            motor.ladder-test
+              ok    the seal-in holds after start is let go
+
+            1 scenario in 1 file: 1 passed, in T s.
+        "#]],
+    );
+}
+
+#[test]
+fn a_failed_scenario_is_drawn() {
+    check(
+        &[("fails.ladder-test", FAILS), ("passes.ladder-test", PASSES)],
+        &["test", "."],
+        expect![[r#"
+            exit status 1
+            -- stdout
+            fails.ladder-test
+              ok    start runs it
+              FAIL  stop does nothing
+                    start            _-____
+                    stop             ___-__
+                    run    expected  _-----
+                           got       _--___
+                                        ^^^
+                    run is FALSE in step 3 (at 30ms), TRUE was expected; 3 of 6 steps differ
+                    at fails.ladder-test:10:12
+            passes.ladder-test
+              ok    the seal-in holds after start is let go
+
+            3 scenarios in 2 files: 2 passed, 1 failed, in T s.
+        "#]],
+    );
+}
+
+#[test]
+fn folders_are_searched_and_gitignore_is_obeyed() {
+    let folder = Folder::with(&[
+        ("plant/motor.clad", MOTOR),
+        ("plant/motor.ladder-test", PASSES),
+        (
+            "plant/deep/other.ladder-test",
+            &PASSES.replace("motor.clad", "../motor.clad"),
+        ),
+        ("old/motor.ladder-test", "nonsense"),
+        (".gitignore", "old/\n"),
+    ]);
+    expect![[r#"
+        exit status 0
+        -- stdout
+        plant/deep/other.ladder-test
+          ok    the seal-in holds after start is let go
+        plant/motor.ladder-test
+          ok    the seal-in holds after start is let go
+
+        2 scenarios in 2 files: 2 passed, in T s.
+    "#]]
+    .assert_eq(&shown(&folder.ladder(&["test", "."])));
+}
+
+#[test]
+fn a_filter_takes_scenarios_by_their_name() {
+    let folder = Folder::with(&[("motor.clad", MOTOR), ("a.ladder-test", FAILS)]);
+    expect![[r#"
+        exit status 0
+        -- stdout
+        a.ladder-test
+          ok    start runs it
+
+        1 scenario in 1 file: 1 passed, in T s.
+    "#]]
+    .assert_eq(&shown(&folder.ladder(&["test", ".", "--filter", "RUNS"])));
+    folder
+        .ladder(&["test", ".", "--filter", "walks"])
+        .refused_with("no scenario has `walks` in its name");
+}
+
+#[test]
+fn mistakes_are_shown_with_their_place() {
+    let wrong = "program motor.clad\nscenario \"a\"\nstrat _-_\nrun => _--_\n";
+    check(
+        &[("a.ladder-test", wrong), ("b.ladder-test", PASSES)],
+        &["test", "."],
+        expect![[r#"
+            exit status 1
+            -- stdout
+            error[bad-scenario]: there is no tag `strat`; did you mean start?
+             --> a.ladder-test:3:1
+              |
+            3 | strat _-_
+              | ^^^^^
+
+            error[bad-scenario]: `run` has 4 steps, but `strat` has 3
+             --> a.ladder-test:4:11
+              |
+            4 | run => _--_
+              |           ^
+              |
+              = help: all rows of a scenario have one length: a value for each step
+
+            b.ladder-test
+              ok    the seal-in holds after start is let go
+
+            1 scenario in 2 files: 1 passed, 1 file not run for mistakes, in T s.
+        "#]],
+    );
+    check(
+        &[("a.ladder-test", wrong)],
+        &["check", "a.ladder-test"],
+        expect![[r#"
+            exit status 1
+            -- stdout
+            error[bad-scenario]: there is no tag `strat`; did you mean start?
+             --> a.ladder-test:3:1
+              |
+            3 | strat _-_
+              | ^^^^^
+
+            error[bad-scenario]: `run` has 4 steps, but `strat` has 3
+             --> a.ladder-test:4:11
+              |
+            4 | run => _--_
+              |           ^
+              |
+              = help: all rows of a scenario have one length: a value for each step
+
+            Checked 1 file: 2 errors.
+        "#]],
+    );
+    check(
+        &[("a.ladder-test", wrong)],
+        &["check", "--format", "json", "a.ladder-test"],
+        expect![[r#"
+            exit status 1
+            -- stdout
+            [
+              {"file":"a.ladder-test","line":3,"column":1,"end_line":3,"end_column":6,"rule":"bad-scenario","severity":"error","message":"there is no tag `strat`; did you mean start?"},
+              {"file":"a.ladder-test","line":4,"column":11,"end_line":4,"end_column":12,"rule":"bad-scenario","severity":"error","message":"`run` has 4 steps, but `strat` has 3","help":"all rows of a scenario have one length: a value for each step"}
+            ]
+        "#]],
+    );
+    check(
+        &[("a.ladder-test", PASSES)],
+        &["check", "a.ladder-test"],
+        expect![[r#"
+            exit status 0
+            -- stdout
+            Checked 1 file: no mistakes found.
+        "#]],
+    );
+}
+
+#[test]
+fn a_program_that_is_missing_or_has_errors() {
+    check(
+        &[("a.ladder-test", &PASSES.replace("motor.clad", "pump.clad"))],
+        &["test", "a.ladder-test"],
+        expect![[r#"
+            exit status 2
+            -- stdout
+            error[bad-scenario]: pump.clad: no such file or folder
+             --> a.ladder-test:1:9
+              |
+            1 | program pump.clad
+              |         ^^^^^^^^^
+              |
+              = help: a program is named as it is seen from the folder of the scenario file
+
+            0 scenarios in 1 file: 0 passed, 1 file not run for mistakes, in T s.
+        "#]],
+    );
+    check(
+        &[
+            ("a.ladder-test", &PASSES.replace("motor.clad", "pump.clad")),
+            ("pump.clad", "+--[ ]( start )--[TOM]( t, 5s )--( )( run )--+\n"),
+        ],
+        &["test", "a.ladder-test"],
+        expect![[r#"
+            exit status 1
+            -- stdout
+            error[unknown-instruction]: there is no instruction [TOM]
+             --> pump.clad:1:18
+              |
+            1 | +--[ ]( start )--[TOM]( t, 5s )--( )( run )--+
+              |                  ^^^^^
+              |
+              = help: did you mean [TON] (on-delay timer)?
+            help: Replace with [TON]
+              |
+            1 - +--[ ]( start )--[TOM]( t, 5s )--( )( run )--+
+            1 + +--[ ]( start )--[TON]( t, 5s )--( )( run )--+
+              |
+
+            0 scenarios in 1 file: 0 passed, 1 file not run for mistakes, in T s.
+        "#]],
+    );
+    check(
+        &[],
+        &["test", "motor.clad"],
+        expect![[r#"
+        exit status 2
+        -- stderr
+        error: motor.clad: this is a program; name the file with its scenarios, for example motor.ladder-test
+    "#]],
+    );
+    check(
+        &[],
+        &["test", "nothing.ladder-test", "."],
+        expect![[r#"
+        exit status 2
+        -- stderr
+        error: nothing.ladder-test: no such file or folder
+        error: .: no scenarios (a file ending in .ladder-test) are in this folder
+    "#]],
+    );
+}
+
+const SHARE: &str = "\
+VAR_INPUT parts : INT; END_VAR
+VAR_OUTPUT share : INT; END_VAR
++--[DIV]( share, 12, parts )--+
+";
+
+#[test]
+fn faults_are_shown() {
+    check(
+        &[
+            ("share.clad", SHARE),
+            (
+                "share.ladder-test",
+                "program share.clad\nscenario \"no parts\"\nparts 3 0 2\nshare => 4 4 6\nSYS.FAULT => __-\n",
+            ),
+        ],
+        &["test", "."],
+        expect![[r#"
+            exit status 0
+            -- stdout
+            share.ladder-test
+              ok    no parts
+                    share.clad:3:4: fault in scan 1: division by zero: nothing was written; check the divisor before this block
+
+            1 scenario in 1 file: 1 passed, in T s.
+        "#]],
+    );
+}
+
+#[test]
+fn the_interval_comes_from_the_workspace_unless_the_file_has_its_own() {
+    let program = "VAR_INPUT go : BOOL; END_VAR\nVAR t : TON; END_VAR\n+--[ ]( go )--[TON]( t, T#1s )--( )( done )--+\n";
+    let test = "scenario \"a\"\ngo -\nt.ET =>";
+    check(
+        &[
+            ("t.clad", program),
+            ("ladder.toml", "[simulate]\ninterval = \"20ms\"\n"),
+            (
+                "a.ladder-test",
+                &format!("program t.clad\nstep 100ms\n{test} 80ms\n"),
+            ),
+            (
+                "b.ladder-test",
+                &format!("program t.clad\nstep 100ms\ninterval 50ms\n{test} 50ms\n"),
+            ),
+        ],
+        &["test", "."],
+        expect![[r#"
+            exit status 0
+            -- stdout
+            a.ladder-test
+              ok    a
+            b.ladder-test
+              ok    a
+
+            2 scenarios in 2 files: 2 passed, in T s.
+        "#]],
+    );
+}
+
+#[test]
+fn junit() {
+    check(
+        &[
+            ("fails.ladder-test", FAILS),
+            ("passes.ladder-test", PASSES),
+            ("wrong.ladder-test", "program motor.clad\n"),
+        ],
+        &["test", ".", "--format", "junit"],
+        expect![[r#"
+            exit status 1
+            -- stdout
+            <?xml version="1.0" encoding="UTF-8"?>
+            <testsuites name="ladder test" tests="4" failures="1" errors="1" time="T">
+              <testsuite name="fails.ladder-test" tests="2" failures="1" errors="0" skipped="0" time="T" file="fails.ladder-test">
+                <testcase name="start runs it" classname="fails.ladder-test" time="T" file="fails.ladder-test" line="3"/>
+                <testcase name="stop does nothing" classname="fails.ladder-test" time="T" file="fails.ladder-test" line="7">
+                  <failure message="run is FALSE in step 3 (at 30ms), TRUE was expected; 3 of 6 steps differ" type="scenario">start            _-____
+            stop             ___-__
+            run    expected  _-----
+                   got       _--___
+                                ^^^
+            run is FALSE in step 3 (at 30ms), TRUE was expected; 3 of 6 steps differ</failure>
+                </testcase>
+              </testsuite>
+              <testsuite name="passes.ladder-test" tests="1" failures="0" errors="0" skipped="0" time="T" file="passes.ladder-test">
+                <testcase name="the seal-in holds after start is let go" classname="passes.ladder-test" time="T" file="passes.ladder-test" line="4"/>
+              </testsuite>
+              <testsuite name="wrong.ladder-test" tests="1" failures="0" errors="1" skipped="0" time="T" file="wrong.ladder-test">
+                <testcase name="wrong.ladder-test:2:1" classname="wrong.ladder-test" time="T" file="wrong.ladder-test" line="2">
+                  <error message="there is no scenario in this file" type="bad-scenario">error[bad-scenario]: there is no scenario in this file
+             --&gt; wrong.ladder-test:2:1
+              |
+            2 |
+              | ^
+              |
+              = help: begin one, as in: scenario &quot;the pump starts&quot;</error>
+                </testcase>
+              </testsuite>
+            </testsuites>
+        "#]],
+    );
+}
+
+#[test]
+fn json() {
+    let folder = Folder::with(&[
+        ("motor.clad", MOTOR),
+        ("fails.ladder-test", FAILS),
+        ("wrong.ladder-test", "program motor.clad\n"),
+    ]);
+    let run = folder.ladder(&["test", ".", "--format", "json", "--coverage"]);
+    assert_eq!((run.status, run.stderr.as_str()), (Some(1), ""));
+    let json: serde_json::Value = serde_json::from_str(&run.stdout).expect("JSON");
+    let pretty = serde_json::to_string_pretty(&json).expect("JSON");
+    expect![[r#"
+        {
+          "coverage": [
+            {
+              "coils": {
+                "all": 1,
+                "exercised": 1
+              },
+              "contacts": {
+                "all": 3,
+                "exercised": 3
+              },
+              "file": "motor.clad",
+              "networks": {
+                "all": 1,
+                "exercised": 1
+              },
+              "parts": [
+                {
+                  "column": 7,
+                  "kind": "contact",
+                  "line": 1,
+                  "off": true,
+                  "on": true
+                },
+                {
+                  "column": 24,
+                  "kind": "contact",
+                  "line": 1,
+                  "off": true,
+                  "on": true
+                },
+                {
+                  "column": 48,
+                  "kind": "coil",
+                  "line": 1,
+                  "off": true,
+                  "on": true
+                },
+                {
+                  "column": 7,
+                  "kind": "contact",
+                  "line": 2,
+                  "off": true,
+                  "on": true
+                }
+              ]
+            }
+          ],
+          "files": [
+            {
+              "file": "fails.ladder-test",
+              "mistakes": [],
+              "program": "motor.clad",
+              "scenarios": [
+                {
+                  "column": 10,
+                  "differences": [],
+                  "faults": [],
+                  "line": 3,
+                  "name": "start runs it",
+                  "passed": true,
+                  "scans": 3,
+                  "seconds":T,
+                  "steps": 3
+                },
+                {
+                  "column": 10,
+                  "diagram": "start            _-____\nstop             ___-__\nrun    expected  _-----\n       got       _--___\n                    ^^^\nrun is FALSE in step 3 (at 30ms), TRUE was expected; 3 of 6 steps differ",
+                  "differences": [
+                    {
+                      "column": 12,
+                      "line": 10,
+                      "message": "run is FALSE in step 3 (at 30ms), TRUE was expected; 3 of 6 steps differ",
+                      "steps": [
+                        3,
+                        4,
+                        5
+                      ],
+                      "tag": "run"
+                    }
+                  ],
+                  "faults": [],
+                  "line": 7,
+                  "name": "stop does nothing",
+                  "passed": false,
+                  "scans": 6,
+                  "seconds":T,
+                  "steps": 6
+                }
+              ],
+              "seconds":T
+            },
+            {
+              "file": "wrong.ladder-test",
+              "mistakes": [
+                {
+                  "column": 1,
+                  "end_column": 1,
+                  "end_line": 2,
+                  "file": "wrong.ladder-test",
+                  "help": "begin one, as in: scenario \"the pump starts\"",
+                  "line": 2,
+                  "message": "there is no scenario in this file",
+                  "rule": "bad-scenario",
+                  "severity": "error"
+                }
+              ],
+              "program": "motor.clad",
+              "scenarios": [],
+              "seconds":T
+            }
+          ],
+          "summary": {
+            "failed": 1,
+            "files": 2,
+            "not_run": 1,
+            "passed": 1,
+            "seconds":T
+          }
+        }"#]].assert_eq(&without_times(&pretty.replace("\"seconds\": ", "\"seconds\":")));
+}
+
+#[test]
+fn github() {
+    check(
+        &[
+            ("fails.ladder-test", FAILS),
+            ("share.clad", SHARE),
+            (
+                "share.ladder-test",
+                "program share.clad\nscenario \"a\"\nparts 0\nshare => 0\n",
+            ),
+            ("wrong.ladder-test", "program motor.clad\n"),
+        ],
+        &["test", ".", "--format", "github"],
+        expect![[r#"
+            exit status 1
+            -- stdout
+            ::error file=fails.ladder-test,line=10,endLine=10,col=12,endColumn=13,title=stop does nothing::run is FALSE in step 3 (at 30ms), TRUE was expected; 3 of 6 steps differ%0A%0Astart            _-____%0Astop             ___-__%0Arun    expected  _-----%0A       got       _--___%0A                    ^^^%0Arun is FALSE in step 3 (at 30ms), TRUE was expected; 3 of 6 steps differ
+            ::warning file=share.clad,line=3,endLine=3,col=4,endColumn=29,title=fault in "a"::division by zero: nothing was written; check the divisor before this block
+            ::error file=wrong.ladder-test,line=2,endLine=2,col=1,endColumn=1,title=bad-scenario::there is no scenario in this file%0Abegin one, as in: scenario "the pump starts"
+            3 scenarios in 3 files: 2 passed, 1 failed, 1 file not run for mistakes
+        "#]],
+    );
+}
+
+/// A program with a part of each kind that can be missed.
+const PARTS: &str = "\
+VAR_INPUT a, b, c : BOOL; n : INT; END_VAR
+VAR_OUTPUT x, y, z : BOOL; END_VAR
++--\\--[ ]( a )--\\--[/]( b )--( )( x )--+
+|  /--[ ]( c )--/
++--[GT]( n, 5 )--( )( y )--+
++--[ ]( a )--[ ]( b )--<RET>--+
++--( )( z )--+
++--<RET>--+
++--[ ]( a )--( )( last )--+
+";
+
+#[test]
+fn coverage_shows_what_was_never_exercised() {
+    let test = "program parts.clad\nscenario \"a\"\na _--\nb __-\nx => _-_\n";
+    let files = [("parts.clad", PARTS), ("parts.ladder-test", test)];
+    check(
+        &files,
+        &["test", "parts.ladder-test", "--coverage"],
+        expect![[r#"
+            exit status 0
+            -- stdout
+            parts.ladder-test
+              ok    a
+
+            Coverage
+              networks  contacts  coils
+                   5/6       4/7    1/4  parts.clad
+
+            Never exercised
+              parts.clad:4:7: this contact was never closed while power came to it
+                |  /--[ ]( c )--/
+                      ^^^^^^^^
+              parts.clad:5:4: this comparison was never closed while power came to it
+                +--[GT]( n, 5 )--( )( y )--+
+                   ^^^^^^^^^^^^
+              parts.clad:5:18: this coil never had power
+                +--[GT]( n, 5 )--( )( y )--+
+                                 ^^^^^^^^
+              parts.clad:7:4: this coil was never without power
+                +--( )( z )--+
+                   ^^^^^^^^
+              parts.clad:9:1: this network was never reached
+                +--[ ]( a )--( )( last )--+
+                ^^^^^^^^^^^^^^^^^^^^^^^^^^^
+
+            1 scenario in 1 file: 1 passed, in T s.
+        "#]],
+    );
+    let folder = Folder::with(&files);
+    let run = folder.ladder(&["test", ".", "--coverage-output", "lcov.info"]);
+    assert_eq!(run.status, Some(0), "{run}");
+    expect![[r#"
+        TN:
+        SF:parts.clad
+        BRDA:3,0,0,1
+        BRDA:3,0,1,1
+        BRDA:3,1,0,1
+        BRDA:3,1,1,1
+        BRDA:4,0,0,0
+        BRDA:4,0,1,1
+        BRDA:5,0,0,0
+        BRDA:5,0,1,1
+        BRDA:6,0,0,1
+        BRDA:6,0,1,1
+        BRDA:6,1,0,1
+        BRDA:6,1,1,1
+        BRDA:9,0,0,-
+        BRDA:9,0,1,-
+        BRF:14
+        BRH:10
+        DA:3,3
+        DA:4,3
+        DA:5,3
+        DA:6,3
+        DA:7,2
+        DA:8,2
+        DA:9,0
+        LF:7
+        LH:6
+        end_of_record
+    "#]]
+    .assert_eq(&folder.read("lcov.info"));
+}
+
+#[test]
+fn coverage_is_taken_over_all_scenarios_of_a_run() {
+    let test = |name: &str, rows: &str| format!("program motor.clad\nscenario \"{name}\"\n{rows}");
+    check(
+        &[
+            ("a.ladder-test", &test("a", "start _-\nrun => _-\n")),
+            ("b.ladder-test", &test("b", "start -__\nstop __-\nrun => --_\n")),
+        ],
+        &["test", ".", "--coverage"],
+        expect![[r#"
+            exit status 0
+            -- stdout
+            a.ladder-test
+              ok    a
+            b.ladder-test
+              ok    b
+
+            Coverage
+              networks  contacts  coils
+                   1/1       3/3    1/1  motor.clad
+
+            2 scenarios in 2 files: 2 passed, in T s.
+        "#]],
+    );
+}

@@ -1,0 +1,204 @@
+//! Coverage: which parts of a program its scenarios have exercised.
+//!
+//! A network is exercised when a scan has reached it; a contact or comparison when power has come to it and it has
+//! both let it through (closed) and held it back (open); a coil when it has been with power and without. What is
+//! looked at is the power after each scan, of a block that runs several times in a scan the last.
+//!
+//! Recording is cheap because it looks only at what is still to be seen: a contact that was seen both ways is not
+//! asked again.
+
+use crate::code::ElementPlace;
+use crate::simulation::Simulation;
+use ladder_analysis::program::{BlockKind, ElementKind, Location, Step};
+use ladder_instructions::{Group, Op};
+use std::collections::HashMap;
+
+/// What a part of a program is.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum PartKind {
+    /// A contact, or an edge.
+    Contact,
+    /// A comparison.
+    Comparison,
+    /// A coil.
+    Coil,
+}
+
+/// A contact, comparison or coil, and how it was seen.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Part {
+    /// What it is.
+    pub kind: PartKind,
+    /// Where it stands.
+    pub location: Location,
+    /// It was seen closed; a coil with power.
+    pub on: bool,
+    /// It was seen open; a coil without power.
+    pub off: bool,
+    /// The element whose power comes to it, and the one that carries what leaves it.
+    input: Option<u32>,
+    output: u32,
+}
+
+impl Part {
+    /// It was seen both ways.
+    pub fn is_exercised(&self) -> bool {
+        self.on && self.off
+    }
+}
+
+/// A network, and how often it was reached.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct NetworkScans {
+    /// From its first rung to its last.
+    pub location: Location,
+    /// Places on its rungs: each rung has at least one.
+    pub elements: Vec<Location>,
+    /// How many scans have reached it.
+    pub scans: u64,
+    index: usize,
+}
+
+/// What has been seen of a program.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Coverage {
+    /// Names of the program's files.
+    pub files: Vec<String>,
+    /// All networks, in the order of the program.
+    pub networks: Vec<NetworkScans>,
+    /// All contacts, comparisons and coils, in the order of the program.
+    pub parts: Vec<Part>,
+    /// Parts that were not seen both ways yet.
+    waiting: Vec<u32>,
+    /// Networks that some scans may not reach.
+    skippable: Vec<u32>,
+    /// How many scans were observed since the last look at the networks that every scan reaches.
+    scans: u64,
+}
+
+impl Coverage {
+    /// Nothing has been seen yet.
+    pub fn of(simulation: &Simulation) -> Coverage {
+        let program = simulation.program();
+        let elements = simulation.elements();
+        let mut carriers: HashMap<(u32, u32), u32> = HashMap::new();
+        for (index, element) in elements.iter().enumerate() {
+            carriers
+                .entry((element.network, element.step))
+                .or_insert(index as u32);
+        }
+        let part = |(index, element): (usize, &ElementPlace)| {
+            let network = &program.networks[element.network as usize];
+            let Step::Block { block, en } = network.steps[element.step as usize] else {
+                return None;
+            };
+            Some(Part {
+                kind: kind(network.blocks[block].kind)?,
+                location: element.location,
+                on: false,
+                off: false,
+                input: carriers.get(&(element.network, en as u32)).copied(),
+                output: index as u32,
+            })
+        };
+        let mut parts: Vec<Part> = elements
+            .iter()
+            .enumerate()
+            .filter(|(_, element)| element.kind == ElementKind::Block)
+            .filter_map(part)
+            .collect();
+        parts.sort_by_key(|part| (part.location.file, part.location.range.start()));
+        let networks: Vec<NetworkScans> = program
+            .networks
+            .iter()
+            .enumerate()
+            .map(|(index, network)| NetworkScans {
+                location: network.location,
+                elements: network
+                    .elements
+                    .iter()
+                    .map(|element| Location {
+                        file: network.location.file,
+                        range: element.range,
+                    })
+                    .collect(),
+                scans: 0,
+                index,
+            })
+            .collect();
+        Coverage {
+            files: program.files.clone(),
+            waiting: (0..parts.len() as u32).collect(),
+            skippable: (0..networks.len())
+                .filter(|&index| simulation.is_skippable(index))
+                .map(|index| index as u32)
+                .collect(),
+            networks,
+            parts,
+            scans: 0,
+        }
+    }
+
+    /// Looks at the scan that has just run. The simulation must be of the program that this was made for.
+    pub fn observe(&mut self, simulation: &Simulation) {
+        self.scans += 1;
+        for &index in &self.skippable {
+            let network = &mut self.networks[index as usize];
+            network.scans += u64::from(simulation.has_reached(network.index));
+        }
+        let elements = simulation.elements();
+        let power = |index: u32| simulation.element_power(&elements[index as usize]);
+        let parts = &mut self.parts;
+        self.waiting.retain(|&index| {
+            let part = &mut parts[index as usize];
+            // What no power can come to never shows what it does.
+            let Some(input) = part.input.and_then(power) else {
+                return true;
+            };
+            let on = match part.kind {
+                PartKind::Coil => Some(input),
+                PartKind::Contact | PartKind::Comparison => power(part.output).filter(|_| input),
+            };
+            part.on |= on == Some(true);
+            part.off |= on == Some(false);
+            !part.is_exercised()
+        });
+    }
+
+    /// Counts the scans of the networks that every scan reaches. To be called when all have been observed.
+    pub fn finish(&mut self, simulation: &Simulation) {
+        let scans = std::mem::take(&mut self.scans);
+        for network in &mut self.networks {
+            if !simulation.is_skippable(network.index) {
+                network.scans += scans;
+            }
+        }
+    }
+
+    /// Takes in what was seen elsewhere of the same program.
+    pub fn merge(&mut self, other: &Coverage) {
+        for (network, other) in self.networks.iter_mut().zip(&other.networks) {
+            network.scans += other.scans;
+        }
+        for (part, other) in self.parts.iter_mut().zip(&other.parts) {
+            part.on |= other.on;
+            part.off |= other.off;
+        }
+        self.waiting
+            .retain(|&index| !self.parts[index as usize].is_exercised());
+    }
+}
+
+fn kind(block: BlockKind) -> Option<PartKind> {
+    let BlockKind::Instruction(row) = block else {
+        return None;
+    };
+    match (row.group, row.op) {
+        // An inverter decides nothing.
+        (Group::Condition, Op::Inverter) => None,
+        (Group::Condition, Op::Eq | Op::Ne | Op::Gt | Op::Ge | Op::Lt | Op::Le) => Some(PartKind::Comparison),
+        (Group::Condition, _) => Some(PartKind::Contact),
+        (Group::Coil, _) => Some(PartKind::Coil),
+        _ => None,
+    }
+}
