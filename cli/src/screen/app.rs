@@ -47,6 +47,8 @@ impl<'r> App<'r> {
 
     /// Takes in what happened at the terminal.
     pub(super) fn handle(&mut self, event: &Event) -> Next {
+        #[cfg(debug_assertions)]
+        panic_if_asked(event);
         let mut next = Next::Go;
         for command in self.view.update(event, &self.plant) {
             match self.carry_out(command) {
@@ -213,4 +215,21 @@ impl<'r> App<'r> {
             },
         );
     }
+}
+
+/// A test wants to see the terminal after a panic. Programs that are built for use do not know this.
+#[cfg(debug_assertions)]
+fn panic_if_asked(event: &Event) {
+    use ratatui::crossterm::event::{KeyCode, KeyEvent};
+    let percent = matches!(
+        event,
+        Event::Key(KeyEvent {
+            code: KeyCode::Char('%'),
+            ..
+        })
+    );
+    assert!(
+        !percent || std::env::var_os("LADDER_TEST_PANIC").is_none(),
+        "a test asked for this panic"
+    );
 }
