@@ -2,11 +2,10 @@
 
 use super::draw::{self, Scene};
 use super::load::{self, Request};
-use super::plant::{Plant, Ran, Restart};
+use super::plant::{Part, Plant, Ran, Restart};
 use super::theme::Theme;
 use super::update::Command;
-use super::view::View;
-use ladder_simulator::Status;
+use super::view::{Mode, Reasons, View};
 use ladder_workspace::Stamp;
 use ratatui::Frame;
 use ratatui::crossterm::event::Event;
@@ -75,8 +74,27 @@ impl<'r> App<'r> {
                 self.step();
                 Ok(())
             }
+            Command::StepBlock => {
+                self.step_part(Part::Block);
+                Ok(())
+            }
+            Command::StepRung => {
+                self.step_part(Part::Rung);
+                Ok(())
+            }
             Command::Back => {
                 self.step_back();
+                Ok(())
+            }
+            Command::Break(breakpoint) => {
+                self.toggle(breakpoint);
+                Ok(())
+            }
+            Command::Why(point) => {
+                self.view.mode = Mode::Why(Reasons {
+                    text: self.plant.why(&point),
+                    top: 0,
+                });
                 Ok(())
             }
             Command::Restart(restart) => {
@@ -115,29 +133,6 @@ impl<'r> App<'r> {
         Next::Go
     }
 
-    fn step(&mut self) {
-        match self.plant.status() {
-            Status::Ready => {
-                self.plant.scan();
-            }
-            Status::Ended => self
-                .view
-                .say("the program has ended: b goes back, c starts it again"),
-            Status::Faulted => self
-                .view
-                .say("a fault has stopped the program: b goes back, c starts it again"),
-        }
-    }
-
-    fn step_back(&mut self) {
-        if self.plant.step_back(1) == 0 {
-            self.view.say(match self.plant.scans() {
-                0 => "this is the beginning",
-                _ => "no earlier scan is kept; [simulate] history in ladder.toml says how many are",
-            });
-        }
-    }
-
     /// Runs the scans that are due after some real time, as far as they fit into `room`. A program that is slower
     /// than its clock is slow; it does not catch up. Whether anything was run.
     pub(super) fn pass(&mut self, real: Duration, room: Duration) -> bool {
@@ -152,9 +147,16 @@ impl<'r> App<'r> {
         self.debt = self.debt.saturating_add(due.unwrap_or(0));
         while due.is_none() || self.debt >= interval {
             self.debt -= if due.is_none() { 0 } else { interval };
-            if self.plant.scan() == Ran::Out {
-                self.view.running = false;
-                return true;
+            match self.plant.run_scan() {
+                Ran::On => {}
+                Ran::Out => {
+                    self.view.running = false;
+                    return true;
+                }
+                Ran::Break(hit) => {
+                    self.stopped_at(hit);
+                    return true;
+                }
             }
             if begun.elapsed() >= room {
                 self.debt = 0;

@@ -31,6 +31,7 @@ mod record;
 mod sheet;
 mod signals;
 mod speed;
+mod stepping;
 #[cfg(test)]
 mod tests;
 mod theme;

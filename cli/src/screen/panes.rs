@@ -73,11 +73,11 @@ pub(super) fn panes(area: Rect, plant: &Plant) -> Panes {
         };
     }
     // Where there is room, lines have their numbers.
-    let numbers = plant.sheet.height().max(1).ilog10() as u16 + 3;
+    let numbers = plant.sheet.height().max(1).ilog10() as u16 + 4;
     let gutter_width = if area.width >= DIAGRAM + numbers {
         numbers
     } else {
-        2
+        3
     };
     let gutter = Rect {
         width: gutter_width.min(diagram.width),

@@ -7,7 +7,7 @@ use crate::outcome::Failure;
 use crate::run::{Inputs, Retention};
 use ladder_analysis::program::Role;
 use ladder_analysis::value::Value;
-use ladder_simulator::{Fault, Point, Session, Simulation, Status};
+use ladder_simulator::{Breakpoint, Fault, Hit, Point, Session, Simulation, Status, Stepped, Stop};
 
 /// So many scans of the past are looked up when a tag is added to the watch list.
 const PAST: usize = 10_000;
@@ -15,6 +15,8 @@ const PAST: usize = 10_000;
 /// A running program.
 pub(super) struct Plant {
     pub(super) sheet: Sheet,
+    /// The texts of the program's files.
+    texts: Vec<String>,
     session: Session,
     /// What tags are given before each scan.
     inputs: Inputs,
@@ -24,13 +26,22 @@ pub(super) struct Plant {
     pub(super) record: Record,
 }
 
-/// What a step came to.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+/// What a scan of a run came to.
+#[derive(Debug, Clone, PartialEq)]
 pub(super) enum Ran {
-    /// The program can go on.
+    /// The next can follow.
     On,
-    /// It cannot: it has ended, or a fault has stopped it.
+    /// The program has ended, or a fault has stopped it.
     Out,
+    /// A breakpoint has stopped it.
+    Break(Hit),
+}
+
+/// A part of a scan.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Part {
+    Block,
+    Rung,
 }
 
 impl Plant {
@@ -41,7 +52,11 @@ impl Plant {
         inputs: Inputs,
         retention: Option<Retention>,
     ) -> Plant {
+        let program = session.simulation().program();
+        let others = program.files.iter().skip(1);
+        let others = others.map(|name| source.other(name).map_or_else(String::new, |other| other.text));
         Plant {
+            texts: std::iter::once(source.text.clone()).chain(others).collect(),
             sheet: Sheet::new(source, session.simulation()),
             session,
             inputs,
@@ -85,34 +100,79 @@ impl Plant {
         (self.session.scans_behind(), self.session.scans_ahead())
     }
 
-    /// Runs one scan.
-    pub(super) fn scan(&mut self) -> Ran {
+    /// Whether a scan was begun and is not finished.
+    pub(super) fn is_open(&self) -> bool {
+        self.session.is_open()
+    }
+
+    /// Runs one scan, or the rest of the one that is open; breakpoints stop it.
+    pub(super) fn run_scan(&mut self) -> Ran {
         if self.status() != Status::Ready {
             return Ran::Out;
         }
+        match self.recorded(Session::run_scan) {
+            Some(Stop::Breakpoint(hit)) => Ran::Break(hit),
+            _ if self.status() == Status::Ready => Ran::On,
+            _ => Ran::Out,
+        }
+    }
+
+    /// Runs one scan, or the rest of the one that is open, past all breakpoints.
+    pub(super) fn scan(&mut self) {
+        self.recorded(Session::scan);
+    }
+
+    /// Runs a part of a scan. Gives what runs next in it.
+    pub(super) fn step(&mut self, part: Part) -> Stepped {
+        self.recorded(match part {
+            Part::Block => Session::step_block,
+            Part::Rung => Session::step_network,
+        })
+    }
+
+    /// Runs something with what is given before a scan, and records the scan if it comes to its end.
+    fn recorded<T>(&mut self, run: impl FnOnce(&mut Session) -> T) -> T {
+        let scan = self.scans();
         // What was given once is part of the history.
-        if self.session.scans_ahead() == 0 {
-            let scan = self.scans();
+        if !self.is_open() && self.session.scans_ahead() == 0 {
             for (point, value) in self.inputs.before(scan) {
                 // What could be refused was found when the file was read.
                 let _ = self.session.set(point, value);
             }
         }
-        if self.session.scan() {
+        let ran = run(&mut self.session);
+        if self.scans() > scan {
             let simulation = self.session.simulation();
             self.record.take(|point| simulation.value(point));
         }
-        match self.status() {
-            Status::Ready => Ran::On,
-            Status::Ended | Status::Faulted => Ran::Out,
-        }
+        ran
     }
 
-    /// Goes back so many scans; how many it were.
-    pub(super) fn step_back(&mut self, scans: usize) -> usize {
-        let gone = self.session.step_back(scans);
-        self.record.take_back(gone);
-        gone
+    /// Goes back one scan, or to the start of the one that is open. False if no earlier one is kept.
+    pub(super) fn step_back(&mut self) -> bool {
+        let before = self.scans();
+        let gone = self.session.step_back(1);
+        self.record.take_back((before - self.scans()) as usize);
+        gone > 0
+    }
+
+    /// Sets a breakpoint, or takes it away. Whether it is set now.
+    pub(super) fn toggle_breakpoint(&mut self, breakpoint: Breakpoint) -> bool {
+        let was_set = self.session.remove_breakpoint(&breakpoint);
+        if !was_set {
+            self.session.add_breakpoint(breakpoint);
+        }
+        !was_set
+    }
+
+    pub(super) fn breakpoints(&self) -> &[Breakpoint] {
+        self.session.breakpoints()
+    }
+
+    /// Why a tag holds what it holds.
+    pub(super) fn why(&mut self, point: &Point) -> String {
+        let why = self.session.why(point);
+        why.text(&self.texts.iter().map(String::as_str).collect::<Vec<_>>())
     }
 
     /// The last thing that went wrong, and how often it did in its place.

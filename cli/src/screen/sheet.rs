@@ -239,6 +239,12 @@ impl Sheet {
         (offset < self.blocks[index].end).then_some(index)
     }
 
+    /// The block at a place in the text, or the first one behind it.
+    pub(super) fn block_from(&self, offset: usize) -> usize {
+        self.block_at(offset)
+            .unwrap_or_else(|| self.blocks.partition_point(|block| block.start < offset))
+    }
+
     /// The line that a place in the program's own file stands on, from 0, and its column in characters, from 1.
     pub(super) fn place(&self, location: Location) -> Option<(usize, usize)> {
         if location.file != 0 {

@@ -146,6 +146,22 @@ impl Theme {
         }
     }
 
+    /// A rung that a run stops at.
+    pub(super) fn breakpoint(self) -> &'static str {
+        match self.charset {
+            Charset::Unicode => "◆",
+            Charset::Ascii => "#",
+        }
+    }
+
+    /// The line of the block that runs next.
+    pub(super) fn next(self) -> &'static str {
+        match self.charset {
+            Charset::Unicode => "▶",
+            Charset::Ascii => "@",
+        }
+    }
+
     /// A wire without power, and with power.
     pub(super) fn wire(self, live: bool) -> char {
         match (self.charset, live) {

@@ -5,11 +5,11 @@ use super::picker::{self, Picker};
 use super::plant::{Plant, Restart};
 use super::prompt::{self, Prompt};
 use super::sheet::Block;
-use super::view::{Mode, View};
+use super::view::{Mode, Reasons, View};
 use super::{inputs, mouse};
 use ladder_analysis::types::Scalar;
 use ladder_analysis::value::Value;
-use ladder_simulator::{Point, Status};
+use ladder_simulator::{Breakpoint, Point, Status};
 use ratatui::crossterm::event::{Event, KeyCode, KeyEvent, KeyEventKind, KeyModifiers};
 use ratatui::layout::Rect;
 
@@ -21,7 +21,12 @@ pub(super) enum Command {
     Unforce(Point),
     UnforceAll,
     Scan,
+    StepBlock,
+    StepRung,
     Back,
+    /// Sets a breakpoint, or takes it away.
+    Break(Breakpoint),
+    Why(Point),
     Restart(Restart),
     Watch(Point),
     Unwatch(Point),
@@ -64,6 +69,7 @@ impl View {
                 Some(Action::Quit) => vec![Command::Quit],
                 _ => Vec::new(),
             },
+            Mode::Why(why) => self.why_key(why, key),
             Mode::Prompt(prompt) => self.prompt_key(prompt, key),
             Mode::Force(point) => self.force_key(point, key),
             Mode::Pick(picker) => self.picker_key(picker, key, plant),
@@ -112,6 +118,22 @@ impl View {
                 self.running = false;
                 return vec![Command::Scan];
             }
+            Action::StepBlock => {
+                self.running = false;
+                return vec![Command::StepBlock];
+            }
+            Action::StepRung => {
+                self.running = false;
+                return vec![Command::StepRung];
+            }
+            Action::BreakAtRung => match plant.sheet.blocks.get(self.selected) {
+                Some(block) => return vec![Command::Break(Breakpoint::Network(block.network))],
+                None => self.say("there is no rung to stop at"),
+            },
+            Action::BreakAtChange => {
+                return self.with_tag(plant, |_, point| vec![Command::Break(Breakpoint::Change(point))]);
+            }
+            Action::Why => return self.with_tag(plant, |_, point| vec![Command::Why(point)]),
             Action::Back => {
                 self.running = false;
                 return vec![Command::Back];
@@ -297,6 +319,17 @@ impl View {
             return Vec::new();
         }
         vec![Command::Unforce(point)]
+    }
+
+    fn why_key(&mut self, mut why: Reasons, key: KeyEvent) -> Commands {
+        match keys::action(key) {
+            Some(Action::Up) => why.top = why.top.saturating_sub(1),
+            Some(Action::Down) => why.top += 1,
+            Some(Action::Quit) => return vec![Command::Quit],
+            _ => return Vec::new(),
+        }
+        self.mode = Mode::Why(why);
+        Vec::new()
     }
 
     fn prompt_key(&mut self, mut prompt: Prompt, key: KeyEvent) -> Commands {

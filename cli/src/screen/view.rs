@@ -38,12 +38,22 @@ pub(super) struct View {
 pub(super) enum Mode {
     Diagram,
     Help,
+    /// Why a tag holds what it holds.
+    Why(Reasons),
     /// A value is being typed.
     Prompt(Prompt),
     /// A BOOL is about to be forced.
     Force(Point),
     /// A tag is being looked for.
     Pick(Picker),
+}
+
+/// An answer that may be longer than the screen is high.
+#[derive(Debug)]
+pub(super) struct Reasons {
+    pub(super) text: String,
+    /// The first line that is shown.
+    pub(super) top: usize,
 }
 
 /// Something that is said in the line above the keys.

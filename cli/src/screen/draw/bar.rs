@@ -17,6 +17,10 @@ pub(super) fn draw(buffer: &mut Buffer, pane: Rect, scene: Scene) {
         Status::Ended => (if unicode { "■" } else { "." }, "ENDED".to_owned()),
         Status::Faulted => ("!", "STOPPED BY A FAULT".to_owned()),
         Status::Ready if view.running => (if unicode { "▶" } else { ">" }, format!("RUNNING {}", view.speed)),
+        Status::Ready if plant.is_open() => (
+            if unicode { "■" } else { "." },
+            format!("IN SCAN {}", plant.scans()),
+        ),
         Status::Ready => (if unicode { "■" } else { "." }, "PAUSED".to_owned()),
     };
     let mut left = format!(" {}  {sign} {state}", plant.sheet.file);

@@ -6,6 +6,7 @@ use crate::screen::sheet::{Block, Mark, Shown};
 use crate::screen::theme::heading as heading_style;
 use crate::screen::values;
 use ladder_analysis::program::ElementKind;
+use ladder_simulator::Breakpoint;
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 use ratatui::style::{Modifier, Style};
@@ -17,14 +18,17 @@ pub(super) fn draw(buffer: &mut Buffer, gutter: Rect, pane: Rect, scene: Scene) 
     let fault_line = plant
         .last_fault()
         .and_then(|(fault, _)| Some(sheet.place(fault.location)?.0));
-    let numbers = gutter.width > 2;
+    let next = plant.simulation().next_block();
+    let next_line = next.and_then(|location| Some(sheet.place(location)?.0));
+    let breakpoints = breakpoint_lines(scene);
+    let numbers = gutter.width > 3;
     for row in 0..pane.height {
         let line = view.top + row as usize;
         if line >= sheet.height() {
             return;
         }
         if numbers {
-            let width = gutter.width as usize - 2;
+            let width = gutter.width as usize - 3;
             put(
                 buffer,
                 gutter,
@@ -34,18 +38,51 @@ pub(super) fn draw(buffer: &mut Buffer, gutter: Rect, pane: Rect, scene: Scene) 
                 theme.quiet(),
             );
         }
-        let mark = if fault_line == Some(line) {
+        let warning = if fault_line == Some(line) {
             Some(("!", theme.alarm()))
-        } else if selected_line == Some(line) {
-            Some((">", heading_style()))
+        } else if breakpoints.contains(&line) {
+            Some((theme.breakpoint(), theme.note()))
         } else {
             None
         };
-        if let Some((mark, style)) = mark {
-            put(buffer, gutter, gutter.width.saturating_sub(2), row, mark, style);
+        if let Some((mark, style)) = warning {
+            put(buffer, gutter, gutter.width.saturating_sub(3), row, mark, style);
+        }
+        let place = if next_line == Some(line) {
+            Some(theme.next())
+        } else if selected_line == Some(line) {
+            Some(">")
+        } else {
+            None
+        };
+        if let Some(mark) = place {
+            put(
+                buffer,
+                gutter,
+                gutter.width.saturating_sub(2),
+                row,
+                mark,
+                heading_style(),
+            );
         }
         draw_line(buffer, pane, row, line, scene);
     }
+}
+
+/// The lines of the rungs that a run stops at.
+fn breakpoint_lines(scene: Scene) -> Vec<usize> {
+    let program = scene.plant.simulation().program();
+    let networks = scene
+        .plant
+        .breakpoints()
+        .iter()
+        .filter_map(|breakpoint| match breakpoint {
+            Breakpoint::Network(network) => program.networks.get(*network),
+            Breakpoint::Change(_) => None,
+        });
+    networks
+        .filter_map(|network| Some(scene.plant.sheet.place(network.location)?.0))
+        .collect()
 }
 
 /// How one character is drawn.

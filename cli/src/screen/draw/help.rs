@@ -77,5 +77,5 @@ pub(super) fn draw(buffer: &mut Buffer, scene: Scene) {
         );
     }
     let safety = "This is a simulator, not a safety device.";
-    put(buffer, inside, 1, lowest + 2, safety, theme.quiet());
+    put(buffer, inside, 1, lowest + 1, safety, theme.quiet());
 }

@@ -87,7 +87,7 @@ pub(super) fn draw(buffer: &mut Buffer, pane: Rect, scene: Scene) -> Option<Posi
                 pane.y,
             ));
         }
-        Mode::Diagram | Mode::Help => {}
+        Mode::Diagram | Mode::Help | Mode::Why(_) => {}
     }
     if let Some(note) = &view.note {
         let style = match note.kind {

@@ -9,6 +9,7 @@ mod info;
 mod inputs_bar;
 mod menu;
 mod watch_list;
+mod why;
 
 use super::plant::Plant;
 use super::theme::{Theme, heading as heading_style};
@@ -37,9 +38,9 @@ pub(super) fn screen(frame: &mut Frame, scene: Scene) {
     fault::draw(buffer, panes.fault, scene);
     let typing_at = info::draw(buffer, panes.info, scene);
     hints::draw(buffer, panes.hints, scene);
-    let mut cursor = typing_at;
     match &scene.view.mode {
         Mode::Help => help::draw(buffer, scene),
+        Mode::Why(reasons) => why::draw(buffer, reasons, scene),
         Mode::Pick(picker) => {
             let above = Rect {
                 height: panes.info.y.saturating_sub(scene.view.area.y),
@@ -49,11 +50,7 @@ pub(super) fn screen(frame: &mut Frame, scene: Scene) {
         }
         Mode::Diagram | Mode::Prompt(_) | Mode::Force(_) => {}
     }
-    // Behind a popup nothing is typed but in its own line.
-    if matches!(scene.view.mode, Mode::Help) {
-        cursor = None;
-    }
-    if let Some(position) = cursor {
+    if let Some(position) = typing_at {
         frame.set_cursor_position(position);
     }
 }

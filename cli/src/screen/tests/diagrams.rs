@@ -10,15 +10,15 @@ fn a_program_before_its_first_scan() {
         "",
         expect![[r#"
             | motor.clad  ■ PAUSED  speed 1x                                  scan 0  0.00 s
-            |  VAR_INPUT  start, stop : BOOL;  END_VAR
-            |  VAR  warmup : TON;  END_VAR
+            |   VAR_INPUT  start, stop : BOOL;  END_VAR
+            |   VAR  warmup : TON;  END_VAR
             |
-            |  # Seal-in #
-            |> +──\──[ ]( start )──\──[/]( stop )─────────────( )( run )──+
-            |  |  /──[ ]( run )────/                                      |
+            |   # Seal-in #
+            | > +──\──[ ]( start )──\──[/]( stop )─────────────( )( run )──+
+            |   |  /──[ ]( run )────/                                      |
             |
-            |  # Warm-up #
-            |  +──[ ]( run )─────────[TON]( warmup, T#5s )──( )( ready )──+  warmup 0s/0s
+            |   # Warm-up #
+            |   +──[ ]( run )─────────[TON]( warmup, T#5s )──( )( ready )──+  warmup 0s/0s
             |
             |
             |
@@ -43,15 +43,15 @@ fn power_flows() {
         "p space +1200ms space +100ms",
         expect![[r#"
             | motor.clad  ▶ RUNNING 1x                                      scan 130  1.30 s
-            |  VAR_INPUT  start, stop : BOOL;  END_VAR
-            |  VAR  warmup : TON;  END_VAR
+            |   VAR_INPUT  start, stop : BOOL;  END_VAR
+            |   VAR  warmup : TON;  END_VAR
             |
-            |  # Seal-in #
-            |> +══\══[ ]( start )──\══[/]( stop )═════════════( )(●run )══+
-            |  |  /══[ ](●run )════/                                      |
+            |   # Seal-in #
+            | > +══\══[ ]( start )──\══[/]( stop )═════════════( )(●run )══+
+            |   |  /══[ ](●run )════/                                      |
             |
-            |  # Warm-up #
-            |  +══[ ](●run )═════════[TON]( warmup, T#5s )──( )( ready )──+  warmup 1.2s/5s
+            |   # Warm-up #
+            |   +══[ ](●run )═════════[TON]( warmup, T#5s )──( )( ready )──+  warmup 1.2s/5s
             |
             |
             |
@@ -78,12 +78,12 @@ fn nothing_is_told_by_colour_alone() {
         |
         |
         |
-        |  DDDDDDDDDDD
-        |B BBBBBBBBBBBBBBBBBBBBBBBRRRRRRRRRRRBBBBBBBBBBBBBBBBBBBBBBBBBB
-        |     BBB    BBBB      B
+        |   DDDDDDDDDDD
+        | B BBBBBBBBBBBBBBBBBBBBBBBRRRRRRRRRRRBBBBBBBBBBBBBBBBBBBBBBBBBB
+        |      BBB    BBBB      B
         |
-        |  DDDDDDDDDDD
-        |  BBBBBBBBBBBBBBBBBBBBBB
+        |   DDDDDDDDDDD
+        |   BBBBBBBBBBBBBBBBBBBBBB
         |
         |
         |
@@ -106,12 +106,12 @@ fn nothing_is_told_by_colour_alone() {
         |
         |
         |
-        |  ddddddddddd
-        |B gggggggggggggggggggggggRRRRyyyyyyRgggggggggggggggggggggggggg
-        |     ggg    gggg      g
+        |   ddddddddddd
+        | B gggggggggggggggggggggggRRRRyyyyyyRgggggggggggggggggggggggggg
+        |      ggg    gggg      g
         |
-        |  ddddddddddd
-        |  gggggggggggggggggggggg                                        cccccccccccc
+        |   ddddddddddd
+        |   gggggggggggggggggggggg                                        cccccccccccc
         |
         |
         |
@@ -136,15 +136,15 @@ fn plain_characters() {
         "p space +300ms",
         expect![[r#"
             | motor.clad  > RUNNING 1x                                       scan 30  0.30 s
-            |  VAR_INPUT  start, stop : BOOL;  END_VAR
-            |  VAR  warmup : TON;  END_VAR
+            |   VAR_INPUT  start, stop : BOOL;  END_VAR
+            |   VAR  warmup : TON;  END_VAR
             |
-            |  # Seal-in #
-            |> +==\==[ ](*start )==\==[/]( stop )=============( )(*run )==+
-            |  |  /==[ ](*run )====/                                      |
+            |   # Seal-in #
+            | > +==\==[ ](*start )==\==[/]( stop )=============( )(*run )==+
+            |   |  /==[ ](*run )====/                                      |
             |
-            |  # Warm-up #
-            |  +==[ ](*run )=========[TON]( warmup, T#5s )--( )( ready )--+  warmup 290ms/5s
+            |   # Warm-up #
+            |   +==[ ](*run )=========[TON]( warmup, T#5s )--( )( ready )--+  warmup 290ms/5s
             |
             |
             |
@@ -167,15 +167,15 @@ fn plain_characters() {
 fn large() {
     Bench::new(MOTOR).size(160, 30).check("p space +700ms", expect![[r#"
         | motor.clad  ▶ RUNNING 1x                                                                                                                       scan 70  0.70 s
-        |1  VAR_INPUT  start, stop : BOOL;  END_VAR                                                           ─ Watch ─────────────────────────── [ ] 1 column = 100 ms ─
-        |2  VAR  warmup : TON;  END_VAR                                                                        ready      FALSE                                   ⣀⣀⣀⣀⣀⣀⣀
+        |1   VAR_INPUT  start, stop : BOOL;  END_VAR                                                          ─ Watch ─────────────────────────── [ ] 1 column = 100 ms ─
+        |2   VAR  warmup : TON;  END_VAR                                                                       ready      FALSE                                   ⣀⣀⣀⣀⣀⣀⣀
         |3                                                                                                     warmup.ET  690ms                                   ▂▃▄▅▆▇█
-        |4  # Seal-in #                                                                                        run        TRUE                                    ⠉⠉⠉⠉⠉⠉⠉
-        |5> +══\══[ ](●start )══\══[/]( stop )═════════════( )(●run )══+
-        |6  |  /══[ ](●run )════/                                      |
+        |4   # Seal-in #                                                                                       run        TRUE                                    ⠉⠉⠉⠉⠉⠉⠉
+        |5 > +══\══[ ](●start )══\══[/]( stop )═════════════( )(●run )══+
+        |6   |  /══[ ](●run )════/                                      |
         |7
-        |8  # Warm-up #
-        |9  +══[ ](●run )═════════[TON]( warmup, T#5s )──( )( ready )──+  warmup 690ms/5s
+        |8   # Warm-up #
+        |9   +══[ ](●run )═════════[TON]( warmup, T#5s )──( )( ready )──+  warmup 690ms/5s
         |
         |
         |
@@ -206,9 +206,9 @@ fn tiny() {
         "size:30x8",
         expect![[r#"
             | motor.clad  ■ PAUSED  speed 1
-            |  # Seal-in #
-            |> +──\──[ ]( start )──\──[/](
-            |  |  /──[ ]( run )────/
+            |   # Seal-in #
+            | > +──\──[ ]( start )──\──[/](
+            |   |  /──[ ]( run )────/
             |─ Inputs: press the number ───
             | 1 ○ start   2 ○ stop
             | Open contact: input start is
@@ -230,10 +230,10 @@ fn wide_characters_tabs_and_line_ends() {
         0..8,
         expect![[r#"
             | motor.clad  ■ PAUSED  speed 1x                                  scan 1  0.01 s
-            |  # 温度 🙂 #
-            |> +══[ ]( 温度    )──( )( a )──+
+            |   # 温度 🙂 #
+            | > +══[ ]( 温度    )──( )( a )──+
             |
-            |  +══[GT]( level, 80 )──# heiß #──( )( é )──+  # note #  level=0
+            |   +══[GT]( level, 80 )──# heiß #──( )( é )──+  # note #  level=0
             |
             |
             |
@@ -251,8 +251,8 @@ fn values_at_line_ends() {
         "space s s s",
         1..4,
         expect![[r#"
-            |> +══[ADD]( total, total, 3 )══[ ](●go )══[CTU]( parts, 12 )──( )( full )──+  to
-            |  +══[MUL]( rate, total, 2.5 )══[TON](●t, wait )══+  rate=22.5  total=9  t 0s/0s
+            | > +══[ADD]( total, total, 3 )══[ ](●go )══[CTU]( parts, 12 )──( )( full )──+  t
+            |   +══[MUL]( rate, total, 2.5 )══[TON](●t, wait )══+  rate=22.5  total=9  t 0s/0
             |
         "#]],
     );
@@ -268,23 +268,23 @@ fn help() {
             | │ Move                                      Run                              │
             | │  arrows hjkl    from block to block        p          run, pause           │
             | │  Tab, Shift-Tab next, previous block       s          one scan             │
-            | │  PgUp PgDn      a page                     b          one scan back        │
-            | │  g G            first, last block          + -        faster, slower       │
-            | │  / n N          find tag, next, previous   c C        restart cold, warm   │
-            | │                                                                            │
-            | │ Inputs                                    Look                             │
-            | │  space, Enter   switch, or set a number    w          watch, or no more    │
-            | │  1 .. 9         the same for that input    [ ]        shorter, longer time │
-            | │  mouse click    the same for that block    !          go to the last fault │
-            | │  v              set the selected tag       r          load the file again  │
-            | │  f              force the selected tag     Esc        close what is open   │
-            | │  u U            let it go, let all go      q, Ctrl-C  quit                 │
+            | │  PgUp PgDn      a page                     . ,        one block, one rung  │
+            | │  g G            first, last block          b          one scan back        │
+            | │  / n N          find tag, next, previous   + -        faster, slower       │
+            | │                                            B t        stop at rung, change │
+            | │ Inputs                                     c C        restart cold, warm   │
+            | │  space, Enter   switch, or set a number                                    │
+            | │  1 .. 9         the same for that input   Look                             │
+            | │  mouse click    the same for that block    w          watch, or no more    │
+            | │  v              set the selected tag       y          why is it so?        │
+            | │  f              force the selected tag     [ ]        shorter, longer time │
+            | │  u U            let it go, let all go      !          go to the last fault │
+            | │                                            r          load the file again  │
+            | │                                            Esc        close what is open   │
+            | │                                            q, Ctrl-C  quit                 │
             | │                                                                            │
             | │ ═══ power    ─── no power    ● tag the tag is on    tag F forced           │
-            | │                                                                            │
             | │ This is a simulator, not a safety device.                                  │
-            | │                                                                            │
-            | │                                                                            │
             | └────────────────────────────────────────────────────────────────────────────┘
             | space switch p run s step b back +- speed f force w watch ? help q quit
         "#]],

@@ -85,12 +85,12 @@ fn scrolling() {
         "page-down page-down",
         expect![[r#"
             | motor.clad  ■ PAUSED  speed 1x              scan 0  0.00 s
-            |  +──[ ]( a6 )──[ ]( b6 )──( )( y6 )──+
-            |  +──[ ]( a7 )──[ ]( b7 )──( )( y7 )──+
-            |> +──[ ]( a8 )──[ ]( b8 )──( )( y8 )──+
-            |  +──[ ]( a9 )──[ ]( b9 )──( )( y9 )──+
-            |  +──[ ]( a10 )──[ ]( b10 )──( )( y10 )──+
-            |  +──[ ]( a11 )──[ ]( b11 )──( )( y11 )──+
+            |   +──[ ]( a6 )──[ ]( b6 )──( )( y6 )──+
+            |   +──[ ]( a7 )──[ ]( b7 )──( )( y7 )──+
+            | > +──[ ]( a8 )──[ ]( b8 )──( )( y8 )──+
+            |   +──[ ]( a9 )──[ ]( b9 )──( )( y9 )──+
+            |   +──[ ]( a10 )──[ ]( b10 )──( )( y10 )──+
+            |   +──[ ]( a11 )──[ ]( b11 )──( )( y11 )──+
             |─ Inputs: press the number ──────── 191 more: / finds them ─
             | 1 ○ a0   2 ○ b0   3 ○ a1   4 ○ b1   5 ○ a2   6 ○ b2
             | 7 ○ a3   8 ○ b3   9 ○ a4
@@ -103,9 +103,9 @@ fn scrolling() {
         0..4,
         expect![[r#"
             | motor.clad  ■ PAUSED  speed 1x              scan 0  0.00 s
-            |  +──[ ]( a94 )──[ ]( b94 )──( )( y94 )──+
-            |  +──[ ]( a95 )──[ ]( b95 )──( )( y95 )──+
-            |  +──[ ]( a96 )──[ ]( b96 )──( )( y96 )──+
+            |   +──[ ]( a94 )──[ ]( b94 )──( )( y94 )──+
+            |   +──[ ]( a95 )──[ ]( b95 )──( )( y95 )──+
+            |   +──[ ]( a96 )──[ ]( b96 )──( )( y96 )──+
         "#]],
     );
     bench.check_lines(
@@ -113,9 +113,9 @@ fn scrolling() {
         0..4,
         expect![[r#"
             | motor.clad  ■ PAUSED  speed 1x              scan 0  0.00 s
-            |  +──[ ]( a91 )──[ ]( b91 )──( )( y91 )──+
-            |  +──[ ]( a92 )──[ ]( b92 )──( )( y92 )──+
-            |> +──[ ]( a93 )──[ ]( b93 )──( )( y93 )──+
+            |   +──[ ]( a91 )──[ ]( b91 )──( )( y91 )──+
+            |   +──[ ]( a92 )──[ ]( b92 )──( )( y92 )──+
+            | > +──[ ]( a93 )──[ ]( b93 )──( )( y93 )──+
         "#]],
     );
     bench.check_lines(
@@ -123,9 +123,9 @@ fn scrolling() {
         0..4,
         expect![[r#"
             | motor.clad  ■ PAUSED  speed 1x              scan 0  0.00 s
-            |  +──[ ]( a6 )──[ ]( b6 )──( )( y6 )──+
-            |  +──[ ]( a7 )──[ ]( b7 )──( )( y7 )──+
-            |  +──[ ]( a8 )──[ ]( b8 )──( )( y8 )──+
+            |   +──[ ]( a6 )──[ ]( b6 )──( )( y6 )──+
+            |   +──[ ]( a7 )──[ ]( b7 )──( )( y7 )──+
+            |   +──[ ]( a8 )──[ ]( b8 )──( )( y8 )──+
         "#]],
     );
 }
@@ -138,21 +138,21 @@ fn long_lines_follow_the_selection() {
         "right right",
         1..2,
         expect![[r#"
-            |> ct_with_a_long_name )──[ ]( contact_with_a_long_name )──[
+            | > t_with_a_long_name )──[ ]( contact_with_a_long_name )──[
         "#]],
     );
     bench.check_lines(
         "right right right right right right",
         1..2,
         expect![[r#"
-            |> a_long_name )──[ ]( contact_with_a_long_name )( )( y )──+
+            | > _long_name )──[ ]( contact_with_a_long_name )( )( y )──+
         "#]],
     );
     bench.check_lines(
         "right right right left left left left",
         1..2,
         expect![[r#"
-            |> +──[ ]( contact_with_a_long_name )──[ ]( contact_with_a_lo
+            | > +──[ ]( contact_with_a_long_name )──[ ]( contact_with_a_l
         "#]],
     );
 }
@@ -164,11 +164,11 @@ fn finding_tags() {
         "/ 'y3'",
         expect![[r#"
             | motor.clad  ■ PAUSED  speed 1x                        scan 0  0.00 s
-            |> +──[ ]( a0 )──[ ]( b0 )──( )( y0 )──+
-            |  +──[ ]( a1 )──[ ]( b1 )──( )( y1 )──+
-            |  +──[ ]( a2 )──[ ]( b2 )──( )( y2 )──+
-            |  +──[ ]( a3 )──[ ]( b3 )──( )( y3 )──+
-            |  +──[ ]( a4 )──[ ]( b4 )──( )( y4 )──+
+            | > +──[ ]( a0 )──[ ]( b0 )──( )( y0 )──+
+            |   +──[ ]( a1 )──[ ]( b1 )──( )( y1 )──+
+            |   +──[ ]( a2 )──[ ]( b2 )──( )( y2 )──+
+            |   +──[ ]( a3 )──[ ]( b3 )──( )( y3 )──+
+            |   +──[ ]( a4 )──[ ]( b4 )──( )( y4 )──+
             |┌ Enter: go there ─────────────────────────────────┐
             |│   y3            BOOL      FALSE                  │
             |│   y30           BOOL      FALSE                  │
@@ -225,7 +225,7 @@ fn a_program_without_blocks() {
         "space tab up down left page-down G / esc w esc f s",
         expect![[r#"
             | motor.clad  ■ PAUSED  speed 1x              scan 1  0.01 s
-            |  # nothing yet #
+            |   # nothing yet #
             |
             |
             |

@@ -46,11 +46,11 @@ fn steps_and_back() {
         0..6,
         expect![[r#"
             | motor.clad  ■ PAUSED  speed 1x                                  scan 3  0.03 s
-            |  VAR_INPUT  start, stop : BOOL;  END_VAR
-            |  VAR  warmup : TON;  END_VAR
+            |   VAR_INPUT  start, stop : BOOL;  END_VAR
+            |   VAR  warmup : TON;  END_VAR
             |
-            |  # Seal-in #
-            |> +══\══[ ]( start )──\══[/]( stop )═════════════( )(●run )══+
+            |   # Seal-in #
+            | > +══\══[ ]( start )──\══[/]( stop )═════════════( )(●run )══+
         "#]],
     );
     bench.check_lines(
@@ -58,11 +58,11 @@ fn steps_and_back() {
         0..6,
         expect![[r#"
             | motor.clad  ■ PAUSED  speed 1x                          3 back  scan 0  0.00 s
-            |  VAR_INPUT  start, stop : BOOL;  END_VAR
-            |  VAR  warmup : TON;  END_VAR
+            |   VAR_INPUT  start, stop : BOOL;  END_VAR
+            |   VAR  warmup : TON;  END_VAR
             |
-            |  # Seal-in #
-            |> +──\──[ ]( start )──\──[/]( stop )─────────────( )( run )──+
+            |   # Seal-in #
+            | > +──\──[ ]( start )──\──[/]( stop )─────────────( )( run )──+
         "#]],
     );
     bench.check_info(
@@ -89,11 +89,11 @@ fn a_restart_leaves_the_switches_as_they_are() {
         0..6,
         expect![[r#"
             | motor.clad  ■ PAUSED  speed 1x                                  scan 0  0.00 s
-            |  VAR_INPUT  start, stop : BOOL;  END_VAR
-            |  VAR  warmup : TON;  END_VAR
+            |   VAR_INPUT  start, stop : BOOL;  END_VAR
+            |   VAR  warmup : TON;  END_VAR
             |
-            |  # Seal-in #
-            |> +──\──[ ]( start )──\──[/]( stop )─────────────( )( run )──+
+            |   # Seal-in #
+            | > +──\──[ ]( start )──\──[/]( stop )─────────────( )( run )──+
         "#]],
     );
     bench.check_lines(
@@ -101,11 +101,11 @@ fn a_restart_leaves_the_switches_as_they_are() {
         0..6,
         expect![[r#"
             | motor.clad  ■ PAUSED  speed 1x                                  scan 1  0.01 s
-            |  VAR_INPUT  start, stop : BOOL;  END_VAR
-            |  VAR  warmup : TON;  END_VAR
+            |   VAR_INPUT  start, stop : BOOL;  END_VAR
+            |   VAR  warmup : TON;  END_VAR
             |
-            |  # Seal-in #
-            |> +══\══[ ](●start )══\══[/]( stop )═════════════( )(●run )══+
+            |   # Seal-in #
+            | > +══\══[ ](●start )══\══[/]( stop )═════════════( )(●run )══+
         "#]],
     );
     let retentive = "+--[ ]( go )--( M )( kept )--( )( lost )--+\n";
@@ -115,7 +115,7 @@ fn a_restart_leaves_the_switches_as_they_are() {
         0..2,
         expect![[r#"
             | motor.clad  ■ PAUSED  speed 1x                                  scan 0  0.00 s
-            |> +──[ ]( go )──(M)(●kept )──( )( lost )──+
+            | > +──[ ]( go )──(M)(●kept )──( )( lost )──+
         "#]],
     );
 }
@@ -127,7 +127,7 @@ fn the_end() {
         "p space +500ms",
         expect![[r#"
             | motor.clad  ■ ENDED                                             scan 1  0.01 s
-            |> +══[ ](●stop )══<END>──+
+            | > +══[ ](●stop )══<END>──+
             |
             |
             |
@@ -171,9 +171,9 @@ VAR_INPUT  parts : INT;  END_VAR
         "s s s",
         expect![[r#"
             | motor.clad  ■ PAUSED  speed 1x                                            scan 3  0.03 s
-            |  VAR_INPUT  parts : INT;  END_VAR
-            |> +══( )(●a )══+
-            |! +══[DIV]( share, 12, parts )──( )( ok )──+  share=0  parts=0
+            |   VAR_INPUT  parts : INT;  END_VAR
+            | > +══( )(●a )══+
+            |!  +══[DIV]( share, 12, parts )──( )( ok )──+  share=0  parts=0
             |
             |
             |─ Inputs: press the number ───────────────────────────────────────────────────────────────
@@ -237,15 +237,15 @@ fn another_version_of_the_file() {
     .assert_eq(&info("space s write:other look r"));
     expect![[r#"
         | motor.clad  ■ PAUSED  speed 1x                                                                                               1 FORCE  scan 1  0.01 s
-        |1  VAR_INPUT  start, stop : BOOL;  END_VAR
-        |2  VAR  warmup : TON;  END_VAR
+        |1   VAR_INPUT  start, stop : BOOL;  END_VAR
+        |2   VAR  warmup : TON;  END_VAR
         |3
-        |4  # Seal-in #
-        |5> +══\══[ ](●start )══\══[/]( stopF)═════════════( )(●run )══+
-        |6  |  /══[ ](●run )────/                                      |
+        |4   # Seal-in #
+        |5 > +══\══[ ](●start )══\══[/]( stopF)═════════════( )(●run )══+
+        |6   |  /══[ ](●run )────/                                      |
         |7
-        |8  # Warm-up #
-        |9  +══[ ](●run )═════════[TON]( warmup, T#9s )──( )( warm )──+  warmup 0s/9s
+        |8   # Warm-up #
+        |9   +══[ ](●run )═════════[TON]( warmup, T#9s )──( )( warm )──+  warmup 0s/9s
     "#]]
     .assert_eq(&lines("space tab f 0 s write:other look r s", 0..10));
     expect![[r#"
@@ -253,8 +253,8 @@ fn another_version_of_the_file() {
     "#]]
     .assert_eq(&info("space s write:broken look r"));
     expect![[r#"
-        |5> +══\══[ ](●start )══\══[/]( stop )═════════════( )(●run )══+
-        |6  |  /══[ ](●run )════/                                      |
+        |5 > +══\══[ ](●start )══\══[/]( stop )═════════════( )(●run )══+
+        |6   |  /══[ ](●run )════/                                      |
     "#]]
     .assert_eq(&lines("space s write:broken look r s", 5..7));
 }
@@ -276,4 +276,145 @@ fn what_ends_it() {
         assert_eq!(press(app, KeyCode::Char('q'), KeyModifiers::NONE), Next::Quit);
         String::new()
     });
+}
+
+#[test]
+fn parts_of_a_scan() {
+    let bench = Bench::new(MOTOR);
+    bench.check_lines("space . . . .", 0..10, expect![[r#"
+        | motor.clad  ■ IN SCAN 0  speed 1x                               scan 0  0.00 s
+        |   VAR_INPUT  start, stop : BOOL;  END_VAR
+        |   VAR  warmup : TON;  END_VAR
+        |
+        |   # Seal-in #
+        | ▶ +══\══[ ](●start )══\══[/]( stop )═════════════( )( run )──+
+        |   |  /══[ ]( run )────/                                      |
+        |
+        |   # Warm-up #
+        |   +──[ ]( run )─────────[TON]( warmup, T#5s )──( )( ready )──+  warmup 0s/0s
+    "#]]);
+    bench.check_lines("space , ,", 0..10, expect![[r#"
+        | motor.clad  ■ IN SCAN 0  speed 1x                               scan 0  0.00 s
+        |   VAR_INPUT  start, stop : BOOL;  END_VAR
+        |   VAR  warmup : TON;  END_VAR
+        |
+        |   # Seal-in #
+        |   +══\══[ ](●start )══\══[/]( stop )═════════════( )(●run )══+
+        |   |  /══[ ](●run )────/                                      |
+        |
+        |   # Warm-up #
+        | ▶ +══[ ](●run )─────────[TON]( warmup, T#5s )──( )( ready )──+  warmup 0s/0s
+    "#]]);
+    bench.check_info("space , , ,", expect![[r#"
+        | the scan is over
+    "#]]);
+    bench.check_lines("space . . s", 0..1, expect![[r#"
+        | motor.clad  ■ PAUSED  speed 1x                                  scan 1  0.01 s
+    "#]]);
+    bench.check_lines("space s . . b", 0..1, expect![[r#"
+        | motor.clad  ■ PAUSED  speed 1x                                  scan 1  0.01 s
+    "#]]);
+    bench.check_lines("space s . . b b", 0..1, expect![[r#"
+        | motor.clad  ■ PAUSED  speed 1x                          1 back  scan 0  0.00 s
+    "#]]);
+}
+
+#[test]
+fn breakpoints() {
+    let bench = Bench::new(MOTOR);
+    let to_warmup = "G B";
+    bench.check_info(to_warmup, expect![[r#"
+        | the program stops at the rung in line 9
+    "#]]);
+    bench.check(&format!("{to_warmup} 1 p +100ms"), expect![[r#"
+        | motor.clad  ■ IN SCAN 0  speed 1x                               scan 0  0.00 s
+        |   VAR_INPUT  start, stop : BOOL;  END_VAR
+        |   VAR  warmup : TON;  END_VAR
+        |
+        |   # Seal-in #
+        |   +══\══[ ](●start )══\══[/]( stop )═════════════( )(●run )══+
+        |   |  /══[ ](●run )────/                                      |
+        |
+        |   # Warm-up #
+        |◆▶ +══[ ](●run )─────────[TON]( warmup, T#5s )──( )( ready )──+  warmup 0s/0s
+        |
+        |
+        |
+        |
+        |
+        |
+        |─ Inputs: press the number ─────────────────────────────────────────────────────
+        | 1 ● start   2 ○ stop
+        |─ Watch ──────────────────────────────────────────────── [ ] 1 column = 100 ms ─
+        | ready      FALSE
+        | warmup.ET  0s
+        | run        TRUE
+        | stopped before this rung: . , s step on, p runs on, B takes the stop away
+        | space switch p run s step b back +- speed f force w watch ? help q quit
+    "#]]);
+    bench.check_info(&format!("{to_warmup} 1 p +100ms p +100ms"), expect![[r#"
+        | stopped before this rung: . , s step on, p runs on, B takes the stop away
+    "#]]);
+    bench.check_lines(&format!("{to_warmup} 1 p +100ms B p +100ms"), 0..1, expect![[r#"
+        | motor.clad  ▶ RUNNING 1x                                       scan 10  0.10 s
+    "#]]);
+    let at_change = "down t g";
+    bench.check_info("down t", expect![[r#"
+        | the program stops when run changes
+    "#]]);
+    bench.check_lines(&format!("{at_change} p +100ms 1 +100ms"), 0..1, expect![[r#"
+        | motor.clad  ■ IN SCAN 10  speed 1x                             scan 10  0.10 s
+    "#]]);
+    bench.check_info(&format!("{at_change} p +100ms 1 +100ms"), expect![[r#"
+        | stopped: here run has changed from FALSE to TRUE
+    "#]]);
+}
+
+#[test]
+fn why() {
+    let bench = Bench::new(MOTOR);
+    bench.check("space s space s down y", expect![[r#"
+        | motor.clad  ■ PAUSED  speed 1x                                  scan 2  0.02 s
+        |   VAR_INPUT  start, stop : BOOL;  END_VAR
+        |   VAR  warmup : TON;  END_VAR
+        |
+        |   # Seal-in #
+        |   +══\══[ ]( start )──\══[/]( stop )═════════════( )(●run )══+
+        | > |  /══[ ](●run )════/                                      |
+        |
+        |┌ Why? Any key closes it ──────────────────────────────────────────────────────┐
+        |│ run is 1 since scan 0 (0 ms): line 5, ( )( run ) wrote it; power came        │
+        |│     through [ ]( start ) (line 5, column 7): start is 1, [/]( stop ) (line   │
+        |│     5, column 24): stop is 0                                                 │
+        |│   start is 1 since scan 0 (0 ms): it was given from outside                  │
+        |│   stop is 0 since the start: nothing else was given                          │
+        |└──────────────────────────────────────────────────────────────────────────────┘
+        |
+        |─ Inputs: press the number ─────────────────────────────────────────────────────
+        | 1 ○ start   2 ○ stop
+        |─ Watch ──────────────────────────────────────────────── [ ] 1 column = 100 ms ─
+        | ready      FALSE                                                              ⡀
+        | warmup.ET  10ms                                                               █
+        | run        TRUE                                                               ⠁
+        | Open contact: run is TRUE
+        | space switch p run s step b back +- speed f force w watch ? help q quit
+    "#]]);
+    bench.check_lines("space s space s down y x", 8..12, expect![[r#"
+        |   # Warm-up #
+        |   +══[ ](●run )═════════[TON]( warmup, T#5s )──( )( ready )──+  warmup 10ms/5s
+        |
+        |
+    "#]]);
+    bench.check("2 s s size:40x10 down y down down", expect![[r#"
+        |┌ Why? up, down; any other key closes i┐
+        |│     ]( start ) (line 5, column 7):   │
+        |│     start is 0 and by [/]( stop )    │
+        |│     (line 5, column 24): stop is 1;  │
+        |│     or else by [/]( stop ) (line 5,  │
+        |│     column 24): stop is 1 and by [   │
+        |│     ]( run ) (line 6, column 7): run │
+        |│     is 0                             │
+        |│   start is 0 since the start:        │
+        |└──────────────────────────────────────┘
+    "#]]);
 }

@@ -18,29 +18,29 @@ fn space_and_numbers_switch_inputs() {
         "space",
         5..6,
         expect![[r#"
-            |> +──\──[ ](●start )──\──[/]( stop )─────────────( )( run )──+
+            | > +──\──[ ](●start )──\──[/]( stop )─────────────( )( run )──+
         "#]],
     );
     bench.check_lines(
         "space space",
         5..6,
         expect![[r#"
-            |> +──\──[ ]( start )──\──[/]( stop )─────────────( )( run )──+
+            | > +──\──[ ]( start )──\──[/]( stop )─────────────( )( run )──+
         "#]],
     );
     bench.check_lines(
         "2",
         5..6,
         expect![[r#"
-            |> +──\──[ ]( start )──\──[/](●stop )─────────────( )( run )──+
+            | > +──\──[ ]( start )──\──[/](●stop )─────────────( )( run )──+
         "#]],
     );
     bench.check_lines(
         "1 2 s",
         5..7,
         expect![[r#"
-            |> +══\══[ ](●start )══\══[/](●stop )─────────────( )( run )──+
-            |  |  /══[ ]( run )────/                                      |
+            | > +══\══[ ](●start )══\══[/](●stop )─────────────( )( run )──+
+            |   |  /══[ ]( run )────/                                      |
         "#]],
     );
     bench.check_info(
@@ -82,14 +82,14 @@ fn the_mouse_switches() {
         "click:12,5 s",
         5..6,
         expect![[r#"
-            |> +══\══[ ](●start )══\══[/]( stop )═════════════( )(●run )══+
+            | > +══\══[ ](●start )══\══[/]( stop )═════════════( )(●run )══+
         "#]],
     );
     bench.check_lines(
-        "click:4,18 s",
+        "click:5,18 s",
         5..6,
         expect![[r#"
-            |> +══\══[ ]( start )──\──[/]( stop )─────────────( )( run )──+
+            | > +══\══[ ]( start )──\──[/]( stop )─────────────( )( run )──+
         "#]],
     );
     bench.check_info(
@@ -138,16 +138,16 @@ fn numbers_are_asked_for() {
         "space 'many' enter esc s",
         4..6,
         expect![[r#"
-            |> +══[GT]( level, limit )──[TON]( t, wait )───────────────────────( )( alarm )──
-            |  +══[ ]( open )──[MUL]( scaled, level, 2 )──+  scaled=0  level=0
+            | > +══[GT]( level, limit )──[TON]( t, wait )───────────────────────( )( alarm )─
+            |   +══[ ]( open )──[MUL]( scaled, level, 2 )──+  scaled=0  level=0
         "#]],
     );
     bench.check_lines(
         "1 '95' enter 3 '20ms' enter s s s",
         4..6,
         expect![[r#"
-            |> +══[GT]( level, limit )══[TON](●t, wait )═══════════════════════( )(●alarm )══
-            |  +══[ ]( open )──[MUL]( scaled, level, 2 )──+  scaled=0  level=95
+            | > +══[GT]( level, limit )══[TON](●t, wait )═══════════════════════( )(●alarm )═
+            |   +══[ ]( open )──[MUL]( scaled, level, 2 )──+  scaled=0  level=95
         "#]],
     );
     bench.check_info(
@@ -188,15 +188,15 @@ fn forces() {
         "f 1 s",
         expect![[r#"
             | motor.clad  ■ PAUSED  speed 1x                         1 FORCE  scan 1  0.01 s
-            |  VAR_INPUT  start, stop : BOOL;  END_VAR
-            |  VAR  warmup : TON;  END_VAR
+            |   VAR_INPUT  start, stop : BOOL;  END_VAR
+            |   VAR  warmup : TON;  END_VAR
             |
-            |  # Seal-in #
-            |> +══\══[ ](●startF)══\══[/]( stop )═════════════( )(●run )══+
-            |  |  /══[ ](●run )────/                                      |
+            |   # Seal-in #
+            | > +══\══[ ](●startF)══\══[/]( stop )═════════════( )(●run )══+
+            |   |  /══[ ](●run )────/                                      |
             |
-            |  # Warm-up #
-            |  +══[ ](●run )═════════[TON]( warmup, T#5s )──( )( ready )──+  warmup 0s/5s
+            |   # Warm-up #
+            |   +══[ ](●run )═════════[TON]( warmup, T#5s )──( )( ready )──+  warmup 0s/5s
             |
             |
             |
@@ -223,8 +223,8 @@ fn forces() {
         "f 1 s u s",
         5..7,
         expect![[r#"
-            |> +══\══[ ]( start )──\══[/]( stop )═════════════( )(●run )══+
-            |  |  /══[ ](●run )════/                                      |
+            | > +══\══[ ]( start )──\══[/]( stop )═════════════( )(●run )══+
+            |   |  /══[ ](●run )════/                                      |
         "#]],
     );
     bench.check_info(
@@ -257,7 +257,7 @@ fn forces() {
         "f '99' enter s",
         4..5,
         expect![[r#"
-            |> +══[GT]( level, limit )══[TON](●t, wait )═══════════════════════( )(●alarm )══
+            | > +══[GT]( level, limit )══[TON](●t, wait )═══════════════════════( )(●alarm )═
         "#]],
     );
 }

@@ -64,15 +64,15 @@ fn tags_are_added_and_removed() {
         "w",
         expect![[r#"
             | motor.clad  ■ PAUSED  speed 1x                                  scan 0  0.00 s
-            |  VAR_INPUT  start, stop : BOOL;  END_VAR
-            |  VAR  warmup : TON;  END_VAR
+            |   VAR_INPUT  start, stop : BOOL;  END_VAR
+            |   VAR  warmup : TON;  END_VAR
             |
-            |  # Seal-in #
-            |> +──\──[ ]( start )──\──[/]( stop )─────────────( )( run )──+
-            |  |  /──[ ]( run )────/                                      |
+            |   # Seal-in #
+            | > +──\──[ ]( start )──\──[/]( stop )─────────────( )( run )──+
+            |   |  /──[ ]( run )────/                                      |
             |
-            |  # Warm-up #
-            |  +──[ ]( run )─────────[TON]( warmup, T#5s )──( )( ready )──+  warmup 0s/0s
+            |   # Warm-up #
+            |   +──[ ]( run )─────────[TON]( warmup, T#5s )──( )( ready )──+  warmup 0s/0s
             |
             |
             |
