@@ -3,20 +3,19 @@
 use std::sync::Arc;
 
 use ladder_analysis::fix::aligned;
-use ladder_analysis::program::Program;
-use ladder_analysis::{Diagnostic, Fix, analyze};
+use ladder_analysis::{Diagnostic, Fix, Others, analyze_in};
 use ladder_format::{Edit, Options, format};
 use ladder_ide::{Hover, hover};
 use ladder_syntax::{TextSize, parse};
 
 /// All that is known of one text.
 #[derive(Debug)]
-pub(crate) struct Analysis(ladder_analysis::Analysis);
+pub(crate) struct Analysis(Arc<ladder_analysis::Analysis>);
 
 impl Analysis {
     /// Analyses a text of at most 64 MiB. Messages of a running program call the file by this name.
-    pub(crate) fn of(text: &str, name: &str) -> Self {
-        Analysis(analyze(&Arc::new(parse(text)), name))
+    pub(crate) fn of(text: &str, name: &str, others: &Others) -> Self {
+        Analysis(Arc::new(analyze_in(&Arc::new(parse(text)), name, others)))
     }
 
     /// What is wrong, in the order of the places.
@@ -24,9 +23,9 @@ impl Analysis {
         &self.0.diagnostics
     }
 
-    /// What runs; `None` if there are errors.
-    pub(crate) fn program(&self) -> Option<&Arc<Program>> {
-        self.0.program.as_ref()
+    /// All of it, for those who put the files of a workspace together.
+    pub(crate) fn whole(&self) -> &Arc<ladder_analysis::Analysis> {
+        &self.0
     }
 
     /// What stands at an offset.
@@ -45,7 +44,7 @@ impl Analysis {
     }
 
     /// The edits that bring the text into its canonical layout: sorted, none touching another.
-    pub(crate) fn format(&self) -> Vec<Edit> {
-        format(&self.0.context.parse, &Options::default())
+    pub(crate) fn format(&self, options: &Options) -> Vec<Edit> {
+        format(&self.0.context.parse, options)
     }
 }

@@ -60,32 +60,27 @@ pub(crate) fn instruction(row: &Instruction) -> String {
 /// A user-defined block: its shape with the parameters, and what each is.
 fn user_block(context: &Context, index: usize) -> String {
     let block = &context.user_blocks[index];
-    let scope = &context.scopes[index + 1];
     let (open, close) = block.shape.brackets();
-    let names: Vec<&str> = block
-        .parameters
-        .iter()
-        .map(|p| scope.tags[p.tag].name.as_str())
-        .collect();
+    let names: Vec<&str> = block.parameters.iter().map(|p| p.name.as_str()).collect();
     let mut card = format!(
-        "```clad\n{open}{}{close}( {} )\n```\n**User-defined block**\n\n",
+        "```clad\n{open}{}{close}( {} )\n```\n**User-defined block**{}\n\n",
         block.name,
-        names.join(", ")
+        names.join(", "),
+        block.file().map(|file| format!(" in {file}")).unwrap_or_default(),
     );
     for parameter in &block.parameters {
-        let tag = &scope.tags[parameter.tag];
         let way = match parameter.kind {
             ParameterKind::Input => "input",
             ParameterKind::Output => "output",
             ParameterKind::InOut => "in and out",
         };
-        let ty = tag.ty.map(|ty| ty.to_string()).unwrap_or_default();
+        let ty = parameter.ty.map(|ty| ty.to_string()).unwrap_or_default();
         let default = if parameter.has_default {
             ", may be left out"
         } else {
             ""
         };
-        let _ = writeln!(card, "- `{}`: {ty}, {way}{default}", tag.name);
+        let _ = writeln!(card, "- `{}`: {ty}, {way}{default}", parameter.name);
     }
     card.trim_end().to_owned()
 }

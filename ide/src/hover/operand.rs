@@ -3,7 +3,7 @@
 use super::Hover;
 use crate::locate::{OnRung, node_at};
 use ladder_analysis::constant::natural_literal;
-use ladder_analysis::context::Context;
+use ladder_analysis::context::{Callee, Context};
 use ladder_analysis::facts::{Node, NodeKind};
 use ladder_analysis::network::{BoundBlock, Formal};
 use ladder_analysis::program::Role;
@@ -32,12 +32,8 @@ pub(super) fn hover(
         Some(Formal::Operand(row)) => format!("`{}` of {}: {}", row.name, block.head_text(), row.doc),
         Some(Formal::Parameter(parameter)) => match block.meaning {
             ladder_analysis::network::Meaning::User(user) => {
-                let tag = context.user_blocks[user].parameters[parameter].tag;
-                format!(
-                    "`{}` of {}",
-                    context.scopes[user + 1].tags[tag].name,
-                    block.head_text()
-                )
+                let name = &context.user_blocks[user].parameters[parameter].name;
+                format!("`{name}` of {}", block.head_text())
             }
             _ => String::new(),
         },
@@ -70,7 +66,16 @@ fn describe(context: &Context, place: &OnRung<'_>, node: &Node, formal: Option<F
                 ));
             }
             Accepts::Function => {
-                let function = &context.functions[context.function(&key)?];
+                let own = match context.callee(&key)? {
+                    Callee::Own(own) => own,
+                    Callee::Other(import) => {
+                        return Some(format!(
+                            "```clad\n<FUN>( {name} )\n```\nFunction in {}",
+                            import.file
+                        ));
+                    }
+                };
+                let function = &context.functions[own];
                 let line = context.line_number(function.at.start());
                 return Some(format!(
                     "```clad\n<FUN>( {} )\n```\nFunction on line {line}",
@@ -145,7 +150,10 @@ pub(super) fn tag_card(context: &Context, tag: &TagFacts) -> String {
         ),
         Origin::Form => "its name gives its type".to_owned(),
         Origin::Implicit => "every block has it".to_owned(),
-        Origin::Shared => "shared by the whole file".to_owned(),
+        Origin::Shared => match &tag.foreign {
+            Some(file) => format!("declared in VAR_GLOBAL in {file}"),
+            None => "shared by the whole file".to_owned(),
+        },
         Origin::Undeclared => "not declared; its type follows from its use".to_owned(),
     };
     let _ = write!(card, "{} ({origin})", capitalised(role));

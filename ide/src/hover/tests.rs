@@ -273,3 +273,64 @@ fn nothing_there() {
     "#]],
     );
 }
+
+#[test]
+fn names_of_other_files() {
+    use ladder_analysis::{Exported, analyze_in, exports};
+    let library = "VAR_GLOBAL total : DINT; END_VAR\n+--<FUN>( count )--[ADD]( total, total, 1 )--+\n\
+                   FUNCTION_BLOCK [$Hold]\nVAR_INPUT raw : BOOL; END_VAR\n+--[ ]( raw )--( )( ENO )--+\nEND_FUNCTION_BLOCK\n";
+    let text = "+--<CALL>( count )--[$Hold]( x )--[GT]( total, 3 )--( )( y )--+\n";
+    let parse = |text| std::sync::Arc::new(ladder_syntax::parse(text));
+    let exported = Exported::new(vec![std::sync::Arc::new(exports(
+        &parse(library),
+        "library.clad",
+    ))]);
+    let others = std::sync::Arc::new(exported).others_of("main.clad");
+    let analysis = analyze_in(&parse(text), "main.clad", &others);
+    let shown: Vec<String> = ["count", "$Hold", "x )", "total"]
+        .iter()
+        .map(|word| {
+            super::hover(&analysis, (text.find(word).unwrap() as u32).into())
+                .unwrap()
+                .markdown
+        })
+        .collect();
+    expect_test::expect![[r#"
+        ```clad
+        <FUN>( count )
+        ```
+        Function in library.clad
+
+        ---
+
+        `name` of <CALL>: The function that is run.
+        ====
+        ```clad
+        [$Hold]( raw )
+        ```
+        **User-defined block** in library.clad
+
+        - `raw`: BOOL, input
+        ====
+        ```clad
+        x : BOOL
+        ```
+        Input (not declared; its type follows from its use)  
+        Written: nowhere  
+        Read: line 1
+
+        ---
+
+        `raw` of [$Hold]
+        ====
+        ```clad
+        total : DINT
+        ```
+        Internal tag (declared in VAR_GLOBAL in library.clad)  
+        Written: nowhere  
+        Read: line 1
+
+        ---
+
+        `a` of [GT]: The left side."#]].assert_eq(&shown.join("\n====\n"));
+}

@@ -1,9 +1,11 @@
 //! The texts that editors hold open.
 //!
 //! [`position`] converts between bytes and the positions of the protocol, [`edit`] applies a change, [`store`]
-//! keeps the open documents, each as a chain of [`Revision`]s. Nothing here knows the protocol's types.
+//! keeps the open documents, each as a chain of [`Revision`]s, [`neighbours`] the files beside them. Nothing here knows the protocol's types.
 
+pub(crate) mod address;
 pub(crate) mod edit;
+pub(crate) mod neighbours;
 pub(crate) mod position;
 mod revision;
 mod store;

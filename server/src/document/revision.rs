@@ -3,9 +3,13 @@
 use std::sync::atomic::{AtomicU64, Ordering};
 use std::sync::{Arc, OnceLock};
 
+use ladder_analysis::program::Program;
+use ladder_analysis::{NotWhole, Others, link};
+use ladder_format::{Edit, Options};
 use ladder_syntax::{MAX_FILE_BYTES, TextRange, TextSize};
 use ropey::Rope;
 
+use super::neighbours::Place;
 use super::position::{self, Encoding, Position, Range};
 use crate::language::Analysis;
 
@@ -24,11 +28,20 @@ pub(crate) struct Revision {
     serial: u64,
     encoding: Encoding,
     rope: Rope,
+    /// Where the file lies, if it is one.
+    place: Option<Place>,
     analysis: OnceLock<Analysis>,
 }
 
 impl Revision {
-    pub(super) fn new(uri: Arc<str>, version: i32, opening: u64, encoding: Encoding, rope: Rope) -> Self {
+    pub(super) fn new(
+        uri: Arc<str>,
+        version: i32,
+        opening: u64,
+        encoding: Encoding,
+        rope: Rope,
+        place: Option<Place>,
+    ) -> Self {
         static SERIAL: AtomicU64 = AtomicU64::new(0);
         Revision {
             uri,
@@ -37,6 +50,7 @@ impl Revision {
             serial: SERIAL.fetch_add(1, Ordering::Relaxed),
             encoding,
             rope,
+            place,
             analysis: OnceLock::new(),
         }
     }
@@ -47,9 +61,50 @@ impl Revision {
         // Offsets of the inner crates are 32 bits wide; they read slices, not ropes.
         let fits = self.len() <= MAX_FILE_BYTES;
         fits.then(|| {
-            self.analysis
-                .get_or_init(|| Analysis::of(&self.rope.to_string(), self.name()))
+            self.analysis.get_or_init(|| {
+                let text = self.rope.to_string();
+                match &self.place {
+                    Some(place) => {
+                        let (name, others) = place.neighbours.view(&place.path);
+                        Analysis::of(&text, &name, &others)
+                    }
+                    None => Analysis::of(&text, self.name(), &Others::default()),
+                }
+            })
         })
+    }
+
+    /// Tells the other files of the workspace what this one says now. True, once, if they see something else than
+    /// before. As costly as [`Revision::analysis`].
+    pub(crate) fn tell_neighbours(&self) -> bool {
+        match (self.analysis(), &self.place) {
+            (Some(analysis), Some(place)) => place.tell(analysis.whole()),
+            _ => false,
+        }
+    }
+
+    /// Where the file lies, if it is one.
+    pub(crate) fn place(&self) -> Option<&Place> {
+        self.place.as_ref()
+    }
+
+    /// What runs: the program with what it uses of other files; `None` for a text that is too large.
+    pub(crate) fn program(&self) -> Option<Result<Arc<Program>, NotWhole>> {
+        let analysis = self.analysis()?.whole();
+        Some(match &self.place {
+            Some(place) => place.neighbours.link(&place.path, analysis),
+            None => link(analysis, &|_| None),
+        })
+    }
+
+    /// The edits that bring the text into the layout that its workspace asks for.
+    pub(crate) fn format(&self) -> Option<Vec<Edit>> {
+        let analysis = self.analysis()?;
+        let options = match &self.place {
+            Some(place) => place.neighbours.format_options(&place.path),
+            None => Options::default(),
+        };
+        Some(analysis.format(&options))
     }
 
     /// What messages call the file: the last part of its address.
@@ -70,6 +125,17 @@ impl Revision {
     /// The range of a stretch of the text.
     pub(crate) fn range(&self, range: TextRange) -> Range {
         position::range(&self.rope, self.encoding, range.into())
+    }
+
+    /// A range in another file of the workspace, by the name that findings and programs know it by: the file's
+    /// address, and the range.
+    pub(crate) fn range_elsewhere(&self, file: &str, range: TextRange) -> Option<(String, Range)> {
+        let place = self.place.as_ref()?;
+        let (path, text) = place.neighbours.text_of(&place.path, file)?;
+        let end = usize::from(range.end()).min(text.len());
+        let range = usize::from(range.start()).min(end)..end;
+        let place = position::range(&Rope::from_str(&text), self.encoding, range);
+        Some((super::address::uri_of(&path), place))
     }
 
     /// Whether both are the same state of the same document.

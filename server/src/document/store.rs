@@ -10,6 +10,7 @@ use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use ropey::Rope;
 
 use super::edit::{Change, apply};
+use super::neighbours::Place;
 use super::position::Encoding;
 use super::revision::Revision;
 
@@ -63,8 +64,22 @@ struct Document {
 }
 
 impl Documents {
-    /// Opens a document. One that is open already is replaced: the editor's newest word counts.
+    /// As [`Documents::open_at`], for a text that is no file.
+    #[cfg(test)]
     pub(crate) fn open(&self, uri: &str, version: i32, encoding: Encoding, text: &str) -> Arc<Revision> {
+        self.open_at(uri, version, encoding, text, None)
+    }
+
+    /// Opens a document; a file has a place in its workspace. One that is open already is replaced: the editor's
+    /// newest word counts.
+    pub(crate) fn open_at(
+        &self,
+        uri: &str,
+        version: i32,
+        encoding: Encoding,
+        text: &str,
+        place: Option<Place>,
+    ) -> Arc<Revision> {
         let mut open = self.lock();
         open.openings += 1;
         let rope = Rope::from_str(text);
@@ -74,6 +89,7 @@ impl Documents {
             open.openings,
             encoding,
             rope,
+            place,
         ));
         open.documents.insert(
             uri.to_owned(),
@@ -113,8 +129,36 @@ impl Documents {
             old.opening,
             old.encoding(),
             rope,
+            old.place().map(Place::anew),
         ));
         Ok(document.revision.clone())
+    }
+
+    /// The same text once more, to be analysed anew because other files have changed. `false` if it is not open.
+    pub(crate) fn touch(&self, uri: &str) -> bool {
+        let mut open = self.lock();
+        let Some(document) = open.documents.get_mut(uri) else {
+            return false;
+        };
+        let old = &document.revision;
+        document.revision = Arc::new(Revision::new(
+            old.uri.clone(),
+            old.version,
+            old.opening,
+            old.encoding(),
+            old.rope().clone(),
+            old.place().map(Place::anew),
+        ));
+        true
+    }
+
+    /// All open documents.
+    pub(crate) fn all(&self) -> Vec<Arc<Revision>> {
+        let open = self.lock();
+        open.documents
+            .values()
+            .map(|document| document.revision.clone())
+            .collect()
     }
 
     /// Forgets a document; `false` if it was not open.

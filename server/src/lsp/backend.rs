@@ -4,15 +4,15 @@ use std::sync::Arc;
 
 use tower_lsp::jsonrpc::Result;
 use tower_lsp::ls_types::{
-    CodeActionParams, CodeActionResponse, DidChangeTextDocumentParams, DidCloseTextDocumentParams,
-    DidOpenTextDocumentParams, DocumentFormattingParams, ExecuteCommandParams, Hover, HoverParams,
-    InitializeParams, InitializeResult, LSPAny, ServerInfo, TextEdit,
+    CodeActionParams, CodeActionResponse, DidChangeTextDocumentParams, DidChangeWatchedFilesParams,
+    DidCloseTextDocumentParams, DidOpenTextDocumentParams, DocumentFormattingParams, ExecuteCommandParams,
+    Hover, HoverParams, InitializeParams, InitializeResult, InitializedParams, LSPAny, ServerInfo, TextEdit,
 };
 use tower_lsp::{Client, LanguageServer};
 
 use super::capabilities::{self, Agreed};
 use super::shared::Shared;
-use super::{code_action, formatting, hover, parent, simulate, sync};
+use super::{code_action, formatting, hover, parent, simulate, sync, watch};
 
 /// The server as the framework sees it.
 #[derive(Debug)]
@@ -64,6 +64,16 @@ impl LanguageServer for Backend {
 
     async fn did_close(&self, params: DidCloseTextDocumentParams) {
         sync::closed(&self.shared, &params);
+    }
+
+    async fn initialized(&self, _: InitializedParams) {
+        if self.shared.agreed().watches_files {
+            tokio::spawn(watch::register(self.shared.client.clone()));
+        }
+    }
+
+    async fn did_change_watched_files(&self, params: DidChangeWatchedFilesParams) {
+        sync::watched(&self.shared, &params);
     }
 
     async fn hover(&self, params: HoverParams) -> Result<Option<Hover>> {

@@ -27,6 +27,8 @@ pub(super) struct Agreed {
     pub(super) versioned_edits: bool,
     /// Hovers may be Markdown.
     pub(super) markdown: bool,
+    /// The client can be asked to tell of changed files.
+    pub(super) watches_files: bool,
 }
 
 impl Agreed {
@@ -59,6 +61,12 @@ impl Agreed {
                 .is_some_and(|tags| tags.value_set.contains(&DiagnosticTag::UNNECESSARY)),
             diagnostic_data: diagnostics.and_then(|it| it.data_support).unwrap_or(false),
             versioned_edits: edit.and_then(|it| it.document_changes).unwrap_or(false),
+            watches_files: client
+                .workspace
+                .as_ref()
+                .and_then(|workspace| workspace.did_change_watched_files.as_ref())
+                .and_then(|watched| watched.dynamic_registration)
+                .unwrap_or(false),
             markdown: hover
                 .and_then(|it| it.content_format.as_ref())
                 .is_some_and(|formats| formats.contains(&MarkupKind::Markdown)),
@@ -130,7 +138,10 @@ mod tests {
                 },
                 "hover": {"contentFormat": ["markdown", "plaintext"]}
             },
-            "workspace": {"workspaceEdit": {"documentChanges": true}},
+            "workspace": {
+                "workspaceEdit": {"documentChanges": true},
+                "didChangeWatchedFiles": {"dynamicRegistration": true}
+            },
             "general": {"positionEncodings": ["utf-8"]}
         });
         assert_eq!(
@@ -141,7 +152,8 @@ mod tests {
                 unnecessary_tag: true,
                 diagnostic_data: true,
                 versioned_edits: true,
-                markdown: true
+                markdown: true,
+                watches_files: true
             }
         );
     }

@@ -107,11 +107,20 @@ pub(super) fn diagnostic(
     }
     let mut related_information = None;
     if agreed.related_information {
-        let uri = uri(&revision.uri);
+        let own = uri(&revision.uri);
         let related = found.related.iter().filter_map(|related| {
-            let location = Location {
-                uri: uri.clone()?,
-                range: range_in(revision, related.range),
+            let location = match &related.file {
+                None => Location {
+                    uri: own.clone()?,
+                    range: range_in(revision, related.range),
+                },
+                Some(file) => {
+                    let (address, place) = revision.range_elsewhere(file, related.range)?;
+                    Location {
+                        uri: uri(&address)?,
+                        range: range(place),
+                    }
+                }
             };
             Some(DiagnosticRelatedInformation {
                 location,
@@ -122,8 +131,17 @@ pub(super) fn diagnostic(
     } else {
         // A client that cannot link other places still gets to know of them.
         for related in &found.related {
-            let line = revision.range(related.range).start.line + 1;
-            let _ = write!(message, "\nline {line}: {}", related.message);
+            let (file, place) = match &related.file {
+                None => ("", Some(revision.range(related.range))),
+                Some(file) => {
+                    let place = revision.range_elsewhere(file, related.range);
+                    (&**file, place.map(|(_, place)| place))
+                }
+            };
+            let Some(place) = place else { continue };
+            let line = place.start.line + 1;
+            let comma = if file.is_empty() { "" } else { ", " };
+            let _ = write!(message, "\n{file}{comma}line {line}: {}", related.message);
         }
     }
     let unnecessary = agreed.unnecessary_tag && UNNECESSARY.contains(&found.rule.name());

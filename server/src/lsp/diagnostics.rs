@@ -3,6 +3,7 @@
 //! One task at a time analyses a document. It takes the newest revision, so a burst of changes costs two or
 //! three analyses instead of one each, and nobody waits for a revision that is no longer shown.
 
+use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::time::Duration;
 
@@ -35,7 +36,8 @@ async fn analyse(shared: Arc<Shared>, first: Arc<Revision>) {
         }
         if shared.documents.is_current(&revision) {
             let (agreed, job) = (shared.agreed(), revision.clone());
-            match blocking(move |_| diagnostics(agreed, &job)).await {
+            let place = shared.clone();
+            match blocking(move |_| look_at(&place, agreed, &job)).await {
                 Ok(diagnostics) => shared.outbox.diagnostics(revision.clone(), diagnostics),
                 Err(error) => shared
                     .outbox
@@ -44,6 +46,60 @@ async fn analyse(shared: Arc<Shared>, first: Arc<Revision>) {
         }
         next = shared.documents.analysed(&revision);
     }
+}
+
+/// The diagnostics of a document. The other open files of its workspace are looked at again if they see something
+/// else in it than before.
+fn look_at(
+    shared: &Arc<Shared>,
+    agreed: super::capabilities::Agreed,
+    revision: &Revision,
+) -> Vec<Diagnostic> {
+    let diagnostics = diagnostics(agreed, revision);
+    if let Some(place) = revision.place().filter(|_| shared.documents.is_current(revision)) {
+        if let Some(complaint) = place.neighbours.complaint(&place.path) {
+            shared.outbox.show(complaint);
+        }
+        if revision.tell_neighbours() {
+            refresh_others(shared, &place.path, Some(&revision.uri));
+        }
+    }
+    diagnostics
+}
+
+/// Looks once more at the open documents of a file's workspace, but for one.
+fn refresh_others(shared: &Arc<Shared>, path: &Path, but: Option<&str>) {
+    for other in shared.documents.all() {
+        let beside = other
+            .place()
+            .is_some_and(|place| shared.neighbours.together(&place.path, path));
+        if beside && Some(&*other.uri) != but && shared.documents.touch(&other.uri) {
+            refresh(shared, &other.uri);
+        }
+    }
+}
+
+/// A document was closed: its file counts as it is on disk.
+pub(super) fn neighbour_closed(shared: &Arc<Shared>, uri: String, path: PathBuf) {
+    let shared = shared.clone();
+    tokio::task::spawn_blocking(move || {
+        // Unless it was opened again meanwhile.
+        if shared.documents.get(&uri).is_none() && shared.neighbours.closed(&path) {
+            refresh_others(&shared, &path, None);
+        }
+    });
+}
+
+/// Files were changed, made or removed on disk.
+pub(super) fn disk_changed(shared: &Arc<Shared>, paths: Vec<PathBuf>) {
+    let shared = shared.clone();
+    tokio::task::spawn_blocking(move || {
+        if shared.neighbours.disk_changed(&paths) {
+            for path in &paths {
+                refresh_others(&shared, path, None);
+            }
+        }
+    });
 }
 
 fn diagnostics(agreed: super::capabilities::Agreed, revision: &Revision) -> Vec<Diagnostic> {

@@ -17,7 +17,7 @@ pub(super) async fn formatting(
         return Ok(None);
     };
     let job = revision.clone();
-    let edits = blocking(move |_| Some(convert::edits(&job, &job.analysis()?.format()))).await?;
+    let edits = blocking(move |_| Some(convert::edits(&job, &job.format()?))).await?;
     // An answer names no version: edits for a text that has moved on would tear the drawing.
     if !shared.documents.is_current(&revision) {
         return Err(Error::content_modified());

@@ -31,5 +31,6 @@ mod serve;
 mod shared;
 mod simulate;
 mod sync;
+mod watch;
 
 pub use serve::{Ending, serve};

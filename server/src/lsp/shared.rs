@@ -8,6 +8,7 @@ use tower_lsp::Client;
 use super::capabilities::Agreed;
 use super::outbox::Outbox;
 use crate::document::Documents;
+use crate::document::neighbours::Neighbours;
 use crate::simulation::Sessions;
 
 /// The state of one session with one client.
@@ -16,6 +17,8 @@ pub(super) struct Shared {
     agreed: OnceLock<Agreed>,
     pub(super) client: Client,
     pub(super) documents: Arc<Documents>,
+    /// The files beside them.
+    pub(super) neighbours: Arc<Neighbours>,
     pub(super) sessions: Sessions,
     pub(super) outbox: Outbox,
     /// Told when the process that started the server is gone.
@@ -30,6 +33,7 @@ impl Shared {
             outbox: Outbox::open(client.clone(), documents.clone()),
             client,
             documents,
+            neighbours: Arc::default(),
             sessions: Sessions::default(),
             orphaned: Notify::new(),
         })

@@ -8,15 +8,16 @@ use std::sync::Arc;
 use serde::Deserialize;
 use tower_lsp::jsonrpc::Request;
 use tower_lsp::ls_types::{
-    CancelParams, DidChangeTextDocumentParams, DidCloseTextDocumentParams, DidOpenTextDocumentParams,
-    TextDocumentContentChangeEvent,
+    CancelParams, DidChangeTextDocumentParams, DidChangeWatchedFilesParams, DidCloseTextDocumentParams,
+    DidOpenTextDocumentParams, TextDocumentContentChangeEvent,
 };
 
 use super::convert::our_range;
 use super::diagnostics;
 use super::shared::Shared;
-use crate::document::Refused;
 use crate::document::edit::Change;
+use crate::document::neighbours::Place;
+use crate::document::{Refused, address};
 
 pub(super) fn opened(shared: &Arc<Shared>, params: DidOpenTextDocumentParams) {
     let document = params.text_document;
@@ -26,9 +27,14 @@ pub(super) fn opened(shared: &Arc<Shared>, params: DidOpenTextDocumentParams) {
             "{uri} was opened twice without being closed; the newer text counts"
         ));
     }
-    shared
-        .documents
-        .open(uri, document.version, shared.agreed().encoding, &document.text);
+    let place = address::path_of(uri).map(|path| Place::new(path, &shared.neighbours));
+    shared.documents.open_at(
+        uri,
+        document.version,
+        shared.agreed().encoding,
+        &document.text,
+        place,
+    );
     shared.text_moved(uri);
     diagnostics::refresh(shared, uri);
 }
@@ -60,11 +66,23 @@ pub(super) fn closed(shared: &Arc<Shared>, params: &DidCloseTextDocumentParams) 
     if shared.documents.close(uri) {
         shared.document_closed(uri);
         shared.outbox.no_diagnostics(uri);
+        if let Some(path) = address::path_of(uri) {
+            diagnostics::neighbour_closed(shared, uri.to_owned(), path);
+        }
     } else {
         shared
             .outbox
             .log(format!("{uri} was closed, but it was not open"));
     }
+}
+
+/// Files beside the open documents were changed, made or removed.
+pub(super) fn watched(shared: &Arc<Shared>, params: &DidChangeWatchedFilesParams) {
+    let paths = params.changes.iter();
+    let paths: Vec<_> = paths
+        .filter_map(|change| address::path_of(change.uri.as_str()))
+        .collect();
+    diagnostics::disk_changed(shared, paths);
 }
 
 fn change(event: TextDocumentContentChangeEvent) -> Change {
@@ -84,6 +102,7 @@ pub(super) fn misread(notification: &Request) -> Option<String> {
     let error = match notification.method() {
         "textDocument/didOpen" => DidOpenTextDocumentParams::deserialize(params).err(),
         "textDocument/didChange" => DidChangeTextDocumentParams::deserialize(params).err(),
+        "workspace/didChangeWatchedFiles" => DidChangeWatchedFilesParams::deserialize(params).err(),
         "textDocument/didClose" => DidCloseTextDocumentParams::deserialize(params).err(),
         "$/cancelRequest" => CancelParams::deserialize(params).err(),
         _ => None,

@@ -5,7 +5,7 @@ use std::time::Duration;
 
 use ladder_analysis::program::Role;
 use ladder_analysis::value::Value;
-use ladder_analysis::{Diagnostic, Severity};
+use ladder_analysis::{Diagnostic, NotWhole, Severity};
 use ladder_simulator::{Point, Simulation, Status};
 use ladder_syntax::TextRange;
 use serde_json::Value as Json;
@@ -42,10 +42,21 @@ impl Engine {
         let Some(analysis) = revision.analysis() else {
             return Err(Failure::Failed("the file is too large to be simulated".into()));
         };
-        let program = analysis
-            .program()
-            .ok_or_else(|| has_errors(&revision, analysis.diagnostics()))?;
-        let simulation = Simulation::new(program.clone(), engine_options(options)?)
+        let program = match revision.program() {
+            Some(Ok(program)) => program,
+            Some(Err(NotWhole::Errors(file))) if *file != *analysis.whole().name => {
+                return Err(Failure::Failed(format!(
+                    "there are errors in {file}, which the program uses"
+                )));
+            }
+            Some(Err(NotWhole::Missing(file))) => {
+                return Err(Failure::Failed(format!(
+                    "{file}, which the program uses, cannot be read"
+                )));
+            }
+            _ => return Err(has_errors(&revision, analysis.diagnostics())),
+        };
+        let simulation = Simulation::new(program, engine_options(options)?)
             .map_err(|error| Failure::Failed(error.to_string()))?;
         let inputs = options.inputs.iter();
         let inputs = inputs
@@ -166,11 +177,23 @@ impl Engine {
     /// What went wrong so far.
     pub(super) fn faults(&mut self) -> Vec<messages::Fault> {
         for fault in self.simulation.take_faults() {
-            let range = self.revision.range(fault.location.range);
+            let program = self.simulation.program();
+            let elsewhere = match fault.location.file {
+                0 => None,
+                file => {
+                    let name = &program.files[file as usize];
+                    self.revision.range_elsewhere(name, fault.location.range)
+                }
+            };
+            let (uri, range) = match elsewhere {
+                Some((uri, range)) => (Some(uri), range),
+                None => (None, self.revision.range(fault.location.range)),
+            };
             self.faults
-                .retain(|old| old.range != range || old.message != fault.message);
+                .retain(|old| old.range != range || old.message != fault.message || old.uri != uri);
             self.faults.push(messages::Fault {
                 message: fault.message,
+                uri,
                 range,
                 scan: fault.scan,
             });

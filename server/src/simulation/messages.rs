@@ -200,6 +200,9 @@ pub struct Power {
 pub struct Fault {
     /// What, and what to do.
     pub message: String,
+    /// The file of the block, where that is not the document itself.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub uri: Option<String>,
     /// The block.
     pub range: Range,
     /// The scan it happened in, from 0.

@@ -6,5 +6,6 @@ mod features;
 mod house;
 mod lifecycle;
 mod protocol_page;
+mod several_files;
 mod simulate;
 mod sync;

@@ -1,0 +1,309 @@
+//! The other files of the workspaces that open documents belong to.
+//!
+//! A file that is open counts with the text that its editor shows, any other with the one on disk. What the files
+//! show to each other is kept as [`Exports`]: a change that leaves those as they were concerns no other file.
+//!
+//! Everything here may read the disk: for a blocking thread.
+
+use std::collections::{BTreeMap, HashMap};
+use std::path::{Path, PathBuf};
+use std::sync::{Arc, Mutex, MutexGuard, OnceLock, PoisonError};
+
+use ladder_analysis::program::Program;
+use ladder_analysis::{Analysis, Exported, Exports, NotWhole, Others, analyze_in, exports, link};
+use ladder_syntax::Parse;
+use ladder_workspace::{Root, Settings};
+
+/// All workspaces, by their folders.
+#[derive(Debug, Default)]
+pub(crate) struct Neighbours {
+    state: Mutex<State>,
+}
+
+#[derive(Debug, Default)]
+struct State {
+    roots: HashMap<PathBuf, PathBuf>,
+    folders: HashMap<PathBuf, Folder>,
+}
+
+/// One workspace.
+#[derive(Debug)]
+struct Folder {
+    settings: Settings,
+    /// What is wrong with the settings, until somebody is told.
+    complaint: Option<String>,
+    disk: BTreeMap<PathBuf, Arc<OnDisk>>,
+    open: HashMap<PathBuf, Open>,
+    exported: Option<Arc<Exported>>,
+}
+
+/// A file that no editor shows.
+#[derive(Debug)]
+struct OnDisk {
+    name: Arc<str>,
+    text: String,
+    parse: Arc<Parse>,
+    exports: Arc<Exports>,
+}
+
+/// A file that an editor shows.
+#[derive(Debug)]
+struct Open {
+    exports: Arc<Exports>,
+    analysis: Arc<Analysis>,
+}
+
+impl Neighbours {
+    /// What a file is called in messages, and what it sees of the others.
+    pub(crate) fn view(&self, path: &Path) -> (Arc<str>, Others) {
+        let mut state = self.lock();
+        let (root, folder) = state.folder(path);
+        let name = name_in(&root, path);
+        (Arc::clone(&name), folder.exported().others_of(&name))
+    }
+
+    /// Enters the analysis of an open file. True if the others see something else now.
+    pub(crate) fn analysed(&self, path: &Path, analysis: &Arc<Analysis>) -> bool {
+        let exports = Arc::new(Exports::of(&analysis.context, &analysis.name));
+        let mut state = self.lock();
+        let (_, folder) = state.folder(path);
+        let changed = match folder.shown(path) {
+            Some(before) => !before.says_the_same(&exports),
+            None => true,
+        };
+        let open = Open {
+            exports,
+            analysis: Arc::clone(analysis),
+        };
+        folder.open.insert(path.to_owned(), open);
+        if changed {
+            folder.exported = None;
+        }
+        changed
+    }
+
+    /// The editor has closed a file: the text on disk counts again. True if the others see something else now.
+    pub(crate) fn closed(&self, path: &Path) -> bool {
+        let mut state = self.lock();
+        let (root, folder) = state.folder(path);
+        let before = folder.open.remove(path).map(|open| open.exports);
+        folder.reread(&root, path);
+        folder.exported = None;
+        !same(before.as_deref(), folder.shown(path).map(|exports| &**exports))
+    }
+
+    /// Files were changed, made or removed. True if any file sees something else now.
+    pub(crate) fn disk_changed(&self, paths: &[PathBuf]) -> bool {
+        let mut state = self.lock();
+        if paths.iter().any(|path| {
+            path.file_name()
+                .is_some_and(|name| name == ladder_workspace::SETTINGS_FILE)
+        }) {
+            // Which file belongs where may be another matter now.
+            let open: Vec<(PathBuf, Open)> = state
+                .folders
+                .values_mut()
+                .flat_map(|folder| folder.open.drain())
+                .collect();
+            *state = State::default();
+            for (path, open) in open {
+                let (_, folder) = state.folder(&path);
+                folder.open.insert(path, open);
+                folder.exported = None;
+            }
+            return true;
+        }
+        let mut changed = false;
+        for path in paths.iter().filter(|path| ladder_workspace::is_program(path)) {
+            let (root, folder) = state.folder(path);
+            let before = folder.shown(path).cloned();
+            folder.reread(&root, path);
+            if !same(before.as_deref(), folder.shown(path).map(|exports| &**exports)) {
+                folder.exported = None;
+                changed = true;
+            }
+        }
+        changed
+    }
+
+    /// Whether two files belong to one workspace.
+    pub(crate) fn together(&self, a: &Path, b: &Path) -> bool {
+        let mut state = self.lock();
+        state.root(a) == state.root(b)
+    }
+
+    /// What the workspace of a file asks for.
+    pub(crate) fn format_options(&self, path: &Path) -> ladder_format::Options {
+        self.lock().folder(path).1.settings.format.clone()
+    }
+
+    /// What is wrong with the settings above a file, once.
+    pub(crate) fn complaint(&self, path: &Path) -> Option<String> {
+        self.lock().folder(path).1.complaint.take()
+    }
+
+    /// The file of a name, as findings and programs of another file know it: its path and text.
+    pub(crate) fn text_of(&self, from: &Path, name: &str) -> Option<(PathBuf, String)> {
+        let mut state = self.lock();
+        let (root, folder) = state.folder(from);
+        let open = folder
+            .open
+            .iter()
+            .find(|(path, _)| *name_in(&root, path) == *name);
+        if let Some((path, open)) = open {
+            return Some((path.clone(), open.analysis.context.parse.to_string()));
+        }
+        let (path, file) = folder.disk.iter().find(|(_, file)| *file.name == *name)?;
+        Some((path.clone(), file.text.clone()))
+    }
+
+    /// What runs: a file's program with what it uses of the others.
+    pub(crate) fn link(&self, path: &Path, own: &Arc<Analysis>) -> Result<Arc<Program>, NotWhole> {
+        link(own, &|name| {
+            let mut state = self.lock();
+            let (root, folder) = state.folder(path);
+            let open = folder
+                .open
+                .iter()
+                .find(|(path, _)| *name_in(&root, path) == *name);
+            if let Some((_, open)) = open {
+                return Some(Arc::clone(&open.analysis));
+            }
+            let file = folder.disk.values().find(|file| *file.name == *name)?;
+            let (file, others) = (Arc::clone(file), folder.exported().others_of(name));
+            drop(state);
+            Some(Arc::new(analyze_in(&file.parse, name, &others)))
+        })
+    }
+
+    /// A panic elsewhere leaves at worst a file that is read again.
+    fn lock(&self) -> MutexGuard<'_, State> {
+        self.state.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+}
+
+impl State {
+    fn root(&mut self, path: &Path) -> PathBuf {
+        let parent = path.parent().unwrap_or(path).to_owned();
+        let found = self.roots.entry(parent).or_insert_with_key(|parent| {
+            let root = Root::of(path).map(|root| root.folder().to_owned());
+            root.unwrap_or_else(|_| parent.clone())
+        });
+        found.clone()
+    }
+
+    fn folder(&mut self, path: &Path) -> (PathBuf, &mut Folder) {
+        let root = self.root(path);
+        let folder = self
+            .folders
+            .entry(root.clone())
+            .or_insert_with(|| Folder::load(path, &root));
+        (root, folder)
+    }
+}
+
+impl Folder {
+    fn load(path: &Path, root: &Path) -> Folder {
+        let mut folder = Folder {
+            settings: Settings::default(),
+            complaint: None,
+            disk: BTreeMap::new(),
+            open: HashMap::new(),
+            exported: None,
+        };
+        let Ok(found) = Root::of(path) else {
+            return folder;
+        };
+        match found.settings() {
+            Ok(settings) => folder.settings = settings,
+            Err(error) => folder.complaint = Some(error.to_string()),
+        }
+        for path in found.programs(&folder.settings.files) {
+            folder.reread(root, &path);
+        }
+        folder
+    }
+
+    /// What the others see of a file.
+    fn shown(&self, path: &Path) -> Option<&Arc<Exports>> {
+        let open = self.open.get(path).map(|open| &open.exports);
+        open.or_else(|| self.disk.get(path).map(|file| &file.exports))
+    }
+
+    /// Takes a file as it is on disk now.
+    fn reread(&mut self, root: &Path, path: &Path) {
+        let text = ladder_workspace::read(path).ok();
+        match text.filter(|_| self.settings.files.contain(path)) {
+            Some(text) => {
+                let name = name_in(root, path);
+                let parse = Arc::new(ladder_syntax::parse(&text));
+                let exports = Arc::new(exports(&parse, &name));
+                let file = OnDisk {
+                    name,
+                    text,
+                    parse,
+                    exports,
+                };
+                self.disk.insert(path.to_owned(), Arc::new(file));
+            }
+            None => {
+                self.disk.remove(path);
+            }
+        }
+    }
+
+    fn exported(&mut self) -> &Arc<Exported> {
+        let (disk, open) = (&self.disk, &self.open);
+        self.exported.get_or_insert_with(|| {
+            let mut all: BTreeMap<&Path, &Arc<Exports>> =
+                disk.iter().map(|(path, file)| (&**path, &file.exports)).collect();
+            all.extend(open.iter().map(|(path, open)| (&**path, &open.exports)));
+            Arc::new(Exported::new(all.into_values().cloned().collect()))
+        })
+    }
+}
+
+fn same(a: Option<&Exports>, b: Option<&Exports>) -> bool {
+    match (a, b) {
+        (Some(a), Some(b)) => a.says_the_same(b),
+        (None, None) => true,
+        _ => false,
+    }
+}
+
+/// The path from the workspace's folder on: no two files have one name.
+fn name_in(root: &Path, path: &Path) -> Arc<str> {
+    let name = path.strip_prefix(root).unwrap_or(path);
+    Arc::from(name.to_string_lossy().replace('\\', "/"))
+}
+
+/// A document's place among the files of its workspace.
+#[derive(Debug, Clone)]
+pub(crate) struct Place {
+    /// The file.
+    pub(crate) path: PathBuf,
+    /// The workspaces.
+    pub(crate) neighbours: Arc<Neighbours>,
+    /// Whether what the file says was told to the others.
+    told: Arc<OnceLock<()>>,
+}
+
+impl Place {
+    pub(crate) fn new(path: PathBuf, neighbours: &Arc<Neighbours>) -> Place {
+        Place {
+            path,
+            neighbours: Arc::clone(neighbours),
+            told: Arc::default(),
+        }
+    }
+
+    /// The same file, with a text that nobody was told of.
+    pub(super) fn anew(&self) -> Place {
+        Place::new(self.path.clone(), &self.neighbours)
+    }
+
+    /// Tells the others what the file says now. True, once, if they see something else than before.
+    pub(super) fn tell(&self, analysis: &Arc<Analysis>) -> bool {
+        self.told.set(()).is_ok() && self.neighbours.analysed(&self.path, analysis)
+    }
+}

@@ -1,0 +1,212 @@
+//! Files of one workspace: what is not open counts as it is on disk, what is open as the editor shows it.
+
+use std::fs;
+
+use serde_json::{Value, json};
+use tempfile::TempDir;
+
+use crate::client::Client;
+
+const LIBRARY: &str = "VAR_GLOBAL total : DINT; END_VAR\n+--<FUN>( count )--[ADD]( total, total, 1 )--+\n";
+const MAIN: &str = "+--<CALL>( count )--[GT]( total, 3 )--( )( y )--+\n";
+
+struct Plant {
+    folder: TempDir,
+}
+
+impl Plant {
+    fn with(files: &[(&str, &str)]) -> Plant {
+        let plant = Plant {
+            folder: tempfile::tempdir().unwrap(),
+        };
+        for (name, text) in files {
+            plant.write(name, text);
+        }
+        plant
+    }
+
+    fn write(&self, name: &str, text: &str) {
+        let path = self.folder.path().join(name);
+        fs::create_dir_all(path.parent().unwrap()).unwrap();
+        fs::write(path, text).unwrap();
+    }
+
+    fn uri(&self, name: &str) -> String {
+        format!("file://{}", self.folder.path().join(name).display())
+    }
+}
+
+async fn published(client: &mut Client, uri: &str) -> Vec<String> {
+    let found = client
+        .notification("textDocument/publishDiagnostics", |it| it["uri"] == uri)
+        .await;
+    let found = found["diagnostics"].as_array().unwrap().clone();
+    let code = |it: &Value| it["code"].as_str().unwrap().to_owned();
+    found.iter().map(code).collect()
+}
+
+async fn replace(client: &mut Client, uri: &str, version: i32, text: &str) {
+    let params = json!({
+        "textDocument": {"uri": uri, "version": version},
+        "contentChanges": [{"text": text}]
+    });
+    client.notify("textDocument/didChange", params).await;
+}
+
+async fn watched(client: &mut Client, uri: &str) {
+    let params = json!({"changes": [{"uri": uri, "type": 2}]});
+    client.notify("workspace/didChangeWatchedFiles", params).await;
+}
+
+const NONE: [&str; 0] = [];
+
+#[tokio::test]
+async fn files_that_are_not_open_count() {
+    let plant = Plant::with(&[("library.clad", LIBRARY)]);
+    let mut client = Client::new().await;
+    let main = plant.uri("main.clad");
+    client.open_as(&main, 1, MAIN).await;
+    assert_eq!(published(&mut client, &main).await, NONE);
+    client.finish().await;
+}
+
+#[tokio::test]
+async fn an_open_text_wins_and_dependents_follow_it() {
+    let plant = Plant::with(&[("library.clad", LIBRARY), ("main.clad", MAIN)]);
+    let mut client = Client::new().await;
+    let (main, library) = (plant.uri("main.clad"), plant.uri("library.clad"));
+    client.open_as(&main, 1, MAIN).await;
+    assert_eq!(published(&mut client, &main).await, NONE);
+    client.open_as(&library, 1, LIBRARY).await;
+    assert_eq!(published(&mut client, &library).await, NONE);
+    replace(&mut client, &library, 2, &LIBRARY.replace("count", "counted")).await;
+    assert_eq!(published(&mut client, &main).await, ["unknown-function"]);
+    // A change that nobody else sees: nothing is published again for the other file.
+    replace(
+        &mut client,
+        &library,
+        3,
+        &LIBRARY.replace("count", "counted").replace(", 1 )", ", 2 )"),
+    )
+    .await;
+    assert_eq!(published(&mut client, &library).await, NONE);
+    replace(
+        &mut client,
+        &library,
+        4,
+        &LIBRARY.replace("total : DINT", "total : STRING"),
+    )
+    .await;
+    assert_eq!(published(&mut client, &main).await, ["type-mismatch"]);
+    // Closed without being saved: the text on disk counts again.
+    client
+        .notify("textDocument/didClose", json!({"textDocument": {"uri": library}}))
+        .await;
+    assert_eq!(published(&mut client, &main).await, NONE);
+    client.finish().await;
+}
+
+#[tokio::test]
+async fn changed_made_and_removed_files_are_followed() {
+    let plant = Plant::with(&[("main.clad", MAIN)]);
+    let mut client = Client::new().await;
+    let (main, library) = (plant.uri("main.clad"), plant.uri("library.clad"));
+    client.open_as(&main, 1, MAIN).await;
+    assert_eq!(published(&mut client, &main).await, ["unknown-function"]);
+    plant.write("library.clad", LIBRARY);
+    watched(&mut client, &library).await;
+    assert_eq!(published(&mut client, &main).await, NONE);
+    plant.write("library.clad", &LIBRARY.replace("DINT", "STRING"));
+    watched(&mut client, &library).await;
+    assert_eq!(published(&mut client, &main).await, ["type-mismatch"]);
+    fs::remove_file(plant.folder.path().join("library.clad")).unwrap();
+    watched(&mut client, &library).await;
+    assert_eq!(published(&mut client, &main).await, ["unknown-function"]);
+    client.finish().await;
+}
+
+#[tokio::test]
+async fn settings_say_which_files_belong_to_it() {
+    let plant = Plant::with(&[("main.clad", MAIN), ("lib/library.clad", LIBRARY)]);
+    let mut client = Client::new().await;
+    let main = plant.uri("main.clad");
+    client.open_as(&main, 1, MAIN).await;
+    assert_eq!(published(&mut client, &main).await, ["unknown-function"]);
+    plant.write("ladder.toml", "[format]\nspacing = 3\n");
+    watched(&mut client, &plant.uri("ladder.toml")).await;
+    assert_eq!(published(&mut client, &main).await, NONE);
+    let edits = client
+        .request(
+            "textDocument/formatting",
+            json!({"textDocument": {"uri": main}, "options": {"tabSize": 4, "insertSpaces": true}}),
+        )
+        .await
+        .unwrap();
+    let inserted: Vec<&str> = edits
+        .as_array()
+        .unwrap()
+        .iter()
+        .filter_map(|edit| edit["newText"].as_str())
+        .collect();
+    assert_eq!(inserted[0], "---", "{edits}");
+    plant.write("ladder.toml", "[workspace]\nexcluded = [\"lib\"]\n");
+    watched(&mut client, &plant.uri("ladder.toml")).await;
+    let shown = client.notification("window/showMessage", |_| true).await;
+    let message = shown["message"].as_str().unwrap();
+    assert!(
+        message
+            .ends_with("ladder.toml:2:1: `excluded` is no setting in [workspace]: did you mean `exclude`?"),
+        "{message}"
+    );
+    client.finish().await;
+}
+
+#[tokio::test]
+async fn related_places_lie_in_the_other_file() {
+    let plant = Plant::with(&[
+        ("a b.clad", "\n+--<FUN>( f )--( )( z )--+\n"),
+        ("c.clad", "+--<FUN>( f )--( )( z )--+\n"),
+    ]);
+    let mut client = Client::new().await;
+    let main = plant.uri("main.clad");
+    client.open_as(&main, 1, "+--<CALL>( f )--+\n").await;
+    let found = client
+        .notification("textDocument/publishDiagnostics", |it| it["uri"] == main)
+        .await;
+    let related = &found["diagnostics"][0]["relatedInformation"];
+    let expected = plant.uri("a%20b.clad");
+    assert_eq!(related[0]["location"]["uri"], expected);
+    assert_eq!(
+        related[0]["location"]["range"]["start"],
+        json!({"line": 1, "character": 10})
+    );
+    assert_eq!(related[1]["location"]["uri"], plant.uri("c.clad"));
+    client.finish().await;
+}
+
+#[tokio::test]
+async fn a_simulation_runs_functions_of_other_files_and_faults_name_them() {
+    let library = "VAR zero, n : INT; END_VAR\n+--<FUN>( count )--[ADD]( total, total, 1 )--[DIV]( n, 1, zero )--+\n\
+                   VAR_GLOBAL total : DINT; END_VAR\n";
+    let plant = Plant::with(&[("library.clad", library)]);
+    let mut client = Client::new().await;
+    let main = plant.uri("main.clad");
+    client.open_as(&main, 1, MAIN).await;
+    published(&mut client, &main).await;
+    let started = client.simulate("start", json!({"uri": main})).await.unwrap();
+    let session = started["session"].clone();
+    let state = client
+        .simulate("step", json!({"session": session, "scans": 4}))
+        .await
+        .unwrap();
+    let tags = state["tags"].as_array().unwrap();
+    let total = tags.iter().find(|tag| tag["name"] == "total").unwrap();
+    assert_eq!(total["value"], 4);
+    assert!(tags.iter().any(|tag| tag["name"] == "library.zero"), "{tags:?}");
+    assert_eq!(state["faults"][0]["uri"], plant.uri("library.clad"));
+    assert_eq!(
+        state["faults"][0]["range"]["start"],
+        json!({"line": 1, "character": 45})
+    );
+    client.finish().await;
+}
