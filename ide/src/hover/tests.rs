@@ -332,5 +332,6 @@ fn names_of_other_files() {
 
         ---
 
-        `a` of [GT]: The left side."#]].assert_eq(&shown.join("\n====\n"));
+        `a` of [GT]: The left side."#]]
+    .assert_eq(&shown.join("\n====\n"));
 }

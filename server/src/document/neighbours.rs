@@ -12,7 +12,7 @@ use std::sync::{Arc, Mutex, MutexGuard, OnceLock, PoisonError};
 use ladder_analysis::program::Program;
 use ladder_analysis::{Analysis, Exported, Exports, NotWhole, Others, analyze_in, exports, link};
 use ladder_syntax::Parse;
-use ladder_workspace::{Root, Settings};
+use ladder_workspace::{Root, Settings, Simulate};
 
 /// All workspaces, by their folders.
 #[derive(Debug, Default)]
@@ -135,6 +135,11 @@ impl Neighbours {
     /// What the workspace of a file asks for.
     pub(crate) fn format_options(&self, path: &Path) -> ladder_format::Options {
         self.lock().folder(path).1.settings.format.clone()
+    }
+
+    /// How the workspace of a file has its programs run.
+    pub(crate) fn simulate(&self, path: &Path) -> Simulate {
+        self.lock().folder(path).1.settings.simulate.clone()
     }
 
     /// What is wrong with the settings above a file, once.

@@ -97,6 +97,12 @@ impl Revision {
         })
     }
 
+    /// How the workspace has its programs run.
+    pub(crate) fn simulate(&self) -> ladder_workspace::Simulate {
+        let place = self.place.as_ref();
+        place.map_or_else(Default::default, |place| place.neighbours.simulate(&place.path))
+    }
+
     /// The edits that bring the text into the layout that its workspace asks for.
     pub(crate) fn format(&self) -> Option<Vec<Edit>> {
         let analysis = self.analysis()?;
@@ -108,7 +114,7 @@ impl Revision {
     }
 
     /// What messages call the file: the last part of its address.
-    fn name(&self) -> &str {
+    pub(crate) fn name(&self) -> &str {
         self.uri.rsplit('/').next().unwrap_or(&self.uri)
     }
 
@@ -136,6 +142,22 @@ impl Revision {
         let range = usize::from(range.start()).min(end)..end;
         let place = position::range(&Rope::from_str(&text), self.encoding, range);
         Some((super::address::uri_of(&path), place))
+    }
+
+    /// Where a line begins, counted from 0; past the last one the end of the text.
+    pub(crate) fn line_start(&self, line: u32) -> TextSize {
+        let line = (line as usize).min(self.rope.len_lines());
+        TextSize::try_from(self.rope.line_to_byte(line)).unwrap_or(TextSize::from(u32::MAX))
+    }
+
+    /// The texts of a program's files, this one's own first.
+    pub(crate) fn texts(&self, files: &[String]) -> Vec<String> {
+        let others = files.iter().skip(1).map(|name| {
+            let place = self.place.as_ref();
+            let found = place.and_then(|place| place.neighbours.text_of(&place.path, name));
+            found.map_or_else(String::new, |(_, text)| text)
+        });
+        std::iter::once(self.rope.to_string()).chain(others).collect()
     }
 
     /// Whether both are the same state of the same document.

@@ -13,10 +13,13 @@ use super::blocking::blocking;
 use super::shared::Shared;
 use crate::cancel::Cancel;
 use crate::simulation::messages::{OfSession, Start, Started, State, Status, Stopped};
-use crate::simulation::{Action, Failure, REPORT, Request, Session};
+use crate::simulation::{Action, Answer, Failure, REPORT, Request, Session};
 
 /// The protocol's code for a request that makes sense but cannot be done.
 const REQUEST_FAILED: i64 = -32803;
+
+/// The values of so many scans are told unless more are asked for.
+const PAST: u64 = 100;
 
 /// The notification that shows how a simulation stands.
 #[derive(Debug)]
@@ -32,6 +35,15 @@ pub(super) async fn execute(shared: &Arc<Shared>, params: ExecuteCommandParams) 
     match request {
         Request::Start(it) => json(&start(shared, it).await?),
         Request::Step(it) => act(shared, &it.session, Action::Step(it.scans.unwrap_or(1))).await,
+        Request::StepBlock(it) => act(shared, &it.session, Action::StepBlock).await,
+        Request::StepRung(it) => act(shared, &it.session, Action::StepRung).await,
+        Request::Back(it) => act(shared, &it.session, Action::Back(it.scans.unwrap_or(1))).await,
+        Request::Breakpoints(it) => act(shared, &it.session, Action::Breakpoints(it.lines, it.tags)).await,
+        Request::Why(it) => act(shared, &it.session, Action::Why(it.tag)).await,
+        Request::History(it) => {
+            let scans = it.scans.unwrap_or(PAST);
+            act(shared, &it.session, Action::History(it.tags, scans)).await
+        }
         Request::Run(it) => {
             let real_time = it.real_time.unwrap_or(true);
             act(
@@ -50,6 +62,7 @@ pub(super) async fn execute(shared: &Arc<Shared>, params: ExecuteCommandParams) 
         Request::Unforce(it) => act(shared, &it.session, Action::Unforce(it.tag)).await,
         Request::State(it) => act(shared, &it.session, Action::State).await,
         Request::Reset(it) => act(shared, &it.session, Action::Reset).await,
+        Request::WarmRestart(it) => act(shared, &it.session, Action::WarmRestart).await,
         Request::Stop(it) => stop(shared, it).await,
     }
 }
@@ -61,12 +74,13 @@ async fn start(shared: &Arc<Shared>, Start { uri, options }: Start) -> Result<St
         )))
     })?;
     let (name, job) = (shared.sessions.new_name(), revision.clone());
+    let deltas = options.deltas;
     let started = blocking(move |_| Session::start(name, job, &options)).await?;
-    let (session, states) = started.map_err(error)?;
+    let (session, states, notes) = started.map_err(error)?;
     // No `await` from here on: a request that is cancelled must not leave a session that nobody knows of.
     let session = shared.sessions.add(session).map_err(error)?;
     let mut state = states.borrow().clone();
-    tokio::spawn(report(shared.client.clone(), states));
+    tokio::spawn(report(shared.client.clone(), states, deltas));
     // A change may have come while the program was compiled, when nobody could tell the session.
     if !shared.documents.is_current(&revision) {
         drop(session.ask(Action::MarkStale, Cancel::default()));
@@ -75,6 +89,7 @@ async fn start(shared: &Arc<Shared>, Start { uri, options }: Start) -> Result<St
     Ok(Started {
         session: session.id.clone(),
         state,
+        notes,
     })
 }
 
@@ -94,7 +109,7 @@ async fn act(shared: &Arc<Shared>, session: &str, action: Action) -> Result<LSPA
 
 /// Waits for the session's answer. When the client cancels the request, the guard is dropped with this future and
 /// a long step ends.
-async fn answer(session: &Session, action: Action) -> Result<State> {
+async fn answer(session: &Session, action: Action) -> Result<Answer> {
     let cancel = Cancel::default();
     let _guard = cancel.on_drop();
     match session.ask(action, cancel).await {
@@ -106,11 +121,19 @@ async fn answer(session: &Session, action: Action) -> Result<State> {
     }
 }
 
-/// Sends states to the client: the newest, at most one in each interval, and the last one always.
-async fn report(client: Client, mut states: watch::Receiver<State>) {
+/// Sends states to the client: the newest, at most one in each interval, and the last one always. With `deltas` only
+/// what has changed since the one before; the first behind an answer is whole, for it may be older than that.
+async fn report(client: Client, mut states: watch::Receiver<State>, deltas: bool) {
+    let mut before = states.borrow().clone();
     while states.changed().await.is_ok() {
         let state = states.borrow_and_update().clone();
-        client.send_notification::<SimulationState>(state).await;
+        let told = if deltas && state.answers == before.answers {
+            state.since(&before)
+        } else {
+            state.clone()
+        };
+        before = state;
+        client.send_notification::<SimulationState>(told).await;
         tokio::time::sleep(REPORT).await;
     }
     // A thread that ends without saying so has met a mistake in the scan engine; the client must not go on
@@ -169,9 +192,16 @@ mod tests {
             tags: Vec::new(),
             power: Vec::new(),
             faults: Vec::new(),
+            behind: 0,
+            ahead: 0,
+            next: None,
+            hit: None,
+            breakpoints: Vec::new(),
+            delta: false,
+            answers: 0,
         };
         let (states, seen) = watch::channel(state.clone());
-        tokio::spawn(report(service.inner().shared().client.clone(), seen));
+        tokio::spawn(report(service.inner().shared().client.clone(), seen, false));
         states.send_replace(State {
             status: Status::Running,
             scan: 7,

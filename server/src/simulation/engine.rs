@@ -3,15 +3,16 @@
 use std::sync::Arc;
 use std::time::Duration;
 
-use ladder_analysis::program::Role;
+use ladder_analysis::program::{Location, Role};
 use ladder_analysis::value::Value;
 use ladder_analysis::{Diagnostic, NotWhole, Severity};
-use ladder_simulator::{Point, Simulation, Status};
+use ladder_simulator::{Breakpoint, HistoryLimits, Point, Session, Simulation, Status, Stop};
 use ladder_syntax::TextRange;
 use serde_json::Value as Json;
 
 use super::messages;
 use super::request::Failure;
+use super::retention::Retention;
 use super::value::{from_json, to_json};
 use crate::document::Revision;
 use crate::document::position::Range;
@@ -25,20 +26,22 @@ const INTERVAL: std::ops::RangeInclusive<f64> = 1e-6..=86_400_000.0;
 /// A program that runs.
 #[derive(Debug)]
 pub(super) struct Engine {
-    revision: Arc<Revision>,
-    simulation: Simulation,
+    pub(super) revision: Arc<Revision>,
+    pub(super) session: Session,
+    retention: Option<Retention>,
     /// What inputs hold from the first scan on.
     inputs: Vec<(Point, Value)>,
     /// Where the elements of the drawing stand, in the order in which the engine lists their power. Computed
     /// once, for the text that runs does not change.
     places: Vec<Range>,
-    /// The newest last. A mistake that repeats in one place stands here once, with the scan it last happened in.
-    faults: Vec<messages::Fault>,
 }
 
 impl Engine {
     /// The program of a text, before its first scan. Analyses and compiles: for a blocking thread.
-    pub(super) fn start(revision: Arc<Revision>, options: &messages::Options) -> Result<Self, Failure> {
+    pub(super) fn start(
+        revision: Arc<Revision>,
+        options: &messages::Options,
+    ) -> Result<(Self, Vec<String>), Failure> {
         let Some(analysis) = revision.analysis() else {
             return Err(Failure::Failed("the file is too large to be simulated".into()));
         };
@@ -56,24 +59,30 @@ impl Engine {
             }
             _ => return Err(has_errors(&revision, analysis.diagnostics())),
         };
-        let simulation = Simulation::new(program, engine_options(options)?)
+        let settings = revision.simulate();
+        let limits = match options.history.or(settings.history) {
+            Some(scans) => HistoryLimits::of_scans(usize::try_from(scans).unwrap_or(usize::MAX)),
+            None => HistoryLimits::default(),
+        };
+        let mut session = Session::new(program, engine_options(options, &settings)?, limits)
             .map_err(|error| Failure::Failed(error.to_string()))?;
         let inputs = options.inputs.iter();
         let inputs = inputs
-            .map(|(tag, value)| assignment(&simulation, tag, value))
+            .map(|(tag, value)| assignment(session.simulation(), tag, value))
             .collect::<Result<_, _>>()?;
-        let places = power(&simulation)
+        let places = power(session.simulation())
             .map(|(place, _)| revision.range(place))
             .collect();
+        let (retention, notes) = Retention::begin(settings.retain.as_deref(), revision.name(), &mut session);
         let mut engine = Engine {
             revision,
-            simulation,
+            session,
+            retention,
             inputs,
             places,
-            faults: Vec::new(),
         };
         engine.set_inputs()?;
-        Ok(engine)
+        Ok((engine, notes))
     }
 
     /// The text that runs.
@@ -81,24 +90,87 @@ impl Engine {
         &self.revision
     }
 
-    /// Runs one scan, unless the program has come to its end.
-    pub(super) fn scan(&mut self) -> Status {
-        self.simulation.scan();
-        self.simulation.status()
+    /// Runs one scan, unless the program has come to its end; gives the breakpoint that stops it.
+    pub(super) fn scan(&mut self) -> Option<messages::Hit> {
+        let stop = self.session.run_scan();
+        if let Some(retention) = &mut self.retention {
+            retention.keep(&self.session);
+        }
+        match stop {
+            Some(Stop::Breakpoint(hit)) => Some(self.hit(&hit)),
+            _ => None,
+        }
+    }
+
+    /// Whether the program can go on.
+    pub(super) fn status(&self) -> Status {
+        self.session.simulation().status()
+    }
+
+    /// Goes on to the next block, or rung.
+    pub(super) fn step_within_scan(&mut self, by_block: bool) {
+        if by_block {
+            self.session.step_block();
+        } else {
+            self.session.step_network();
+        }
+    }
+
+    /// Goes back up to so many scans.
+    pub(super) fn back(&mut self, scans: u64) {
+        self.session
+            .step_back(usize::try_from(scans).unwrap_or(usize::MAX));
+    }
+
+    /// How many scans can be stepped back.
+    pub(super) fn behind(&self) -> usize {
+        self.session.scans_behind()
+    }
+
+    /// How many were stepped back from.
+    pub(super) fn ahead(&self) -> usize {
+        self.session.scans_ahead()
+    }
+
+    /// Writes the retentive file.
+    pub(super) fn save(&mut self) {
+        if let Some(retention) = &mut self.retention {
+            retention.finish(&self.session);
+        }
+    }
+
+    /// These breakpoints, in the place of those before.
+    pub(super) fn set_breakpoints(&mut self, lines: &[u32], tags: &[String]) -> Result<(), Failure> {
+        let mut breakpoints = Vec::new();
+        for &line in lines {
+            let start = self.revision.line_start(line);
+            let network = self.session.network_at(0, start).ok_or_else(|| {
+                Failure::Failed(format!("there is no rung in line {} or below it", line + 1))
+            })?;
+            breakpoints.push(Breakpoint::Network(network));
+        }
+        for tag in tags {
+            breakpoints.push(Breakpoint::Change(point(self.session.simulation(), tag)?));
+        }
+        self.session.clear_breakpoints();
+        for breakpoint in breakpoints {
+            self.session.add_breakpoint(breakpoint);
+        }
+        Ok(())
     }
 
     /// Gives a tag a value.
     pub(super) fn set(&mut self, tag: &str, value: &Json) -> Result<(), Failure> {
-        let (point, value) = assignment(&self.simulation, tag, value)?;
-        self.simulation
+        let (point, value) = assignment(self.session.simulation(), tag, value)?;
+        self.session
             .set(&point, value)
             .map_err(|error| Failure::Failed(error.to_string()))
     }
 
     /// Holds a tag at a value.
     pub(super) fn force(&mut self, tag: &str, value: &Json) -> Result<(), Failure> {
-        let (point, value) = assignment(&self.simulation, tag, value)?;
-        self.simulation
+        let (point, value) = assignment(self.session.simulation(), tag, value)?;
+        self.session
             .force(&point, value)
             .map_err(|error| Failure::Failed(error.to_string()))
     }
@@ -106,23 +178,30 @@ impl Engine {
     /// Lets a tag go, or all of them.
     pub(super) fn unforce(&mut self, tag: Option<&str>) -> Result<(), Failure> {
         match tag {
-            Some(tag) => self.simulation.unforce(&point(&self.simulation, tag)?),
-            None => self.simulation.unforce_all(),
+            Some(tag) => {
+                let point = point(self.session.simulation(), tag)?;
+                self.session.unforce(&point);
+            }
+            None => self.session.unforce_all(),
         }
         Ok(())
     }
 
     /// Begins again from cold: as it was started. Forces stay.
     pub(super) fn reset(&mut self) -> Result<(), Failure> {
-        self.simulation.reset();
-        self.simulation.take_faults();
-        self.faults.clear();
+        self.session.reset();
+        self.set_inputs()
+    }
+
+    /// Begins again with what is retentive. Forces stay.
+    pub(super) fn warm_restart(&mut self) -> Result<(), Failure> {
+        self.session.warm_restart();
         self.set_inputs()
     }
 
     fn set_inputs(&mut self) -> Result<(), Failure> {
         for (point, value) in &self.inputs {
-            let set = self.simulation.set(point, value.clone());
+            let set = self.session.set(point, value.clone());
             set.map_err(|error| Failure::Failed(error.to_string()))?;
         }
         Ok(())
@@ -130,23 +209,27 @@ impl Engine {
 
     /// The time from one scan to the next.
     pub(super) fn interval(&self) -> Duration {
-        Duration::from_nanos(self.simulation.options().interval.unsigned_abs())
+        Duration::from_nanos(self.session.simulation().options().interval.unsigned_abs())
     }
 
     /// How many scans are done.
     pub(super) fn scans(&self) -> u64 {
-        self.simulation.scans()
+        self.session.simulation().scans()
     }
 
     /// The simulation's clock, in milliseconds.
     pub(super) fn time_ms(&self) -> f64 {
-        self.simulation.time() as f64 / 1e6
+        self.session.simulation().time() as f64 / 1e6
     }
 
     /// Every scalar tag, then what else is forced (an element of an array, a bit of a word).
     pub(super) fn tags(&self) -> Vec<messages::Tag> {
-        let points = self.simulation.points();
-        let others = self.simulation.forced().filter(|forced| !points.contains(forced));
+        let points = self.session.simulation().points();
+        let others = self
+            .session
+            .simulation()
+            .forced()
+            .filter(|forced| !points.contains(forced));
         points.iter().chain(others).map(|point| self.tag(point)).collect()
     }
 
@@ -154,19 +237,19 @@ impl Engine {
         messages::Tag {
             name: point.name.clone(),
             kind: point.ty.to_string(),
-            value: to_json(&self.simulation.value(point), point.ty),
+            value: to_json(&self.session.simulation().value(point), point.ty),
             role: match point.role {
                 Role::Input => messages::Role::Input,
                 Role::Output => messages::Role::Output,
                 Role::Internal => messages::Role::Internal,
             },
-            forced: self.simulation.is_forced(point),
+            forced: self.session.simulation().is_forced(point),
         }
     }
 
     /// Every element of the drawing, with its power in the last scan.
     pub(super) fn power(&self) -> Vec<messages::Power> {
-        let live = power(&self.simulation).map(|(_, on)| on);
+        let live = power(self.session.simulation()).map(|(_, on)| on);
         self.places
             .iter()
             .zip(live)
@@ -174,32 +257,43 @@ impl Engine {
             .collect()
     }
 
-    /// What went wrong so far.
-    pub(super) fn faults(&mut self) -> Vec<messages::Fault> {
-        for fault in self.simulation.take_faults() {
-            let program = self.simulation.program();
-            let elsewhere = match fault.location.file {
-                0 => None,
-                file => {
-                    let name = &program.files[file as usize];
-                    self.revision.range_elsewhere(name, fault.location.range)
-                }
-            };
-            let (uri, range) = match elsewhere {
-                Some((uri, range)) => (Some(uri), range),
-                None => (None, self.revision.range(fault.location.range)),
-            };
-            self.faults
-                .retain(|old| old.range != range || old.message != fault.message || old.uri != uri);
-            self.faults.push(messages::Fault {
+    /// What went wrong so far, the newest last. A mistake that repeats in one place stands here once, with the scan it
+    /// last happened in.
+    pub(super) fn faults(&self) -> Vec<messages::Fault> {
+        let mut faults: Vec<messages::Fault> = Vec::new();
+        let mut seen = std::collections::HashSet::new();
+        for fault in self.session.faults().into_iter().rev() {
+            if faults.len() == FAULTS {
+                break;
+            }
+            if !seen.insert((fault.location, fault.message.clone())) {
+                continue;
+            }
+            let (uri, range) = self.place(fault.location);
+            faults.push(messages::Fault {
                 message: fault.message,
                 uri,
                 range,
                 scan: fault.scan,
             });
         }
-        self.faults.drain(..self.faults.len().saturating_sub(FAULTS));
-        self.faults.clone()
+        faults.reverse();
+        faults
+    }
+
+    /// A place in the program: the file, where that is not the document itself, and the range.
+    pub(super) fn place(&self, location: Location) -> (Option<String>, Range) {
+        let elsewhere = match location.file {
+            0 => None,
+            file => {
+                let name = &self.session.simulation().program().files[file as usize];
+                self.revision.range_elsewhere(name, location.range)
+            }
+        };
+        match elsewhere {
+            Some((uri, range)) => (Some(uri), range),
+            None => (None, self.revision.range(location.range)),
+        }
     }
 }
 
@@ -209,7 +303,7 @@ fn power(simulation: &Simulation) -> impl Iterator<Item = (TextRange, bool)> {
     own.map(|(_, location, on)| (location.range, on))
 }
 
-fn point(simulation: &Simulation, tag: &str) -> Result<Point, Failure> {
+pub(super) fn point(simulation: &Simulation, tag: &str) -> Result<Point, Failure> {
     simulation
         .resolve(tag)
         .map_err(|error| Failure::Failed(error.to_string()))
@@ -222,8 +316,11 @@ fn assignment(simulation: &Simulation, tag: &str, value: &Json) -> Result<(Point
     Ok((point, value))
 }
 
-fn engine_options(options: &messages::Options) -> Result<ladder_simulator::Options, Failure> {
-    let mut engine = ladder_simulator::Options::default();
+fn engine_options(
+    options: &messages::Options,
+    settings: &ladder_workspace::Simulate,
+) -> Result<ladder_simulator::Options, Failure> {
+    let mut engine = settings.options();
     if let Some(milliseconds) = options.interval_ms {
         if !INTERVAL.contains(&milliseconds) {
             return Err(Failure::Invalid(format!(

@@ -35,6 +35,12 @@ pub struct Options {
     /// How many blocks a scan may evaluate before it counts as hung.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub watchdog: Option<u64>,
+    /// How many scans can be stepped back.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub history: Option<u64>,
+    /// The client takes notifications with only what has changed.
+    #[serde(default, skip_serializing_if = "is_false")]
+    pub deltas: bool,
 }
 
 /// The argument of the commands that need nothing but the session.
@@ -52,6 +58,43 @@ pub struct Step {
     /// The session.
     pub session: String,
     /// How many scans; one unless given.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub scans: Option<u64>,
+}
+
+/// The argument of `ladder.simulate.breakpoints`: all of them, in the place of those before.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "camelCase", deny_unknown_fields)]
+pub struct Breakpoints {
+    /// The session.
+    pub session: String,
+    /// Lines of rungs, from 0. A line without a rung means the next one below.
+    #[serde(default)]
+    pub lines: Vec<u32>,
+    /// Tags whose change stops a run.
+    #[serde(default)]
+    pub tags: Vec<String>,
+}
+
+/// The argument of `ladder.simulate.why`.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "camelCase", deny_unknown_fields)]
+pub struct OfTag {
+    /// The session.
+    pub session: String,
+    /// The tag, or a member as in `t1.ET`.
+    pub tag: String,
+}
+
+/// The argument of `ladder.simulate.history`.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "camelCase", deny_unknown_fields)]
+pub struct Past {
+    /// The session.
+    pub session: String,
+    /// The tags.
+    pub tags: Vec<String>,
+    /// Of how many scans; 100 unless given.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub scans: Option<u64>,
 }
@@ -101,6 +144,45 @@ pub struct Started {
     pub session: String,
     /// How things stand before the first scan.
     pub state: State,
+    /// What a person should know, as that the retentive file was damaged.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub notes: Vec<String>,
+}
+
+/// The answer of `ladder.simulate.why`.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(rename_all = "camelCase", deny_unknown_fields)]
+pub struct Why {
+    /// The tag, as declared.
+    pub tag: String,
+    /// The reasons, a line for each tag; what lies deeper is indented.
+    pub text: String,
+    /// The blocks that the first line speaks of: the one that wrote the tag, then those that passed power on to it
+    /// or blocked it.
+    pub blocks: Vec<Range>,
+}
+
+/// The answer of `ladder.simulate.history`.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(rename_all = "camelCase", deny_unknown_fields)]
+pub struct History {
+    /// The scan of the first values.
+    pub first_scan: u64,
+    /// Of each tag its values after that scan and those behind it, up to the last.
+    pub tags: Vec<PastValues>,
+}
+
+/// What a tag held.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(rename_all = "camelCase", deny_unknown_fields)]
+pub struct PastValues {
+    /// Its name, as declared.
+    pub name: String,
+    /// Its type.
+    #[serde(rename = "type")]
+    pub kind: String,
+    /// Its values.
+    pub values: Vec<Value>,
 }
 
 /// The answer of `ladder.simulate.stop`.
@@ -133,12 +215,71 @@ pub struct State {
     /// The simulation's clock, in milliseconds.
     #[serde(serialize_with = "shortest")]
     pub time_ms: f64,
+    /// How many scans can be stepped back.
+    pub behind: usize,
+    /// How many scans were stepped back from and are run again by the next steps.
+    pub ahead: usize,
+    /// The block or rung that runs next, in the midst of a scan.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub next: Option<Range>,
+    /// The breakpoint that stopped the last run.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub hit: Option<Hit>,
+    /// The breakpoints.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub breakpoints: Vec<Breakpoint>,
+    /// `tags` and `power` hold only what has changed since the notification before.
+    #[serde(default, skip_serializing_if = "is_false")]
+    pub delta: bool,
+    /// How many answers were given before; not sent.
+    #[serde(skip)]
+    pub answers: u64,
     /// Every tag, in the order of first appearance; timers and counters as their members.
     pub tags: Vec<Tag>,
     /// Every wire, block and connector, and whether power flowed there in the last scan.
     pub power: Vec<Power>,
     /// What went wrong while it ran.
     pub faults: Vec<Fault>,
+}
+
+impl State {
+    /// What has changed since an earlier state.
+    pub(crate) fn since(&self, earlier: &State) -> State {
+        let tags = self.tags.iter().filter(|tag| !earlier.tags.contains(tag));
+        let power = self.power.iter().zip(&earlier.power);
+        State {
+            delta: true,
+            tags: tags.cloned().collect(),
+            power: power
+                .filter(|(new, old)| new != old)
+                .map(|(new, _)| *new)
+                .collect(),
+            ..self.clone()
+        }
+    }
+}
+
+/// A breakpoint that stopped a run.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "camelCase", deny_unknown_fields)]
+pub struct Hit {
+    /// Why, for people.
+    pub message: String,
+    /// The rung that runs next, or the block that changed the tag.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub range: Option<Range>,
+}
+
+/// A breakpoint: on a rung or on a tag.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "camelCase", deny_unknown_fields)]
+pub struct Breakpoint {
+    /// The network.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub range: Option<Range>,
+    /// The tag.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub tag: Option<String>,
 }
 
 /// What a simulation is doing.
@@ -207,6 +348,11 @@ pub struct Fault {
     pub range: Range,
     /// The scan it happened in, from 0.
     pub scan: u64,
+}
+
+#[expect(clippy::trivially_copy_pass_by_ref, reason = "serde asks for it")]
+fn is_false(it: &bool) -> bool {
+    !it
 }
 
 #[expect(clippy::ref_option, reason = "serde asks for it")]

@@ -6,12 +6,14 @@
 //! only the newest.
 
 mod engine;
+mod inquiry;
 pub mod messages;
 mod request;
+mod retention;
 mod session;
 mod sessions;
 mod value;
 
 pub(crate) use request::{COMMANDS, Failure, Request};
-pub(crate) use session::{Action, REPORT, Session};
+pub(crate) use session::{Action, Answer, REPORT, Session};
 pub(crate) use sessions::Sessions;

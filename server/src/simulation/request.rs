@@ -3,12 +3,18 @@
 use serde::de::DeserializeOwned;
 use serde_json::Value;
 
-use super::messages::{Assign, OfSession, Run, Start, Step, Unforce};
+use super::messages::{Assign, Breakpoints, OfSession, OfTag, Past, Run, Start, Step, Unforce};
 
 /// What a client can ask for with `workspace/executeCommand`.
-pub(crate) const COMMANDS: [&str; 10] = [
+pub(crate) const COMMANDS: [&str; 17] = [
     "ladder.simulate.start",
     "ladder.simulate.step",
+    "ladder.simulate.stepBlock",
+    "ladder.simulate.stepRung",
+    "ladder.simulate.back",
+    "ladder.simulate.breakpoints",
+    "ladder.simulate.why",
+    "ladder.simulate.history",
     "ladder.simulate.run",
     "ladder.simulate.pause",
     "ladder.simulate.set",
@@ -16,6 +22,7 @@ pub(crate) const COMMANDS: [&str; 10] = [
     "ladder.simulate.unforce",
     "ladder.simulate.state",
     "ladder.simulate.reset",
+    "ladder.simulate.warmRestart",
     "ladder.simulate.stop",
 ];
 
@@ -33,6 +40,12 @@ pub(crate) enum Failure {
 pub(crate) enum Request {
     Start(Start),
     Step(Step),
+    StepBlock(OfSession),
+    StepRung(OfSession),
+    Back(Step),
+    Breakpoints(Breakpoints),
+    Why(OfTag),
+    History(Past),
     Run(Run),
     Pause(OfSession),
     Set(Assign),
@@ -40,6 +53,7 @@ pub(crate) enum Request {
     Unforce(Unforce),
     State(OfSession),
     Reset(OfSession),
+    WarmRestart(OfSession),
     Stop(OfSession),
 }
 
@@ -50,6 +64,12 @@ impl Request {
         match command.strip_prefix("ladder.simulate.") {
             Some("start") => Ok(Request::Start(read(command, argument(arguments)?)?)),
             Some("step") => Ok(Request::Step(read(command, argument(arguments)?)?)),
+            Some("stepBlock") => Ok(Request::StepBlock(read(command, argument(arguments)?)?)),
+            Some("stepRung") => Ok(Request::StepRung(read(command, argument(arguments)?)?)),
+            Some("back") => Ok(Request::Back(read(command, argument(arguments)?)?)),
+            Some("breakpoints") => Ok(Request::Breakpoints(read(command, argument(arguments)?)?)),
+            Some("why") => Ok(Request::Why(read(command, argument(arguments)?)?)),
+            Some("history") => Ok(Request::History(read(command, argument(arguments)?)?)),
             Some("run") => Ok(Request::Run(read(command, argument(arguments)?)?)),
             Some("pause") => Ok(Request::Pause(read(command, argument(arguments)?)?)),
             Some("set") => Ok(Request::Set(read(command, argument(arguments)?)?)),
@@ -57,6 +77,7 @@ impl Request {
             Some("unforce") => Ok(Request::Unforce(read(command, argument(arguments)?)?)),
             Some("state") => Ok(Request::State(read(command, argument(arguments)?)?)),
             Some("reset") => Ok(Request::Reset(read(command, argument(arguments)?)?)),
+            Some("warmRestart") => Ok(Request::WarmRestart(read(command, argument(arguments)?)?)),
             Some("stop") => Ok(Request::Stop(read(command, argument(arguments)?)?)),
             _ => Err(Failure::Invalid(format!(
                 "there is no command {command}; the commands are {}",
@@ -89,7 +110,7 @@ mod tests {
     fn every_command_is_read() {
         for command in COMMANDS {
             let argument = json!({"uri": "file:///a.clad"});
-            let argument = if command.ends_with("start") {
+            let argument = if command == "ladder.simulate.start" {
                 argument
             } else {
                 json!({"session": "s1"})

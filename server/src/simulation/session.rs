@@ -5,11 +5,12 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::mpsc::{Receiver, RecvTimeoutError, Sender, TryRecvError, channel};
 use std::time::{Duration, Instant};
 
+use serde::Serialize;
 use serde_json::Value;
 use tokio::sync::{oneshot, watch};
 
 use super::engine::Engine;
-use super::messages::{Options, State, Status};
+use super::messages::{History, Hit, Options, State, Status, Why};
 use super::request::Failure;
 use crate::cancel::Cancel;
 use crate::document::Revision;
@@ -22,6 +23,18 @@ pub(crate) const REPORT: Duration = Duration::from_millis(50);
 pub(crate) enum Action {
     /// Do so many scans, then pause.
     Step(u64),
+    /// Go on to the next block.
+    StepBlock,
+    /// Go on to the next rung.
+    StepRung,
+    /// Go back so many scans.
+    Back(u64),
+    /// These lines of rungs and these tags stop a run.
+    Breakpoints(Vec<u32>, Vec<String>),
+    /// Say why a tag holds what it holds.
+    Why(String),
+    /// Say what tags held in the last scans.
+    History(Vec<String>, u64),
     /// Scan until told otherwise.
     Run {
         /// Pause after so many scans.
@@ -41,6 +54,8 @@ pub(crate) enum Action {
     State,
     /// Start again from cold.
     Reset,
+    /// Start again with what is retentive.
+    WarmRestart,
     /// The text has changed under the simulation.
     MarkStale,
     /// End.
@@ -50,14 +65,34 @@ pub(crate) enum Action {
 impl Action {
     /// Whether a step that is under way gives way to it.
     fn is_urgent(&self) -> bool {
-        matches!(self, Action::Pause | Action::Reset | Action::Stop)
+        matches!(
+            self,
+            Action::Pause | Action::Reset | Action::WarmRestart | Action::Back(_) | Action::Stop
+        )
     }
+
+    /// Whether the simulation stands differently behind it.
+    fn changes(&self) -> bool {
+        !matches!(self, Action::State | Action::Why(_) | Action::History(..))
+    }
+}
+
+/// What a session answers.
+#[derive(Debug, Serialize)]
+#[serde(untagged)]
+pub(crate) enum Answer {
+    /// How it stands.
+    State(Box<State>),
+    /// Reasons.
+    Why(Why),
+    /// Values of the past.
+    History(History),
 }
 
 struct Command {
     action: Action,
     cancel: Cancel,
-    reply: oneshot::Sender<Result<State, Failure>>,
+    reply: oneshot::Sender<Result<Answer, Failure>>,
 }
 
 /// The handle of a session's thread. The thread ends when it is told to stop, or when the handle is dropped.
@@ -79,15 +114,18 @@ impl Session {
         id: String,
         revision: Arc<Revision>,
         options: &Options,
-    ) -> Result<(Self, watch::Receiver<State>), Failure> {
+    ) -> Result<(Self, watch::Receiver<State>, Vec<String>), Failure> {
         let (commands, inbox) = channel();
         let urgent = Arc::<AtomicUsize>::default();
         let uri = revision.uri.clone();
+        let (engine, notes) = Engine::start(revision, options)?;
         let mut simulation = Simulation {
             id: id.clone(),
-            engine: Engine::start(revision, options)?,
+            engine,
             status: Status::Paused,
             stale: false,
+            hit: None,
+            answers: 0,
         };
         let (states, receiver) = watch::channel(simulation.state());
         let runner = Runner {
@@ -107,12 +145,12 @@ impl Session {
             commands,
             urgent,
         };
-        Ok((session, receiver))
+        Ok((session, receiver, notes))
     }
 
     /// Hands over an action and returns where its answer will arrive. An answer that nobody waits for is no
     /// mistake; `cancel` stops a step before its end.
-    pub(crate) fn ask(&self, action: Action, cancel: Cancel) -> oneshot::Receiver<Result<State, Failure>> {
+    pub(crate) fn ask(&self, action: Action, cancel: Cancel) -> oneshot::Receiver<Result<Answer, Failure>> {
         let (reply, answer) = oneshot::channel();
         if action.is_urgent() {
             self.urgent.fetch_add(1, Ordering::SeqCst);
@@ -142,14 +180,29 @@ struct Simulation {
     engine: Engine,
     status: Status,
     stale: bool,
+    /// The breakpoint that stopped the last run.
+    hit: Option<Hit>,
+    /// How many answers were given.
+    answers: u64,
 }
 
 impl Simulation {
+    /// One scan, up to a breakpoint.
     fn scan(&mut self) {
-        match self.engine.scan() {
-            ladder_simulator::Status::Ready => {}
-            ladder_simulator::Status::Ended => self.status = Status::Ended,
-            ladder_simulator::Status::Faulted => self.status = Status::Faulted,
+        self.hit = self.engine.scan();
+        self.take_status();
+        if self.hit.is_some() && self.status == Status::Running {
+            self.status = Status::Paused;
+        }
+    }
+
+    /// What the program itself says about going on.
+    fn take_status(&mut self) {
+        match (self.engine.status(), self.status) {
+            (ladder_simulator::Status::Ready, Status::Running) => {}
+            (ladder_simulator::Status::Ready, _) => self.status = Status::Paused,
+            (ladder_simulator::Status::Ended, _) => self.status = Status::Ended,
+            (ladder_simulator::Status::Faulted, _) => self.status = Status::Faulted,
         }
     }
 
@@ -163,6 +216,13 @@ impl Simulation {
             status: self.status,
             scan: engine.scans(),
             time_ms: engine.time_ms(),
+            behind: engine.behind(),
+            ahead: engine.ahead(),
+            next: engine.next(),
+            hit: self.hit.clone(),
+            breakpoints: engine.breakpoints(),
+            delta: false,
+            answers: self.answers,
             tags: engine.tags(),
             power: engine.power(),
             faults: engine.faults(),
@@ -199,7 +259,10 @@ impl Runner {
                     }
                 }
                 Err(RecvTimeoutError::Timeout) => self.go_on(),
-                Err(RecvTimeoutError::Disconnected) => return,
+                Err(RecvTimeoutError::Disconnected) => {
+                    self.simulation.engine.save();
+                    return;
+                }
             }
         }
     }
@@ -220,13 +283,27 @@ impl Runner {
         } else {
             Next::Stay
         };
-        let changes = !matches!(action, Action::State);
-        let outcome = self.act(action, &cancel).map(|()| self.simulation.state());
-        if let (true, Ok(state)) = (changes, &outcome) {
-            self.states.send_replace(state.clone());
-        }
+        let outcome = match action {
+            Action::Why(tag) => self.simulation.engine.why(&tag).map(Answer::Why),
+            Action::History(tags, scans) => {
+                let past = self.simulation.engine.past(&tags, scans);
+                past.map(Answer::History)
+            }
+            action => self.change(action, &cancel),
+        };
         let _ = reply.send(outcome);
         next
+    }
+
+    fn change(&mut self, action: Action, cancel: &Cancel) -> Result<Answer, Failure> {
+        let changes = action.changes();
+        self.act(action, cancel)?;
+        self.simulation.answers += 1;
+        let state = self.simulation.state();
+        if changes {
+            self.states.send_replace(state.clone());
+        }
+        Ok(Answer::State(Box::new(state)))
     }
 
     fn act(&mut self, action: Action, cancel: &Cancel) -> Result<(), Failure> {
@@ -234,6 +311,32 @@ impl Runner {
             Action::Step(scans) => {
                 self.pause();
                 self.step(scans, cancel);
+            }
+            Action::StepBlock | Action::StepRung => {
+                self.pause();
+                self.simulation.hit = None;
+                if self.simulation.status == Status::Paused {
+                    let by_block = matches!(action, Action::StepBlock);
+                    self.simulation.engine.step_within_scan(by_block);
+                    self.simulation.take_status();
+                }
+            }
+            Action::Back(scans) => {
+                self.pause();
+                self.simulation.hit = None;
+                self.simulation.engine.back(scans);
+                self.simulation.take_status();
+            }
+            Action::Breakpoints(lines, tags) => {
+                self.simulation.engine.set_breakpoints(&lines, &tags)?;
+            }
+            // They change nothing and are answered where they arrive.
+            Action::Why(_) | Action::History(..) => {}
+            Action::WarmRestart => {
+                self.run = None;
+                self.simulation.hit = None;
+                self.simulation.engine.warm_restart()?;
+                self.simulation.status = Status::Paused;
             }
             Action::Run { scans, real_time } => self.start_run(scans, real_time),
             Action::Pause => self.pause(),
@@ -243,12 +346,14 @@ impl Runner {
             Action::State => {}
             Action::Reset => {
                 self.run = None;
+                self.simulation.hit = None;
                 self.simulation.engine.reset()?;
                 self.simulation.status = Status::Paused;
             }
             Action::MarkStale => self.simulation.stale = true,
             Action::Stop => {
                 self.run = None;
+                self.simulation.engine.save();
                 self.simulation.status = Status::Ended;
             }
         }

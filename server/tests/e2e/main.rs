@@ -3,6 +3,7 @@
 mod client;
 mod diagnostics;
 mod features;
+mod history;
 mod house;
 mod lifecycle;
 mod protocol_page;

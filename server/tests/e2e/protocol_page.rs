@@ -149,7 +149,18 @@ async fn the_page_shows_every_command_whole() {
                 is_whole::<messages::OfSession>(argument);
                 continue;
             }
-            "step" => is_whole::<messages::Step>(argument),
+            "why" => {
+                is_whole::<messages::OfTag>(argument);
+                is_whole::<messages::Why>(answer);
+                continue;
+            }
+            "history" => {
+                is_whole::<messages::Past>(argument);
+                is_whole::<messages::History>(answer);
+                continue;
+            }
+            "breakpoints" => is_whole::<messages::Breakpoints>(argument),
+            "step" | "back" => is_whole::<messages::Step>(argument),
             "run" => is_whole::<messages::Run>(argument),
             "set" | "force" => is_whole::<messages::Assign>(argument),
             "unforce" => is_whole::<messages::Unforce>(argument),

@@ -1,0 +1,128 @@
+//! What a simulation tells about its past and its reasons.
+
+use ladder_simulator::{Breakpoint, Cause, Hit, Write, value_text};
+
+use super::engine::{Engine, point};
+use super::messages;
+use super::request::Failure;
+use super::value::to_json;
+use crate::document::position::Range;
+
+impl Engine {
+    /// Why a tag holds what it holds.
+    pub(super) fn why(&mut self, tag: &str) -> Result<messages::Why, Failure> {
+        let point = point(self.session.simulation(), tag)?;
+        let why = self.session.why(&point);
+        let mut blocks = Vec::new();
+        let then = match &why.cause {
+            Cause::Block(write) => Some(write),
+            _ => None,
+        };
+        for write in then.into_iter().chain(&why.now) {
+            self.blocks_of(write, &mut blocks);
+        }
+        let texts = self.revision.texts(&self.session.simulation().program().files);
+        let texts: Vec<&str> = texts.iter().map(String::as_str).collect();
+        Ok(messages::Why {
+            tag: point.name,
+            text: why.text(&texts),
+            blocks,
+        })
+    }
+
+    fn blocks_of(&self, write: &Write, blocks: &mut Vec<Range>) {
+        let reasons = write.reasons.iter().flatten().map(|reason| reason.block);
+        for block in std::iter::once(write.block).chain(reasons) {
+            let (uri, range) = self.place(block);
+            if uri.is_none() && !blocks.contains(&range) {
+                blocks.push(range);
+            }
+        }
+    }
+
+    /// What tags held after each of the last scans.
+    pub(super) fn past(&self, tags: &[String], scans: u64) -> Result<messages::History, Failure> {
+        let simulation = self.session.simulation();
+        let points = tags
+            .iter()
+            .map(|tag| point(simulation, tag))
+            .collect::<Result<Vec<_>, _>>()?;
+        let past = self
+            .session
+            .past(&points, usize::try_from(scans).unwrap_or(usize::MAX));
+        let known = past.first().map_or(0, Vec::len);
+        let tags = points
+            .into_iter()
+            .zip(past)
+            .map(|(point, values)| messages::PastValues {
+                kind: point.ty.to_string(),
+                values: values.iter().map(|value| to_json(value, point.ty)).collect(),
+                name: point.name,
+            });
+        Ok(messages::History {
+            first_scan: simulation.scans().saturating_sub(known as u64),
+            tags: tags.collect(),
+        })
+    }
+
+    /// What runs next in the scan that is open.
+    pub(super) fn next(&self) -> Option<Range> {
+        let location = self.session.simulation().next_block()?;
+        let (uri, range) = self.place(location);
+        uri.is_none().then_some(range)
+    }
+
+    /// The breakpoints that are set.
+    pub(super) fn breakpoints(&self) -> Vec<messages::Breakpoint> {
+        let breakpoints = self.session.breakpoints().iter();
+        breakpoints
+            .map(|breakpoint| match breakpoint {
+                Breakpoint::Network(network) => {
+                    let location = self.session.simulation().program().networks[*network].location;
+                    messages::Breakpoint {
+                        range: Some(self.revision.range(location.range)),
+                        tag: None,
+                    }
+                }
+                Breakpoint::Change(point) => messages::Breakpoint {
+                    range: None,
+                    tag: Some(point.name.clone()),
+                },
+            })
+            .collect()
+    }
+
+    /// Why a run stopped, in words.
+    pub(super) fn hit(&self, hit: &Hit) -> messages::Hit {
+        match hit {
+            Hit::Network(location) => {
+                let (_, range) = self.place(*location);
+                messages::Hit {
+                    message: format!("stopped in front of the rung in line {}", range.start.line + 1),
+                    range: Some(range),
+                }
+            }
+            Hit::Change {
+                point,
+                before,
+                after,
+                block,
+            } => {
+                let range = block.map(|block| self.place(block).1);
+                let line = range.map_or(String::new(), |range| {
+                    format!(" in line {}", range.start.line + 1)
+                });
+                let value = |it| value_text::display(it, point.ty);
+                messages::Hit {
+                    message: format!(
+                        "{} changed from {} to {}{line}",
+                        point.name,
+                        value(before),
+                        value(after)
+                    ),
+                    range,
+                }
+            }
+        }
+    }
+}
