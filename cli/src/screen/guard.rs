@@ -44,7 +44,7 @@ impl Drop for Guard {
 }
 
 /// Makes the terminal as it was. A second call does nothing.
-fn leave() {
+pub(super) fn leave() {
     if ON.swap(false, Ordering::SeqCst) {
         // Whoever has closed the terminal does not want to see it cleaned up.
         let _ = execute!(raw_stdout(), DisableMouseCapture, LeaveAlternateScreen, Show);

@@ -3,6 +3,7 @@
 use std::io;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicUsize, Ordering};
+use std::time::Duration;
 
 use signal_hook::consts::{SIGINT, SIGTERM};
 
@@ -17,6 +18,9 @@ const ENDING: [i32; 4] = [
 #[cfg(not(unix))]
 const ENDING: [i32; 2] = [SIGINT, SIGTERM];
 
+/// Within about this time a signal is obeyed by a program that is well.
+const PATIENCE: Duration = Duration::from_secs(1);
+
 /// The signal that came, if one did.
 pub(super) struct Signals(Arc<AtomicUsize>);
 
@@ -27,7 +31,27 @@ impl Signals {
         for signal in ENDING {
             signal_hook::flag::register_usize(signal, came.clone(), signal as usize)?;
         }
-        Ok(Signals(came))
+        let signals = Signals(came);
+        signals.insist()?;
+        Ok(signals)
+    }
+
+    /// Ends the process if it has not obeyed a signal within a second. Reading from a terminal that is gone never
+    /// comes back: without this the program would go on for ever, and keep a processor busy.
+    fn insist(&self) -> io::Result<()> {
+        let signals = Signals(self.0.clone());
+        let watch = move || {
+            loop {
+                std::thread::sleep(PATIENCE);
+                if let Some(signal) = signals.ending() {
+                    std::thread::sleep(PATIENCE);
+                    super::guard::leave();
+                    obey(signal);
+                }
+            }
+        };
+        std::thread::Builder::new().name("signals".to_owned()).spawn(watch)?;
+        Ok(())
     }
 
     /// The signal that asks the program to end.
