@@ -8,9 +8,6 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use support::{set, simulation_with};
 
-/// Programs that need what the engine does not do yet. To shrink to nothing.
-const NOT_YET: &[&str] = &[];
-
 fn folder() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("../tests/corpus/semantics")
 }
@@ -82,10 +79,9 @@ fn traces_are_equal() {
                     .to_owned(),
             )
         })
-        .filter(|name| !NOT_YET.contains(&name.as_str()))
         .collect();
     names.sort();
-    assert!(names.len() + NOT_YET.len() >= 24, "the corpus is not there");
+    assert!(names.len() >= 24, "the corpus is not there");
     let mut wrong = String::new();
     for name in names {
         let expected = fs::read_to_string(folder().join(format!("{name}.expected.csv"))).unwrap();
