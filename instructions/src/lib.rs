@@ -28,12 +28,14 @@ mod likeness;
 mod lookup;
 mod op;
 mod operand;
+mod origin;
 mod spelling;
 mod table;
 
 pub use lookup::{by_op, closest, in_other_shape, lookup};
 pub use op::Op;
 pub use operand::{Accepts, Direction, Operand, Presence, StateType, TypeClass};
+pub use origin::{Origin, origin};
 pub use table::TABLE;
 
 /// The outline of a block: which brackets its first part stands in (LANGUAGE §2).

@@ -1,7 +1,8 @@
 //! The pages of the language reference that are made from the table of instructions: one for each group.
 
+use crate::instruction_runs;
 use ladder_instructions::{
-    Accepts, Acts, Direction, Group, Instruction, Operand, Presence, TABLE, TypeClass,
+    Accepts, Acts, Direction, Group, Instruction, Operand, Presence, TABLE, TypeClass, origin,
 };
 use ladder_simulator::Simulation;
 use std::fmt::Write;
@@ -121,7 +122,16 @@ fn section(out: &mut String, row: &Instruction) {
     }
     names(out, "Synonym", row, row.synonyms);
     names(out, "Also accepted", row, row.aliases);
-    line(out, &format!("```clad\n{}\n```", row.example.trim_end()));
+    line(out, &format!("```clad\n{}\n```\n", row.example.trim_end()));
+    if !instruction_runs::has_diagram(row) {
+        let table = instruction_runs::table(row);
+        line(
+            out,
+            &format!("Run, a column for each scan:\n\n```text\n{table}```\n"),
+        );
+    }
+    let sources: Vec<String> = origin(row.op).iter().map(ToString::to_string).collect();
+    line(out, &format!("**From:** {}", sources.join("; ")));
 }
 
 fn names(out: &mut String, what: &str, row: &Instruction, names: &[&str]) {

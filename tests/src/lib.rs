@@ -14,6 +14,7 @@ pub mod book;
 pub mod console;
 pub mod generator;
 pub mod instruction_pages;
+pub mod instruction_runs;
 pub mod markdown;
 pub mod project;
 pub mod reference;
