@@ -227,6 +227,46 @@ fn what_has_run_so_far_has_power() {
 }
 
 #[test]
+fn a_fault_that_stops_leaves_the_power_up_to_its_place() {
+    let text = "VAR n : INT; END_VAR\n\
+                +--[NOT]--[NOT]--( )( x )--+\n\
+                +--<LBL>( again )--[LT]( n, 3 )--<CALL>( f )--( )( y )--+\n\
+                +--[ADD]( n, n, 1 )--<JMP>( again )--+\n\
+                +--( )( z )--+\n\
+                +--<FUN>( f )--( )( w )--[NOT]--( )( v )--+\n";
+    let mut drawings = Vec::new();
+    for (watchdog, forced) in [(8, false), (8, true), (17, false), (17, true)] {
+        let options = Options {
+            watchdog,
+            ..Options::default()
+        };
+        let mut simulation = simulation_with(text, options);
+        if forced {
+            force(&mut simulation, "z", "1");
+        }
+        assert!(!simulation.scan());
+        drawings.push(diagram(text, &simulation));
+    }
+    // Fused code stops where plain code does.
+    assert_eq!((&drawings[0], &drawings[2]), (&drawings[1], &drawings[3]));
+    expect![[r#"
+        VAR n : INT; END_VAR
+        +==[NOT]--[NOT]==( )( x )==+
+        +==<LBL>( again )==[LT]( n, 3 )==<CALL>( f )--( )( y )--+
+        +--[ADD]( n, n, 1 )--<JMP>( again )--+
+        +--( )( z )--+
+        +==<FUN>( f )==( )( w )==[NOT]--( )( v )--+
+        VAR n : INT; END_VAR
+        +==[NOT]--[NOT]==( )( x )==+
+        +==<LBL>( again )==[LT]( n, 3 )==<CALL>( f )--( )( y )--+
+        +==[ADD]( n, n, 1 )==<JMP>( again )--+
+        +--( )( z )--+
+        +==<FUN>( f )==( )( w )--[NOT]--( )( v )--+
+    "#]]
+    .assert_eq(&format!("{}{}", drawings[0], drawings[2]));
+}
+
+#[test]
 fn inputs_and_forces_wait_for_the_next_scan() {
     let text = "VAR_INPUT a : BOOL; END_VAR\nVAR x, y, z : BOOL; END_VAR\n\
                 +--[ ]( a )--( )( x )--+\n+--[ ]( a )--( )( y )--+\n+--( )( z )--+\n";

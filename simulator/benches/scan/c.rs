@@ -1,7 +1,7 @@
 //! The program as C, compiled and run.
 
-use crate::{BATCHES, Run};
 use crate::sketch::{Sketch, Type};
+use crate::{BATCHES, Run};
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
 use std::process::Command;
@@ -118,7 +118,9 @@ impl Compiled {
             .output()
             .expect("it was just compiled");
         let said = String::from_utf8(output.stdout).expect("it writes numbers");
-        let mut numbers = said.split_whitespace().map(|n| n.parse::<u64>().expect("it writes numbers"));
+        let mut numbers = said
+            .split_whitespace()
+            .map(|n| n.parse::<u64>().expect("it writes numbers"));
         let (time, state) = (numbers.next(), numbers.next());
         Run {
             scan: Duration::from_nanos(time.expect("its time")) / scans as u32,

@@ -1,7 +1,7 @@
 //! The program in the simulator.
 
-use crate::{BATCHES, Run};
 use crate::sketch::{Dice, Sketch, Type};
+use crate::{BATCHES, Run};
 use ladder_analysis::analyze;
 use ladder_analysis::value::Value;
 use ladder_simulator::{Options, Simulation};
@@ -46,7 +46,11 @@ impl Ladder {
         let points: Vec<_> = sketch
             .inputs
             .iter()
-            .map(|&input| self.simulation.resolve(&sketch.tags[input].name).expect("it is a tag"))
+            .map(|&input| {
+                self.simulation
+                    .resolve(&sketch.tags[input].name)
+                    .expect("it is a tag")
+            })
             .collect();
         let mut dice = Dice(7);
         let mut high = vec![false; points.len()];
@@ -97,8 +101,12 @@ impl Ladder {
             let name = &tag.name;
             match tag.ty {
                 Type::Bool | Type::Dint | Type::Lreal => show(name),
-                Type::Ton | Type::Tof => [".Q", ".ET"].iter().for_each(|member| show(&format!("{name}{member}"))),
-                Type::Ctu => [".Q", ".CV"].iter().for_each(|member| show(&format!("{name}{member}"))),
+                Type::Ton | Type::Tof => [".Q", ".ET"]
+                    .iter()
+                    .for_each(|member| show(&format!("{name}{member}"))),
+                Type::Ctu => [".Q", ".CV"]
+                    .iter()
+                    .for_each(|member| show(&format!("{name}{member}"))),
             }
         }
         hash
@@ -111,7 +119,12 @@ fn text(sketch: &Sketch) -> String {
     for (header, inputs) in [("VAR_INPUT", true), ("VAR", false)] {
         text.push_str(header);
         text.push('\n');
-        for (_, tag) in sketch.tags.iter().enumerate().filter(|(n, _)| is_input(n) == inputs) {
+        for (_, tag) in sketch
+            .tags
+            .iter()
+            .enumerate()
+            .filter(|(n, _)| is_input(n) == inputs)
+        {
             let _ = writeln!(text, "    {} : {};", tag.name, tag.ty.name());
         }
         text.push_str("END_VAR\n");

@@ -5,7 +5,7 @@
 //! equal. The C comes in two kinds: as it is, and with a store of every power that a block or a join gives, so that like
 //! the simulator it can tell the power of every element after a scan.
 //!
-//! `cargo bench -p ladder-simulator --bench scan`
+//! `cargo bench -p ladder-simulator --bench scan`; behind `--` may follow which part: `seal-ins`, `mixed`, `sizes`.
 
 mod c;
 mod ladder;
@@ -34,16 +34,47 @@ fn main() {
     let folder = std::env::temp_dir().join(format!("ladder-bench-{}", std::process::id()));
     std::fs::create_dir_all(&folder).expect("there is room for the C");
     // A batch is short, so that most run undisturbed by whatever else the machine does.
-    let (rungs, networks, scans) = if is_test { (20, 400, 2) } else { (1_000, 20_000, 200) };
-    println!("program                     elements   simulator   C, and how many times that   C with powers, likewise");
-    compare("seal-in rungs and timers", &networks::seal_ins(rungs), scans, &folder);
-    compare("mixed networks", &networks::mixed(networks), (scans / 50).max(1), &folder);
-    println!();
-    println!("networks   elements       scan    per element   power of all   compiled in   parsed and analysed in");
-    for tenth in [100, 10, 1] {
-        size(&networks::mixed(networks / tenth), scans / 20);
+    let (rungs, networks, scans) = if is_test {
+        (20, 400, 2)
+    } else {
+        (1_000, 20_000, 200)
+    };
+    let wanted = |part: &str| {
+        let parts = ["seal-ins", "mixed", "sizes"];
+        let mut named = std::env::args()
+            .filter(|argument| parts.contains(&argument.as_str()))
+            .peekable();
+        named.peek().is_none() || named.any(|argument| argument == part)
+    };
+    println!(
+        "program                     elements   simulator   C, and how many times that   C with powers, likewise"
+    );
+    if wanted("seal-ins") {
+        compare(
+            "seal-in rungs and timers",
+            &networks::seal_ins(rungs),
+            scans,
+            &folder,
+        );
     }
-    size(&networks::seal_ins(networks * 5), scans / 200);
+    if wanted("mixed") {
+        compare(
+            "mixed networks",
+            &networks::mixed(networks),
+            (scans / 50).max(1),
+            &folder,
+        );
+    }
+    if wanted("sizes") {
+        println!();
+        println!(
+            "networks   elements       scan    per element   power of all   compiled in   parsed and analysed in"
+        );
+        for tenth in [100, 10, 1] {
+            size(&networks::mixed(networks / tenth), (scans / 50).max(1));
+        }
+        size(&networks::seal_ins(networks * 5), (scans / 100).max(1));
+    }
     let _ = std::fs::remove_dir_all(&folder);
 }
 

@@ -202,9 +202,7 @@ fn real(s: &mut Sketch, n: usize, within: &str) {
     let p = s.power(within);
     let q = s.power(&p);
     s.act(&format!("if ({q}) {x} = {x} * 0.5 + 1.25;"));
-    s.draw(&format!(
-        "+--[ ]( {within} )--[CALC]( {x}, {x} * 0.5 + 1.25 )--+"
-    ));
+    s.draw(&format!("+--[ ]( {within} )--[CALC]( {x}, {x} * 0.5 + 1.25 )--+"));
 }
 
 fn differs(s: &mut Sketch, n: usize, a: &str, b: &str) {
@@ -232,9 +230,7 @@ fn jump_over(s: &mut Sketch, n: usize, when: &str, what: &str) {
     s.draw(&format!("+--[ADD]( {skipped}, {skipped}, 1 )--+"));
     let p = s.power(what);
     s.act(&format!("{shown} = {p};"));
-    s.draw(&format!(
-        "+--<LBL>( over{n} )--[ ]( {what} )--( )( {shown} )--+"
-    ));
+    s.draw(&format!("+--<LBL>( over{n} )--[ ]( {what} )--( )( {shown} )--+"));
 }
 
 /// Two pairs of branches in a row.

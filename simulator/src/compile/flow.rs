@@ -6,7 +6,7 @@ use super::{Compiler, Result};
 use crate::code::{Instr, NOTHING_SAVED};
 use crate::memory::Bit;
 use ladder_analysis::program::{Argument, Block, BlockKind, Network, Program};
-use ladder_instructions::Op;
+use ladder_instructions::{Op, Shape};
 use ladder_syntax::Name;
 use std::ops::Range;
 
@@ -93,14 +93,55 @@ pub(super) fn may_repeat(program: &Program) -> bool {
     false
 }
 
-/// Whether what stands behind this network, or the rest of it, may not be reached in some scan.
-fn may_leave(network: &Network) -> bool {
-    network.blocks.iter().any(|block| match block.kind {
-        BlockKind::Instruction(row) => {
-            matches!(row.op, Op::Jmp | Op::Ret | Op::End | Op::For | Op::Call)
+/// Notes which networks of the main program some scans may not reach, or not in one go: what jumps pass over or go back
+/// to, what loops run, what stands behind an end.
+fn note_skippable(program: &Program, skippable: &mut [bool]) {
+    let main = program.main.clone();
+    let mut elsewhere = program
+        .networks
+        .iter()
+        .enumerate()
+        .filter(|(index, _)| !main.contains(index));
+    let may_end_elsewhere = elsewhere.any(|(_, network)| holds(network, Op::End));
+    // Where ranges begin and end, summed up at last: many may reach to the end.
+    let mut edges = vec![0i32; program.networks.len() + 1];
+    for index in main.clone() {
+        let network = &program.networks[index];
+        for block in &network.blocks {
+            let target = match block.arguments.first().map(|bound| &bound.argument) {
+                Some(Argument::Label(target)) => *target,
+                _ => None,
+            };
+            let passed = match &block.kind {
+                BlockKind::Instruction(row) => match row.op {
+                    Op::Jmp => match target {
+                        Some(target) if target > index => index..target,
+                        Some(target) => target..index + 1,
+                        None => index..main.end,
+                    },
+                    Op::Ret | Op::End => index..main.end,
+                    Op::Call if may_end_elsewhere => index..main.end,
+                    Op::For => {
+                        let behind = index + 1..main.end;
+                        let next = behind.clone().find(|&at| holds(&program.networks[at], Op::Next));
+                        index + 1..next.map_or(main.end, |next| next + 1)
+                    }
+                    _ => continue,
+                },
+                // Its body may jump, return or end in the main program's stead.
+                BlockKind::User(user) if program.blocks[*user].shape == Shape::Function => index..main.end,
+                BlockKind::User(_) if may_end_elsewhere => index..main.end,
+                BlockKind::User(_) => continue,
+            };
+            edges[passed.start] += 1;
+            edges[passed.end] -= 1;
         }
-        BlockKind::User(_) => true,
-    })
+    }
+    let mut open = 0;
+    for (skippable, edge) in skippable.iter_mut().zip(edges) {
+        open += edge;
+        *skippable |= open > 0;
+    }
 }
 
 impl Region {
@@ -122,9 +163,7 @@ impl Compiler<'_> {
         let program = self.program;
         self.cycles = Cycles::of(program);
         let main = program.main.clone();
-        if let Some(first) = main.clone().find(|&index| may_leave(&program.networks[index])) {
-            self.skippable[first..main.end].fill(true);
-        }
+        note_skippable(program, &mut self.skippable);
         self.stretch(main, Kind::Main)?;
         self.emit(Instr::Finish);
         for (index, function) in program.functions.iter().enumerate() {

@@ -196,6 +196,7 @@ impl Machine {
             let Some(&instr) = instrs.get(pc) else {
                 let block = entered + budget;
                 self.record(Trouble::Watchdog(self.watchdog), block as u32, clock.scan);
+                self.position.frame = frame;
                 return Halt::Stopped;
             };
             if PLAIN {
@@ -253,6 +254,7 @@ impl Machine {
                     if memory.bit(en) {
                         if calls == CALL_DEPTH {
                             self.record(Trouble::CallDepth, block_at(code, pc), clock.scan);
+                            self.position.frame = frame;
                             return Halt::Stopped;
                         }
                         calls += 1;

@@ -1,6 +1,6 @@
 //! Where a scan stands that is not finished, and where it is to halt.
 
-use super::{Frame, Machine};
+use super::{Frame, Machine, block_at};
 use crate::code::{Code, NOTHING_SAVED, stop};
 
 /// Where a scan goes on. A scan that runs through keeps this in the machine's locals.
@@ -88,6 +88,15 @@ impl OpenScan<'_> {
         self.machine.position.budget
     }
 
+    /// How far the main program has come.
+    pub(crate) fn main(self) -> u32 {
+        let mut frames =
+            std::iter::once(&self.machine.position.frame).chain(self.machine.frames.iter().rev());
+        // The outermost call.
+        let call = frames.rfind(|frame| frame.back > 0);
+        call.map_or(self.pc(), |frame| frame.back - 1)
+    }
+
     /// The instruction up to which a stretch of code has run, if it is open.
     pub(crate) fn within(self, start: u32, end: u32) -> Option<u32> {
         let frames = self.machine.frames.iter().rev();
@@ -104,6 +113,20 @@ impl Machine {
     /// Counts the stops in front of the next instruction as made.
     pub(crate) fn pass_stops(&mut self) {
         self.position.passed = stop::BLOCK | stop::NETWORK;
+    }
+
+    /// Lets a scan that a fault has stopped stand where it does in plain code, if it ran fused code.
+    pub(crate) fn stand_in_plain(&mut self, ran: Option<&Code>, plain: &Code) {
+        if let Some(fault) = self.faults.last() {
+            self.position.pc = plain.blocks[fault.block as usize].start as usize;
+        }
+        let Some(fused) = ran else { return };
+        for frame in std::iter::once(&mut self.position.frame).chain(&mut self.frames) {
+            if frame.back > 0 {
+                let call = block_at(fused, frame.back as usize - 1);
+                frame.back = plain.blocks[call as usize].end;
+            }
+        }
     }
 
     /// What is open in the scan that was begun and not finished.

@@ -51,22 +51,20 @@ impl Simulation {
     fn is_reached(&self, element: &ElementPlace) -> bool {
         let network = element.network as usize;
         let machine = &self.machine;
-        if self.open {
+        // One that a fault stopped stands where it was stopped.
+        let open = self.open || self.status == Status::Faulted;
+        if open {
             let stretch = &self.compiled.stretches[network];
             let scan = machine.open_scan();
             if let Some(pc) = scan.within(stretch.start, stretch.end) {
                 return element.at <= pc;
             }
             if !self.compiled.skippable[network] {
-                return element.at <= scan.pc();
+                return element.at <= scan.main();
             }
         }
-        // A scan that is open, or was stopped in its midst, is not counted yet.
-        let scan = if self.open || self.status == Status::Faulted {
-            machine.scan + 1
-        } else {
-            machine.scan
-        };
+        // It is not counted yet.
+        let scan = machine.scan + i64::from(open);
         scan > 0
             && (!self.compiled.skippable[network]
                 || (machine.reached[network] == scan && element.step <= machine.left_at[network]))

@@ -139,6 +139,8 @@ impl Simulation {
     fn settle(&mut self, halt: Halt) -> Stepped {
         if halt == Halt::Stopped {
             self.status = Status::Faulted;
+            let fused = (!self.ran_plain).then_some(&self.compiled.fused.code);
+            self.machine.stand_in_plain(fused, &self.compiled.code);
             return Stepped::Stopped;
         }
         self.machine.finish(self.options.interval);
