@@ -83,6 +83,7 @@ pub(crate) fn fuse(plain: &Code, mut temporary: Vec<bool>, memory: &mut Memory) 
         .map(|bit| Power::Slot(Bit(bit)))
         .collect();
     let moved = fuser.walk(&is_target);
+    fuser.memory.fill_up_bits();
     let mut code = Code {
         blocks_through: fuser
             .reaches
@@ -317,8 +318,14 @@ impl Fuser<'_> {
             });
             match self.instrs.last_mut() {
                 Some(Instr::Records { count, .. }) if self.may_extend => *count += 1,
+                Some(last @ Instr::Record { .. }) if self.may_extend => {
+                    *last = Instr::Records {
+                        start: start - 1,
+                        count: 2,
+                    };
+                }
                 _ => {
-                    self.instrs.push(Instr::Records { start, count: 1 });
+                    self.instrs.push(Instr::Record { at: start });
                     self.reaches.push(0);
                     self.may_extend = true;
                 }

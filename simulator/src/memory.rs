@@ -157,6 +157,11 @@ impl Memory {
         self.texts[slot.0 as usize].bytes()
     }
 
+    /// Makes the bits as many as a power of two: see the machine's records.
+    pub(crate) fn fill_up_bits(&mut self) {
+        self.bits.resize(self.bits.len().next_power_of_two(), 0);
+    }
+
     /// Room to note what is forced; nothing is, unless it was there.
     pub(crate) fn make_room_for_forces(&mut self) {
         self.held.bits.resize(self.bits.len(), 0);

@@ -1,4 +1,8 @@
 //! The programs that are measured.
+#![allow(
+    clippy::many_single_char_names,
+    reason = "contacts are a, b, c in every drawing"
+)]
 
 use crate::sketch::{Dice, Sketch, Type};
 

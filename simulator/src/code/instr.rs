@@ -354,7 +354,11 @@ pub(crate) enum Instr {
         words: Word,
     },
 
-    /// Boolean networks as truth tables, see `fuse`: so many of [`Code::records`].
+    /// Boolean networks as truth tables, see `fuse`: one of [`Code::records`].
+    Record {
+        at: u32,
+    },
+    /// Several in a row.
     Records {
         start: u32,
         count: u32,
@@ -523,6 +527,7 @@ impl Instr {
             | I::StoreWord { .. }
             | I::LoadText { .. }
             | I::StoreText { .. }
+            | I::Record { .. }
             | I::Records { .. }
             | I::Routine { .. }
             | I::Network { .. }

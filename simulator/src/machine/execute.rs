@@ -1,6 +1,6 @@
 //! The instructions that code runs straight through.
 
-use crate::code::{Code, Instr, NO_STAMP};
+use crate::code::{Code, Instr, NO_STAMP, Record};
 use crate::counters::{self, Counter};
 use crate::fault::Trouble;
 use crate::memory::{Bit, Memory, TextSlot, Word};
@@ -10,16 +10,65 @@ use crate::timers::{Clock, Timer};
 use ladder_instructions::StateType;
 use std::cmp::Ordering;
 
-/// Executes one instruction after which the next one follows. It is called in one place for each kind of scan, and
-/// becomes part of the machine's one big choice there.
-#[inline]
+/// What comes behind an instruction.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Step {
+    /// The next one.
+    Next,
+    /// A later one of the same block.
+    Skip(u32),
+    /// [`Machine::flow`](super::Machine::flow) tells.
+    Flow,
+}
+
+/// Executes one instruction, all in one choice. It is called in one place for each kind of scan, and is to become part
+/// of the machine's loop there: the instructions that run straight through then come back to its head at once.
+#[inline(always)]
+#[allow(
+    clippy::inline_always,
+    reason = "a call for each instruction takes as long as the instruction"
+)]
 pub(super) fn execute<const FORCED: bool>(
     memory: &mut Memory,
+    rows: &mut [u8],
     code: &Code,
-    instr: Instr,
+    instr: &Instr,
     clock: Clock,
-) -> Result<(), Trouble> {
-    match instr {
+) -> Result<Step, Trouble> {
+    match *instr {
+        Instr::Record { at } => look_up(memory, &code.records[at as usize], &mut rows[at as usize]),
+        Instr::Records { start, count } => {
+            let run = start as usize..(start + count) as usize;
+            for (record, row) in code.records[run.clone()].iter().zip(&mut rows[run]) {
+                look_up(memory, record, row);
+            }
+        }
+        Instr::Powered { out, en, end } => {
+            let power = memory.bit(en);
+            memory.set_bit(out, power);
+            if !power {
+                return Ok(Step::Skip(end));
+            }
+        }
+        Instr::Jump { en, .. }
+        | Instr::Call { en, .. }
+        | Instr::Return { en, .. }
+        | Instr::End { en, .. } => {
+            if memory.bit(en) {
+                return Ok(Step::Flow);
+            }
+        }
+        Instr::Network { .. }
+        | Instr::Rail { .. }
+        | Instr::Mcr { .. }
+        | Instr::Left { .. }
+        | Instr::Finish
+        | Instr::For { .. }
+        | Instr::Enter { .. }
+        | Instr::Again
+        | Instr::EnterBody
+        | Instr::LeaveBody => return Ok(Step::Flow),
+
         Instr::Contact { out, en, tag } => {
             let power = memory.bit(en) & memory.bit(tag);
             memory.set_bit(out, power);
@@ -399,9 +448,24 @@ pub(super) fn execute<const FORCED: bool>(
             let operands = &code.operands[operands as usize..];
             routine::run::<FORCED>(routine, memory, operands, clock)?;
         }
-        _ => debug_assert!(false, "{instr:?} does not run straight through"),
     }
-    Ok(())
+    Ok(Step::Next)
+}
+
+/// Looks up the result of a record and notes the row.
+#[inline]
+fn look_up(memory: &mut Memory, record: &Record, row: &mut u8) {
+    let bits = memory.bits.as_mut_slice();
+    let Some(last) = bits.len().checked_sub(1) else {
+        return;
+    };
+    // There are as many bits as a power of two, so this changes no slot; and an index that cannot lie outside needs
+    // no look at the bounds.
+    let slot = |bit: Bit| bit.0 as usize & last;
+    let [a, b, c] = record.inputs;
+    let index = bits[slot(a)] | bits[slot(b)] << 1 | bits[slot(c)] << 2;
+    *row = index;
+    bits[slot(record.out)] = record.truth >> (index & 7) & 1;
 }
 
 /// Notes an evaluation; whether it is not the first in this scan.

@@ -1,14 +1,16 @@
 //! The machine that runs flat code: one scan is one walk through it.
 
 mod execute;
+mod flow;
 mod position;
 mod state;
 
-use crate::code::{Code, Instr, NOTHING_SAVED, Record};
+use crate::code::{Code, Instr};
 use crate::fault::Trouble;
 use crate::memory::{Bit, Memory};
 use crate::timers::Clock;
-use execute::execute;
+use execute::{Step, execute};
+use flow::{Flow, Frame};
 use position::Position;
 pub(crate) use position::Until;
 pub(crate) use state::MachineState;
@@ -36,39 +38,6 @@ pub(crate) struct FaultRecord {
     /// The block, as an index into [`Code::blocks`].
     pub(crate) block: u32,
     pub(crate) scan: i64,
-}
-
-/// A loop that is being run: code from `body` up to `behind`.
-#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
-struct Loop {
-    body: u32,
-    behind: u32,
-    /// Turns that follow this one; none runs if both ends are 0.
-    left: i64,
-}
-
-/// What a call, or the body of a user-defined block, has of its own.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-struct Frame {
-    /// Where the caller goes on.
-    back: u32,
-    rail: bool,
-    turning: Loop,
-    /// Turns that a `<FOR>` has noted for the end of its network.
-    noted: i64,
-    saved: u32,
-}
-
-impl Frame {
-    fn new(back: u32, saved: u32) -> Frame {
-        Frame {
-            back,
-            rail: true,
-            turning: Loop::default(),
-            noted: 0,
-            saved,
-        }
-    }
 }
 
 /// A program's state while it runs.
@@ -159,194 +128,54 @@ impl Machine {
             now: self.now,
             scan: self.scan + 1,
         };
-        let Position {
-            mut pc,
-            mut frame,
-            mut calls,
-            mut budget,
-            mut passed,
-        } = self.position;
+        let mut pc = self.position.pc;
+        let mut passed = self.position.passed;
         // The stretch of code that may run before the watchdog must be asked again: where code runs straight on,
         // what is evaluated is known beforehand, so nothing is counted there.
-        let (mut entered, mut instrs) = stretch(code, pc, budget);
-
-        // Leaves straight-line code: pays for the blocks of the stretch, then goes on elsewhere.
-        macro_rules! go {
-            ($to:expr) => {{
-                let paid = u64::from(code.blocks_through[pc]) - entered;
-                budget = budget.saturating_sub(paid);
-                pc = $to as usize;
-                (entered, instrs) = stretch(code, pc, budget);
-                continue;
-            }};
-        }
-        macro_rules! fault {
-            ($trouble:expr) => {{
-                let block = block_at(code, pc);
-                self.record($trouble, block, clock.scan);
-                let place = &code.blocks[block as usize];
-                if place.out != Bit::LOW && place.out != Bit::HIGH {
-                    self.memory.set_bit(place.out, false);
-                }
-                pc = place.end as usize;
-                continue;
-            }};
-        }
+        let (mut entered, mut instrs) = stretch(code, pc, self.position.budget);
         loop {
-            let Some(&instr) = instrs.get(pc) else {
-                let block = entered + budget;
+            let Some(instr) = instrs.get(pc) else {
+                let block = entered + self.position.budget;
                 self.record(Trouble::Watchdog(self.watchdog), block as u32, clock.scan);
-                self.position.frame = frame;
                 return Halt::Stopped;
             };
             if PLAIN {
                 if until.halts(code, pc, passed) {
-                    let paid = blocks_before(code, pc).saturating_sub(entered);
-                    budget = budget.saturating_sub(paid);
-                    passed = until.passed();
-                    self.position = Position {
-                        pc,
-                        frame,
-                        calls,
-                        budget,
-                        passed,
-                    };
+                    self.position.pay(blocks_before(code, pc) - entered);
+                    self.position.pc = pc;
+                    self.position.passed = until.passed();
                     return Halt::Halted;
                 }
                 passed = 0;
             }
-            let memory = &mut self.memory;
-            match instr {
-                Instr::Rail { out } => memory.set_bit(out, frame.rail),
-                Instr::Powered { out, en, end } => {
-                    let power = memory.bit(en);
-                    memory.set_bit(out, power);
-                    if !power {
-                        pc = end as usize;
-                        continue;
+            match execute::<PLAIN>(&mut self.memory, &mut self.rows, code, instr, clock) {
+                Ok(Step::Next) => pc += 1,
+                Ok(Step::Skip(to)) => pc = to as usize,
+                Ok(Step::Flow) => match self.flow(code, instr, pc, clock) {
+                    Flow::Next => pc += 1,
+                    Flow::Go(to) => {
+                        // Straight-line code ends here: its blocks are paid for.
+                        self.position.pay(u64::from(code.blocks_through[pc]) - entered);
+                        pc = to as usize;
+                        (entered, instrs) = stretch(code, pc, self.position.budget);
                     }
-                }
-                Instr::Records { start, count } => {
-                    let run = start as usize..(start + count) as usize;
-                    look_up(memory, &code.records[run.clone()], &mut self.rows[run]);
-                }
-                Instr::Network { network } => {
-                    self.reached[network as usize] = clock.scan;
-                    self.left_at[network as usize] = u32::MAX;
-                }
-                Instr::Left { step, network } => self.left_at[network as usize] = step,
-                Instr::Jump {
-                    en,
-                    to,
-                    step,
-                    network,
-                } => {
-                    if memory.bit(en) {
-                        self.left_at[network as usize] = step;
-                        frame.noted = 0;
-                        if to < frame.turning.body || to >= frame.turning.behind {
-                            frame.turning = Loop::default();
-                        }
-                        go!(to);
-                    }
-                }
-                Instr::Call { en, to, saved } => {
-                    if memory.bit(en) {
-                        if calls == CALL_DEPTH {
-                            self.record(Trouble::CallDepth, block_at(code, pc), clock.scan);
-                            self.position.frame = frame;
-                            return Halt::Stopped;
-                        }
-                        calls += 1;
-                        if saved != NOTHING_SAVED {
-                            let powers = &code.saved[saved as usize];
-                            self.saved
-                                .extend(powers.iter().map(|power| memory.bits[power.0 as usize]));
-                        }
-                        self.frames.push(frame);
-                        frame = Frame::new(pc as u32 + 1, saved);
-                        go!(to);
-                    }
-                }
-                Instr::Return { en, step, network } => {
-                    if memory.bit(en) {
-                        self.left_at[network as usize] = step;
-                        let Some(caller) = self.frames.pop() else {
-                            return Halt::Done;
-                        };
-                        calls -= 1;
-                        let back = self.come_back(code, frame);
-                        frame = caller;
-                        go!(back);
-                    }
-                }
-                Instr::End { en, step, network } => {
-                    if memory.bit(en) {
-                        self.left_at[network as usize] = step;
-                        return Halt::Ended;
-                    }
-                }
-                Instr::Finish => {
-                    let Some(caller) = self.frames.pop() else {
-                        return Halt::Done;
-                    };
-                    calls -= 1;
-                    let back = self.come_back(code, frame);
-                    frame = caller;
-                    go!(back);
-                }
-                Instr::For { en, turns } => {
-                    frame.noted = if memory.bit(en) { memory.word(turns) } else { 0 };
-                }
-                Instr::Enter { body, behind } => {
-                    let turns = std::mem::take(&mut frame.noted);
-                    if turns <= 0 {
-                        go!(behind);
-                    }
-                    frame.turning = Loop {
-                        body,
-                        behind,
-                        left: turns - 1,
-                    };
-                }
-                Instr::Again => {
-                    if frame.turning.left > 0 {
-                        frame.turning.left -= 1;
-                        frame.noted = 0;
-                        go!(frame.turning.body);
-                    }
-                    frame.turning = Loop::default();
-                }
-                Instr::Mcr { en } => frame.rail = memory.bit(en),
-                Instr::EnterBody => {
-                    self.frames.push(frame);
-                    frame = Frame::new(0, NOTHING_SAVED);
-                }
-                Instr::LeaveBody => {
-                    if let Some(outer) = self.frames.pop() {
-                        frame = outer;
-                    }
-                }
-                straight => {
-                    if let Err(trouble) = execute::<PLAIN>(memory, code, straight, clock) {
-                        fault!(trouble);
-                    }
-                }
+                    Flow::Halt(halt) => return halt,
+                },
+                Err(trouble) => pc = self.fault(code, pc, trouble, clock),
             }
-            pc += 1;
         }
     }
 
-    /// Gives a caller its powers back; where it goes on.
-    fn come_back(&mut self, code: &Code, frame: Frame) -> u32 {
-        if frame.saved != NOTHING_SAVED {
-            let powers = &code.saved[frame.saved as usize];
-            let start = self.saved.len() - powers.len();
-            for (power, value) in powers.iter().zip(self.saved.drain(start..)) {
-                self.memory.bits[power.0 as usize] = value;
-            }
+    /// A fault that the scan survives: the block has no power, and the code behind it goes on.
+    #[cold]
+    fn fault(&mut self, code: &Code, pc: usize, trouble: Trouble, clock: Clock) -> usize {
+        let block = block_at(code, pc);
+        self.record(trouble, block, clock.scan);
+        let place = &code.blocks[block as usize];
+        if place.out != Bit::LOW && place.out != Bit::HIGH {
+            self.memory.set_bit(place.out, false);
         }
-        frame.back
+        place.end as usize
     }
 
     fn record(&mut self, trouble: Trouble, block: u32, scan: i64) {
@@ -398,15 +227,4 @@ fn block_at(code: &Code, pc: usize) -> u32 {
         block -= 1;
     }
     block.saturating_sub(1) as u32
-}
-
-/// Runs records: each looks up its result and notes the row.
-fn look_up(memory: &mut Memory, records: &[Record], rows: &mut [u8]) {
-    let bits = memory.bits.as_mut_slice();
-    for (record, row) in records.iter().zip(rows) {
-        let [a, b, c] = record.inputs;
-        let index = bits[a.0 as usize] | bits[b.0 as usize] << 1 | bits[c.0 as usize] << 2;
-        *row = index;
-        bits[record.out.0 as usize] = record.truth >> (index & 7) & 1;
-    }
 }

@@ -1,6 +1,7 @@
 //! Where a scan stands that is not finished, and where it is to halt.
 
-use super::{Frame, Machine, block_at};
+use super::flow::Frame;
+use super::{Machine, block_at};
 use crate::code::{Code, NOTHING_SAVED, stop};
 
 /// Where a scan goes on. A scan that runs through keeps this in the machine's locals.
@@ -26,6 +27,11 @@ impl Position {
             budget: watchdog,
             passed: 0,
         }
+    }
+
+    /// Blocks have been evaluated.
+    pub(super) fn pay(&mut self, blocks: u64) {
+        self.budget = self.budget.saturating_sub(blocks);
     }
 }
 

@@ -1,7 +1,8 @@
 //! What of a machine is kept to be brought back.
 
+use super::Machine;
+use super::flow::Frame;
 use super::position::Position;
-use super::{Frame, Machine};
 use crate::memory::Memory;
 
 /// A machine at one moment, but for its faults.

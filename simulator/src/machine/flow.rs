@@ -1,0 +1,161 @@
+//! Program flow (LANGUAGE §5.5): jumps, calls, loops, rails.
+
+use super::{CALL_DEPTH, Halt, Machine, block_at};
+use crate::code::{Code, Instr, NOTHING_SAVED};
+use crate::fault::Trouble;
+use crate::timers::Clock;
+
+/// Where a scan goes on.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Flow {
+    /// Behind this instruction.
+    Next,
+    /// Elsewhere.
+    Go(u32),
+    /// Nowhere.
+    Halt(Halt),
+}
+
+/// A loop that is being run: code from `body` up to `behind`.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
+struct Loop {
+    body: u32,
+    behind: u32,
+    /// Turns that follow this one; none runs if both ends are 0.
+    left: i64,
+}
+
+/// What a call, or the body of a user-defined block, has of its own.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) struct Frame {
+    /// Where the caller goes on.
+    pub(super) back: u32,
+    rail: bool,
+    turning: Loop,
+    /// Turns that a `<FOR>` has noted for the end of its network.
+    noted: i64,
+    saved: u32,
+}
+
+impl Frame {
+    pub(super) fn new(back: u32, saved: u32) -> Frame {
+        Frame {
+            back,
+            rail: true,
+            turning: Loop::default(),
+            noted: 0,
+            saved,
+        }
+    }
+}
+
+impl Machine {
+    /// Executes an instruction that concerns where the scan goes on, or what it has open. Those that ask for EN come
+    /// here with EN high only.
+    pub(super) fn flow(&mut self, code: &Code, instr: &Instr, pc: usize, clock: Clock) -> Flow {
+        let frame = &mut self.position.frame;
+        match *instr {
+            Instr::Network { network } => {
+                self.reached[network as usize] = clock.scan;
+                self.left_at[network as usize] = u32::MAX;
+            }
+            Instr::Rail { out } => self.memory.set_bit(out, frame.rail),
+            Instr::Mcr { en } => frame.rail = self.memory.bit(en),
+            Instr::Left { step, network } => self.left_at[network as usize] = step,
+            Instr::Jump {
+                to, step, network, ..
+            } => {
+                self.left_at[network as usize] = step;
+                frame.noted = 0;
+                if to < frame.turning.body || to >= frame.turning.behind {
+                    frame.turning = Loop::default();
+                }
+                return Flow::Go(to);
+            }
+            Instr::Call { to, saved, .. } => {
+                if self.position.calls == CALL_DEPTH {
+                    self.record(Trouble::CallDepth, block_at(code, pc), clock.scan);
+                    return Flow::Halt(Halt::Stopped);
+                }
+                self.position.calls += 1;
+                if saved != NOTHING_SAVED {
+                    let powers = &code.saved[saved as usize];
+                    let bits = &self.memory.bits;
+                    self.saved
+                        .extend(powers.iter().map(|power| bits[power.0 as usize]));
+                }
+                let callee = Frame::new(pc as u32 + 1, saved);
+                self.frames.push(std::mem::replace(frame, callee));
+                return Flow::Go(to);
+            }
+            Instr::Return { step, network, .. } => {
+                self.left_at[network as usize] = step;
+                return self.go_back(code);
+            }
+            Instr::Finish => return self.go_back(code),
+            Instr::End { step, network, .. } => {
+                self.left_at[network as usize] = step;
+                return Flow::Halt(Halt::Ended);
+            }
+            Instr::For { en, turns } => {
+                frame.noted = if self.memory.bit(en) {
+                    self.memory.word(turns)
+                } else {
+                    0
+                };
+            }
+            Instr::Enter { body, behind } => {
+                let turns = std::mem::take(&mut frame.noted);
+                if turns <= 0 {
+                    return Flow::Go(behind);
+                }
+                frame.turning = Loop {
+                    body,
+                    behind,
+                    left: turns - 1,
+                };
+            }
+            Instr::Again => {
+                if frame.turning.left > 0 {
+                    frame.turning.left -= 1;
+                    frame.noted = 0;
+                    return Flow::Go(frame.turning.body);
+                }
+                frame.turning = Loop::default();
+            }
+            Instr::EnterBody => {
+                let body = Frame::new(0, NOTHING_SAVED);
+                self.frames.push(std::mem::replace(frame, body));
+            }
+            Instr::LeaveBody => {
+                if let Some(outer) = self.frames.pop() {
+                    *frame = outer;
+                }
+            }
+            _ => debug_assert!(false, "{instr:?} runs straight through"),
+        }
+        Flow::Next
+    }
+
+    /// To the caller; the main program has none and is done.
+    fn go_back(&mut self, code: &Code) -> Flow {
+        let Some(caller) = self.frames.pop() else {
+            return Flow::Halt(Halt::Done);
+        };
+        self.position.calls -= 1;
+        let callee = std::mem::replace(&mut self.position.frame, caller);
+        self.come_back(code, callee);
+        Flow::Go(callee.back)
+    }
+
+    /// Gives a caller its powers back.
+    fn come_back(&mut self, code: &Code, frame: Frame) {
+        if frame.saved != NOTHING_SAVED {
+            let powers = &code.saved[frame.saved as usize];
+            let start = self.saved.len() - powers.len();
+            for (power, value) in powers.iter().zip(self.saved.drain(start..)) {
+                self.memory.bits[power.0 as usize] = value;
+            }
+        }
+    }
+}
