@@ -4,7 +4,7 @@ use ladder_tests::{book, project};
 use std::collections::BTreeSet;
 use std::process::Command;
 
-const COMMANDS: [&str; 6] = ["check", "fmt", "sim", "render", "explain", "tree"];
+const COMMANDS: [&str; 7] = ["check", "fmt", "sim", "test", "render", "explain", "tree"];
 
 #[test]
 fn the_guide_tells_of_every_option() {

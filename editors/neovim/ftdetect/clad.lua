@@ -1,2 +1,2 @@
 -- `.ld` is left alone on purpose: it belongs to linker scripts.
-vim.filetype.add({ extension = { clad = 'clad' } })
+vim.filetype.add({ extension = { clad = 'clad', ['ladder-test'] = 'laddertest' } })

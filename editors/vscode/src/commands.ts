@@ -3,6 +3,7 @@ import * as vscode from 'vscode';
 
 import { askValue, pickTag } from './prompts.ts';
 import type { Tag } from './protocol.ts';
+import { runScenarios } from './scenarios.ts';
 import type { Server } from './server.ts';
 import type { Simulation } from './simulation.ts';
 import { toggleCommentInEditor } from './toggleComment.ts';
@@ -51,6 +52,7 @@ export function registerCommands(server: Server, simulation: Simulation): vscode
         'ladder.simulation.force': (tag) => assign(simulation, 'force', tag),
         'ladder.simulation.unforce': (tag) => release(simulation, tag),
         'ladder.simulation.toggle': (tag) => toggle(simulation, tag),
+        'ladder.test': () => runScenarios(server.program()),
         'ladder.toggleComment': () => toggleCommentInEditor(),
         'ladder.restartServer': () => server.restart(),
         'ladder.showLog': () => server.log.show(),

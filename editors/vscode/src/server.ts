@@ -44,14 +44,23 @@ export class Server implements vscode.Disposable {
         this.#extensionPath = extensionPath;
     }
 
-    async start(): Promise<void> {
-        const place = findServer({
+    #place(): Place {
+        return findServer({
             setting: vscode.workspace.getConfiguration('ladder.server').get('path', ''),
             extensionPath: this.#extensionPath,
             home: homedir(),
             platform: process.platform,
             isFile,
         });
+    }
+
+    /** The program `ladder`. */
+    program(): string {
+        return this.#place().path;
+    }
+
+    async start(): Promise<void> {
+        const place = this.#place();
         const reason = await whyNot(place.path);
         if (reason !== undefined) {
             this.log.error(`${place.path}: ${reason}`);

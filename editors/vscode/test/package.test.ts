@@ -31,8 +31,20 @@ test('settings that the code reads are declared', () => {
     }
 });
 
-test('the language claims .clad files only', () => {
-    assert.deepEqual(manifest.contributes.languages[0].extensions, ['.clad']);
+test('the languages claim .clad and .ladder-test files only', () => {
+    const claimed = manifest.contributes.languages.map(({ extensions }: { extensions: string[] }) => extensions);
+    assert.deepEqual(claimed, [['.clad'], ['.ladder-test']]);
+});
+
+test('every grammar and configuration of a language is packed', () => {
+    const packed = read('.vscodeignore');
+    assert.ok(packed.includes('!syntaxes/*.json'));
+    for (const { id, configuration } of manifest.contributes.languages) {
+        assert.ok(packed.includes(`!${configuration.replace('./', '')}`), configuration);
+        JSON.parse(read(configuration));
+        const grammar = manifest.contributes.grammars.find(({ language }: { language: string }) => language === id);
+        assert.equal(JSON.parse(read(grammar.path)).scopeName, grammar.scopeName);
+    }
 });
 
 test('Enter behind a line with a branch continues the rail, and only there', () => {

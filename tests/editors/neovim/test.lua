@@ -28,6 +28,25 @@ t.step('the server attaches and finds nothing wrong with a good program', functi
   )
 end)
 
+t.step(':Ladder test lists the scenarios that fail in the quickfix list', function()
+  vim.cmd.edit(vim.env.LADDER_FIXTURES .. '/motor.ladder-test')
+  t.equal('the file type', 'laddertest', vim.bo.filetype)
+  t.equal("'commentstring'", '# %s', vim.bo.commentstring)
+  vim.cmd('Ladder test')
+  local found = t.eventually('an entry', function()
+    return vim.fn.getqflist()[1]
+  end)
+  t.equal('its line', 10, found.lnum)
+  t.equal('its column', 12, found.col)
+  t.equal(
+    'its text',
+    'stop does nothing: run is FALSE in step 3 (at 30ms), TRUE was expected; 3 of 6 steps differ',
+    found.text
+  )
+  t.equal('the message', 'ladder: 1 scenarios passed, 1 failed', messages[#messages])
+  vim.cmd('cclose')
+end)
+
 t.step('gcc and gc with a motion toggle comments', function()
   local bufnr = t.open('motor.clad')
   local before = vim.api.nvim_buf_get_lines(bufnr, 0, -1, false)

@@ -151,6 +151,11 @@ local subcommands = {
       vim.diagnostic.setloclist({ title = 'Ladder check' })
     end,
   },
+  test = {
+    run = function()
+      require('ladder.test').run(buffer())
+    end,
+  },
   status = {
     run = function()
       local client = require('ladder.server').of(buffer())

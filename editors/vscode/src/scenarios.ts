@@ -1,0 +1,24 @@
+// The scenarios of a file, run in a terminal.
+import * as vscode from 'vscode';
+
+const NAME = 'Ladder Scenarios';
+
+/** Saves the file of the active editor and runs `ladder test` on it. The shell is passed by: nothing needs quotes. */
+export async function runScenarios(program: string): Promise<void> {
+    const document = vscode.window.activeTextEditor?.document;
+    if (!document || document.languageId !== 'ladder-test') {
+        return;
+    }
+    await document.save();
+    const folder = vscode.workspace.getWorkspaceFolder(document.uri);
+    const execution = new vscode.ProcessExecution(program, ['test', document.uri.fsPath]);
+    const task = new vscode.Task(
+        { type: 'process' },
+        folder ?? vscode.TaskScope.Workspace,
+        NAME,
+        'ladder',
+        execution,
+    );
+    task.presentationOptions = { clear: true, reveal: vscode.TaskRevealKind.Always, showReuseMessage: false };
+    await vscode.tasks.executeTask(task);
+}

@@ -1,0 +1,130 @@
+//! Scenarios are the unit tests of programs: every example has some, and so has every instruction.
+//!
+//! `tests/instructions/` has a program for each section of the table of instructions, and beside it the scenarios of
+//! its rows. A scenario is about the row whose block its name begins with: `[TON] delays the rise`.
+
+use ladder_analysis::analyze;
+use ladder_analysis::program::{BlockKind, Program};
+use ladder_instructions::{Op, TABLE};
+use ladder_simulator::scenario::{self, Suite};
+use ladder_simulator::{Options, Simulation};
+use ladder_tests::project;
+use std::collections::{BTreeSet, HashSet};
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+
+/// A scenario file with its program.
+struct Tested {
+    file: PathBuf,
+    suite: Suite,
+    program: PathBuf,
+    simulation: Simulation,
+}
+
+impl Tested {
+    fn read(file: PathBuf) -> Tested {
+        let suite = scenario::parse(&project::read(&file));
+        let (name, _) = suite.program.clone().expect("a program is named");
+        let program = file.with_file_name(name);
+        let parse = Arc::new(ladder_syntax::parse(&project::read(&program)));
+        let analysis = analyze(&parse, &program.display().to_string());
+        let runs = analysis
+            .program
+            .unwrap_or_else(|| panic!("{}: {:#?}", program.display(), analysis.diagnostics));
+        let options = Options {
+            interval: suite
+                .interval
+                .map_or(Options::default().interval, |(interval, _)| interval),
+            ..Options::default()
+        };
+        Tested {
+            simulation: Simulation::new(runs, options).expect("it compiles"),
+            file,
+            suite,
+            program,
+        }
+    }
+
+    /// The names of the scenarios that pass; what is wrong with the others is added to `problems`.
+    fn passed(&mut self, problems: &mut Vec<String>) -> Vec<String> {
+        let (cases, mistakes) = scenario::bind(&self.suite, &self.simulation);
+        for mistake in self.suite.mistakes.iter().chain(&mistakes) {
+            problems.push(format!("{}: {}", self.file.display(), mistake.message));
+        }
+        let mut passed = Vec::new();
+        for case in &cases {
+            let ran = scenario::run(case, &mut self.simulation, |_| {});
+            if ran.passed() {
+                passed.push(case.name.clone());
+                continue;
+            }
+            let interval = self.simulation.options().interval;
+            let drawing = scenario::draw(case, &ran, interval, 100);
+            let lines: Vec<String> = drawing.into_iter().map(|line| line.text).collect();
+            problems.push(format!(
+                "{}: {}\n{}",
+                self.file.display(),
+                case.name,
+                lines.join("\n")
+            ));
+        }
+        passed
+    }
+}
+
+fn ops(program: &Program) -> impl Iterator<Item = Op> + '_ {
+    let blocks = program.networks.iter().flat_map(|network| &network.blocks);
+    blocks.filter_map(|block| match block.kind {
+        BlockKind::Instruction(row) => Some(row.op),
+        BlockKind::User(_) => None,
+    })
+}
+
+fn scenario_files(folder: &Path) -> Vec<Tested> {
+    let files = project::files(folder, "ladder-test");
+    files.into_iter().map(Tested::read).collect()
+}
+
+#[test]
+fn every_instruction_has_a_scenario() {
+    let mut problems = Vec::new();
+    let mut shown: HashSet<(Op, String)> = HashSet::new();
+    for mut tested in scenario_files(&project::root().join("tests/instructions")) {
+        let passed = tested.passed(&mut problems);
+        let used: BTreeSet<Op> = ops(tested.simulation.program()).collect();
+        for row in TABLE.iter().filter(|row| used.contains(&row.op)) {
+            let block = row.block();
+            if passed.iter().any(|name| name.starts_with(&block)) {
+                shown.insert((row.op, block));
+            }
+        }
+    }
+    for row in TABLE {
+        if !shown.contains(&(row.op, row.block())) {
+            problems.push(format!(
+                "{} has no scenario in tests/instructions whose name begins with {}",
+                row.signature(),
+                row.block()
+            ));
+        }
+    }
+    assert!(problems.is_empty(), "{}", problems.join("\n\n"));
+}
+
+#[test]
+fn every_example_has_scenarios() {
+    let folder = project::root().join("examples");
+    let mut problems = Vec::new();
+    let mut tested: BTreeSet<PathBuf> = BTreeSet::new();
+    for mut example in scenario_files(&folder) {
+        if !example.passed(&mut problems).is_empty() {
+            tested.insert(example.program);
+        }
+    }
+    for program in project::files(&folder, "clad") {
+        if !tested.contains(&program) {
+            problems.push(format!("{} has no scenarios", program.display()));
+        }
+    }
+    assert!(problems.is_empty(), "{}", problems.join("\n\n"));
+}
