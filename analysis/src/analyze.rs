@@ -6,6 +6,7 @@ use crate::others::Others;
 use crate::program::Program;
 use crate::resolve::{self, Resolved, numbers::Unit};
 use crate::rule::Severity;
+use crate::rule_settings::RuleSettings;
 use crate::rules;
 use ladder_syntax::Parse;
 use std::sync::Arc;
@@ -37,6 +38,11 @@ pub fn analyze(parse: &Arc<Parse>, name: &str) -> Analysis {
 
 /// Analyses a file among the others of its workspace, whose [`Exports`](crate::Exports) go by the same names.
 pub fn analyze_in(parse: &Arc<Parse>, name: &str, others: &Others) -> Analysis {
+    analyze_with(parse, name, others, &RuleSettings::default())
+}
+
+/// As [`analyze_in()`], with settings of the rules.
+pub fn analyze_with(parse: &Arc<Parse>, name: &str, others: &Others, settings: &RuleSettings) -> Analysis {
     let mut diagnostics = Vec::new();
     let context = context(parse, others, &mut diagnostics);
     let alone = Unit {
@@ -49,8 +55,9 @@ pub fn analyze_in(parse: &Arc<Parse>, name: &str, others: &Others) -> Analysis {
         unresolved,
         linked,
     } = resolve::program(&[alone], &mut diagnostics);
-    rules::check(&context, &mut diagnostics);
+    rules::check(&context, settings, &mut diagnostics);
     rules::unclosed_comment::hide_what_follows(parse, &mut diagnostics);
+    diagnostics.retain(|found| settings.is_on(found.rule) || found.severity == Severity::Error);
     diagnostics.sort_by_key(|d| (d.range.start(), d.range.end(), d.rule));
     // The first says it best: what is found while types are inferred comes before what follows from it.
     diagnostics.dedup_by(|later, first| later.rule == first.rule && later.range == first.range);

@@ -11,6 +11,7 @@
 //! read; [`Program`](program::Program) is what runs. A file with errors has no program.
 
 mod analyze;
+mod boolean;
 pub mod constant;
 pub mod context;
 mod declaration_fix;
@@ -27,6 +28,7 @@ mod known_blocks;
 mod link;
 pub mod literal;
 pub mod network;
+mod operand_value;
 pub mod order;
 #[cfg(test)]
 mod order_tests;
@@ -34,6 +36,7 @@ mod others;
 pub mod program;
 mod resolve;
 pub mod rule;
+pub mod rule_settings;
 mod rules;
 pub mod scope;
 mod shared;
@@ -42,9 +45,10 @@ pub mod user_block;
 mod uses;
 pub mod value;
 
-pub use analyze::{Analysis, analyze, analyze_in};
+pub use analyze::{Analysis, analyze, analyze_in, analyze_with};
 pub use diagnostic::{Diagnostic, Fix, Related};
 pub use exports::{ExportedBlock, ExportedFunction, Exports, Global, exports};
 pub use link::{NotWhole, link};
 pub use others::{Exported, Import, Others};
 pub use rule::{Rule, RuleGroup, Severity};
+pub use rule_settings::RuleSettings;

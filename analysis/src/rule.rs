@@ -37,7 +37,7 @@ pub enum RuleGroup {
 }
 
 macro_rules! rules {
-    ($($rule:ident $name:literal $group:ident $severity:ident;)+) => {
+    ($($rule:ident $name:literal $group:ident $severity:ident $($off:ident)?;)+) => {
         /// A rule. Its name is stable: people write it in settings and in comments that switch it off.
         #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
         #[allow(missing_docs)]
@@ -61,8 +61,15 @@ macro_rules! rules {
             pub const fn default_severity(self) -> Severity {
                 match self { $(Rule::$rule => Severity::$severity),+ }
             }
+
+            /// Whether it looks for findings unless set otherwise. What is a matter of taste is off.
+            pub const fn on_by_default(self) -> bool {
+                match self { $(Rule::$rule => rules!(@on $($off)?)),+ }
+            }
         }
     };
+    (@on) => { true };
+    (@on off) => { false };
 }
 
 rules! {
@@ -82,6 +89,12 @@ rules! {
     TypeMismatch "type-mismatch" Blocks Error;
     LiteralOutOfRange "literal-out-of-range" Blocks Error;
     ConstantWrite "constant-write" Blocks Error;
+    AlternativeMnemonic "alternative-mnemonic" Blocks Info off;
+    ResultArrow "result-arrow" Blocks Info;
+    RealEquality "real-equality" Blocks Warning;
+    DivisionByZero "division-by-zero" Blocks Warning;
+    ShortPreset "short-preset" Blocks Warning;
+    AmbiguousSign "ambiguous-sign" Blocks Info;
     UndeclaredTag "undeclared-tag" Names Warning;
     DuplicateDeclaration "duplicate-declaration" Names Error;
     UnknownMember "unknown-member" Names Error;
@@ -95,9 +108,36 @@ rules! {
     DuplicateBlock "duplicate-block" Names Error;
     WrongPlace "wrong-place" Names Error;
     RecursiveBlock "recursive-block" Names Error;
+    RecursiveCall "recursive-call" Names Warning;
+    OverlappingAddress "overlapping-address" Names Warning;
+    InputWritten "input-written" Names Warning;
     OpenWire "open-wire" Wiring Error;
+    RungNotPowered "rung-not-powered" Wiring Warning;
+    DeadEnd "dead-end" Wiring Warning;
     NoOutput "no-output" Wiring Warning;
+    ShortedBranch "shorted-branch" Wiring Warning;
+    DuplicateBranch "duplicate-branch" Wiring Warning;
+    ConstantPower "constant-power" Wiring Warning;
+    RedundantElement "redundant-element" Wiring Info;
+    ContactAfterCoil "contact-after-coil" Wiring Warning;
+    LatchedPower "latched-power" Wiring Info;
+    ComplexNetwork "complex-network" Wiring Info off;
     DoubleCoil "double-coil" Program Warning;
+    SetAndReset "set-and-reset" Program Warning;
+    SetWithoutReset "set-without-reset" Program Info;
+    ResetWithoutSet "reset-without-set" Program Info;
+    NeverWritten "never-written" Program Info;
+    NeverRead "never-read" Program Info;
+    ReadBeforeWrite "read-before-write" Program Info;
+    OrderSensitive "order-sensitive" Program Info;
+    Unreachable "unreachable" Program Warning;
+    EndlessJump "endless-jump" Program Warning;
+    UnconditionalEnd "unconditional-end" Program Warning;
+    ReturnOutsideFunction "return-outside-function" Program Info;
+    UnbalancedLoop "unbalanced-loop" Program Error;
+    UnusedFunction "unused-function" Program Info;
+    UnusedLabel "unused-label" Program Info;
+    CommentedOutRung "commented-out-rung" Program Info;
 }
 
 impl Rule {

@@ -34,7 +34,7 @@ pub(crate) fn collect(context: &mut Context) {
 }
 
 /// How an operand's tag is used. None: the operand names no tag.
-fn access(bound: &BoundBlock, formal: Formal, user_blocks: &[UserBlockFacts]) -> Option<Access> {
+pub(crate) fn access(bound: &BoundBlock, formal: Formal, user_blocks: &[UserBlockFacts]) -> Option<Access> {
     match formal {
         Formal::Operand(operand) => match operand.accepts {
             Accepts::Label | Accepts::Function | Accepts::SearchOperator => None,

@@ -17,6 +17,7 @@ offers a fix where there is one.
 | error | the program does not run |
 | warning | it runs, but this is probably a mistake |
 | info | worth knowing |
+| off | a matter of taste: found only where it is switched on |
 ";
 
 /// The text of the page.
@@ -36,7 +37,11 @@ pub fn text() -> String {
             "\n## {title}\n\n| rule | severity | |\n| --- | --- | --- |\n"
         );
         for rule in Rule::ALL.iter().copied().filter(|rule| rule.group() == group) {
-            let severity = rule.default_severity().name();
+            let severity = if rule.on_by_default() {
+                rule.default_severity().name()
+            } else {
+                "off"
+            };
             let _ = writeln!(out, "| {} | {severity} | {} |", link(rule), summary(rule));
         }
     }

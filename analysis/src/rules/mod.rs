@@ -3,32 +3,66 @@
 //! Rules about names and types are found while the program is resolved; their files hold the constructors that
 //! the resolver calls. All others have a `check` over the [`Context`].
 
+mod alternative_mnemonic;
+mod ambiguous_sign;
 pub(crate) mod bad_arity;
 pub(crate) mod bad_declaration;
 pub(crate) mod bad_literal;
 pub(crate) mod bad_operand;
+mod circles;
+mod commented_out_rung;
+mod complex_network;
+mod constant_power;
 pub(crate) mod constant_write;
+mod contact_after_coil;
+mod dead_end;
 pub(crate) mod did_you_mean;
+mod division_by_zero;
 mod double_coil;
 mod duplicate_block;
+mod duplicate_branch;
 pub(crate) mod duplicate_declaration;
 pub(crate) mod duplicate_function;
 mod duplicate_label;
 mod duplicate_timer;
+mod endless_jump;
+mod flow;
 mod follow_ups;
 mod frame_keyword;
+mod input_written;
+mod latched_power;
 mod misleading_alignment;
 mod misplaced_rail;
 pub(crate) mod missing_wire;
 mod near_names;
+mod never_read;
+mod never_written;
 mod no_output;
 mod open_wire;
+mod order_sensitive;
+mod overlapping_address;
+mod power_rules;
+mod read_before_write;
+mod real_equality;
 mod recursive_block;
 pub(crate) mod shared_globals;
+mod recursive_call;
+mod redundant_element;
+mod result_arrow;
+mod return_outside_function;
+mod rung_not_powered;
+mod set_and_reset;
+mod set_without_reset;
+mod short_preset;
+mod shorted_branch;
+mod survey;
 pub(crate) mod syntax_errors;
+mod tag_summary;
 pub(crate) mod type_mismatch;
+mod unbalanced_loop;
 mod unclosed_block;
 pub(crate) mod unclosed_comment;
+mod unconditional_end;
 mod undeclared_tag;
 mod unexpected_character;
 mod unknown_block;
@@ -37,11 +71,18 @@ mod unknown_instruction;
 pub(crate) mod unknown_label;
 pub(crate) mod unknown_member;
 mod unpaired_connector;
+mod unreachable;
+mod unused_function;
+mod unused_label;
+mod wiring_walk;
 mod wrong_place;
 mod wrong_shape;
 
 use crate::context::Context;
 use crate::diagnostic::Diagnostic;
+use crate::rule::Rule;
+use crate::rule_settings::RuleSettings;
+use survey::Survey;
 
 type Check = fn(&Context, &mut Vec<Diagnostic>);
 
@@ -66,12 +107,38 @@ const CHECKS: &[Check] = &[
     open_wire::check,
     no_output::check,
     double_coil::check,
+    overlapping_address::check,
+    commented_out_rung::check,
+];
+
+type SurveyedCheck = fn(&Context, &Survey, &mut Vec<Diagnostic>);
+
+/// Those that need to know what is in the file at all.
+const SURVEYED: &[SurveyedCheck] = &[
+    tag_summary::check,
+    recursive_call::check,
+    wiring_walk::check,
+    power_rules::check,
+    flow::check,
+    set_and_reset::check,
+    read_before_write::check,
+    return_outside_function::check,
+    unbalanced_loop::check,
+    unused_function::check,
+    unused_label::check,
 ];
 
 /// Runs them.
-pub(crate) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
+pub(crate) fn check(context: &Context, settings: &RuleSettings, out: &mut Vec<Diagnostic>) {
     for check in CHECKS {
         check(context, out);
+    }
+    let survey = survey::survey(context, settings, out);
+    for check in SURVEYED {
+        check(context, &survey, out);
+    }
+    if settings.is_on(Rule::ComplexNetwork) {
+        complex_network::check(context, out);
     }
     follow_ups::remove(context, out);
     syntax_errors::check(context, out);

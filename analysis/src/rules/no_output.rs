@@ -2,7 +2,7 @@
 
 use crate::context::Context;
 use crate::diagnostic::Diagnostic;
-use crate::network::BoundBlock;
+use crate::network::{BoundBlock, NetworkFacts};
 use crate::rule::Rule;
 use ladder_instructions::{Op, Role};
 use ladder_syntax::TextRange;
@@ -13,15 +13,9 @@ pub(crate) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
         if network.blocks.iter().any(may_act) {
             continue;
         }
-        // The drawing of the first rung, without the comments at its ends.
-        let drawn = (0..network.wiring.rungs[0].parts.len())
-            .filter(|&part| {
-                let kind = network.wiring.rungs[0].parts[part].kind;
-                !matches!(kind, PartKind::Comment | PartKind::Bar)
-            })
-            .map(|part| network.part_range(&context.parse, 0, part))
-            .reduce(TextRange::cover);
-        let Some(range) = drawn else { continue };
+        let Some(range) = first_rung(context, network) else {
+            continue;
+        };
         let found = Diagnostic::new(
             Rule::NoOutput,
             range,
@@ -35,8 +29,19 @@ pub(crate) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
     }
 }
 
+/// The drawing of the first rung, without the comments at its ends.
+pub(super) fn first_rung(context: &Context, network: &NetworkFacts) -> Option<TextRange> {
+    (0..network.wiring.rungs[0].parts.len())
+        .filter(|&part| {
+            let kind = network.wiring.rungs[0].parts[part].kind;
+            !matches!(kind, PartKind::Comment | PartKind::Bar)
+        })
+        .map(|part| network.part_range(&context.parse, 0, part))
+        .reduce(TextRange::cover)
+}
+
 /// Whether a block does more than pass power on, or might.
-fn may_act(bound: &BoundBlock) -> bool {
+pub(super) fn may_act(bound: &BoundBlock) -> bool {
     match bound.instruction() {
         Some(row) => row.role == Role::Acting || matches!(row.op, Op::Lbl | Op::Fun),
         // A user-defined block acts; of an unknown one nothing is known.

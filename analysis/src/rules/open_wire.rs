@@ -3,6 +3,7 @@
 //! A line that begins without power and gets it later through a connector has a dead stretch before that. What
 //! is behind it on other lines is dead as well: the finding stands at the place where the power is lost.
 
+use super::rung_not_powered;
 use crate::context::Context;
 use crate::diagnostic::{Diagnostic, Fix};
 use crate::network::NetworkFacts;
@@ -103,6 +104,13 @@ impl<'c> Reach<'c> {
         let parts = self.segments(rung)[segment].parts.clone();
         let dead = parts.clone().take_while(|&part| !self.live[rung][part]).count();
         let range = self.range(rung, parts.start, parts.start + dead - 1);
+        let before = parts
+            .start
+            .checked_sub(1)
+            .map(|before| self.part(rung, before).kind);
+        if before == Some(PartKind::Bar) && self.part(rung, parts.start).touches {
+            return Some(self.with_rail(rung, rung_not_powered::found(range)));
+        }
         let found = Diagnostic::new(
             Rule::OpenWire,
             range,

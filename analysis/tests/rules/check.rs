@@ -1,20 +1,48 @@
 //! Shows what is found in a text the way a person reads it.
 
 use expect_test::Expect;
-use ladder_analysis::{Diagnostic, Exported, analyze, analyze_in, exports, fix};
+use ladder_analysis::{Diagnostic, Exported, Others, Rule, RuleSettings, analyze_with, exports, fix};
 use ladder_format::{Options, apply};
 use ladder_syntax::{LineIndex, TextRange, parse};
 use std::sync::Arc;
 
+/// Rules about what a whole program lacks. A text of two lines that shows something else lacks much.
+const ABOUT_WHOLE_PROGRAMS: [Rule; 6] = [
+    Rule::NeverRead,
+    Rule::NeverWritten,
+    Rule::SetWithoutReset,
+    Rule::ResetWithoutSet,
+    Rule::UnusedFunction,
+    Rule::UnusedLabel,
+];
+
 /// Compares the findings, drawn under their lines, with what is expected. Each fix is shown by the lines that it
 /// changes; it must make its finding go away.
 pub(crate) fn check(text: &str, expected: Expect) {
-    expected.assert_eq(&findings(text));
+    expected.assert_eq(&findings(text, &short_text()));
 }
 
 /// Nothing is found.
 pub(crate) fn clean(text: &str) {
-    assert_eq!(findings(text), "", "in:\n{text}");
+    assert_eq!(findings(text, &short_text()), "", "in:\n{text}");
+}
+
+/// As `check`, with every rule.
+pub(crate) fn check_program(text: &str, expected: Expect) {
+    expected.assert_eq(&findings(text, &RuleSettings::everything()));
+}
+
+/// As `clean`, with every rule.
+pub(crate) fn clean_program(text: &str) {
+    assert_eq!(findings(text, &RuleSettings::everything()), "", "in:\n{text}");
+}
+
+fn short_text() -> RuleSettings {
+    let mut settings = RuleSettings::default();
+    for rule in ABOUT_WHOLE_PROGRAMS {
+        settings.switch(rule, false);
+    }
+    settings
 }
 
 /// As [`check`], for the files of a workspace: each begins with a line `%% name.clad`.
@@ -30,7 +58,7 @@ pub(crate) fn check_files(texts: &str, expected: Expect) {
     let exported = Arc::new(Exported::new(summaries.collect()));
     let mut shown = String::new();
     for (name, text, parse) in &parsed {
-        let found = analyze_in(parse, name, &exported.others_of(name)).diagnostics;
+        let found = analyze_with(parse, name, &exported.others_of(name), &short_text()).diagnostics;
         if found.is_empty() {
             continue;
         }
@@ -77,11 +105,11 @@ pub(crate) fn files(texts: &str) -> Vec<(&str, String)> {
     files
 }
 
-fn findings(text: &str) -> String {
+fn findings(text: &str, settings: &RuleSettings) -> String {
     let parsed = Arc::new(parse(text));
     let index = LineIndex::new(text);
     let mut shown = String::new();
-    for diagnostic in analyze(&parsed, "test.clad").diagnostics {
+    for diagnostic in analyze_with(&parsed, "test.clad", &Others::default(), settings).diagnostics {
         let line = index.line(diagnostic.range.start());
         // The mark keeps the indentation of the text.
         shown.push_str(&format!("> {}\n", text[index.range(line)].trim_end()));
@@ -116,7 +144,8 @@ fn show(text: &str, index: &LineIndex, found: &Diagnostic, out: &mut String) {
             out.push_str(format!("      {line}").trim_end());
             out.push('\n');
         }
-        let again = analyze(&Arc::new(parse(&fixed)), "test.clad").diagnostics;
+        let (alone, everything) = (Others::default(), RuleSettings::everything());
+        let again = analyze_with(&Arc::new(parse(&fixed)), "test.clad", &alone, &everything).diagnostics;
         let stays = again
             .iter()
             .any(|d| d.rule == found.rule && d.message == found.message && d.range == found.range);

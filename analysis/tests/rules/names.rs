@@ -164,7 +164,7 @@ fn slips_in_a_file_without_declarations() {
                 at 4:35 `lamp1`: `lamp1` is written here as well
         "#]],
     );
-    clean("+--[ ]( a )--[ ]( a )--( )( b )--+\n");
+    clean("+--[ ]( a )--[ ]( c )--( )( b )--+\n");
 }
 
 #[test]

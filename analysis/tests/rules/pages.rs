@@ -1,6 +1,7 @@
 //! The pages of the rules: each shows a wrong and a right program, and both are what they say.
 
-use ladder_analysis::{Diagnostic, Rule, Severity, analyze};
+use ladder_analysis::{Diagnostic, Rule, RuleSettings, Severity, analyze_with, fix};
+use ladder_format::{Options, apply, format_text};
 use ladder_syntax::parse;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -19,9 +20,46 @@ fn programs<'t>(text: &'t str, mark: &str) -> Vec<&'t str> {
         .collect()
 }
 
+/// What every rule finds, also those that are off unless set.
 fn found(program: &str) -> Vec<Diagnostic> {
-    analyze(&Arc::new(parse(program)), "page.clad").diagnostics
+    analyze_with(
+        &Arc::new(parse(program)),
+        "page.clad",
+        &RuleSettings::everything(),
+    )
+    .diagnostics
 }
+
+/// The rules that LANGUAGE §7 marks with a star: they come with a fix.
+const MENDED: [Rule; 18] = [
+    Rule::UnclosedBlock,
+    Rule::MissingWire,
+    Rule::MisplacedRail,
+    Rule::UnpairedConnector,
+    Rule::MisleadingAlignment,
+    Rule::UnknownInstruction,
+    Rule::WrongShape,
+    Rule::BadArity,
+    Rule::TypeMismatch,
+    Rule::AlternativeMnemonic,
+    Rule::ResultArrow,
+    Rule::UndeclaredTag,
+    Rule::UnknownLabel,
+    Rule::UnknownFunction,
+    Rule::UnknownBlock,
+    Rule::OpenWire,
+    Rule::RungNotPowered,
+    Rule::UnconditionalEnd,
+];
+
+/// The headings of a page, in their order.
+const SECTIONS: [&str; 5] = [
+    "## Wrong",
+    "## Right",
+    "## What to do",
+    "## Switching it off",
+    "## In other tools",
+];
 
 #[test]
 fn every_rule_has_a_page_that_holds_true() {
@@ -35,7 +73,7 @@ fn every_rule_has_a_page_that_holds_true() {
         if wrong.is_empty() || right.is_empty() {
             problems.push(format!("{rule}: a wrong or a right program is missing"));
         }
-        for program in wrong {
+        for program in &wrong {
             if !found(program).iter().any(|d| d.rule == rule) {
                 problems.push(format!("{rule}: the wrong program does not show it"));
             }
@@ -64,4 +102,104 @@ fn pages_belong_to_rules() {
         .collect();
     strays.sort();
     assert!(strays.is_empty(), "{strays:?}");
+}
+
+/// What is wrong, why that matters, a wrong and a right rung, what to do, how to switch it off, and how others
+/// call it: in this order on every page.
+#[test]
+fn every_page_tells_all() {
+    let mut problems = Vec::new();
+    for &rule in Rule::ALL {
+        let Ok(text) = std::fs::read_to_string(page(rule)) else {
+            problems.push(format!("{rule}: there is no page"));
+            continue;
+        };
+        let headings: Vec<&str> = text.lines().filter(|line| line.starts_with("## ")).collect();
+        if headings != SECTIONS {
+            problems.push(format!("{rule}: its sections are {headings:?}"));
+        }
+        let introduction = text.split("## Wrong").next().unwrap_or_default();
+        // The heading, what is wrong, why it matters on a machine.
+        let paragraphs = introduction.split("\n\n").filter(|part| !part.trim().is_empty());
+        if !text.starts_with(&format!("# `{rule}`\n")) || paragraphs.count() < 3 {
+            problems.push(format!("{rule}: what is wrong and why it matters are not told"));
+        }
+        let off = text.split("## Switching it off").nth(1).unwrap_or_default();
+        let ways = [
+            format!("# ladder: allow({rule}): reason #"),
+            format!("# ladder: allow-file({rule}): reason #"),
+            format!("[lint]\n{rule} = "),
+        ];
+        for way in ways.iter().filter(|way| !off.contains(way.as_str())) {
+            problems.push(format!("{rule}: `{way}` is not told"));
+        }
+    }
+    assert!(problems.is_empty(), "{}", problems.join("\n"));
+}
+
+#[test]
+fn starred_rules_mend_their_wrong_programs() {
+    let mut problems = Vec::new();
+    for rule in MENDED {
+        let text = std::fs::read_to_string(page(rule)).unwrap_or_default();
+        for program in programs(&text, "wrong") {
+            let mended = found(program)
+                .into_iter()
+                .any(|d| d.rule == rule && !d.fixes.is_empty());
+            if !mended {
+                problems.push(format!("{rule}: no fix for\n{program}"));
+            }
+        }
+    }
+    assert!(problems.is_empty(), "{}", problems.join("\n"));
+}
+
+/// Over all wrong programs: a fix takes its finding away, brings no error, and leaves what it touches in the
+/// canonical layout.
+#[test]
+fn fixes_are_safe_and_leave_the_drawing_aligned() {
+    let mut problems = Vec::new();
+    for &rule in Rule::ALL {
+        let text = std::fs::read_to_string(page(rule)).unwrap_or_default();
+        for program in programs(&text, "wrong") {
+            // The rest of a page's program need not stand where the file's rail is.
+            let canonical = format_text(program, &Options::default());
+            let shows_it = found(&canonical).iter().any(|d| d.rule == rule);
+            let program = if shows_it { &canonical } else { program };
+            let before = found(program);
+            for finding in &before {
+                for fix in &finding.fixes {
+                    let fixed = apply(program, &fix::aligned(program, fix, &Options::default()));
+                    let problem = unsafe_fix(program, &before, finding, &fixed);
+                    problems.extend(problem.map(|problem| {
+                        format!(
+                            "{}: `{}` {problem}:\n{program}\nbecomes\n{fixed}",
+                            finding.rule, fix.title
+                        )
+                    }));
+                }
+            }
+        }
+    }
+    assert!(problems.is_empty(), "{}", problems.join("\n"));
+}
+
+fn unsafe_fix(program: &str, before: &[Diagnostic], finding: &Diagnostic, fixed: &str) -> Option<String> {
+    let after = found(fixed);
+    let of_rule = |found: &[Diagnostic]| found.iter().filter(|d| d.rule == finding.rule).count();
+    if of_rule(&after) >= of_rule(before) {
+        return Some("leaves its finding".to_owned());
+    }
+    let errors = |found: &[Diagnostic]| found.iter().filter(|d| d.severity == Severity::Error).count();
+    let first_new = after
+        .iter()
+        .find(|d| d.severity == Severity::Error && before.iter().all(|b| b.message != d.message));
+    if let Some(new) = first_new.filter(|_| errors(&after) >= errors(before)) {
+        return Some(format!("brings the error {}: {}", new.rule, new.message));
+    }
+    let (old, formatted) = (program, format_text(fixed, &Options::default()));
+    let crooked = fixed
+        .lines()
+        .find(|line| old.lines().all(|old| old != *line) && formatted.lines().all(|other| other != *line));
+    crooked.map(|line| format!("leaves the line `{line}` crooked"))
 }

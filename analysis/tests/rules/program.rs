@@ -60,7 +60,7 @@ fn coils_that_do_not_meet() {
     clean("+--[ ]( a )--(S)( y )--+\n\n+--[ ]( b )--(R)( y )--+\n");
     // Either the one or the other runs.
     clean(
-        "+--[ ]( auto )--<JMP>( automatic )--+\n\n+--[ ]( a )--( )( y )--<RET>--+\n\n+--<LBL>( automatic )--[ ]( b )--( )( y )--+\n",
+        "+--[ ]( auto )--<JMP>( automatic )--+\n\n+--[ ]( a )--( )( y )--<JMP>( done )--+\n\n+--<LBL>( automatic )--[ ]( b )--( )( y )--+\n\n+--<LBL>( done )--+\n",
     );
     clean("+--[ ]( m )--<CALL>( f )--+\n\n+--[ ]( a )--( )( y )--+\n\n+--<FUN>( f )--( )( y )--+\n");
     // The drawing of the second is broken: what it means is not known.
@@ -127,6 +127,10 @@ fn labels() {
                 at 1:21 `x`: this jump goes to line 3
                 at 5:21 `X`: this jump goes to line 7
                 at 9:21 `x`: this jump goes to line 7
+            > +--[ ]( c )--<JMP>( x )--+
+                           ^^^^^^^^^^ warning[endless-jump]: a scan waits here for ever while the condition holds: nothing in the loop changes `c`
+                help: do not wait within a scan: the program runs again and again by itself, and inputs are read between two scans
+                at 7:4 `<LBL>( x )`: it jumps to here
         "#]],
     );
     check(

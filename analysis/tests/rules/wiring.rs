@@ -73,12 +73,12 @@ fn line_without_a_beginning() {
     check(
         "|--[ ]( a )--( )( y )--+\n",
         expect![[r#"
-        > |--[ ]( a )--( )( y )--+
-           ^^^^^^^^^^^^^^^^^^^^^^^ error[open-wire]: no power can reach this wire: it begins neither at the left rail nor at a connector
-            help: begin the line with `+`, or join it to the line above with \ and /
-            fix: Begin at the left rail
-              +--[ ]( a )------------------( )( y )--+
-    "#]],
+            > |--[ ]( a )--( )( y )--+
+               ^^^^^^^^^^^^^^^^^^^^^^^ warning[rung-not-powered]: this rung gets no power: it begins with `|`, which is decoration; `+` takes power from the left rail
+                help: begin the line with `+`
+                fix: Begin at the left rail
+                  +--[ ]( a )------------------( )( y )--+
+        "#]],
     );
     check(
         "[ ]( a )--( )( y )--+\n",
@@ -249,7 +249,7 @@ fn nothing_happens() {
                 help: its contacts only pass power on: end it with a coil or another block that acts, or remove it
         "#]],
     );
-    clean("+--<LBL>( there )--+\n\n+--[ ]( a )--<JMP>( there )--+\n");
+    clean("+--[ ]( a )--<JMP>( there )--+\n\n+--<LBL>( there )--+\n");
     // Of a block that is not known nobody can say what it does.
     check(
         "+--[ ]( a )--[FROBNICATE]( b )--+\n",

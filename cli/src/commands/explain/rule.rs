@@ -38,8 +38,13 @@ pub(super) fn print(rule: Rule, look: &Look, out: &mut impl Write) -> io::Result
     markdown::print(page(rule).unwrap_or(rule.name()).trim_end(), look, out)?;
     writeln!(
         out,
-        "\n{heading}Severity{heading:#}\n\n{}",
+        "\n{heading}Severity{heading:#}\n\n{}{}",
         rule.default_severity().name(),
+        if rule.on_by_default() {
+            ""
+        } else {
+            "; off unless it is switched on"
+        },
         heading = look.heading
     )
 }

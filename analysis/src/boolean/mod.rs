@@ -1,0 +1,16 @@
+//! The power of a network as a function of what its contacts and comparisons read.
+//!
+//! ```text
+//! steps, blocks --variables--> which variable each condition asks about, and for which of its values it conducts
+//!               --space------> all combinations of values, numbered
+//!               --power------> for each step the set of combinations in which it has power
+//! ```
+//!
+//! All of it is exact: a table holds the answer for every combination, so rules decide and do not guess. A
+//! network with more combinations than [`space::MOST_POINTS`] is not looked at. What cannot be known (an edge, a
+//! timer's output, a value that another block has written) is a variable of its own.
+
+pub(crate) mod power;
+pub(crate) mod space;
+mod value_space;
+pub(crate) mod variables;

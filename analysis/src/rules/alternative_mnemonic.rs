@@ -1,0 +1,22 @@
+//! `alternative-mnemonic`: an instruction is written in one of the spellings that are also accepted.
+
+use crate::diagnostic::Diagnostic;
+use crate::network::BoundBlock;
+use crate::rule::Rule;
+use ladder_instructions::Instruction;
+
+pub(super) fn check(row: &Instruction, bound: &BoundBlock, out: &mut Vec<Diagnostic>) {
+    let text = bound.facts.head.text();
+    if row.aliases.iter().any(|alias| alias.eq_ignore_ascii_case(text)) {
+        let block = row.block();
+        out.push(
+            Diagnostic::new(
+                Rule::AlternativeMnemonic,
+                bound.head_range(),
+                format!("{} is another spelling of {block}", bound.head_text()),
+            )
+            .help("one spelling for one instruction makes a program easy to search")
+            .fix(format!("Write {block}"), bound.head_range(), block),
+        );
+    }
+}

@@ -1,0 +1,48 @@
+//! `ambiguous-sign`: `-a ^ b`, which people read in two ways.
+
+use super::survey::Place;
+use crate::diagnostic::{Diagnostic, Fix};
+use crate::facts::{Node, NodeKind, Operator};
+use crate::literal::Literal;
+use crate::operand_value::each_node;
+use crate::rule::Rule;
+use ladder_format::Edit;
+use ladder_syntax::TextRange;
+
+pub(super) fn check(place: &Place<'_>, out: &mut Vec<Diagnostic>) {
+    for operand in &place.bound.facts.operands {
+        each_node(&operand.value, &mut |node| {
+            let NodeKind::Binary(Operator::Power, base, _) = &node.kind else {
+                return;
+            };
+            if !has_sign(base) {
+                return;
+            }
+            let base = place.bound.absolute(base.range);
+            let mut found = Diagnostic::new(
+                Rule::AmbiguousSign,
+                place.bound.absolute(node.range),
+                "the sign is taken before the power: -2 ^ 2 is 4 here, and -4 in mathematics",
+            )
+            .help("show with parentheses what is meant: (-a) ^ b, or -(a ^ b)");
+            let parenthesis = |at, text: &str| Edit {
+                range: TextRange::empty(at),
+                text: text.to_owned(),
+            };
+            found.fixes.push(Fix {
+                title: "Put parentheses around what it means now".to_owned(),
+                edits: vec![parenthesis(base.start(), "("), parenthesis(base.end(), ")")],
+            });
+            out.push(found);
+        });
+    }
+}
+
+fn has_sign(node: &Node) -> bool {
+    match &node.kind {
+        NodeKind::Unary(Operator::Sub, _) => true,
+        NodeKind::Literal(Ok(Literal::Int(n))) => *n < 0,
+        NodeKind::Literal(Ok(Literal::Real(r))) => *r < 0.0,
+        _ => false,
+    }
+}

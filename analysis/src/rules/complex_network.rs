@@ -1,0 +1,36 @@
+//! `complex-network`: a network that holds more than a person can follow at once. Off unless set.
+
+use crate::context::Context;
+use crate::diagnostic::Diagnostic;
+use crate::rule::Rule;
+use ladder_instructions::Role;
+
+/// How many conditions a network may have.
+const MOST_CONDITIONS: usize = 16;
+/// How many lines.
+const MOST_LINES: usize = 10;
+
+pub(super) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
+    for network in context.networks.iter().filter(|network| !network.broken) {
+        let rungs = network.wiring.rungs.len();
+        if network.blocks.len() <= MOST_CONDITIONS && rungs <= MOST_LINES {
+            continue;
+        }
+        let is_condition = |role| role == Role::Condition;
+        let rows = network.blocks.iter().filter_map(|bound| bound.instruction());
+        let conditions = rows.filter(|row| is_condition(row.role)).count();
+        let message = if conditions > MOST_CONDITIONS {
+            format!("this network has {conditions} conditions, more than {MOST_CONDITIONS}")
+        } else if rungs > MOST_LINES {
+            format!("this network has {rungs} lines, more than {MOST_LINES}")
+        } else {
+            continue;
+        };
+        let Some(range) = super::no_output::first_rung(context, network) else {
+            continue;
+        };
+        out.push(Diagnostic::new(Rule::ComplexNetwork, range, message).help(
+            "give parts of it tags of their own, each on a rung above, with names that say what they mean",
+        ));
+    }
+}

@@ -1,0 +1,68 @@
+//! `contact-after-coil`: a contact stands behind a coil on its wire.
+
+use super::power_rules::is_condition;
+use super::wiring_walk::Walk;
+use crate::diagnostic::Diagnostic;
+use crate::network::BoundBlock;
+use crate::program::Step;
+use crate::rule::Rule;
+use ladder_instructions::{Op, Shape};
+
+pub(super) fn check(walk: &Walk<'_>, out: &mut Vec<Diagnostic>) {
+    if !stands_behind(walk) {
+        return;
+    }
+    // For each step the coil that its power has passed.
+    let mut passed: Vec<Option<usize>> = Vec::with_capacity(walk.steps().len());
+    let mut told = vec![false; walk.network.blocks.len()];
+    for (index, step) in walk.steps().iter().enumerate() {
+        passed.push(match *step {
+            Step::Start { .. } => None,
+            Step::Join { upper, lower } => passed[upper].or(passed[lower]),
+            Step::Block { block, en } => {
+                let bound = walk.block(block);
+                match passed[en] {
+                    Some(coil) if is_condition(bound) && walk.useful[index] && !told[coil] => {
+                        told[coil] = true;
+                        out.push(found(walk, coil, block));
+                    }
+                    _ => {}
+                }
+                if is_coil(bound) { Some(block) } else { passed[en] }
+            }
+        });
+    }
+}
+
+fn is_coil(bound: &BoundBlock) -> bool {
+    bound.facts.shape == Shape::Coil && bound.op().is_some_and(|op| op != Op::Res)
+}
+
+/// Whether a condition is evaluated behind a coil at all; on most networks none is.
+fn stands_behind(walk: &Walk<'_>) -> bool {
+    let mut coils = false;
+    walk.steps().iter().any(|step| match *step {
+        Step::Block { block, .. } => {
+            let bound = walk.block(block);
+            coils |= is_coil(bound);
+            coils && is_condition(bound)
+        }
+        _ => false,
+    })
+}
+
+fn found(walk: &Walk<'_>, coil: usize, contact: usize) -> Diagnostic {
+    let (coil, contact) = (walk.block(coil), walk.block(contact));
+    Diagnostic::new(
+        Rule::ContactAfterCoil,
+        contact.range(),
+        format!(
+            "{} stands behind a coil: whoever looks for it looks left of the coils",
+            contact.head_text()
+        ),
+    )
+    .help(
+        "draw a branch before the coil: the coil on one line, this contact and what it leads to on the other",
+    )
+    .related(coil.range(), "this is the coil")
+}

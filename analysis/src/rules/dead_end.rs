@@ -1,0 +1,87 @@
+//! `dead-end`: power that goes nowhere.
+
+use super::no_output::may_act;
+use super::wiring_walk::Walk;
+use crate::diagnostic::Diagnostic;
+use crate::program::Step;
+use crate::rule::Rule;
+use ladder_syntax::wiring::PartKind;
+
+pub(super) fn check(walk: &Walk<'_>, out: &mut Vec<Diagnostic>) {
+    let steps = walk.steps();
+    for (index, step) in steps.iter().enumerate() {
+        let Step::Block { block, en } = *step else {
+            continue;
+        };
+        // The first of a row is enough.
+        if is_dead(walk, index) && !is_dead(walk, en) {
+            let bound = walk.block(block);
+            out.push(
+                Diagnostic::new(
+                    Rule::DeadEnd,
+                    bound.range(),
+                    format!("the power of {} goes nowhere: nothing that acts is behind it", bound.head_text()),
+                )
+                .help("put a coil or another block behind it, join the line to another with \\ and /, or remove it"),
+            );
+        }
+    }
+    loose_wires(walk, out);
+}
+
+/// A condition whose power nobody uses.
+fn is_dead(walk: &Walk<'_>, step: usize) -> bool {
+    match walk.steps()[step] {
+        Step::Block { block, .. } => !walk.useful[step] && !may_act(walk.block(block)),
+        _ => false,
+    }
+}
+
+/// Wires that end at nothing: no block, no connector, no rail.
+fn loose_wires(walk: &Walk<'_>, out: &mut Vec<Diagnostic>) {
+    let network = walk.network;
+    let mut loose: Vec<(usize, usize)> = Vec::new();
+    for (rung, drawing) in network.wiring.rungs.iter().enumerate() {
+        let ends = drawing.segments.iter().map(|segment| segment.parts.end - 1);
+        let wires = ends.filter(|&last| drawing.parts[last].kind == PartKind::Wire);
+        loose.extend(wires.map(|last| (rung, last)));
+    }
+    if loose.is_empty() {
+        return;
+    }
+    for &(rung, part, step, _) in &network.order.elements {
+        // Behind a block that acts it only lacks the rail; behind a condition that is told already; and where no
+        // power comes the line has another mistake.
+        if loose.binary_search(&(rung, part)).is_err() || comes_from_block(walk, step) || !is_live(walk, step)
+        {
+            continue;
+        }
+        out.push(
+            Diagnostic::new(
+                Rule::DeadEnd,
+                network.part_range(&walk.context.parse, rung, part),
+                "this wire ends at nothing",
+            )
+            .help("draw it on to a connector or a block, or remove it"),
+        );
+    }
+}
+
+fn comes_from_block(walk: &Walk<'_>, step: usize) -> bool {
+    match walk.steps()[step] {
+        Step::Block { .. } => true,
+        Step::Join { upper, lower } => {
+            let acts = |step: usize| match walk.steps()[step] {
+                Step::Block { block, .. } => may_act(walk.block(block)),
+                Step::Join { .. } => !walk.useful[step],
+                Step::Start { .. } => false,
+            };
+            acts(upper) || acts(lower)
+        }
+        Step::Start { .. } => false,
+    }
+}
+
+fn is_live(walk: &Walk<'_>, step: usize) -> bool {
+    !matches!(walk.steps()[step], Step::Start { rail: false })
+}

@@ -1,0 +1,150 @@
+//! `endless-jump`: a jump back that a scan cannot get out of.
+
+use super::flow::{Exit, Flow};
+use super::survey::Steering;
+use crate::context::Context;
+use crate::diagnostic::Diagnostic;
+use crate::facts::{Node, NodeKind};
+use crate::network::{BoundBlock, NetworkFacts};
+use crate::operand_value::tag;
+use crate::program::Step;
+use crate::rule::Rule;
+use ladder_instructions::Op;
+
+pub(super) fn check(flow: &Flow<'_>, reached: &[bool], out: &mut Vec<Diagnostic>) {
+    let can_end = flow.can_end();
+    for exit in &flow.exits {
+        let Some(to) = exit.to.filter(|&to| to <= exit.from && reached[exit.from]) else {
+            continue;
+        };
+        if exit.always && !can_end[to] {
+            out.push(endless(
+                flow,
+                exit,
+                to,
+                "a scan that comes here never ends: this always jumps back".to_owned(),
+            ));
+        } else if let Some(name) = waits(flow, exit, to) {
+            let message = format!(
+                "a scan waits here for ever while the condition holds: nothing in the loop changes {name}"
+            );
+            out.push(endless(flow, exit, to, message));
+        }
+    }
+}
+
+fn endless(flow: &Flow<'_>, exit: &Exit, to: usize, message: String) -> Diagnostic {
+    let target = &flow.context.networks[flow.networks[to]];
+    let mut found = Diagnostic::new(Rule::EndlessJump, flow.block(exit).range(), message).help(
+        "do not wait within a scan: the program runs again and again by itself, and inputs are read between two scans",
+    );
+    let label = target.blocks.iter().find(|bound| bound.op() == Some(Op::Lbl));
+    if let Some(label) = label {
+        found = found.related(label.range(), "it jumps to here");
+    }
+    found
+}
+
+/// What the condition of a jump back asks for, if it asks only for tags that nothing between the label and the
+/// jump writes.
+fn waits(flow: &Flow<'_>, exit: &Exit, to: usize) -> Option<String> {
+    let steering = flow.steering(to..=exit.from);
+    let unclear = Steering::CALL
+        .with(Steering::USER_BLOCK)
+        .with(Steering::FLOW_BLOCK)
+        .with(Steering::MCR)
+        .with(Steering::FOR)
+        .with(Steering::RETURN)
+        .with(Steering::END);
+    let leaves = flow
+        .exits
+        .iter()
+        .filter(|other| (to..=exit.from).contains(&other.from))
+        .count();
+    if steering.has(unclear) || leaves != 1 || exit.always {
+        return None;
+    }
+    let context = flow.context;
+    let network = &context.networks[flow.networks[exit.from]];
+    let conditions = conditions_before(network, exit)?;
+    let mut asked = Vec::new();
+    for bound in &conditions {
+        for operand in &bound.facts.operands {
+            tags(context, network.scope, &operand.value, &mut asked)?;
+        }
+    }
+    let first = flow.networks[to];
+    let last = flow.networks[exit.from];
+    let written = asked.iter().any(|&(scope, tag)| {
+        let uses = &context.scopes[scope].tags[tag].uses;
+        uses.iter()
+            .any(|place| place.access.writes() && (first..=last).contains(&place.network))
+    });
+    let &(scope, tag) = asked.first().filter(|_| !written)?;
+    Some(if asked.len() == 1 {
+        format!("`{}`", context.scopes[scope].tags[tag].name)
+    } else {
+        "what it asks for".to_owned()
+    })
+}
+
+/// All conditions that the power of an exit passes; none if other blocks have a part in it.
+fn conditions_before<'c>(network: &'c NetworkFacts, exit: &Exit) -> Option<Vec<&'c BoundBlock>> {
+    let mut found = Vec::new();
+    let mut seen = vec![false; exit.step + 1];
+    let mut open = vec![exit.step];
+    while let Some(step) = open.pop() {
+        if std::mem::replace(&mut seen[step], true) {
+            continue;
+        }
+        match network.order.steps[step] {
+            Step::Start { .. } => {}
+            Step::Join { upper, lower } => open.extend([upper, lower]),
+            Step::Block { block, en } => {
+                let bound = &network.blocks[block];
+                match bound.op()? {
+                    Op::Jmp | Op::Lbl | Op::Inverter => {}
+                    Op::Contact
+                    | Op::NegatedContact
+                    | Op::Eq
+                    | Op::Ne
+                    | Op::Gt
+                    | Op::Ge
+                    | Op::Lt
+                    | Op::Le => {
+                        found.push(bound);
+                    }
+                    _ => return None,
+                }
+                open.push(en);
+            }
+        }
+    }
+    Some(found)
+}
+
+/// The tags that a value depends on.
+fn tags(context: &Context, scope: usize, node: &Node, out: &mut Vec<(usize, usize)>) -> Option<()> {
+    match &node.kind {
+        NodeKind::Name(name) | NodeKind::Address(name) => out.push(tag(context, scope, name)?.0),
+        NodeKind::Member(base, _) => {
+            // System tags stay the same during a scan.
+            if !matches!(&base.kind, NodeKind::Name(name) if name.eq_ignore_ascii_case("SYS")) {
+                tags(context, scope, base, out)?;
+            }
+        }
+        NodeKind::Index(base, index) => {
+            tags(context, scope, base, out)?;
+            tags(context, scope, index, out)?;
+        }
+        NodeKind::Range(base, first, last) => {
+            for part in [base, first, last] {
+                tags(context, scope, part, out)?;
+            }
+        }
+        NodeKind::Paren(inner) | NodeKind::Unary(_, inner) => tags(context, scope, inner, out)?,
+        NodeKind::Literal(_) => {}
+        _ => return None,
+    }
+    Some(())
+}

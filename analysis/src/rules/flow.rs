@@ -1,0 +1,222 @@
+//! The ways that a scan can take from network to network, shared by the rules about what is never reached, never
+//! left, or always ended.
+
+use super::survey::{Steering, Survey};
+use super::{endless_jump, unconditional_end, unreachable};
+use crate::boolean::power::{NetworkPower, Question};
+use crate::context::{Body, Context};
+use crate::diagnostic::Diagnostic;
+use crate::facts::NodeKind;
+use crate::network::BoundBlock;
+use crate::program::Step;
+use ladder_instructions::Op;
+use ladder_syntax::Name;
+use std::collections::BTreeMap;
+
+/// A block that leaves its network.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Exit {
+    /// The network, by its place in the body.
+    pub(super) from: usize,
+    pub(super) block: usize,
+    /// Its step in the network.
+    pub(super) step: usize,
+    /// For a jump the network that it goes to, by its place in the body. The others end the body.
+    pub(super) to: Option<usize>,
+    /// Power always comes to it.
+    pub(super) always: bool,
+}
+
+/// A body's networks and the ways between them.
+pub(super) struct Flow<'c> {
+    pub(super) context: &'c Context,
+    pub(super) survey: &'c Survey,
+    /// The body's networks from top to bottom.
+    pub(super) networks: Vec<usize>,
+    /// The blocks that leave, in the order of the networks and of evaluation; what stands behind one that always
+    /// leaves is not among them.
+    pub(super) exits: Vec<Exit>,
+    /// For each network where a scan can go on.
+    pub(super) next: Vec<Vec<usize>>,
+    /// For each network whether the body can end there.
+    pub(super) ends: Vec<bool>,
+}
+
+/// Asks the rules about each body that holds jumps, returns or ends.
+pub(super) fn check(context: &Context, survey: &Survey, out: &mut Vec<Diagnostic>) {
+    let leaves = Steering::LEAVES;
+    if !survey.whole || !survey.any.has(leaves) {
+        return;
+    }
+    let mut bodies: BTreeMap<Body, Vec<usize>> = BTreeMap::new();
+    for (network, &body) in context.bodies.iter().enumerate() {
+        bodies.entry(body).or_default().push(network);
+    }
+    for networks in bodies.into_values() {
+        if !networks
+            .iter()
+            .any(|&network| survey.steering[network].has(leaves))
+        {
+            continue;
+        }
+        let flow = Flow::new(context, survey, networks);
+        unconditional_end::check(&flow, out);
+        let reached = flow.reached();
+        unreachable::check(&flow, &reached, out);
+        endless_jump::check(&flow, &reached, out);
+    }
+}
+
+impl<'c> Flow<'c> {
+    fn new(context: &'c Context, survey: &'c Survey, networks: Vec<usize>) -> Flow<'c> {
+        let count = networks.len();
+        let mut flow = Flow {
+            context,
+            survey,
+            networks,
+            exits: Vec::new(),
+            next: vec![Vec::new(); count],
+            ends: vec![false; count],
+        };
+        let labelled: Vec<usize> = {
+            let of_body = context
+                .labels
+                .iter()
+                .filter_map(|label| flow.place(label.network));
+            of_body.collect()
+        };
+        let rail_varies = flow.steering(0..count).has(Steering::MCR);
+        for at in 0..count {
+            flow.network(at, rail_varies, &labelled);
+        }
+        flow
+    }
+
+    fn place(&self, network: usize) -> Option<usize> {
+        self.networks.binary_search(&network).ok()
+    }
+
+    /// What steers in some of the networks.
+    pub(super) fn steering(&self, networks: impl Iterator<Item = usize>) -> Steering {
+        networks.fold(Steering::default(), |all, at| {
+            all.with(self.survey.steering[self.networks[at]])
+        })
+    }
+
+    pub(super) fn block(&self, exit: &Exit) -> &'c BoundBlock {
+        &self.context.networks[self.networks[exit.from]].blocks[exit.block]
+    }
+
+    fn network(&mut self, at: usize, rail_varies: bool, labelled: &[usize]) {
+        let steering = self.survey.steering[self.networks[at]];
+        let mut goes_on = true;
+        if steering.has(Steering::JUMP.with(Steering::RETURN).with(Steering::END)) {
+            goes_on = !self.exits_of(at, rail_varies && !steering.has(Steering::MCR));
+        }
+        if steering.has(Steering::FLOW_BLOCK) {
+            // It may go to any label, or end the body.
+            self.next[at].extend(labelled);
+            self.ends[at] = true;
+        }
+        if !goes_on {
+            return;
+        }
+        if steering.has(Steering::FOR) {
+            let behind = (at + 1..self.networks.len())
+                .find(|&other| self.survey.steering[self.networks[other]].has(Steering::NEXT));
+            self.follow(at, behind.map_or(self.networks.len(), |next| next + 1));
+        }
+        self.follow(at, at + 1);
+    }
+
+    fn follow(&mut self, at: usize, next: usize) {
+        if next < self.networks.len() {
+            self.next[at].push(next);
+        } else {
+            self.ends[at] = true;
+        }
+    }
+
+    /// Enters what leaves a network; whether one of these always does.
+    fn exits_of(&mut self, at: usize, rail_varies: bool) -> bool {
+        let index = self.networks[at];
+        let network = &self.context.networks[index];
+        let power = NetworkPower::new(self.context, network, rail_varies);
+        let powers = power.as_ref().map(|power| {
+            power.powers(Question {
+                fixed: true,
+                ..Question::default()
+            })
+        });
+        for (step, kind) in network.order.steps.iter().enumerate() {
+            let Step::Block { block, en } = *kind else {
+                continue;
+            };
+            let bound = &network.blocks[block];
+            let to = match bound.op() {
+                Some(Op::Jmp) => match self.target(index, bound) {
+                    Some(to) => Some(to),
+                    None => continue,
+                },
+                Some(Op::Ret | Op::End) => None,
+                _ => continue,
+            };
+            let always = match (&power, &powers) {
+                (Some(power), Some(powers)) => powers.of_step[en] == power.space.all(),
+                _ => false,
+            };
+            self.exits.push(Exit {
+                from: at,
+                block,
+                step,
+                to,
+                always,
+            });
+            match to {
+                Some(to) => self.next[at].push(to),
+                None => self.ends[at] = true,
+            }
+            if always {
+                return true;
+            }
+        }
+        false
+    }
+
+    fn target(&self, network: usize, bound: &BoundBlock) -> Option<usize> {
+        let NodeKind::Name(name) = &bound.facts.operands.first()?.value.kind else {
+            return None;
+        };
+        self.place(self.context.jump_target(network, &Name::new(name))?)
+    }
+
+    /// For each network whether a scan can come there.
+    fn reached(&self) -> Vec<bool> {
+        let mut reached = vec![false; self.networks.len()];
+        let mut open = vec![0];
+        while let Some(at) = open.pop() {
+            if !std::mem::replace(&mut reached[at], true) {
+                open.extend(&self.next[at]);
+            }
+        }
+        reached
+    }
+
+    /// For each network whether the body's end can be reached from it.
+    pub(super) fn can_end(&self) -> Vec<bool> {
+        let mut before: Vec<Vec<usize>> = vec![Vec::new(); self.networks.len()];
+        for (at, next) in self.next.iter().enumerate() {
+            for &next in next {
+                before[next].push(at);
+            }
+        }
+        let mut can_end = vec![false; self.networks.len()];
+        let mut open: Vec<usize> = (0..self.networks.len()).filter(|&at| self.ends[at]).collect();
+        while let Some(at) = open.pop() {
+            if !std::mem::replace(&mut can_end[at], true) {
+                open.extend(&before[at]);
+            }
+        }
+        can_end
+    }
+}

@@ -1,0 +1,42 @@
+//! `input-written`: a block writes a tag that is fed from outside.
+
+use super::tag_summary::Summary;
+use crate::diagnostic::Diagnostic;
+use crate::program::Role;
+use crate::rule::Rule;
+
+pub(super) fn check(summary: &Summary<'_>, out: &mut Vec<Diagnostic>) {
+    let tag = summary.tag;
+    // In a body a name says nothing: `I1` there is undeclared.
+    let in_body = summary.scope > 0 && !tag.is_declared();
+    if tag.role != Role::Input || summary.writes == 0 || tag.constant || in_body {
+        return;
+    }
+    let mut writers = tag.uses.iter().filter(|place| {
+        let bound = &summary.context.networks[place.network].blocks[place.block];
+        // Of an unknown block nobody knows what it writes.
+        place.access.writes() && !bound.faulty && bound.instruction().is_some()
+    });
+    let Some(first) = writers.next() else { return };
+    let (what, why) = if summary.scope == 0 {
+        ("input", "the next reading of the inputs overwrites it")
+    } else {
+        (
+            "input of the block",
+            "its caller gives it anew each time the block runs",
+        )
+    };
+    let mut found = Diagnostic::new(
+        Rule::InputWritten,
+        first.range,
+        format!("`{}` is an {what}, and is written here: {why}", tag.name),
+    )
+    .help("write a tag of its own, and read that instead of the input where it is needed");
+    for other in writers {
+        found = found.related(other.range, format!("`{}` is written here as well", tag.name));
+    }
+    if tag.is_declared() {
+        found = found.related(tag.at, format!("`{}` is declared as an input here", tag.name));
+    }
+    out.push(found);
+}

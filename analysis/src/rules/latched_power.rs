@@ -1,0 +1,48 @@
+//! `latched-power`: something stands behind a set coil, whose power is the tag and not the rung's.
+
+use super::wiring_walk::Walk;
+use crate::boolean::variables::written;
+use crate::diagnostic::Diagnostic;
+use crate::program::Step;
+use crate::rule::Rule;
+use ladder_instructions::Op;
+
+pub(super) fn check(walk: &Walk<'_>, out: &mut Vec<Diagnostic>) {
+    // For each step the set coil whose power it carries.
+    let mut latched: Vec<Option<usize>> = Vec::with_capacity(walk.steps().len());
+    let mut told = vec![false; walk.network.blocks.len()];
+    for step in walk.steps() {
+        latched.push(match *step {
+            Step::Start { .. } => None,
+            Step::Join { upper, lower } => latched[upper].or(latched[lower]),
+            Step::Block { block, en } => {
+                if let Some(coil) = latched[en].filter(|&coil| !told[coil]) {
+                    told[coil] = true;
+                    out.push(found(walk, coil, block));
+                }
+                match walk.block(block).op() {
+                    Some(Op::SetCoil | Op::RetentiveSet) => Some(block),
+                    _ => latched[en],
+                }
+            }
+        });
+    }
+}
+
+fn found(walk: &Walk<'_>, coil: usize, behind: usize) -> Diagnostic {
+    let (coil, behind) = (walk.block(coil), walk.block(behind));
+    let name = coil.facts.operands.first().map_or_else(String::new, |o| {
+        written(walk.context, walk.network.scope, &o.value)
+    });
+    Diagnostic::new(
+        Rule::LatchedPower,
+        behind.range(),
+        format!(
+            "{} stands behind {}: its power is `{name}`, and stays on when the rung before goes off",
+            behind.head_text(),
+            coil.head_text()
+        ),
+    )
+    .help("if that is meant, keep it; else draw a branch before the set coil")
+    .related(coil.range(), "the set coil")
+}

@@ -1,0 +1,37 @@
+//! `never-read`: a tag of the program that no block reads.
+
+use super::tag_summary::Summary;
+use crate::diagnostic::Diagnostic;
+use crate::program::Role;
+use crate::rule::Rule;
+use crate::scope::{Origin, SectionKind};
+
+pub(super) fn check(summary: &Summary<'_>, out: &mut Vec<Diagnostic>) {
+    let tag = summary.tag;
+    if summary.reads > 0 {
+        return;
+    }
+    let name = &tag.name;
+    let (message, help) = match tag.origin {
+        Origin::Declared(SectionKind::Input) => (
+            format!("the input `{name}` is declared, and nothing reads it"),
+            "read it where it is meant to act, or remove its declaration",
+        ),
+        // What is retained, or lies at an address, may be read by a panel.
+        Origin::Declared(SectionKind::Var) if tag.retain || tag.address.is_some() => return,
+        Origin::Declared(SectionKind::Var) if summary.writes == 0 => (
+            format!("`{name}` is declared and never used"),
+            "use it, or remove its declaration",
+        ),
+        Origin::Declared(SectionKind::Var) => (
+            format!("`{name}` is written, and nothing reads it"),
+            "read it where it is meant to act; declare it in VAR_OUTPUT if it is for the outside; or remove it",
+        ),
+        Origin::Form if tag.role == Role::Internal && tag.address.is_none() => (
+            format!("`{name}` is an internal tag: it is written, and nothing reads it"),
+            "read it where it is meant to act, or use an output (Q and a number) if it is for the outside",
+        ),
+        _ => return,
+    };
+    out.push(Diagnostic::new(Rule::NeverRead, tag.at, message).help(help));
+}

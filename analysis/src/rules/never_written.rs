@@ -1,0 +1,61 @@
+//! `never-written`: a tag that is read, or an output, that nothing writes.
+
+use super::tag_summary::Summary;
+use crate::diagnostic::Diagnostic;
+use crate::program::Role;
+use crate::rule::Rule;
+use crate::scope::{Origin, SectionKind};
+use crate::types::{Scalar, Type};
+
+pub(super) fn check(summary: &Summary<'_>, out: &mut Vec<Diagnostic>) {
+    let tag = summary.tag;
+    if summary.writes > 0 || tag.constant || tag.role == Role::Input || !tag.initial.is_empty() {
+        return;
+    }
+    let name = &tag.name;
+    let stays = stays(tag.ty);
+    let (message, help) = match (tag.origin, tag.ty) {
+        (Origin::Declared(SectionKind::Output), _) => (
+            format!("the output `{name}` is never written: it stays {stays}"),
+            "write it with a coil or another block, or remove its declaration",
+        ),
+        // never-read says that it is not used at all.
+        _ if summary.reads == 0 => return,
+        (Origin::Declared(SectionKind::Var), Some(Type::State(state))) => (
+            format!(
+                "no [{}] block works on `{name}`: it stays as it is at the start",
+                state.name()
+            ),
+            "put the block with this tag onto a rung",
+        ),
+        // A panel may write what lies at an address.
+        (Origin::Declared(SectionKind::Var), _) if tag.address.is_none() => (
+            format!("`{name}` is read, and nothing writes it: it stays {stays}"),
+            "write it; declare it in VAR_INPUT if it comes from outside; or give it a value and declare it CONSTANT",
+        ),
+        (Origin::Form, _) if tag.address.is_none() => (
+            format!("`{name}` is read, and nothing writes it: it stays {stays}"),
+            "write it, or use an input (I and a number) if it comes from outside",
+        ),
+        _ => return,
+    };
+    let at = tag.uses.first().map_or(tag.at, |first| first.range);
+    let mut found = Diagnostic::new(Rule::NeverWritten, at, message).help(help);
+    if at != tag.at {
+        found = found.related(tag.at, format!("`{name}` is declared here"));
+    }
+    out.push(found);
+}
+
+fn stays(ty: Option<Type>) -> &'static str {
+    match ty {
+        Some(Type::Scalar(Scalar::Bool))
+        | Some(Type::Array {
+            element: Scalar::Bool,
+            ..
+        }) => "off",
+        Some(Type::Scalar(Scalar::String(_))) => "empty",
+        Some(Type::State(_)) => "as it is",
+        _ => "0",
+    }
+}

@@ -1,0 +1,179 @@
+//! The rules that decide on a network's boolean function: which networks are worth it, and one table for all of
+//! them.
+
+use super::survey::{Steering, Survey};
+use super::{constant_power, duplicate_branch, order_sensitive, redundant_element};
+use crate::boolean::power::{NetworkPower, Powers, Question};
+use crate::context::Context;
+use crate::diagnostic::Diagnostic;
+use crate::network::{BoundBlock, NetworkFacts};
+use crate::operand_value::{Number, number, scalar};
+use crate::program::Step;
+use crate::scope::{Access, Use};
+use crate::types::Scalar;
+use ladder_instructions::{Op, Role};
+use rustc_hash::FxHashSet;
+
+/// A network and its table.
+pub(super) struct Table<'c> {
+    pub(super) context: &'c Context,
+    pub(super) network: &'c NetworkFacts,
+    pub(super) power: NetworkPower<'c>,
+    /// The powers as the network runs.
+    pub(super) powers: Powers,
+    /// For each block the step that gives its power.
+    pub(super) step_of: Vec<usize>,
+    /// For each step the one that its power comes from by way of conditions only, whichever way it takes.
+    parents: Vec<Option<usize>>,
+}
+
+/// Looks at every network in which one value is asked for more than once: where each is asked for once, every
+/// contact counts.
+pub(super) fn check(context: &Context, survey: &Survey, out: &mut Vec<Diagnostic>) {
+    let rail_varies = survey.any.has(Steering::MCR);
+    for index in candidates(context) {
+        let network = &context.networks[index];
+        if !survey.sound[index] || network.blocks.iter().any(|bound| bound.faulty) {
+            continue;
+        }
+        let rail_varies = rail_varies && !survey.steering[index].has(Steering::MCR);
+        let Some(table) = Table::new(context, network, rail_varies) else {
+            continue;
+        };
+        let found = out.len();
+        constant_power::check(&table, out);
+        duplicate_branch::check(&table, out);
+        // What never or always conducts makes others redundant: it is told once.
+        if out.len() == found {
+            redundant_element::check(&table, out);
+        }
+        order_sensitive::check(&table, out);
+    }
+}
+
+impl<'c> Table<'c> {
+    pub(super) fn new(
+        context: &'c Context,
+        network: &'c NetworkFacts,
+        rail_varies: bool,
+    ) -> Option<Table<'c>> {
+        let power = NetworkPower::new(context, network, rail_varies)?;
+        let powers = power.powers(Question::default());
+        let mut step_of = vec![0; network.blocks.len()];
+        for (index, step) in network.order.steps.iter().enumerate() {
+            if let Step::Block { block, .. } = *step {
+                step_of[block] = index;
+            }
+        }
+        let mut table = Table {
+            context,
+            network,
+            power,
+            powers,
+            step_of,
+            parents: Vec::with_capacity(network.order.steps.len()),
+        };
+        for step in &network.order.steps {
+            let parent = match *step {
+                Step::Block { block, en } if is_condition(&network.blocks[block]) => Some(en),
+                Step::Join { upper, lower } => table.origin(upper, lower),
+                _ => None,
+            };
+            table.parents.push(parent);
+        }
+        Some(table)
+    }
+
+    /// The step where two branches begin, if they are made of conditions only and get their power from nowhere else.
+    pub(super) fn origin(&self, upper: usize, lower: usize) -> Option<usize> {
+        let (mut a, mut b) = (upper, lower);
+        while a != b {
+            let later = if a > b { &mut a } else { &mut b };
+            *later = self.parents[*later]?;
+        }
+        Some(a)
+    }
+
+    pub(super) fn block(&self, block: usize) -> &'c BoundBlock {
+        &self.network.blocks[block]
+    }
+}
+
+/// Whether a block is a contact, an edge or a comparison: it decides about power and does nothing else.
+pub(super) fn is_condition(bound: &BoundBlock) -> bool {
+    bound
+        .instruction()
+        .is_some_and(|row| row.role == Role::Condition && !matches!(row.op, Op::Lbl | Op::Fun))
+}
+
+/// The networks whose conditions read one tag at two places, or behind the place where the network writes it; and
+/// those with a comparison that may have one answer only.
+fn candidates(context: &Context) -> Vec<usize> {
+    let mut found = FxHashSet::default();
+    for tag in context.own_tags() {
+        for of_network in tag.uses.chunk_by(|a, b| a.network == b.network) {
+            if of_network.len() > 1 && is_asked_again(&context.networks[of_network[0].network], of_network) {
+                found.insert(of_network[0].network);
+            }
+        }
+    }
+    for (index, network) in context.networks.iter().enumerate() {
+        if network
+            .blocks
+            .iter()
+            .any(|bound| compares_numbers(context, network, bound))
+        {
+            found.insert(index);
+        }
+    }
+    let mut found: Vec<usize> = found.into_iter().collect();
+    found.sort_unstable();
+    found
+}
+
+fn is_asked_again(network: &NetworkFacts, uses: &[Use]) -> bool {
+    let mut asked = uses
+        .iter()
+        .filter(|place| place.access == Access::Read && is_condition(&network.blocks[place.block]));
+    let Some(first) = asked.next() else { return false };
+    if asked.next().is_some() {
+        return true;
+    }
+    let Some(write) = uses.iter().find(|place| place.access.writes()) else {
+        return false;
+    };
+    // Whichever of the two comes first in the order of evaluation.
+    let first_step = network.order.steps.iter().find_map(|step| match *step {
+        Step::Block { block, .. } if block == first.block || block == write.block => Some(block),
+        _ => None,
+    });
+    first_step == Some(write.block)
+}
+
+/// A comparison of two numbers, or with a number at the end of its type.
+fn compares_numbers(context: &Context, network: &NetworkFacts, bound: &BoundBlock) -> bool {
+    if !bound.op().is_some_and(|op| (Op::Eq..=Op::Le).contains(&op)) {
+        return false;
+    }
+    let mut types = bound
+        .facts
+        .operands
+        .iter()
+        .map(|o| scalar(context, network.scope, &o.value));
+    let numbers = bound
+        .facts
+        .operands
+        .iter()
+        .filter_map(|o| number(context, network.scope, &o.value));
+    let bounds = types
+        .find_map(|ty| ty.and_then(Scalar::bounds))
+        .unwrap_or((i128::MIN, i128::MAX));
+    let mut count = 0;
+    for number in numbers {
+        count += 1;
+        if matches!(number, Number::Int(n) if n <= bounds.0 || n >= bounds.1) {
+            return true;
+        }
+    }
+    count > 1
+}

@@ -1,0 +1,50 @@
+//! `real-equality`: real numbers are compared for being exactly equal.
+
+use super::survey::Place;
+use crate::diagnostic::Diagnostic;
+use crate::facts::{Node, NodeKind, Operator};
+use crate::operand_value::{each_node, is_real, number};
+use crate::rule::Rule;
+use ladder_instructions::Op;
+use ladder_syntax::TextRange;
+
+pub(super) fn check(place: &Place<'_>, out: &mut Vec<Diagnostic>) {
+    let operands = || place.bound.facts.operands.iter().map(|operand| &operand.value);
+    if compares_reals(place, operands()) {
+        let negated = place.bound.op() == Some(Op::Ne);
+        out.push(found(place.bound.range(), negated));
+    }
+}
+
+/// `=` and `<>` in a `[CALC]`.
+pub(super) fn in_expression(place: &Place<'_>, out: &mut Vec<Diagnostic>) {
+    for operand in &place.bound.facts.operands {
+        each_node(&operand.value, &mut |node| {
+            let NodeKind::Binary(operator @ (Operator::Equal | Operator::NotEqual), left, right) = &node.kind
+            else {
+                return;
+            };
+            if compares_reals(place, [&**left, &**right].into_iter()) {
+                let range = place.bound.absolute(node.range);
+                out.push(found(range, *operator == Operator::NotEqual));
+            }
+        });
+    }
+}
+
+/// Zero is exact: nothing is wrong with guarding a division.
+fn compares_reals<'n>(place: &Place<'_>, mut nodes: impl Iterator<Item = &'n Node> + Clone) -> bool {
+    let (context, scope) = (place.context, place.network.scope);
+    let is_zero = |node: &Node| number(context, scope, node).is_some_and(|number| number.is_zero());
+    nodes.clone().any(|node| is_real(context, scope, node)) && !nodes.any(is_zero)
+}
+
+fn found(range: TextRange, negated: bool) -> Diagnostic {
+    let message = if negated {
+        "two real numbers are nearly always unequal: this conducts although they are as good as the same"
+    } else {
+        "two real numbers are nearly never exactly equal: this may not conduct when it should"
+    };
+    Diagnostic::new(Rule::RealEquality, range, message)
+        .help("compare with a tolerance: one [GE] for the lower and one [LE] for the upper limit")
+}

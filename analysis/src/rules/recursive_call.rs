@@ -1,0 +1,74 @@
+//! `recursive-call`: a function that calls itself, directly or through others.
+
+use super::circles::{Use, circles};
+use super::survey::{Steering, Survey};
+use crate::context::{Body, Context};
+use crate::diagnostic::Diagnostic;
+use crate::facts::NodeKind;
+use crate::network::{BoundBlock, Meaning};
+use crate::rule::Rule;
+use ladder_instructions::Op;
+use ladder_syntax::Name;
+
+pub(super) fn check(context: &Context, survey: &Survey, out: &mut Vec<Diagnostic>) {
+    if context.functions.is_empty() || !survey.any.has(Steering::CALL) {
+        return;
+    }
+    // Functions first, then blocks: a function may call itself through a block that it uses.
+    let functions = context.functions.len();
+    let mut uses: Vec<Vec<Use>> = vec![Vec::new(); functions + context.user_blocks.len()];
+    for (index, network) in context.networks.iter().enumerate() {
+        let user = match context.bodies[index] {
+            Body::Main => continue,
+            Body::Function(function) => function,
+            Body::Block(block) => functions + block,
+        };
+        for bound in &network.blocks {
+            match bound.meaning {
+                Meaning::User(block) => uses[user].push((functions + block, bound.head_range())),
+                _ => uses[user].extend(called(context, bound)),
+            }
+        }
+    }
+    for (first, around) in circles(&uses) {
+        // A circle of blocks alone is the error recursive-block.
+        if first < functions || around.iter().any(|&(used, _)| used < functions) {
+            out.push(recursive(context, first, &around));
+        }
+    }
+}
+
+fn called(context: &Context, bound: &BoundBlock) -> Option<Use> {
+    let operand = bound
+        .facts
+        .operands
+        .first()
+        .filter(|_| bound.op() == Some(Op::Call))?;
+    let NodeKind::Name(name) = &operand.value.kind else {
+        return None;
+    };
+    let function = context.function(&Name::new(name))?;
+    Some((function, bound.absolute(operand.value.range)))
+}
+
+fn recursive(context: &Context, first: usize, around: &[Use]) -> Diagnostic {
+    let functions = context.functions.len();
+    let name = |node: usize| match node.checked_sub(functions) {
+        None => format!("`{}`", context.functions[node].name),
+        Some(block) => format!("`{}`", context.user_blocks[block].name),
+    };
+    let message = match around {
+        [_] => format!("the function {} calls itself", name(first)),
+        _ => {
+            let way: Vec<String> = around.iter().map(|&(used, _)| name(used)).collect();
+            format!("{} calls itself: by way of {}", name(first), way.join(", then "))
+        }
+    };
+    let at = around.first().map_or_else(Default::default, |&(_, at)| at);
+    let mut found = Diagnostic::new(Rule::RecursiveCall, at, message)
+        .help("calls nest to a depth of 64, then the simulation stops with a fault: use <FOR> to repeat, or break the circle");
+    for &(used, at) in &around[1..] {
+        found = found.related(at, format!("{} is used here", name(used)));
+    }
+    found
+}

@@ -1,0 +1,79 @@
+//! `redundant-element`: a contact that changes nothing.
+
+use super::no_output::may_act;
+use super::power_rules::{Table, is_condition};
+use crate::boolean::power::{Powers, Question, Replacement};
+use crate::boolean::variables::{Gate, written};
+use crate::diagnostic::Diagnostic;
+use crate::network::BoundBlock;
+use crate::rule::Rule;
+
+pub(super) fn check(table: &Table<'_>, out: &mut Vec<Diagnostic>) {
+    let mut asked = vec![0; table.power.gates.variables.len()];
+    for gate in &table.power.gates.of_block {
+        each_variable(gate, |variable| asked[variable] += 1);
+    }
+    for (index, bound) in table.network.blocks.iter().enumerate() {
+        let mut repeated = false;
+        each_variable(&table.power.gates.of_block[index], |variable| {
+            repeated |= asked[variable] > 1
+        });
+        // An edge remembers: without it another scan is a different one.
+        if !repeated || !is_condition(bound) || remembers(bound) {
+            continue;
+        }
+        let same = |replacement| {
+            let question = Question {
+                replaced: Some((index, replacement)),
+                ..Question::default()
+            };
+            same_effects(table, &table.power.powers(question))
+        };
+        let help = if same(Replacement::Wire) {
+            "a wire in its place does the same: remove it, or correct the tag that was meant"
+        } else if same(Replacement::Gap) {
+            "without its branch everything stays the same: remove it, or correct the tag that was meant"
+        } else {
+            continue;
+        };
+        let name = bound.facts.operands.first().map_or_else(String::new, |o| {
+            written(table.context, table.network.scope, &o.value)
+        });
+        let (open, close) = if name.is_empty() { ("", "") } else { ("( ", " )") };
+        out.push(
+            Diagnostic::new(
+                Rule::RedundantElement,
+                bound.range(),
+                format!("{}{open}{name}{close} changes nothing here", bound.head_text()),
+            )
+            .help(help),
+        );
+        // What is redundant beside it may not be once it is gone.
+        return;
+    }
+}
+
+fn remembers(bound: &BoundBlock) -> bool {
+    use ladder_instructions::Op::*;
+    matches!(
+        bound.op(),
+        Some(RisingContact | FallingContact | OneShotRising | OneShotFalling)
+    )
+}
+
+fn each_variable(gate: &Gate, mut give: impl FnMut(usize)) {
+    match gate {
+        Gate::If(asks) => asks.iter().for_each(|ask| give(ask.variable)),
+        Gate::IfNot(ask) | Gate::Gives(ask) => give(ask.variable),
+        Gate::Coil(_, variable) => variable.iter().for_each(|&variable| give(variable)),
+        Gate::Pass | Gate::Inverter => {}
+    }
+}
+
+/// Whether every block that acts, or remembers, does the same.
+fn same_effects(table: &Table<'_>, other: &Powers) -> bool {
+    let effects = table.powers.effects.iter().zip(&other.effects).enumerate();
+    effects
+        .filter(|&(block, _)| may_act(table.block(block)) || remembers(table.block(block)))
+        .all(|(_, (a, b))| a == b)
+}

@@ -1,0 +1,39 @@
+//! `result-arrow`: a result is taken with `:=` where `=>` shows that it comes out of the block.
+
+use crate::context::Context;
+use crate::diagnostic::Diagnostic;
+use crate::network::{BoundBlock, Formal, Meaning};
+use crate::program::ParameterKind;
+use crate::rule::Rule;
+use ladder_instructions::Direction;
+
+pub(super) fn check(context: &Context, bound: &BoundBlock, out: &mut Vec<Diagnostic>) {
+    for (operand, formal) in bound.facts.operands.iter().zip(&bound.formals) {
+        let (Some(name), false) = (&operand.name, operand.arrow) else {
+            continue;
+        };
+        let is_result = match (*formal, bound.meaning) {
+            (Formal::Operand(row), _) => row.direction == Direction::Out,
+            (Formal::Parameter(index), Meaning::User(block)) => {
+                context.user_blocks[block].parameters[index].kind == ParameterKind::Output
+            }
+            _ => false,
+        };
+        let Some(arrow) = operand.arrow_range.filter(|_| is_result && !bound.faulty) else {
+            continue;
+        };
+        out.push(
+            Diagnostic::new(
+                Rule::ResultArrow,
+                bound.absolute(arrow),
+                format!(
+                    "`{}` is a result of {}: it is taken with `=>`",
+                    name.text,
+                    bound.head_text()
+                ),
+            )
+            .help("`:=` gives an operand, `=>` takes a result")
+            .fix("Replace `:=` with `=>`", bound.absolute(arrow), "=>"),
+        );
+    }
+}

@@ -1,0 +1,31 @@
+//! `return-outside-function`: a `<RET>` in the main program.
+
+use super::survey::{Steering, Survey};
+use crate::context::{Body, Context};
+use crate::diagnostic::Diagnostic;
+use crate::rule::Rule;
+use ladder_instructions::Op;
+
+pub(super) fn check(context: &Context, survey: &Survey, out: &mut Vec<Diagnostic>) {
+    if !survey.any.has(Steering::RETURN) {
+        return;
+    }
+    for (index, network) in context.networks.iter().enumerate() {
+        if context.bodies[index] != Body::Main
+            || !survey.sound[index]
+            || !survey.steering[index].has(Steering::RETURN)
+        {
+            continue;
+        }
+        for bound in network.blocks.iter().filter(|bound| bound.op() == Some(Op::Ret)) {
+            out.push(
+                Diagnostic::new(
+                    Rule::ReturnOutsideFunction,
+                    bound.range(),
+                    "<RET> in the main program ends the scan: nothing below it runs in this scan",
+                )
+                .help("if that is meant, keep it; to skip some rungs only, jump over them with <JMP>"),
+            );
+        }
+    }
+}

@@ -1,0 +1,173 @@
+//! `set-and-reset`: whenever one coil sets a tag, another resets it in the same scan, or the other way round.
+//!
+//! Decided for coils whose conditions stand in series: the later one always acts with the earlier one if each of
+//! its conditions is one of the earlier one's, and nothing between them writes what they ask for.
+
+use super::survey::{Steering, Survey};
+use crate::boolean::variables::written;
+use crate::context::Context;
+use crate::diagnostic::Diagnostic;
+use crate::facts::{Node, NodeKind};
+use crate::network::NetworkFacts;
+use crate::operand_value::{each_tag, tag};
+use crate::program::Step;
+use crate::rule::Rule;
+use crate::scope::Use;
+use crate::types::Type;
+use ladder_instructions::{Op, Role};
+use rustc_hash::FxHashSet;
+
+/// How many coils of one tag are compared with each other.
+const MOST: usize = 16;
+
+pub(super) fn check(context: &Context, survey: &Survey, out: &mut Vec<Diagnostic>) {
+    if !survey.any.has(Steering::SET) || !survey.any.has(Steering::RESET) || survey.any.has(Steering::MCR) {
+        return;
+    }
+    let unclear = Steering::LEAVES
+        .with(Steering::FOR)
+        .with(Steering::CALL)
+        .with(Steering::FLOW_BLOCK);
+    for tag in context.own_tags().filter(|tag| tag.ty == Some(Type::BOOL)) {
+        let op = |place: &Use| context.networks[place.network].blocks[place.block].op();
+        let writers = || tag.uses.iter().filter(|place| place.access.writes());
+        let is_coil = |place: &&Use| {
+            use Op::*;
+            matches!(
+                op(place),
+                Some(SetCoil | RetentiveSet | ResetCoil | RetentiveReset)
+            ) && place.whole
+        };
+        let sets = |place: &Use| matches!(op(place), Some(Op::SetCoil | Op::RetentiveSet));
+        if writers().take(MOST).filter(|&place| sets(place)).count() == 0
+            || !writers().any(|place| !sets(place))
+        {
+            continue;
+        }
+        let coils: Vec<Coil<'_>> = writers()
+            .filter(is_coil)
+            .take(MOST)
+            .filter_map(|place| Coil::new(context, place, sets(place)))
+            .collect();
+        for (index, earlier) in coils.iter().enumerate() {
+            let undone = coils[index + 1..].iter().find(|later| {
+                later.sets != earlier.sets
+                    && later.conditions.is_subset(&earlier.conditions)
+                    && context.bodies[later.place.network] == context.bodies[earlier.place.network]
+                    && !(earlier.place.network..=later.place.network)
+                        .any(|network| survey.steering[network].has(unclear))
+                    && !is_changed_between(context, earlier, later)
+            });
+            if let Some(later) = undone {
+                out.push(found(context, &tag.name, earlier, later));
+            }
+        }
+    }
+}
+
+struct Coil<'c> {
+    place: &'c Use,
+    sets: bool,
+    /// Where it stands in its network's order of evaluation.
+    step: usize,
+    /// What must be so for it to act.
+    conditions: FxHashSet<String>,
+    /// The tags that these ask for.
+    asked: Vec<(usize, usize)>,
+}
+
+impl<'c> Coil<'c> {
+    /// None unless its conditions stand in series behind the left rail.
+    fn new(context: &'c Context, place: &'c Use, sets: bool) -> Option<Coil<'c>> {
+        let network = &context.networks[place.network];
+        if network.broken {
+            return None;
+        }
+        let steps = &network.order.steps;
+        let is_it = |step: &Step| matches!(*step, Step::Block { block, .. } if block == place.block);
+        let step = steps.iter().position(is_it)?;
+        let mut coil = Coil {
+            place,
+            sets,
+            step,
+            conditions: FxHashSet::default(),
+            asked: Vec::new(),
+        };
+        let Step::Block { mut en, .. } = steps[step] else {
+            return None;
+        };
+        loop {
+            match steps[en] {
+                Step::Start { rail } => return rail.then_some(coil),
+                Step::Join { .. } => return None,
+                Step::Block { block, en: before } => {
+                    coil.pass(context, network, block)?;
+                    en = before;
+                }
+            }
+        }
+    }
+
+    fn pass(&mut self, context: &Context, network: &NetworkFacts, block: usize) -> Option<()> {
+        let bound = &network.blocks[block];
+        let row = bound.instruction().filter(|_| !bound.faulty)?;
+        match row.op {
+            // They pass on what they get.
+            Op::Coil | Op::NegatedCoil | Op::ResetCoil | Op::RetentiveCoil | Op::RetentiveReset => {
+                return Some(());
+            }
+            Op::OneShotRising | Op::OneShotFalling | Op::Inverter => return None,
+            _ if row.role != Role::Condition => return None,
+            _ => {}
+        }
+        let mut key = row.block();
+        for operand in &bound.facts.operands {
+            key.push(' ');
+            key.push_str(&same_text(context, network.scope, &operand.value)?);
+            each_tag(&operand.value, &mut |name| {
+                self.asked
+                    .extend(tag(context, network.scope, name).map(|(id, _)| id));
+            });
+        }
+        self.conditions.insert(key);
+        Some(())
+    }
+}
+
+/// A text that is the same for the same value; none for what the text does not say whole.
+fn same_text(context: &Context, scope: usize, node: &Node) -> Option<String> {
+    let text = written(context, scope, node);
+    (!text.contains("...") && !matches!(node.kind, NodeKind::Missing)).then_some(text)
+}
+
+/// Whether a block from the earlier coil to the later one writes what the two ask for.
+fn is_changed_between(context: &Context, earlier: &Coil<'_>, later: &Coil<'_>) -> bool {
+    let networks = earlier.place.network..=later.place.network;
+    // In one network the order of the text is not that of evaluation.
+    if earlier.place.network == later.place.network && later.step < earlier.step {
+        return true;
+    }
+    earlier.asked.iter().any(|&(scope, tag)| {
+        let uses = &context.scopes[scope].tags[tag].uses;
+        uses.iter()
+            .any(|place| place.access.writes() && networks.contains(&place.network))
+    })
+}
+
+fn found(context: &Context, name: &str, earlier: &Coil<'_>, later: &Coil<'_>) -> Diagnostic {
+    let line = context.line_number(later.place.range.start());
+    let (does, undoes) = if earlier.sets {
+        ("sets", "resets")
+    } else {
+        ("resets", "sets")
+    };
+    Diagnostic::new(
+        Rule::SetAndReset,
+        earlier.place.range,
+        format!(
+            "whenever this {does} `{name}`, line {line} {undoes} it in the same scan: this has no effect"
+        ),
+    )
+    .help("change one of the conditions, or remove one of the coils")
+    .related(later.place.range, format!("this {undoes} `{name}`"))
+}

@@ -1,0 +1,70 @@
+//! `shorted-branch`: a bare wire beside contacts, which so decide nothing.
+
+use super::power_rules::is_condition;
+use super::wiring_walk::Walk;
+use crate::diagnostic::Diagnostic;
+use crate::network::BoundBlock;
+use crate::program::Step;
+use crate::rule::Rule;
+
+/// How far a branch is followed.
+const LONGEST: usize = 64;
+
+pub(super) fn check(walk: &Walk<'_>, out: &mut Vec<Diagnostic>) {
+    for step in walk.steps() {
+        let Step::Join { upper, lower } = *step else {
+            continue;
+        };
+        // The wire comes from the earlier step, the branch is behind it.
+        let (wire, branch) = (upper.min(lower), upper.max(lower));
+        let Some(contacts) = conditions_between(walk, wire, branch) else {
+            continue;
+        };
+        let Some((first, rest)) = contacts.split_first() else {
+            continue;
+        };
+        let message = if rest.is_empty() {
+            format!(
+                "a bare wire beside {} shorts it: it decides nothing",
+                first.head_text()
+            )
+        } else {
+            "a bare wire beside these contacts shorts them: they decide nothing".to_owned()
+        };
+        let mut found = Diagnostic::new(Rule::ShortedBranch, first.range(), message)
+            .help("put a contact into the wire beside it, or remove the branch");
+        for other in rest {
+            found = found.related(other.range(), "this is shorted as well");
+        }
+        out.push(found);
+    }
+}
+
+/// The conditions of a branch that comes from a step and from nowhere else, from left to right. None if it is no
+/// such branch.
+fn conditions_between<'c>(walk: &Walk<'c>, wire: usize, branch: usize) -> Option<Vec<&'c BoundBlock>> {
+    let mut found = Vec::new();
+    let mut open = vec![branch];
+    let mut seen = 0;
+    while let Some(step) = open.pop() {
+        seen += 1;
+        if step == wire {
+            continue;
+        }
+        if step < wire || seen > LONGEST {
+            return None;
+        }
+        match walk.steps()[step] {
+            Step::Block { block, en } if is_condition(walk.block(block)) => {
+                found.push(walk.block(block));
+                open.push(en);
+            }
+            Step::Join { upper, lower } => open.extend([upper, lower]),
+            Step::Start { rail: false } => {}
+            _ => return None,
+        }
+    }
+    found.sort_by_key(|bound| bound.range().start());
+    found.dedup_by_key(|bound| bound.range());
+    Some(found)
+}

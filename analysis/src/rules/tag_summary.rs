@@ -1,0 +1,89 @@
+//! One walk over all tags, shared by the rules about how a tag is used in the whole program.
+
+use super::survey::Survey;
+use super::{input_written, never_read, never_written, set_without_reset};
+use crate::context::Context;
+use crate::diagnostic::Diagnostic;
+use crate::scope::{Origin, SectionKind, TagFacts, Use};
+use crate::types::Type;
+use ladder_instructions::Op;
+
+/// How a tag is used, counted over all its places.
+pub(super) struct Summary<'c> {
+    pub(super) context: &'c Context,
+    pub(super) tag: &'c TagFacts,
+    /// Index of its scope; 0 is the file's.
+    pub(super) scope: usize,
+    /// How many places read it.
+    pub(super) reads: usize,
+    /// How many places write it.
+    pub(super) writes: usize,
+    /// The places that only ever set, and only ever reset it, if it is written in no other way.
+    pub(super) sets: usize,
+    pub(super) resets: usize,
+}
+
+impl<'c> Summary<'c> {
+    fn new(context: &'c Context, scope: usize, tag: &'c TagFacts) -> Summary<'c> {
+        let mut summary = Summary {
+            context,
+            tag,
+            scope,
+            reads: 0,
+            writes: 0,
+            sets: 0,
+            resets: 0,
+        };
+        let can_be_set = !matches!(tag.ty, Some(Type::State(_)));
+        for place in &tag.uses {
+            summary.reads += usize::from(place.access.reads());
+            if place.access.writes() {
+                summary.writes += 1;
+                if can_be_set {
+                    match summary.op(place) {
+                        Some(Op::SetCoil | Op::RetentiveSet) => summary.sets += 1,
+                        Some(Op::ResetCoil | Op::RetentiveReset) => summary.resets += 1,
+                        _ => {}
+                    }
+                }
+            }
+        }
+        summary
+    }
+
+    fn op(&self, place: &Use) -> Option<Op> {
+        self.context.networks[place.network].blocks[place.block].op()
+    }
+
+    /// Whether other files may use it as well, or it stands for another tag: what this file does with it is not
+    /// all that is done.
+    pub(super) fn is_shared(&self) -> bool {
+        matches!(
+            self.tag.origin,
+            Origin::Shared
+                | Origin::Implicit
+                | Origin::Declared(SectionKind::Global | SectionKind::External | SectionKind::InOut)
+        )
+    }
+}
+
+/// Walks over all tags and asks the rules about the use of tags.
+pub(super) fn check(context: &Context, survey: &Survey, out: &mut Vec<Diagnostic>) {
+    for (scope, facts) in context.scopes.iter().enumerate() {
+        for tag in facts
+            .tags
+            .iter()
+            .filter(|tag| tag.shared.is_none() && !tag.mistyped)
+        {
+            let summary = Summary::new(context, scope, tag);
+            input_written::check(&summary, out);
+            if survey.whole && !summary.is_shared() {
+                if survey.names_known {
+                    never_read::check(&summary, out);
+                    never_written::check(&summary, out);
+                }
+                set_without_reset::check(&summary, out);
+            }
+        }
+    }
+}

@@ -1,0 +1,24 @@
+//! `unconditional-end`: an `<END>` that every scan comes to, so that the program runs once.
+
+use super::flow::Flow;
+use crate::diagnostic::Diagnostic;
+use crate::rule::Rule;
+use ladder_instructions::Op;
+
+pub(super) fn check(flow: &Flow<'_>, out: &mut Vec<Diagnostic>) {
+    for exit in flow.exits.iter().filter(|exit| exit.always) {
+        let bound = flow.block(exit);
+        if bound.op() != Some(Op::End) {
+            continue;
+        }
+        out.push(
+            Diagnostic::new(
+                Rule::UnconditionalEnd,
+                bound.range(),
+                "<END> stops the program for good, and nothing stands before it: only one scan runs",
+            )
+            .help("a program needs no end; <RET> ends the scan, as END does in other controllers")
+            .fix("End the scan only: <RET>", bound.head_range(), "<RET>"),
+        );
+    }
+}

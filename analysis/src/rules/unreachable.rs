@@ -1,0 +1,69 @@
+//! `unreachable`: rungs that no scan comes to.
+
+use super::flow::{Exit, Flow};
+use super::no_output::first_rung;
+use crate::diagnostic::Diagnostic;
+use crate::program::Step;
+use crate::rule::Rule;
+use ladder_instructions::Op;
+
+pub(super) fn check(flow: &Flow<'_>, reached: &[bool], out: &mut Vec<Diagnostic>) {
+    for exit in flow.exits.iter().filter(|exit| exit.always && reached[exit.from]) {
+        out.extend(behind_in_network(flow, exit));
+    }
+    for at in 0..reached.len() {
+        // The first of a row is enough.
+        if reached[at] || at.checked_sub(1).is_some_and(|before| !reached[before]) {
+            continue;
+        }
+        let network = &flow.context.networks[flow.networks[at]];
+        let Some(range) = first_rung(flow.context, network) else {
+            continue;
+        };
+        let more = (at + 1..reached.len()).take_while(|&at| !reached[at]).count();
+        let message = if more == 0 {
+            "no scan ever comes to this rung".to_owned()
+        } else {
+            let and = if more == 1 { "the network" } else { "the networks" };
+            format!("no scan ever comes to this rung, nor to {more} of {and} behind it")
+        };
+        let message = message.replace(
+            "nor to 1 of the network behind it",
+            "nor to the network behind it",
+        );
+        let mut found = Diagnostic::new(Rule::Unreachable, range, message)
+            .help("put a condition before what leaves above it, mark it with a <LBL> that is jumped to, or remove it");
+        if let Some(exit) = flow.exits.iter().rfind(|exit| exit.from < at && exit.always) {
+            found = found.related(flow.block(exit).range(), always_leaves(flow, exit));
+        }
+        out.push(found);
+    }
+}
+
+fn always_leaves(flow: &Flow<'_>, exit: &Exit) -> &'static str {
+    match flow.block(exit).op() {
+        Some(Op::Jmp) => "this always jumps away",
+        Some(Op::End) => "this always ends the program",
+        _ => "this always returns",
+    }
+}
+
+/// What stands behind such a block in its own network.
+fn behind_in_network(flow: &Flow<'_>, exit: &Exit) -> Option<Diagnostic> {
+    let network = &flow.context.networks[flow.networks[exit.from]];
+    let behind = network.order.steps[exit.step + 1..]
+        .iter()
+        .find_map(|step| match *step {
+            Step::Block { block, .. } => Some(&network.blocks[block]),
+            _ => None,
+        })?;
+    Some(
+        Diagnostic::new(
+            Rule::Unreachable,
+            behind.range(),
+            format!("{} never runs: the network is left before it", behind.head_text()),
+        )
+        .help("put it before the block that leaves, or onto a rung of its own above")
+        .related(flow.block(exit).range(), always_leaves(flow, exit)),
+    )
+}

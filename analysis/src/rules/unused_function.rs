@@ -1,0 +1,41 @@
+//! `unused-function`: a function that nothing calls.
+
+use super::survey::{Steering, Survey};
+use crate::context::{Body, Context};
+use crate::diagnostic::Diagnostic;
+use crate::facts::NodeKind;
+use crate::rule::Rule;
+use ladder_instructions::Op;
+use ladder_syntax::Name;
+use rustc_hash::FxHashSet;
+
+pub(super) fn check(context: &Context, survey: &Survey, out: &mut Vec<Diagnostic>) {
+    // A file without a main program holds functions for others.
+    if context.functions.is_empty() || !survey.whole || !context.bodies.contains(&Body::Main) {
+        return;
+    }
+    let mut called: FxHashSet<usize> = FxHashSet::default();
+    for (index, network) in context.networks.iter().enumerate() {
+        if !survey.steering[index].has(Steering::CALL) {
+            continue;
+        }
+        for bound in network.blocks.iter().filter(|bound| bound.op() == Some(Op::Call)) {
+            if let Some(NodeKind::Name(name)) = bound.facts.operands.first().map(|o| &o.value.kind) {
+                called.extend(context.function(&Name::new(name)));
+            }
+        }
+    }
+    for (index, function) in context.functions.iter().enumerate() {
+        // A second one of the same name is another mistake.
+        if !called.contains(&index) && context.function(&function.key) == Some(index) {
+            out.push(
+                Diagnostic::new(
+                    Rule::UnusedFunction,
+                    function.at,
+                    format!("nothing in this file calls the function `{}`", function.name),
+                )
+                .help(format!("call it with <CALL>( {} ), or remove it", function.name)),
+            );
+        }
+    }
+}

@@ -1,0 +1,56 @@
+//! `unused-label`: a label that nothing jumps to.
+
+use super::survey::{Steering, Survey};
+use crate::context::{Body, Context};
+use crate::diagnostic::Diagnostic;
+use crate::facts::NodeKind;
+use crate::rule::Rule;
+use ladder_instructions::Op;
+use ladder_syntax::Name;
+use rustc_hash::FxHashSet;
+
+pub(super) fn check(context: &Context, survey: &Survey, out: &mut Vec<Diagnostic>) {
+    if context.labels.is_empty() || !survey.whole {
+        return;
+    }
+    let mut targets: FxHashSet<(usize, &Name)> = FxHashSet::default();
+    // Labels that bodies of <$B> blocks jump to wherever such a block stands.
+    let mut outside: FxHashSet<Name> = FxHashSet::default();
+    for (index, network) in context.networks.iter().enumerate() {
+        if !survey.steering[index].has(Steering::JUMP) {
+            continue;
+        }
+        for bound in network.blocks.iter().filter(|bound| bound.op() == Some(Op::Jmp)) {
+            let Some(NodeKind::Name(name)) = bound.facts.operands.first().map(|o| &o.value.kind) else {
+                continue;
+            };
+            let name = Name::new(name);
+            match context.jump_label(index, &name) {
+                Some(target) => {
+                    targets.insert(target);
+                }
+                None => {
+                    outside.insert(name);
+                }
+            }
+        }
+    }
+    let has_flow_block: FxHashSet<Body> = (0..context.networks.len())
+        .filter(|&index| survey.steering[index].has(Steering::FLOW_BLOCK))
+        .map(|index| context.bodies[index])
+        .collect();
+    for label in &context.labels {
+        let from_block =
+            has_flow_block.contains(&context.bodies[label.network]) && outside.contains(&label.key);
+        if !targets.contains(&(label.network, &label.key)) && !from_block {
+            out.push(
+                Diagnostic::new(
+                    Rule::UnusedLabel,
+                    label.at,
+                    format!("nothing jumps to the label `{}`", label.name),
+                )
+                .help("remove it, or jump to it with <JMP>"),
+            );
+        }
+    }
+}
