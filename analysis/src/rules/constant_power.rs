@@ -4,6 +4,7 @@ use super::power_rules::{Table, is_condition};
 use crate::boolean::power::{Question, Replacement};
 use crate::boolean::space::Set;
 use crate::diagnostic::Diagnostic;
+use crate::excerpt;
 use crate::program::Step;
 use crate::rule::Rule;
 use ladder_syntax::TextRange;
@@ -29,7 +30,7 @@ fn block_is_constant(table: &Table<'_>, block: usize, en: usize) -> Option<Diagn
                 Diagnostic::new(
                     Rule::ConstantPower,
                     bound.range(),
-                    format!("{} always conducts", bound.head_text()),
+                    format!("{} always conducts", excerpt::block(&table.context.parse, bound)),
                 )
                 .help("whatever its tags hold, it is true: compare with another value, or remove it"),
             );
@@ -39,7 +40,7 @@ fn block_is_constant(table: &Table<'_>, block: usize, en: usize) -> Option<Diagn
                 Diagnostic::new(
                     Rule::ConstantPower,
                     bound.range(),
-                    format!("{} never conducts", bound.head_text()),
+                    format!("{} never conducts", excerpt::block(&table.context.parse, bound)),
                 )
                 .help("whatever its tags hold, it is false: compare with another value, or remove the rung"),
             );

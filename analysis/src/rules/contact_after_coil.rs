@@ -3,6 +3,7 @@
 use super::power_rules::is_condition;
 use super::wiring_walk::Walk;
 use crate::diagnostic::Diagnostic;
+use crate::excerpt;
 use crate::network::BoundBlock;
 use crate::program::Step;
 use crate::rule::Rule;
@@ -28,7 +29,8 @@ pub(super) fn check(walk: &Walk<'_>, out: &mut Vec<Diagnostic>) {
                     }
                     _ => {}
                 }
-                if is_coil(bound) { Some(block) } else { passed[en] }
+                // The first coil of a row stands for all.
+                passed[en].or(is_coil(bound).then_some(block))
             }
         });
     }
@@ -58,7 +60,7 @@ fn found(walk: &Walk<'_>, coil: usize, contact: usize) -> Diagnostic {
         contact.range(),
         format!(
             "{} stands behind a coil: whoever looks for it looks left of the coils",
-            contact.head_text()
+            excerpt::block(&walk.context.parse, contact)
         ),
     )
     .help(

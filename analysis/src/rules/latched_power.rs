@@ -3,6 +3,7 @@
 use super::wiring_walk::Walk;
 use crate::boolean::variables::written;
 use crate::diagnostic::Diagnostic;
+use crate::excerpt;
 use crate::program::Step;
 use crate::rule::Rule;
 use ladder_instructions::Op;
@@ -39,7 +40,7 @@ fn found(walk: &Walk<'_>, coil: usize, behind: usize) -> Diagnostic {
         behind.range(),
         format!(
             "{} stands behind {}: its power is `{name}`, and stays on when the rung before goes off",
-            behind.head_text(),
+            excerpt::block(&walk.context.parse, behind),
             coil.head_text()
         ),
     )

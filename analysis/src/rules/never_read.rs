@@ -8,7 +8,7 @@ use crate::scope::{Origin, SectionKind};
 
 pub(super) fn check(summary: &Summary<'_>, out: &mut Vec<Diagnostic>) {
     let tag = summary.tag;
-    if summary.reads > 0 {
+    if summary.reads > 0 || (summary.writes > 0 && !summary.has_outputs) {
         return;
     }
     let name = &tag.name;

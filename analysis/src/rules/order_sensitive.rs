@@ -63,7 +63,7 @@ pub(super) fn check(table: &Table<'_>, out: &mut Vec<Diagnostic>) {
             if values.is_empty() {
                 format!("the order of this network matters: {result}")
             } else {
-                format!("the order of this network matters: with {values} {result}")
+                format!("the order of this network matters: with {values}: {result}")
             },
         )
         .help("a contact reads what a coil of the same network has just written: give the later part a rung of its own");

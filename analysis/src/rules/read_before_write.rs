@@ -65,10 +65,11 @@ fn candidates<'c>(context: &'c Context, survey: &Survey) -> impl Iterator<Item =
 
 /// Whether the reading rung also reads what the value is made of: it compares old and new on purpose.
 fn compares_old_and_new(context: &Context, late: &Late<'_>) -> bool {
-    let read_by_both = tags_read(context, late.write.network);
-    tags_read(context, late.read.network)
-        .iter()
-        .any(|tag| read_by_both.contains(tag))
+    let own = tag(context, context.networks[late.read.network].scope, &late.tag.name).map(|(id, _)| id);
+    let read_by_writer = tags_read(context, late.write.network);
+    let read = tags_read(context, late.read.network);
+    read.iter()
+        .any(|tag| Some(*tag) != own && read_by_writer.contains(tag))
 }
 
 fn tags_read(context: &Context, network: usize) -> FxHashSet<(usize, usize)> {

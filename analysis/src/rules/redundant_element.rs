@@ -3,8 +3,9 @@
 use super::no_output::may_act;
 use super::power_rules::{Table, is_condition};
 use crate::boolean::power::{Powers, Question, Replacement};
-use crate::boolean::variables::{Gate, written};
+use crate::boolean::variables::Gate;
 use crate::diagnostic::Diagnostic;
+use crate::excerpt;
 use crate::network::BoundBlock;
 use crate::rule::Rule;
 
@@ -36,15 +37,12 @@ pub(super) fn check(table: &Table<'_>, out: &mut Vec<Diagnostic>) {
         } else {
             continue;
         };
-        let name = bound.facts.operands.first().map_or_else(String::new, |o| {
-            written(table.context, table.network.scope, &o.value)
-        });
-        let (open, close) = if name.is_empty() { ("", "") } else { ("( ", " )") };
+        let name = excerpt::block(&table.context.parse, bound);
         out.push(
             Diagnostic::new(
                 Rule::RedundantElement,
                 bound.range(),
-                format!("{}{open}{name}{close} changes nothing here", bound.head_text()),
+                format!("{name} changes nothing here"),
             )
             .help(help),
         );

@@ -2,12 +2,14 @@
 
 use super::tag_summary::Summary;
 use crate::diagnostic::Diagnostic;
+use crate::program::Role;
 use crate::rule::Rule;
 
 pub(super) fn check(summary: &Summary<'_>, out: &mut Vec<Diagnostic>) {
     let tag = summary.tag;
     let (all_set, all_reset) = (summary.sets == summary.writes, summary.resets == summary.writes);
-    if summary.writes == 0 || !(all_set || all_reset) {
+    // Of an input that is written input-written tells.
+    if tag.role == Role::Input || summary.writes == 0 || !(all_set || all_reset) {
         return;
     }
     let name = &tag.name;

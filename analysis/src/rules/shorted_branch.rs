@@ -3,6 +3,7 @@
 use super::power_rules::is_condition;
 use super::wiring_walk::Walk;
 use crate::diagnostic::Diagnostic;
+use crate::excerpt;
 use crate::network::BoundBlock;
 use crate::program::Step;
 use crate::rule::Rule;
@@ -26,7 +27,7 @@ pub(super) fn check(walk: &Walk<'_>, out: &mut Vec<Diagnostic>) {
         let message = if rest.is_empty() {
             format!(
                 "a bare wire beside {} shorts it: it decides nothing",
-                first.head_text()
+                excerpt::block(&walk.context.parse, first)
             )
         } else {
             "a bare wire beside these contacts shorts them: they decide nothing".to_owned()

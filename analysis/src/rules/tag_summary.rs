@@ -4,6 +4,7 @@ use super::survey::Survey;
 use super::{input_written, never_read, never_written, set_without_reset};
 use crate::context::Context;
 use crate::diagnostic::Diagnostic;
+use crate::program::Role;
 use crate::scope::{Origin, SectionKind, TagFacts, Use};
 use crate::types::Type;
 use ladder_instructions::Op;
@@ -14,6 +15,8 @@ pub(super) struct Summary<'c> {
     pub(super) tag: &'c TagFacts,
     /// Index of its scope; 0 is the file's.
     pub(super) scope: usize,
+    /// The file has outputs. In one that has none, its internal tags are what people look at.
+    pub(super) has_outputs: bool,
     /// How many places read it.
     pub(super) reads: usize,
     /// How many places write it.
@@ -24,8 +27,9 @@ pub(super) struct Summary<'c> {
 }
 
 impl<'c> Summary<'c> {
-    fn new(context: &'c Context, scope: usize, tag: &'c TagFacts) -> Summary<'c> {
+    fn new(context: &'c Context, scope: usize, tag: &'c TagFacts, has_outputs: bool) -> Summary<'c> {
         let mut summary = Summary {
+            has_outputs,
             context,
             tag,
             scope,
@@ -69,16 +73,18 @@ impl<'c> Summary<'c> {
 
 /// Walks over all tags and asks the rules about the use of tags.
 pub(super) fn check(context: &Context, survey: &Survey, out: &mut Vec<Diagnostic>) {
+    let has_outputs = context.scopes[0].tags.iter().any(|tag| tag.role == Role::Output);
     for (scope, facts) in context.scopes.iter().enumerate() {
         for tag in facts
             .tags
             .iter()
             .filter(|tag| tag.shared.is_none() && !tag.mistyped)
         {
-            let summary = Summary::new(context, scope, tag);
+            let summary = Summary::new(context, scope, tag, has_outputs || scope > 0);
             input_written::check(&summary, out);
             if survey.whole && !summary.is_shared() {
-                if survey.names_known {
+                // A file of declarations only has just been begun.
+                if survey.names_known && !context.networks.is_empty() {
                     never_read::check(&summary, out);
                     never_written::check(&summary, out);
                 }

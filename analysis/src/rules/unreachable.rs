@@ -3,6 +3,7 @@
 use super::flow::{Exit, Flow};
 use super::no_output::first_rung;
 use crate::diagnostic::Diagnostic;
+use crate::excerpt;
 use crate::program::Step;
 use crate::rule::Rule;
 use ladder_instructions::Op;
@@ -61,7 +62,10 @@ fn behind_in_network(flow: &Flow<'_>, exit: &Exit) -> Option<Diagnostic> {
         Diagnostic::new(
             Rule::Unreachable,
             behind.range(),
-            format!("{} never runs: the network is left before it", behind.head_text()),
+            format!(
+                "{} never runs: the network is left before it",
+                excerpt::block(&flow.context.parse, behind)
+            ),
         )
         .help("put it before the block that leaves, or onto a rung of its own above")
         .related(flow.block(exit).range(), always_leaves(flow, exit)),

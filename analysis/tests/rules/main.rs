@@ -3,12 +3,16 @@
 mod blocks;
 mod check;
 mod connectors;
+mod flow;
 mod follow_ups;
 mod mutated;
 mod names;
 mod pages;
 mod pathological;
+mod power;
 mod program;
 mod several_files;
+mod tags;
 mod text;
+mod values;
 mod wiring;

@@ -1,0 +1,218 @@
+//! How tags are used in a whole program.
+
+use crate::check::{check_program, clean_program};
+use expect_test::expect;
+
+#[test]
+fn read_and_written() {
+    check_program(
+        "VAR_INPUT\n    a, b : BOOL;\nEND_VAR\nVAR_OUTPUT\n    y, z : BOOL;\nEND_VAR\nVAR\n    m, n, o : BOOL;\n    t : TON;\n    k : INT;\nEND_VAR\n\n+--[ ]( a )--[ ]( m )--[ ]( t.Q )--( )( y )--( )( n )--[MOV]( k, 5 )--+\n",
+        expect![[r#"
+            >     a, b : BOOL;
+                     ^ info[never-read]: the input `b` is declared, and nothing reads it
+                help: read it where it is meant to act, or remove its declaration
+            >     y, z : BOOL;
+                     ^ info[never-written]: the output `z` is never written: it stays off
+                help: write it with a coil or another block, or remove its declaration
+            >     m, n, o : BOOL;
+                     ^ info[never-read]: `n` is written, and nothing reads it
+                help: read it where it is meant to act; declare it in VAR_OUTPUT if it is for the outside; or remove it
+            >     m, n, o : BOOL;
+                        ^ info[never-read]: `o` is declared and never used
+                help: use it, or remove its declaration
+            >     k : INT;
+                  ^ info[never-read]: `k` is written, and nothing reads it
+                help: read it where it is meant to act; declare it in VAR_OUTPUT if it is for the outside; or remove it
+            > +--[ ]( a )--[ ]( m )--[ ]( t.Q )--( )( y )--( )( n )--[MOV]( k, 5 )--+
+                                ^ info[never-written]: `m` is read, and nothing writes it: it stays off
+                help: write it; declare it in VAR_INPUT if it comes from outside; or give it a value and declare it CONSTANT
+                at 8:5 `m`: `m` is declared here
+            > +--[ ]( a )--[ ]( m )--[ ]( t.Q )--( )( y )--( )( n )--[MOV]( k, 5 )--+
+                                          ^ info[never-written]: no [TON] block works on `t`: it stays as it is at the start
+                help: put the block with this tag onto a rung
+                at 9:5 `t`: `t` is declared here
+        "#]],
+    );
+    check_program(
+        "+--[ ]( M1 )--( )( Q1 )--( )( M2 )--+\n",
+        expect![[r#"
+        > +--[ ]( M1 )--( )( Q1 )--( )( M2 )--+
+                  ^^ info[never-written]: `M1` is read, and nothing writes it: it stays off
+            help: write it, or use an input (I and a number) if it comes from outside
+        > +--[ ]( M1 )--( )( Q1 )--( )( M2 )--+
+                                        ^^ info[never-read]: `M2` is an internal tag: it is written, and nothing reads it
+            help: read it where it is meant to act, or use an output (Q and a number) if it is for the outside
+    "#]],
+    );
+    clean_program(
+        "VAR RETAIN\n    total : DINT;\nEND_VAR\nVAR\n    speed AT %MW2 : INT;\nEND_VAR\nVAR_GLOBAL\n    shared : BOOL;\nEND_VAR\nVAR CONSTANT\n    LIMIT : INT := 5;\nEND_VAR\nVAR\n    limit_2 : INT := 7;\nEND_VAR\n\n+--[ ]( I1 )--[MOV]( total, 5 )--[MOV]( speed, LIMIT )--[GT]( speed, limit_2 )--( )( Q1 )--+\n",
+    );
+    // No outputs: what the tags hold is what the program is for.
+    clean_program("VAR\n    n : INT;\nEND_VAR\n+--[MOV]( n, 5 )--+\n");
+    // A misspelt name is told once.
+    check_program(
+        "VAR_INPUT\n    start : BOOL;\nEND_VAR\nVAR_OUTPUT\n    run : BOOL;\nEND_VAR\n+--[ ]( strat )--( )( run )--+\n",
+        expect![[r#"
+            > +--[ ]( strat )--( )( run )--+
+                      ^^^^^ warning[undeclared-tag]: `strat` is not declared
+                help: did you mean `start`?
+                fix: Replace with `start`
+                  +--[ ]( start )------------( )( run )--+
+                fix: Declare `strat : BOOL` in VAR_INPUT
+                      strat : BOOL;
+        "#]],
+    );
+    // In a block.
+    check_program(
+        "FUNCTION_BLOCK [$B]\nVAR_INPUT\n    a, b : BOOL;\nEND_VAR\nVAR_OUTPUT\n    y : BOOL;\nEND_VAR\n+--[ ]( a )--( )( ENO )--(R)( a )--+\nEND_FUNCTION_BLOCK\n\n+--[$B]( p, q, r )--( )( s )--+\n",
+        expect![[r#"
+            >     a, b : BOOL;
+                     ^ info[never-read]: the input `b` is declared, and nothing reads it
+                help: read it where it is meant to act, or remove its declaration
+            >     y : BOOL;
+                  ^ info[never-written]: the output `y` is never written: it stays off
+                help: write it with a coil or another block, or remove its declaration
+            > +--[ ]( a )--( )( ENO )--(R)( a )--+
+                                            ^ warning[input-written]: `a` is an input of the block, and is written here: its caller gives it anew each time the block runs
+                help: write a tag of its own, and read that instead of the input where it is needed
+                at 3:5 `a`: `a` is declared as an input here
+        "#]],
+    );
+}
+
+#[test]
+fn inputs() {
+    check_program(
+        "VAR_INPUT\n    a : BOOL;\n    b AT %IX0.0 : BOOL;\nEND_VAR\n+--[ ]( a )--( )( b )--(S)( a )--( )( I1 )--( )( %IX0.1 )--+\n+--[ ]( b )--[ ]( I1 )--(R)( a )--( )( Q1 )--+\n",
+        expect![[r#"
+            > +--[ ]( a )--( )( b )--(S)( a )--( )( I1 )--( )( %IX0.1 )--+
+                                ^ warning[input-written]: `b` is an input, and is written here: the next reading of the inputs overwrites it
+                help: write a tag of its own, and read that instead of the input where it is needed
+                at 3:5 `b`: `b` is declared as an input here
+            > +--[ ]( a )--( )( b )--(S)( a )--( )( I1 )--( )( %IX0.1 )--+
+                                          ^ warning[input-written]: `a` is an input, and is written here: the next reading of the inputs overwrites it
+                help: write a tag of its own, and read that instead of the input where it is needed
+                at 6:30 `a`: `a` is written here as well
+                at 2:5 `a`: `a` is declared as an input here
+            > +--[ ]( a )--( )( b )--(S)( a )--( )( I1 )--( )( %IX0.1 )--+
+                                               ^^^^^^^^^ info[latched-power]: ( )( I1 ) stands behind (S): its power is `a`, and stays on when the rung before goes off
+                help: if that is meant, keep it; else draw a branch before the set coil
+                at 5:24 `(S)( a )`: the set coil
+            > +--[ ]( a )--( )( b )--(S)( a )--( )( I1 )--( )( %IX0.1 )--+
+                                                    ^^ warning[input-written]: `I1` is an input, and is written here: the next reading of the inputs overwrites it
+                help: write a tag of its own, and read that instead of the input where it is needed
+            > +--[ ]( a )--( )( b )--(S)( a )--( )( I1 )--( )( %IX0.1 )--+
+                                                               ^^^^^^ warning[input-written]: `%IX0.1` is an input, and is written here: the next reading of the inputs overwrites it
+                help: write a tag of its own, and read that instead of the input where it is needed
+        "#]],
+    );
+}
+
+#[test]
+fn latches() {
+    check_program(
+        "+--[ ]( a )--(S)( y )--+\n\n+--[ ]( b )--(R)( z )--+\n\n+--[ ]( y )--[ ]( z )--( )( q )--+\n",
+        expect![[r#"
+            > +--[ ]( a )--(S)( y )--+
+                                ^ info[set-without-reset]: `y` is set, and nothing resets it: once on, it stays on
+                help: reset it with (R)( y ); or write ( )( y ) if it should follow the power
+            > +--[ ]( b )--(R)( z )--+
+                                ^ info[reset-without-set]: `z` is reset, and nothing sets it: it is never on
+                help: set it with (S)( z ), or remove the reset
+        "#]],
+    );
+    clean_program("+--[ ]( a )--(S)( y )--+\n\n+--[ ]( b )--( )( y )--+\n");
+    clean_program(
+        "VAR\n    armed : BOOL := TRUE;\nEND_VAR\n+--[ ]( I1 )--(R)( armed )--+\n\n+--[ ]( armed )--( )( Q1 )--+\n",
+    );
+    check_program(
+        "+--[ ]( a )--[ ]( b )--(S)( y )--+\n\n+--[ ]( a )--(R)( y )--+\n",
+        expect![[r#"
+            > +--[ ]( a )--[ ]( b )--(S)( y )--+
+                                          ^ warning[set-and-reset]: whenever this sets `y`, line 3 resets it in the same scan: this has no effect
+                help: change one of the conditions, or remove one of the coils
+                at 3:19 `y`: this resets `y`
+        "#]],
+    );
+    check_program(
+        "+--[ ]( a )--(R)( y )--(S)( y )--+\n",
+        expect![[r#"
+        > +--[ ]( a )--(R)( y )--(S)( y )--+
+                            ^ warning[set-and-reset]: whenever this resets `y`, line 1 sets it in the same scan: this has no effect
+            help: change one of the conditions, or remove one of the coils
+            at 1:29 `y`: this sets `y`
+    "#]],
+    );
+    // The other way round the reset is the exception.
+    clean_program("+--[ ]( a )--(S)( y )--+\n\n+--[ ]( a )--[ ]( b )--(R)( y )--+\n");
+    clean_program("+--[GE]( level, 800 )--(S)( call )--+\n\n+--[LE]( level, 200 )--(R)( call )--+\n");
+    // What they ask for changes in between.
+    check_program(
+        "+--[ ]( a )--(S)( y )--+\n\n+--[ ]( b )--( )( a )--+\n\n+--[ ]( a )--(R)( y )--+\n",
+        expect![[r#"
+            > +--[ ]( a )--(S)( y )--+
+                      ^ info[read-before-write]: `a` is written further down, on line 3: this rung sees its value of the scan before
+                help: move the rung that writes `a` above line 1, so that it acts in the same scan
+                at 3:19 `a`: `a` is written here
+        "#]],
+    );
+}
+
+#[test]
+fn one_scan_late() {
+    check_program(
+        "+--[ ]( a )--[/]( fault )--( )( run )--+\n\n+--[ ]( overload )--( )( fault )--+\n",
+        expect![[r#"
+            > +--[ ]( a )--[/]( fault )--( )( run )--+
+                                ^^^^^ info[read-before-write]: `fault` is written further down, on line 3: this rung sees its value of the scan before
+                help: move the rung that writes `fault` above line 1, so that it acts in the same scan
+                at 3:26 `fault`: `fault` is written here
+        "#]],
+    );
+    check_program(
+        "+--[ ]( t.Q )--( )( y )--+\n\n+--[ ]( a )--[TON]( t, T#5s )--+\n",
+        expect![[r#"
+            > +--[ ]( t.Q )--( )( y )--+
+                      ^ info[read-before-write]: `t` is written further down, on line 3: this rung sees its value of the scan before
+                help: move the rung that writes `t` above line 1, so that it acts in the same scan
+                at 3:21 `t`: `t` is written here
+        "#]],
+    );
+    // A circle: somebody has to be late.
+    clean_program("+--[ ]( a )--[/]( y )--( )( x )--+\n\n+--[ ]( x )--[TON]( t, T#5s )--( )( y )--+\n");
+    // An edge by hand.
+    clean_program("+--[ ]( a )--[/]( before )--( )( rose )--+\n\n+--[ ]( a )--( )( before )--+\n");
+    // Jumps decide about the order.
+    clean_program(
+        "+--[ ]( c )--<JMP>( x )--+\n\n+--[ ]( y )--( )( z )--+\n\n+--<LBL>( x )--[ ]( a )--( )( y )--+\n",
+    );
+}
+
+#[test]
+fn addresses() {
+    check_program(
+        "+--[ ]( %IX0.3 )--( )( %QX0.0 )--+\n\n+--[GT]( %IW0, 100 )--( )( %QX2.1 )--+\n\n+--[MOV]( %QB2, 16#1 )--+\n",
+        expect![[r#"
+            > +--[GT]( %IW0, 100 )--( )( %QX2.1 )--+
+                       ^^^^ warning[overlapping-address]: `%IW0` and `%IX0.3` would share memory in a controller; here each is a tag of its own
+                help: use one address for one thing: name a bit of the word (tag.3), or put the bits into it with [PACK]
+                at 1:9 `%IX0.3`: `%IX0.3` stands here
+            > +--[MOV]( %QB2, 16#1 )--+
+                        ^^^^ warning[overlapping-address]: `%QB2` and `%QX2.1` would share memory in a controller; here each is a tag of its own
+                help: use one address for one thing: name a bit of the word (tag.3), or put the bits into it with [PACK]
+                at 3:28 `%QX2.1`: `%QX2.1` stands here
+        "#]],
+    );
+    check_program(
+        "VAR_INPUT\n    level AT %IW1 : INT;\n    low AT %IX2.0 : BOOL;\nEND_VAR\n+--[GT]( level, 5 )--[ ]( low )--( )( %QX0.0 )--+\n",
+        expect![[r#"
+            >     low AT %IX2.0 : BOOL;
+                  ^^^ warning[overlapping-address]: `low` at %IX2.0 and `level` at %IW1 would share memory in a controller; here each is a tag of its own
+                help: use one address for one thing: name a bit of the word (tag.3), or put the bits into it with [PACK]
+                at 2:5 `level`: `level` at %IW1 stands here
+        "#]],
+    );
+    clean_program(
+        "+--[ ]( %IX0.3 )--[ ]( %IX0.4 )--( )( %QX0.3 )--+\n\n+--[GT]( %IW1, %IW2 )--[GT]( %IB1, 5 )--( )( %QX2.1 )--+\n",
+    );
+}

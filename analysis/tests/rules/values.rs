@@ -1,0 +1,219 @@
+//! What single blocks are given: numbers, durations, spellings; and what stands behind what.
+
+use crate::check::{check, check_program, clean};
+use expect_test::expect;
+
+#[test]
+fn reals() {
+    let tags = "VAR_INPUT\n    r, s : REAL;\n    n : INT;\nEND_VAR\nVAR_OUTPUT\n    b : BOOL;\nEND_VAR\n";
+    check(
+        &format!("{tags}+--[EQ]( r, s )--[NE]( r, 2.5 )--( )( b )--+\n"),
+        expect![[r#"
+            > +--[EQ]( r, s )--[NE]( r, 2.5 )--( )( b )--+
+                 ^^^^^^^^^^^^ warning[real-equality]: two real numbers are nearly never exactly equal: this may not conduct when it should
+                help: compare with a tolerance: one [GE] for the lower and one [LE] for the upper limit
+            > +--[EQ]( r, s )--[NE]( r, 2.5 )--( )( b )--+
+                               ^^^^^^^^^^^^^^ warning[real-equality]: two real numbers are nearly always unequal: this conducts although they are as good as the same
+                help: compare with a tolerance: one [GE] for the lower and one [LE] for the upper limit
+        "#]],
+    );
+    check(
+        &format!("{tags}+--[CALC]( b, r * 2.0 = s OR n = 3 )--+\n"),
+        expect![[r#"
+            > +--[CALC]( b, r * 2.0 = s OR n = 3 )--+
+                            ^^^^^^^^^^^ warning[real-equality]: two real numbers are nearly never exactly equal: this may not conduct when it should
+                help: compare with a tolerance: one [GE] for the lower and one [LE] for the upper limit
+        "#]],
+    );
+    clean(&format!(
+        "{tags}+--[NE]( r, 0.0 )--[EQ]( n, 5 )--[GE]( r, s )--( )( b )--+\n"
+    ));
+}
+
+#[test]
+fn zero() {
+    check(
+        "VAR CONSTANT\n    NOTHING : INT := 0;\nEND_VAR\nVAR_OUTPUT\n    y : INT;\nEND_VAR\nVAR_INPUT\n    a : INT;\nEND_VAR\n+--[DIV]( y, a, 0 )--[MOD]( y, a, NOTHING )--[CALC]( y, a / 0 + a MOD 0 )--[DIV]( y, 0, a )--+\n",
+        expect![[r#"
+            > +--[DIV]( y, a, 0 )--[MOD]( y, a, NOTHING )--[CALC]( y, a / 0 + a MOD 0 )--[DIV]( y, 0, a )--+
+                              ^ warning[division-by-zero]: this divides by zero: every time it runs it is a fault, and no result is written
+                help: divide by another number, or run the block only while the divisor is not zero
+            > +--[DIV]( y, a, 0 )--[MOD]( y, a, NOTHING )--[CALC]( y, a / 0 + a MOD 0 )--[DIV]( y, 0, a )--+
+                                                ^^^^^^^ warning[division-by-zero]: this divides by zero: every time it runs it is a fault, and no result is written
+                help: divide by another number, or run the block only while the divisor is not zero
+            > +--[DIV]( y, a, 0 )--[MOD]( y, a, NOTHING )--[CALC]( y, a / 0 + a MOD 0 )--[DIV]( y, 0, a )--+
+                                                                          ^ warning[division-by-zero]: this divides by zero: every time it runs it is a fault, and no result is written
+                help: divide by another number, or run the block only while the divisor is not zero
+            > +--[DIV]( y, a, 0 )--[MOD]( y, a, NOTHING )--[CALC]( y, a / 0 + a MOD 0 )--[DIV]( y, 0, a )--+
+                                                                                    ^ warning[division-by-zero]: this divides by zero: every time it runs it is a fault, and no result is written
+                help: divide by another number, or run the block only while the divisor is not zero
+        "#]],
+    );
+}
+
+#[test]
+fn presets() {
+    check(
+        "+--[ ]( a )--[TON]( t, 5 )--[TOF]( u, T#0s )--[TP]( v, 500us )--( )( y )--+\n",
+        expect![[r#"
+            > +--[ ]( a )--[TON]( t, 5 )--[TOF]( u, T#0s )--[TP]( v, 500us )--( )( y )--+
+                                     ^ warning[short-preset]: the preset is shorter than a scan of 10 ms: the timer cannot tell it from one scan
+                help: a plain number is milliseconds: 5 s is written T#5s
+            > +--[ ]( a )--[TON]( t, 5 )--[TOF]( u, T#0s )--[TP]( v, 500us )--( )( y )--+
+                                                    ^^^^ warning[short-preset]: the preset is 0: the timer does not wait
+                help: give a time of at least a scan, or leave the timer out
+            > +--[ ]( a )--[TON]( t, 5 )--[TOF]( u, T#0s )--[TP]( v, 500us )--( )( y )--+
+                                                                     ^^^^^ warning[short-preset]: the preset is shorter than a scan of 10 ms: the timer cannot tell it from one scan
+                help: give a time of at least a scan, or leave the timer out
+        "#]],
+    );
+    clean("+--[ ]( a )--[TON]( t, 10 )--[TOF]( u, T#10ms )--( )( y )--+\n");
+}
+
+#[test]
+fn signs() {
+    check(
+        "VAR_OUTPUT\n    y : LREAL;\nEND_VAR\nVAR_INPUT\n    x : LREAL;\nEND_VAR\n+--[CALC]( y, -x ^ 2.0 + -3.0 ^ 2.0 - ( -x ) ^ 2.0 - x ^ 2.0 )--+\n",
+        expect![[r#"
+            > +--[CALC]( y, -x ^ 2.0 + -3.0 ^ 2.0 - ( -x ) ^ 2.0 - x ^ 2.0 )--+
+                            ^^^^^^^^ info[ambiguous-sign]: the sign is taken before the power: -2 ^ 2 is 4 here, and -4 in mathematics
+                help: show with parentheses what is meant: (-a) ^ b, or -(a ^ b)
+                fix: Put parentheses around what it means now
+                  +-----------------[CALC]( y, (-x) ^ 2.0 + -3.0 ^ 2.0 - (-x) ^ 2.0 - x ^ 2.0 )--+
+            > +--[CALC]( y, -x ^ 2.0 + -3.0 ^ 2.0 - ( -x ) ^ 2.0 - x ^ 2.0 )--+
+                                       ^^^^^^^^^^ info[ambiguous-sign]: the sign is taken before the power: -2 ^ 2 is 4 here, and -4 in mathematics
+                help: show with parentheses what is meant: (-a) ^ b, or -(a ^ b)
+                fix: Put parentheses around what it means now
+                  +-----------------[CALC]( y, -x ^ 2.0 + (-3.0) ^ 2.0 - (-x) ^ 2.0 - x ^ 2.0 )--+
+        "#]],
+    );
+}
+
+#[test]
+fn spellings() {
+    check_program(
+        "+--[GRT]( n, 5 )--[equ]( n, 7 )--[R_TRIG]--( )( y )--+\n",
+        expect![[r#"
+            > +--[GRT]( n, 5 )--[equ]( n, 7 )--[R_TRIG]--( )( y )--+
+                 ^^^^^ info[alternative-mnemonic]: [GRT] is another spelling of [GT]
+                help: one spelling for one instruction makes a program easy to search
+                fix: Write [GT]
+                  +--[GT]( n, 5 )--[EQU]( n, 7 )--[R_TRIG]---------( )( y )--+
+            > +--[GRT]( n, 5 )--[equ]( n, 7 )--[R_TRIG]--( )( y )--+
+                 ^^^^^^^^^^^^^ info[redundant-element]: [GRT]( n, 5 ) changes nothing here
+                help: a wire in its place does the same: remove it, or correct the tag that was meant
+            > +--[GRT]( n, 5 )--[equ]( n, 7 )--[R_TRIG]--( )( y )--+
+                                ^^^^^ info[alternative-mnemonic]: [equ] is another spelling of [EQ]
+                help: one spelling for one instruction makes a program easy to search
+                fix: Write [EQ]
+                  +--[GRT]( n, 5 )--[EQ]( n, 7 )--[R_TRIG]---------( )( y )--+
+            > +--[GRT]( n, 5 )--[equ]( n, 7 )--[R_TRIG]--( )( y )--+
+                                               ^^^^^^^^ info[alternative-mnemonic]: [R_TRIG] is another spelling of [OSR]
+                help: one spelling for one instruction makes a program easy to search
+                fix: Write [OSR]
+                  +--[GRT]( n, 5 )--[EQU]( n, 7 )--[OSR]-----------( )( y )--+
+        "#]],
+    );
+    clean("+--[GRT]( n, 5 )--[R_TRIG]--( )( y )--+\n");
+    check(
+        "FUNCTION_BLOCK [$B]\nVAR_INPUT\n    a : BOOL;\nEND_VAR\nVAR_OUTPUT\n    y : BOOL;\nEND_VAR\n+--[ ]( a )--( )( y )--( )( ENO )--+\nEND_FUNCTION_BLOCK\n\n+--[$B]( a := p, y := q )--( )( r )--+\n",
+        expect![[r#"
+            > +--[$B]( a := p, y := q )--( )( r )--+
+                                 ^^ info[result-arrow]: `y` is a result of [$B]: it is taken with `=>`
+                help: `:=` gives an operand, `=>` takes a result
+                fix: Replace `:=` with `=>`
+                  +----[$B]( a := p, y => q )--( )( r )--+
+        "#]],
+    );
+}
+
+#[test]
+fn behind_coils() {
+    check(
+        "+--[ ]( a )--( )( y )--[ ]( b )--( )( z )--[ ]( c )--( )( q )--+\n",
+        expect![[r#"
+            > +--[ ]( a )--( )( y )--[ ]( b )--( )( z )--[ ]( c )--( )( q )--+
+                                     ^^^^^^^^ warning[contact-after-coil]: [ ]( b ) stands behind a coil: whoever looks for it looks left of the coils
+                help: draw a branch before the coil: the coil on one line, this contact and what it leads to on the other
+                at 1:14 `( )( y )`: this is the coil
+        "#]],
+    );
+    check(
+        "+--[ ]( a )--(S)( y )--[TON]( t, T#5s )--( )( z )--+\n",
+        expect![[r#"
+            > +--[ ]( a )--(S)( y )--[TON]( t, T#5s )--( )( z )--+
+                                     ^^^^^^^^^^^^^^^^ info[latched-power]: [TON]( t, T#5s ) stands behind (S): its power is `y`, and stays on when the rung before goes off
+                help: if that is meant, keep it; else draw a branch before the set coil
+                at 1:14 `(S)( y )`: the set coil
+        "#]],
+    );
+    clean("+--[ ]( a )--( )( y )--[TON]( t, T#5s )--( )( z )--+\n");
+    clean("+--[ ]( a )--\\--( )( y )--\\--+\n|            /--( )( z )--/  |\n");
+    clean("+--[ ]( a )--\\--(S)( y )--\\--+\n|            /--(S)( z )--/  |\n");
+}
+
+#[test]
+fn dead_ends() {
+    check(
+        "+--\\--[ ]( a )--( )( y )--+\n|  /--[ ]( b )--[ ]( c )--+\n",
+        expect![[r#"
+            > |  /--[ ]( b )--[ ]( c )--+
+                    ^^^^^^^^ warning[dead-end]: the power of [ ]( b ) goes nowhere: nothing that acts is behind it
+                help: put a coil or another block behind it, join the line to another with \ and /, or remove it
+        "#]],
+    );
+    check(
+        "+--[ ]( a )--( )( y )--[ ]( b )--+\n",
+        expect![[r#"
+            > +--[ ]( a )--( )( y )--[ ]( b )--+
+                                     ^^^^^^^^ warning[dead-end]: the power of [ ]( b ) goes nowhere: nothing that acts is behind it
+                help: put a coil or another block behind it, join the line to another with \ and /, or remove it
+        "#]],
+    );
+    check(
+        "+--[ ]( a )--\\--( )( y )--+\n|            /--          |\n",
+        expect![[r#"
+            > |            /--          |
+                            ^^ warning[dead-end]: this wire ends at nothing
+                help: draw it on to a connector or a block, or remove it
+        "#]],
+    );
+    clean("+--[ ]( a )--\\--( )( y )--\n|            /--( )( z )  |\n");
+    clean(
+        "+--[ ]( a )--\\--( )( y )--\\--+\n|            /--( )( z )--/  |\n\n+--<LBL>( x )--+\n\n+--<FUN>( f )--+\n",
+    );
+}
+
+#[test]
+fn comments() {
+    check(
+        "# +--[ ]( a )--( )( y )--+ #\n+--[ ]( b )--( )( y )--+\n",
+        expect![[r#"
+            > # +--[ ]( a )--( )( y )--+ #
+              ^^^^^^^^^^^^^^^^^^^^^^^^^^^^ info[commented-out-rung]: this comment is a rung: nobody can tell whether it still belongs to the program
+                help: remove it (an old version is kept by version control), or switch it off with [ ]( SYS.OFF )
+        "#]],
+    );
+    check(
+        "# old:\n|\n#\n# +--\\--[ ]( a )--\\--( )( y )--+\n  |  /--[ ]( b )--/            | #\n+--[ ]( b )--( )( y )--+\n",
+        expect![[r#"
+            > # +--\--[ ]( a )--\--( )( y )--+
+              ^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^ info[commented-out-rung]: this comment is a rung: nobody can tell whether it still belongs to the program
+                help: remove it (an old version is kept by version control), or switch it off with [ ]( SYS.OFF )
+        "#]],
+    );
+    clean("# +---- pumps ( left ) ----+ #\n# a --( b )--> c #\n+--[ ]( b )--( )( y )--+\n");
+}
+
+#[test]
+fn complex() {
+    let contacts: String = (0..17).map(|n| format!("[ ]( c{n}x )--")).collect();
+    check_program(
+        &format!("+--{contacts}( )( y )--+\n"),
+        expect![[r#"
+        > +--[ ]( c0x )--[ ]( c1x )--[ ]( c2x )--[ ]( c3x )--[ ]( c4x )--[ ]( c5x )--[ ]( c6x )--[ ]( c7x )--[ ]( c8x )--[ ]( c9x )--[ ]( c10x )--[ ]( c11x )--[ ]( c12x )--[ ]( c13x )--[ ]( c14x )--[ ]( c15x )--[ ]( c16x )--( )( y )--+
+          ^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^ info[complex-network]: this network has 17 conditions, more than 16
+            help: give parts of it tags of their own, each on a rung above, with names that say what they mean
+    "#]],
+    );
+}
