@@ -1,6 +1,5 @@
 //! Pieces of the text for messages. Rules read them only when they have found something.
 
-use crate::network::BoundBlock;
 use ladder_format::display_width;
 use ladder_syntax::{Parse, TextRange, TextSize};
 
@@ -16,11 +15,6 @@ pub(crate) fn text(parse: &Parse, range: TextRange) -> String {
         (range.end() - start).min(node.text_range().end()),
     );
     node.text().slice(within).to_string()
-}
-
-/// A block as it is written, with its operands, for a sentence: `[ ]( start )`.
-pub(crate) fn block(parse: &Parse, bound: &BoundBlock) -> String {
-    shortened(&text(parse, bound.range()), 40)
 }
 
 /// Texts of places that come in the order of the file: each line is put together once.

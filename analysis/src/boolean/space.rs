@@ -149,7 +149,7 @@ impl Not for &Set {
     type Output = Set;
     fn not(self) -> Set {
         let mut words: Box<[u64]> = self.words.iter().map(|&word| !word).collect();
-        if let Some(last) = words.last_mut().filter(|_| self.points % 64 != 0) {
+        if let Some(last) = words.last_mut().filter(|_| !self.points.is_multiple_of(64)) {
             *last &= (1 << (self.points % 64)) - 1;
         }
         Set {

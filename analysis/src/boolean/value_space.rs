@@ -36,7 +36,7 @@ impl Regions {
         });
         bounds.dedup_by(|a, b| match (a.at, b.at) {
             (Number::Int(a), Number::Int(b)) => a == b,
-            (a, b) => a.real() == b.real(),
+            (a, b) => a.real().total_cmp(&b.real()).is_eq(),
         });
         let stretches = 0..=2 * bounds.len();
         let kept: Vec<usize> = if whole && !real_type {
@@ -83,7 +83,7 @@ impl Regions {
     pub(crate) fn mask(&self, op: Op, with: Number) -> u64 {
         let same = |bound: &Bound| match (bound.at, with) {
             (Number::Int(a), Number::Int(b)) => a == b,
-            (a, b) => a.real() == b.real(),
+            (a, b) => a.real().total_cmp(&b.real()).is_eq(),
         };
         let Some(index) = self.bounds.iter().position(same) else {
             return 0;

@@ -2,6 +2,7 @@
 
 use super::value_space::{Bound, Regions};
 use crate::context::Context;
+use crate::excerpt::shortened;
 use crate::facts::{Node, NodeKind};
 use crate::literal::Literal;
 use crate::network::{BoundBlock, Formal, Meaning, NetworkFacts};
@@ -532,6 +533,24 @@ pub(crate) fn written(context: &Context, scope: usize, node: &Node) -> String {
         NodeKind::Literal(Ok(literal)) => literal_text(literal),
         _ => "...".to_owned(),
     }
+}
+
+/// A block with its operands, for a sentence: `[ ]( start )`. However it is laid out, it is the same text.
+pub(crate) fn written_block(context: &Context, scope: usize, bound: &BoundBlock) -> String {
+    let head = match bound.instruction() {
+        Some(row) => row.block(),
+        None => bound.head_text(),
+    };
+    let operands: Vec<String> = bound
+        .facts
+        .operands
+        .iter()
+        .map(|operand| written(context, scope, &operand.value))
+        .collect();
+    if operands.is_empty() {
+        return head;
+    }
+    shortened(&format!("{head}( {} )", operands.join(", ")), 40)
 }
 
 fn literal_text(literal: &Literal) -> String {

@@ -14,7 +14,11 @@ pub(super) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
             continue;
         }
         let mut at = TextSize::new(0);
-        for token in line.green().children().filter_map(|child| child.into_token()) {
+        for token in line
+            .green()
+            .children()
+            .filter_map(ladder_syntax::NodeOrToken::into_token)
+        {
             let text = token.text();
             if text.starts_with('#') && is_rung(text.trim_matches('#')) {
                 let range = TextRange::at(at + context.parse.line_start(number), TextSize::of(text));

@@ -2,6 +2,7 @@
 
 use crate::context::Context;
 use crate::diagnostic::Diagnostic;
+use crate::network::BoundBlock;
 use crate::rule::Rule;
 use ladder_instructions::Role;
 
@@ -17,7 +18,7 @@ pub(super) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
             continue;
         }
         let is_condition = |role| role == Role::Condition;
-        let rows = network.blocks.iter().filter_map(|bound| bound.instruction());
+        let rows = network.blocks.iter().filter_map(BoundBlock::instruction);
         let conditions = rows.filter(|row| is_condition(row.role)).count();
         let message = if conditions > MOST_CONDITIONS {
             format!("this network has {conditions} conditions, more than {MOST_CONDITIONS}")

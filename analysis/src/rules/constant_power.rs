@@ -3,8 +3,8 @@
 use super::power_rules::{Table, is_condition};
 use crate::boolean::power::{Question, Replacement};
 use crate::boolean::space::Set;
+use crate::boolean::variables::written_block;
 use crate::diagnostic::Diagnostic;
-use crate::excerpt;
 use crate::program::Step;
 use crate::rule::Rule;
 use ladder_syntax::TextRange;
@@ -30,7 +30,10 @@ fn block_is_constant(table: &Table<'_>, block: usize, en: usize) -> Option<Diagn
                 Diagnostic::new(
                     Rule::ConstantPower,
                     bound.range(),
-                    format!("{} always conducts", excerpt::block(&table.context.parse, bound)),
+                    format!(
+                        "{} always conducts",
+                        written_block(table.context, table.network.scope, bound)
+                    ),
                 )
                 .help("whatever its tags hold, it is true: compare with another value, or remove it"),
             );
@@ -40,7 +43,10 @@ fn block_is_constant(table: &Table<'_>, block: usize, en: usize) -> Option<Diagn
                 Diagnostic::new(
                     Rule::ConstantPower,
                     bound.range(),
-                    format!("{} never conducts", excerpt::block(&table.context.parse, bound)),
+                    format!(
+                        "{} never conducts",
+                        written_block(table.context, table.network.scope, bound)
+                    ),
                 )
                 .help("whatever its tags hold, it is false: compare with another value, or remove the rung"),
             );

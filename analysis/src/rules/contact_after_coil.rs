@@ -2,8 +2,8 @@
 
 use super::power_rules::is_condition;
 use super::wiring_walk::Walk;
+use crate::boolean::variables::written_block;
 use crate::diagnostic::Diagnostic;
-use crate::excerpt;
 use crate::network::BoundBlock;
 use crate::program::Step;
 use crate::rule::Rule;
@@ -60,7 +60,7 @@ fn found(walk: &Walk<'_>, coil: usize, contact: usize) -> Diagnostic {
         contact.range(),
         format!(
             "{} stands behind a coil: whoever looks for it looks left of the coils",
-            excerpt::block(&walk.context.parse, contact)
+            written_block(walk.context, walk.network.scope, contact)
         ),
     )
     .help(

@@ -2,8 +2,8 @@
 
 use super::no_output::may_act;
 use super::wiring_walk::Walk;
+use crate::boolean::variables::written_block;
 use crate::diagnostic::Diagnostic;
-use crate::excerpt;
 use crate::program::Step;
 use crate::rule::Rule;
 use ladder_syntax::wiring::PartKind;
@@ -21,7 +21,7 @@ pub(super) fn check(walk: &Walk<'_>, out: &mut Vec<Diagnostic>) {
                 Diagnostic::new(
                     Rule::DeadEnd,
                     bound.range(),
-                    format!("the power of {} goes nowhere: nothing that acts is behind it", excerpt::block(&walk.context.parse, bound)),
+                    format!("the power of {} goes nowhere: nothing that acts is behind it", written_block(walk.context, walk.network.scope, bound)),
                 )
                 .help("put a coil or another block behind it, join the line to another with \\ and /, or remove it"),
             );

@@ -4,7 +4,7 @@ use super::survey::Place;
 use crate::diagnostic::Diagnostic;
 use crate::facts::{Node, NodeKind, Operator};
 use crate::network::BoundBlock;
-use crate::operand_value::{each_node, number};
+use crate::operand_value::{Number, each_node, number};
 use crate::rule::Rule;
 
 pub(super) fn check(place: &Place<'_>, out: &mut Vec<Diagnostic>) {
@@ -30,7 +30,7 @@ pub(super) fn in_expression(place: &Place<'_>, out: &mut Vec<Diagnostic>) {
 }
 
 fn is_zero(place: &Place<'_>, node: &Node) -> bool {
-    number(place.context, place.network.scope, node).is_some_and(|number| number.is_zero())
+    number(place.context, place.network.scope, node).is_some_and(Number::is_zero)
 }
 
 fn found(bound: &BoundBlock, divisor: &Node) -> Diagnostic {

@@ -1,9 +1,8 @@
 //! `latched-power`: something stands behind a set coil, whose power is the tag and not the rung's.
 
 use super::wiring_walk::Walk;
-use crate::boolean::variables::written;
+use crate::boolean::variables::{written, written_block};
 use crate::diagnostic::Diagnostic;
-use crate::excerpt;
 use crate::program::Step;
 use crate::rule::Rule;
 use ladder_instructions::Op;
@@ -40,7 +39,7 @@ fn found(walk: &Walk<'_>, coil: usize, behind: usize) -> Diagnostic {
         behind.range(),
         format!(
             "{} stands behind {}: its power is `{name}`, and stays on when the rung before goes off",
-            excerpt::block(&walk.context.parse, behind),
+            written_block(walk.context, walk.network.scope, behind),
             coil.head_text()
         ),
     )

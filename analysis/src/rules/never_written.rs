@@ -49,11 +49,13 @@ pub(super) fn check(summary: &Summary<'_>, out: &mut Vec<Diagnostic>) {
 
 fn stays(ty: Option<Type>) -> &'static str {
     match ty {
-        Some(Type::Scalar(Scalar::Bool))
-        | Some(Type::Array {
-            element: Scalar::Bool,
-            ..
-        }) => "off",
+        Some(
+            Type::Scalar(Scalar::Bool)
+            | Type::Array {
+                element: Scalar::Bool,
+                ..
+            },
+        ) => "off",
         Some(Type::Scalar(Scalar::String(_))) => "empty",
         Some(Type::State(_)) => "as it is",
         _ => "0",

@@ -3,7 +3,7 @@
 use super::survey::Place;
 use crate::diagnostic::Diagnostic;
 use crate::facts::{Node, NodeKind, Operator};
-use crate::operand_value::{each_node, is_real, number};
+use crate::operand_value::{Number, each_node, is_real, number};
 use crate::rule::Rule;
 use ladder_instructions::Op;
 use ladder_syntax::TextRange;
@@ -35,7 +35,7 @@ pub(super) fn in_expression(place: &Place<'_>, out: &mut Vec<Diagnostic>) {
 /// Zero is exact: nothing is wrong with guarding a division.
 fn compares_reals<'n>(place: &Place<'_>, mut nodes: impl Iterator<Item = &'n Node> + Clone) -> bool {
     let (context, scope) = (place.context, place.network.scope);
-    let is_zero = |node: &Node| number(context, scope, node).is_some_and(|number| number.is_zero());
+    let is_zero = |node: &Node| number(context, scope, node).is_some_and(Number::is_zero);
     nodes.clone().any(|node| is_real(context, scope, node)) && !nodes.any(is_zero)
 }
 

@@ -3,9 +3,8 @@
 use super::no_output::may_act;
 use super::power_rules::{Table, is_condition};
 use crate::boolean::power::{Powers, Question, Replacement};
-use crate::boolean::variables::Gate;
+use crate::boolean::variables::{Gate, written_block};
 use crate::diagnostic::Diagnostic;
-use crate::excerpt;
 use crate::network::BoundBlock;
 use crate::rule::Rule;
 
@@ -17,7 +16,7 @@ pub(super) fn check(table: &Table<'_>, out: &mut Vec<Diagnostic>) {
     for (index, bound) in table.network.blocks.iter().enumerate() {
         let mut repeated = false;
         each_variable(&table.power.gates.of_block[index], |variable| {
-            repeated |= asked[variable] > 1
+            repeated |= asked[variable] > 1;
         });
         // An edge remembers: without it another scan is a different one.
         if !repeated || !is_condition(bound) || remembers(bound) {
@@ -37,7 +36,7 @@ pub(super) fn check(table: &Table<'_>, out: &mut Vec<Diagnostic>) {
         } else {
             continue;
         };
-        let name = excerpt::block(&table.context.parse, bound);
+        let name = written_block(table.context, table.network.scope, bound);
         out.push(
             Diagnostic::new(
                 Rule::RedundantElement,

@@ -2,8 +2,8 @@
 
 use super::power_rules::is_condition;
 use super::wiring_walk::Walk;
+use crate::boolean::variables::written_block;
 use crate::diagnostic::Diagnostic;
-use crate::excerpt;
 use crate::network::BoundBlock;
 use crate::program::Step;
 use crate::rule::Rule;
@@ -27,7 +27,7 @@ pub(super) fn check(walk: &Walk<'_>, out: &mut Vec<Diagnostic>) {
         let message = if rest.is_empty() {
             format!(
                 "a bare wire beside {} shorts it: it decides nothing",
-                excerpt::block(&walk.context.parse, first)
+                written_block(walk.context, walk.network.scope, first)
             )
         } else {
             "a bare wire beside these contacts shorts them: they decide nothing".to_owned()

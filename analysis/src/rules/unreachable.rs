@@ -2,8 +2,8 @@
 
 use super::flow::{Exit, Flow};
 use super::no_output::first_rung;
+use crate::boolean::variables::written_block;
 use crate::diagnostic::Diagnostic;
-use crate::excerpt;
 use crate::program::Step;
 use crate::rule::Rule;
 use ladder_instructions::Op;
@@ -64,7 +64,7 @@ fn behind_in_network(flow: &Flow<'_>, exit: &Exit) -> Option<Diagnostic> {
             behind.range(),
             format!(
                 "{} never runs: the network is left before it",
-                excerpt::block(&flow.context.parse, behind)
+                written_block(flow.context, network.scope, behind)
             ),
         )
         .help("put it before the block that leaves, or onto a rung of its own above")

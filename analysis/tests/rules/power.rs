@@ -261,7 +261,8 @@ fn order() {
 
 #[test]
 fn beyond_the_bound_nothing_is_said() {
-    let contacts: String = (0..20).map(|n| format!("[ ]( c{n}x )--")).collect();
+    let contacts: Vec<String> = (0..20).map(|n| format!("[ ]( c{n}x )--")).collect();
+    let contacts = contacts.concat();
     check_program(
         &format!("+--{contacts}[ ]( a )--[/]( a )--( )( y )--+\n"),
         expect![[r#"

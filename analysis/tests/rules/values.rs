@@ -100,7 +100,7 @@ fn spellings() {
                 fix: Write [GT]
                   +--[GT]( n, 5 )--[EQU]( n, 7 )--[R_TRIG]---------( )( y )--+
             > +--[GRT]( n, 5 )--[equ]( n, 7 )--[R_TRIG]--( )( y )--+
-                 ^^^^^^^^^^^^^ info[redundant-element]: [GRT]( n, 5 ) changes nothing here
+                 ^^^^^^^^^^^^^ info[redundant-element]: [GT]( n, 5 ) changes nothing here
                 help: a wire in its place does the same: remove it, or correct the tag that was meant
             > +--[GRT]( n, 5 )--[equ]( n, 7 )--[R_TRIG]--( )( y )--+
                                 ^^^^^ info[alternative-mnemonic]: [equ] is another spelling of [EQ]
@@ -207,7 +207,8 @@ fn comments() {
 
 #[test]
 fn complex() {
-    let contacts: String = (0..17).map(|n| format!("[ ]( c{n}x )--")).collect();
+    let contacts: Vec<String> = (0..17).map(|n| format!("[ ]( c{n}x )--")).collect();
+    let contacts = contacts.concat();
     check_program(
         &format!("+--{contacts}( )( y )--+\n"),
         expect![[r#"
