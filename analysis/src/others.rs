@@ -101,6 +101,11 @@ impl Others {
             .map(|(file, item)| (file, file.states[item].1))
     }
 
+    /// Whether there are other files at all.
+    pub(crate) fn have_files(&self) -> bool {
+        self.files().next().is_some()
+    }
+
     /// Whether any file offers a VAR_GLOBAL tag.
     pub(crate) fn have_globals(&self) -> bool {
         self.exported

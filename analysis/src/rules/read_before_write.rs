@@ -7,7 +7,7 @@ use crate::diagnostic::Diagnostic;
 use crate::operand_value::{each_tag, tag};
 use crate::program::Role;
 use crate::rule::Rule;
-use crate::scope::{Access, TagFacts, Use};
+use crate::scope::{Access, Origin, SectionKind, TagFacts, Use};
 use crate::uses::access;
 use rustc_hash::FxHashSet;
 
@@ -45,7 +45,13 @@ fn candidates<'c>(context: &'c Context, survey: &Survey) -> impl Iterator<Item =
         }
     }
     context.own_tags().filter_map(move |tag| {
-        if tag.role == Role::Input || tag.retain || tag.constant || !tag.initial.is_empty() {
+        // A function or block of another file may write what is shared.
+        let shared = matches!(
+            tag.origin,
+            Origin::Shared
+                | Origin::Declared(SectionKind::Global | SectionKind::External | SectionKind::InOut)
+        );
+        if shared || tag.role == Role::Input || tag.retain || tag.constant || !tag.initial.is_empty() {
             return None;
         }
         let write = tag

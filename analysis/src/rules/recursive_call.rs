@@ -16,7 +16,7 @@ pub(super) fn check(context: &Context, survey: &Survey, out: &mut Vec<Diagnostic
     }
     // Functions first, then blocks: a function may call itself through a block that it uses.
     let functions = context.functions.len();
-    let mut uses: Vec<Vec<Use>> = vec![Vec::new(); functions + context.user_blocks.len()];
+    let mut uses: Vec<Vec<Use>> = vec![Vec::new(); functions + context.own_blocks];
     for (index, network) in context.networks.iter().enumerate() {
         let user = match context.bodies[index] {
             Body::Main => continue,
@@ -25,12 +25,14 @@ pub(super) fn check(context: &Context, survey: &Survey, out: &mut Vec<Diagnostic
         };
         for bound in &network.blocks {
             match bound.meaning {
+                // Blocks of other files call functions of theirs.
+                Meaning::User(block) if block >= context.own_blocks => {}
                 Meaning::User(block) => uses[user].push((functions + block, bound.head_range())),
                 _ => uses[user].extend(called(context, bound)),
             }
         }
     }
-    for (first, around) in circles(&uses) {
+    for (first, around) in circles(&uses, uses.len()) {
         // A circle of blocks alone is the error recursive-block.
         if first < functions || around.iter().any(|&(used, _)| used < functions) {
             out.push(recursive(context, first, &around));

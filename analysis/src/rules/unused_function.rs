@@ -10,8 +10,12 @@ use ladder_syntax::Name;
 use rustc_hash::FxHashSet;
 
 pub(super) fn check(context: &Context, survey: &Survey, out: &mut Vec<Diagnostic>) {
-    // A file without a main program holds functions for others.
-    if context.functions.is_empty() || !survey.whole || !context.bodies.contains(&Body::Main) {
+    // A file without a main program holds functions for others; so may one that does not stand alone.
+    if context.functions.is_empty()
+        || context.others.have_files()
+        || !survey.whole
+        || !context.bodies.contains(&Body::Main)
+    {
         return;
     }
     let mut called: FxHashSet<usize> = FxHashSet::default();

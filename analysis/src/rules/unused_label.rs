@@ -4,6 +4,7 @@ use super::survey::{Steering, Survey};
 use crate::context::{Body, Context};
 use crate::diagnostic::Diagnostic;
 use crate::facts::NodeKind;
+use crate::network::{BoundBlock, Meaning};
 use crate::rule::Rule;
 use ladder_instructions::Op;
 use ladder_syntax::Name;
@@ -35,13 +36,25 @@ pub(super) fn check(context: &Context, survey: &Survey, out: &mut Vec<Diagnostic
             }
         }
     }
+    // What a block of another file jumps to is looked up by unknown-label only.
+    let has_foreign_block: FxHashSet<Body> = (0..context.networks.len())
+        .filter(|&index| survey.steering[index].has(Steering::FLOW_BLOCK))
+        .filter(|&index| {
+            context.networks[index]
+                .blocks
+                .iter()
+                .any(|bound| is_foreign(context, bound))
+        })
+        .map(|index| context.bodies[index])
+        .collect();
     let has_flow_block: FxHashSet<Body> = (0..context.networks.len())
         .filter(|&index| survey.steering[index].has(Steering::FLOW_BLOCK))
         .map(|index| context.bodies[index])
         .collect();
     for label in &context.labels {
-        let from_block =
-            has_flow_block.contains(&context.bodies[label.network]) && outside.contains(&label.key);
+        let body = context.bodies[label.network];
+        let from_block = has_foreign_block.contains(&body)
+            || has_flow_block.contains(&body) && outside.contains(&label.key);
         if !targets.contains(&(label.network, &label.key)) && !from_block {
             out.push(
                 Diagnostic::new(
@@ -53,4 +66,8 @@ pub(super) fn check(context: &Context, survey: &Survey, out: &mut Vec<Diagnostic
             );
         }
     }
+}
+
+fn is_foreign(context: &Context, bound: &BoundBlock) -> bool {
+    matches!(bound.meaning, Meaning::User(block) if block >= context.own_blocks)
 }

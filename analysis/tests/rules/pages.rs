@@ -1,6 +1,6 @@
 //! The pages of the rules: each shows a wrong and a right program, and both are what they say.
 
-use ladder_analysis::{Diagnostic, Rule, RuleSettings, Severity, analyze_with, fix};
+use ladder_analysis::{Diagnostic, Others, Rule, RuleSettings, Severity, analyze_with, fix};
 use ladder_format::{Options, apply, format_text};
 use ladder_syntax::parse;
 use std::path::{Path, PathBuf};
@@ -25,6 +25,7 @@ fn found(program: &str) -> Vec<Diagnostic> {
     analyze_with(
         &Arc::new(parse(program)),
         "page.clad",
+        &Others::default(),
         &RuleSettings::everything(),
     )
     .diagnostics
