@@ -18,9 +18,17 @@ pub(super) struct Theme {
     pub(super) charset: Charset,
 }
 
-/// A title.
+/// A title, also on a quiet line.
 pub(super) fn heading() -> Style {
-    Style::new().add_modifier(Modifier::BOLD)
+    Style::new()
+        .add_modifier(Modifier::BOLD)
+        .remove_modifier(Modifier::DIM)
+}
+
+/// What is written beside the program: comments, rules, explanations. Dim, not grey: that can be read on light and on
+/// dark ground.
+pub(super) fn quiet() -> Style {
+    Style::new().add_modifier(Modifier::DIM)
 }
 
 /// The bar on top, and what is selected.
@@ -61,15 +69,6 @@ impl Theme {
     /// What has power, or is high.
     pub(super) fn live(self) -> Style {
         self.style(Color::Green).add_modifier(Modifier::BOLD)
-    }
-
-    /// What is written beside the program: comments, declarations, headings.
-    pub(super) fn quiet(self) -> Style {
-        if self.colour {
-            Style::new().fg(Color::DarkGray)
-        } else {
-            Style::new().add_modifier(Modifier::DIM)
-        }
     }
 
     /// A value at the end of a line.

@@ -16,6 +16,7 @@ use std::path::PathBuf;
 
 const EXAMPLES: &str = "\
 Examples:
+  ladder sim motor.clad                                  the diagram, live, on this terminal
   ladder sim motor.clad --scans 100                      100 scans, all tags as CSV
   ladder sim motor.clad --scans 100 --set start=1        with `start` high from the first scan on
   ladder sim motor.clad --scans 3 --set start=1 --format diagram
@@ -37,7 +38,9 @@ Exit status: 0 fine, 1 the program has errors, 2 a file or an argument cannot be
 
 /// Run a program in the simulator
 ///
-/// Runs a number of scans and writes what the tags held after each. Scans count from 0. The same program, inputs
+/// On a terminal, `ladder sim FILE` shows the diagram itself, live, with its inputs to switch; `?` lists the keys.
+///
+/// With --scans it runs a number of scans and writes what the tags held after each. Scans count from 0. The same program, inputs
 /// and interval give the same result on every machine.
 ///
 /// This is a simulator, not a safety device.
@@ -47,7 +50,7 @@ pub(crate) struct Arguments {
     /// The program
     file: PathBuf,
 
-    /// How many scans to run
+    /// How many scans to run; without it, on a terminal, the program is shown running
     #[arg(long, value_name = "N")]
     scans: Option<u64>,
 
@@ -86,9 +89,17 @@ enum Format {
     Diagram,
 }
 
+#[cfg(feature = "screen")]
+impl Arguments {
+    /// Nothing is said that only a batch can do.
+    fn asks_for_the_screen(&self) -> bool {
+        self.scans.is_none() && self.output.is_none() && self.format == Format::Csv
+    }
+}
+
 pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     #[cfg(feature = "screen")]
-    if arguments.scans.is_none() && terminal::is_interactive() {
+    if arguments.asks_for_the_screen() && terminal::is_interactive() {
         return screen::run(&screen::Request {
             file: &arguments.file,
             stimulus: &arguments.stimulus,

@@ -3,7 +3,7 @@
 use super::{Scene, put};
 use crate::screen::columns;
 use crate::screen::sheet::{Block, Mark, Shown};
-use crate::screen::theme::heading as heading_style;
+use crate::screen::theme::{heading as heading_style, quiet};
 use crate::screen::values;
 use ladder_analysis::program::ElementKind;
 use ladder_simulator::Breakpoint;
@@ -29,14 +29,7 @@ pub(super) fn draw(buffer: &mut Buffer, gutter: Rect, pane: Rect, scene: Scene) 
         }
         if numbers {
             let width = gutter.width as usize - 3;
-            put(
-                buffer,
-                gutter,
-                0,
-                row,
-                &format!("{:>width$}", line + 1),
-                theme.quiet(),
-            );
+            put(buffer, gutter, 0, row, &format!("{:>width$}", line + 1), quiet());
         }
         let warning = if fault_line == Some(line) {
             Some(("!", theme.alarm()))
@@ -157,9 +150,9 @@ fn look(offset: usize, rest: &str, mark: Option<&Mark>, blocks: &[(&Block, bool)
                 instead: Some(theme.wire(live)),
             },
             // A comment that joins two wires keeps its text.
-            Some(_) if is_wire && !live => plain(theme.quiet()),
+            Some(_) if is_wire && !live => plain(quiet()),
             Some(_) => plain(power),
-            None if plant.sheet.is_comment(offset) => plain(theme.quiet()),
+            None if plant.sheet.is_comment(offset) => plain(quiet()),
             None => plain(Style::new()),
         };
     };

@@ -2,7 +2,7 @@
 
 use super::{Scene, put};
 use crate::screen::keys::HELP;
-use crate::screen::theme::heading as heading_style;
+use crate::screen::theme::{heading as heading_style, quiet};
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 use ratatui::style::Style;
@@ -77,5 +77,5 @@ pub(super) fn draw(buffer: &mut Buffer, scene: Scene) {
         );
     }
     let safety = "This is a simulator, not a safety device.";
-    put(buffer, inside, 1, lowest + 1, safety, theme.quiet());
+    put(buffer, inside, 1, lowest + 1, safety, quiet());
 }

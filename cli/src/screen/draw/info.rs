@@ -4,6 +4,7 @@ use super::{Scene, put};
 use crate::screen::picker;
 use crate::screen::plant::Plant;
 use crate::screen::prompt;
+use crate::screen::theme::quiet;
 use crate::screen::values;
 use crate::screen::view::{Mode, NoteKind};
 use ladder_analysis::program::Role;
@@ -36,7 +37,7 @@ pub(super) fn draw(buffer: &mut Buffer, pane: Rect, scene: Scene) -> Option<Posi
                 Style::new().add_modifier(Modifier::BOLD),
             );
             let hint = format!("{}; Enter, Esc", prompt.example());
-            put(buffer, pane, end + 3, 0, &hint, theme.quiet());
+            put(buffer, pane, end + 3, 0, &hint, quiet());
             if let Some(problem) = &prompt.problem {
                 draw_above(buffer, pane, problem, scene);
             }
@@ -80,7 +81,7 @@ pub(super) fn draw(buffer: &mut Buffer, pane: Rect, scene: Scene) -> Option<Posi
                 end + 3,
                 0,
                 "type some of its name; up, down, Enter, Esc",
-                theme.quiet(),
+                quiet(),
             );
             return Some(Position::new(
                 (pane.x + end).min(pane.right().saturating_sub(1)),
@@ -148,7 +149,7 @@ fn selection(scene: Scene) -> String {
         };
         text.push_str(&format!(": {role}{} is {}", point.name, value_of(point, plant)));
         let hint = match point.role {
-            Role::Input if plant.is_forced(point) => "; u lets it go",
+            _ if plant.is_forced(point) => "; u lets it go",
             Role::Input => "; space switches it",
             _ => "",
         };

@@ -2,6 +2,7 @@
 
 use super::{Scene, put};
 use crate::screen::picker::{Picker, Purpose};
+use crate::screen::theme::quiet;
 use crate::screen::values;
 use ladder_format::display_width;
 use ratatui::buffer::Buffer;
@@ -43,7 +44,7 @@ pub(super) fn draw(buffer: &mut Buffer, area: Rect, picker: &Picker, scene: Scen
     let inside = block.inner(pane);
     block.render(pane, buffer);
     if picker.matches.is_empty() {
-        put(buffer, inside, 1, 0, "no tag matches", theme.quiet());
+        put(buffer, inside, 1, 0, "no tag matches", quiet());
         return;
     }
     let first = (picker.chosen + 1).saturating_sub(lines as usize);

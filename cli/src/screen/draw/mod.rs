@@ -12,7 +12,7 @@ mod watch_list;
 mod why;
 
 use super::plant::Plant;
-use super::theme::{Theme, heading as heading_style};
+use super::theme::{Theme, heading as heading_style, quiet};
 use super::view::{Mode, View};
 use ratatui::Frame;
 use ratatui::buffer::Buffer;
@@ -67,7 +67,7 @@ fn put(buffer: &mut Buffer, pane: Rect, column: u16, line: u16, text: &str, styl
 
 /// A heading: a line across the pane with a title in it, and something at its right end.
 fn heading(buffer: &mut Buffer, pane: Rect, title: &str, right: &str, theme: Theme) {
-    let style = theme.quiet();
+    let style = quiet();
     let rule = theme.rule().repeat(pane.width as usize);
     put(buffer, pane, 0, 0, &rule, style);
     put(buffer, pane, 1, 0, &format!(" {title} "), heading_style());

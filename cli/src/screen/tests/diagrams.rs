@@ -106,11 +106,11 @@ fn nothing_is_told_by_colour_alone() {
         |
         |
         |
-        |   ddddddddddd
+        |   DDDDDDDDDDD
         | B gggggggggggggggggggggggRRRRyyyyyyRgggggggggggggggggggggggggg
         |      ggg    gggg      g
         |
-        |   ddddddddddd
+        |   DDDDDDDDDDD
         |   gggggggggggggggggggggg                                        cccccccccccc
         |
         |
@@ -118,9 +118,9 @@ fn nothing_is_told_by_colour_alone() {
         |
         |
         |
-        |dddddddddddddddddddddddddddddddddddddddddddddddddddddddddddddddddddddddddddddddd
+        |DBBBBBBBBBBBBBBBBBBBBBBBBBBDDDDDDDDDDDDDDDDDDDDDDDDDDDDDDDDDDDDDDDDDDDDDDDDDDDDD
         | B g ggggg   B y yyyyy
-        |dddddddddddddddddddddddddddddddddddddddddddddddddddddddddddddddddddddddddddddddd
+        |DBBBBBBBDDDDDDDDDDDDDDDDDDDDDDDDDDDDDDDDDDDDDDDDDDDDDDDDDDDDDDDDDDDDDDDDDDDDDDDD
         |                   ccccccccccccccccccccccccccccccccccccccccccccccccccccccccccccc
         |            cc     ccccccccccccccccccccccccccccccccccccccccccccccccccccccccccccc
         | ggg        gggg   ccccccccccccccccccccccccccccccccccccccccccccccccccccccccccccc

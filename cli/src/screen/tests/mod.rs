@@ -1,5 +1,6 @@
 //! Screens as people see them: a program, what is pressed, and what stands on the terminal then.
 
+mod book;
 mod diagrams;
 mod navigation;
 mod running;
@@ -213,7 +214,7 @@ pub(super) fn characters(buffer: &Buffer) -> String {
 }
 
 /// How it stands there: `R` reversed, `B` bold, `D` dim, `U` underlined; with colours their first letters, `g` green,
-/// `y` on yellow, `r` on red, `c` cyan, `d` grey.
+/// `y` on yellow, `r` on red, `c` cyan.
 pub(super) fn styles(buffer: &Buffer) -> String {
     grid(buffer, |buffer, x, y| {
         let cell = &buffer[(x, y)];
@@ -223,7 +224,6 @@ pub(super) fn styles(buffer: &Buffer) -> String {
             _ if cell.modifier.contains(Modifier::REVERSED) => 'R',
             (_, Color::Green) => 'g',
             (_, Color::Cyan) => 'c',
-            (_, Color::DarkGray) => 'd',
             _ if cell.modifier.contains(Modifier::UNDERLINED) => 'U',
             _ if cell.modifier.contains(Modifier::BOLD) => 'B',
             _ if cell.modifier.contains(Modifier::DIM) => 'D',

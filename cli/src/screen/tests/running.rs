@@ -281,7 +281,10 @@ fn what_ends_it() {
 #[test]
 fn parts_of_a_scan() {
     let bench = Bench::new(MOTOR);
-    bench.check_lines("space . . . .", 0..10, expect![[r#"
+    bench.check_lines(
+        "space . . . .",
+        0..10,
+        expect![[r#"
         | motor.clad  ■ IN SCAN 0  speed 1x                               scan 0  0.00 s
         |   VAR_INPUT  start, stop : BOOL;  END_VAR
         |   VAR  warmup : TON;  END_VAR
@@ -292,8 +295,12 @@ fn parts_of_a_scan() {
         |
         |   # Warm-up #
         |   +──[ ]( run )─────────[TON]( warmup, T#5s )──( )( ready )──+  warmup 0s/0s
-    "#]]);
-    bench.check_lines("space , ,", 0..10, expect![[r#"
+    "#]],
+    );
+    bench.check_lines(
+        "space , ,",
+        0..10,
+        expect![[r#"
         | motor.clad  ■ IN SCAN 0  speed 1x                               scan 0  0.00 s
         |   VAR_INPUT  start, stop : BOOL;  END_VAR
         |   VAR  warmup : TON;  END_VAR
@@ -304,29 +311,50 @@ fn parts_of_a_scan() {
         |
         |   # Warm-up #
         | ▶ +══[ ](●run )─────────[TON]( warmup, T#5s )──( )( ready )──+  warmup 0s/0s
-    "#]]);
-    bench.check_info("space , , ,", expect![[r#"
+    "#]],
+    );
+    bench.check_info(
+        "space , , ,",
+        expect![[r#"
         | the scan is over
-    "#]]);
-    bench.check_lines("space . . s", 0..1, expect![[r#"
+    "#]],
+    );
+    bench.check_lines(
+        "space . . s",
+        0..1,
+        expect![[r#"
         | motor.clad  ■ PAUSED  speed 1x                                  scan 1  0.01 s
-    "#]]);
-    bench.check_lines("space s . . b", 0..1, expect![[r#"
+    "#]],
+    );
+    bench.check_lines(
+        "space s . . b",
+        0..1,
+        expect![[r#"
         | motor.clad  ■ PAUSED  speed 1x                                  scan 1  0.01 s
-    "#]]);
-    bench.check_lines("space s . . b b", 0..1, expect![[r#"
+    "#]],
+    );
+    bench.check_lines(
+        "space s . . b b",
+        0..1,
+        expect![[r#"
         | motor.clad  ■ PAUSED  speed 1x                          1 back  scan 0  0.00 s
-    "#]]);
+    "#]],
+    );
 }
 
 #[test]
 fn breakpoints() {
     let bench = Bench::new(MOTOR);
     let to_warmup = "G B";
-    bench.check_info(to_warmup, expect![[r#"
+    bench.check_info(
+        to_warmup,
+        expect![[r#"
         | the program stops at the rung in line 9
-    "#]]);
-    bench.check(&format!("{to_warmup} 1 p +100ms"), expect![[r#"
+    "#]],
+    );
+    bench.check(
+        &format!("{to_warmup} 1 p +100ms"),
+        expect![[r#"
         | motor.clad  ■ IN SCAN 0  speed 1x                               scan 0  0.00 s
         |   VAR_INPUT  start, stop : BOOL;  END_VAR
         |   VAR  warmup : TON;  END_VAR
@@ -351,29 +379,49 @@ fn breakpoints() {
         | run        TRUE
         | stopped before this rung: . , s step on, p runs on, B takes the stop away
         | space switch p run s step b back +- speed f force w watch ? help q quit
-    "#]]);
-    bench.check_info(&format!("{to_warmup} 1 p +100ms p +100ms"), expect![[r#"
+    "#]],
+    );
+    bench.check_info(
+        &format!("{to_warmup} 1 p +100ms p +100ms"),
+        expect![[r#"
         | stopped before this rung: . , s step on, p runs on, B takes the stop away
-    "#]]);
-    bench.check_lines(&format!("{to_warmup} 1 p +100ms B p +100ms"), 0..1, expect![[r#"
+    "#]],
+    );
+    bench.check_lines(
+        &format!("{to_warmup} 1 p +100ms B p +100ms"),
+        0..1,
+        expect![[r#"
         | motor.clad  ▶ RUNNING 1x                                       scan 10  0.10 s
-    "#]]);
+    "#]],
+    );
     let at_change = "down t g";
-    bench.check_info("down t", expect![[r#"
+    bench.check_info(
+        "down t",
+        expect![[r#"
         | the program stops when run changes
-    "#]]);
-    bench.check_lines(&format!("{at_change} p +100ms 1 +100ms"), 0..1, expect![[r#"
+    "#]],
+    );
+    bench.check_lines(
+        &format!("{at_change} p +100ms 1 +100ms"),
+        0..1,
+        expect![[r#"
         | motor.clad  ■ IN SCAN 10  speed 1x                             scan 10  0.10 s
-    "#]]);
-    bench.check_info(&format!("{at_change} p +100ms 1 +100ms"), expect![[r#"
+    "#]],
+    );
+    bench.check_info(
+        &format!("{at_change} p +100ms 1 +100ms"),
+        expect![[r#"
         | stopped: here run has changed from FALSE to TRUE
-    "#]]);
+    "#]],
+    );
 }
 
 #[test]
 fn why() {
     let bench = Bench::new(MOTOR);
-    bench.check("space s space s down y", expect![[r#"
+    bench.check(
+        "space s space s down y",
+        expect![[r#"
         | motor.clad  ■ PAUSED  speed 1x                                  scan 2  0.02 s
         |   VAR_INPUT  start, stop : BOOL;  END_VAR
         |   VAR  warmup : TON;  END_VAR
@@ -398,14 +446,21 @@ fn why() {
         | run        TRUE                                                               ⠁
         | Open contact: run is TRUE
         | space switch p run s step b back +- speed f force w watch ? help q quit
-    "#]]);
-    bench.check_lines("space s space s down y x", 8..12, expect![[r#"
+    "#]],
+    );
+    bench.check_lines(
+        "space s space s down y x",
+        8..12,
+        expect![[r#"
         |   # Warm-up #
         |   +══[ ](●run )═════════[TON]( warmup, T#5s )──( )( ready )──+  warmup 10ms/5s
         |
         |
-    "#]]);
-    bench.check("2 s s size:40x10 down y down down", expect![[r#"
+    "#]],
+    );
+    bench.check(
+        "2 s s size:40x10 down y down down",
+        expect![[r#"
         |┌ Why? up, down; any other key closes i┐
         |│     ]( start ) (line 5, column 7):   │
         |│     start is 0 and by [/]( stop )    │
@@ -416,5 +471,6 @@ fn why() {
         |│     is 0                             │
         |│   start is 0 since the start:        │
         |└──────────────────────────────────────┘
-    "#]]);
+    "#]],
+    );
 }
