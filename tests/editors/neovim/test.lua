@@ -191,6 +191,99 @@ t.step('the seal-in holds, a forced stop breaks it, a release brings back the in
   t.equal('the line end', 'start=0  stop=0  run=0', t.line_ends(bufnr)[2])
 end)
 
+t.step('going back and forward again shows the scans as they were', function()
+  local bufnr = t.open('motor.clad')
+  for _, command in ipairs({ 'start', 'step', 'set start 1', 'step', 'back' }) do
+    vim.cmd('Ladder ' .. command)
+  end
+  assert(ladder.wait(), 'no answer')
+  t.equal('the line end', 'start=0  stop=0  run=0', t.line_ends(bufnr)[2])
+  t.equal('the scans', { 1, 1, 1 }, { ladder.state().scan, ladder.state().behind, ladder.state().ahead })
+  vim.cmd('Ladder step')
+  assert(ladder.wait(), 'no answer')
+  t.equal('the line end', 'start=1  stop=0  run=1', t.line_ends(bufnr)[2])
+end)
+
+t.step('a step by block marks the block that runs next', function()
+  local bufnr = t.open('motor.clad')
+  local function marked()
+    local namespace = vim.api.nvim_get_namespaces().ladder_next
+    local mark = vim.api.nvim_buf_get_extmarks(bufnr, namespace, 0, -1, { details = true })[1]
+    return mark and vim.api.nvim_buf_get_text(bufnr, mark[2], mark[3], mark[4].end_row, mark[4].end_col, {})[1]
+  end
+  vim.cmd('Ladder start')
+  vim.cmd('Ladder block')
+  assert(ladder.wait(), 'no answer')
+  t.equal('the marked block', '[ ]( start )', marked())
+  vim.cmd('Ladder rung')
+  assert(ladder.wait(), 'no answer')
+  t.equal('the marked block', '[ ]( run )', marked())
+  vim.cmd('Ladder step')
+  assert(ladder.wait(), 'no answer')
+  t.equal('the marked block', nil, marked())
+  t.equal('the number of scans', 1, ladder.state().scan)
+end)
+
+t.step('a breakpoint has a sign, stops a run and goes again', function()
+  local bufnr = t.open('motor.clad')
+  local function signs()
+    local found = {}
+    local namespace = vim.api.nvim_get_namespaces().ladder_breakpoints
+    for _, mark in ipairs(vim.api.nvim_buf_get_extmarks(bufnr, namespace, 0, -1, { details = true })) do
+      table.insert(found, ('%d %s'):format(mark[2], vim.trim(mark[4].sign_text)))
+    end
+    return found
+  end
+  vim.api.nvim_win_set_cursor(0, { 6, 0 })
+  vim.cmd('Ladder break')
+  t.equal('the signs', { '5 ●' }, signs())
+  messages = {}
+  vim.cmd('Ladder start')
+  vim.cmd('Ladder run')
+  t.eventually('the stop', function()
+    return messages[1]
+  end)
+  assert(messages[1]:find('stopped in front of the rung in line 6', 1, true), messages[1])
+  t.equal('the status', 'paused', ladder.state().status)
+  vim.cmd('Ladder break')
+  vim.cmd('Ladder break run')
+  vim.cmd('Ladder step')
+  vim.cmd('Ladder set start 1')
+  t.equal('the signs', {}, signs())
+  messages = {}
+  vim.cmd('Ladder run')
+  t.eventually('the stop', function()
+    return messages[1]
+  end)
+  assert(messages[1]:find('run changed from FALSE to TRUE', 1, true), messages[1])
+end)
+
+t.step('why tells what blocks the coil under the cursor', function()
+  local bufnr = t.open('motor.clad')
+  vim.cmd('Ladder start')
+  vim.cmd('Ladder step')
+  assert(ladder.wait(), 'no answer')
+  local col = vim.api.nvim_buf_get_lines(bufnr, 1, 2, false)[1]:find('( run )', 1, true) + 2
+  vim.api.nvim_win_set_cursor(0, { 2, col })
+  vim.cmd('Ladder why')
+  assert(ladder.wait(), 'no answer')
+  local float = t.eventually('the window', function()
+    return vim.b[bufnr].lsp_floating_preview
+  end)
+  local text = table.concat(vim.api.nvim_buf_get_lines(vim.api.nvim_win_get_buf(float), 0, -1, false), ' ')
+  assert(text:find('blocked by [ ]( start ) (line 2, column 7): start is 0', 1, true), text)
+  vim.api.nvim_win_close(float, true)
+end)
+
+t.step('a warm restart begins anew', function()
+  t.open('motor.clad')
+  vim.cmd('Ladder start')
+  vim.cmd('Ladder step 3')
+  vim.cmd('Ladder warm')
+  assert(ladder.wait(), 'no answer')
+  t.equal('the scans', { 0, 0 }, { ladder.state().scan, ladder.state().behind })
+end)
+
 t.step('a run goes on by itself until it is paused', function()
   t.open('motor.clad')
   vim.cmd('Ladder start')

@@ -93,6 +93,50 @@ local subcommands = {
       simulation().command(buffer(), 'step', { scans = count(arguments[1], 1) })
     end,
   },
+  back = {
+    run = function(arguments)
+      simulation().command(buffer(), 'back', { scans = count(arguments[1], 1) })
+    end,
+  },
+  block = {
+    run = function()
+      simulation().command(buffer(), 'stepBlock')
+    end,
+  },
+  rung = {
+    run = function()
+      simulation().command(buffer(), 'stepRung')
+    end,
+  },
+  ['break'] = {
+    run = function(arguments)
+      local breakpoints = require('ladder.breakpoints')
+      if arguments[1] then
+        breakpoints.toggle_tag(buffer(), arguments[1])
+      else
+        breakpoints.toggle_line(buffer(), vim.api.nvim_win_get_cursor(0)[1] - 1)
+      end
+      simulation().send_breakpoints(buffer())
+    end,
+    complete = function(before)
+      return #before == 0 and tag_names(any) or {}
+    end,
+  },
+  why = {
+    run = function(arguments)
+      local why = require('ladder.why')
+      local tag = arguments[1] or why.tag_here(state()) or refuse('there is no tag under the cursor.')
+      simulation().ask(buffer(), 'why', { tag = tag }, why.show)
+    end,
+    complete = function(before)
+      return #before == 0 and tag_names(any) or {}
+    end,
+  },
+  warm = {
+    run = function()
+      simulation().command(buffer(), 'warmRestart')
+    end,
+  },
   run = {
     run = function(arguments)
       simulation().command(buffer(), 'run', { scans = count(arguments[1], nil) })

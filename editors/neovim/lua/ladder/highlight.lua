@@ -20,6 +20,8 @@ local links = {
   LadderValue = 'LadderPowerOff',
   LadderValueOn = 'LadderPowerOn',
   LadderForced = 'DiagnosticWarn',
+  LadderBreakpoint = 'DiagnosticError',
+  LadderNext = 'Visual',
   LadderTagName = 'Identifier',
   LadderTagType = 'Type',
 }

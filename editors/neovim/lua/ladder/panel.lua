@@ -125,6 +125,15 @@ local function map_keys(panel, source)
     s = function()
       simulation.command(source, 'step', { scans = vim.v.count1 })
     end,
+    b = function()
+      simulation.command(source, 'back', { scans = vim.v.count1 })
+    end,
+    w = function()
+      local tag = tag_here(source)
+      if tag then
+        simulation.ask(source, 'why', { tag = tag.name }, require('ladder.why').show)
+      end
+    end,
     r = function()
       simulation.command(source, 'run')
     end,

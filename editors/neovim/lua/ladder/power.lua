@@ -4,6 +4,7 @@ require('ladder.highlight')
 local M = {}
 
 local namespace = vim.api.nvim_create_namespace('ladder_power')
+local next_namespace = vim.api.nvim_create_namespace('ladder_next')
 -- Above semantic tokens (125), below the underline of a diagnostic (150).
 local priority = 140
 
@@ -84,10 +85,31 @@ function M.paint(bufnr, power, encoding)
   end
 end
 
+--- Marks the block that runs next, in the midst of a scan.
+--- @param bufnr integer
+--- @param range lsp.Range|nil
+--- @param encoding string
+function M.mark_next(bufnr, range, encoding)
+  vim.api.nvim_buf_clear_namespace(bufnr, next_namespace, 0, -1)
+  if not range then
+    return
+  end
+  local row, col = byte_position(bufnr, range.start, encoding)
+  local end_row, end_col = byte_position(bufnr, range['end'], encoding)
+  vim.api.nvim_buf_set_extmark(bufnr, next_namespace, row, col, {
+    end_row = end_row,
+    end_col = end_col,
+    hl_group = 'LadderNext',
+    priority = priority + 1,
+    strict = false,
+  })
+end
+
 --- Greys what is painted, where it stands now: the marks have moved with the text.
 --- @param bufnr integer
 function M.grey(bufnr)
   painted[bufnr] = nil
+  vim.api.nvim_buf_clear_namespace(bufnr, next_namespace, 0, -1)
   for _, mark in ipairs(vim.api.nvim_buf_get_extmarks(bufnr, namespace, 0, -1, { details = true })) do
     local id, row, col, details = mark[1], mark[2], mark[3], mark[4]
     if not details.invalid then
@@ -108,6 +130,7 @@ end
 function M.clear(bufnr)
   painted[bufnr] = nil
   vim.api.nvim_buf_clear_namespace(bufnr, namespace, 0, -1)
+  vim.api.nvim_buf_clear_namespace(bufnr, next_namespace, 0, -1)
 end
 
 return M

@@ -22,6 +22,10 @@ local M = {}
 --- @field status 'paused'|'running'|'ended'|'faulted'
 --- @field scan integer
 --- @field timeMs number
+--- @field behind integer
+--- @field ahead integer
+--- @field next lsp.Range|nil
+--- @field hit { message: string, range: lsp.Range|nil }|nil
 --- @field tags ladder.Tag[]
 --- @field power { range: lsp.Range, on: boolean }[]
 --- @field faults { message: string, range: lsp.Range, scan: integer }[]

@@ -1,4 +1,5 @@
 --- Runs sessions: sends the simulator's commands, one at a time and in order, and shows every state that comes back.
+local breakpoints = require('ladder.breakpoints')
 local faults = require('ladder.faults')
 local power = require('ladder.power')
 local server = require('ladder.server')
@@ -66,7 +67,12 @@ end
 --- @param session ladder.Session
 --- @param state ladder.State
 local function show(session, state)
+  local before = session.state and session.state.hit
   session.state = state
+  -- The same hit comes with an answer and with a notification.
+  if state.hit and not vim.deep_equal(before, state.hit) then
+    notify(state.hit.message .. '.')
+  end
   -- The server learns of an edit a moment later than the buffer; until then its places are wrong here already.
   if state.stale or vim.api.nvim_buf_get_changedtick(session.bufnr) ~= session.tick then
     mark_stale(session)
@@ -74,6 +80,7 @@ local function show(session, state)
   if not session.stale then
     local encoding = session.client.offset_encoding
     power.paint(session.bufnr, state.power, encoding)
+    power.mark_next(session.bufnr, state.next, encoding)
     values.show(session.bufnr, state, encoding)
     faults.show(session.bufnr, state.faults, encoding)
   end
@@ -196,12 +203,41 @@ function M.start(bufnr, options)
   end, function(result)
     session.id = result.session
     show(session, result.state)
+    for _, note in ipairs(result.notes or {}) do
+      notify(note, vim.log.levels.WARN)
+    end
   end)
+  if breakpoints.any(bufnr) then
+    M.command(bufnr, 'breakpoints', breakpoints.argument(bufnr))
+  end
+end
+
+--- Tells the simulation of the buffer, if there is one, which breakpoints there are now.
+--- @param bufnr integer
+function M.send_breakpoints(bufnr)
+  if sessions.of(bufnr) then
+    M.command(bufnr, 'breakpoints', breakpoints.argument(bufnr))
+  end
+end
+
+--- Asks something that changes nothing.
+--- @param bufnr integer
+--- @param command 'why'|'history'
+--- @param argument table what the command takes besides the session
+--- @param answer fun(result: any)
+function M.ask(bufnr, command, argument, answer)
+  local session = sessions.of(bufnr)
+  if not session then
+    return notify('no simulation runs for this buffer; ":Ladder start" starts one.', vim.log.levels.WARN)
+  end
+  enqueue(session, command, function()
+    return vim.tbl_extend('force', { session = session.id }, argument)
+  end, answer)
 end
 
 --- Sends a command that answers with the new state.
 --- @param bufnr integer
---- @param command 'step'|'run'|'set'|'force'|'unforce'|'state'|'reset'
+--- @param command string one of those that docs/protocol.md lists, without its prefix
 --- @param argument table|nil what the command takes besides the session
 function M.command(bufnr, command, argument)
   local session = sessions.of(bufnr)
