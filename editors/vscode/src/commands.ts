@@ -5,6 +5,7 @@ import { askValue, pickTag } from './prompts.ts';
 import type { Tag } from './protocol.ts';
 import { runScenarios } from './scenarios.ts';
 import type { Server } from './server.ts';
+import { tagHere } from './tagHere.ts';
 import type { Simulation } from './simulation.ts';
 import { toggleCommentInEditor } from './toggleComment.ts';
 
@@ -40,19 +41,56 @@ async function toggle(simulation: Simulation, given: Tag | undefined): Promise<v
     }
 }
 
+async function breakOnChange(simulation: Simulation, given: Tag | undefined): Promise<void> {
+    const state = simulation.current?.state;
+    const tag = given ?? (state && (await pickTag(state, 'Break on Change', () => true)));
+    if (tag) {
+        await simulation.toggleBreakOnChange(tag.name);
+    }
+}
+
+/** Tells why the tag of a row, or the one at the cursor, holds what it holds. */
+async function why(simulation: Simulation, given: Tag | undefined): Promise<void> {
+    const session = simulation.current;
+    if (!session) {
+        return;
+    }
+    const editor = vscode.window.activeTextEditor;
+    const here = editor?.document === session.document ? editor.selection.active : undefined;
+    const word = here && tagHere(session.document.lineAt(here.line).text, here.character, session.state.tags);
+    const name = given?.name ?? word ?? (await pickTag(session.state, 'Why', () => true))?.name;
+    const told = name === undefined ? undefined : await simulation.why(name);
+    if (!told) {
+        return;
+    }
+    const [first, ...deeper] = told.text.split('\n');
+    const showAll = 'Show All';
+    const chosen = await vscode.window.showInformationMessage(`Ladder: ${first}`, ...(deeper.length > 0 ? [showAll] : []));
+    if (chosen === showAll) {
+        const document = await vscode.workspace.openTextDocument({ content: `${told.text}\n`, language: 'plaintext' });
+        await vscode.window.showTextDocument(document, vscode.ViewColumn.Beside, true);
+    }
+}
+
 export function registerCommands(server: Server, simulation: Simulation): vscode.Disposable {
     const commands: Record<string, (tag?: Tag) => unknown> = {
         'ladder.simulation.start': () => simulation.start(),
         'ladder.simulation.step': () => simulation.command('step', { scans: 1 }),
+        'ladder.simulation.stepBlock': () => simulation.command('stepBlock', {}),
+        'ladder.simulation.stepRung': () => simulation.command('stepRung', {}),
+        'ladder.simulation.back': () => simulation.command('back', { scans: 1 }),
         'ladder.simulation.run': () => simulation.command('run', {}),
         'ladder.simulation.pause': () => simulation.pause(),
         'ladder.simulation.reset': () => simulation.command('reset', {}),
+        'ladder.simulation.warmRestart': () => simulation.command('warmRestart', {}),
         'ladder.simulation.stop': () => simulation.stop(),
         'ladder.simulation.set': (tag) => assign(simulation, 'set', tag),
         'ladder.simulation.force': (tag) => assign(simulation, 'force', tag),
         'ladder.simulation.unforce': (tag) => release(simulation, tag),
         'ladder.simulation.toggle': (tag) => toggle(simulation, tag),
         'ladder.test': () => runScenarios(server.program()),
+        'ladder.simulation.breakOnChange': (tag) => breakOnChange(simulation, tag),
+        'ladder.simulation.why': (tag) => why(simulation, tag),
         'ladder.toggleComment': () => toggleCommentInEditor(),
         'ladder.restartServer': () => server.restart(),
         'ladder.showLog': () => server.log.show(),

@@ -21,6 +21,12 @@ const stale = vscode.window.createTextEditorDecorationType({
     opacity: '0.7',
     rangeBehavior: vscode.DecorationRangeBehavior.ClosedClosed,
 });
+const next = vscode.window.createTextEditorDecorationType({
+    border: '1px solid',
+    borderColor: new vscode.ThemeColor('editor.findMatchHighlightBorder'),
+    backgroundColor: new vscode.ThemeColor('editor.stackFrameHighlightBackground'),
+    rangeBehavior: vscode.DecorationRangeBehavior.ClosedClosed,
+});
 const values = vscode.window.createTextEditorDecorationType({
     after: { color: new vscode.ThemeColor('ladder.value'), margin: '0 0 0 2ch' },
     rangeBehavior: vscode.DecorationRangeBehavior.ClosedClosed,
@@ -36,7 +42,7 @@ function lineValues(session: Session): vscode.DecorationOptions[] {
 }
 
 function clear(editor: vscode.TextEditor): void {
-    for (const type of [on, off, stale, values]) {
+    for (const type of [on, off, stale, next, values]) {
         editor.setDecorations(type, []);
     }
 }
@@ -51,6 +57,7 @@ function paint(editor: vscode.TextEditor, session: Session): void {
     editor.setDecorations(stale, []);
     editor.setDecorations(on, ranges.on.map(toRange));
     editor.setDecorations(off, ranges.off.map(toRange));
+    editor.setDecorations(next, session.state.next ? [toRange(session.state.next)] : []);
     editor.setDecorations(values, lineValues(session));
 }
 
@@ -68,6 +75,7 @@ export function showPower(simulation: Simulation): vscode.Disposable {
         on,
         off,
         stale,
+        next,
         values,
         simulation.onDidChange((document) => {
             for (const editor of vscode.window.visibleTextEditors) {

@@ -33,15 +33,34 @@ export interface State {
     readonly status: 'paused' | 'running' | 'ended' | 'faulted';
     readonly scan: number;
     readonly timeMs: number;
+    /** How many scans can be stepped back, and how many were stepped back from. */
+    readonly behind: number;
+    readonly ahead: number;
+    /** In the midst of a scan the block that runs next. */
+    readonly next?: Range;
+    /** The breakpoint that stopped the last run. */
+    readonly hit?: { readonly message: string; readonly range?: Range };
     readonly tags: readonly Tag[];
     readonly power: readonly Power[];
     readonly faults: readonly Fault[];
 }
 
+export interface Why {
+    readonly tag: string;
+    readonly text: string;
+    readonly blocks: readonly Range[];
+}
+
 /** What each command takes besides the session, and what it answers. */
 export interface Commands {
-    start: { argument: { uri: string; options: { intervalMs: number } }; answer: { session: string; state: State } };
+    start: { argument: { uri: string; options: { intervalMs: number } }; answer: { session: string; state: State; notes?: string[] } };
     step: { argument: { scans: number }; answer: State };
+    stepBlock: { argument: object; answer: State };
+    stepRung: { argument: object; answer: State };
+    back: { argument: { scans: number }; answer: State };
+    breakpoints: { argument: { lines: number[]; tags: string[] }; answer: State };
+    why: { argument: { tag: string }; answer: Why };
+    warmRestart: { argument: object; answer: State };
     run: { argument: object; answer: State };
     pause: { argument: object; answer: State };
     set: { argument: { tag: string; value: Value }; answer: State };

@@ -18,21 +18,26 @@ export class Session {
     stale = false;
     /** What was painted when the text moved on, where it stands now. */
     staleRanges: readonly Power['range'][] = [];
+    /** Tags whose change stops a run. */
+    watchedTags: readonly string[] = [];
+    /** What the server had to say at the start. */
+    readonly notes: readonly string[];
     readonly lineTags: LineTags;
 
     readonly #send: Send;
     #last: Promise<unknown> = Promise.resolve();
 
-    private constructor(document: TextDocument, state: State, lineTags: LineTags, send: Send) {
+    private constructor(document: TextDocument, state: State, notes: readonly string[], lineTags: LineTags, send: Send) {
         this.document = document;
         this.state = state;
+        this.notes = notes;
         this.lineTags = lineTags;
         this.#send = send;
     }
 
     static async start(document: TextDocument, intervalMs: number, textIn: (range: Power['range']) => string, send: Send): Promise<Session> {
-        const { state } = await send('start', { uri: document.uri.toString(), options: { intervalMs } });
-        return new Session(document, state, findLineTags(state, textIn), send);
+        const { state, notes = [] } = await send('start', { uri: document.uri.toString(), options: { intervalMs } });
+        return new Session(document, state, notes, findLineTags(state, textIn), send);
     }
 
     get id(): string {

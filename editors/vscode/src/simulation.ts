@@ -2,7 +2,8 @@
 import * as vscode from 'vscode';
 
 import type { Server } from './server.ts';
-import type { Commands, State, Value } from './protocol.ts';
+import { breakpointLines, toggled } from './breakpoints.ts';
+import type { Commands, State, Value, Why } from './protocol.ts';
 import { Session } from './session.ts';
 
 export class Simulation implements vscode.Disposable {
@@ -25,6 +26,7 @@ export class Simulation implements vscode.Disposable {
             vscode.workspace.onDidChangeTextDocument((event) => this.#edited(event)),
             vscode.workspace.onDidCloseTextDocument((document) => void this.#closed(document)),
             vscode.window.onDidChangeActiveTextEditor((editor) => this.#focus(editor)),
+            vscode.debug.onDidChangeBreakpoints(() => this.#breakpointsChanged()),
         );
         this.#focus(vscode.window.activeTextEditor);
     }
@@ -54,13 +56,17 @@ export class Simulation implements vscode.Disposable {
             return;
         }
         this.#sessions.set(document.uri.toString(), session);
+        for (const note of session.notes) {
+            void vscode.window.showWarningMessage(`Ladder: ${note}`);
+        }
+        await this.#sendBreakpoints(session, true);
         if (document.version !== version) {
             session.edited([]);
         }
         this.#announce(document);
     }
 
-    async command<Name extends 'step' | 'run' | 'set' | 'force' | 'unforce' | 'reset'>(
+    async command<Name extends 'step' | 'stepBlock' | 'stepRung' | 'back' | 'run' | 'set' | 'force' | 'unforce' | 'reset' | 'warmRestart'>(
         name: Name,
         argument: Commands[Name]['argument'],
     ): Promise<void> {
@@ -68,6 +74,40 @@ export class Simulation implements vscode.Disposable {
         const state = session && (await this.#tell(session.command(name, argument)));
         if (state) {
             this.#show(session, state);
+        }
+    }
+
+    /** Why a tag holds what it holds, in words. */
+    async why(tag: string): Promise<Why | undefined> {
+        const session = this.current;
+        return session && (await this.#tell(session.command('why', { tag })));
+    }
+
+    /** A run stops behind the block that changes the tag, or no longer does. */
+    async toggleBreakOnChange(tag: string): Promise<void> {
+        const session = this.current;
+        if (session) {
+            session.watchedTags = toggled(session.watchedTags, tag);
+            await this.#sendBreakpoints(session, false);
+        }
+    }
+
+    /** The gutter's breakpoints are the editor's own. Without any there is nothing to tell at the start. */
+    async #sendBreakpoints(session: Session, atStart: boolean): Promise<void> {
+        const lines = breakpointLines(vscode.debug.breakpoints, session.document.uri.toString());
+        const tags = [...session.watchedTags];
+        if (atStart && lines.length === 0) {
+            return;
+        }
+        const state = await this.#tell(session.command('breakpoints', { lines, tags }));
+        if (state) {
+            this.#show(session, state);
+        }
+    }
+
+    #breakpointsChanged(): void {
+        for (const session of this.#sessions.values()) {
+            void this.#sendBreakpoints(session, false);
         }
     }
 
@@ -110,6 +150,10 @@ export class Simulation implements vscode.Disposable {
 
     #show(session: Session, state: State): void {
         if (this.of(session.document) === session) {
+            // The same hit comes with an answer and with a notification.
+            if (state.hit && state.hit.message !== session.state.hit?.message) {
+                void vscode.window.showInformationMessage(`Ladder: ${state.hit.message}.`);
+            }
             session.state = state;
             this.#announce(session.document);
         }

@@ -12,6 +12,8 @@ const state: State = {
     status: 'paused',
     scan: 0,
     timeMs: 0,
+    behind: 0,
+    ahead: 0,
     tags: [],
     power: [{ range: { start: { line: 0, character: 0 }, end: { line: 0, character: 1 } }, on: true }],
     faults: [],

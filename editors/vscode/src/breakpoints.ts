@@ -1,0 +1,16 @@
+// The editor's own breakpoints of a document as the simulator takes them.
+import type { Breakpoint, SourceBreakpoint } from 'vscode';
+
+/** The lines of a document with a breakpoint that is switched on, counted from 0. */
+export function breakpointLines(breakpoints: readonly Breakpoint[], uri: string): number[] {
+    const lines = breakpoints
+        .filter((it): it is SourceBreakpoint => it.enabled && 'location' in it)
+        .filter(({ location }) => location.uri.toString() === uri)
+        .map(({ location }) => location.range.start.line);
+    return [...new Set(lines)].sort((a, b) => a - b);
+}
+
+/** The list without the name if it held it, else with it. */
+export function toggled(names: readonly string[], name: string): readonly string[] {
+    return names.includes(name) ? names.filter((it) => it !== name) : [...names, name];
+}
