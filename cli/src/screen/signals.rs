@@ -50,7 +50,9 @@ impl Signals {
                 }
             }
         };
-        std::thread::Builder::new().name("signals".to_owned()).spawn(watch)?;
+        std::thread::Builder::new()
+            .name("signals".to_owned())
+            .spawn(watch)?;
         Ok(())
     }
 

@@ -17,6 +17,7 @@ use std::collections::BTreeMap;
 use std::sync::Arc;
 
 pub use forces::Refused;
+pub(crate) use power::PowerSource;
 pub use scan::Stepped;
 pub use state::State;
 

@@ -6,6 +6,15 @@ use crate::fuse::Power;
 use crate::memory::Bit;
 use ladder_analysis::program::{ElementKind, Location};
 
+/// Where a power is read from.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum PowerSource {
+    /// A byte of the bank of bits.
+    Bit(usize),
+    /// The row that a record took.
+    Row(usize),
+}
+
 impl Simulation {
     /// Every part of the drawing that carries power, and whether it had power in the last scan, or has in the one
     /// that is open. What that scan did not reach, or not yet, has none.
@@ -35,6 +44,19 @@ impl Simulation {
     /// The power of a part of the drawing in the last scan; none if that scan did not reach it.
     pub(crate) fn element_power(&self, element: &ElementPlace) -> Option<bool> {
         self.is_reached(element).then(|| self.has_power(element.power))
+    }
+
+    /// Where that power is read from, while nothing is forced.
+    pub(crate) fn power_source(&self, element: &ElementPlace) -> PowerSource {
+        match self.compiled.fused.power(element.power) {
+            Power::Slot(slot) => PowerSource::Bit(slot.0 as usize),
+            Power::Row { record, .. } => PowerSource::Row(record as usize),
+        }
+    }
+
+    /// The two banks that powers are read from: bits, and the rows that records took.
+    pub(crate) fn power_banks(&self) -> (&[u8], &[u8]) {
+        (&self.machine.memory.bits, &self.machine.rows)
     }
 
     /// Whether some scans may not reach a network.

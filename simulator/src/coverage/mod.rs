@@ -4,14 +4,17 @@
 //! both let it through (closed) and held it back (open); a coil when it has been with power and without. What is
 //! looked at is the power after each scan, of a block that runs several times in a scan the last.
 //!
-//! Recording is cheap because it looks only at what is still to be seen: a contact that was seen both ways is not
-//! asked again.
+//! Recording is cheap because it looks only at what has changed and is still to be seen: a contact that was seen both
+//! ways is not asked again.
+
+mod watch;
 
 use crate::code::ElementPlace;
 use crate::simulation::Simulation;
 use ladder_analysis::program::{BlockKind, ElementKind, Location, Step};
 use ladder_instructions::{Group, Op};
 use std::collections::HashMap;
+use watch::Watch;
 
 /// What a part of a program is.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
@@ -68,8 +71,7 @@ pub struct Coverage {
     pub networks: Vec<NetworkScans>,
     /// All contacts, comparisons and coils, in the order of the program.
     pub parts: Vec<Part>,
-    /// Parts that were not seen both ways yet.
-    waiting: Vec<u32>,
+    watch: Watch,
     /// Networks that some scans may not reach.
     skippable: Vec<u32>,
     /// How many scans were observed since the last look at the networks that every scan reaches.
@@ -128,7 +130,14 @@ impl Coverage {
             .collect();
         Coverage {
             files: program.files.clone(),
-            waiting: (0..parts.len() as u32).collect(),
+            watch: Watch::of(
+                simulation,
+                parts.iter().enumerate().map(|(index, part)| {
+                    let place = |element: u32| &elements[element as usize];
+                    let places = [part.input.map(place), Some(place(part.output))];
+                    (index as u32, places)
+                }),
+            ),
             skippable: (0..networks.len())
                 .filter(|&index| simulation.is_skippable(index))
                 .map(|index| index as u32)
@@ -149,11 +158,15 @@ impl Coverage {
         let elements = simulation.elements();
         let power = |index: u32| simulation.element_power(&elements[index as usize]);
         let parts = &mut self.parts;
-        self.waiting.retain(|&index| {
+        self.watch.changed(simulation, |index| {
             let part = &mut parts[index as usize];
+            // Two places may lead to it.
+            if part.is_exercised() {
+                return true;
+            }
             // What no power can come to never shows what it does.
             let Some(input) = part.input.and_then(power) else {
-                return true;
+                return false;
             };
             let on = match part.kind {
                 PartKind::Coil => Some(input),
@@ -161,7 +174,7 @@ impl Coverage {
             };
             part.on |= on == Some(true);
             part.off |= on == Some(false);
-            !part.is_exercised()
+            part.is_exercised()
         });
     }
 
@@ -184,8 +197,6 @@ impl Coverage {
             part.on |= other.on;
             part.off |= other.off;
         }
-        self.waiting
-            .retain(|&index| !self.parts[index as usize].is_exercised());
     }
 }
 
