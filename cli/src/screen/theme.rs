@@ -161,6 +161,14 @@ impl Theme {
         }
     }
 
+    /// The line goes on to the right.
+    pub(super) fn more(self) -> &'static str {
+        match self.charset {
+            Charset::Unicode => "»",
+            Charset::Ascii => ">",
+        }
+    }
+
     /// A wire without power, and with power.
     pub(super) fn wire(self, live: bool) -> char {
         match (self.charset, live) {

@@ -1,6 +1,6 @@
 //! The program with its power: live wires are double and bold, what is high has a dot, what is forced an `F`.
 
-use super::{Scene, put};
+use super::{Scene, put, tail};
 use crate::screen::columns;
 use crate::screen::sheet::{Block, Mark, Shown};
 use crate::screen::theme::{heading as heading_style, quiet};
@@ -80,10 +80,10 @@ fn breakpoint_lines(scene: Scene) -> Vec<usize> {
 
 /// How one character is drawn.
 #[derive(Clone, Copy)]
-struct Look {
-    style: Style,
+pub(super) struct Look {
+    pub(super) style: Style,
     /// Another character in its place.
-    instead: Option<char>,
+    pub(super) instead: Option<char>,
 }
 
 fn draw_line(buffer: &mut Buffer, pane: Rect, row: u16, line: usize, scene: Scene) {
@@ -130,12 +130,20 @@ fn draw_line(buffer: &mut Buffer, pane: Rect, row: u16, line: usize, scene: Scen
         }
         put(buffer, pane, column, row, shown, look.style);
     }
-    if end >= view.left {
+    if columns::width(text) > view.left + pane.width as usize {
+        tail::draw(buffer, pane, row, line, &blocks, scene);
+    } else if end >= view.left {
         draw_values(buffer, pane, row, (end - view.left) as u16 + 2, line, scene);
     }
 }
 
-fn look(offset: usize, rest: &str, mark: Option<&Mark>, blocks: &[(&Block, bool)], scene: Scene) -> Look {
+pub(super) fn look(
+    offset: usize,
+    rest: &str,
+    mark: Option<&Mark>,
+    blocks: &[(&Block, bool)],
+    scene: Scene,
+) -> Look {
     let Scene { plant, theme, .. } = scene;
     let live = mark.is_some_and(|mark| plant.simulation().is_live(mark.element));
     let power = if live { theme.live() } else { Style::new() };
@@ -209,7 +217,7 @@ fn plain(style: Style) -> Look {
 }
 
 /// The values behind the end of a line.
-fn draw_values(buffer: &mut Buffer, pane: Rect, row: u16, column: u16, line: usize, scene: Scene) {
+pub(super) fn draw_values(buffer: &mut Buffer, pane: Rect, row: u16, column: u16, line: usize, scene: Scene) {
     let Scene { plant, theme, .. } = scene;
     let mut column = column;
     for shown in plant.sheet.shown(line) {
@@ -221,6 +229,19 @@ fn draw_values(buffer: &mut Buffer, pane: Rect, row: u16, column: u16, line: usi
         let mut text = value_text(shown, scene);
         if forced {
             text.push_str(" F");
+        }
+        let width = ladder_format::display_width(&text) as u16;
+        if column + width > pane.width {
+            // Half a number is another number.
+            put(
+                buffer,
+                pane,
+                pane.width.saturating_sub(1),
+                row,
+                theme.more(),
+                theme.note(),
+            );
+            return;
         }
         column = put(buffer, pane, column, row, &text, style) + 2;
     }

@@ -207,7 +207,7 @@ fn tiny() {
         expect![[r#"
             | motor.clad  ■ PAUSED  speed 1
             |   # Seal-in #
-            | > +──\──[ ]( start )──\──[/](
+            | > +──\──[ ]( start )──\──[/]»
             |   |  /──[ ]( run )────/
             |─ Inputs: press the number ───
             | 1 ○ start   2 ○ stop
@@ -251,8 +251,8 @@ fn values_at_line_ends() {
         "space s s s",
         1..4,
         expect![[r#"
-            | > +══[ADD]( total, total, 3 )══[ ](●go )══[CTU]( parts, 12 )──( )( full )──+  t
-            |   +══[MUL]( rate, total, 2.5 )══[TON](●t, wait )══+  rate=22.5  total=9  t 0s/0
+            | > +══[ADD]( total, total, 3 )══[ ](●go )══[CTU]( parts, 12 )──( )( full )──+  »
+            |   +══[MUL]( rate, total, 2.5 )══[TON](●t, wait )══+  rate=22.5  total=9       »
             |
         "#]],
     );
@@ -288,5 +288,36 @@ fn help() {
             | └────────────────────────────────────────────────────────────────────────────┘
             | space switch p run s step b back +- speed f force w watch ? help q quit
         "#]],
+    );
+}
+
+#[test]
+fn what_wide_rungs_do_is_brought_into_sight() {
+    let wire = "-".repeat(40);
+    let text = format!(
+        "+--[ ]( go ){wire}{wire}( )( lamp )--+\n\
+         +--[ ]( go )--[TON]( t, T#5s ){wire}{wire}( )( late )--+\n\
+         +--[ ]( go )--[TON]( t2, T#10s )--[MUL]( rate, speed, 2 )--[ADD]( a_long_name, b, c ){wire}( )( end )--+\n"
+    );
+    let bench = Bench::new(&text).size(60, 12);
+    bench.check_lines(
+        "space s s",
+        1..5,
+        expect![[r#"
+        | > +══[ ](●go )════════════════════════════════» ( )(●lamp )
+        |   +══[ ](●go )══[TON]( t, T#5s )───» ( )( late )  t 10ms/5s
+        |   +══[ ](●go )══[TON]( t2, T#10s )──[MUL]( rate, speed, 2 »
+        |
+    "#]],
+    );
+    bench.check_lines(
+        "space s s right",
+        1..5,
+        expect![[r#"
+        | > ══════════════════════════════════════════( )(●lamp )══+
+        |   ─────────────────────────────────» ( )( late )  t 10ms/5s
+        |   ed, 2 )──[ADD]( a_long_name, b, c )──────────» ( )( end )
+        |
+    "#]],
     );
 }

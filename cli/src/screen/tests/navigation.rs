@@ -138,7 +138,7 @@ fn long_lines_follow_the_selection() {
         "right right",
         1..2,
         expect![[r#"
-            | > t_with_a_long_name )──[ ]( contact_with_a_long_name )──[
+            | > t_with_a_long_name )──[ ]( contact_with_a_long_name )──[»
         "#]],
     );
     bench.check_lines(
@@ -152,7 +152,7 @@ fn long_lines_follow_the_selection() {
         "right right right left left left left",
         1..2,
         expect![[r#"
-            | > +──[ ]( contact_with_a_long_name )──[ ]( contact_with_a_l
+            | > +──[ ]( contact_with_a_long_name )──[ ]( contact_with_a_»
         "#]],
     );
 }
