@@ -282,11 +282,7 @@ impl<'c> Words<'c> {
                 let Meaning::User(block) = bound.meaning else {
                     return String::new();
                 };
-                let tag = self.context.user_blocks[block].parameters[*parameter].tag;
-                let scope = self.context.scopes.get(block + 1);
-                scope
-                    .and_then(|scope| scope.tags.get(tag))
-                    .map_or_else(String::new, |tag| tag.name.clone())
+                self.context.user_blocks[block].parameters[*parameter].name.clone()
             }
             _ => String::new(),
         }
