@@ -268,9 +268,28 @@ pub fn common(a: Scalar, b: Scalar) -> Option<Scalar> {
     if passes(b, a) {
         return Some(a);
     }
-    // Neither holds the other, but a third does: DINT and REAL meet in LREAL.
-    (passes(a, Lreal) && passes(b, Lreal)).then_some(Lreal)
+    // Neither holds the other, but a third does: DINT and REAL meet in LREAL, BYTE and INT in WORD. Of two of one
+    // width (USINT and WORD: INT or UINT) the integer's own sign decides.
+    let unsigned = [a, b].iter().any(|ty| ty.is_integer() && !ty.is_signed());
+    MEETING
+        .into_iter()
+        .filter(|&ty| passes(a, ty) && passes(b, ty))
+        .min_by_key(|ty| (ty.width(), ty.is_signed() == unsigned))
 }
+
+/// Where two types can meet that are not one of them.
+const MEETING: [Scalar; 10] = [
+    Scalar::Word,
+    Scalar::Int,
+    Scalar::Uint,
+    Scalar::Dword,
+    Scalar::Dint,
+    Scalar::Udint,
+    Scalar::Lword,
+    Scalar::Lint,
+    Scalar::Ulint,
+    Scalar::Lreal,
+];
 
 #[cfg(test)]
 mod tests {

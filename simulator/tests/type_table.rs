@@ -271,16 +271,16 @@ fn what_each_instruction_takes() {
         BMOV: all
         FILL: all
         SHIFT: all
-        ADD: SINT INT DINT LINT USINT UINT UDINT ULINT REAL LREAL TIME DT
-        SUB: SINT INT DINT LINT USINT UINT UDINT ULINT REAL LREAL TIME DT
-        MUL: SINT INT DINT LINT USINT UINT UDINT ULINT REAL LREAL TIME DT
-        DIV: SINT INT DINT LINT USINT UINT UDINT ULINT REAL LREAL TIME DT
+        ADD: SINT INT DINT LINT USINT UINT UDINT ULINT REAL LREAL TIME
+        SUB: SINT INT DINT LINT USINT UINT UDINT ULINT REAL LREAL TIME
+        MUL: SINT INT DINT LINT USINT UINT UDINT ULINT REAL LREAL
+        DIV: SINT INT DINT LINT USINT UINT UDINT ULINT REAL LREAL
         MOD: SINT INT DINT LINT USINT UINT UDINT ULINT REAL LREAL
         EXP: SINT INT DINT LINT USINT UINT UDINT ULINT REAL LREAL
         NEG: SINT INT DINT LINT USINT UINT UDINT ULINT REAL LREAL
         ABS: SINT INT DINT LINT USINT UINT UDINT ULINT REAL LREAL
-        MIN: SINT INT DINT LINT USINT UINT UDINT ULINT REAL LREAL TIME DT
-        LIMIT: SINT INT DINT LINT USINT UINT UDINT ULINT REAL LREAL TIME DT
+        MIN: SINT INT DINT LINT USINT UINT UDINT ULINT REAL LREAL TIME
+        LIMIT: SINT INT DINT LINT USINT UINT UDINT ULINT REAL LREAL TIME
         TRUNC: SINT INT DINT LINT USINT UINT UDINT ULINT REAL LREAL
         SQRT: REAL LREAL
         AND: BOOL BYTE WORD DWORD LWORD SINT INT DINT LINT USINT UINT UDINT ULINT
@@ -288,7 +288,8 @@ fn what_each_instruction_takes() {
         SHL: BYTE WORD DWORD LWORD SINT INT DINT LINT USINT UINT UDINT ULINT
         ROR: BYTE WORD DWORD LWORD SINT INT DINT LINT USINT UINT UDINT ULINT
         CONCAT: STRING
-    "#]].assert_eq(&table);
+    "#]]
+    .assert_eq(&table);
 }
 
 /// Which mixtures of times, dates and numbers each operator takes, and in which type the result is.
@@ -311,44 +312,18 @@ fn times_and_dates() {
     }
     expect![[r#"
         ADD: TIME from TIME, TIME
-        ADD: DT from TIME, TIME
-        ADD: DT from TIME, DT
         ADD: DT from DT, TIME
-        ADD: DT from DT, DT
         SUB: TIME from TIME, TIME
-        SUB: TIME from TIME, TOD
-        SUB: TIME from TIME, DT
-        SUB: TIME from TOD, TIME
         SUB: TIME from TOD, TOD
-        SUB: TIME from TOD, DT
-        SUB: TIME from DT, TIME
-        SUB: TIME from DT, TOD
         SUB: TIME from DT, DT
-        SUB: DT from TIME, TIME
-        SUB: DT from TIME, DT
-        SUB: DT from DT, TIME
-        SUB: DT from DT, DT
-        MUL: TIME from TIME, TIME
         MUL: TIME from TIME, INT
         MUL: TIME from TIME, LREAL
         MUL: TIME from INT, TIME
-        MUL: TIME from INT, INT
-        MUL: TIME from INT, LREAL
         MUL: TIME from REAL, TIME
-        MUL: TIME from REAL, INT
-        MUL: TIME from REAL, LREAL
-        MUL: DT from DT, DT
-        DIV: TIME from TIME, TIME
         DIV: TIME from TIME, INT
         DIV: TIME from TIME, LREAL
-        DIV: TIME from INT, TIME
-        DIV: TIME from INT, INT
-        DIV: TIME from INT, LREAL
-        DIV: TIME from REAL, TIME
-        DIV: TIME from REAL, INT
-        DIV: TIME from REAL, LREAL
-        DIV: DT from DT, DT
-    "#]].assert_eq(&table);
+    "#]]
+    .assert_eq(&table);
 }
 
 #[test]

@@ -47,6 +47,10 @@ impl Resolver<'_, '_> {
                 Accepts::Result(class) => {
                     let place = self.result(&written.value, operand, class);
                     works_in = works_in.or(place.as_ref().map(|(_, ty)| *ty));
+                    // Operands that do not fit together are told once.
+                    if works_in.is_some_and(|ty| !self.check_times(row.op, bound, ty)) {
+                        works_in = None;
+                    }
                     place.map(|(place, ty)| Argument::Place(place, ty))
                 }
                 Accepts::Value => match works_in {
@@ -148,7 +152,7 @@ impl Resolver<'_, '_> {
         match (op, ty, found) {
             (Op::Mul | Op::Div, Scalar::Time, Some(found)) if found.is_number() => self.number(node),
             (Op::Sub, Scalar::Time, Some(Scalar::Dt | Scalar::Tod)) => self.natural(node),
-            (Op::Add | Op::Sub, Scalar::Dt, Some(Scalar::Time)) => self.natural(node),
+            (Op::Add, Scalar::Dt, Some(Scalar::Time)) => self.natural(node),
             _ => self.value(node, ty),
         }
     }

@@ -9,6 +9,7 @@ mod expression;
 pub(crate) mod numbers;
 mod place;
 mod tags;
+mod times;
 
 pub(crate) use expression::is_function;
 

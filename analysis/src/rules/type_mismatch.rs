@@ -3,7 +3,7 @@
 use crate::diagnostic::Diagnostic;
 use crate::rule::Rule;
 use crate::types::{Scalar, Type};
-use ladder_instructions::{StateType, TypeClass};
+use ladder_instructions::{Op, StateType, TypeClass};
 use ladder_syntax::TextRange;
 
 pub(crate) fn wrong(range: TextRange, message: impl Into<String>) -> Diagnostic {
@@ -73,6 +73,37 @@ pub(crate) fn operator(range: TextRange, ty: Scalar) -> Diagnostic {
         range,
         format!("this operator does not work in {ty}, the type of the result"),
     )
+}
+
+/// Times, points in time and numbers that do not fit together.
+pub(crate) fn times(op: Op, ty: Scalar, range: TextRange) -> Diagnostic {
+    let (message, help) = match (op, ty) {
+        (Op::Add, Scalar::Dt) => (
+            "a DT is the sum of a DT and TIMEs",
+            "the DT stands first: [ADD]( dt, dt, time )",
+        ),
+        (_, Scalar::Dt) => (
+            "only [ADD] gives a DT: from a DT and a TIME",
+            "for an earlier one add a negative TIME: [ADD]( dt, dt, T#-1h )",
+        ),
+        (Op::Sub, _) => (
+            "a TIME is the difference of two TIMEs, two DTs or two TODs",
+            "both sides are of one type: [SUB]( time, later, earlier )",
+        ),
+        (Op::Mul, _) => (
+            "a TIME is multiplied by numbers",
+            "one operand is the TIME, the others are numbers: [MUL]( time, time, 3 )",
+        ),
+        (Op::Div, _) => (
+            "a TIME is divided by numbers",
+            "the TIME stands first: [DIV]( time, time, 2 )",
+        ),
+        _ => (
+            "all operands must be TIMEs, as the result is",
+            "convert a number of milliseconds with [TYP]( time, number ) first",
+        ),
+    };
+    wrong(range, message).help(help)
 }
 
 pub(crate) fn cannot_compare(a: Scalar, b: Scalar, range: TextRange) -> Diagnostic {

@@ -282,7 +282,9 @@ impl<'c> Words<'c> {
                 let Meaning::User(block) = bound.meaning else {
                     return String::new();
                 };
-                self.context.user_blocks[block].parameters[*parameter].name.clone()
+                self.context.user_blocks[block].parameters[*parameter]
+                    .name
+                    .clone()
             }
             _ => String::new(),
         }
