@@ -476,3 +476,45 @@ SYS.FAULT => __--
         fault in scan 2: this scan has evaluated more than 1000000 blocks, so the watchdog stopped the simulation here; look for a jump or loop that does not end
     "#]].assert_eq(&told(ENDLESS, text, 80));
 }
+
+/// Whatever a file says, it is read to its end, and every mistake lies in it.
+#[test]
+fn mutated_files_are_read_to_their_end() {
+    const TEXT: &str = "\u{feff}program motor.clad # c\r\nstep 20ms\ntolerance 1%\nscenario \"ä ± b\"\n\
+                        start _-.\nlist[ 2 ] => 1 -7 . ± 1\ntext=>'it$'s' '' .\nwarmup.ET => T#5ms .. +-1ms\n";
+    let simulation = simulation(MOTOR, None);
+    let check = |text: &str| {
+        let suite = parse(text);
+        let (_, mistakes) = bind(&suite, &simulation);
+        for mistake in suite.mistakes.iter().chain(&mistakes) {
+            let range = usize::from(mistake.range.start())..usize::from(mistake.range.end());
+            assert!(text.get(range.clone()).is_some(), "{range:?} in {text:?}");
+        }
+    };
+    check(TEXT);
+    for (at, letter) in TEXT.char_indices() {
+        let behind = at + letter.len_utf8();
+        check(&format!("{}{}", &TEXT[..at], &TEXT[behind..]));
+        check(&TEXT[..at]);
+        for inserted in [
+            "\n",
+            "\r",
+            " ",
+            "'",
+            "\"",
+            "#",
+            "=>",
+            "±",
+            "[",
+            "]",
+            "_",
+            "-",
+            ".",
+            "scenario \"",
+            "9",
+            "é",
+        ] {
+            check(&format!("{}{inserted}{}", &TEXT[..at], &TEXT[at..]));
+        }
+    }
+}
