@@ -34,10 +34,13 @@ impl Request<'_> {
 /// Loads the program. None: it has errors, which were shown.
 pub(super) fn first(request: &Request) -> Result<Option<Plant>, Failure> {
     let source = source(request)?;
-    match run::program(&source) {
-        Some(program) => plant(request, &source, program, request.retain).map(Some),
-        None => Ok(None),
-    }
+    let Some(program) = run::program(&source) else {
+        return Ok(None);
+    };
+    // A batch run keeps nothing unless it is told to; here a person sits.
+    let of_workspace = Settings::of(request.file)?.simulate.retain;
+    let retain = request.retain.or(of_workspace.as_deref());
+    plant(request, &source, program, retain).map(Some)
 }
 
 /// Loads the program while the screen is up: what is wrong with it is told in one line.
@@ -141,4 +144,32 @@ fn watched(simulation: &Simulation, names: &[String]) -> Result<Vec<Point>, Fail
     });
     watched.extend(others.take(WATCHED - watched.len()).cloned());
     Ok(watched)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_workspace_names_the_retentive_file() {
+        let folder = tempfile::tempdir().unwrap();
+        let file = folder.path().join("pump.clad");
+        std::fs::write(&file, "VAR RETAIN n : INT; END_VAR\n+--[ADD]( n, n, 1 )--+\n").unwrap();
+        std::fs::write(
+            folder.path().join("ladder.toml"),
+            "[simulate]\nretain = \"pump.retain\"\n",
+        )
+        .unwrap();
+        let stimulus = Stimulus::default();
+        let request = Request {
+            file: &file,
+            stimulus: &stimulus,
+            retain: None,
+            watch: &[],
+        };
+        let mut plant = first(&request).unwrap().expect("a program without errors");
+        plant.finish().unwrap();
+        let kept = std::fs::read_to_string(folder.path().join("pump.retain")).unwrap();
+        assert!(kept.contains("n\tINT\t0"), "{kept}");
+    }
 }

@@ -1,0 +1,92 @@
+//! What remembering costs: scans with a history beside the same scans without, and how long it takes to go back and to
+//! say why.
+//!
+//! `cargo bench -p ladder-simulator --bench history`
+
+use ladder_analysis::analyze;
+use ladder_analysis::value::Value;
+use ladder_simulator::{HistoryLimits, Options, Session, Simulation};
+use std::fmt::Write;
+use std::sync::Arc;
+use std::time::Instant;
+
+/// Seal-in rungs, every tenth with a timer behind it.
+fn program(rungs: usize) -> String {
+    let mut text = String::new();
+    for n in 0..rungs {
+        let _ = writeln!(
+            text,
+            "+--\\--[ ]( start{n} )--\\--[/]( stop{n} )--( )( run{n} )--+\n|  /--[ ]( run{n} )----/"
+        );
+        if n % 10 == 0 {
+            let _ = writeln!(text, "+--[ ]( run{n} )--[TON]( t{n}, T#5s )--( )( done{n} )--+");
+        }
+    }
+    text
+}
+
+fn session(text: &str, limits: HistoryLimits) -> Session {
+    let analysis = analyze(&Arc::new(ladder_syntax::parse(text)), "bench.clad");
+    let program = analysis.program.clone().expect("a program without errors");
+    let simulation = Simulation::new(program, Options::default()).expect("a program that fits");
+    Session::of(simulation, limits)
+}
+
+/// Nanoseconds a scan: the fastest of some batches. In each scan `inputs` inputs change.
+fn scan(session: &mut Session, scans: usize, inputs: usize, batches: usize) -> f64 {
+    let points: Vec<_> = (0..inputs)
+        .map(|n| {
+            session
+                .simulation()
+                .resolve(&format!("start{n}"))
+                .expect("an input")
+        })
+        .collect();
+    let mut fastest = f64::MAX;
+    for _ in 0..batches {
+        let begun = Instant::now();
+        for scan in 0..scans {
+            for (n, point) in points.iter().enumerate() {
+                let set = session.set(point, Value::Bool((scan + n) % 2 == 0));
+                set.expect("a BOOL");
+            }
+            session.scan();
+        }
+        fastest = fastest.min(begun.elapsed().as_nanos() as f64 / scans as f64);
+    }
+    fastest
+}
+
+fn main() {
+    let is_test = std::env::args().any(|argument| argument == "--test");
+    let sizes: &[usize] = if is_test { &[20] } else { &[100, 1_000, 10_000] };
+    println!("rungs   inputs   without   with history   a scan takes   back 100 scans   why");
+    for &rungs in sizes {
+        let (scans, batches) = if is_test { (10, 1) } else { (200_000 / rungs, 20) };
+        let text = program(rungs);
+        for inputs in [0, 10] {
+            let without = scan(
+                &mut session(&text, HistoryLimits::of_scans(0)),
+                scans,
+                inputs,
+                batches,
+            );
+            let mut kept = session(&text, HistoryLimits::default());
+            let with = scan(&mut kept, scans, inputs, batches);
+            let bytes = kept.history_size() / kept.scans_behind().max(1);
+            let begun = Instant::now();
+            let gone = kept.step_back(100);
+            let back = begun.elapsed();
+            let point = kept
+                .simulation()
+                .resolve(&format!("run{}", rungs - 1))
+                .expect("a coil");
+            let begun = Instant::now();
+            let _ = kept.why(&point);
+            let why = begun.elapsed();
+            println!(
+                "{rungs:5}   {inputs:6}   {without:5.0} ns   {with:9.0} ns   {bytes:7} bytes   {gone} in {back:.1?}   {why:.1?}"
+            );
+        }
+    }
+}
