@@ -245,3 +245,43 @@ pub(super) fn hints(running: bool) -> [(&'static str, &'static str, Action); 9] 
         ("q", "quit", Action::Quit),
     ]
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Another way to press what the help names.
+    const ALSO: [char; 1] = ['='];
+
+    #[test]
+    fn the_help_names_every_letter() {
+        let named: Vec<&str> = HELP
+            .iter()
+            .flat_map(|groups| groups.iter())
+            .flat_map(|(_, keys)| keys.iter())
+            .flat_map(|(keys, _)| keys.split([' ', ',']))
+            .collect();
+        let letters = BINDINGS.iter().filter_map(|binding| match binding.key {
+            Key::Char(' ') => Some("space".to_owned()),
+            Key::Char(letter) if !ALSO.contains(&letter) => Some(letter.to_string()),
+            _ => None,
+        });
+        for letter in letters {
+            let is_arrow = "hjkl".contains(&letter);
+            // The comma itself separates.
+            let is_comma = letter == ",";
+            assert!(
+                is_arrow || is_comma || named.contains(&letter.as_str()) || letter == "?",
+                "the help does not name {letter}"
+            );
+        }
+    }
+
+    #[test]
+    fn no_key_means_two_things() {
+        for (index, binding) in BINDINGS.iter().enumerate() {
+            let again = BINDINGS[index + 1..].iter().any(|other| other.key == binding.key);
+            assert!(!again, "{:?} stands twice", binding.key);
+        }
+    }
+}
