@@ -49,7 +49,7 @@ pub(crate) fn format<S: Sink>(
     if source.text.starts_with('\u{feff}') {
         file.pen.keep(0, '\u{feff}'.len_utf8());
     }
-    for item in &source.parse.structure().items {
+    for item in &source.lines.structure().items {
         file.item(*item);
     }
     file.pen.finish()
@@ -74,7 +74,7 @@ struct Networks {
 impl Networks {
     /// Reads and places all networks. Those that turn out to stay are noted in `stays`.
     fn read(source: Source<'_>, options: &Options, stays: &mut Stays) -> Networks {
-        let structure = source.parse.structure();
+        let structure = source.lines.structure();
         let mut networks = Networks {
             reader: Reader::default(),
             columns: Vec::new(),
@@ -116,7 +116,7 @@ impl Networks {
     fn rail_as_drawn(&self, source: Source<'_>, options: &Options, stays: &Stays) -> Option<u32> {
         let mut drawn = None;
         let mut needed = 0;
-        for (network, placed) in source.parse.structure().networks.iter().zip(&self.placed) {
+        for (network, placed) in source.lines.structure().networks.iter().zip(&self.placed) {
             let Some(Placed { rungs, outline }) = placed else {
                 continue;
             };
@@ -163,18 +163,15 @@ pub(crate) fn least_rail(rail: u32) -> u32 {
 
 /// Makes stay what none of the ranges reaches into.
 fn keep_all_but(source: Source<'_>, ranges: &[TextRange], stays: &mut Stays) {
-    let parse = source.parse;
-    let items = &parse.structure().items;
-    let is_touched = |lines: &Range<usize>| {
-        let place = TextRange::new(
-            parse.line_start(lines.start),
-            parse.line_range(lines.end - 1).end(),
-        );
+    let lines = source.lines;
+    let items = &lines.structure().items;
+    let is_touched = |item: &Range<usize>| {
+        let place = TextRange::new(lines.line_start(item.start), lines.line_range(item.end - 1).end());
         ranges.iter().any(|range| {
             // A cursor is on the line that begins there; at the end of the text on the last one.
             let cursor = range.is_empty()
                 && (place.contains(range.start())
-                    || (place.end() == range.start() && place.end() == parse.text_len()));
+                    || (place.end() == range.start() && place.end() == lines.text_len()));
             cursor || place.intersect(*range).is_some_and(|common| !common.is_empty())
         })
     };
@@ -187,9 +184,9 @@ fn keep_all_but(source: Source<'_>, ranges: &[TextRange], stays: &mut Stays) {
             .count()
             .max(1);
         let run = &items[index..index + run];
-        if run.iter().any(|item| !is_touched(&item_lines(parse, *item))) {
+        if run.iter().any(|item| !is_touched(&item_lines(lines, *item))) {
             for item in run {
-                stays.keep(item_lines(parse, *item));
+                stays.keep(item_lines(lines, *item));
             }
         }
         index += run.len();
@@ -211,7 +208,7 @@ struct File<'f, S> {
 
 impl<S: Sink> File<'_, S> {
     fn item(&mut self, item: Item) {
-        let lines = item_lines(self.source.parse, item);
+        let lines = item_lines(self.source.lines, item);
         let line = lines.start;
         if !self.begun && self.source.text[self.source.range(line).start..].starts_with('\u{feff}') {
             // At the start of the text this stray character would become a byte order mark.
@@ -240,7 +237,7 @@ impl<S: Sink> File<'_, S> {
             }
             Item::BlockHeader(_) | Item::BlockEnd(_) => {
                 self.begin();
-                if self.source.parse.lines()[line].errors.is_empty() && !self.has_leading_comment(line) {
+                if !self.source.has_mistake(line) && !self.has_leading_comment(line) {
                     section::words(self.source, line, &mut self.pen);
                     self.keep_line_end(line);
                 } else {
@@ -273,7 +270,7 @@ impl<S: Sink> File<'_, S> {
         }
         Drawing {
             source: self.source,
-            network: &self.source.parse.structure().networks[number],
+            network: &self.source.lines.structure().networks[number],
             sketch: &self.networks.reader.sketch,
             atoms: &self.networks.reader.atoms,
             columns: &self.networks.columns,

@@ -1,10 +1,10 @@
 //! A file's tree as one list, in the order of its text.
 //!
-//! Every line is walked twice (measured, then written), and a list is walked faster than a tree whose nodes are
-//! spread over memory. It also knows each node's place in the file, which green nodes do not.
+//! The grammar fills it directly: no tree is built for a text that is only formatted. Every line is walked twice
+//! (measured, then written), and a list is walked faster than a tree whose nodes are spread over memory. It also
+//! knows each node's place in the file.
 
-use ladder_syntax::rowan::{GreenNodeData, NodeOrToken};
-use ladder_syntax::{LineKind, Network, Parse, SyntaxKind};
+use ladder_syntax::{Builder, LineKind, Lines, Network, SyntaxKind, read_lines};
 use std::ops::Range;
 
 /// A node or token. A node's entries follow it.
@@ -20,117 +20,168 @@ struct Entry {
 /// The tree of a file as a list.
 pub(crate) struct Flat {
     entries: Vec<Entry>,
-    /// For each line its entry, and whether a comment stands on it outside blocks.
-    lines: Vec<(u32, bool)>,
+    lines: Lines<FlatLine>,
+}
+
+/// What the list knows of a line.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct FlatLine {
+    /// Its entry.
+    entry: u32,
+    /// Whether a comment stands on it outside blocks.
+    has_comment: bool,
 }
 
 impl Flat {
-    /// Lays out the tree of a parse.
-    pub(crate) fn new(parse: &Parse) -> Flat {
-        Flat::lay_out(parse, |_| {})
+    /// Reads a text.
+    pub(crate) fn new(text: &str) -> Flat {
+        let mut builder = FlatBuilder::new(text.len());
+        let lines = read_lines(text, &mut builder);
+        Flat {
+            entries: builder.entries,
+            lines,
+        }
     }
+}
 
-    /// Lays out the tree of a parse, and puts its text together on the way.
-    pub(crate) fn with_text(parse: &Parse) -> (Flat, String) {
-        let mut text = String::with_capacity(parse.text_len().into());
-        let flat = Flat::lay_out(parse, |token| text.push_str(token));
-        (flat, text)
-    }
+/// Lays nodes and tokens behind each other as the grammar meets them.
+struct FlatBuilder {
+    /// The last one is that of the line that is being read; at the end it marks where the text ends.
+    entries: Vec<Entry>,
+    /// The entries of the open nodes.
+    open: Vec<u32>,
+    /// The entry of the line that is being read.
+    line: u32,
+    /// Where the next token begins.
+    at: u32,
+    has_comment: bool,
+}
 
-    fn lay_out(parse: &Parse, mut token: impl FnMut(&str)) -> Flat {
-        let mut flat = Flat {
-            entries: Vec::with_capacity(usize::from(parse.text_len()) / 3 + 1),
-            lines: Vec::with_capacity(parse.lines().len()),
+impl FlatBuilder {
+    /// A builder for a text of this many bytes.
+    fn new(text_len: usize) -> FlatBuilder {
+        let mut builder = FlatBuilder {
+            entries: Vec::with_capacity(text_len / 2 + 1),
+            open: Vec::with_capacity(16),
+            line: 0,
+            at: 0,
+            has_comment: false,
         };
-        let mut at = 0;
-        for line in parse.lines() {
-            let first = flat.entries.len() as u32;
-            let comment = push(line.green(), &mut at, &mut flat.entries, &mut token);
-            flat.lines.push((first, comment));
-        }
-        // The end of the last entry.
-        flat.entries.push(Entry {
-            start: at,
+        builder.push(SyntaxKind::EOF);
+        builder
+    }
+
+    fn push(&mut self, kind: SyntaxKind) {
+        self.entries.push(Entry {
+            start: self.at,
             size: 1,
-            kind: SyntaxKind::EOF,
+            kind,
         });
-        flat
     }
 }
 
-/// Lays out a node. Returns whether a comment is among its children.
-fn push(node: &GreenNodeData, at: &mut u32, entries: &mut Vec<Entry>, text: &mut impl FnMut(&str)) -> bool {
-    let first = entries.len();
-    let mut comment = false;
-    entries.push(Entry {
-        start: *at,
-        size: 1,
-        kind: SyntaxKind::from_raw(node.kind()),
-    });
-    for child in node.children() {
-        match child {
-            NodeOrToken::Node(node) => {
-                push(node, at, entries, text);
-            }
-            NodeOrToken::Token(token) => {
-                let kind = SyntaxKind::from_raw(token.kind());
-                comment |= kind == SyntaxKind::COMMENT;
-                entries.push(Entry {
-                    start: *at,
-                    size: 1,
-                    kind,
-                });
-                text(token.text());
-                *at += u32::from(token.text_len());
-            }
+impl Builder for FlatBuilder {
+    type Line = FlatLine;
+    type Checkpoint = u32;
+
+    fn token(&mut self, kind: SyntaxKind, text: &str) {
+        self.has_comment |= kind == SyntaxKind::COMMENT && self.open.is_empty();
+        self.push(kind);
+        self.at += text.len() as u32;
+    }
+
+    fn start_node(&mut self, kind: SyntaxKind) {
+        self.open.push(self.entries.len() as u32);
+        self.push(kind);
+    }
+
+    fn checkpoint(&self) -> u32 {
+        self.entries.len() as u32
+    }
+
+    fn start_node_at(&mut self, checkpoint: u32, kind: SyntaxKind) {
+        let start = self
+            .entries
+            .get(checkpoint as usize)
+            .map_or(self.at, |first| first.start);
+        self.open.push(checkpoint);
+        // An operand has few parts, so what moves is little.
+        let entry = Entry { start, size: 1, kind };
+        self.entries.insert(checkpoint as usize, entry);
+    }
+
+    fn finish_node(&mut self) {
+        if let Some(first) = self.open.pop() {
+            self.entries[first as usize].size = self.entries.len() as u32 - first;
         }
     }
-    entries[first].size = (entries.len() - first) as u32;
-    comment
+
+    fn finish_line(&mut self, kind: SyntaxKind) -> FlatLine {
+        let entry = self.line;
+        let next = self.entries.len() as u32;
+        self.entries[entry as usize].kind = kind;
+        self.entries[entry as usize].size = next - entry;
+        self.line = next;
+        self.push(SyntaxKind::EOF);
+        FlatLine {
+            entry,
+            has_comment: std::mem::take(&mut self.has_comment),
+        }
+    }
 }
 
-/// A text, its parse, and its tree as a list.
+/// A text, and its tree as a list.
 #[derive(Clone, Copy)]
 pub(crate) struct Source<'s> {
     pub(crate) text: &'s str,
-    pub(crate) parse: &'s Parse,
-    pub(crate) flat: &'s Flat,
+    pub(crate) lines: &'s Lines<FlatLine>,
+    entries: &'s [Entry],
 }
 
 impl<'s> Source<'s> {
+    pub(crate) fn new(text: &'s str, flat: &'s Flat) -> Source<'s> {
+        Source {
+            text,
+            lines: &flat.lines,
+            entries: &flat.entries,
+        }
+    }
+
     /// A line's node.
     pub(crate) fn line(&self, line: usize) -> Node<'s> {
-        self.node(self.flat.lines[line].0)
+        self.node(self.lines.lines()[line].node().entry)
     }
 
     /// The node or token with a number that [`Node::index`] gave.
     pub(crate) fn node(&self, index: u32) -> Node<'s> {
         Node {
-            entries: &self.flat.entries,
+            entries: self.entries,
             index,
         }
     }
 
     /// Whether a comment stands on a line, outside its blocks.
     pub(crate) fn has_comment(&self, line: usize) -> bool {
-        self.flat.lines[line].1
+        self.lines.lines()[line].node().has_comment
     }
 
     pub(crate) fn kind(&self, line: usize) -> LineKind {
-        self.parse.lines()[line].kind
+        self.lines.lines()[line].kind
+    }
+
+    /// Whether the parser found a mistake on a line.
+    pub(crate) fn has_mistake(&self, line: usize) -> bool {
+        !self.lines.lines()[line].errors.is_empty()
     }
 
     /// The lines of a network's rungs.
-    pub(crate) fn rungs(&self, network: &Network) -> impl Iterator<Item = usize> + use<'_, 's> {
-        network
-            .lines
-            .clone()
-            .filter(|&line| self.kind(line) == LineKind::Rung)
+    pub(crate) fn rungs(&self, network: &Network) -> impl Iterator<Item = usize> + use<'s> {
+        network.rungs(self.lines.lines())
     }
 
     /// A line in the text, its line end included.
     pub(crate) fn range(&self, line: usize) -> Range<usize> {
-        self.parse.line_range(line).into()
+        self.lines.line_range(line).into()
     }
 
     /// Where the line end begins that a line has behind it, if it has one.

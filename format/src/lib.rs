@@ -38,7 +38,7 @@ pub use width::display_width;
 
 use edit::{Edits, NewText};
 use flat::{Flat, Source};
-use ladder_syntax::{Parse, TextRange, parse};
+use ladder_syntax::{Parse, TextRange};
 
 /// How a text is laid out.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -81,22 +81,21 @@ pub fn format_ranges(parse: &Parse, options: &Options, ranges: &[TextRange]) -> 
 }
 
 fn edits(parse: &Parse, options: &Options, only: Option<&[TextRange]>) -> Vec<Edit> {
-    let (flat, text) = Flat::with_text(parse);
-    let source = Source {
-        text: &text,
-        parse,
-        flat: &flat,
-    };
-    file::format(source, &options.checked(), only, Edits::default()).0
+    // To read the text once more into a list is quicker than to walk the tree.
+    let text = parse.to_string();
+    let flat = Flat::new(&text);
+    file::format(
+        Source::new(&text, &flat),
+        &options.checked(),
+        only,
+        Edits::default(),
+    )
+    .0
 }
 
 /// The text in its canonical layout.
 pub fn format_text(text: &str, options: &Options) -> String {
-    let parse = parse(text);
-    let source = Source {
-        text,
-        parse: &parse,
-        flat: &Flat::new(&parse),
-    };
+    let flat = Flat::new(text);
+    let source = Source::new(text, &flat);
     file::format(source, &options.checked(), None, NewText::new(text)).finish()
 }

@@ -60,7 +60,7 @@ impl Reader {
     /// elements.
     fn rung(&mut self, source: Source<'_>, index: usize, in_body: bool) -> Result<(), Stays> {
         let text = source.text;
-        let line = &source.parse.lines()[index];
+        let line = &source.lines.lines()[index];
         let node = source.line(index);
         self.read_drawing(node);
         let (drawing, nodes) = (&self.drawing, &self.nodes);
@@ -215,7 +215,7 @@ fn is_between(drawing: &wiring::Rung, index: usize, first: usize, last: usize) -
 }
 
 /// Whether a block has a mistake that formatting does not stop at; it is moved, but not touched.
-fn has_mistake(line: &Line, block: &Part) -> bool {
+fn has_mistake<N>(line: &Line<N>, block: &Part) -> bool {
     let place = block.range;
     line.errors
         .iter()

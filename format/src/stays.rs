@@ -1,8 +1,8 @@
 //! Which lines stay as they are (LANGUAGE §8 rule 10), before any network is read.
 
-use crate::flat::{Node, Source};
+use crate::flat::{FlatLine, Node, Source};
 use ladder_syntax::SyntaxKind::{self, COMMENT};
-use ladder_syntax::{Item, LineKind, Network, Parse, SyntaxErrorKind};
+use ladder_syntax::{Item, LineKind, Lines, Network, SyntaxErrorKind};
 use std::ops::Range;
 
 /// For each logical line whether it stays to the letter.
@@ -13,14 +13,14 @@ pub(crate) struct Stays {
 impl Stays {
     /// What is known without looking into the rungs.
     pub(crate) fn find(source: Source<'_>) -> Stays {
-        let parse = source.parse;
+        let lines = source.lines;
         let mut stays = Stays {
-            lines: vec![false; parse.lines().len()],
+            lines: vec![false; lines.lines().len()],
         };
         stays.switched_off(source);
-        let unclosed = parse.unclosed_comment();
-        if let Some(line) = unclosed.and_then(|place| parse.line_at(place.start())) {
-            stays.keep(line..parse.lines().len());
+        let unclosed = lines.unclosed_comment();
+        if let Some(line) = unclosed.and_then(|place| lines.line_at(place.start())) {
+            stays.keep(line..lines.lines().len());
         }
         stays.split_lines(source);
         stays.broken_sections(source);
@@ -66,8 +66,8 @@ impl Stays {
     /// Two things on one physical line, which is a mistake: a new line end between them would take it away.
     fn split_lines(&mut self, source: Source<'_>) {
         let mut before: Option<Range<usize>> = None;
-        for item in &source.parse.structure().items {
-            let lines = item_lines(source.parse, *item);
+        for item in &source.lines.structure().items {
+            let lines = item_lines(source.lines, *item);
             let start = source.range(lines.start).start;
             if start > 0 && !matches!(source.text.as_bytes()[start - 1], b'\n' | b'\r') {
                 if let Some(before) = before {
@@ -80,13 +80,13 @@ impl Stays {
     }
 
     fn broken_sections(&mut self, source: Source<'_>) {
-        let structure = source.parse.structure();
+        let structure = source.lines.structure();
         for (index, item) in structure.items.iter().enumerate() {
             let &Item::Section(number) = item else { continue };
             let section = &structure.sections[number];
             let lines = section.lines.clone();
             let stays = |line: usize| {
-                !source.parse.lines()[line].errors.is_empty()
+                source.has_mistake(line)
                     || has_comment_inside(source, line)
                     || directive_line(source, line).is_some()
             };
@@ -115,7 +115,7 @@ impl Stays {
     }
 
     fn broken_networks(&mut self, source: Source<'_>) {
-        for network in &source.parse.structure().networks {
+        for network in &source.lines.structure().networks {
             let lines = network.lines.clone();
             let cuts =
                 |line: usize| source.kind(line) == LineKind::Stray || directive_line(source, line).is_some();
@@ -130,8 +130,8 @@ impl Stays {
 }
 
 /// The lines of an item.
-pub(crate) fn item_lines(parse: &Parse, item: Item) -> Range<usize> {
-    let structure = parse.structure();
+pub(crate) fn item_lines(lines: &Lines<FlatLine>, item: Item) -> Range<usize> {
+    let structure = lines.structure();
     match item {
         Item::Network(number) => structure.networks[number].lines.clone(),
         Item::Section(number) => structure.sections[number].lines.clone(),
@@ -147,7 +147,7 @@ pub(crate) fn item_lines(parse: &Parse, item: Item) -> Range<usize> {
 fn is_broken(source: Source<'_>, network: &Network) -> bool {
     let mut downs_above = 0;
     for rung in source.rungs(network) {
-        let line = &source.parse.lines()[rung];
+        let line = &source.lines.lines()[rung];
         let uncertain = line.errors.iter().any(|error| {
             matches!(
                 error.kind,

@@ -60,7 +60,7 @@ fn split(lines: &[Line]) -> impl Iterator<Item = GreenNode> + '_ {
 }
 
 fn chunk(lines: &[Line]) -> GreenNode {
-    let nodes = lines.iter().map(|line| NodeOrToken::Node(line.green.clone()));
+    let nodes = lines.iter().map(|line| NodeOrToken::Node(line.node.clone()));
     GreenNode::new(SyntaxKind::CHUNK.into(), nodes)
 }
 

@@ -6,7 +6,8 @@
 
 use crate::grammar::Entry;
 use crate::line::{Line, LineKind, Mode};
-use crate::parse::{Parse, entry_behind, line_at};
+use crate::lines::{Lines, entry_behind, line_at};
+use crate::parse::Parse;
 use crate::tree_builder::TreeBuilder;
 use crate::{chunks, parse};
 use rowan::{TextRange, TextSize};
@@ -26,7 +27,7 @@ impl Parse {
         let new_end = edit.start + usize::from(new_len);
         if edit.end > old_len
             || text.len() != old_len - edit.len() + usize::from(new_len)
-            || self.lines.is_empty()
+            || self.lines().is_empty()
         {
             return parse(text);
         }
@@ -34,9 +35,9 @@ impl Parse {
         let mut builder = TreeBuilder::new(USUAL_LEN);
         let mut new_lines = Vec::new();
         let mut new_starts = Vec::new();
-        let mut at = self.starts[first] as usize;
+        let mut at = self.lines.starts[first] as usize;
         let mut entry = self.entry(first);
-        let mut resume = self.lines.len();
+        let mut resume = self.lines().len();
         while at < text.len() {
             let line = line_at(text, at, entry, &mut builder);
             new_starts.push(at as u32);
@@ -58,10 +59,10 @@ impl Parse {
     /// has looked at.
     fn first_touched(&self, edit: usize) -> usize {
         // A line that ends where the edit begins is touched: its last token may go on.
-        let mut first = self.starts[..self.lines.len()]
+        let mut first = self.lines.starts[..self.lines().len()]
             .partition_point(|&start| (start as usize) < edit)
             .saturating_sub(1);
-        while first > 0 && (self.entry(first).mid_line || looks_ahead(&self.lines[first - 1])) {
+        while first > 0 && (self.entry(first).mid_line || looks_ahead(&self.lines()[first - 1])) {
             first -= 1;
         }
         first
@@ -70,13 +71,13 @@ impl Parse {
     /// The state in which a line begins.
     fn entry(&self, line: usize) -> Entry {
         line.checked_sub(1)
-            .map_or(Entry::START, |before| entry_behind(&self.lines[before]))
+            .map_or(Entry::START, |before| entry_behind(&self.lines()[before]))
     }
 
     /// The line that starts at an offset, but not the first: there a byte order mark may stand.
     fn line_that_starts(&self, offset: usize) -> Option<usize> {
-        let line = self.starts.binary_search(&(offset as u32)).ok()?;
-        (line > 0 && line < self.lines.len()).then_some(line)
+        let line = self.lines.starts.binary_search(&(offset as u32)).ok()?;
+        (line > 0 && line < self.lines().len()).then_some(line)
     }
 
     /// This parse with `new` lines in the place of the lines `old`.
@@ -89,19 +90,19 @@ impl Parse {
         new_end: usize,
         old_end: usize,
     ) -> Parse {
-        let count = self.lines.len() - old.len() + new.len();
+        let count = self.lines().len() - old.len() + new.len();
         let mut lines = Vec::with_capacity(count);
         let mut starts = Vec::with_capacity(count + 1);
         let new_range = old.start..old.start + new.len();
-        lines.extend_from_slice(&self.lines[..old.start]);
+        lines.extend_from_slice(&self.lines()[..old.start]);
         lines.extend(new);
-        lines.extend_from_slice(&self.lines[old.end..]);
-        starts.extend_from_slice(&self.starts[..old.start]);
+        lines.extend_from_slice(&self.lines()[old.end..]);
+        starts.extend_from_slice(&self.lines.starts[..old.start]);
         starts.extend_from_slice(new_starts);
         let moved = |start: &u32| (*start as usize + new_end - old_end) as u32;
-        starts.extend(self.starts[old.end..].iter().map(moved));
+        starts.extend(self.lines.starts[old.end..].iter().map(moved));
         let root = chunks::edited_root(self.green(), &lines, &old, &new_range);
-        Parse::new(text, root, lines, starts)
+        Parse::new(root, Lines::new(text, lines, starts))
     }
 }
 

@@ -17,10 +17,14 @@
 //! What holds for every text: `parse(text).to_string() == text`; parsing never fails, it gives a tree and
 //! [`SyntaxError`]s; a mistake never leaves its line (an open comment excepted); nesting is bounded.
 //!
+//! The grammar tells what it reads to a [`Builder`]. The tree's is one; whoever needs no tree brings another
+//! ([`read_lines`]) and gets the same lines and the same structure with what that builder made of them.
+//!
 //! No instruction is known here: an unknown or half-typed mnemonic parses like any other, and every operand
 //! is read with one expression grammar. What an instruction allows is for the analysis to say.
 
 pub mod ast;
+mod builder;
 mod chunks;
 mod dump;
 mod edit;
@@ -30,6 +34,7 @@ mod kind;
 mod lexer;
 mod line;
 mod line_index;
+mod lines;
 mod name;
 mod parse;
 mod structure;
@@ -37,12 +42,14 @@ mod tree_builder;
 mod unclosed_comment;
 pub mod wiring;
 
+pub use builder::Builder;
 pub use dump::dump;
 pub use error::{DeclarationProblem, OperandPlace, Place, SyntaxError, SyntaxErrorKind};
 pub use grammar::is_declaration_keyword;
 pub use kind::{LadderLanguage, SyntaxElement, SyntaxKind, SyntaxNode, SyntaxToken};
 pub use line::{Line, LineKind, Mode};
 pub use line_index::{LineColumn, LineIndex};
+pub use lines::{Lines, read_lines};
 pub use name::{Name, is_identifier, is_reserved};
 pub use parse::{MAX_FILE_BYTES, Parse, parse};
 pub use structure::{BlockDefinition, Item, Network, Section, Structure};

@@ -62,9 +62,10 @@ pub enum Mode {
 }
 
 /// A parsed logical line. It may begin in the middle of a physical line (behind a `;` of a declaration) and may
-/// span several (a comment or a declaration that does).
+/// span several (a comment or a declaration that does). `N` is what its [`Builder`](crate::Builder) made of its
+/// tokens: a green node, unless somebody else reads them.
 #[derive(Debug, Clone)]
-pub struct Line {
+pub struct Line<N = GreenNode> {
     /// What it is.
     pub kind: LineKind,
     /// The mode of the line behind it.
@@ -80,17 +81,24 @@ pub struct Line {
     /// Whether a line end is its last token. Else another line begins on the same physical line, or the text
     /// ends.
     pub(crate) has_line_end: bool,
-    pub(crate) green: GreenNode,
+    pub(crate) node: N,
+}
+
+impl<N> Line<N> {
+    /// What the builder made of it.
+    pub fn node(&self) -> &N {
+        &self.node
+    }
 }
 
 impl Line {
     /// The line's node as the root of a tree of its own: offsets count from the start of the line.
     pub fn syntax(&self) -> SyntaxNode {
-        SyntaxNode::new_root(self.green.clone())
+        SyntaxNode::new_root(self.node.clone())
     }
 
     /// The line's green node. Two lines with the same node have the same text and mean the same by themselves.
     pub fn green(&self) -> &GreenNode {
-        &self.green
+        &self.node
     }
 }

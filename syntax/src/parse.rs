@@ -1,11 +1,10 @@
 //! From a text to its lines, its tree and its structure.
 
 use crate::chunks;
-use crate::grammar::{self, Entry};
 use crate::line::Line;
-use crate::structure::{self, Structure};
+use crate::lines::{Lines, read_lines};
+use crate::structure::Structure;
 use crate::tree_builder::TreeBuilder;
-use crate::unclosed_comment::unclosed_comment;
 use crate::{SyntaxError, SyntaxErrorKind, SyntaxNode};
 use rowan::{GreenNode, TextRange, TextSize};
 
@@ -16,58 +15,18 @@ pub const MAX_FILE_BYTES: usize = 64 << 20;
 #[derive(Debug, Clone)]
 pub struct Parse {
     root: GreenNode,
-    pub(crate) lines: Vec<Line>,
-    /// Where each line starts, and at the end the length of the text.
-    pub(crate) starts: Vec<u32>,
-    structure: Structure,
-    unclosed_comment: Option<TextRange>,
+    pub(crate) lines: Lines,
 }
 
 /// Parses a text. Every text has a tree that gives it back; mistakes are in [`Parse::errors`].
 pub fn parse(text: &str) -> Parse {
-    let mut builder = TreeBuilder::new(text.len());
-    let mut lines: Vec<Line> = Vec::with_capacity(text.len() / 48 + 1);
-    let mut starts = Vec::with_capacity(text.len() / 48 + 2);
-    let mut entry = Entry::START;
-    let mut at = 0;
-    while at < text.len() {
-        let line = line_at(text, at, entry, &mut builder);
-        starts.push(at as u32);
-        at += line.len as usize;
-        entry = entry_behind(&line);
-        lines.push(line);
-    }
-    starts.push(text.len() as u32);
-    Parse::new(text, chunks::root(&lines), lines, starts)
-}
-
-/// Parses the line that begins at `at`.
-pub(crate) fn line_at(text: &str, at: usize, entry: Entry, builder: &mut TreeBuilder) -> Line {
-    let line = grammar::line(text, at, entry, builder);
-    debug_assert!(line.len > 0, "a line takes at least one character");
-    line
-}
-
-/// The state behind a line.
-pub(crate) fn entry_behind(line: &Line) -> Entry {
-    Entry {
-        mode: line.mode_after,
-        mid_line: !line.has_line_end,
-    }
+    let lines = read_lines(text, &mut TreeBuilder::new(text.len()));
+    Parse::new(chunks::root(lines.lines()), lines)
 }
 
 impl Parse {
-    /// Puts together what is read off the lines.
-    pub(crate) fn new(text: &str, root: GreenNode, lines: Vec<Line>, starts: Vec<u32>) -> Parse {
-        let structure = structure::structure(&lines);
-        let unclosed_comment = unclosed_comment(text, &lines, &starts);
-        Parse {
-            root,
-            lines,
-            starts,
-            structure,
-            unclosed_comment,
-        }
+    pub(crate) fn new(root: GreenNode, lines: Lines) -> Parse {
+        Parse { root, lines }
     }
 
     /// The tree: `SOURCE_FILE`, in it `CHUNK`s, in them the logical lines.
@@ -82,49 +41,45 @@ impl Parse {
 
     /// The logical lines.
     pub fn lines(&self) -> &[Line] {
-        &self.lines
+        self.lines.lines()
     }
 
     /// Where a line starts, in bytes.
     pub fn line_start(&self, line: usize) -> TextSize {
-        TextSize::new(self.starts[line])
+        self.lines.line_start(line)
     }
 
     /// The range of a line in the text, its line end included.
     pub fn line_range(&self, line: usize) -> TextRange {
-        TextRange::new(
-            TextSize::new(self.starts[line]),
-            TextSize::new(self.starts[line + 1]),
-        )
+        self.lines.line_range(line)
     }
 
     /// The line that holds an offset; the last one for the end of the text. None for an empty text.
     pub fn line_at(&self, offset: TextSize) -> Option<usize> {
-        let behind = self.starts[..self.lines.len()].partition_point(|&start| start <= u32::from(offset));
-        behind.checked_sub(1)
+        self.lines.line_at(offset)
     }
 
     /// Networks, sections and block definitions.
     pub fn structure(&self) -> &Structure {
-        &self.structure
+        self.lines.structure()
     }
 
     /// The length of the text in bytes.
     pub fn text_len(&self) -> TextSize {
-        TextSize::new(self.starts[self.lines.len()])
+        self.lines.text_len()
     }
 
     /// Where a comment that is never closed is reported: the `#` of the first comment that holds a line of a
     /// drawing, else the last `#`. What stands behind it is not to be relied on.
     pub fn unclosed_comment(&self) -> Option<TextRange> {
-        self.unclosed_comment
+        self.lines.unclosed_comment()
     }
 
     /// All mistakes that the parser found, in the order of their places, counted from the start of the text.
     /// Behind [`Parse::unclosed_comment`] there are none.
     pub fn errors(&self) -> Vec<SyntaxError> {
         let mut errors: Vec<SyntaxError> = self
-            .lines
+            .lines()
             .iter()
             .enumerate()
             .filter(|(_, line)| !line.errors.is_empty())
@@ -134,16 +89,16 @@ impl Parse {
             })
             .collect();
         // An end that was not found may stand in a comment that is never closed.
-        let told = |kind: SyntaxErrorKind| self.unclosed_comment.is_none() || !kind.lacks_end();
-        let problems = self.structure.problems.iter().filter(|(_, kind)| told(*kind));
+        let told = |kind: SyntaxErrorKind| self.unclosed_comment().is_none() || !kind.lacks_end();
+        let problems = self.structure().problems.iter().filter(|(_, kind)| told(*kind));
         errors.extend(problems.map(|&(line, kind)| {
             // The line without its white space and line end.
-            let text = self.lines[line].green.to_string();
+            let text = self.lines()[line].node.to_string();
             let before = text.len() - text.trim_start().len();
             let start = self.line_start(line) + TextSize::new(before as u32);
             SyntaxError::new(kind, TextRange::at(start, TextSize::of(text.trim())))
         }));
-        if let Some(place) = self.unclosed_comment {
+        if let Some(place) = self.unclosed_comment() {
             errors.retain(|e| e.range.start() < place.start());
             errors.push(SyntaxError::new(SyntaxErrorKind::UnclosedComment, place));
         }

@@ -50,7 +50,7 @@ pub struct Network {
 
 impl Network {
     /// The numbers of the lines that are its rungs.
-    pub fn rungs<'l>(&self, lines: &'l [Line]) -> impl DoubleEndedIterator<Item = usize> + 'l {
+    pub fn rungs<'l, N>(&self, lines: &'l [Line<N>]) -> impl DoubleEndedIterator<Item = usize> + use<'l, N> {
         let range = self.lines.clone();
         range.filter(move |&line| lines[line].kind == LineKind::Rung)
     }
@@ -96,7 +96,7 @@ impl Grouping {
         self.out.items.append(&mut self.between);
     }
 
-    fn rung(&mut self, index: usize, line: &Line) {
+    fn rung<N>(&mut self, index: usize, line: &Line<N>) {
         let joins = self.goes_on && line.ups > 0;
         self.goes_on = line.downs > 0;
         if let Some(network) = self.network.as_mut().filter(|_| joins) {
@@ -113,7 +113,7 @@ impl Grouping {
 }
 
 /// Groups the lines of a file.
-pub(crate) fn structure(lines: &[Line]) -> Structure {
+pub(crate) fn structure<N>(lines: &[Line<N>]) -> Structure {
     let mut g = Grouping::default();
     let mut index = 0;
     while let Some(line) = lines.get(index) {
@@ -192,7 +192,7 @@ fn bad(problem: DeclarationProblem) -> SyntaxErrorKind {
 
 /// The line behind the section that begins at `header`, and whether END_VAR closes it. One that is not closed
 /// reaches to its last declaration: blank and comment lines behind that may belong to what follows.
-fn section_end(lines: &[Line], header: usize) -> (usize, bool) {
+fn section_end<N>(lines: &[Line<N>], header: usize) -> (usize, bool) {
     let mut end = header + 1;
     for (index, line) in lines.iter().enumerate().skip(header + 1) {
         match line.kind {

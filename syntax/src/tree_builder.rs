@@ -6,6 +6,7 @@
 //! they stay in the processor's cache however large the file is, where rowan's grow with it.
 
 use crate::SyntaxKind;
+use crate::builder::Builder;
 use rowan::{GreenNode, GreenToken, GreenTokenData, NodeOrToken};
 
 type Element = NodeOrToken<GreenNode, GreenToken>;
@@ -39,9 +40,13 @@ impl TreeBuilder {
             nodes: Table::new(text_len / 16),
         }
     }
+}
 
-    /// Adds a token.
-    pub(crate) fn token(&mut self, kind: SyntaxKind, text: &str) {
+impl Builder for TreeBuilder {
+    type Line = GreenNode;
+    type Checkpoint = Checkpoint;
+
+    fn token(&mut self, kind: SyntaxKind, text: &str) {
         let slot = match text.len() {
             1 => &mut self.characters[kind as usize],
             _ => self.tokens.slot(text_hash(kind, text)),
@@ -53,23 +58,19 @@ impl TreeBuilder {
         self.elements.push(NodeOrToken::Token(token));
     }
 
-    /// Begins a node.
-    pub(crate) fn start_node(&mut self, kind: SyntaxKind) {
+    fn start_node(&mut self, kind: SyntaxKind) {
         self.open.push((kind, self.elements.len()));
     }
 
-    /// A place from which [`TreeBuilder::start_node_at`] may begin a node as long as the node that is open now is.
-    pub(crate) fn checkpoint(&self) -> Checkpoint {
+    fn checkpoint(&self) -> Checkpoint {
         Checkpoint(self.elements.len())
     }
 
-    /// Begins a node that holds what was added since the checkpoint.
-    pub(crate) fn start_node_at(&mut self, checkpoint: Checkpoint, kind: SyntaxKind) {
+    fn start_node_at(&mut self, checkpoint: Checkpoint, kind: SyntaxKind) {
         self.open.push((kind, checkpoint.0));
     }
 
-    /// Ends the node that was begun last.
-    pub(crate) fn finish_node(&mut self) {
+    fn finish_node(&mut self) {
         let Some((kind, first)) = self.open.pop() else {
             debug_assert!(false, "a node is finished that was not begun");
             return;
@@ -90,8 +91,7 @@ impl TreeBuilder {
         self.elements.push(NodeOrToken::Node(node));
     }
 
-    /// Takes everything that was added, as a node of this kind. No node may be open.
-    pub(crate) fn finish_line(&mut self, kind: SyntaxKind) -> GreenNode {
+    fn finish_line(&mut self, kind: SyntaxKind) -> GreenNode {
         debug_assert!(self.open.is_empty(), "a node is begun that was not finished");
         GreenNode::new(kind.into(), self.elements.drain(..))
     }

@@ -3,41 +3,71 @@
 //! One `#` too few or too many turns comments and program inside out from there on, and the last `#` is rarely
 //! the wrong one. The first comment that has swallowed what looks like a rung is the better guess.
 
+use crate::builder::Builder;
+use crate::grammar::{self, Entry};
 use crate::line::Line;
-use crate::{NodeOrToken, SyntaxErrorKind, SyntaxKind};
+use crate::lines::entry_behind;
+use crate::{SyntaxErrorKind, SyntaxKind};
 use rowan::{TextRange, TextSize};
 
 /// The `#` to show, if the last comment is not closed.
-pub(crate) fn unclosed_comment(text: &str, lines: &[Line], starts: &[u32]) -> Option<TextRange> {
+pub(crate) fn unclosed_comment<N>(text: &str, lines: &[Line<N>], starts: &[u32]) -> Option<TextRange> {
     let last = lines.last()?;
     let start = TextSize::new(starts[lines.len() - 1]);
     let open = last
         .errors
         .iter()
         .find(|error| error.kind == SyntaxErrorKind::UnclosedComment)?;
-    let first = lines
-        .iter()
-        .zip(starts)
-        .find_map(|(line, &start)| comment_with_drawing(text, line, start));
+    let first = (0..lines.len()).find_map(|line| comment_with_drawing(text, lines, line, starts[line]));
     Some(first.unwrap_or(open.range + start))
 }
 
 /// The opening `#` of the line's first comment that holds a line of a drawing.
-fn comment_with_drawing(text: &str, line: &Line, start: u32) -> Option<TextRange> {
-    let line_text = &text[start as usize..(start + line.len) as usize];
+fn comment_with_drawing<N>(text: &str, lines: &[Line<N>], line: usize, start: u32) -> Option<TextRange> {
+    let line_text = &text[start as usize..(start + lines[line].len) as usize];
     // Nearly every line is one physical line.
     memchr::memchr2(b'\n', b'\r', line_text.trim_end_matches(['\n', '\r']).as_bytes())?;
-    line.syntax()
-        .descendants_with_tokens()
-        .filter_map(NodeOrToken::into_token)
-        .filter(|token| token.kind() == SyntaxKind::COMMENT)
-        .find(|comment| holds_drawing(comment.text()))
-        .map(|comment| {
-            TextRange::at(
-                comment.text_range().start() + TextSize::new(start),
-                TextSize::new(1),
-            )
-        })
+    let entry = line
+        .checked_sub(1)
+        .map_or(Entry::START, |before| entry_behind(&lines[before]));
+    let mut comments = Comments {
+        at: start,
+        with_drawing: None,
+    };
+    grammar::line(text, start as usize, entry, &mut comments);
+    comments
+        .with_drawing
+        .map(|comment| TextRange::at(TextSize::new(comment), TextSize::new(1)))
+}
+
+/// Looks for a comment that holds a line of a drawing.
+struct Comments {
+    /// Where the next token begins.
+    at: u32,
+    /// Where the first such comment begins.
+    with_drawing: Option<u32>,
+}
+
+impl Builder for Comments {
+    type Line = ();
+    type Checkpoint = ();
+
+    fn token(&mut self, kind: SyntaxKind, text: &str) {
+        if self.with_drawing.is_none() && kind == SyntaxKind::COMMENT && holds_drawing(text) {
+            self.with_drawing = Some(self.at);
+        }
+        self.at += text.len() as u32;
+    }
+
+    fn start_node(&mut self, _: SyntaxKind) {}
+
+    fn checkpoint(&self) {}
+
+    fn start_node_at(&mut self, (): (), _: SyntaxKind) {}
+
+    fn finish_node(&mut self) {}
+
+    fn finish_line(&mut self, _: SyntaxKind) {}
 }
 
 fn holds_drawing(comment: &str) -> bool {

@@ -4,11 +4,12 @@
 //! the rest of the rung keeps its meaning.
 
 use super::{Parser, expression, recovery};
+use crate::builder::Builder;
 use crate::lexer;
 use crate::{OperandPlace, Place, SyntaxErrorKind, SyntaxKind};
 
 /// The block that begins with the bracket `open`.
-pub(super) fn block(p: &mut Parser<'_, '_>, open: SyntaxKind) {
+pub(super) fn block<B: Builder>(p: &mut Parser<'_, '_, B>, open: SyntaxKind) {
     let kind = match open {
         SyntaxKind::L_BRACKET => SyntaxKind::LOGICAL_BLOCK,
         SyntaxKind::L_PAREN => SyntaxKind::COIL_BLOCK,
@@ -35,7 +36,7 @@ const fn closing_bracket(open: SyntaxKind) -> (SyntaxKind, u8) {
 
 /// `[TON]`, `( )`, `<JMP>`, `[$Name]`. Also used for the head in a block definition's first line. Whether it
 /// names a user-defined block.
-pub(super) fn head(p: &mut Parser<'_, '_>, open: SyntaxKind) -> bool {
+pub(super) fn head<B: Builder>(p: &mut Parser<'_, '_, B>, open: SyntaxKind) -> bool {
     let (closing, closing_byte) = closing_bracket(open);
     let from = p.at;
     let mut named = false;
@@ -103,7 +104,7 @@ const fn is_word(kind: SyntaxKind) -> bool {
 }
 
 /// Takes the blanks up to `end`, if there are any.
-fn blanks_token(p: &mut Parser<'_, '_>, end: usize) {
+fn blanks_token<B: Builder>(p: &mut Parser<'_, '_, B>, end: usize) {
     if end > p.at {
         p.token((SyntaxKind::WHITESPACE, end));
     }
@@ -119,7 +120,7 @@ fn takes_hash(text: &str, open: SyntaxKind, kind: SyntaxKind, end: usize) -> boo
 }
 
 /// Takes characters that mean nothing in a first part, up to `to`, as one mistake.
-fn junk(p: &mut Parser<'_, '_>, from: usize, to: usize) {
+fn junk<B: Builder>(p: &mut Parser<'_, '_, B>, from: usize, to: usize) {
     blanks_token(p, from);
     let to = from + p.text[from..to].trim_end_matches([' ', '\t']).len();
     p.token((SyntaxKind::ERROR, to));
@@ -127,7 +128,7 @@ fn junk(p: &mut Parser<'_, '_>, from: usize, to: usize) {
 }
 
 /// The name of a user-defined block is `$`, a letter, then letters and digits.
-fn block_name(p: &mut Parser<'_, '_>, start: usize, end: usize) {
+fn block_name<B: Builder>(p: &mut Parser<'_, '_, B>, start: usize, end: usize) {
     if p.text[start..end].contains('_') {
         p.error(SyntaxErrorKind::BadBlockName, start, end);
     }
@@ -143,7 +144,7 @@ enum Before {
 }
 
 /// `( t, T#5s, R := reset )`
-fn operand_list(p: &mut Parser<'_, '_>) {
+fn operand_list<B: Builder>(p: &mut Parser<'_, '_, B>) {
     let from = p.at;
     p.list.begin(from);
     p.start_node(SyntaxKind::OPERAND_LIST);

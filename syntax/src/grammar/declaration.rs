@@ -1,6 +1,7 @@
 //! Sections, declarations and the first and last line of a block definition (LANGUAGE §4, §5.7).
 
 use super::{Parser, block, expression};
+use crate::builder::Builder;
 use crate::lexer;
 use crate::line::{LineKind, Mode};
 use crate::{DeclarationProblem, SyntaxErrorKind, SyntaxKind};
@@ -96,7 +97,7 @@ pub(super) fn ends_declaration(text: &str, at: usize) -> bool {
 }
 
 /// `VAR_INPUT RETAIN`
-pub(super) fn section_header(p: &mut Parser<'_, '_>) -> (LineKind, Mode) {
+pub(super) fn section_header<B: Builder>(p: &mut Parser<'_, '_, B>) -> (LineKind, Mode) {
     keyword_token(p);
     let mut qualified = false;
     loop {
@@ -119,7 +120,7 @@ pub(super) fn section_header(p: &mut Parser<'_, '_>) -> (LineKind, Mode) {
 }
 
 /// `END_VAR`
-pub(super) fn section_end(p: &mut Parser<'_, '_>) -> (LineKind, Mode) {
+pub(super) fn section_end<B: Builder>(p: &mut Parser<'_, '_, B>) -> (LineKind, Mode) {
     keyword_token(p);
     rest_of_line(p, DeclarationProblem::LineNotEnded);
     line_end(p);
@@ -127,7 +128,7 @@ pub(super) fn section_end(p: &mut Parser<'_, '_>) -> (LineKind, Mode) {
 }
 
 /// `FUNCTION_BLOCK [$Name]`
-pub(super) fn block_header(p: &mut Parser<'_, '_>) -> (LineKind, Mode) {
+pub(super) fn block_header<B: Builder>(p: &mut Parser<'_, '_, B>) -> (LineKind, Mode) {
     keyword_token(p);
     blanks(p);
     let expected = SyntaxErrorKind::BadDeclaration(DeclarationProblem::BlockHeadExpected);
@@ -147,7 +148,7 @@ pub(super) fn block_header(p: &mut Parser<'_, '_>) -> (LineKind, Mode) {
 }
 
 /// `END_FUNCTION_BLOCK`
-pub(super) fn block_end(p: &mut Parser<'_, '_>) -> (LineKind, Mode) {
+pub(super) fn block_end<B: Builder>(p: &mut Parser<'_, '_, B>) -> (LineKind, Mode) {
     keyword_token(p);
     rest_of_line(p, DeclarationProblem::LineNotEnded);
     line_end(p);
@@ -155,13 +156,13 @@ pub(super) fn block_end(p: &mut Parser<'_, '_>) -> (LineKind, Mode) {
 }
 
 /// Takes the word that begins here as a keyword.
-fn keyword_token(p: &mut Parser<'_, '_>) {
+fn keyword_token<B: Builder>(p: &mut Parser<'_, '_, B>) {
     let end = lexer::in_head(p.text, p.at).1;
     p.token((SyntaxKind::KEYWORD, end));
 }
 
 /// White space and comments on the same line.
-fn blanks(p: &mut Parser<'_, '_>) {
+fn blanks<B: Builder>(p: &mut Parser<'_, '_, B>) {
     while let Some(token @ (SyntaxKind::WHITESPACE | SyntaxKind::COMMENT, _)) = lexer::space(p.text, p.at) {
         p.token(token);
     }
@@ -169,7 +170,7 @@ fn blanks(p: &mut Parser<'_, '_>) {
 
 /// What belongs to a line behind its last token: white space, comments, the line end. Anything else begins a
 /// new logical line.
-fn line_end(p: &mut Parser<'_, '_>) {
+fn line_end<B: Builder>(p: &mut Parser<'_, '_, B>) {
     blanks(p);
     if let Some(token) = lexer::space(p.text, p.at) {
         p.token(token);
@@ -177,7 +178,7 @@ fn line_end(p: &mut Parser<'_, '_>) {
 }
 
 /// Takes what stands here up to the line end as one mistake, if something does.
-fn rest_of_line(p: &mut Parser<'_, '_>, problem: DeclarationProblem) {
+fn rest_of_line<B: Builder>(p: &mut Parser<'_, '_, B>, problem: DeclarationProblem) {
     blanks(p);
     let from = p.at;
     // A drawing or a keyword is a line of its own, which says that it should stand on one.
@@ -197,7 +198,7 @@ fn rest_of_line(p: &mut Parser<'_, '_>, problem: DeclarationProblem) {
 }
 
 /// `start, stop AT %IX0.0 : BOOL := TRUE;`
-pub(super) fn declaration(p: &mut Parser<'_, '_>) -> (LineKind, Mode) {
+pub(super) fn declaration<B: Builder>(p: &mut Parser<'_, '_, B>) -> (LineKind, Mode) {
     p.free_form = true;
     p.look();
     let read = declaration_parts(p);
@@ -221,14 +222,14 @@ pub(super) fn declaration(p: &mut Parser<'_, '_>) -> (LineKind, Mode) {
 }
 
 /// Whether END_VAR is ahead: it closes the section, whatever lacks before it.
-fn ends_section(p: &Parser<'_, '_>) -> bool {
+fn ends_section<B: Builder>(p: &Parser<'_, '_, B>) -> bool {
     p.next() == SyntaxKind::IDENT && p.next_is_word("END_VAR")
 }
 
 /// Skips to behind the next `;`, or to the end of the physical line.
-fn recover(p: &mut Parser<'_, '_>) {
+fn recover<B: Builder>(p: &mut Parser<'_, '_, B>) {
     let ends =
-        |p: &Parser<'_, '_>| matches!(p.next(), SyntaxKind::NEWLINE | SyntaxKind::EOF) || ends_section(p);
+        |p: &Parser<'_, '_, B>| matches!(p.next(), SyntaxKind::NEWLINE | SyntaxKind::EOF) || ends_section(p);
     p.free_form = false;
     p.look();
     if ends(p) {
@@ -246,7 +247,7 @@ fn recover(p: &mut Parser<'_, '_>) {
     p.finish_node();
 }
 
-fn declaration_parts(p: &mut Parser<'_, '_>) -> Result<(), DeclarationProblem> {
+fn declaration_parts<B: Builder>(p: &mut Parser<'_, '_, B>) -> Result<(), DeclarationProblem> {
     p.space();
     p.start_node(SyntaxKind::NAME_LIST);
     let names = name_list(p);
@@ -286,7 +287,7 @@ fn declaration_parts(p: &mut Parser<'_, '_>) -> Result<(), DeclarationProblem> {
     Ok(())
 }
 
-fn name_list(p: &mut Parser<'_, '_>) -> Result<(), DeclarationProblem> {
+fn name_list<B: Builder>(p: &mut Parser<'_, '_, B>) -> Result<(), DeclarationProblem> {
     loop {
         if p.next() != SyntaxKind::IDENT || keyword_at(p.text, p.ahead.start).is_some() {
             return Err(DeclarationProblem::NameExpected);
@@ -300,7 +301,7 @@ fn name_list(p: &mut Parser<'_, '_>) -> Result<(), DeclarationProblem> {
 }
 
 /// `INT`, `STRING[80]`, `ARRAY[1..100] OF INT`
-fn type_ref(p: &mut Parser<'_, '_>) -> Result<(), DeclarationProblem> {
+fn type_ref<B: Builder>(p: &mut Parser<'_, '_, B>) -> Result<(), DeclarationProblem> {
     if p.next_is_word("ARRAY") {
         p.bump_as(SyntaxKind::KEYWORD);
         expect(p, SyntaxKind::L_BRACKET, DeclarationProblem::BoundsExpected)?;
@@ -332,15 +333,15 @@ fn type_ref(p: &mut Parser<'_, '_>) -> Result<(), DeclarationProblem> {
 }
 
 /// A whole number with an optional sign.
-fn bound(p: &mut Parser<'_, '_>) -> Result<(), DeclarationProblem> {
+fn bound<B: Builder>(p: &mut Parser<'_, '_, B>) -> Result<(), DeclarationProblem> {
     if p.next() == SyntaxKind::MINUS {
         p.bump();
     }
     expect(p, SyntaxKind::LITERAL, DeclarationProblem::BoundsExpected)
 }
 
-fn expect(
-    p: &mut Parser<'_, '_>,
+fn expect<B: Builder>(
+    p: &mut Parser<'_, '_, B>,
     kind: SyntaxKind,
     problem: DeclarationProblem,
 ) -> Result<(), DeclarationProblem> {
@@ -352,7 +353,7 @@ fn expect(
 }
 
 /// A literal, an expression of literals, or a list of them in brackets.
-fn initial_value(p: &mut Parser<'_, '_>) -> Result<(), DeclarationProblem> {
+fn initial_value<B: Builder>(p: &mut Parser<'_, '_, B>) -> Result<(), DeclarationProblem> {
     p.terms = 0;
     p.too_complex = false;
     if p.next() == SyntaxKind::L_BRACKET {

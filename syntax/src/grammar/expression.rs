@@ -7,6 +7,7 @@
 //! those behind it belong to what it stands in.
 
 use super::{MAX_DEPTH, MAX_TERMS, Parser, recovery};
+use crate::builder::Builder;
 use crate::{OperandPlace, Place, SyntaxErrorKind, SyntaxKind};
 
 /// Whether a token can begin an operand. Operators and `:=` count: what they lack before them is named then.
@@ -36,7 +37,7 @@ pub(super) const fn begins_operand(kind: SyntaxKind) -> bool {
 }
 
 /// One operand: an expression, or a named one with `:=` or `=>`. Takes at least one token if one begins here.
-pub(super) fn operand(p: &mut Parser<'_, '_>) {
+pub(super) fn operand<B: Builder>(p: &mut Parser<'_, '_, B>) {
     p.terms = 0;
     p.too_complex = false;
     p.space();
@@ -64,7 +65,7 @@ const fn missing(place: OperandPlace) -> SyntaxErrorKind {
 }
 
 /// An expression that must stand here.
-pub(super) fn value(p: &mut Parser<'_, '_>, floor: u8, place: OperandPlace) {
+pub(super) fn value<B: Builder>(p: &mut Parser<'_, '_, B>, floor: u8, place: OperandPlace) {
     if p.drawing_goes_on() {
         p.error_behind(missing(place));
     } else if ends_operand(p) {
@@ -75,7 +76,7 @@ pub(super) fn value(p: &mut Parser<'_, '_>, floor: u8, place: OperandPlace) {
 }
 
 /// Whether no expression can begin here, because the operand, its list or the line ends.
-fn ends_operand(p: &mut Parser<'_, '_>) -> bool {
+fn ends_operand<B: Builder>(p: &mut Parser<'_, '_, B>) -> bool {
     matches!(
         p.next(),
         SyntaxKind::COMMA | SyntaxKind::R_PAREN | SyntaxKind::R_BRACKET | SyntaxKind::SEMICOLON
@@ -86,7 +87,7 @@ const UNARY: u8 = 10;
 const POWER: u8 = 9;
 
 /// How tightly the binary operator binds that is ahead (0: none is).
-fn binding(p: &mut Parser<'_, '_>) -> u8 {
+fn binding<B: Builder>(p: &mut Parser<'_, '_, B>) -> u8 {
     match p.next() {
         SyntaxKind::WORD_OPERATOR => match p.next_text().as_bytes() {
             [b'O' | b'o', ..] => 1,
@@ -107,7 +108,7 @@ fn binding(p: &mut Parser<'_, '_>) -> u8 {
 }
 
 /// An expression whose operators all bind more tightly than `floor`.
-pub(super) fn expression(p: &mut Parser<'_, '_>, floor: u8) {
+pub(super) fn expression<B: Builder>(p: &mut Parser<'_, '_, B>, floor: u8) {
     if p.depth >= MAX_DEPTH || p.terms >= MAX_TERMS {
         return too_complex(p);
     }
@@ -136,7 +137,7 @@ pub(super) fn expression(p: &mut Parser<'_, '_>, floor: u8) {
 }
 
 /// A value with the signs before it.
-fn prefix(p: &mut Parser<'_, '_>) {
+fn prefix<B: Builder>(p: &mut Parser<'_, '_, B>) {
     match p.next() {
         SyntaxKind::IDENT => postfix(p),
         SyntaxKind::MINUS => unary(p),
@@ -154,7 +155,7 @@ fn prefix(p: &mut Parser<'_, '_>) {
 }
 
 /// What stands behind a `+` that is no operator; a second one lacks the value before it.
-fn prefix_behind_plus(p: &mut Parser<'_, '_>) {
+fn prefix_behind_plus<B: Builder>(p: &mut Parser<'_, '_, B>) {
     p.space();
     if p.next() == SyntaxKind::MINUS {
         unary(p);
@@ -163,7 +164,7 @@ fn prefix_behind_plus(p: &mut Parser<'_, '_>) {
     }
 }
 
-fn unary(p: &mut Parser<'_, '_>) {
+fn unary<B: Builder>(p: &mut Parser<'_, '_, B>) {
     p.start_node(SyntaxKind::UNARY_EXPR);
     p.bump();
     value(p, UNARY, OperandPlace::Operator);
@@ -171,7 +172,7 @@ fn unary(p: &mut Parser<'_, '_>) {
 }
 
 /// A primary with its members, indices and arguments.
-fn postfix(p: &mut Parser<'_, '_>) {
+fn postfix<B: Builder>(p: &mut Parser<'_, '_, B>) {
     let checkpoint = p.checkpoint();
     if !primary(p) {
         return;
@@ -207,7 +208,7 @@ fn postfix(p: &mut Parser<'_, '_>) {
 }
 
 /// What stands between the brackets of an index: `i`, `3..9`.
-fn index(p: &mut Parser<'_, '_>, from: usize) {
+fn index<B: Builder>(p: &mut Parser<'_, '_, B>, from: usize) {
     p.space();
     let checkpoint = p.checkpoint();
     if p.next() == SyntaxKind::DOT_DOT {
@@ -235,7 +236,7 @@ fn index(p: &mut Parser<'_, '_>, from: usize) {
 
 /// Takes what follows the expression in parentheses that are closed, so that their `)` is not taken for the
 /// list's: `(a b)`, `(a, b)`.
-fn rest_of_parentheses(p: &mut Parser<'_, '_>) {
+fn rest_of_parentheses<B: Builder>(p: &mut Parser<'_, '_, B>) {
     while p.next() != SyntaxKind::R_PAREN && !p.too_complex && !p.drawing_goes_on() && !p.list_is_unclosed() {
         if p.next() == SyntaxKind::SEMICOLON && p.free_form {
             return;
@@ -250,7 +251,7 @@ fn rest_of_parentheses(p: &mut Parser<'_, '_>) {
 }
 
 /// Takes the closing bracket, or says that it is missing.
-fn close(p: &mut Parser<'_, '_>, closing: SyntaxKind, from: usize) {
+fn close<B: Builder>(p: &mut Parser<'_, '_, B>, closing: SyntaxKind, from: usize) {
     if p.next() == closing {
         p.bump();
     } else if !p.too_complex {
@@ -259,7 +260,7 @@ fn close(p: &mut Parser<'_, '_>, closing: SyntaxKind, from: usize) {
 }
 
 /// Values between brackets, with commas. The opening bracket at `from` is taken.
-pub(super) fn arguments(p: &mut Parser<'_, '_>, closing: SyntaxKind, from: usize) {
+pub(super) fn arguments<B: Builder>(p: &mut Parser<'_, '_, B>, closing: SyntaxKind, from: usize) {
     let mut comma_before = false;
     loop {
         if p.next() == SyntaxKind::COMMA {
@@ -294,7 +295,7 @@ pub(super) fn arguments(p: &mut Parser<'_, '_>, closing: SyntaxKind, from: usize
 }
 
 /// A name, literal, address or parenthesis. False if none begins here; nothing is taken then.
-fn primary(p: &mut Parser<'_, '_>) -> bool {
+fn primary<B: Builder>(p: &mut Parser<'_, '_, B>) -> bool {
     let kind = match p.next() {
         SyntaxKind::IDENT => SyntaxKind::NAME_EXPR,
         SyntaxKind::ADDRESS => SyntaxKind::ADDRESS_EXPR,
@@ -326,7 +327,7 @@ fn primary(p: &mut Parser<'_, '_>) -> bool {
 
 /// Takes tokens that no operand begins with as one mistake, up to what can go on in a list that ends with
 /// `closing`.
-pub(super) fn junk(p: &mut Parser<'_, '_>, closing: SyntaxKind) {
+pub(super) fn junk<B: Builder>(p: &mut Parser<'_, '_, B>, closing: SyntaxKind) {
     let from = p.ahead.start;
     p.space();
     loop {
@@ -345,7 +346,7 @@ pub(super) fn junk(p: &mut Parser<'_, '_>, closing: SyntaxKind) {
 }
 
 /// Takes the rest of an operand that is too deep or too long, as one mistake. Iterative on purpose.
-fn too_complex(p: &mut Parser<'_, '_>) {
+fn too_complex<B: Builder>(p: &mut Parser<'_, '_, B>) {
     p.terms = MAX_TERMS;
     p.space();
     let from = p.at;

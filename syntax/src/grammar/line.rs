@@ -2,9 +2,9 @@
 
 use super::declaration::KeywordLine;
 use super::{Parser, block, declaration};
+use crate::builder::Builder;
 use crate::lexer;
 use crate::line::{Line, LineKind, Mode};
-use crate::tree_builder::TreeBuilder;
 use crate::{DeclarationProblem, Place, SyntaxErrorKind, SyntaxKind};
 use rowan::TextSize;
 
@@ -27,7 +27,7 @@ impl Entry {
 
 /// Parses the logical line that begins at `start`. `start` must not be the end of the text; at least one
 /// character is taken.
-pub(crate) fn line(text: &str, start: usize, entry: Entry, builder: &mut TreeBuilder) -> Line {
+pub(crate) fn line<B: Builder>(text: &str, start: usize, entry: Entry, builder: &mut B) -> Line<B::Line> {
     let mut p = Parser::new(text, start, builder);
     let mut marks = Marks::default();
     let (kind, mode_after) = logical_line(&mut p, entry, &mut marks);
@@ -39,13 +39,13 @@ pub(crate) fn line(text: &str, start: usize, entry: Entry, builder: &mut TreeBui
         ups: marks.ups,
         len: (p.at - start) as u32,
         has_line_end: matches!(text.as_bytes()[p.at - 1], b'\n' | b'\r'),
-        green: p.builder.finish_line(kind.syntax_kind()),
+        node: p.builder.finish_line(kind.syntax_kind()),
         errors: p.errors,
     }
 }
 
 /// Where a comment is never closed, what is missing right before it may stand in it: only the comment is said.
-fn drop_swallowed(p: &mut Parser<'_, '_>) {
+fn drop_swallowed<B: Builder>(p: &mut Parser<'_, '_, B>) {
     if !p
         .errors
         .iter()
@@ -73,7 +73,7 @@ struct Marks {
     mistake: bool,
 }
 
-fn logical_line(p: &mut Parser<'_, '_>, entry: Entry, marks: &mut Marks) -> (LineKind, Mode) {
+fn logical_line<B: Builder>(p: &mut Parser<'_, '_, B>, entry: Entry, marks: &mut Marks) -> (LineKind, Mode) {
     const BOM: &str = "\u{feff}";
     let mode = entry.mode;
     if p.at == 0 && p.text.starts_with(BOM) {
@@ -114,7 +114,7 @@ fn logical_line(p: &mut Parser<'_, '_>, entry: Entry, marks: &mut Marks) -> (Lin
 }
 
 /// Records that the keyword or the piece of drawing that begins here does not belong here.
-fn misplaced(p: &mut Parser<'_, '_>, problem: DeclarationProblem) {
+fn misplaced<B: Builder>(p: &mut Parser<'_, '_, B>, problem: DeclarationProblem) {
     let end = lexer::identifier_end(p.text, p.at).unwrap_or_else(|| lexer::on_rung(p.text, p.at).1);
     p.error(SyntaxErrorKind::BadDeclaration(problem), p.at, end);
 }
@@ -128,7 +128,7 @@ fn empty_line(marks: &Marks) -> LineKind {
 }
 
 /// The drawing on a line, up to its line end.
-fn rung(p: &mut Parser<'_, '_>, marks: &mut Marks) -> LineKind {
+fn rung<B: Builder>(p: &mut Parser<'_, '_, B>, marks: &mut Marks) -> LineKind {
     loop {
         let token = lexer::on_rung(p.text, p.at);
         match token.0 {

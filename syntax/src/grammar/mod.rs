@@ -1,4 +1,4 @@
-//! The parser: one logical line at a time, recursive descent, tokens straight into the tree.
+//! The parser: one logical line at a time, recursive descent, tokens straight into a [`Builder`].
 //!
 //! On a rung and in a block's first part the parser takes token after token as it meets them. Among operands and
 //! in declarations it looks one token ahead, past white space and comments ([`Parser::look`]); each token is
@@ -14,8 +14,8 @@ mod recovery;
 pub use declaration::is_declaration_keyword;
 pub(crate) use line::{Entry, line};
 
+use crate::builder::Builder;
 use crate::lexer::{self, Token};
-use crate::tree_builder::{Checkpoint, TreeBuilder};
 use crate::{DeclarationProblem, Place, SyntaxError, SyntaxErrorKind, SyntaxKind};
 use rowan::{TextRange, TextSize};
 
@@ -33,7 +33,7 @@ struct Ahead {
 }
 
 /// Reads one logical line.
-struct Parser<'t, 'b> {
+struct Parser<'t, 'b, B> {
     text: &'t str,
     /// Where the line starts; errors count from here.
     start: usize,
@@ -45,7 +45,7 @@ struct Parser<'t, 'b> {
     last_end: usize,
     /// The last comment that was taken: where it begins and ends.
     last_comment: Option<(usize, usize)>,
-    builder: &'b mut TreeBuilder,
+    builder: &'b mut B,
     errors: Vec<SyntaxError>,
     /// Line ends are white space, and this is a declaration.
     free_form: bool,
@@ -61,8 +61,8 @@ struct Parser<'t, 'b> {
     list: recovery::OpenList,
 }
 
-impl<'t, 'b> Parser<'t, 'b> {
-    fn new(text: &'t str, start: usize, builder: &'b mut TreeBuilder) -> Parser<'t, 'b> {
+impl<'t, 'b, B: Builder> Parser<'t, 'b, B> {
+    fn new(text: &'t str, start: usize, builder: &'b mut B) -> Parser<'t, 'b, B> {
         Parser {
             text,
             start,
@@ -192,7 +192,7 @@ impl<'t, 'b> Parser<'t, 'b> {
         self.builder.start_node(kind);
     }
 
-    fn start_node_at(&mut self, checkpoint: Checkpoint, kind: SyntaxKind) {
+    fn start_node_at(&mut self, checkpoint: B::Checkpoint, kind: SyntaxKind) {
         self.builder.start_node_at(checkpoint, kind);
     }
 
@@ -200,7 +200,7 @@ impl<'t, 'b> Parser<'t, 'b> {
         self.builder.finish_node();
     }
 
-    fn checkpoint(&self) -> Checkpoint {
+    fn checkpoint(&self) -> B::Checkpoint {
         self.builder.checkpoint()
     }
 

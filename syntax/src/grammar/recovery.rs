@@ -6,6 +6,7 @@
 
 use super::Parser;
 use crate::SyntaxKind;
+use crate::builder::Builder;
 use crate::lexer;
 
 /// The operand list that is being read.
@@ -28,7 +29,7 @@ impl OpenList {
     }
 }
 
-impl Parser<'_, '_> {
+impl<B: Builder> Parser<'_, '_, B> {
     /// Whether the operand list that is being read lacks its closing parenthesis.
     pub(super) fn list_is_unclosed(&mut self) -> bool {
         if self.free_form {

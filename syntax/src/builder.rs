@@ -1,0 +1,32 @@
+//! What the grammar tells of a text, and to whom.
+
+use crate::SyntaxKind;
+
+/// Takes the nodes and tokens of logical lines, in the order of the text. The grammar is written once; whether a
+/// tree comes of it, a list, or only a few facts is the builder's affair.
+///
+/// Calls nest: every node that is started is finished, and at [`Builder::finish_line`] none is open.
+pub trait Builder {
+    /// What is left of a line when it ends.
+    type Line;
+    /// A place behind what was added last, from which a node may be begun later.
+    type Checkpoint: Copy;
+
+    /// Adds a token, the `text` behind that of the token before it.
+    fn token(&mut self, kind: SyntaxKind, text: &str);
+
+    /// Begins a node.
+    fn start_node(&mut self, kind: SyntaxKind);
+
+    /// A place from which [`Builder::start_node_at`] may begin a node as long as the node that is open now is.
+    fn checkpoint(&self) -> Self::Checkpoint;
+
+    /// Begins a node that holds what was added since the checkpoint.
+    fn start_node_at(&mut self, checkpoint: Self::Checkpoint, kind: SyntaxKind);
+
+    /// Ends the node that was begun last.
+    fn finish_node(&mut self);
+
+    /// Ends the line: everything that was added since the last one belongs to a node of this kind.
+    fn finish_line(&mut self, kind: SyntaxKind) -> Self::Line;
+}
