@@ -28,6 +28,9 @@ pub fn apply(text: &str, edits: &[Edit]) -> String {
 
 /// Takes the replacements that a format makes, in the order of their places.
 pub(crate) trait Sink {
+    /// Whether many small replacements are better than few large ones: they leave cursors and breakpoints alone.
+    const SMALL: bool;
+
     /// The bytes from `start` to `end` become `new`.
     fn replace(&mut self, start: usize, end: usize, new: &str);
 }
@@ -37,6 +40,8 @@ pub(crate) trait Sink {
 pub(crate) struct Edits(pub(crate) Vec<Edit>);
 
 impl Sink for Edits {
+    const SMALL: bool = true;
+
     fn replace(&mut self, start: usize, end: usize, new: &str) {
         let (start, end) = (TextSize::new(start as u32), TextSize::new(end as u32));
         if let Some(last) = self.0.last_mut().filter(|last| last.range.end() == start) {
@@ -74,6 +79,8 @@ impl<'t> NewText<'t> {
 }
 
 impl Sink for NewText<'_> {
+    const SMALL: bool = false;
+
     fn replace(&mut self, start: usize, end: usize, new: &str) {
         self.out.push_str(&self.text[self.copied..start]);
         self.out.push_str(new);

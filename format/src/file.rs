@@ -271,8 +271,7 @@ impl<S: Sink> File<'_, S> {
         Drawing {
             source: self.source,
             network: &self.source.lines.structure().networks[number],
-            sketch: &self.networks.reader.sketch,
-            atoms: &self.networks.reader.atoms,
+            reader: &self.networks.reader,
             columns: &self.networks.columns,
             first_rung: rungs.start,
             rails: Rails {

@@ -9,12 +9,21 @@ use std::ops::Range;
 
 /// A node or token. A node's entries follow it.
 #[derive(Debug, Clone, Copy)]
-struct Entry {
+pub(crate) struct Entry {
     /// Where it begins in the text. It ends where the entry behind it and its own begins.
-    start: u32,
+    pub(crate) start: u32,
     /// How many entries it has, itself among them.
-    size: u32,
-    kind: SyntaxKind,
+    pub(crate) size: u32,
+    pub(crate) kind: SyntaxKind,
+    /// The kind of the node that it stands in; `EOF` directly on a line.
+    pub(crate) inside: SyntaxKind,
+}
+
+impl Entry {
+    /// Whether it is a node, not a token.
+    pub(crate) fn is_node(&self) -> bool {
+        (self.kind as u16) >= (SyntaxKind::SOURCE_FILE as u16)
+    }
 }
 
 /// The tree of a file as a list.
@@ -48,8 +57,10 @@ impl Flat {
 struct FlatBuilder {
     /// The last one is that of the line that is being read; at the end it marks where the text ends.
     entries: Vec<Entry>,
-    /// The entries of the open nodes.
-    open: Vec<u32>,
+    /// The entries of the open nodes, and the kinds of what they stand in.
+    open: Vec<(u32, SyntaxKind)>,
+    /// The kind of the node that was opened last.
+    inside: SyntaxKind,
     /// The entry of the line that is being read.
     line: u32,
     /// Where the next token begins.
@@ -63,6 +74,7 @@ impl FlatBuilder {
         let mut builder = FlatBuilder {
             entries: Vec::with_capacity(text_len / 2 + 1),
             open: Vec::with_capacity(16),
+            inside: SyntaxKind::EOF,
             line: 0,
             at: 0,
             has_comment: false,
@@ -76,7 +88,14 @@ impl FlatBuilder {
             start: self.at,
             size: 1,
             kind,
+            inside: self.inside,
         });
+    }
+
+    /// Opens the node of an entry.
+    fn open(&mut self, entry: u32, kind: SyntaxKind) {
+        self.open.push((entry, self.inside));
+        self.inside = kind;
     }
 }
 
@@ -84,15 +103,23 @@ impl Builder for FlatBuilder {
     type Line = FlatLine;
     type Checkpoint = u32;
 
-    fn token(&mut self, kind: SyntaxKind, text: &str) {
+    const TAKES_PLAIN_BLOCKS: bool = true;
+
+    fn token(&mut self, kind: SyntaxKind, _: &str, place: Range<usize>) {
         self.has_comment |= kind == SyntaxKind::COMMENT && self.open.is_empty();
         self.push(kind);
-        self.at += text.len() as u32;
+        self.at = place.end as u32;
+    }
+
+    fn plain_block(&mut self, kind: SyntaxKind, place: Range<usize>) {
+        self.push(kind);
+        self.at = place.end as u32;
     }
 
     fn start_node(&mut self, kind: SyntaxKind) {
-        self.open.push(self.entries.len() as u32);
+        let entry = self.entries.len() as u32;
         self.push(kind);
+        self.open(entry, kind);
     }
 
     fn checkpoint(&self) -> u32 {
@@ -100,19 +127,29 @@ impl Builder for FlatBuilder {
     }
 
     fn start_node_at(&mut self, checkpoint: u32, kind: SyntaxKind) {
-        let start = self
-            .entries
-            .get(checkpoint as usize)
-            .map_or(self.at, |first| first.start);
-        self.open.push(checkpoint);
+        let mut child = checkpoint as usize;
+        let start = self.entries.get(child).map_or(self.at, |first| first.start);
+        while let Some(entry) = self.entries.get_mut(child) {
+            entry.inside = kind;
+            child += entry.size as usize;
+        }
         // An operand has few parts, so what moves is little.
-        let entry = Entry { start, size: 1, kind };
-        self.entries.insert(checkpoint as usize, entry);
+        self.entries.insert(
+            checkpoint as usize,
+            Entry {
+                start,
+                size: 1,
+                kind,
+                inside: self.inside,
+            },
+        );
+        self.open(checkpoint, kind);
     }
 
     fn finish_node(&mut self) {
-        if let Some(first) = self.open.pop() {
+        if let Some((first, inside)) = self.open.pop() {
             self.entries[first as usize].size = self.entries.len() as u32 - first;
+            self.inside = inside;
         }
     }
 
@@ -234,9 +271,21 @@ impl<'f> Node<'f> {
         self.start()..self.end()
     }
 
+    /// Whether it is a block without entries for what it holds (see [`Builder::plain_block`]).
+    pub(crate) fn is_plain_block(self) -> bool {
+        self.entry().size == 1 && self.kind().is_block()
+    }
+
     /// Whether it is a node, not a token.
     pub(crate) fn is_node(self) -> bool {
-        (self.kind() as u16) >= (SyntaxKind::SOURCE_FILE as u16)
+        self.entry().is_node()
+    }
+
+    /// Its own entry and those of all that it holds, in the order of the text, and behind them the one that says where
+    /// it ends.
+    pub(crate) fn entries(self) -> &'f [Entry] {
+        let first = self.index as usize;
+        &self.entries[first..=first + self.entry().size as usize]
     }
 
     /// Its children, from left to right.

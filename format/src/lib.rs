@@ -16,6 +16,7 @@
 //! line ends; the wiring, and with it what the program does, stays the same. The [`Sketch`] and its columns
 //! know nothing of text, so that whoever makes new networks draws them with the same writer.
 
+mod block;
 mod columns;
 mod draw;
 mod edit;
@@ -25,6 +26,7 @@ mod layout;
 mod network;
 mod pen;
 mod pieces;
+mod plain;
 mod read;
 mod section;
 mod sketch;

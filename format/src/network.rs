@@ -1,15 +1,14 @@
 //! Writing a network over its old text: rungs, the lines between them, comments beside them (LANGUAGE §8
 //! rules 2, 5 and 7).
 
+use crate::block::Block;
 use crate::columns::Spacing;
 use crate::draw::{self, Cover, Rails, Surface};
 use crate::edit::Sink;
 use crate::flat::{Node, Source};
 use crate::pen::Pen;
-use crate::pieces::{Pieces, head_word};
-use crate::read::Atom;
+use crate::read::Reader;
 use crate::section::{comments_behind, write_piece};
-use crate::sketch::Sketch;
 use crate::width::display_width;
 use ladder_syntax::SyntaxKind::COMMENT;
 use ladder_syntax::{LineKind, Network};
@@ -18,8 +17,7 @@ use ladder_syntax::{LineKind, Network};
 pub(crate) struct Drawing<'f> {
     pub(crate) source: Source<'f>,
     pub(crate) network: &'f Network,
-    pub(crate) sketch: &'f Sketch,
-    pub(crate) atoms: &'f [Atom],
+    pub(crate) reader: &'f Reader,
     pub(crate) columns: &'f [u32],
     /// The first rung of the network in the sketch.
     pub(crate) first_rung: usize,
@@ -61,7 +59,7 @@ impl Drawing<'_> {
     /// Draws the rails and verticals above a rung on the line `line`, if there is one.
     fn rail_line<S: Sink>(&self, line: Option<usize>, rung: usize, pen: &mut Pen<'_, S>) {
         let Some(line) = line else { return };
-        let verticals = draw::verticals(self.sketch, rung - 1, self.columns);
+        let verticals = draw::verticals(&self.reader.sketch, rung - 1, self.columns);
         let mut surface = OldText { drawing: self, pen };
         draw::between(self.rails, verticals, None, &mut surface, |_| {});
         self.keep_line_end(line, pen);
@@ -85,7 +83,7 @@ impl Drawing<'_> {
                 _ => Cover::Everything,
             };
         }
-        let verticals = draw::verticals(self.sketch, rung - 1, self.columns);
+        let verticals = draw::verticals(&self.reader.sketch, rung - 1, self.columns);
         let mut surface = OldText { drawing: self, pen };
         draw::between(
             self.rails,
@@ -102,8 +100,8 @@ impl Drawing<'_> {
     }
 
     fn rung_line<S: Sink>(&self, line: usize, rung: usize, pen: &mut Pen<'_, S>) {
-        let elements = self.sketch.rungs[rung].clone();
-        let atoms = &self.atoms[elements.start as usize..elements.end as usize];
+        let elements = self.reader.sketch.rungs[rung].clone();
+        let atoms = &self.reader.atoms[elements.start as usize..elements.end as usize];
         let (Some(first), Some(last)) = (atoms.first(), atoms.last()) else {
             return;
         };
@@ -111,7 +109,7 @@ impl Drawing<'_> {
             self.leading_comments(line, rung, self.source.node(first.node).start(), pen);
         }
         let mut surface = OldText { drawing: self, pen };
-        draw::rung(self.sketch, rung, self.columns, self.rails, &mut surface);
+        draw::rung(&self.reader.sketch, rung, self.columns, self.rails, &mut surface);
         comments_behind(self.source, line, self.source.node(last.node).end(), pen);
         self.keep_line_end(line, pen);
     }
@@ -156,17 +154,18 @@ impl<S: Sink> Surface for OldText<'_, '_, '_, S> {
     }
 
     fn element(&mut self, index: usize) {
-        let atom = self.drawing.atoms[index];
+        let atom = &self.drawing.reader.atoms[index];
         let node = self.drawing.source.node(atom.node);
-        if atom.is_kept {
+        if atom.is_kept() {
             self.pen.keep(node.start(), node.end());
             return;
         }
-        let text = self.drawing.source.text;
+        if !S::SMALL {
+            let form = self.drawing.reader.form(atom);
+            self.pen.replace(node.start(), node.end(), form);
+            return;
+        }
         let in_body = self.drawing.network.block.is_some();
-        Pieces::new(text, in_body, |piece| {
-            write_piece(self.pen, piece);
-        })
-        .block(node, head_word(text, node));
+        Block::new(self.drawing.source.text, node).pieces(in_body, |piece| write_piece(self.pen, piece));
     }
 }

@@ -64,6 +64,12 @@ impl<'t, S: Sink> Pen<'t, S> {
         self.at = end.max(start);
     }
 
+    /// Puts a new text in the place of a piece of the old one.
+    pub(crate) fn replace(&mut self, start: usize, end: usize, new: &str) {
+        self.keep(start, end);
+        self.sink.replace(start, end, new);
+    }
+
     /// Keeps a word of the old text, in capitals. Letters outside ASCII stay: no keyword has any.
     pub(crate) fn keep_in_capitals(&mut self, start: usize, end: usize) {
         self.keep(start, end);

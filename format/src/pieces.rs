@@ -1,7 +1,7 @@
 //! The words of blocks and declarations: how far apart they stand and which are in capitals (LANGUAGE §8
 //! rule 6). One walk over the nodes serves measuring and writing.
 
-use crate::flat::Node;
+use crate::flat::{Entry, Node};
 use ladder_instructions::{Shape, lookup};
 use ladder_syntax::SyntaxKind::{self, *};
 
@@ -26,14 +26,6 @@ enum Space {
     Free,
 }
 
-/// What a name is, where that decides its letters.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum NameRole {
-    Tag,
-    /// A word of the language: a named operand, a function, the operator of a search.
-    Keyword,
-}
-
 /// Walks nodes and hands out their pieces.
 pub(crate) struct Pieces<'t, F> {
     text: &'t str,
@@ -47,6 +39,7 @@ pub(crate) struct Pieces<'t, F> {
     in_body: bool,
     in_calc: bool,
     in_user_block: bool,
+    in_search: bool,
     /// The point of a member that stands behind a number: without blanks the two would read as one number.
     point_behind_number: bool,
 }
@@ -63,121 +56,102 @@ impl<'t, F: FnMut(Piece)> Pieces<'t, F> {
             in_body,
             in_calc: false,
             in_user_block: false,
+            in_search: false,
             point_behind_number: false,
         }
     }
 
     /// Walks a block on a rung whose first part holds the word `head`.
     pub(crate) fn block(&mut self, block: Node<'_>, head: Option<(SyntaxKind, &str)>) {
-        self.in_calc = head.is_some_and(|(_, word)| word.eq_ignore_ascii_case("CALC"));
-        self.in_user_block = head.is_some_and(|(kind, _)| kind == BLOCK_NAME);
-        let search = head.is_some_and(|(_, word)| word.eq_ignore_ascii_case("SEARCH"));
-        for child in block.children() {
-            match child.kind() {
-                OPERAND_LIST => self.operand_list(child, search),
-                _ => self.node(child, block.kind()),
-            }
+        if let Some((kind, word)) = head {
+            self.in_calc = word.eq_ignore_ascii_case("CALC");
+            self.in_search = word.eq_ignore_ascii_case("SEARCH");
+            self.in_user_block = kind == BLOCK_NAME;
         }
+        self.node(block);
     }
 
-    fn operand_list(&mut self, list: Node<'_>, search: bool) {
+    /// Walks a node or token. What a token asks for depends on what it stands in and on little else, so the list is
+    /// walked from its first entry to its last, whatever nests in it.
+    pub(crate) fn node(&mut self, node: Node<'_>) {
+        let entries = node.entries();
+        // Blanks inside a block's first part: `[ ]` and `( )` keep theirs.
+        let mut in_head = Space::Tight;
         let mut operands = 0;
-        for child in list.children() {
-            operands += u32::from(child.is_node());
-            if search && operands == 2 && child.kind() == NAME_EXPR {
-                self.name(child, NameRole::Keyword);
-            } else {
-                self.node(child, OPERAND_LIST);
+        let mut n = 0;
+        while n + 1 < entries.len() {
+            let entry = &entries[n];
+            if entry.inside == OPERAND_LIST && entry.is_node() {
+                operands += 1;
             }
+            let next = match entry.kind {
+                WHITESPACE | NEWLINE | BOM => n + 1,
+                NAME_EXPR => {
+                    let next = n + entry.size as usize;
+                    let role_of_its_own = self.is_keyword(entries, n, operands);
+                    self.name(entry, entries[next].start, role_of_its_own);
+                    next
+                }
+                // What could not be read stays as it is written.
+                ERROR_NODE => {
+                    let next = n + entry.size as usize;
+                    self.piece(entry, entries[next].start, Space::Free, Space::Free, false);
+                    next
+                }
+                BLOCK_HEAD => {
+                    let mut tokens = entries[n..n + entry.size as usize].iter();
+                    in_head = if tokens.any(|token| matches!(token.kind, MNEMONIC | BLOCK_NAME)) {
+                        Space::Tight
+                    } else {
+                        Space::Blank
+                    };
+                    n + 1
+                }
+                _ if entry.is_node() => n + 1,
+                _ => {
+                    self.token(entries, n, in_head);
+                    n + 1
+                }
+            };
+            n = next;
         }
     }
 
-    /// Walks a node or token that stands in a node of kind `inside`.
-    pub(crate) fn node(&mut self, node: Node<'_>, inside: SyntaxKind) {
-        let kind = node.kind();
-        match kind {
-            NAME_EXPR => self.name(node, NameRole::Tag),
-            // What could not be read stays as it is written.
-            ERROR_NODE => self.piece(node, Space::Free, Space::Free, false),
-            BLOCK_HEAD => {
-                let has_word = node
-                    .children()
-                    .any(|token| matches!(token.kind(), MNEMONIC | BLOCK_NAME));
-                let space = if has_word {
-                    Space::Tight
-                } else {
-                    // `[ ]` and `( )` keep their blank.
-                    Space::Blank
-                };
-                for child in node.children() {
-                    self.in_head(child, space);
-                }
-            }
-            UNARY_EXPR => {
-                // `-(a)(b)`: without the blank the text would read as a wire before a coil.
-                let call_of_parenthesis = node
-                    .child(CALL_EXPR)
-                    .and_then(|call| call.children().next())
-                    .is_some_and(|callee| callee.kind() == PAREN_EXPR);
-                for child in node.children() {
-                    if child.kind() == MINUS && call_of_parenthesis {
-                        self.piece(child, Space::Free, Space::Blank, false);
-                    } else {
-                        self.node(child, kind);
-                    }
-                }
-            }
-            NAMED_OPERAND | CALL_EXPR => {
-                let keyword = if kind == CALL_EXPR {
-                    self.in_calc
-                } else {
-                    !self.in_user_block
-                };
-                for (index, child) in node.children().enumerate() {
-                    if index == 0 && keyword && child.kind() == NAME_EXPR {
-                        self.name(child, NameRole::Keyword);
-                    } else {
-                        self.node(child, kind);
-                    }
-                }
-            }
-            _ if node.is_node() => {
-                for child in node.children() {
-                    self.node(child, kind);
-                }
-            }
-            _ => self.token(node, inside),
+    /// Whether a name is a word of the language by its place: a named operand, a function, the operator of a search.
+    fn is_keyword(&self, entries: &[Entry], name: usize, operands: u32) -> bool {
+        let inside = entries[name].inside;
+        // Its first child follows a node directly.
+        let is_first = name > 0 && entries[name - 1].kind == inside;
+        match inside {
+            CALL_EXPR => is_first && self.in_calc,
+            NAMED_OPERAND => is_first && !self.in_user_block,
+            OPERAND_LIST => self.in_search && operands == 2,
+            _ => false,
         }
     }
 
     /// The node of a single name.
-    fn name(&mut self, node: Node<'_>, role: NameRole) {
-        let capitals = role == NameRole::Keyword || {
-            let word = &self.text[node.range()];
-            is_one_of(word, &["SYS", "PI"]) || (self.in_body && is_one_of(word, &["EN", "ENO"]))
+    fn name(&mut self, node: &Entry, end: u32, is_keyword: bool) {
+        let capitals = is_keyword || {
+            let word = &self.text[node.start as usize..end as usize];
+            word.len() <= 3
+                && (is_one_of(word, &["SYS", "PI"]) || (self.in_body && is_one_of(word, &["EN", "ENO"])))
         };
-        self.piece(node, Space::Free, Space::Free, capitals);
+        self.piece(node, end, Space::Free, Space::Free, capitals);
     }
 
-    /// A token of a block's first part.
-    fn in_head(&mut self, token: Node<'_>, space: Space) {
-        match token.kind() {
-            L_BRACKET | L_PAREN | L_ANGLE => self.piece(token, Space::Free, space, false),
-            R_BRACKET | R_PAREN | R_ANGLE => self.piece(token, space, Space::Free, false),
-            _ => self.token(token, BLOCK_HEAD),
-        }
-    }
-
-    /// A token in a node of kind `inside`.
-    fn token(&mut self, token: Node<'_>, inside: SyntaxKind) {
-        let kind = token.kind();
+    fn token(&mut self, entries: &[Entry], n: usize, in_head: Space) {
+        let token = &entries[n];
+        let end = entries[n + 1].start;
+        let (kind, inside) = (token.kind, token.inside);
         let (before, behind) = match kind {
-            WHITESPACE | NEWLINE | BOM => return,
+            L_BRACKET | L_PAREN | L_ANGLE if inside == BLOCK_HEAD => (Space::Free, in_head),
+            R_BRACKET | R_PAREN | R_ANGLE if inside == BLOCK_HEAD => (in_head, Space::Free),
             COMMA | SEMICOLON => (Space::Tight, Space::Blank),
             ASSIGN | ARROW | COLON => (Space::Blank, Space::Blank),
             // A `#` directly behind a letter or digit would belong to a literal.
             COMMENT => (Space::Blank, Space::Blank),
-            DOT => return self.point(token),
+            DOT => return self.point(token, end),
             DOT_DOT => (Space::Tight, Space::Tight),
             L_PAREN if inside == OPERAND_LIST => (Space::Tight, Space::Blank),
             R_PAREN if inside == OPERAND_LIST => (Space::Blank, Space::Free),
@@ -185,35 +159,41 @@ impl<'t, F: FnMut(Piece)> Pieces<'t, F> {
             L_PAREN if inside == PAREN_EXPR => (Space::Free, Space::Tight),
             L_BRACKET | L_PAREN => (Space::Tight, Space::Tight),
             R_BRACKET | R_PAREN => (Space::Tight, Space::Free),
+            // `-(a)(b)`: without the blank the text would read as a wire before a coil.
+            MINUS if inside == UNARY_EXPR && negates_call_of_parenthesis(entries, n) => {
+                (Space::Free, Space::Blank)
+            }
             MINUS if inside != BINARY_EXPR => (Space::Free, Space::Tight),
             WORD_OPERATOR if inside == UNARY_EXPR => (Space::Free, Space::Blank),
             _ if inside == BINARY_EXPR => (Space::Blank, Space::Blank),
             _ => (Space::Free, Space::Free),
         };
+        let word = || &self.text[token.start as usize..end as usize];
         let capitals = match kind {
             KEYWORD | WORD_OPERATOR => true,
             // An unknown word may be a tag in the wrong place: `[OSR]( )( y )` ends in a coil called `y`.
-            MNEMONIC => is_mnemonic(&self.text[token.range()]),
-            LITERAL => is_one_of(&self.text[token.range()], &["TRUE", "FALSE"]),
+            MNEMONIC => is_mnemonic(word()),
+            LITERAL => is_one_of(word(), &["TRUE", "FALSE"]),
             _ => false,
         };
-        self.piece(token, before, behind, capitals);
+        self.piece(token, end, before, behind, capitals);
     }
 
     /// The point of a member. No blanks around it, unless two tokens would become one: `word.3 . 5`, `a. .b`.
-    fn point(&mut self, token: Node<'_>) {
+    fn point(&mut self, token: &Entry, end: u32) {
         let behind_number = matches!(self.last, LITERAL | ADDRESS);
         let before = if behind_number || self.last == DOT {
             Space::Free
         } else {
             Space::Tight
         };
-        self.piece(token, before, Space::Tight, false);
+        self.piece(token, end, before, Space::Tight, false);
         self.point_behind_number = behind_number;
     }
 
-    fn piece(&mut self, node: Node<'_>, before: Space, behind: Space, capitals: bool) {
-        let (kind, start, end) = (node.kind(), node.start(), node.end());
+    #[inline]
+    fn piece(&mut self, entry: &Entry, end: u32, before: Space, behind: Space, capitals: bool) {
+        let (kind, start, end) = (entry.kind, entry.start as usize, end as usize);
         let blanks = if kind == DOT && before == Space::Free || self.point_behind_number {
             u32::from(start > self.end)
         } else if kind == COMMENT && self.last == MINUS {
@@ -239,13 +219,21 @@ impl<'t, F: FnMut(Piece)> Pieces<'t, F> {
     }
 }
 
-/// The word in a block's first part, and whether it is a mnemonic or a user-defined block's name.
-pub(crate) fn head_word<'t>(text: &'t str, block: Node<'_>) -> Option<(SyntaxKind, &'t str)> {
-    block
-        .child(BLOCK_HEAD)?
-        .children()
-        .find(|token| matches!(token.kind(), MNEMONIC | BLOCK_NAME))
-        .map(|token| (token.kind(), &text[token.range()]))
+/// Whether the minus is the sign of what looks like a call of a parenthesis.
+fn negates_call_of_parenthesis(entries: &[Entry], minus: usize) -> bool {
+    // The minus is the first child of its node.
+    let Some(node) = minus.checked_sub(1) else {
+        return false;
+    };
+    let end = node + entries[node].size as usize;
+    let mut child = minus + 1;
+    while child < end {
+        if entries[child].kind == CALL_EXPR {
+            return entries[child + 1].kind == PAREN_EXPR;
+        }
+        child += entries[child].size as usize;
+    }
+    false
 }
 
 /// Whether a word is the mnemonic of an instruction, in whatever brackets. Only asked where it matters: of words

@@ -1,14 +1,13 @@
 //! From the rungs of a text to a sketch.
 
-use crate::flat::{Node, Source};
-use crate::pieces::{Pieces, head_word};
+use crate::block::{Block, Form};
+use crate::flat::Source;
 use crate::sketch::{ElementKind, Sketch};
 use crate::stays::directive;
 use crate::width::display_width;
-use ladder_instructions::{Role, Shape, lookup};
-use ladder_syntax::SyntaxKind::*;
+use ladder_syntax::SyntaxKind::COIL_BLOCK;
 use ladder_syntax::wiring::{self, Part, PartKind};
-use ladder_syntax::{Line, Network, SyntaxKind};
+use ladder_syntax::{Line, Network};
 
 /// A rung cannot be drawn anew without changing what it says (LANGUAGE §8 rule 10, and the few texts whose
 /// canonical form would read differently), so its network stays as it is.
@@ -19,8 +18,15 @@ pub(crate) struct Stays;
 pub(crate) struct Atom {
     /// Its node or token.
     pub(crate) node: u32,
-    /// It is in its canonical form already, or stays in another.
-    pub(crate) is_kept: bool,
+    /// Its canonical form among [`Reader::forms`]; empty if it is in that already, or stays in another.
+    form: Form,
+}
+
+impl Atom {
+    /// Whether its text stays.
+    pub(crate) fn is_kept(&self) -> bool {
+        self.form.start == self.form.end
+    }
 }
 
 /// Reads networks into one sketch.
@@ -30,8 +36,8 @@ pub(crate) struct Reader {
     /// For each element of the sketch its text.
     pub(crate) atoms: Vec<Atom>,
     drawing: wiring::Rung,
-    /// The node of each part of the drawing.
-    nodes: Vec<u32>,
+    /// The canonical forms of the blocks that are in another, one behind the other.
+    forms: String,
 }
 
 impl Reader {
@@ -50,6 +56,11 @@ impl Reader {
         read
     }
 
+    /// The canonical form of an element whose text does not stay.
+    pub(crate) fn form(&self, atom: &Atom) -> &str {
+        &self.forms[atom.form.start as usize..atom.form.end as usize]
+    }
+
     /// Forgets the rungs from one on.
     pub(crate) fn forget(&mut self, first: usize) {
         self.sketch.truncate(first);
@@ -62,8 +73,15 @@ impl Reader {
         let text = source.text;
         let line = &source.lines.lines()[index];
         let node = source.line(index);
-        self.read_drawing(node);
-        let (drawing, nodes) = (&self.drawing, &self.nodes);
+        let children = node.children().map(|child| {
+            (
+                child.kind(),
+                ((child.end() - child.start()) as u32).into(),
+                child.index(),
+            )
+        });
+        wiring::read_rung(children, &mut self.drawing);
+        let drawing = &self.drawing;
         let parts = &drawing.parts;
         let (Some(first), Some(last)) = (
             parts.iter().position(|part| !is_aside(part)),
@@ -72,31 +90,31 @@ impl Reader {
             return Err(Stays);
         };
         if source.has_comment(index) {
-            check_leading_comments(source, parts, nodes, first)?;
+            check_leading_comments(source, parts, first)?;
         }
         self.sketch.begin_rung();
-        let mut push = |kind, joined, width, part: usize, is_kept| {
+        let mut push = |kind, joined, width, part: &Part, form| {
             self.sketch.push(kind, joined, width);
             self.atoms.push(Atom {
-                node: nodes[part],
-                is_kept,
+                node: part.child,
+                form,
             });
         };
         // The segment of the last element; none behind a bar that the wire reaches to.
         let mut segment = None;
         let mut at_bar = false;
         if begins_at_bar(parts, first) {
-            push(ElementKind::LeftBar, false, 1, first - 1, true);
+            push(ElementKind::LeftBar, false, 1, &parts[first - 1], Form::default());
             at_bar = true;
         }
         let mut without_list = false;
-        let mut block_before: Option<Node<'_>> = None;
+        let mut block_before: Option<Block<'_>> = None;
         for (n, part) in parts.iter().enumerate().take(last + 1).skip(first) {
-            let node = source.node(nodes[n]);
+            let node = source.node(part.child);
             let before = block_before.take();
             let in_segment = part.segment.is_some() && part.segment == segment;
             let joined = at_bar || in_segment || part.kind == PartKind::StrayBar;
-            let mut is_kept = true;
+            let mut form = Form::default();
             let mut has_list = true;
             let (kind, width) = match part.kind {
                 PartKind::LeftRail => (ElementKind::LeftRail, 1),
@@ -114,49 +132,31 @@ impl Reader {
                     if without_list && !joined && node.kind() == COIL_BLOCK {
                         return Err(Stays);
                     }
-                    has_list = node.child(OPERAND_LIST).is_some();
-                    let head = head_word(text, node);
-                    if part.touches
-                        && !has_list
-                        && before.is_some_and(|before| takes_head(text, before, node))
-                    {
+                    let block = Block::new(text, node);
+                    has_list = block.has_list();
+                    if part.touches && !has_list && before.is_some_and(|before| before.takes_head_of(block)) {
                         return Err(Stays);
                     }
-                    block_before = Some(node);
+                    block_before = Some(block);
                     let width = if has_mistake(line, part) {
                         one_line_width(&text[node.range()])?
                     } else {
-                        let (width, canonical) = measure(text, node, head, in_body)?;
-                        is_kept = canonical;
+                        let width;
+                        (width, form) = block.measure(in_body, &mut self.forms)?;
                         width
                     };
-                    (kind_of_block(node, head), width)
+                    (block.element_kind(), width)
                 }
             };
-            push(kind, joined, width, n, is_kept);
+            push(kind, joined, width, part, form);
             segment = part.segment;
             at_bar = part.kind == PartKind::StrayBar;
             without_list = !has_list;
         }
         if ends_at_bar(parts, last) {
-            push(ElementKind::RightBar, true, 1, last + 1, true);
+            push(ElementKind::RightBar, true, 1, &parts[last + 1], Form::default());
         }
         Ok(())
-    }
-
-    fn read_drawing(&mut self, line: Node<'_>) {
-        let children = line
-            .children()
-            .map(|child| (child.kind(), ((child.end() - child.start()) as u32).into()));
-        wiring::read_rung(children, &mut self.drawing);
-        self.nodes.clear();
-        let mut children = line.children();
-        for part in &self.drawing.parts {
-            let start = line.start() + usize::from(part.range.start());
-            // An empty node cannot stand on a rung, so places tell children apart.
-            let node = children.find(|child| child.start() == start);
-            self.nodes.push(node.map_or(0, Node::index));
-        }
     }
 }
 
@@ -166,16 +166,11 @@ fn is_aside(part: &Part) -> bool {
 }
 
 /// A comment before the first element goes onto a line of its own; it must not become a directive there.
-fn check_leading_comments(
-    source: Source<'_>,
-    parts: &[Part],
-    nodes: &[u32],
-    first: usize,
-) -> Result<(), Stays> {
-    let is_directive = |n: usize| {
-        parts[n].kind == PartKind::Comment && directive(&source.text[source.node(nodes[n]).range()]).is_some()
+fn check_leading_comments(source: Source<'_>, parts: &[Part], first: usize) -> Result<(), Stays> {
+    let is_directive = |part: &Part| {
+        part.kind == PartKind::Comment && directive(&source.text[source.node(part.child).range()]).is_some()
     };
-    if (0..first).any(is_directive) {
+    if parts[..first].iter().any(is_directive) {
         Err(Stays)
     } else {
         Ok(())
@@ -227,87 +222,4 @@ fn one_line_width(text: &str) -> Result<u32, Stays> {
         return Err(Stays);
     }
     Ok(display_width(text))
-}
-
-/// The width of a block in its canonical form, and whether it is in that form.
-fn measure(text: &str, block: Node<'_>, head: Head<'_>, in_body: bool) -> Result<(u32, bool), Stays> {
-    let bytes = text.as_bytes();
-    let ascii = bytes[block.range()].is_ascii();
-    let mut width = 0;
-    let mut canonical = true;
-    let mut at = block.start();
-    let mut several_lines = false;
-    Pieces::new(text, in_body, |piece| {
-        let word = &bytes[piece.start..piece.end];
-        width += piece.blanks
-            + if ascii {
-                word.len() as u32
-            } else {
-                display_width(&text[piece.start..piece.end])
-            };
-        several_lines |= piece.kind == COMMENT && word.iter().any(|b| matches!(b, b'\n' | b'\r'));
-        canonical &= at + piece.blanks as usize == piece.start
-            && (piece.blanks == 0 || bytes[at] == b' ')
-            && !(piece.capitals && word.iter().any(u8::is_ascii_lowercase));
-        at = piece.end;
-    })
-    .block(block, head);
-    if several_lines {
-        Err(Stays)
-    } else {
-        Ok((width, canonical))
-    }
-}
-
-/// The word in a block's first part: a mnemonic or the name of a user-defined block.
-type Head<'t> = Option<(SyntaxKind, &'t str)>;
-
-/// Condition or acting (LANGUAGE §8 rule 5). What the table does not know acts, as do user-defined blocks.
-fn kind_of_block(block: Node<'_>, head: Head<'_>) -> ElementKind {
-    let word = match (block.kind(), head) {
-        (LOGICAL_BLOCK, None) => return ElementKind::Condition,
-        (_, None) => return ElementKind::Acting,
-        (_, Some((MNEMONIC, word))) => word,
-        (_, Some(_)) => return ElementKind::Acting,
-    };
-    let mut rows = lookup(shape(block), word);
-    let row = if rows.len() > 1 {
-        // `[NOT]` is a condition without operands, and acts with them.
-        let operands = positional_operands(block);
-        rows.find(|row| row.takes(operands))
-    } else {
-        rows.next()
-    };
-    match row.map_or(Role::Acting, |row| row.role) {
-        Role::Condition => ElementKind::Condition,
-        Role::Acting => ElementKind::Acting,
-    }
-}
-
-/// Whether a block has taken the first part of the one that touches it for its operands, as in `[OSR]( )( y )`.
-/// The wire that is missing there does not belong between the two, so they stay together for the fix.
-fn takes_head(text: &str, block: Node<'_>, next: Node<'_>) -> bool {
-    let Some((MNEMONIC, word)) = head_word(text, block) else {
-        return false;
-    };
-    block.child(OPERAND_LIST).is_some()
-        && next.kind() == COIL_BLOCK
-        && head_word(text, next).is_some()
-        && lookup(shape(block), word).any(|row| row.limit() == Some(0))
-}
-
-fn shape(block: Node<'_>) -> Shape {
-    match block.kind() {
-        LOGICAL_BLOCK => Shape::Logical,
-        COIL_BLOCK => Shape::Coil,
-        _ => Shape::Function,
-    }
-}
-
-fn positional_operands(block: Node<'_>) -> usize {
-    block.child(OPERAND_LIST).map_or(0, |list| {
-        list.children()
-            .filter(|child| child.is_node() && child.kind() != NAMED_OPERAND)
-            .count()
-    })
 }

@@ -63,7 +63,7 @@ pub(crate) fn words<S: Sink>(source: Source<'_>, line: usize, pen: &mut Pen<'_, 
     let mut pieces = Pieces::new(source.text, false, |piece| write_piece(pen, piece));
     let mut behind = node.start();
     for child in node.children().filter(|child| !child.kind().is_trivia()) {
-        pieces.node(child, node.kind());
+        pieces.node(child);
         behind = child.end();
     }
     comments_behind(source, line, behind, pen);
@@ -145,7 +145,7 @@ fn measure(text: &str, declaration: Node<'_>) -> Widths {
         Pieces::new(text, false, |piece| {
             *width += piece.blanks + display_width(&text[piece.start..piece.end]);
         })
-        .node(part, DECLARATION);
+        .node(part);
     }
     widths
 }
@@ -172,7 +172,7 @@ fn declaration<S: Sink>(source: Source<'_>, line: usize, columns: Columns, pen: 
                 column += piece.blanks + display_width(&text[piece.start..piece.end]);
                 write_piece(pen, piece);
             })
-            .node(part, DECLARATION);
+            .node(part);
         } else {
             pen.keep(part.start(), part.end());
             column += 1;

@@ -1,6 +1,7 @@
 //! What the grammar tells of a text, and to whom.
 
 use crate::SyntaxKind;
+use std::ops::Range;
 
 /// Takes the nodes and tokens of logical lines, in the order of the text. The grammar is written once; whether a
 /// tree comes of it, a list, or only a few facts is the builder's affair.
@@ -12,8 +13,18 @@ pub trait Builder {
     /// A place behind what was added last, from which a node may be begun later.
     type Checkpoint: Copy;
 
-    /// Adds a token, the `text` behind that of the token before it.
-    fn token(&mut self, kind: SyntaxKind, text: &str);
+    /// Whether [`Builder::plain_block`] may stand for all that a block holds.
+    const TAKES_PLAIN_BLOCKS: bool = false;
+
+    /// Adds a token: what stands at a place of the text, which begins where the token before it ends.
+    fn token(&mut self, kind: SyntaxKind, text: &str, place: Range<usize>);
+
+    /// Adds a block without what it holds: at most a mnemonic in capitals, and names, members, numbers and typed
+    /// literals, parted by commas; blanks, but no comments; all of it ASCII; no mistakes. It begins where the token
+    /// before it ends. Only called of a builder that takes it.
+    fn plain_block(&mut self, kind: SyntaxKind, place: Range<usize>) {
+        let _ = (kind, place);
+    }
 
     /// Begins a node.
     fn start_node(&mut self, kind: SyntaxKind);

@@ -8,6 +8,7 @@
 use crate::SyntaxKind;
 use crate::builder::Builder;
 use rowan::{GreenNode, GreenToken, GreenTokenData, NodeOrToken};
+use std::ops::Range;
 
 type Element = NodeOrToken<GreenNode, GreenToken>;
 
@@ -46,7 +47,8 @@ impl Builder for TreeBuilder {
     type Line = GreenNode;
     type Checkpoint = Checkpoint;
 
-    fn token(&mut self, kind: SyntaxKind, text: &str) {
+    fn token(&mut self, kind: SyntaxKind, text: &str, place: Range<usize>) {
+        let text = &text[place];
         let slot = match text.len() {
             1 => &mut self.characters[kind as usize],
             _ => self.tokens.slot(text_hash(kind, text)),

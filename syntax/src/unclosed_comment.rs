@@ -9,6 +9,7 @@ use crate::line::Line;
 use crate::lines::entry_behind;
 use crate::{SyntaxErrorKind, SyntaxKind};
 use rowan::{TextRange, TextSize};
+use std::ops::Range;
 
 /// The `#` to show, if the last comment is not closed.
 pub(crate) fn unclosed_comment<N>(text: &str, lines: &[Line<N>], starts: &[u32]) -> Option<TextRange> {
@@ -30,10 +31,7 @@ fn comment_with_drawing<N>(text: &str, lines: &[Line<N>], line: usize, start: u3
     let entry = line
         .checked_sub(1)
         .map_or(Entry::START, |before| entry_behind(&lines[before]));
-    let mut comments = Comments {
-        at: start,
-        with_drawing: None,
-    };
+    let mut comments = Comments { with_drawing: None };
     grammar::line(text, start as usize, entry, &mut comments);
     comments
         .with_drawing
@@ -42,8 +40,6 @@ fn comment_with_drawing<N>(text: &str, lines: &[Line<N>], line: usize, start: u3
 
 /// Looks for a comment that holds a line of a drawing.
 struct Comments {
-    /// Where the next token begins.
-    at: u32,
     /// Where the first such comment begins.
     with_drawing: Option<u32>,
 }
@@ -52,11 +48,11 @@ impl Builder for Comments {
     type Line = ();
     type Checkpoint = ();
 
-    fn token(&mut self, kind: SyntaxKind, text: &str) {
-        if self.with_drawing.is_none() && kind == SyntaxKind::COMMENT && holds_drawing(text) {
-            self.with_drawing = Some(self.at);
+    fn token(&mut self, kind: SyntaxKind, text: &str, place: Range<usize>) {
+        let start = place.start;
+        if self.with_drawing.is_none() && kind == SyntaxKind::COMMENT && holds_drawing(&text[place]) {
+            self.with_drawing = Some(start as u32);
         }
-        self.at += text.len() as u32;
     }
 
     fn start_node(&mut self, _: SyntaxKind) {}

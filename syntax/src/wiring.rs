@@ -50,6 +50,8 @@ pub struct Part {
     pub kind: PartKind,
     /// Where, counted from the start of its line.
     pub range: TextRange,
+    /// Which child of its line's node it is; the first, where it is several.
+    pub child: u32,
     /// Whether it touches the part before it.
     pub touches: bool,
     /// The segment it belongs to. None for bars, and for comments and stray characters that join nothing.
@@ -169,13 +171,14 @@ pub fn rung(line: &Line) -> Rung {
         NodeOrToken::Node(node) => (SyntaxKind::from_raw(node.kind()), node.text_len()),
         NodeOrToken::Token(token) => (SyntaxKind::from_raw(token.kind()), token.text_len()),
     });
-    read_rung(children, &mut rung);
+    let numbered = children.zip(0..).map(|((kind, len), child)| (kind, len, child));
+    read_rung(numbered, &mut rung);
     rung
 }
 
-/// Reads the parts and segments of a rung from the kinds and lengths of its line's children. What the rung held
-/// before goes, its memory stays: a walk over a file needs no other.
-pub fn read_rung(children: impl Iterator<Item = (SyntaxKind, TextSize)>, rung: &mut Rung) {
+/// Reads the parts and segments of a rung from its line's children: their kinds, lengths, and numbers for
+/// [`Part::child`]. What the rung held before goes, its memory stays: a walk over a file needs no other.
+pub fn read_rung(children: impl Iterator<Item = (SyntaxKind, TextSize, u32)>, rung: &mut Rung) {
     rung.parts.clear();
     rung.segments.clear();
     parts(children, &mut rung.parts);
@@ -184,10 +187,10 @@ pub fn read_rung(children: impl Iterator<Item = (SyntaxKind, TextSize)>, rung: &
     segments(&mut rung.parts, &mut rung.segments);
 }
 
-fn parts(children: impl Iterator<Item = (SyntaxKind, TextSize)>, parts: &mut Vec<Part>) {
+fn parts(children: impl Iterator<Item = (SyntaxKind, TextSize, u32)>, parts: &mut Vec<Part>) {
     let mut at = TextSize::new(0);
     let mut touches = false;
-    for (kind, len) in children {
+    for (kind, len, child) in children {
         let range = TextRange::at(at, len);
         at += len;
         let kind = match kind {
@@ -215,6 +218,7 @@ fn parts(children: impl Iterator<Item = (SyntaxKind, TextSize)>, parts: &mut Vec
         parts.push(Part {
             kind,
             range,
+            child,
             touches,
             segment: None,
         });

@@ -9,6 +9,7 @@ mod block;
 mod declaration;
 mod expression;
 mod line;
+mod plain;
 mod recovery;
 
 pub use declaration::is_declaration_keyword;
@@ -92,24 +93,24 @@ impl<'t, 'b, B: Builder> Parser<'t, 'b, B> {
 
     /// Puts a token that reaches from here to `end` into the tree.
     fn token(&mut self, (kind, end): Token) {
-        let text = &self.text[self.at..end];
+        let start = std::mem::replace(&mut self.at, end);
         match kind {
             SyntaxKind::WHITESPACE | SyntaxKind::NEWLINE => {}
             SyntaxKind::COMMENT => {
-                self.last_comment = Some((self.at, end));
-                if !lexer::is_closed_comment(text) {
-                    self.error(SyntaxErrorKind::UnclosedComment, self.at, self.at + 1);
+                self.last_comment = Some((start, end));
+                if !lexer::is_closed_comment(&self.text[start..end]) {
+                    self.error(SyntaxErrorKind::UnclosedComment, start, start + 1);
                 }
             }
-            _ => {
+            SyntaxKind::STRING => {
                 self.last_end = end;
-                if kind == SyntaxKind::STRING && !lexer::is_closed_string(text) {
-                    self.error(SyntaxErrorKind::UnclosedString, self.at, end);
+                if !lexer::is_closed_string(&self.text[start..end]) {
+                    self.error(SyntaxErrorKind::UnclosedString, start, end);
                 }
             }
+            _ => self.last_end = end,
         }
-        self.builder.token(kind, text);
-        self.at = end;
+        self.builder.token(kind, self.text, start..end);
     }
 
     /// Finds the next token among operands, past white space and comments (and in a declaration past line

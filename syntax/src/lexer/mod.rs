@@ -240,7 +240,7 @@ pub(crate) fn identifier_end(text: &str, at: usize) -> Option<usize> {
 }
 
 /// Where a run of characters that may stand in an identifier ends.
-fn word_end(text: &str, at: usize) -> usize {
+pub(crate) fn word_end(text: &str, at: usize) -> usize {
     // Nearly every name is ASCII; the rest goes through the tables.
     let bytes = text.as_bytes();
     let mut end = run(bytes, at, |b| b.is_ascii_alphanumeric() || b == b'_');

@@ -1,0 +1,99 @@
+//! Plain blocks: nearly all blocks of a program are a mnemonic and a few names and numbers, `[TON]( t1, T#5s )`.
+//! They have one reading, without mistakes, and their end is found without taking them apart.
+//!
+//! Only a [`Builder`](crate::Builder) that can do without their tokens asks. What is recognized here is a part of
+//! what [`block`](super::block) reads, with the same end; in doubt it is not recognized.
+
+use crate::lexer::blanks_end;
+
+/// Words that are no names, or that have a meaning of their own among operands.
+const SPECIAL: [&str; 13] = [
+    "EN", "OR", "PI", "AND", "ENO", "MOD", "NOT", "SHL", "SHR", "SYS", "XOR", "TRUE", "FALSE",
+];
+
+/// Where the plain block ends that begins with the bracket at `at`, if one does.
+pub(super) fn plain_block(text: &str, at: usize) -> Option<usize> {
+    let bytes = text.as_bytes();
+    let byte = |at: usize| bytes.get(at).copied().unwrap_or(0);
+    let closing = match byte(at) {
+        b'[' => b']',
+        b'(' => b')',
+        _ => b'>',
+    };
+    let head = blanks_end(bytes, at + 1);
+    let head_end = match byte(head) {
+        b'/' => head + 1,
+        b'A'..=b'Z' => run_of(bytes, head, |b| {
+            b.is_ascii_uppercase() || b.is_ascii_digit() || b == b'_'
+        }),
+        _ => head,
+    };
+    let close = blanks_end(bytes, head_end);
+    // The operator of a search is a word of the language.
+    if byte(close) != closing || &bytes[head..head_end] == b"SEARCH" {
+        return None;
+    }
+    let end = close + 1;
+    let list = blanks_end(bytes, end);
+    if byte(list) != b'(' {
+        return Some(end);
+    }
+    let mut at = blanks_end(bytes, list + 1);
+    if byte(at) == b')' {
+        return Some(at + 1);
+    }
+    loop {
+        at = blanks_end(bytes, operand_end(bytes, at)?);
+        match byte(at) {
+            b',' => at = blanks_end(bytes, at + 1),
+            b')' => return Some(at + 1),
+            _ => return None,
+        }
+    }
+}
+
+/// Where the name, member (`t1.Q`), number or typed literal (`T#5s`) ends that begins here. What follows it must
+/// be a blank, a comma or the list's end, which is for the caller to see.
+fn operand_end(bytes: &[u8], at: usize) -> Option<usize> {
+    let mut end = word_end(bytes, at);
+    match bytes.get(at)? {
+        b'0'..=b'9' => {}
+        b'A'..=b'Z' | b'a'..=b'z' | b'_' if !is_special(&bytes[at..end]) => {
+            while bytes.get(end) == Some(&b'.') {
+                let member = end + 1;
+                end = word_end(bytes, member);
+                // A number behind the point may go on behind another point.
+                if !bytes.get(member)?.is_ascii_alphabetic() || is_special(&bytes[member..end]) {
+                    return None;
+                }
+            }
+        }
+        _ => return None,
+    }
+    if bytes.get(end) == Some(&b'#') {
+        let value = end + 1;
+        end = word_end(bytes, value);
+        let is_literal = bytes[at..value - 1].iter().all(u8::is_ascii_alphanumeric) && end > value;
+        return is_literal.then_some(end);
+    }
+    Some(end)
+}
+
+fn is_special(word: &[u8]) -> bool {
+    word.len() <= 5
+        && SPECIAL
+            .iter()
+            .any(|special| special.as_bytes().eq_ignore_ascii_case(word))
+}
+
+fn word_end(bytes: &[u8], at: usize) -> usize {
+    run_of(bytes, at, |b| b.is_ascii_alphanumeric() || b == b'_')
+}
+
+fn run_of(bytes: &[u8], at: usize, belongs: impl Fn(u8) -> bool) -> usize {
+    let mut end = at;
+    while bytes.get(end).is_some_and(|&b| belongs(b)) {
+        end += 1;
+    }
+    end
+}
