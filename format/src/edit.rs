@@ -31,6 +31,9 @@ pub(crate) trait Sink {
     /// Whether many small replacements are better than few large ones: they leave cursors and breakpoints alone.
     const SMALL: bool;
 
+    /// Forgets all replacements.
+    fn clear(&mut self);
+
     /// The bytes from `start` to `end` become `new`.
     fn replace(&mut self, start: usize, end: usize, new: &str);
 }
@@ -41,6 +44,10 @@ pub(crate) struct Edits(pub(crate) Vec<Edit>);
 
 impl Sink for Edits {
     const SMALL: bool = true;
+
+    fn clear(&mut self) {
+        self.0.clear();
+    }
 
     fn replace(&mut self, start: usize, end: usize, new: &str) {
         let (start, end) = (TextSize::new(start as u32), TextSize::new(end as u32));
@@ -56,7 +63,7 @@ impl Sink for Edits {
     }
 }
 
-/// Writes the new text directly.
+/// Writes the new text directly; nothing, as long as it is the old one.
 pub(crate) struct NewText<'t> {
     text: &'t str,
     out: String,
@@ -67,19 +74,28 @@ impl<'t> NewText<'t> {
     pub(crate) fn new(text: &'t str) -> Self {
         NewText {
             text,
-            out: String::with_capacity(text.len() + text.len() / 4),
+            out: String::new(),
             copied: 0,
         }
     }
 
-    pub(crate) fn finish(mut self) -> String {
+    /// The new text; none if nothing was replaced.
+    pub(crate) fn finish(mut self) -> Option<String> {
+        if self.copied == 0 && self.out.is_empty() {
+            return None;
+        }
         self.out.push_str(&self.text[self.copied..]);
-        self.out
+        Some(self.out)
     }
 }
 
 impl Sink for NewText<'_> {
     const SMALL: bool = false;
+
+    fn clear(&mut self) {
+        self.out.clear();
+        self.copied = 0;
+    }
 
     fn replace(&mut self, start: usize, end: usize, new: &str) {
         self.out.push_str(&self.text[self.copied..start]);

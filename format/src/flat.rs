@@ -1,10 +1,10 @@
-//! A file's tree as one list, in the order of its text.
+//! The tree of a part of a file as one list, in the order of its text.
 //!
 //! The grammar fills it directly: no tree is built for a text that is only formatted. Every line is walked twice
 //! (measured, then written), and a list is walked faster than a tree whose nodes are spread over memory. It also
 //! knows each node's place in the file.
 
-use ladder_syntax::{Builder, LineKind, Lines, Network, SyntaxKind, read_lines};
+use ladder_syntax::{Builder, LineKind, LineReader, Lines, Network, SyntaxKind};
 use std::ops::Range;
 
 /// A node or token. A node's entries follow it.
@@ -26,10 +26,20 @@ impl Entry {
     }
 }
 
-/// The tree of a file as a list.
+/// The tree of a part of a file as a list.
+#[derive(Default)]
 pub(crate) struct Flat {
-    entries: Vec<Entry>,
+    builder: FlatBuilder,
     lines: Lines<FlatLine>,
+}
+
+impl Flat {
+    /// Reads the next part of a text, of at least so many bytes. The list takes the place of the one before, and its
+    /// memory.
+    pub(crate) fn read(&mut self, reader: &mut LineReader<'_>, least: usize) {
+        self.builder.begin(reader.at());
+        reader.read(least, &mut self.builder, &mut self.lines);
+    }
 }
 
 /// What the list knows of a line.
@@ -39,18 +49,6 @@ pub(crate) struct FlatLine {
     entry: u32,
     /// Whether a comment stands on it outside blocks.
     has_comment: bool,
-}
-
-impl Flat {
-    /// Reads a text.
-    pub(crate) fn new(text: &str) -> Flat {
-        let mut builder = FlatBuilder::new(text.len());
-        let lines = read_lines(text, &mut builder);
-        Flat {
-            entries: builder.entries,
-            lines,
-        }
-    }
 }
 
 /// Lays nodes and tokens behind each other as the grammar meets them.
@@ -68,19 +66,26 @@ struct FlatBuilder {
     has_comment: bool,
 }
 
-impl FlatBuilder {
-    /// A builder for a text of this many bytes.
-    fn new(text_len: usize) -> FlatBuilder {
-        let mut builder = FlatBuilder {
-            entries: Vec::with_capacity(text_len / 2 + 1),
+impl Default for FlatBuilder {
+    fn default() -> Self {
+        FlatBuilder {
+            entries: Vec::new(),
             open: Vec::with_capacity(16),
             inside: SyntaxKind::EOF,
             line: 0,
             at: 0,
             has_comment: false,
-        };
-        builder.push(SyntaxKind::EOF);
-        builder
+        }
+    }
+}
+
+impl FlatBuilder {
+    /// Begins a new list for what stands in a text from a place on.
+    fn begin(&mut self, at: usize) {
+        self.entries.clear();
+        self.line = 0;
+        self.at = at as u32;
+        self.push(SyntaxKind::EOF);
     }
 
     fn push(&mut self, kind: SyntaxKind) {
@@ -180,7 +185,7 @@ impl<'s> Source<'s> {
         Source {
             text,
             lines: &flat.lines,
-            entries: &flat.entries,
+            entries: &flat.builder.entries,
         }
     }
 

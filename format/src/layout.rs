@@ -3,7 +3,7 @@
 use crate::Options;
 use crate::columns::Placer;
 use crate::draw::{self, Rails, Surface};
-use crate::file::least_rail;
+use crate::networks::least_rail;
 use crate::sketch::{ElementKind, Sketch};
 
 /// A sketch whose elements have their columns.

@@ -5,12 +5,15 @@
 //! and says what changes as small edits.
 //!
 //! ```text
-//! Parse --stays--> which lines keep their form (mistakes, fmt off)
-//!       --read---> Sketch: elements with widths, joined or not, rung by rung
-//!                     --columns--> a column for each element, first left, then what acts to the right
-//!                                      --draw--> rungs, rails, verticals
-//!                                                    --pen--> edits, or the new text
+//! text --flat---> nodes and tokens as a list, straight from the grammar
+//!      --stays--> which lines keep their form (mistakes, fmt off)
+//!      --read---> Sketch: elements with widths, joined or not, rung by rung
+//!                    --columns--> a column for each element, first left, then what acts to the right
+//!                                     --draw--> rungs, rails, verticals
+//!                                                   --pen--> edits, or the new text
 //! ```
+//!
+//! A file goes through this part by part ([`file`]), so that its size takes neither memory nor the processor's cache.
 //!
 //! What holds for every text: formatting twice gives the same text; nothing is lost but blanks, dashes, `|` and
 //! line ends; the wiring, and with it what the program does, stays the same. The [`Sketch`] and its columns
@@ -24,9 +27,11 @@ mod file;
 mod flat;
 mod layout;
 mod network;
+mod networks;
 mod pen;
 mod pieces;
 mod plain;
+mod ranges;
 mod read;
 mod section;
 mod sketch;
@@ -39,7 +44,6 @@ pub use sketch::{Element, ElementKind, Sketch};
 pub use width::display_width;
 
 use edit::{Edits, NewText};
-use flat::{Flat, Source};
 use ladder_syntax::{Parse, TextRange};
 
 /// How a text is laid out.
@@ -85,19 +89,15 @@ pub fn format_ranges(parse: &Parse, options: &Options, ranges: &[TextRange]) -> 
 fn edits(parse: &Parse, options: &Options, only: Option<&[TextRange]>) -> Vec<Edit> {
     // To read the text once more into a list is quicker than to walk the tree.
     let text = parse.to_string();
-    let flat = Flat::new(&text);
-    file::format(
-        Source::new(&text, &flat),
-        &options.checked(),
-        only,
-        Edits::default(),
-    )
-    .0
+    file::format(&text, &options.checked(), only, Edits::default()).0
 }
 
 /// The text in its canonical layout.
 pub fn format_text(text: &str, options: &Options) -> String {
-    let flat = Flat::new(text);
-    let source = Source::new(text, &flat);
-    file::format(source, &options.checked(), None, NewText::new(text)).finish()
+    reformat(text, options).unwrap_or_else(|| text.to_owned())
+}
+
+/// The text in its canonical layout; none if it is in that already, which takes no memory to find out.
+pub fn reformat(text: &str, options: &Options) -> Option<String> {
+    file::format(text, &options.checked(), None, NewText::new(text)).finish()
 }

@@ -32,6 +32,13 @@ impl<'t, S: Sink> Pen<'t, S> {
         }
     }
 
+    /// Forgets everything.
+    pub(crate) fn begin_again(&mut self) {
+        self.at = 0;
+        self.gap.clear();
+        self.sink.clear();
+    }
+
     pub(crate) fn blanks(&mut self, count: u32) {
         push_run(&mut self.gap, BLANKS, count);
     }

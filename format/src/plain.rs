@@ -20,8 +20,11 @@ pub(crate) fn operands(text: &str, place: Range<usize>) -> Option<usize> {
     // A first part holds no parentheses but a coil's own.
     let list = block.iter().skip(1).position(|&b| b == b'(')? + 2;
     let is_empty = block[list..block.len() - 1].iter().all(|&b| is_blank(b));
-    let commas = block[list..].iter().filter(|&&b| b == b',').count();
-    Some(if is_empty { 0 } else { commas + 1 })
+    Some(if is_empty {
+        0
+    } else {
+        block[list..].split(|&b| b == b',').count()
+    })
 }
 
 /// Hands out the pieces.

@@ -61,6 +61,13 @@ impl Reader {
         &self.forms[atom.form.start as usize..atom.form.end as usize]
     }
 
+    /// Forgets everything; the memory stays.
+    pub(crate) fn clear(&mut self) {
+        self.sketch.truncate(0);
+        self.atoms.clear();
+        self.forms.clear();
+    }
+
     /// Forgets the rungs from one on.
     pub(crate) fn forget(&mut self, first: usize) {
         self.sketch.truncate(first);

@@ -11,13 +11,14 @@ pub(crate) struct Stays {
 }
 
 impl Stays {
-    /// What is known without looking into the rungs.
-    pub(crate) fn find(source: Source<'_>) -> Stays {
+    /// What is known without looking into the rungs. `off`: `fmt off` stands before the first line, and afterwards
+    /// whether it does behind the last.
+    pub(crate) fn find(source: Source<'_>, off: &mut bool) -> Stays {
         let lines = source.lines;
         let mut stays = Stays {
             lines: vec![false; lines.lines().len()],
         };
-        stays.switched_off(source);
+        stays.switched_off(source, off);
         let unclosed = lines.unclosed_comment();
         if let Some(line) = unclosed.and_then(|place| lines.line_at(place.start())) {
             stays.keep(line..lines.lines().len());
@@ -44,9 +45,9 @@ impl Stays {
     }
 
     /// What stands between `fmt off` and `fmt on`.
-    fn switched_off(&mut self, source: Source<'_>) {
+    fn switched_off(&mut self, source: Source<'_>, is_off: &mut bool) {
         let count = self.lines.len();
-        let mut off = None;
+        let mut off = is_off.then_some(0);
         for line in 0..count {
             match directive_line(source, line) {
                 Some(Directive::Off) if off.is_none() => off = Some(line + 1),
@@ -58,6 +59,7 @@ impl Stays {
                 _ => {}
             }
         }
+        *is_off = off.is_some();
         if let Some(start) = off {
             self.keep(start..count);
         }

@@ -49,7 +49,7 @@ pub use grammar::is_declaration_keyword;
 pub use kind::{LadderLanguage, SyntaxElement, SyntaxKind, SyntaxNode, SyntaxToken};
 pub use line::{Line, LineKind, Mode};
 pub use line_index::{LineColumn, LineIndex};
-pub use lines::{Lines, read_lines};
+pub use lines::{LineReader, Lines, read_lines};
 pub use name::{Name, is_identifier, is_reserved};
 pub use parse::{MAX_FILE_BYTES, Parse, parse};
 pub use structure::{BlockDefinition, Item, Network, Section, Structure};

@@ -2,7 +2,7 @@
 
 use crate::builder::Builder;
 use crate::grammar::{self, Entry};
-use crate::line::Line;
+use crate::line::{Line, LineKind};
 use crate::structure::{self, Structure};
 use crate::unclosed_comment::unclosed_comment;
 use rowan::{GreenNode, TextRange, TextSize};
@@ -11,7 +11,7 @@ use rowan::{GreenNode, TextRange, TextSize};
 /// they form.
 #[derive(Debug, Clone)]
 pub struct Lines<N = GreenNode> {
-    pub(crate) lines: Vec<Line<N>>,
+    pub(crate) all: Vec<Line<N>>,
     /// Where each line starts, and at the end the length of the text.
     pub(crate) starts: Vec<u32>,
     structure: Structure,
@@ -21,19 +21,68 @@ pub struct Lines<N = GreenNode> {
 /// Reads all lines of a text, and tells the builder what stands on them. [`parse`](crate::parse()) does this with the
 /// builder of the tree.
 pub fn read_lines<B: Builder>(text: &str, builder: &mut B) -> Lines<B::Line> {
-    let mut lines = Vec::with_capacity(text.len() / 48 + 1);
-    let mut starts = Vec::with_capacity(text.len() / 48 + 2);
-    let mut entry = Entry::START;
-    let mut at = 0;
-    while at < text.len() {
-        let line = line_at(text, at, entry, builder);
-        starts.push(at as u32);
-        at += line.len as usize;
-        entry = entry_behind(&line);
-        lines.push(line);
+    let mut lines = Lines::with_capacity(text.len());
+    LineReader::new(text).read(usize::MAX, builder, &mut lines);
+    lines
+}
+
+/// Reads a text part by part, so that a large one need not be in memory line by line.
+#[derive(Debug)]
+pub struct LineReader<'t> {
+    text: &'t str,
+    at: usize,
+    entry: Entry,
+    /// Whether a block definition is open.
+    in_block: bool,
+}
+
+impl<'t> LineReader<'t> {
+    /// A reader that stands at the start of a text.
+    pub fn new(text: &'t str) -> LineReader<'t> {
+        LineReader {
+            text,
+            at: 0,
+            entry: Entry::START,
+            in_block: false,
+        }
     }
-    starts.push(text.len() as u32);
-    Lines::new(text, lines, starts)
+
+    /// Where the next part begins, in bytes.
+    pub fn at(&self) -> usize {
+        self.at
+    }
+
+    /// Reads the next part: at least so many bytes, then to a place where no network, section or block definition
+    /// is open, or to the end of the text. The part's lines take the place of those in `lines`; offsets count from
+    /// the start of the text. What they form is what they form in the whole text; only
+    /// [`Lines::unclosed_comment`], which shows in the last part, may belong into an earlier one.
+    pub fn read<B: Builder>(&mut self, least: usize, builder: &mut B, lines: &mut Lines<B::Line>) {
+        lines.all.clear();
+        lines.starts.clear();
+        let enough = self.at.saturating_add(least);
+        while self.at < self.text.len() {
+            let line = line_at(self.text, self.at, self.entry, builder);
+            lines.starts.push(self.at as u32);
+            self.at += line.len as usize;
+            self.entry = entry_behind(&line);
+            match line.kind {
+                LineKind::BlockHeader => self.in_block = true,
+                LineKind::BlockEnd => self.in_block = false,
+                _ => {}
+            }
+            let ends_item = match line.kind {
+                LineKind::Rung => line.downs == 0,
+                LineKind::SectionEnd | LineKind::BlockEnd => true,
+                _ => false,
+            };
+            lines.all.push(line);
+            if ends_item && self.at >= enough && self.entry == Entry::START && !self.in_block {
+                break;
+            }
+        }
+        lines.starts.push(self.at as u32);
+        lines.regroup(self.text);
+    }
 }
 
 /// Reads the line that begins at `at`.
@@ -51,22 +100,46 @@ pub(crate) fn entry_behind<N>(line: &Line<N>) -> Entry {
     }
 }
 
+impl<N> Default for Lines<N> {
+    fn default() -> Self {
+        Lines {
+            all: Vec::new(),
+            starts: Vec::new(),
+            structure: Structure::default(),
+            unclosed_comment: None,
+        }
+    }
+}
+
 impl<N> Lines<N> {
     /// Puts together what is read off the lines.
     pub(crate) fn new(text: &str, lines: Vec<Line<N>>, starts: Vec<u32>) -> Lines<N> {
-        let structure = structure::structure(&lines);
-        let unclosed_comment = unclosed_comment(text, &lines, &starts);
-        Lines {
-            lines,
+        let mut lines = Lines {
+            all: lines,
             starts,
-            structure,
-            unclosed_comment,
+            ..Lines::default()
+        };
+        lines.regroup(text);
+        lines
+    }
+
+    /// No lines yet, with room for those of a text of so many bytes.
+    fn with_capacity(bytes: usize) -> Lines<N> {
+        Lines {
+            all: Vec::with_capacity(bytes / 48 + 1),
+            starts: Vec::with_capacity(bytes / 48 + 2),
+            ..Lines::default()
         }
+    }
+
+    fn regroup(&mut self, text: &str) {
+        self.structure = structure::structure(&self.all);
+        self.unclosed_comment = unclosed_comment(text, &self.all, &self.starts);
     }
 
     /// The logical lines.
     pub fn lines(&self) -> &[Line<N>] {
-        &self.lines
+        &self.all
     }
 
     /// Where a line starts, in bytes.
@@ -84,7 +157,7 @@ impl<N> Lines<N> {
 
     /// The line that holds an offset; the last one for the end of the text. None for an empty text.
     pub fn line_at(&self, offset: TextSize) -> Option<usize> {
-        let behind = self.starts[..self.lines.len()].partition_point(|&start| start <= u32::from(offset));
+        let behind = self.starts[..self.all.len()].partition_point(|&start| start <= u32::from(offset));
         behind.checked_sub(1)
     }
 
@@ -95,7 +168,7 @@ impl<N> Lines<N> {
 
     /// The length of the text in bytes.
     pub fn text_len(&self) -> TextSize {
-        TextSize::new(self.starts[self.lines.len()])
+        TextSize::new(self.starts[self.all.len()])
     }
 
     /// Where a comment that is never closed is reported; see [`Parse`](crate::Parse::unclosed_comment).

@@ -52,31 +52,45 @@ pub(super) fn plain_block(text: &str, at: usize) -> Option<usize> {
     }
 }
 
-/// Where the name, member (`t1.Q`), number or typed literal (`T#5s`) ends that begins here. What follows it must
-/// be a blank, a comma or the list's end, which is for the caller to see.
+/// Where the name, member (`t1.Q`), number (`-5`, `2.5`) or typed literal (`T#5s`) ends that begins here. What follows
+/// it must be a blank, a comma or the list's end, which is for the caller to see.
 fn operand_end(bytes: &[u8], at: usize) -> Option<usize> {
+    let byte = |at: usize| bytes.get(at).copied().unwrap_or(0);
     let mut end = word_end(bytes, at);
-    match bytes.get(at)? {
-        b'0'..=b'9' => {}
+    match byte(at) {
+        b'0'..=b'9' => end = number_end(bytes, end),
+        b'-' if byte(at + 1).is_ascii_digit() => return Some(number_end(bytes, word_end(bytes, at + 1))),
         b'A'..=b'Z' | b'a'..=b'z' | b'_' if !is_special(&bytes[at..end]) => {
-            while bytes.get(end) == Some(&b'.') {
+            while byte(end) == b'.' {
                 let member = end + 1;
                 end = word_end(bytes, member);
                 // A number behind the point may go on behind another point.
-                if !bytes.get(member)?.is_ascii_alphabetic() || is_special(&bytes[member..end]) {
+                if !byte(member).is_ascii_alphabetic() || is_special(&bytes[member..end]) {
                     return None;
                 }
             }
         }
         _ => return None,
     }
-    if bytes.get(end) == Some(&b'#') {
+    if byte(end) == b'#' {
         let value = end + 1;
-        end = word_end(bytes, value);
-        let is_literal = bytes[at..value - 1].iter().all(u8::is_ascii_alphanumeric) && end > value;
-        return is_literal.then_some(end);
+        let is_prefix = bytes[at..end].iter().all(u8::is_ascii_alphanumeric);
+        end = number_end(bytes, word_end(bytes, value));
+        return (is_prefix && end > value).then_some(end);
     }
     Some(end)
+}
+
+/// Where a number ends whose whole part ends at `at`.
+fn number_end(bytes: &[u8], at: usize) -> usize {
+    let mut end = at;
+    while bytes.get(end) == Some(&b'.')
+        && bytes[end - 1].is_ascii_alphanumeric()
+        && bytes.get(end + 1).is_some_and(u8::is_ascii_digit)
+    {
+        end = word_end(bytes, end + 1);
+    }
+    end
 }
 
 fn is_special(word: &[u8]) -> bool {

@@ -6,4 +6,5 @@ mod invariants;
 mod linear;
 mod locality;
 mod mutated;
+mod plain;
 mod programs;
