@@ -19,7 +19,18 @@ fn the_guide_tells_of_every_option() {
     let told = options(&guide);
     let missing: Vec<&String> = there.difference(&told).collect();
     assert!(missing.is_empty(), "the guide does not tell of {missing:?}");
-    let foreign = ["--path", "--headless", "--install-extension"].map(str::to_owned);
+    // Other programs' options.
+    let foreign = [
+        "--path",
+        "--headless",
+        "--install-extension",
+        "--cached",
+        "--diff-filter",
+        "--name-only",
+        "--no-textconv",
+        "--word-diff",
+    ]
+    .map(str::to_owned);
     let wrong: Vec<&String> = told
         .difference(&there)
         .filter(|option| !foreign.contains(option))

@@ -10,6 +10,7 @@
 //!
 //! - [`find_programs`] turns what a person named (files, folders) into a sorted list of files, by the rules of
 //!   `.gitignore`.
+//! - [`is_excluded`] says of a file that was named whether a search would pass over it.
 //! - [`read`] and [`decode`] are the one gate for text: nothing that is not UTF-8, and nothing larger than
 //!   [`MAX_FILE_BYTES`], goes past it.
 //! - [`write()`] puts a new text in a file's place in one step: a reader, or a power cut, sees the old text or the
@@ -23,6 +24,7 @@
 //! Every error is a [`FileError`]: it names the file and says in plain words what is wrong with it.
 
 mod error;
+mod excluded;
 mod programs;
 mod retentive;
 mod root;
@@ -33,6 +35,7 @@ mod text;
 mod write;
 
 pub use error::{FileError, Problem};
+pub use excluded::is_excluded;
 pub use ladder_syntax::MAX_FILE_BYTES;
 pub use programs::{Source, Workspace};
 pub use retentive::{Found, RetentiveFile};

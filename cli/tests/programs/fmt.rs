@@ -192,3 +192,87 @@ fn the_mode_of_a_file_stays_and_links_are_followed() {
             .is_symlink()
     );
 }
+
+#[test]
+fn many_files_are_told_of_in_their_order() {
+    let names: Vec<String> = (0..300).map(|n| format!("f{n:03}.clad")).collect();
+    let files: Vec<(&str, &str)> = names.iter().map(|name| (name.as_str(), CROOKED)).collect();
+    let folder = Folder::with(&files);
+    let run = folder.ldfmt(&["--check", "."]).to_string();
+    let told: Vec<&str> = run
+        .lines()
+        .filter_map(|line| line.strip_prefix("note: would change: "))
+        .collect();
+    assert_eq!(told, names);
+    assert_eq!(folder.ldfmt(&["."]).to_string(), "exit status 0\n");
+    assert_eq!(folder.ldfmt(&["--check", "."]).to_string(), "exit status 0\n");
+}
+
+#[test]
+fn settings_from_a_file_that_is_named() {
+    let folder = Folder::with(&[
+        ("a.clad", "+--[ ]( a )--( )( y )--+\n"),
+        ("ladder.toml", "[format]\nspacing = 2\n"),
+        (
+            "other.toml",
+            "[format]\nspacing = 4\n[workspace]\nexclude = [\"b/\"]\n",
+        ),
+        ("b/b.clad", CROOKED),
+    ]);
+    assert_eq!(
+        folder.ldfmt(&["--config", "other.toml", "."]).to_string(),
+        "exit status 0\n"
+    );
+    assert_eq!(
+        folder.read("a.clad"),
+        "+----[ ]( a )--------------( )( y )----+\n"
+    );
+    assert_eq!(folder.read("b/b.clad"), CROOKED);
+    let stdin = folder.ldfmt_stdin(&["--config", "other.toml", "-"], b"+-[ ](a)-( )(y)-+");
+    assert_eq!(
+        stdin.to_string(),
+        "exit status 0\n-- stdout\n+----[ ]( a )--------------( )( y )----+"
+    );
+    expect![[r#"
+        exit status 2
+        -- stderr
+        error: none.toml: no such file or folder
+    "#]]
+    .assert_eq(&folder.ldfmt(&["--config", "none.toml", "a.clad"]).to_string());
+}
+
+#[test]
+fn what_is_excluded_is_formatted_when_it_is_named_unless_excluding_is_forced() {
+    let folder = Folder::with(&[
+        ("ladder.toml", "[workspace]\nexclude = [\"old/\"]\n"),
+        (".gitignore", "made.clad\n"),
+        ("old/a.clad", CROOKED),
+        ("made.clad", CROOKED),
+        ("b.clad", MOTOR),
+    ]);
+    let forced = |arguments: &[&str]| {
+        folder
+            .ldfmt(&[&["--force-exclude"], arguments].concat())
+            .to_string()
+    };
+    assert_eq!(folder.ldfmt(&["--check", "."]).to_string(), "exit status 0\n");
+    assert_eq!(
+        forced(&["--check", "old/a.clad", "made.clad", "b.clad"]),
+        "exit status 0\n"
+    );
+    let stdin = |name: &str| {
+        folder
+            .ldfmt_stdin(
+                &["--force-exclude", "--stdin-filename", name, "-"],
+                CROOKED.as_bytes(),
+            )
+            .to_string()
+    };
+    assert_eq!(
+        stdin("old/a.clad"),
+        format!("exit status 0\n-- stdout\n{CROOKED}")
+    );
+    assert_eq!(stdin("b.clad"), format!("exit status 0\n-- stdout\n{MOTOR}"));
+    assert_eq!(folder.ldfmt(&["old/a.clad"]).to_string(), "exit status 0\n");
+    assert_eq!(folder.read("old/a.clad"), MOTOR);
+}

@@ -1,6 +1,6 @@
 //! `--diff`: what would change, as a unified diff.
 
-use crate::terminal::{Stdout, stdout_has_colours};
+use crate::terminal::stdout_has_colours;
 use anstyle::{AnsiColor, Style};
 use similar::{ChangeTag, TextDiff};
 use std::io::{self, Write};
@@ -11,7 +11,7 @@ const NEW: Style = AnsiColor::Green.on_default();
 const PLACE: Style = AnsiColor::Cyan.on_default();
 
 /// Prints it, so that `patch` can read it.
-pub(super) fn print(file: &Path, old: &str, new: &str, out: &mut Stdout) -> io::Result<()> {
+pub(super) fn print(file: &Path, old: &str, new: &str, out: &mut impl Write) -> io::Result<()> {
     let (removed, added, place) = if stdout_has_colours() {
         (OLD, NEW, PLACE)
     } else {

@@ -1,11 +1,11 @@
 //! `ladder fmt` and `ldfmt`: the canonical layout.
 
 mod diff;
+mod files;
 mod layout;
 mod selection;
 
 use crate::outcome::{Failure, Outcome};
-use crate::settings::SettingsFiles;
 use crate::terminal::{self, Stdout};
 use clap::Args;
 use ladder_workspace::{FileError, MAX_FILE_BYTES, Settings};
@@ -21,6 +21,7 @@ Examples:
   ldfmt --diff motor.clad           show what would change
   ldfmt - < motor.clad              from stdin to stdout
   ldfmt --range 12-20 motor.clad    only the networks on lines 12 to 20
+  ldfmt --force-exclude FILE...     in a hook: what is excluded stays, even if it is named
 
 Exit status: 0 fine, 1 a file would change (--check, --diff), 2 a file cannot be read or written, or ladder.toml is wrong.";
 
@@ -50,6 +51,14 @@ pub(crate) struct Arguments {
     #[arg(long, value_name = "PATH", visible_alias = "stdin-filepath")]
     stdin_filename: Option<PathBuf>,
 
+    /// Take the settings from this file, not from the ladder.toml above each program
+    #[arg(long, value_name = "FILE")]
+    config: Option<PathBuf>,
+
+    /// Pass over what ladder.toml or an ignore file excludes, even if it is named (for hooks and editors)
+    #[arg(long)]
+    force_exclude: bool,
+
     /// Align only the networks that lines (and columns) touch, counted from 1
     #[arg(long, value_name = "L[:C]-L[:C]")]
     range: Option<Selection>,
@@ -73,6 +82,11 @@ impl Arguments {
             Task::Rewrite
         }
     }
+
+    /// The settings that hold for all files, if some were given.
+    fn config(&self) -> Result<Option<Settings>, Failure> {
+        Ok(self.config.as_deref().map(Settings::read).transpose()?)
+    }
 }
 
 pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
@@ -90,66 +104,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
             "--stdin-filename needs `-` as the path, which reads stdin",
         ));
     }
-    format_files(arguments)
-}
-
-fn format_files(arguments: &Arguments) -> Result<Outcome, Failure> {
-    let (files, errors) = ladder_workspace::find_programs(&arguments.paths);
-    if arguments.range.is_some() && files.len() > 1 {
-        return Err(Failure::new("--range needs exactly one file"));
-    }
-    for error in &errors {
-        terminal::error(error);
-    }
-    let mut outcome = if errors.is_empty() {
-        Outcome::Fine
-    } else {
-        Outcome::Failed
-    };
-    let mut out = Stdout::new();
-    let mut settings = SettingsFiles::default();
-    for file in &files {
-        // One file that is bad does not keep the others from being aligned.
-        match format_file(file, arguments, &mut settings, &mut out) {
-            Ok(found) => outcome = outcome.max(found),
-            Err(failure) => {
-                terminal::error(&failure);
-                outcome = Outcome::Failed;
-            }
-        }
-    }
-    out.flush()?;
-    Ok(outcome)
-}
-
-fn format_file(
-    file: &Path,
-    arguments: &Arguments,
-    settings: &mut SettingsFiles,
-    out: &mut Stdout,
-) -> Result<Outcome, Failure> {
-    let Some(settings) = settings.of(file)? else {
-        return Ok(Outcome::Failed);
-    };
-    let text = ladder_workspace::read(file)?;
-    let formatted = layout::formatted(&text, &settings.format, arguments.range);
-    if formatted == text {
-        return Ok(Outcome::Fine);
-    }
-    match arguments.task() {
-        Task::Rewrite => {
-            ladder_workspace::write(file, formatted.as_bytes())?;
-            Ok(Outcome::Fine)
-        }
-        Task::Report => {
-            would_change(file);
-            Ok(Outcome::Findings)
-        }
-        Task::ShowDifference => {
-            diff::print(file, &text, &formatted, out)?;
-            Ok(Outcome::Findings)
-        }
-    }
+    files::format(arguments)
 }
 
 fn format_stdin(arguments: &Arguments) -> Result<Outcome, Failure> {
@@ -158,21 +113,37 @@ fn format_stdin(arguments: &Arguments) -> Result<Outcome, Failure> {
         .as_deref()
         .unwrap_or(Path::new("<stdin>"));
     let text = read_stdin(name)?;
-    let settings = Settings::of(name)?;
-    let formatted = layout::formatted(&text, &settings.format, arguments.range);
-    let changes = formatted != text;
+    let settings = match arguments.config()? {
+        Some(config) => config,
+        None => Settings::of(name)?,
+    };
+    let excluded = arguments.force_exclude
+        && arguments.stdin_filename.is_some()
+        && (ladder_workspace::is_excluded(name)
+            || std::path::absolute(name).is_ok_and(|name| !settings.files.contain(&name)));
+    let formatted = if excluded {
+        None
+    } else {
+        layout::formatted(&text, &settings.format, arguments.range)
+    };
     let mut out = Stdout::new();
-    match arguments.task() {
-        Task::Rewrite => out.write_all(formatted.as_bytes())?,
-        Task::Report if changes => would_change(name),
-        Task::ShowDifference if changes => diff::print(name, &text, &formatted, &mut out)?,
-        Task::Report | Task::ShowDifference => {}
-    }
+    let outcome = match (arguments.task(), &formatted) {
+        (Task::Rewrite, _) => {
+            out.write_all(formatted.as_ref().unwrap_or(&text).as_bytes())?;
+            Outcome::Fine
+        }
+        (_, None) => Outcome::Fine,
+        (Task::Report, Some(_)) => {
+            would_change(name);
+            Outcome::Findings
+        }
+        (Task::ShowDifference, Some(formatted)) => {
+            diff::print(name, &text, formatted, &mut out)?;
+            Outcome::Findings
+        }
+    };
     out.flush()?;
-    if changes && arguments.task() != Task::Rewrite {
-        return Ok(Outcome::Findings);
-    }
-    Ok(Outcome::Fine)
+    Ok(outcome)
 }
 
 fn read_stdin(name: &Path) -> Result<String, FileError> {
