@@ -108,7 +108,9 @@ impl<'c> Reach<'c> {
             .start
             .checked_sub(1)
             .map(|before| self.part(rung, before).kind);
-        if before == Some(PartKind::Bar) && self.part(rung, parts.start).touches {
+        // A `|` that touches no wire but a block is decoration like any other, and formatting parts the two.
+        let first = self.part(rung, parts.start);
+        if before == Some(PartKind::Bar) && first.touches && first.kind == PartKind::Wire {
             return Some(self.with_rail(rung, rung_not_powered::found(range)));
         }
         let found = Diagnostic::new(
