@@ -19,20 +19,25 @@ enum Kind {
     Undeclared,
     /// Every tenth rung has a mistake.
     Mistaken,
+    /// As `Declared`, and every network asks for a tag twice: its boolean function is worked out.
+    AskedTwice,
 }
 
 fn program(kind: Kind, rungs: usize) -> String {
     let mut text = String::with_capacity(rungs * 70);
     let networks = rungs / 3;
     if !matches!(kind, Kind::Undeclared) {
-        text.push_str("VAR\n");
-        for n in 0..networks {
-            let _ = writeln!(
-                text,
-                "    start_{n}, stop_{n}, run_{n}, ready_{n} : BOOL;\n    warm_{n} : TON;"
-            );
+        for (header, declaration) in [
+            ("VAR_INPUT", "start_#, stop_# : BOOL;"),
+            ("VAR_OUTPUT", "run_#, ready_# : BOOL;"),
+            ("VAR", "warm_# : TON;"),
+        ] {
+            let _ = writeln!(text, "{header}");
+            for n in 0..networks {
+                let _ = writeln!(text, "    {}", declaration.replace('#', &n.to_string()));
+            }
+            text.push_str("END_VAR\n\n");
         }
-        text.push_str("END_VAR\n\n");
     }
     for n in 0..networks {
         let stop = (n * 7 + 3) % networks;
@@ -41,11 +46,16 @@ fn program(kind: Kind, rungs: usize) -> String {
         } else {
             "TON"
         };
+        let (upper, lower) = if matches!(kind, Kind::AskedTwice) {
+            (format!("--[ ]( ready_{n} )"), format!("--[/]( ready_{n} )"))
+        } else {
+            (String::new(), String::new())
+        };
         let _ = writeln!(
             text,
             "# Station {n} #\n\
-             +--\\--[ ]( start_{n} )--\\--[/]( stop_{stop} )--( )( run_{n} )--+\n\
-             |  /--[ ]( run_{n} )----/                                   |\n\n\
+             +--\\--[ ]( start_{n} ){upper}--\\--[/]( stop_{stop} )--( )( run_{n} )--+\n\
+             |  /--[ ]( run_{n} ){lower}----/                                   |\n\n\
              +--[ ]( run_{n} )--[{instruction}]( warm_{n}, T#5s )--( )( ready_{n} )--+\n"
         );
     }
@@ -57,7 +67,7 @@ fn parsed(kind: Kind, rungs: usize) -> (Arc<Parse>, usize) {
     (Arc::new(parse(&text)), text.len())
 }
 
-#[divan::bench(args = [Kind::Declared, Kind::Undeclared, Kind::Mistaken])]
+#[divan::bench(args = [Kind::Declared, Kind::Undeclared, Kind::Mistaken, Kind::AskedTwice])]
 fn thousand_rungs(bencher: Bencher, kind: Kind) {
     let (parse, size) = parsed(kind, 1_000);
     bencher
@@ -65,7 +75,7 @@ fn thousand_rungs(bencher: Bencher, kind: Kind) {
         .bench_local(|| analyze(&parse, "bench.clad"));
 }
 
-#[divan::bench(args = [Kind::Declared, Kind::Undeclared, Kind::Mistaken], sample_count = 10)]
+#[divan::bench(args = [Kind::Declared, Kind::Undeclared, Kind::Mistaken, Kind::AskedTwice], sample_count = 10)]
 fn large(bencher: Bencher, kind: Kind) {
     let (parse, size) = parsed(kind, 50_000);
     bencher

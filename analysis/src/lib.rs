@@ -4,7 +4,7 @@
 //! Parse --network--> per network: wiring, blocks bound to the instruction table, order of evaluation
 //!       --declare--> the tags of each scope   --uses, infer--> undeclared tags and their types
 //!       --resolve--> Program: names resolved, operands typed, elements in the order of evaluation
-//!       --rules----> Diagnostics, with fixes as text edits
+//!       --rules----> Diagnostics, with fixes as text edits; those about power ask the boolean function of a network
 //! ```
 //!
 //! A file shows the others of its workspace its [`Exports`], which follow from its text alone; [`Others`] is what it sees of
