@@ -7,7 +7,7 @@ use crate::program::Program;
 use crate::resolve::{self, Resolved, numbers::Unit};
 use crate::rule::Severity;
 use crate::rule_settings::RuleSettings;
-use crate::rules;
+use crate::{lint, rules};
 use ladder_syntax::Parse;
 use std::sync::Arc;
 
@@ -18,6 +18,8 @@ pub struct Analysis {
     pub context: Context,
     /// The findings, in the order of their places.
     pub diagnostics: Vec<Diagnostic>,
+    /// Errors that settings or comments hide, or count as less: the program does not run all the same.
+    pub hidden_errors: Vec<Diagnostic>,
     /// The program, if there are no errors and it uses no function or block of another file: see [`link`](crate::link).
     pub program: Option<Arc<Program>>,
     /// What messages call the file.
@@ -27,7 +29,13 @@ pub struct Analysis {
 impl Analysis {
     /// Whether a finding is an error: the program is not simulated.
     pub fn has_errors(&self) -> bool {
-        self.diagnostics.iter().any(|d| d.severity == Severity::Error)
+        self.errors().next().is_some()
+    }
+
+    /// What keeps the program from being simulated.
+    pub fn errors(&self) -> impl Iterator<Item = &Diagnostic> {
+        let shown = self.diagnostics.iter().filter(|d| d.severity == Severity::Error);
+        shown.chain(&self.hidden_errors)
     }
 }
 
@@ -57,13 +65,14 @@ pub fn analyze_with(parse: &Arc<Parse>, name: &str, others: &Others, settings: &
     } = resolve::program(&[alone], &mut diagnostics);
     rules::check(&context, settings, &mut diagnostics);
     rules::unclosed_comment::hide_what_follows(parse, &mut diagnostics);
-    diagnostics.retain(|found| settings.is_on(found.rule) || found.severity == Severity::Error);
+    let hidden_errors = lint::apply(&context, settings, &mut diagnostics);
     diagnostics.sort_by_key(|d| (d.range.start(), d.range.end(), d.rule));
     // The first says it best: what is found while types are inferred comes before what follows from it.
     diagnostics.dedup_by(|later, first| later.rule == first.rule && later.range == first.range);
     let mut analysis = Analysis {
         context,
         diagnostics,
+        hidden_errors,
         program: None,
         name: Arc::from(name),
     };

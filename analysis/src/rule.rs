@@ -80,6 +80,8 @@ rules! {
     MisplacedRail "misplaced-rail" Text Error;
     BadLiteral "bad-literal" Text Error;
     BadDeclaration "bad-declaration" Text Error;
+    BadDirective "bad-directive" Text Warning;
+    SuppressionUnused "suppression-unused" Text Info;
     UnpairedConnector "unpaired-connector" Connectors Error;
     MisleadingAlignment "misleading-alignment" Connectors Info;
     UnknownInstruction "unknown-instruction" Blocks Error;

@@ -1,15 +1,25 @@
 //! What the rules are told before they look: which of them look at all, and how long a scan takes.
 
-use crate::rule::Rule;
-use std::collections::BTreeSet;
+use crate::rule::{Rule, Severity};
+use std::collections::BTreeMap;
 
 /// The scan interval unless set otherwise, in nanoseconds (LANGUAGE §6).
 pub const DEFAULT_SCAN_INTERVAL: i64 = 10_000_000;
 
+/// What a rule's findings count as.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum Level {
+    /// They are shown with this severity.
+    Shown(Severity),
+    /// They are not shown.
+    Off,
+}
+
 /// Settings of the rules. [`Default`] is what the table of rules says.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct RuleSettings {
-    on: BTreeSet<Rule>,
+    /// What is set otherwise than the rule itself has it.
+    pub levels: BTreeMap<Rule, Level>,
     /// The scan interval in nanoseconds: no timer can tell shorter times apart.
     pub scan_interval: i64,
 }
@@ -17,11 +27,7 @@ pub struct RuleSettings {
 impl Default for RuleSettings {
     fn default() -> RuleSettings {
         RuleSettings {
-            on: Rule::ALL
-                .iter()
-                .copied()
-                .filter(|rule| rule.on_by_default())
-                .collect(),
+            levels: BTreeMap::new(),
             scan_interval: DEFAULT_SCAN_INTERVAL,
         }
     }
@@ -30,23 +36,26 @@ impl Default for RuleSettings {
 impl RuleSettings {
     /// Every rule looks, also those that are off unless set.
     pub fn everything() -> RuleSettings {
-        RuleSettings {
-            on: Rule::ALL.iter().copied().collect(),
-            ..RuleSettings::default()
+        let mut settings = RuleSettings::default();
+        for rule in Rule::ALL.iter().copied().filter(|rule| !rule.on_by_default()) {
+            settings.set(rule, Level::Shown(rule.default_severity()));
         }
+        settings
     }
 
-    /// Switches a rule on or off.
-    pub fn switch(&mut self, rule: Rule, on: bool) {
-        if on {
-            self.on.insert(rule);
-        } else {
-            self.on.remove(&rule);
-        }
+    /// Sets what a rule's findings count as.
+    pub fn set(&mut self, rule: Rule, level: Level) {
+        self.levels.insert(rule, level);
+    }
+
+    /// What a rule's findings count as; none: as the rule itself has it.
+    pub fn level(&self, rule: Rule) -> Option<Level> {
+        let own = (!rule.on_by_default()).then_some(Level::Off);
+        self.levels.get(&rule).copied().or(own)
     }
 
     /// Whether a rule looks for findings.
     pub fn is_on(&self, rule: Rule) -> bool {
-        self.on.contains(&rule)
+        self.level(rule) != Some(Level::Off)
     }
 }

@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use ladder_analysis::fix::aligned;
-use ladder_analysis::{Diagnostic, Fix, Others, analyze_in};
+use ladder_analysis::{Diagnostic, Fix, Others, RuleSettings, analyze_with};
 use ladder_format::{Edit, Options, format};
 use ladder_ide::{Hover, hover};
 use ladder_syntax::{TextSize, parse};
@@ -14,8 +14,13 @@ pub(crate) struct Analysis(Arc<ladder_analysis::Analysis>);
 
 impl Analysis {
     /// Analyses a text of at most 64 MiB. Messages of a running program call the file by this name.
-    pub(crate) fn of(text: &str, name: &str, others: &Others) -> Self {
-        Analysis(Arc::new(analyze_in(&Arc::new(parse(text)), name, others)))
+    pub(crate) fn of(text: &str, name: &str, others: &Others, rules: &RuleSettings) -> Self {
+        Analysis(Arc::new(analyze_with(
+            &Arc::new(parse(text)),
+            name,
+            others,
+            rules,
+        )))
     }
 
     /// What is wrong, in the order of the places.

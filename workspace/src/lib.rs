@@ -41,7 +41,7 @@ pub use programs::{Source, Workspace};
 pub use retentive::{Found, RetentiveFile};
 pub use root::{Root, SETTINGS_FILE};
 pub use search::{EXTENSION, SCENARIO_EXTENSION, find_programs, find_scenarios, is_program, is_scenario};
-pub use settings::{Files, LintLevel, Mistake, Settings, SettingsError, Simulate};
+pub use settings::{Files, Levels, Lint, Mistake, Settings, SettingsError, Simulate};
 pub use stamp::Stamp;
 pub use text::{decode, read};
 pub use write::{Replacement, write};

@@ -3,7 +3,7 @@
 use crate::settings::SettingsError;
 use crate::{FileError, Root, Settings, read};
 use ladder_analysis::program::Program;
-use ladder_analysis::{Analysis, Exported, Exports, NotWhole, analyze_in, exports, link};
+use ladder_analysis::{Analysis, Exported, Exports, NotWhole, analyze_with, exports, link};
 use ladder_syntax::Parse;
 use std::path::{Path, PathBuf};
 use std::sync::{Arc, OnceLock};
@@ -86,7 +86,8 @@ impl Workspace {
     pub fn analysis(&self, source: &Source) -> Arc<Analysis> {
         let analysis = source.analysis.get_or_init(|| {
             let others = self.exported().others_of(&source.name);
-            Arc::new(analyze_in(source.parse(), &source.name, &others))
+            let rules = self.settings.rules_for(&source.path);
+            Arc::new(analyze_with(source.parse(), &source.name, &others, &rules))
         });
         Arc::clone(analysis)
     }
@@ -95,7 +96,14 @@ impl Workspace {
     /// it.
     pub fn analyze_guest(&self, text: &str, name: &str) -> Arc<Analysis> {
         let parse = Arc::new(ladder_syntax::parse(text));
-        Arc::new(analyze_in(&parse, name, &self.exported().others_of(name)))
+        let path = self.program_named(name).map_or(Path::new(name), Source::path);
+        let rules = self.settings.rules_for(path);
+        Arc::new(analyze_with(
+            &parse,
+            name,
+            &self.exported().others_of(name),
+            &rules,
+        ))
     }
 
     /// What runs: the program with all that it uses of other files.

@@ -1,8 +1,8 @@
 //! Settings files: what they say, and what is wrong with them.
 
 use expect_test::{Expect, expect};
-use ladder_analysis::{Rule, Severity};
-use ladder_workspace::{LintLevel, Root, Settings, find_programs};
+use ladder_analysis::{Level, Rule, Severity};
+use ladder_workspace::{Root, Settings, find_programs};
 use std::fs;
 use std::path::{Path, PathBuf};
 
@@ -19,7 +19,7 @@ fn wrong(text: &str, expected: Expect) {
 fn an_empty_file_asks_for_nothing() {
     let settings = settings("# nothing yet\n");
     assert_eq!(settings.format, ladder_format::Options::default());
-    assert!(settings.lint.is_empty());
+    assert!(settings.lint.levels.is_empty());
     assert_eq!(settings.simulate.options(), ladder_simulator::Options::default());
     assert!(settings.files.contain(Path::new("/plant/a.clad")));
 }
@@ -49,13 +49,13 @@ exclude = ["old", "*.tmp.clad"]
 "#,
     );
     assert_eq!((settings.format.width, settings.format.spacing), (120, 3));
-    let lint: Vec<_> = settings.lint.into_iter().collect();
+    let lint: Vec<_> = settings.lint.levels.into_iter().collect();
     assert_eq!(
         lint,
         [
-            (Rule::UndeclaredTag, LintLevel::Shown(Severity::Error)),
-            (Rule::NoOutput, LintLevel::Shown(Severity::Info)),
-            (Rule::DoubleCoil, LintLevel::Off),
+            (Rule::UndeclaredTag, Level::Shown(Severity::Error)),
+            (Rule::NoOutput, Level::Shown(Severity::Info)),
+            (Rule::DoubleCoil, Level::Off),
         ]
     );
     assert_eq!(settings.simulate.interval, Some(20_000_000));

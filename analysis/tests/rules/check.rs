@@ -1,7 +1,7 @@
 //! Shows what is found in a text the way a person reads it.
 
 use expect_test::Expect;
-use ladder_analysis::{Diagnostic, Exported, Others, Rule, RuleSettings, analyze_with, exports, fix};
+use ladder_analysis::{Diagnostic, Exported, Level, Others, Rule, RuleSettings, analyze_with, exports, fix};
 use ladder_format::{Options, apply};
 use ladder_syntax::{LineIndex, TextRange, parse};
 use std::sync::Arc;
@@ -40,7 +40,7 @@ pub(crate) fn clean_program(text: &str) {
 fn short_text() -> RuleSettings {
     let mut settings = RuleSettings::default();
     for rule in ABOUT_WHOLE_PROGRAMS {
-        settings.switch(rule, false);
+        settings.set(rule, Level::Off);
     }
     settings
 }

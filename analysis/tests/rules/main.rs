@@ -12,6 +12,7 @@ mod pathological;
 mod power;
 mod program;
 mod several_files;
+mod switched_off;
 mod tags;
 mod text;
 mod values;

@@ -3,8 +3,8 @@
 use crate::findings::{Source, full};
 use crate::terminal::{self, stderr_has_colours};
 use annotate_snippets::Renderer;
+use ladder_analysis::NotWhole;
 use ladder_analysis::program::{Location, Program};
-use ladder_analysis::{NotWhole, Severity};
 use std::sync::Arc;
 
 /// `motor.clad:3:12`
@@ -47,8 +47,7 @@ fn errors(source: &Source) {
         Renderer::plain()
     };
     let analysis = source.analyze();
-    let found = analysis.diagnostics.iter();
-    for error in found.filter(|found| found.severity == Severity::Error) {
+    for error in analysis.errors() {
         terminal::plain(&format_args!("{}\n", full::render(source, error, &renderer)));
     }
 }

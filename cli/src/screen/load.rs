@@ -4,9 +4,9 @@ use super::plant::Plant;
 use crate::findings::Source;
 use crate::outcome::Failure;
 use crate::run::{self, Retention, Stimulus};
+use ladder_analysis::NotWhole;
 use ladder_analysis::program::{Program, Role};
 use ladder_analysis::types::Scalar;
-use ladder_analysis::{NotWhole, Severity};
 use ladder_simulator::{HistoryLimits, Point, Session, Simulation};
 use ladder_workspace::{Settings, Stamp};
 use std::path::Path;
@@ -67,8 +67,7 @@ fn problem(source: &Source, not_whole: &NotWhole) -> String {
 
 fn first_error(source: &Source) -> String {
     let analysis = source.analyze();
-    let found = analysis.diagnostics.iter();
-    let mut errors = found.filter(|found| found.severity == Severity::Error);
+    let mut errors = analysis.errors();
     let first = errors.next().map_or(String::new(), |error| {
         let place = source.place(error.range.start());
         format!(

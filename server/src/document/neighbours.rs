@@ -10,7 +10,9 @@ use std::path::{Path, PathBuf};
 use std::sync::{Arc, Mutex, MutexGuard, OnceLock, PoisonError};
 
 use ladder_analysis::program::Program;
-use ladder_analysis::{Analysis, Exported, Exports, NotWhole, Others, analyze_in, exports, link};
+use ladder_analysis::{
+    Analysis, Exported, Exports, NotWhole, Others, RuleSettings, analyze_with, exports, link,
+};
 use ladder_syntax::Parse;
 use ladder_workspace::{Root, Settings, Simulate};
 
@@ -137,6 +139,11 @@ impl Neighbours {
         self.lock().folder(path).1.settings.format.clone()
     }
 
+    /// What the rules are told before they look at a file.
+    pub(crate) fn rules(&self, path: &Path) -> RuleSettings {
+        self.lock().folder(path).1.settings.rules_for(path)
+    }
+
     /// How the workspace of a file has its programs run.
     pub(crate) fn simulate(&self, path: &Path) -> Simulate {
         self.lock().folder(path).1.settings.simulate.clone()
@@ -174,10 +181,11 @@ impl Neighbours {
             if let Some((_, open)) = open {
                 return Some(Arc::clone(&open.analysis));
             }
-            let file = folder.disk.values().find(|file| *file.name == *name)?;
+            let (path, file) = folder.disk.iter().find(|(_, file)| *file.name == *name)?;
+            let rules = folder.settings.rules_for(path);
             let (file, others) = (Arc::clone(file), folder.exported().others_of(name));
             drop(state);
-            Some(Arc::new(analyze_in(&file.parse, name, &others)))
+            Some(Arc::new(analyze_with(&file.parse, name, &others, &rules)))
         })
     }
 

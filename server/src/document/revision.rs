@@ -4,7 +4,7 @@ use std::sync::atomic::{AtomicU64, Ordering};
 use std::sync::{Arc, OnceLock};
 
 use ladder_analysis::program::Program;
-use ladder_analysis::{NotWhole, Others, link};
+use ladder_analysis::{NotWhole, Others, RuleSettings, link};
 use ladder_format::{Edit, Options};
 use ladder_syntax::{MAX_FILE_BYTES, TextRange, TextSize};
 use ropey::Rope;
@@ -66,9 +66,9 @@ impl Revision {
                 match &self.place {
                     Some(place) => {
                         let (name, others) = place.neighbours.view(&place.path);
-                        Analysis::of(&text, &name, &others)
+                        Analysis::of(&text, &name, &others, &place.neighbours.rules(&place.path))
                     }
-                    None => Analysis::of(&text, self.name(), &Others::default()),
+                    None => Analysis::of(&text, self.name(), &Others::default(), &RuleSettings::default()),
                 }
             })
         })

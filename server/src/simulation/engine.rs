@@ -5,7 +5,7 @@ use std::time::Duration;
 
 use ladder_analysis::program::{Location, Role};
 use ladder_analysis::value::Value;
-use ladder_analysis::{Diagnostic, NotWhole, Severity};
+use ladder_analysis::{Analysis, NotWhole};
 use ladder_simulator::{Breakpoint, HistoryLimits, Point, Session, Simulation, Status, Stop};
 use ladder_syntax::TextRange;
 use serde_json::Value as Json;
@@ -57,7 +57,7 @@ impl Engine {
                     "{file}, which the program uses, cannot be read"
                 )));
             }
-            _ => return Err(has_errors(&revision, analysis.diagnostics())),
+            _ => return Err(has_errors(&revision, analysis.whole())),
         };
         let settings = revision.simulate();
         let limits = match options.history.or(settings.history) {
@@ -341,11 +341,8 @@ fn engine_options(
 }
 
 /// Why a program with errors is not simulated: the first of them, and how many there are.
-fn has_errors(revision: &Revision, found: &[Diagnostic]) -> Failure {
-    let errors: Vec<_> = found
-        .iter()
-        .filter(|found| found.severity == Severity::Error)
-        .collect();
+fn has_errors(revision: &Revision, analysis: &Analysis) -> Failure {
+    let errors: Vec<_> = analysis.errors().collect();
     let Some(first) = errors.first() else {
         return Failure::Failed("the program cannot be simulated".into());
     };

@@ -16,13 +16,15 @@ pub struct Files {
 impl Files {
     /// Whether a program below the settings file's folder belongs to the workspace.
     pub fn contain(&self, program: &Path) -> bool {
-        let matches = |patterns: &Gitignore| {
-            // What does not lie below the folder is none of its business (and would be a panic).
-            program.starts_with(patterns.path())
-                && patterns.matched_path_or_any_parents(program, false).is_ignore()
-        };
+        let matches = |patterns: &Gitignore| covers(patterns, program);
         self.include.as_ref().is_none_or(matches) && !self.exclude.as_ref().is_some_and(matches)
     }
+}
+
+/// Whether a file matches patterns.
+pub(super) fn covers(patterns: &Gitignore, program: &Path) -> bool {
+    // What does not lie below the folder is none of its business (and would be a panic).
+    program.starts_with(patterns.path()) && patterns.matched_path_or_any_parents(program, false).is_ignore()
 }
 
 pub(super) fn read<'t>(mut table: Table<'t>, folder: &Path, reader: &mut Reader<'t>) -> Files {
@@ -35,7 +37,13 @@ pub(super) fn read<'t>(mut table: Table<'t>, folder: &Path, reader: &mut Reader<
     }
 }
 
-fn patterns<'t>(given: &Given<'t>, example: &str, folder: &Path, reader: &mut Reader<'t>) -> Gitignore {
+/// Patterns as in `.gitignore`, seen from a folder.
+pub(super) fn patterns<'t>(
+    given: &Given<'t>,
+    example: &str,
+    folder: &Path,
+    reader: &mut Reader<'t>,
+) -> Gitignore {
     let mut builder = GitignoreBuilder::new(folder);
     for (range, pattern) in reader.strings(given, example) {
         if let Err(error) = builder.add_line(None, &pattern) {

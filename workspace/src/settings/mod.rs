@@ -11,13 +11,12 @@ mod simulate;
 
 pub use error::{Mistake, SettingsError};
 pub use files::Files;
-pub use lint::LintLevel;
+pub use lint::{Levels, Lint};
 pub use simulate::Simulate;
 
 use crate::Root;
-use ladder_analysis::Rule;
+use ladder_analysis::RuleSettings;
 use reader::Reader;
-use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
 /// What a workspace asks for.
@@ -26,7 +25,7 @@ pub struct Settings {
     /// `[format]`: how diagrams are laid out.
     pub format: ladder_format::Options,
     /// `[lint]`: how much the findings of a rule matter, where that is not what the rule itself says.
-    pub lint: BTreeMap<Rule, LintLevel>,
+    pub lint: Lint,
     /// `[simulate]`: how programs are run.
     pub simulate: Simulate,
     /// `[workspace]`: which files belong to it.
@@ -43,6 +42,18 @@ impl Settings {
             Some(file) => Settings::read(&file),
             None => Ok(Settings::default()),
         }
+    }
+
+    /// What the rules are told before they look at a program.
+    pub fn rules_for(&self, program: &Path) -> RuleSettings {
+        let mut rules = RuleSettings {
+            scan_interval: self.simulate.options().interval,
+            ..RuleSettings::default()
+        };
+        for (rule, level) in self.lint.levels_of(program) {
+            rules.set(rule, level);
+        }
+        rules
     }
 
     /// Reads a settings file.
@@ -67,7 +78,7 @@ impl Settings {
                 settings.format = format::read(table, &mut reader);
             }
             if let Some(table) = top.table(&mut reader, "lint") {
-                settings.lint = lint::read(table, &mut reader);
+                settings.lint = lint::read(table, &folder, &mut reader);
             }
             if let Some(table) = top.table(&mut reader, "simulate") {
                 settings.simulate = simulate::read(table, &folder, &mut reader);

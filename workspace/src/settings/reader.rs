@@ -21,6 +21,7 @@ pub(super) struct Table<'t> {
     entries: DeTable<'t>,
     /// The keys that were asked for.
     known: Vec<&'static str>,
+    span: Range<usize>,
 }
 
 /// A value and where it stands.
@@ -37,7 +38,10 @@ impl<'t> Reader<'t> {
     /// The file's tables. None if it is no TOML.
     pub(super) fn document(&mut self) -> Option<Table<'t>> {
         match DeTable::parse(self.text) {
-            Ok(document) => Some(Table::new(String::new(), document.into_inner())),
+            Ok(document) => {
+                let span = document.span();
+                Some(Table::new(String::new(), document.into_inner(), span))
+            }
             Err(error) => {
                 let range = error.span().unwrap_or(0..0);
                 self.wrong(range, format!("this is no TOML: {}", error.message()));
@@ -106,6 +110,24 @@ impl<'t> Reader<'t> {
         }
     }
 
+    /// A list of tables, each under a heading like `heading`.
+    pub(super) fn tables(&mut self, given: Given<'t>, heading: &str) -> Vec<Table<'t>> {
+        let span = given.span();
+        let DeValue::Array(items) = given.into_inner() else {
+            self.wrong(span, format!("write {heading} on a line of its own"));
+            return Vec::new();
+        };
+        let mut tables = Vec::new();
+        for item in items {
+            let span = item.span();
+            match item.into_inner() {
+                DeValue::Table(entries) => tables.push(Table::new(heading.to_owned(), entries, span)),
+                _ => self.wrong(span, format!("write {heading} on a line of its own")),
+            }
+        }
+        tables
+    }
+
     /// A list of texts.
     pub(super) fn strings(&mut self, given: &Given<'t>, example: &str) -> Vec<(Range<usize>, Cow<'t, str>)> {
         let DeValue::Array(items) = given.get_ref() else {
@@ -123,12 +145,26 @@ impl<'t> Reader<'t> {
 }
 
 impl<'t> Table<'t> {
-    fn new(name: String, entries: DeTable<'t>) -> Table<'t> {
+    fn new(name: String, entries: DeTable<'t>, span: Range<usize>) -> Table<'t> {
         Table {
             name,
             entries,
             known: Vec::new(),
+            span,
         }
+    }
+
+    /// A value that is a table in braces; none if it is anything else.
+    pub(super) fn inline(name: &str, given: &Given<'t>) -> Option<Table<'t>> {
+        match given.get_ref() {
+            DeValue::Table(entries) => Some(Table::new(name.to_owned(), entries.clone(), given.span())),
+            _ => None,
+        }
+    }
+
+    /// Where it stands.
+    pub(super) fn span(&self) -> Range<usize> {
+        self.span.clone()
     }
 
     /// The value of a key, if it is there.
@@ -142,7 +178,7 @@ impl<'t> Table<'t> {
         let given = self.take(key)?;
         let span = given.span();
         match given.into_inner() {
-            DeValue::Table(entries) => Some(Table::new(key.to_owned(), entries)),
+            DeValue::Table(entries) => Some(Table::new(key.to_owned(), entries, span)),
             _ => {
                 reader.wrong(
                     span,

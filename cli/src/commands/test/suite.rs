@@ -4,8 +4,8 @@ use super::report::{CaseReport, DifferenceReport, FaultReport, FileReport};
 use crate::findings::{Place, Problem, Source, Workspaces, full};
 use crate::outcome::Outcome;
 use annotate_snippets::Renderer;
+use ladder_analysis::NotWhole;
 use ladder_analysis::program::Location;
-use ladder_analysis::{NotWhole, Severity};
 use ladder_simulator::coverage::Coverage;
 use ladder_simulator::scenario::{self, Case, Mistake, Suite};
 use ladder_simulator::{Options, Simulation};
@@ -242,9 +242,8 @@ fn compile(
 /// The errors in a program.
 fn errors(source: &Source, renderer: &Renderer) -> Vec<Problem> {
     let analysis = source.analyze();
-    let found = analysis.diagnostics.iter();
-    found
-        .filter(|found| found.severity == Severity::Error)
+    analysis
+        .errors()
         .map(|error| Problem {
             place: Place::of(source, error.range),
             rule: error.rule.name(),

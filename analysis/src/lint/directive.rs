@@ -1,0 +1,111 @@
+//! Comments that speak to the tools: `# ladder: allow(double-coil): two modes, only one is wired #`.
+
+use crate::diagnostic::Diagnostic;
+use crate::rule::{Rule, Severity};
+use crate::rules::did_you_mean::closest;
+use ladder_syntax::{TextRange, TextSize};
+
+/// What a comment asks for.
+#[derive(Debug, PartialEq, Eq)]
+pub(super) enum Directive {
+    /// Switch rules off for what stands next, or for the file.
+    Allow { rules: Vec<Rule>, file: bool },
+    /// Something else that the tools know: `fmt off`, `profile iec`.
+    Known,
+}
+
+/// Reads a comment that stands at `at`. None: it does not speak to the tools. What is wrong goes to `out`.
+pub(super) fn read(comment: &str, at: TextSize, out: &mut Vec<Diagnostic>) -> Option<Directive> {
+    let inside = comment.trim_matches('#').trim();
+    let words = inside.strip_prefix("ladder:")?.trim();
+    let place = TextRange::at(at, TextSize::of(comment));
+    let (name, behind) = words.split_at(words.find(|c: char| !is_word(c)).unwrap_or(words.len()));
+    let file = match name {
+        "allow" => false,
+        "allow-file" => true,
+        "fmt" if matches!(behind.trim(), "on" | "off") => return Some(Directive::Known),
+        "fmt" => {
+            out.push(bad(place, "`fmt` is followed by `on` or `off`"));
+            return None;
+        }
+        "profile" => return profile(behind.trim(), place, out),
+        _ => {
+            out.push(unknown(name, place));
+            return None;
+        }
+    };
+    let rules = rules(behind, place, out)?;
+    Some(Directive::Allow { rules, file })
+}
+
+fn is_word(c: char) -> bool {
+    c.is_ascii_alphanumeric() || c == '-' || c == '_'
+}
+
+/// `(double-coil, never-read): the second belongs to the panel`
+fn rules(text: &str, place: TextRange, out: &mut Vec<Diagnostic>) -> Option<Vec<Rule>> {
+    const FORM: &str = "write it as in `# ladder: allow(double-coil): reason #`";
+    let Some((names, reason)) = text
+        .trim_start()
+        .strip_prefix('(')
+        .and_then(|text| text.split_once(')'))
+    else {
+        out.push(bad(place, "the rules to switch off stand in parentheses").help(FORM));
+        return None;
+    };
+    let mut rules = Vec::new();
+    for name in names.split(',').map(str::trim) {
+        match Rule::from_name(name) {
+            Some(rule) => rules.push(rule),
+            None => out.push(no_rule(name, place)),
+        }
+    }
+    let reason = reason.trim_start().strip_prefix(':').unwrap_or_default();
+    if reason.trim().is_empty() {
+        out.push(bad(place, "this comment does not say why a rule is switched off").help(FORM));
+    }
+    Some(rules)
+}
+
+fn profile(name: &str, place: TextRange, out: &mut Vec<Diagnostic>) -> Option<Directive> {
+    match name {
+        "iec" => Some(Directive::Known),
+        "ldmicro" | "click" | "iot" => {
+            let mut found = bad(place, format!("the profile `{name}` is not there yet")).help(
+                "with the profile `iec` timers, counters and arithmetic of this program may behave otherwise",
+            );
+            // Better no simulation than one of another program.
+            found.severity = Severity::Error;
+            out.push(found);
+            None
+        }
+        _ => {
+            out.push(
+                bad(place, format!("there is no profile `{name}`"))
+                    .help("the profiles are `iec`, `ldmicro`, `click` and `iot`"),
+            );
+            None
+        }
+    }
+}
+
+fn unknown(name: &str, place: TextRange) -> Diagnostic {
+    const WORDS: [&str; 4] = ["allow", "allow-file", "fmt", "profile"];
+    let found = bad(place, format!("`{name}` is nothing that a comment can ask for"));
+    found.help(match closest(name, WORDS.into_iter()) {
+        Some(near) => format!("did you mean `{near}`?"),
+        None => "comments can say `allow`, `allow-file`, `fmt off`, `fmt on` and `profile`".to_owned(),
+    })
+}
+
+fn no_rule(name: &str, place: TextRange) -> Diagnostic {
+    let found = bad(place, format!("there is no rule `{name}`"));
+    found.help(match closest(name, Rule::ALL.iter().map(|rule| rule.name())) {
+        Some(near) => format!("did you mean `{near}`?"),
+        None => "the reference of the rules lists them all".to_owned(),
+    })
+}
+
+fn bad(place: TextRange, message: impl Into<String>) -> Diagnostic {
+    Diagnostic::new(Rule::BadDirective, place, message)
+}

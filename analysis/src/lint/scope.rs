@@ -1,0 +1,138 @@
+//! Where the comments stand that switch rules off, and what each of them covers.
+
+use super::directive::{self, Directive};
+use crate::context::Context;
+use crate::diagnostic::Diagnostic;
+use crate::rule::Rule;
+use ladder_syntax::wiring::PartKind;
+use ladder_syntax::{Item, LineKind, NodeOrToken, Parse, TextRange, TextSize};
+
+/// A comment that switches rules off.
+#[derive(Debug)]
+pub(super) struct Allow {
+    /// The comment.
+    pub(super) comment: TextRange,
+    pub(super) rules: Vec<Switched>,
+    /// Findings that begin here are not shown.
+    pub(super) covers: TextRange,
+    /// What to take out to be rid of the comment: its line, if nothing else stands there.
+    pub(super) removal: Option<TextRange>,
+}
+
+/// A rule that a comment switches off.
+#[derive(Debug)]
+pub(super) struct Switched {
+    pub(super) rule: Rule,
+    /// Whether it would have found something.
+    pub(super) used: bool,
+}
+
+/// All such comments of a file. What is wrong with comments to the tools goes to `out`.
+pub(super) fn allows(context: &Context, out: &mut Vec<Diagnostic>) -> Vec<Allow> {
+    let parse = &context.parse;
+    let mut allows = Vec::new();
+    // Comments between the things of a file: they speak of what stands next.
+    let items = &parse.structure().items;
+    for (index, item) in items.iter().enumerate() {
+        let Item::Decoration(line) = *item else { continue };
+        if holds_comments(parse.lines()[line].kind) {
+            let next = || {
+                let mut behind = items[index + 1..].iter();
+                behind
+                    .find_map(|item| covered(context, *item))
+                    .unwrap_or_default()
+            };
+            read_line(parse, line, next, &mut allows, out);
+        }
+    }
+    // Comments within a network, on lines of their own or behind its rungs, speak of it.
+    for (network, facts) in parse.structure().networks.iter().zip(&context.networks) {
+        for line in network.lines.clone() {
+            if holds_comments(parse.lines()[line].kind) {
+                read_line(parse, line, || facts.range, &mut allows, out);
+            }
+        }
+        for (rung, &line) in facts.wiring.rungs.iter().zip(&facts.wiring.lines) {
+            let aside =
+                |part: &ladder_syntax::wiring::Part| part.kind == PartKind::Comment && part.segment.is_none();
+            if rung.parts.iter().any(aside) {
+                read_line(parse, line, || facts.range, &mut allows, out);
+            }
+        }
+    }
+    allows
+}
+
+const fn holds_comments(kind: LineKind) -> bool {
+    matches!(kind, LineKind::Comment | LineKind::Rail)
+}
+
+/// What a comment before this item covers; none if it speaks of a later one.
+fn covered(context: &Context, item: Item) -> Option<TextRange> {
+    let parse = &context.parse;
+    let lines = |lines: std::ops::Range<usize>| {
+        TextRange::new(
+            parse.line_start(lines.start),
+            parse.line_range(lines.end - 1).end(),
+        )
+    };
+    match item {
+        Item::Network(network) => Some(context.networks[network].range),
+        Item::Section(section) => Some(lines(parse.structure().sections[section].lines.clone())),
+        Item::BlockHeader(block) => {
+            let first = parse.structure().blocks[block].lines.start;
+            Some(lines(first..first + 1))
+        }
+        Item::Stray(line) => Some(parse.line_range(line)),
+        Item::Decoration(_) | Item::BlockEnd(_) => None,
+    }
+}
+
+/// Reads the comments of a line.
+fn read_line(
+    parse: &Parse,
+    line: usize,
+    covers: impl Fn() -> TextRange,
+    allows: &mut Vec<Allow>,
+    out: &mut Vec<Diagnostic>,
+) {
+    let mut at = parse.line_start(line);
+    let kind = parse.lines()[line].kind;
+    let mut comments = 0;
+    let before = allows.len();
+    for child in parse.lines()[line].green().children() {
+        let NodeOrToken::Token(token) = child else {
+            at += match child {
+                NodeOrToken::Node(node) => node.text_len(),
+                NodeOrToken::Token(token) => token.text_len(),
+            };
+            continue;
+        };
+        let (text, start) = (token.text(), at);
+        at += TextSize::of(text);
+        if !text.starts_with('#') {
+            continue;
+        }
+        comments += 1;
+        if let Some(Directive::Allow { rules, file }) = directive::read(text, start, out) {
+            allows.push(Allow {
+                comment: TextRange::at(start, TextSize::of(text)),
+                rules: rules
+                    .into_iter()
+                    .map(|rule| Switched { rule, used: false })
+                    .collect(),
+                covers: if file {
+                    TextRange::up_to(parse.text_len())
+                } else {
+                    covers()
+                },
+                removal: None,
+            });
+        }
+    }
+    if comments == 1 && kind == LineKind::Comment {
+        for allow in &mut allows[before..] {
+            allow.removal = Some(parse.line_range(line));
+        }
+    }
+}

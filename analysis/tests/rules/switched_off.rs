@@ -1,0 +1,183 @@
+//! Severities that are set, and comments that switch rules off.
+
+use expect_test::{Expect, expect};
+use ladder_analysis::{Analysis, Level, Others, Rule, RuleSettings, Severity, analyze_with};
+use ladder_syntax::parse;
+use std::fmt::Write;
+use std::sync::Arc;
+
+const TWICE: &str = "+--[ ]( a )--( )( y )--+\n+--[ ]( b )--( )( y )--+\n";
+
+fn analysed(text: &str, levels: &[(Rule, Level)]) -> Analysis {
+    let mut settings = RuleSettings::default();
+    for &(rule, level) in levels {
+        settings.set(rule, level);
+    }
+    analyze_with(&Arc::new(parse(text)), "a", &Others::default(), &settings)
+}
+
+fn check(text: &str, levels: &[(Rule, Level)], expected: Expect) {
+    let analysis = analysed(text, levels);
+    let mut out = String::new();
+    for found in &analysis.diagnostics {
+        let place = &text[usize::from(found.range.start())..usize::from(found.range.end())];
+        let line = text[..usize::from(found.range.start())].matches('\n').count() + 1;
+        let severity = found.severity.name();
+        writeln!(
+            out,
+            "{line} {severity} {}: {} <{place}>",
+            found.rule, found.message
+        )
+        .unwrap();
+    }
+    if analysis.program.is_none() {
+        writeln!(out, "does not run").unwrap();
+    }
+    expected.assert_eq(&out);
+}
+
+#[test]
+fn severities_are_those_that_are_set() {
+    let twice = |level, expected| check(TWICE, &[(Rule::DoubleCoil, level)], expected);
+    twice(
+        Level::Shown(Severity::Info),
+        expect![[r#"
+        2 info double-coil: `y` is written by 2 coils: the last one alone decides <y>
+    "#]],
+    );
+    // A program with errors is not simulated, whatever made the finding an error.
+    twice(
+        Level::Shown(Severity::Error),
+        expect![[r#"
+        2 error double-coil: `y` is written by 2 coils: the last one alone decides <y>
+        does not run
+    "#]],
+    );
+    twice(Level::Off, expect![[r#""#]]);
+}
+
+#[test]
+fn an_error_that_is_hidden_still_keeps_the_program_from_running() {
+    let text = "+--[TOM]( t )--( )( y )--+\n";
+    check(
+        text,
+        &[(Rule::UnknownInstruction, Level::Off)],
+        expect![[r#"
+        does not run
+    "#]],
+    );
+    let analysis = analysed(text, &[(Rule::UnknownInstruction, Level::Off)]);
+    let errors: Vec<_> = analysis.errors().map(|error| error.rule).collect();
+    assert_eq!(errors, [Rule::UnknownInstruction]);
+}
+
+#[test]
+fn a_comment_speaks_of_what_stands_next() {
+    // The finding stands at the second coil.
+    check(
+        "+--[ ]( a )--( )( y )--+\n\n# ladder: allow(double-coil): two modes #\n\n+--[ ]( b )--( )( y )--+\n",
+        &[],
+        expect![[r#""#]],
+    );
+    check(
+        "# ladder: allow(double-coil): two modes #\n+--[ ]( a )--( )( y )--+\n+--[ ]( b )--( )( y )--+\n",
+        &[],
+        expect![[r#"
+            1 info suppression-unused: `double-coil` finds nothing here that could be switched off <# ladder: allow(double-coil): two modes #>
+            3 warning double-coil: `y` is written by 2 coils: the last one alone decides <y>
+        "#]],
+    );
+    check(
+        "+--[ ]( a )--( )( y )--+\n+--[ ]( b )--( )( y )--+  # ladder: allow(double-coil): two modes #\n",
+        &[],
+        expect![[r#""#]],
+    );
+    check(
+        "+--[ ]( a )--( )( y )--+\n+--[ ]( b )--( )( y )--+\n# ladder: allow-file(double-coil): two modes #\n",
+        &[],
+        expect![[r#""#]],
+    );
+}
+
+#[test]
+fn comments_that_the_tools_do_not_understand() {
+    for (comment, expected) in [
+        (
+            "allow(duble-coil): why",
+            expect![[r#"
+            1 warning bad-directive: there is no rule `duble-coil` <# ladder: allow(duble-coil): why #>
+            3 warning double-coil: `y` is written by 2 coils: the last one alone decides <y>
+        "#]],
+        ),
+        (
+            "allow(double-coil)",
+            expect![[r#"
+            1 warning bad-directive: this comment does not say why a rule is switched off <# ladder: allow(double-coil) #>
+            1 info suppression-unused: `double-coil` finds nothing here that could be switched off <# ladder: allow(double-coil) #>
+            3 warning double-coil: `y` is written by 2 coils: the last one alone decides <y>
+        "#]],
+        ),
+        (
+            "allow double-coil",
+            expect![[r#"
+            1 warning bad-directive: the rules to switch off stand in parentheses <# ladder: allow double-coil #>
+            3 warning double-coil: `y` is written by 2 coils: the last one alone decides <y>
+        "#]],
+        ),
+        (
+            "alow(double-coil): why",
+            expect![[r#"
+            1 warning bad-directive: `alow` is nothing that a comment can ask for <# ladder: alow(double-coil): why #>
+            3 warning double-coil: `y` is written by 2 coils: the last one alone decides <y>
+        "#]],
+        ),
+        (
+            "fmt of",
+            expect![[r#"
+            1 warning bad-directive: `fmt` is followed by `on` or `off` <# ladder: fmt of #>
+            3 warning double-coil: `y` is written by 2 coils: the last one alone decides <y>
+        "#]],
+        ),
+        (
+            "profile click",
+            expect![[r#"
+            1 error bad-directive: the profile `click` is not there yet <# ladder: profile click #>
+            3 warning double-coil: `y` is written by 2 coils: the last one alone decides <y>
+            does not run
+        "#]],
+        ),
+        (
+            "profile s7",
+            expect![[r#"
+            1 warning bad-directive: there is no profile `s7` <# ladder: profile s7 #>
+            3 warning double-coil: `y` is written by 2 coils: the last one alone decides <y>
+        "#]],
+        ),
+        (
+            "profile iec",
+            expect![[r#"
+            3 warning double-coil: `y` is written by 2 coils: the last one alone decides <y>
+        "#]],
+        ),
+    ] {
+        check(&format!("# ladder: {comment} #\n{TWICE}"), &[], expected);
+    }
+}
+
+#[test]
+fn a_comment_that_hides_nothing_is_told_and_can_be_removed() {
+    let text = "# ladder: allow(double-coil, never-read): why #\n+--[ ]( a )--( )( y )--+\n";
+    check(
+        text,
+        &[],
+        expect![[r#"
+        1 info suppression-unused: `double-coil`, `never-read` find nothing here that could be switched off <# ladder: allow(double-coil, never-read): why #>
+    "#]],
+    );
+    let analysis = analysed(text, &[]);
+    let fix = &analysis.diagnostics[0].fixes[0];
+    assert_eq!(
+        ladder_format::apply(text, &fix.edits),
+        "+--[ ]( a )--( )( y )--+\n"
+    );
+}
