@@ -262,6 +262,10 @@ pub fn common(a: Scalar, b: Scalar) -> Option<Scalar> {
     if a.is_integer() && b.is_integer() && a != b {
         return Some(Lint);
     }
+    // Each passes to the other, but only the longer holds both.
+    if let (String(one), String(other)) = (a, b) {
+        return Some(String(one.max(other)));
+    }
     if passes(a, b) {
         return Some(b);
     }
@@ -357,5 +361,8 @@ mod tests {
         assert_eq!(common(Scalar::Lint, Scalar::Real), None);
         assert_eq!(common(Scalar::Time, Scalar::Dint), None);
         assert_eq!(common(Scalar::Byte, Scalar::Dword), Some(Scalar::Dword));
+        let (short, long) = (Scalar::String(1), Scalar::String(80));
+        assert_eq!(common(short, long), Some(long));
+        assert_eq!(common(long, short), Some(long));
     }
 }

@@ -293,3 +293,10 @@ fn durations_and_points_in_time() {
     // The left side is a TIME, however many numbers it is divided by.
     clean("VAR t, u : TIME; n : DINT; END_VAR\n+--[CALC]( t, u / n / n * 2 )--[CALC]( u, 3 * (t * n) )--+\n");
 }
+
+#[test]
+fn texts_of_any_length_compare() {
+    clean(
+        "VAR s : STRING; y : BOOL; END_VAR\n+--[EQ]( s, 'a', 'text' )--( )( y )--+\n+--[NE]( 'a', s )--(R)( y )--+\n",
+    );
+}
