@@ -120,3 +120,64 @@ fn faults_of_a_long_run_do_not_fill_the_memory() {
     let faults = simulation.take_faults();
     assert_eq!((faults.first().unwrap().scan, faults.len()), (0, 4096));
 }
+
+#[test]
+fn every_kind_in_ranges_texts_and_ports() {
+    let words = "a : ARRAY[1..4] OF INT := [1, 2, 3, 4]; b : ARRAY[0..2] OF INT; i, j : INT;";
+    let all: Vec<String> = vec![
+        fault("n : INT := 7; k : INT := 2;", "[MUX]( n, k, 5, 6 )", "n"),
+        fault("n : INT := 7; k : INT := -1;", "[LUT]( n, k, 5, 6 )", "n"),
+        fault(words, "[BMOV]( b[i..2], a[1..4] )", "b[0]"),
+        fault(
+            &words.replace("i, j : INT", "i : INT := 3; j : INT := 2"),
+            "[FILL]( a[i..j], 9 )",
+            "a[2]",
+        ),
+        fault(
+            &words.replace("i, j : INT", "i : INT := 5; j : INT"),
+            "[FILL]( a[1..i], 9 )",
+            "a[1]",
+        ),
+        fault("n : INT := 7; s : STRING := '12x';", "[TYP]( n, s )", "n"),
+        fault("n : SINT := 7; s : STRING := '300';", "[TYP]( n, s )", "n"),
+        fault("t : TIME; x : LREAL := 1.0e300;", "[TYP]( t, x )", "t"),
+        fault("n : INT; t : TIME := T#1h;", "[TYP]( n, t )", "n"),
+        fault("s : STRING := 'abc';", "[LEFT]( s, s, 4 )", "s"),
+        fault("w : WORD := 3; n : INT := -2;", "[ROL]( w, w, n )", "w"),
+        fault("x : LREAL := 7; z : LREAL := -1;", "[LOG]( x, z )", "x"),
+        fault("x : LREAL := 7; z : LREAL := -2;", "[ACOS]( x, z )", "x"),
+        fault("t : TIME := T#1s; z : INT;", "[DIV]( t, t, z )", "t"),
+        fault("n : INT := 7; c : INT := 64;", "[ADC]( n, c )", "n"),
+        fault("p : BOOL; a : ARRAY[1..3] OF BOOL; i : INT;", "[ ]( a[i] )", "p"),
+        fault(
+            "p : BOOL; a : ARRAY[1..3] OF BOOL; i : INT := 9;",
+            "( )( a[i] )",
+            "p",
+        ),
+        fault(
+            "p : BOOL; a : ARRAY[1..3] OF WORD; i : INT := 9;",
+            "(S)( a[i].3 )",
+            "p",
+        ),
+    ];
+    expect![[r#"
+        [MUX]( n, k, 5, 6 ): 2 selects none of the 2 values, which count from 0 to 1: nothing was written
+        [LUT]( n, k, 5, 6 ): -1 selects none of the 2 values, which count from 0 to 1: nothing was written
+        [BMOV]( b[i..2], a[1..4] ): the ranges have different lengths, 3 and 4: nothing was written; make them equal
+        [FILL]( a[i..j], 9 ): the range from 3 to 2 ends before it begins: nothing was written; check its ends before this block
+        [FILL]( a[1..i], 9 ): index 5 is outside the array [1..4]: nothing was written; limit the index before this block
+        [TYP]( n, s ): the text cannot be read as a value of the result's type: nothing was written
+        [TYP]( n, s ): the value does not fit into the type of the result: nothing was written; limit it before this block or use a wider type
+        [TYP]( t, x ): the value does not fit into the type of the result: nothing was written; limit it before this block or use a wider type
+        [TYP]( n, t ): the value does not fit into the type of the result: nothing was written; limit it before this block or use a wider type
+        [LEFT]( s, s, 4 ): 4 does not fit a text of 3 characters: nothing was written; check the length and positions before this block
+        [ROL]( w, w, n ): cannot shift by -2 places: nothing was written; shift the other way with 0 or more places
+        [LOG]( x, z ): the function has no result for -1.0: nothing was written; limit the value before this block
+        [ACOS]( x, z ): the function has no result for -2.0: nothing was written; limit the value before this block
+        [DIV]( t, t, z ): division by zero: nothing was written; check the divisor before this block
+        [ADC]( n, c ): index 64 is outside the array [0..63]: nothing was written; limit the index before this block
+        [ ]( a[i] ): index 0 is outside the array [1..3]: nothing was written; limit the index before this block
+        ( )( a[i] ): index 9 is outside the array [1..3]: nothing was written; limit the index before this block
+        (S)( a[i].3 ): index 9 is outside the array [1..3]: nothing was written; limit the index before this block
+    "#]].assert_eq(&all.concat());
+}

@@ -274,3 +274,115 @@ fn calls_nest_to_depth_64() {
     expect!["calls are nested deeper than 64, so the simulation was stopped; look for a function that calls itself without end"].assert_eq(&fault.message);
     assert_eq!(deeper.status(), Status::Faulted);
 }
+
+#[test]
+fn a_loop_without_power_is_passed_by_and_next_needs_none() {
+    check(
+        "VAR_INPUT go : BOOL; n : INT; END_VAR\nVAR x, y : INT; END_VAR\n\
+         +--[ ]( go )--<FOR>( n )--+\n\
+         +--[ADD]( x, x, 1 )--+\n\
+         +--[/]( SYS.ON )--<NEXT>--+\n\
+         +--[ADD]( y, y, 1 )--+\n",
+        "go __--\nn 2 2 2 3",
+        "x y",
+        expect![[r#"
+            x  0 0 2 5
+            y  1 2 3 4
+        "#]],
+    );
+}
+
+#[test]
+fn the_turns_are_read_once() {
+    check(
+        "VAR n, x : INT; END_VAR\n\
+         +--[MOV]( n, 3 )--<FOR>( n )--+\n\
+         +--[ADD]( n, n, 1 )--[ADD]( x, x, 1 )--<NEXT>--+\n",
+        "2",
+        "n x",
+        expect![[r#"
+            n  6 6
+            x  3 6
+        "#]],
+    );
+}
+
+#[test]
+fn a_return_ends_the_loop() {
+    // A second call finds no turns left over.
+    check(
+        "VAR_INPUT out : BOOL; END_VAR\nVAR x, y, z : INT; END_VAR\n\
+         +--<CALL>( f )--[ADD]( z, z, 1 )--+\n\
+         +--<FUN>( f )--<FOR>( 5 )--+\n\
+         +--[ADD]( x, x, 1 )--[ ]( out )--<RET>--+\n\
+         +--[ADD]( y, y, 1 )--<NEXT>--+\n",
+        "out _-_",
+        "x y z",
+        expect![[r#"
+            x  5 6 11
+            y  5 5 10
+            z  1 2 3
+        "#]],
+    );
+}
+
+#[test]
+fn a_next_that_is_reached_by_a_jump_out_and_back_does_nothing() {
+    check(
+        "VAR x, y : INT; END_VAR\n\
+         +--[MOV]( y, 0 )--<FOR>( 4 )--+\n\
+         +--[ADD]( x, x, 1 )--<JMP>( away )--+\n\
+         +--<LBL>( back )--[ADD]( y, y, 1 )--<NEXT>--+\n\
+         +--<LBL>( away )--[EQ]( y, 0 )--<JMP>( back )--+\n",
+        "2",
+        "x y",
+        expect![[r#"
+            x  1 2
+            y  1 1
+        "#]],
+    );
+}
+
+#[test]
+fn the_rails_of_the_caller_come_back_and_begin_live() {
+    check(
+        "VAR_INPUT on : BOOL; END_VAR\nVAR inside, after, top, own : BOOL; END_VAR\n\
+         +--( )( top )--+\n\
+         +--[ ]( on )--<MCR>--+\n\
+         +--( )( after )--<CALL>( g )--+\n\
+         +--\\--( )( own )--+\n\
+         \x20  /--[ ]( SYS.ON )--<CALL>( f )--<MCR>--+\n\
+         +--<FUN>( f )--( )( inside )--+\n\
+         +--[/]( SYS.ON )--<MCR>--+\n\
+         +--<FUN>( g )--(R)( inside )--+\n",
+        "on -_",
+        "top after own inside",
+        expect![[r#"
+            top     --
+            after   -_
+            own     --
+            inside  --
+        "#]],
+    );
+}
+
+#[test]
+fn two_calls_in_a_scan_see_the_same_clock_and_no_second_edge() {
+    check(
+        "VAR_INPUT a : BOOL; END_VAR\nVAR n, m, z : INT; t : TON; c : CTU; END_VAR\n\
+         +--<CALL>( f )--<CALL>( f )--+\n\
+         +--<FUN>( f )--[ADD]( z, z, 1 )--+\n\
+         +--[P]( a )--[ADD]( n, n, 1 )--+\n\
+         +--[ ]( a )--[CTU]( c, 9 )--+\n\
+         +--[ ]( a )--[TON]( t, T#20ms )--[OSR]--[ADD]( m, m, 1 )--+\n",
+        "a _---_-",
+        "z n m c.CV t.ET",
+        expect![[r#"
+            z     2 4 6 8 10 12
+            n     0 1 1 1 1 2
+            m     0 0 0 1 1 1
+            c.CV  0 1 1 1 1 2
+            t.ET  0 0 10 20 0 0
+        "#]],
+    );
+}
