@@ -32,7 +32,7 @@ pub fn milliseconds(nanoseconds: i64) -> String {
 /// See [`cell`]. Allocates nothing.
 pub(crate) fn write_cell(out: &mut dyn Write, value: &Value, ty: Scalar) -> fmt::Result {
     match value {
-        Value::Bool(high) => write!(out, "{}", u8::from(*high)),
+        Value::Bool(high) => out.write_str(if *high { "1" } else { "0" }),
         // A REAL is shortest among 32-bit numbers: 0.1, not 0.10000000149011612.
         Value::Real(real) if ty == Scalar::Real => write!(out, "{:?}", *real as f32),
         Value::Real(real) => write!(out, "{real:?}"),
@@ -87,7 +87,8 @@ pub(crate) fn write_display(out: &mut dyn Write, value: &Value, ty: Scalar) -> f
     }
 }
 
-fn write_milliseconds(out: &mut dyn Write, nanoseconds: i64) -> fmt::Result {
+/// See [`milliseconds`]. Allocates nothing.
+pub(crate) fn write_milliseconds(out: &mut dyn Write, nanoseconds: i64) -> fmt::Result {
     let sign = if nanoseconds < 0 { "-" } else { "" };
     let nanoseconds = nanoseconds.unsigned_abs();
     write!(out, "{sign}{}", nanoseconds / 1_000_000)?;

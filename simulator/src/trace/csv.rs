@@ -1,13 +1,14 @@
 //! A table: a header of names, then a row for each scan.
 
-use super::{Header, Write, time_of};
+use super::{Header, time_of};
 use crate::value_text;
 use ladder_analysis::value::Value;
+use std::fmt::Write;
 
 #[derive(Debug)]
 pub(super) struct Csv;
 
-impl Write for Csv {
+impl super::Write for Csv {
     fn begin(&mut self, header: &Header, out: &mut String) {
         out.push_str("scan,time_ms");
         for tag in &header.tags {
@@ -18,14 +19,13 @@ impl Write for Csv {
     }
 
     fn row(&mut self, header: &Header, scan: u64, values: &[Value], out: &mut String) {
-        out.push_str(&scan.to_string());
-        out.push(',');
-        out.push_str(&value_text::milliseconds(time_of(scan, header.interval)));
+        // Writing to a String does not fail.
+        let _ = write!(out, "{scan},");
+        let _ = value_text::write_milliseconds(out, time_of(scan, header.interval));
         for (tag, value) in header.tags.iter().zip(values) {
             out.push(',');
             match value {
                 Value::Text(_) => push_cell(&value_text::cell(value, tag.ty()), out),
-                // Writing to a String does not fail.
                 _ => drop(value_text::write_cell(out, value, tag.ty())),
             }
         }
