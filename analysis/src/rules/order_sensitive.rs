@@ -35,7 +35,9 @@ pub(super) fn check(table: &Table<'_>, out: &mut Vec<Diagnostic>) {
         let is_coil = bound
             .op()
             .is_some_and(|op| (Op::Coil..=Op::RetentiveReset).contains(&op));
-        let values = power.says(point, &differing);
+        // The other way round is another finding: all values that decide which way it is are named.
+        let this_way = &differing & if on { now } else { then };
+        let values = power.says(point, &this_way);
         let result = if is_coil {
             let value = if matches!(bound.op(), Some(Op::Coil | Op::RetentiveCoil | Op::NegatedCoil)) || on {
                 u8::from(on)

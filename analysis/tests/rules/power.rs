@@ -219,7 +219,7 @@ fn order() {
         "+--\\--[ ]( a )--[/]( y )--( )( y )--+\n|  /--[ ]( y )--( )( z )------------+\n",
         expect![[r#"
             > |  /--[ ]( y )--( )( z )------------+
-                              ^^^^^^^^ info[order-sensitive]: the order of this network matters: with a = 1: `z` becomes 1, but 0 if all contacts were read first
+                              ^^^^^^^^ info[order-sensitive]: the order of this network matters: with a = 1, y = 0: `z` becomes 1, but 0 if all contacts were read first
                 help: a contact reads what a coil of the same network has just written: give the later part a rung of its own
                 at 2:7 `[ ]( y )`: this contact sees what the network has just written
         "#]],
