@@ -83,8 +83,9 @@ fn unused(allow: &Allow, settings: &RuleSettings) -> Option<Diagnostic> {
         Rule::SuppressionUnused,
         allow.comment,
         format!(
-            "{} finds nothing here that could be switched off",
-            names.join(", ")
+            "{} {} nothing here that could be switched off",
+            names.join(", "),
+            if names.len() == 1 { "finds" } else { "find" }
         ),
     )
     .help("remove it: it would hide a mistake that is made later");
