@@ -14,3 +14,4 @@ pub(crate) mod power;
 pub(crate) mod space;
 mod value_space;
 pub(crate) mod variables;
+pub(crate) mod written;

@@ -3,7 +3,7 @@
 use super::power_rules::{Table, is_condition};
 use crate::boolean::power::{Question, Replacement};
 use crate::boolean::space::Set;
-use crate::boolean::variables::written_block;
+use crate::boolean::written::written_block;
 use crate::diagnostic::Diagnostic;
 use crate::program::Step;
 use crate::rule::Rule;

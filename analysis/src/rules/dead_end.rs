@@ -2,7 +2,7 @@
 
 use super::no_output::may_act;
 use super::wiring_walk::Walk;
-use crate::boolean::variables::written_block;
+use crate::boolean::written::written_block;
 use crate::diagnostic::Diagnostic;
 use crate::program::Step;
 use crate::rule::Rule;

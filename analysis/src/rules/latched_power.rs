@@ -1,7 +1,7 @@
 //! `latched-power`: something stands behind a set coil, whose power is the tag and not the rung's.
 
 use super::wiring_walk::Walk;
-use crate::boolean::variables::{written, written_block};
+use crate::boolean::written::{written, written_block};
 use crate::diagnostic::Diagnostic;
 use crate::program::Step;
 use crate::rule::Rule;

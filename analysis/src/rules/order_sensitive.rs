@@ -3,7 +3,7 @@
 use super::no_output::may_act;
 use super::power_rules::Table;
 use crate::boolean::power::Question;
-use crate::boolean::variables::written;
+use crate::boolean::written::written;
 use crate::diagnostic::Diagnostic;
 use crate::rule::Rule;
 use ladder_instructions::Op;

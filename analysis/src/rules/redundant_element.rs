@@ -3,7 +3,8 @@
 use super::no_output::may_act;
 use super::power_rules::{Table, is_condition};
 use crate::boolean::power::{Powers, Question, Replacement};
-use crate::boolean::variables::{Gate, written_block};
+use crate::boolean::variables::Gate;
+use crate::boolean::written::written_block;
 use crate::diagnostic::Diagnostic;
 use crate::network::BoundBlock;
 use crate::rule::Rule;

@@ -4,7 +4,7 @@
 //! its conditions is one of the earlier one's, and nothing between them writes what they ask for.
 
 use super::survey::{Steering, Survey};
-use crate::boolean::variables::written;
+use crate::boolean::written::written;
 use crate::context::Context;
 use crate::diagnostic::Diagnostic;
 use crate::facts::{Node, NodeKind};

@@ -2,7 +2,7 @@
 
 use super::power_rules::is_condition;
 use super::wiring_walk::Walk;
-use crate::boolean::variables::written_block;
+use crate::boolean::written::written_block;
 use crate::diagnostic::Diagnostic;
 use crate::network::BoundBlock;
 use crate::program::Step;

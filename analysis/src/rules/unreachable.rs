@@ -2,7 +2,7 @@
 
 use super::flow::{Exit, Flow};
 use super::no_output::first_rung;
-use crate::boolean::variables::written_block;
+use crate::boolean::written::written_block;
 use crate::diagnostic::Diagnostic;
 use crate::program::Step;
 use crate::rule::Rule;

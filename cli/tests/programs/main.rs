@@ -12,6 +12,7 @@ mod lsp;
 mod lsp_ending;
 mod render;
 mod retain;
+mod scenario_formats;
 mod scenarios;
 mod settings;
 mod several_files;

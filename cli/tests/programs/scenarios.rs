@@ -3,7 +3,7 @@
 use crate::harness::{Folder, MOTOR, Run};
 use expect_test::{Expect, expect};
 
-const PASSES: &str = "\
+pub(crate) const PASSES: &str = "\
 program motor.clad
 step 100ms
 
@@ -13,7 +13,7 @@ stop    ______-__
 run  => _-----___
 ";
 
-const FAILS: &str = "\
+pub(crate) const FAILS: &str = "\
 program motor.clad
 
 scenario \"start runs it\"
@@ -27,7 +27,7 @@ run  => _-----
 ";
 
 /// Times differ from run to run.
-fn without_times(text: &str) -> String {
+pub(crate) fn without_times(text: &str) -> String {
     let mut out = String::new();
     let mut rest = text;
     // `time="0.001"`, `"seconds":0.001`, `in 0.01 s.`
@@ -48,7 +48,7 @@ fn shown(run: &Run) -> String {
     without_times(&run.to_string())
 }
 
-fn check(files: &[(&str, &str)], arguments: &[&str], expected: Expect) {
+pub(crate) fn check(files: &[(&str, &str)], arguments: &[&str], expected: Expect) {
     let folder = Folder::with(&[&[("motor.clad", MOTOR)], files].concat());
     expected.assert_eq(&shown(&folder.ladder(arguments)));
 }
@@ -277,7 +277,7 @@ fn a_program_that_is_missing_or_has_errors() {
     );
 }
 
-const SHARE: &str = "\
+pub(crate) const SHARE: &str = "\
 VAR_INPUT parts : INT; END_VAR
 VAR_OUTPUT share : INT; END_VAR
 +--[DIV]( share, 12, parts )--+
@@ -333,208 +333,6 @@ fn the_interval_comes_from_the_workspace_unless_the_file_has_its_own() {
               ok    a
 
             2 scenarios in 2 files: 2 passed, in T s.
-        "#]],
-    );
-}
-
-#[test]
-fn junit() {
-    check(
-        &[
-            ("fails.ladder-test", FAILS),
-            ("passes.ladder-test", PASSES),
-            ("wrong.ladder-test", "program motor.clad\n"),
-        ],
-        &["test", ".", "--format", "junit"],
-        expect![[r#"
-            exit status 1
-            -- stdout
-            <?xml version="1.0" encoding="UTF-8"?>
-            <testsuites name="ladder test" tests="4" failures="1" errors="1" time="T">
-              <testsuite name="fails.ladder-test" tests="2" failures="1" errors="0" skipped="0" time="T" file="fails.ladder-test">
-                <testcase name="start runs it" classname="fails.ladder-test" time="T" file="fails.ladder-test" line="3"/>
-                <testcase name="stop does nothing" classname="fails.ladder-test" time="T" file="fails.ladder-test" line="7">
-                  <failure message="run is FALSE in step 3 (at 30ms), TRUE was expected; 3 of 6 steps differ" type="scenario">start            _-____
-            stop             ___-__
-            run    expected  _-----
-                   got       _--___
-                                ^^^
-            run is FALSE in step 3 (at 30ms), TRUE was expected; 3 of 6 steps differ</failure>
-                </testcase>
-              </testsuite>
-              <testsuite name="passes.ladder-test" tests="1" failures="0" errors="0" skipped="0" time="T" file="passes.ladder-test">
-                <testcase name="the seal-in holds after start is let go" classname="passes.ladder-test" time="T" file="passes.ladder-test" line="4"/>
-              </testsuite>
-              <testsuite name="wrong.ladder-test" tests="1" failures="0" errors="1" skipped="0" time="T" file="wrong.ladder-test">
-                <testcase name="wrong.ladder-test:2:1" classname="wrong.ladder-test" time="T" file="wrong.ladder-test" line="2">
-                  <error message="there is no scenario in this file" type="bad-scenario">error[bad-scenario]: there is no scenario in this file
-             --&gt; wrong.ladder-test:2:1
-              |
-            2 |
-              | ^
-              |
-              = help: begin one, as in: scenario &quot;the pump starts&quot;</error>
-                </testcase>
-              </testsuite>
-            </testsuites>
-        "#]],
-    );
-}
-
-#[test]
-fn json() {
-    let folder = Folder::with(&[
-        ("motor.clad", MOTOR),
-        ("fails.ladder-test", FAILS),
-        ("wrong.ladder-test", "program motor.clad\n"),
-    ]);
-    let run = folder.ladder(&["test", ".", "--format", "json", "--coverage"]);
-    assert_eq!((run.status, run.stderr.as_str()), (Some(1), ""));
-    let json: serde_json::Value = serde_json::from_str(&run.stdout).expect("JSON");
-    let pretty = serde_json::to_string_pretty(&json).expect("JSON");
-    expect![[r#"
-        {
-          "coverage": [
-            {
-              "coils": {
-                "all": 1,
-                "exercised": 1
-              },
-              "contacts": {
-                "all": 3,
-                "exercised": 3
-              },
-              "file": "motor.clad",
-              "networks": {
-                "all": 1,
-                "exercised": 1
-              },
-              "parts": [
-                {
-                  "column": 7,
-                  "kind": "contact",
-                  "line": 1,
-                  "off": true,
-                  "on": true
-                },
-                {
-                  "column": 24,
-                  "kind": "contact",
-                  "line": 1,
-                  "off": true,
-                  "on": true
-                },
-                {
-                  "column": 48,
-                  "kind": "coil",
-                  "line": 1,
-                  "off": true,
-                  "on": true
-                },
-                {
-                  "column": 7,
-                  "kind": "contact",
-                  "line": 2,
-                  "off": true,
-                  "on": true
-                }
-              ]
-            }
-          ],
-          "files": [
-            {
-              "file": "fails.ladder-test",
-              "mistakes": [],
-              "program": "motor.clad",
-              "scenarios": [
-                {
-                  "column": 10,
-                  "differences": [],
-                  "faults": [],
-                  "line": 3,
-                  "name": "start runs it",
-                  "passed": true,
-                  "scans": 3,
-                  "seconds":T,
-                  "steps": 3
-                },
-                {
-                  "column": 10,
-                  "diagram": "start            _-____\nstop             ___-__\nrun    expected  _-----\n       got       _--___\n                    ^^^\nrun is FALSE in step 3 (at 30ms), TRUE was expected; 3 of 6 steps differ",
-                  "differences": [
-                    {
-                      "column": 12,
-                      "line": 10,
-                      "message": "run is FALSE in step 3 (at 30ms), TRUE was expected; 3 of 6 steps differ",
-                      "steps": [
-                        3,
-                        4,
-                        5
-                      ],
-                      "tag": "run"
-                    }
-                  ],
-                  "faults": [],
-                  "line": 7,
-                  "name": "stop does nothing",
-                  "passed": false,
-                  "scans": 6,
-                  "seconds":T,
-                  "steps": 6
-                }
-              ],
-              "seconds":T
-            },
-            {
-              "file": "wrong.ladder-test",
-              "mistakes": [
-                {
-                  "column": 1,
-                  "end_column": 1,
-                  "end_line": 2,
-                  "file": "wrong.ladder-test",
-                  "help": "begin one, as in: scenario \"the pump starts\"",
-                  "line": 2,
-                  "message": "there is no scenario in this file",
-                  "rule": "bad-scenario",
-                  "severity": "error"
-                }
-              ],
-              "program": "motor.clad",
-              "scenarios": [],
-              "seconds":T
-            }
-          ],
-          "summary": {
-            "failed": 1,
-            "files": 2,
-            "not_run": 1,
-            "passed": 1,
-            "seconds":T
-          }
-        }"#]].assert_eq(&without_times(&pretty.replace("\"seconds\": ", "\"seconds\":")));
-}
-
-#[test]
-fn github() {
-    check(
-        &[
-            ("fails.ladder-test", FAILS),
-            ("share.clad", SHARE),
-            (
-                "share.ladder-test",
-                "program share.clad\nscenario \"a\"\nparts 0\nshare => 0\n",
-            ),
-            ("wrong.ladder-test", "program motor.clad\n"),
-        ],
-        &["test", ".", "--format", "github"],
-        expect![[r#"
-            exit status 1
-            -- stdout
-            ::error file=fails.ladder-test,line=10,col=12,endColumn=13,title=stop does nothing::run is FALSE in step 3 (at 30ms), TRUE was expected; 3 of 6 steps differ%0A%0Astart            _-____%0Astop             ___-__%0Arun    expected  _-----%0A       got       _--___%0A                    ^^^%0Arun is FALSE in step 3 (at 30ms), TRUE was expected; 3 of 6 steps differ
-            ::warning file=share.clad,line=3,col=4,endColumn=29,title=fault in "a"::division by zero: nothing was written; check the divisor before this block
-            ::error file=wrong.ladder-test,line=2,col=1,endColumn=1,title=bad-scenario::there is no scenario in this file%0Abegin one, as in: scenario "the pump starts"
-            3 scenarios in 3 files: 2 passed, 1 failed, 1 file not run for mistakes
         "#]],
     );
 }

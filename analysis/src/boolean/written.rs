@@ -1,0 +1,57 @@
+//! Operands and blocks as sentences name them.
+
+use crate::context::Context;
+use crate::excerpt::shortened;
+use crate::facts::{Node, NodeKind};
+use crate::literal::Literal;
+use crate::network::BoundBlock;
+use crate::operand_value::tag;
+
+/// A place or number as it is written, without blanks.
+pub(crate) fn written(context: &Context, scope: usize, node: &Node) -> String {
+    let inner = |node: &Node| written(context, scope, node);
+    match &node.kind {
+        NodeKind::Name(name) => match tag(context, scope, name) {
+            Some((_, facts)) => facts.name.clone(),
+            None => name.to_string(),
+        },
+        NodeKind::Address(name) => name.to_string(),
+        NodeKind::Member(base, word) => format!("{}.{}", inner(base), word.text),
+        NodeKind::Index(base, index) => format!("{}[{}]", inner(base), inner(index)),
+        NodeKind::Range(base, first, last) => format!("{}[{}..{}]", inner(base), inner(first), inner(last)),
+        NodeKind::Paren(node) => inner(node),
+        NodeKind::Unary(_, node) => format!("-{}", inner(node)),
+        NodeKind::Literal(Ok(literal)) => literal_text(literal),
+        _ => "...".to_owned(),
+    }
+}
+
+/// A block with its operands, for a sentence: `[ ]( start )`. However it is laid out, it is the same text.
+pub(crate) fn written_block(context: &Context, scope: usize, bound: &BoundBlock) -> String {
+    let head = match bound.instruction() {
+        Some(row) => row.block(),
+        None => bound.head_text(),
+    };
+    let operands: Vec<String> = bound
+        .facts
+        .operands
+        .iter()
+        .map(|operand| written(context, scope, &operand.value))
+        .collect();
+    if operands.is_empty() {
+        return head;
+    }
+    shortened(&format!("{head}( {} )", operands.join(", ")), 40)
+}
+
+fn literal_text(literal: &Literal) -> String {
+    match literal {
+        Literal::Bool(value) => if *value { "TRUE" } else { "FALSE" }.to_owned(),
+        Literal::Int(n) => n.to_string(),
+        Literal::Real(r) => format!("{r:?}"),
+        Literal::Time(n) if n % 1_000_000_000 == 0 => format!("T#{}s", n / 1_000_000_000),
+        Literal::Time(n) => format!("T#{}ms", *n as f64 / 1e6),
+        Literal::Typed(_, inner) => literal_text(inner),
+        Literal::Date(_) | Literal::Tod(_) | Literal::Dt(_) | Literal::Text(_) => "...".to_owned(),
+    }
+}
