@@ -20,7 +20,7 @@ pub struct Analysis {
     pub diagnostics: Vec<Diagnostic>,
     /// Errors that settings or comments hide, or count as less: the program does not run all the same.
     pub hidden_errors: Vec<Diagnostic>,
-    /// The program, if there are no errors and it uses no function or block of another file: see [`link`](crate::link).
+    /// The program, if there are no errors and it uses no function or block of another file: see [`link()`](crate::link()).
     pub program: Option<Arc<Program>>,
     /// What messages call the file.
     pub name: Arc<str>,

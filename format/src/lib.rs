@@ -13,7 +13,7 @@
 //!                                                   --pen--> edits, or the new text
 //! ```
 //!
-//! A file goes through this part by part ([`file`]), so that its size takes neither memory nor the processor's cache.
+//! A file goes through this part by part (`file`), so that its size takes neither memory nor the processor's cache.
 //!
 //! What holds for every text: formatting twice gives the same text; nothing is lost but blanks, dashes, `|` and
 //! line ends; the wiring, and with it what the program does, stays the same. The [`Sketch`] and its columns

@@ -239,7 +239,7 @@ pub(crate) enum Instr {
     },
 
     // Elements of arrays whose index is known only when they are reached.
-    /// The slot of an element; `array` is an index into [`Code::arrays`].
+    /// The slot of an element; `array` is an index into [`Code::arrays`](super::Code::arrays).
     Index {
         to: Word,
         index: Word,
@@ -354,7 +354,7 @@ pub(crate) enum Instr {
         words: Word,
     },
 
-    /// Boolean networks as truth tables, see `fuse`: one of [`Code::records`].
+    /// Boolean networks as truth tables, see `fuse`: one of [`Code::records`](super::Code::records).
     Record {
         at: u32,
     },
@@ -364,7 +364,7 @@ pub(crate) enum Instr {
         count: u32,
     },
 
-    /// The rarer work: `operands` is an index into [`Code::operands`].
+    /// The rarer work: `operands` is an index into [`Code::operands`](super::Code::operands).
     Routine {
         routine: Routine,
         operands: u32,

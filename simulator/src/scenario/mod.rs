@@ -5,7 +5,7 @@
 //!                   \------ mistakes, each with its place ------/
 //! ```
 //!
-//! [`parse`] needs no program and never fails: what it cannot read is a [`Mistake`], and it goes on in the next
+//! [`parse()`] needs no program and never fails: what it cannot read is a [`Mistake`], and it goes on in the next
 //! line. [`bind()`] asks a compiled program for the tags and reads the values in their types. [`run()`] plays one
 //! case from a cold start, and [`draw()`] shows the rows that came out differently.
 

@@ -1,6 +1,6 @@
 //! A simulation that remembers, and can say why: what the language server, the interactive screen and tests drive.
 //!
-//! Whatever is given from outside goes through the session, so that it becomes part of the [history](history): going
+//! Whatever is given from outside goes through the session, so that it becomes part of the [history]: going
 //! back restores an earlier scan exactly, and going forward again replays what was given. Once something else is given
 //! in the past, what followed there is forgotten.
 
