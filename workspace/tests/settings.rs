@@ -111,13 +111,33 @@ fn unknown_keys_and_tables() {
 }
 
 #[test]
+fn what_is_a_matter_of_taste_is_not_the_projects() {
+    wrong(
+        "[inlayHints]\nenable = true\n",
+        expect![[r#"
+            ladder.toml:1:2: `inlayHints` is no setting: every person sets it in the settings of the editor
+        "#]],
+    );
+}
+
+#[test]
+fn what_is_right_holds_beside_what_is_wrong() {
+    let (settings, mistakes) = Settings::examine(
+        Path::new("/plant/ladder.toml"),
+        "[format]\nwith = 120\nspacing = 3\n",
+    );
+    assert_eq!(mistakes.len(), 1);
+    assert_eq!(settings.format.spacing, 3);
+}
+
+#[test]
 fn wrong_values() {
     wrong(
         "[format]\nwidth = \"wide\"\nspacing = 0\n[simulate]\ninterval = 10\nwatchdog = -1\nretain = \"\"\n",
         expect![[r#"
             ladder.toml:2:9: a whole number from 40 to 10000 is expected here
             ladder.toml:3:11: a whole number from 1 to 40 is expected here
-            ladder.toml:5:12: a text in quotes is expected here, for example "10ms"
+            ladder.toml:5:12: a text in quotes is expected here, for example "20ms"
             ladder.toml:6:12: a whole number of at least 1 is expected here
             ladder.toml:7:10: name a file, or leave `retain` out
         "#]],

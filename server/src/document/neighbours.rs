@@ -24,6 +24,8 @@ pub(crate) struct Neighbours {
 
 #[derive(Debug, Default)]
 struct State {
+    /// What holds where there is no settings file.
+    defaults: Settings,
     roots: HashMap<PathBuf, PathBuf>,
     folders: HashMap<PathBuf, Folder>,
 }
@@ -102,17 +104,7 @@ impl Neighbours {
                 .is_some_and(|name| name == ladder_workspace::SETTINGS_FILE)
         }) {
             // Which file belongs where may be another matter now.
-            let open: Vec<(PathBuf, Open)> = state
-                .folders
-                .values_mut()
-                .flat_map(|folder| folder.open.drain())
-                .collect();
-            *state = State::default();
-            for (path, open) in open {
-                let (_, folder) = state.folder(&path);
-                folder.open.insert(path, open);
-                folder.exported = None;
-            }
+            state.begin_anew();
             return true;
         }
         let mut changed = false;
@@ -126,6 +118,13 @@ impl Neighbours {
             }
         }
         changed
+    }
+
+    /// What holds for programs that no settings file stands above.
+    pub(crate) fn set_defaults(&self, settings: Settings) {
+        let mut state = self.lock();
+        state.defaults = settings;
+        state.begin_anew();
     }
 
     /// Whether two files belong to one workspace.
@@ -196,6 +195,22 @@ impl Neighbours {
 }
 
 impl State {
+    /// Forgets what was read from disk, and reads it again when it is needed.
+    fn begin_anew(&mut self) {
+        let open: Vec<(PathBuf, Open)> = self
+            .folders
+            .values_mut()
+            .flat_map(|folder| folder.open.drain())
+            .collect();
+        self.folders.clear();
+        self.roots.clear();
+        for (path, open) in open {
+            let (_, folder) = self.folder(&path);
+            folder.open.insert(path, open);
+            folder.exported = None;
+        }
+    }
+
     fn root(&mut self, path: &Path) -> PathBuf {
         let parent = path.parent().unwrap_or(path).to_owned();
         let found = self.roots.entry(parent).or_insert_with_key(|parent| {
@@ -207,16 +222,17 @@ impl State {
 
     fn folder(&mut self, path: &Path) -> (PathBuf, &mut Folder) {
         let root = self.root(path);
+        let defaults = &self.defaults;
         let folder = self
             .folders
             .entry(root.clone())
-            .or_insert_with(|| Folder::load(path, &root));
+            .or_insert_with(|| Folder::load(path, &root, defaults));
         (root, folder)
     }
 }
 
 impl Folder {
-    fn load(path: &Path, root: &Path) -> Folder {
+    fn load(path: &Path, root: &Path, defaults: &Settings) -> Folder {
         let mut folder = Folder {
             settings: Settings::default(),
             complaint: None,
@@ -227,7 +243,11 @@ impl Folder {
         let Ok(found) = Root::of(path) else {
             return folder;
         };
+        if let Root::Folder(_) = found {
+            folder.settings = defaults.clone();
+        }
         match found.settings() {
+            Ok(_) if found.settings_file().is_none() => {}
             Ok(settings) => folder.settings = settings,
             Err(error) => folder.complaint = Some(error.to_string()),
         }

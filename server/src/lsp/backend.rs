@@ -4,15 +4,16 @@ use std::sync::Arc;
 
 use tower_lsp::jsonrpc::Result;
 use tower_lsp::ls_types::{
-    CodeActionParams, CodeActionResponse, DidChangeTextDocumentParams, DidChangeWatchedFilesParams,
-    DidCloseTextDocumentParams, DidOpenTextDocumentParams, DocumentFormattingParams, ExecuteCommandParams,
-    Hover, HoverParams, InitializeParams, InitializeResult, InitializedParams, LSPAny, ServerInfo, TextEdit,
+    CodeActionParams, CodeActionResponse, DidChangeConfigurationParams, DidChangeTextDocumentParams,
+    DidChangeWatchedFilesParams, DidCloseTextDocumentParams, DidOpenTextDocumentParams,
+    DocumentFormattingParams, ExecuteCommandParams, Hover, HoverParams, InitializeParams, InitializeResult,
+    InitializedParams, LSPAny, ServerInfo, TextEdit,
 };
 use tower_lsp::{Client, LanguageServer};
 
 use super::capabilities::{self, Agreed};
 use super::shared::Shared;
-use super::{code_action, formatting, hover, parent, simulate, sync, watch};
+use super::{code_action, configuration, formatting, hover, parent, simulate, sync, watch};
 
 /// The server as the framework sees it.
 #[derive(Debug)]
@@ -36,6 +37,7 @@ impl LanguageServer for Backend {
     async fn initialize(&self, params: InitializeParams) -> Result<InitializeResult> {
         let agreed = Agreed::with(&params.capabilities);
         self.shared.agree(agreed);
+        configuration::begin(&self.shared, params.initialization_options.as_ref());
         if let Some(process) = params.process_id {
             tokio::spawn(parent::watch(process, self.shared.clone()));
         }
@@ -70,6 +72,11 @@ impl LanguageServer for Backend {
         if self.shared.agreed().watches_files {
             tokio::spawn(watch::register(self.shared.client.clone()));
         }
+        tokio::spawn(configuration::register(self.shared.clone()));
+    }
+
+    async fn did_change_configuration(&self, params: DidChangeConfigurationParams) {
+        configuration::changed(&self.shared, &params);
     }
 
     async fn did_change_watched_files(&self, params: DidChangeWatchedFilesParams) {

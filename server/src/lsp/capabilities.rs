@@ -29,6 +29,14 @@ pub(super) struct Agreed {
     pub(super) markdown: bool,
     /// The client can be asked to tell of changed files.
     pub(super) watches_files: bool,
+    /// The client can be asked for its settings.
+    pub(super) configuration: bool,
+    /// The client wants to be asked to tell of changed settings.
+    pub(super) registers_configuration: bool,
+    /// The client can be told that inlay hints are other ones now.
+    pub(super) refreshes_inlay_hints: bool,
+    /// The client can be told that code lenses are other ones now.
+    pub(super) refreshes_code_lenses: bool,
 }
 
 impl Agreed {
@@ -38,10 +46,8 @@ impl Agreed {
         let document = client.text_document.as_ref();
         let diagnostics = document.and_then(|document| document.publish_diagnostics.as_ref());
         let hover = document.and_then(|document| document.hover.as_ref());
-        let edit = client
-            .workspace
-            .as_ref()
-            .and_then(|workspace| workspace.workspace_edit.as_ref());
+        let workspace = client.workspace.as_ref();
+        let edit = workspace.and_then(|workspace| workspace.workspace_edit.as_ref());
         let encodings = client
             .general
             .as_ref()
@@ -61,9 +67,22 @@ impl Agreed {
                 .is_some_and(|tags| tags.value_set.contains(&DiagnosticTag::UNNECESSARY)),
             diagnostic_data: diagnostics.and_then(|it| it.data_support).unwrap_or(false),
             versioned_edits: edit.and_then(|it| it.document_changes).unwrap_or(false),
-            watches_files: client
-                .workspace
-                .as_ref()
+            configuration: workspace
+                .and_then(|workspace| workspace.configuration)
+                .unwrap_or(false),
+            registers_configuration: workspace
+                .and_then(|workspace| workspace.did_change_configuration.as_ref())
+                .and_then(|it| it.dynamic_registration)
+                .unwrap_or(false),
+            refreshes_inlay_hints: workspace
+                .and_then(|workspace| workspace.inlay_hint.as_ref())
+                .and_then(|it| it.refresh_support)
+                .unwrap_or(false),
+            refreshes_code_lenses: workspace
+                .and_then(|workspace| workspace.code_lens.as_ref())
+                .and_then(|it| it.refresh_support)
+                .unwrap_or(false),
+            watches_files: workspace
                 .and_then(|workspace| workspace.did_change_watched_files.as_ref())
                 .and_then(|watched| watched.dynamic_registration)
                 .unwrap_or(false),
@@ -140,7 +159,11 @@ mod tests {
             },
             "workspace": {
                 "workspaceEdit": {"documentChanges": true},
-                "didChangeWatchedFiles": {"dynamicRegistration": true}
+                "didChangeWatchedFiles": {"dynamicRegistration": true},
+                "configuration": true,
+                "didChangeConfiguration": {"dynamicRegistration": true},
+                "inlayHint": {"refreshSupport": true},
+                "codeLens": {"refreshSupport": true}
             },
             "general": {"positionEncodings": ["utf-8"]}
         });
@@ -153,7 +176,11 @@ mod tests {
                 diagnostic_data: true,
                 versioned_edits: true,
                 markdown: true,
-                watches_files: true
+                watches_files: true,
+                configuration: true,
+                registers_configuration: true,
+                refreshes_inlay_hints: true,
+                refreshes_code_lenses: true
             }
         );
     }

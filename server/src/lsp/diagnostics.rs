@@ -102,6 +102,15 @@ pub(super) fn disk_changed(shared: &Arc<Shared>, paths: Vec<PathBuf>) {
     });
 }
 
+/// The editor's settings are other ones: every open document is looked at again.
+pub(super) fn settings_changed(shared: &Arc<Shared>) {
+    for document in shared.documents.all() {
+        if shared.documents.touch(&document.uri) {
+            refresh(shared, &document.uri);
+        }
+    }
+}
+
 fn diagnostics(agreed: super::capabilities::Agreed, revision: &Revision) -> Vec<Diagnostic> {
     match revision.analysis() {
         Some(analysis) => analysis

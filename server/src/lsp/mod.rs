@@ -19,6 +19,7 @@ mod backend;
 mod blocking;
 mod capabilities;
 mod code_action;
+mod configuration;
 mod convert;
 mod diagnostics;
 mod formatting;

@@ -1,6 +1,7 @@
 //! What all handlers share.
 
-use std::sync::{Arc, OnceLock};
+use std::sync::atomic::{AtomicU64, Ordering};
+use std::sync::{Arc, Mutex, OnceLock, PoisonError, RwLock};
 
 use tokio::sync::Notify;
 use tower_lsp::Client;
@@ -10,11 +11,18 @@ use super::outbox::Outbox;
 use crate::document::Documents;
 use crate::document::neighbours::Neighbours;
 use crate::simulation::Sessions;
+use ladder_workspace::EditorSettings;
 
 /// The state of one session with one client.
 #[derive(Debug)]
 pub(super) struct Shared {
     agreed: OnceLock<Agreed>,
+    /// What the editor's own settings say.
+    editor: RwLock<Arc<EditorSettings>>,
+    /// How often the client was asked for its settings, or told them.
+    editor_asked: AtomicU64,
+    /// What was said last about mistakes in them.
+    settings_complaint: Mutex<String>,
     pub(super) client: Client,
     pub(super) documents: Arc<Documents>,
     /// The files beside them.
@@ -30,6 +38,9 @@ impl Shared {
         let documents = Arc::<Documents>::default();
         Arc::new(Shared {
             agreed: OnceLock::new(),
+            editor: RwLock::default(),
+            editor_asked: AtomicU64::new(0),
+            settings_complaint: Mutex::default(),
             outbox: Outbox::open(client.clone(), documents.clone()),
             client,
             documents,
@@ -47,6 +58,40 @@ impl Shared {
     /// What was agreed with the client; before that, the protocol's defaults.
     pub(super) fn agreed(&self) -> Agreed {
         self.agreed.get().copied().unwrap_or_default()
+    }
+
+    /// What the editor's own settings say now.
+    pub(super) fn editor(&self) -> Arc<EditorSettings> {
+        self.editor.read().unwrap_or_else(PoisonError::into_inner).clone()
+    }
+
+    /// Takes the editor's settings.
+    pub(super) fn set_editor(&self, settings: EditorSettings) {
+        self.neighbours.set_defaults(settings.project.clone());
+        *self.editor.write().unwrap_or_else(PoisonError::into_inner) = Arc::new(settings);
+    }
+
+    /// The client is about to be asked for its settings, or has told them: the number of the occasion.
+    pub(super) fn editor_settings_asked(&self) -> u64 {
+        self.editor_asked.fetch_add(1, Ordering::Relaxed) + 1
+    }
+
+    /// Whether there was no later occasion.
+    pub(super) fn editor_settings_asked_last(&self, occasion: u64) -> bool {
+        self.editor_asked.load(Ordering::Relaxed) == occasion
+    }
+
+    /// Says what is wrong with the editor's settings, unless that was said last.
+    pub(super) fn tell_once_of_settings(&self, complaint: String) {
+        let mut last = self
+            .settings_complaint
+            .lock()
+            .unwrap_or_else(PoisonError::into_inner);
+        if !complaint.is_empty() && *last != complaint {
+            self.outbox
+                .show(format!("The settings of this editor: {complaint}"));
+        }
+        *last = complaint;
     }
 
     /// The text of a document is another one now: simulations of it say so.

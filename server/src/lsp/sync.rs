@@ -8,8 +8,8 @@ use std::sync::Arc;
 use serde::Deserialize;
 use tower_lsp::jsonrpc::Request;
 use tower_lsp::ls_types::{
-    CancelParams, DidChangeTextDocumentParams, DidChangeWatchedFilesParams, DidCloseTextDocumentParams,
-    DidOpenTextDocumentParams, TextDocumentContentChangeEvent,
+    CancelParams, DidChangeConfigurationParams, DidChangeTextDocumentParams, DidChangeWatchedFilesParams,
+    DidCloseTextDocumentParams, DidOpenTextDocumentParams, TextDocumentContentChangeEvent,
 };
 
 use super::convert::our_range;
@@ -102,6 +102,7 @@ pub(super) fn misread(notification: &Request) -> Option<String> {
     let error = match notification.method() {
         "textDocument/didOpen" => DidOpenTextDocumentParams::deserialize(params).err(),
         "textDocument/didChange" => DidChangeTextDocumentParams::deserialize(params).err(),
+        "workspace/didChangeConfiguration" => DidChangeConfigurationParams::deserialize(params).err(),
         "workspace/didChangeWatchedFiles" => DidChangeWatchedFilesParams::deserialize(params).err(),
         "textDocument/didClose" => DidCloseTextDocumentParams::deserialize(params).err(),
         "$/cancelRequest" => CancelParams::deserialize(params).err(),

@@ -31,6 +31,8 @@ pub(crate) struct Client {
     answers: HashMap<i64, Answer>,
     /// What came that nobody has looked at yet.
     notifications: VecDeque<Value>,
+    /// Requests of the server that nobody has answered yet; none if the client does not take any.
+    requests: Option<VecDeque<Value>>,
     /// Errors that answer no request: their `id` is `null`.
     pub(crate) unaddressed: VecDeque<Value>,
 }
@@ -48,6 +50,7 @@ impl Client {
             outstanding: HashSet::new(),
             answers: HashMap::new(),
             notifications: VecDeque::new(),
+            requests: None,
             unaddressed: VecDeque::new(),
         }
     }
@@ -69,8 +72,12 @@ impl Client {
 
     /// A client with these capabilities, initialized.
     pub(crate) async fn with(capabilities: Value) -> Self {
+        Self::begun(json!({"processId": null, "rootUri": null, "capabilities": capabilities})).await
+    }
+
+    /// A client that begins like this.
+    pub(crate) async fn begun(params: Value) -> Self {
         let mut client = Self::silent();
-        let params = json!({"processId": null, "rootUri": null, "capabilities": capabilities});
         client.request("initialize", params).await.expect("initialize");
         client.notify("initialized", json!({})).await;
         client
@@ -149,6 +156,31 @@ impl Client {
         }
     }
 
+    /// From now on the server may ask the client.
+    pub(crate) fn take_requests(&mut self) {
+        self.requests = Some(VecDeque::new());
+    }
+
+    /// The next request of the server with this method: its number and parameters. Others stay for later.
+    pub(crate) async fn asked(&mut self, method: &str) -> (Value, Value) {
+        let begin = Instant::now();
+        loop {
+            let requests = self.requests.as_mut().expect("a client that takes requests");
+            if let Some(at) = requests.iter().position(|it| it["method"] == method) {
+                let mut request = requests.remove(at).unwrap();
+                return (request["id"].take(), request["params"].take());
+            }
+            assert!(begin.elapsed() < PATIENCE, "no request {method}");
+            self.read().await;
+        }
+    }
+
+    /// Answers a request of the server.
+    pub(crate) async fn reply(&mut self, id: Value, result: Value) {
+        self.send(&json!({"jsonrpc": "2.0", "id": id, "result": result}))
+            .await;
+    }
+
     /// All notifications of this method that are here already.
     pub(crate) fn arrived(&mut self, method: &str) -> Vec<Value> {
         let (these, others): (VecDeque<_>, _) = self
@@ -165,11 +197,13 @@ impl Client {
             .await
             .expect("the server says something");
         if message.get("method").is_some() {
-            assert_eq!(
-                message.get("id"),
-                None,
-                "the server asks the client nothing: {message}"
-            );
+            if message.get("id").is_some() {
+                let taken = self.requests.as_mut();
+                taken
+                    .unwrap_or_else(|| panic!("the server asks this client nothing: {message}"))
+                    .push_back(message);
+                return;
+            }
             self.notifications.push_back(message);
             return;
         }

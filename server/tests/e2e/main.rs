@@ -1,11 +1,13 @@
 //! Sessions between a small client and the whole server, framework included, over a pipe in the process.
 
 mod client;
+mod configuration;
 mod diagnostics;
 mod features;
 mod history;
 mod house;
 mod lifecycle;
+mod plant;
 mod protocol_page;
 mod several_files;
 mod simulate;

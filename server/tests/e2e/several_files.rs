@@ -3,38 +3,12 @@
 use std::fs;
 
 use serde_json::{Value, json};
-use tempfile::TempDir;
 
 use crate::client::Client;
+use crate::plant::Plant;
 
 const LIBRARY: &str = "VAR_GLOBAL total : DINT; END_VAR\n+--<FUN>( count )--[ADD]( total, total, 1 )--+\n";
 const MAIN: &str = "+--<CALL>( count )--[GT]( total, 3 )--( )( y )--+\n";
-
-struct Plant {
-    folder: TempDir,
-}
-
-impl Plant {
-    fn with(files: &[(&str, &str)]) -> Plant {
-        let plant = Plant {
-            folder: tempfile::tempdir().unwrap(),
-        };
-        for (name, text) in files {
-            plant.write(name, text);
-        }
-        plant
-    }
-
-    fn write(&self, name: &str, text: &str) {
-        let path = self.folder.path().join(name);
-        fs::create_dir_all(path.parent().unwrap()).unwrap();
-        fs::write(path, text).unwrap();
-    }
-
-    fn uri(&self, name: &str) -> String {
-        format!("file://{}", self.folder.path().join(name).display())
-    }
-}
 
 async fn published(client: &mut Client, uri: &str) -> Vec<String> {
     let found = client

@@ -1,6 +1,8 @@
 //! `[workspace]`: which files belong to it.
 
-use super::reader::{Given, Reader, Table};
+use super::given::Given;
+use super::reader::{Reader, Table};
+use super::table::{EXCLUDE, INCLUDE};
 use ignore::gitignore::{Gitignore, GitignoreBuilder};
 use std::path::Path;
 
@@ -27,9 +29,9 @@ pub(super) fn covers(patterns: &Gitignore, program: &Path) -> bool {
     program.starts_with(patterns.path()) && patterns.matched_path_or_any_parents(program, false).is_ignore()
 }
 
-pub(super) fn read<'t>(mut table: Table<'t>, folder: &Path, reader: &mut Reader<'t>) -> Files {
-    let include = table.take("include");
-    let exclude = table.take("exclude");
+pub(super) fn read(mut table: Table, folder: &Path, reader: &mut Reader) -> Files {
+    let include = reader.take(&mut table, &INCLUDE);
+    let exclude = reader.take(&mut table, &EXCLUDE);
     table.finish(reader);
     Files {
         include: include.map(|given| patterns(&given, "\"lines/**\"", folder, reader)),
@@ -37,15 +39,10 @@ pub(super) fn read<'t>(mut table: Table<'t>, folder: &Path, reader: &mut Reader<
     }
 }
 
-/// Patterns as in `.gitignore`, seen from a folder.
-pub(super) fn patterns<'t>(
-    given: &Given<'t>,
-    example: &str,
-    folder: &Path,
-    reader: &mut Reader<'t>,
-) -> Gitignore {
+/// Patterns as in `.gitignore`, seen from a folder. `example` shows one.
+pub(super) fn patterns(given: &Given, example: &str, folder: &Path, reader: &mut Reader) -> Gitignore {
     let mut builder = GitignoreBuilder::new(folder);
-    for (range, pattern) in reader.strings(given, example) {
+    for (range, pattern) in reader.texts(given, example) {
         if let Err(error) = builder.add_line(None, &pattern) {
             reader.wrong(
                 range,

@@ -1,20 +1,15 @@
 //! `[format]`: how diagrams are laid out.
 
 use super::reader::{Reader, Table};
+use super::table::{SPACING, WIDTH};
 use ladder_format::Options;
 
-pub(super) fn read<'t>(mut table: Table<'t>, reader: &mut Reader<'t>) -> Options {
+pub(super) fn read(mut table: Table, reader: &mut Reader) -> Options {
     let mut options = Options::default();
-    if let Some(width) = table
-        .take("width")
-        .and_then(|given| reader.number(&given, 40, 10_000))
-    {
+    if let Some(width) = reader.whole(&mut table, &WIDTH) {
         options.width = width as u32;
     }
-    if let Some(spacing) = table
-        .take("spacing")
-        .and_then(|given| reader.number(&given, 1, 40))
-    {
+    if let Some(spacing) = reader.whole(&mut table, &SPACING) {
         options.spacing = spacing as u32;
     }
     table.finish(reader);

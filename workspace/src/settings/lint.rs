@@ -1,13 +1,13 @@
 //! `[lint]`: how much the findings of a rule matter, in all files and in some.
 
 use super::files::{covers, patterns};
-use super::reader::{Given, Reader, Table, closest};
+use super::given::{Entry, Given, Value};
+use super::reader::{Reader, Table, closest};
+use super::table::OVERRIDES;
 use ignore::gitignore::Gitignore;
 use ladder_analysis::{Level, Rule, Severity};
-use std::borrow::Cow;
 use std::collections::BTreeMap;
 use std::path::Path;
-use toml::Spanned;
 
 /// What is set for rules, by rule.
 pub type Levels = BTreeMap<Rule, Level>;
@@ -34,41 +34,40 @@ impl Lint {
     }
 }
 
-pub(super) fn read<'t>(mut table: Table<'t>, folder: &Path, reader: &mut Reader<'t>) -> Lint {
-    let overrides = table.take("overrides");
+pub(super) fn read(mut table: Table, folder: &Path, reader: &mut Reader) -> Lint {
+    let overrides = reader.take(&mut table, &OVERRIDES);
     Lint {
         levels: levels(table.entries(), reader),
         overrides: overrides.map_or_else(Vec::new, |given| {
-            let tables = reader.tables(given, "[[lint.overrides]]");
+            let tables = reader.tables(given, "[[lint.overrides]]", &["files"]);
             tables
                 .into_iter()
-                .map(|mut table| {
-                    let files = table.take("files");
-                    if files.is_none() {
-                        let span = table.span();
-                        reader.wrong(span, "say which files are meant: files = [\"old/**\"]");
-                    }
-                    let files = files.map_or_else(Gitignore::empty, |given| {
-                        patterns(&given, "\"old/**\"", folder, reader)
-                    });
-                    (files, levels(table.entries(), reader))
-                })
+                .map(|table| read_override(table, folder, reader))
                 .collect()
         }),
     }
 }
 
-fn levels<'t>(
-    entries: impl Iterator<Item = (Spanned<Cow<'t, str>>, Given<'t>)>,
-    reader: &mut Reader<'t>,
-) -> Levels {
+fn read_override(mut table: Table, folder: &Path, reader: &mut Reader) -> (Gitignore, Levels) {
+    let files = table.take("files");
+    if files.is_none() {
+        let range = table.range();
+        reader.wrong(range, "say which files are meant: files = [\"old/**\"]");
+    }
+    let files = files.map_or_else(Gitignore::empty, |given| {
+        patterns(&given, "\"old/**\"", folder, reader)
+    });
+    (files, levels(table.entries(), reader))
+}
+
+fn levels(entries: impl Iterator<Item = Entry>, reader: &mut Reader) -> Levels {
     let mut levels = Levels::new();
-    for (key, given) in entries {
-        let Some(rule) = Rule::from_name(key.get_ref()) else {
-            reader.wrong(key.span(), unknown_rule(key.get_ref()));
+    for Entry { key, range, given } in entries {
+        let Some(rule) = Rule::from_name(&key) else {
+            reader.wrong(range, unknown_rule(&key));
             continue;
         };
-        if let Some(level) = level_of(key.get_ref(), given, reader) {
+        if let Some(level) = level_of(&key, given, reader) {
             levels.insert(rule, level);
         }
     }
@@ -76,17 +75,18 @@ fn levels<'t>(
 }
 
 /// `"off"`, or `{ level = "off", reason = "the panel reads it" }`.
-fn level_of<'t>(rule: &str, given: Given<'t>, reader: &mut Reader<'t>) -> Option<Level> {
-    let Some(mut table) = Table::inline(rule, &given) else {
+fn level_of(rule: &str, given: Given, reader: &mut Reader) -> Option<Level> {
+    if !matches!(given.value, Value::Table(_)) {
         return level(&given, reader);
-    };
+    }
+    let mut table = Table::of(rule, given, &["level", "reason"])?;
     let found = table.take("level");
     if let Some(reason) = table.take("reason") {
-        reader.string(&reason, "\"the panel reads it\"");
+        reader.text(&reason, "\"the panel reads it\"");
     }
     if found.is_none() {
         reader.wrong(
-            given.span(),
+            table.range(),
             "say what the findings count as: { level = \"off\", reason = \"...\" }",
         );
     }
@@ -94,8 +94,8 @@ fn level_of<'t>(rule: &str, given: Given<'t>, reader: &mut Reader<'t>) -> Option
     level(&found?, reader)
 }
 
-fn level<'t>(given: &Given<'t>, reader: &mut Reader<'t>) -> Option<Level> {
-    let name = reader.string(given, "\"warn\"")?;
+fn level(given: &Given, reader: &mut Reader) -> Option<Level> {
+    let name = reader.text(given, "\"warn\"")?;
     let level = match &*name {
         "error" => Level::Shown(Severity::Error),
         "warn" => Level::Shown(Severity::Warning),
@@ -103,7 +103,7 @@ fn level<'t>(given: &Given<'t>, reader: &mut Reader<'t>) -> Option<Level> {
         "off" => Level::Off,
         _ => {
             reader.wrong(
-                given.span(),
+                given.range.clone(),
                 format!("`{name}` is no severity: write \"error\", \"warn\", \"info\" or \"off\""),
             );
             return None;

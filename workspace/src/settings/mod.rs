@@ -2,22 +2,31 @@
 //!
 //! Every key may be left out. What the command line gives wins over what stands here.
 
+mod editor;
 mod error;
 mod files;
 mod format;
+mod given;
 mod lint;
 mod reader;
 mod simulate;
+pub mod table;
 
+pub use editor::EditorSettings;
 pub use error::{Mistake, SettingsError};
 pub use files::Files;
+pub use given::Tree;
 pub use lint::{Levels, Lint};
 pub use simulate::Simulate;
 
 use crate::Root;
 use ladder_analysis::RuleSettings;
-use reader::Reader;
+use ladder_syntax::{LineIndex, TextRange, TextSize};
+use reader::{Reader, Source, Table};
+use std::ops::Range;
 use std::path::{Path, PathBuf};
+use table::{FORMAT, LINT, SIMULATE, WORKSPACE};
+use toml::de::DeTable;
 
 /// What a workspace asks for.
 #[derive(Debug, Clone, Default)]
@@ -70,24 +79,67 @@ impl Settings {
     /// # Errors
     /// Something in it is wrong; all that is wrong is told.
     pub fn parse(file: &Path, text: &str) -> Result<Settings, SettingsError> {
-        let folder = file.parent().map_or_else(PathBuf::new, Path::to_owned);
-        let mut reader = Reader::new(text);
-        let mut settings = Settings::default();
-        if let Some(mut top) = reader.document() {
-            if let Some(table) = top.table(&mut reader, "format") {
-                settings.format = format::read(table, &mut reader);
-            }
-            if let Some(table) = top.table(&mut reader, "lint") {
-                settings.lint = lint::read(table, &folder, &mut reader);
-            }
-            if let Some(table) = top.table(&mut reader, "simulate") {
-                settings.simulate = simulate::read(table, &folder, &mut reader);
-            }
-            if let Some(table) = top.table(&mut reader, "workspace") {
-                settings.files = files::read(table, &folder, &mut reader);
-            }
-            top.finish(&mut reader);
+        let (settings, mistakes) = Settings::examine(file, text);
+        if mistakes.is_empty() {
+            return Ok(settings);
         }
-        reader.finish(file).map(|()| settings)
+        Err(SettingsError::Mistakes {
+            file: file.to_owned(),
+            mistakes,
+        })
     }
+
+    /// As [`Settings::parse`], for those who go on with what is right in it: an editor, whose text is half written
+    /// most of the time.
+    pub fn examine(file: &Path, text: &str) -> (Settings, Vec<Mistake>) {
+        let folder = file.parent().map_or_else(PathBuf::new, Path::to_owned);
+        let mut reader = Reader::new(Source::File);
+        let settings = match DeTable::parse(text) {
+            Ok(document) => {
+                let mut top = reader.top(given::from_toml(document));
+                let settings = Settings::take(&mut top, &folder, &mut reader);
+                top.finish(&mut reader);
+                settings
+            }
+            Err(error) => {
+                let range = error.span().unwrap_or(0..0);
+                reader.wrong(range, format!("this is no TOML: {}", error.message()));
+                Settings::default()
+            }
+        };
+        (settings, mistakes(text, reader.finish()))
+    }
+
+    /// Takes the sections that are the project's out of all that is set.
+    fn take(top: &mut Table, folder: &Path, reader: &mut Reader) -> Settings {
+        let mut settings = Settings::default();
+        if let Some(table) = reader.section(top, &FORMAT) {
+            settings.format = format::read(table, reader);
+        }
+        if let Some(table) = reader.section(top, &LINT) {
+            settings.lint = lint::read(table, folder, reader);
+        }
+        if let Some(table) = reader.section(top, &SIMULATE) {
+            settings.simulate = simulate::read(table, folder, reader);
+        }
+        if let Some(table) = reader.section(top, &WORKSPACE) {
+            settings.files = files::read(table, folder, reader);
+        }
+        settings
+    }
+}
+
+/// What was found to be wrong in a text, with its places.
+fn mistakes(text: &str, found: Vec<(Range<usize>, String)>) -> Vec<Mistake> {
+    let index = LineIndex::new(text);
+    let offset = |at: usize| TextSize::new(at.min(text.len()) as u32);
+    let found = found.into_iter().map(|(range, message)| {
+        let (start, end) = (offset(range.start), offset(range.end));
+        Mistake {
+            range: TextRange::new(start, end.max(start)),
+            place: index.line_column(text, start),
+            message,
+        }
+    });
+    found.collect()
 }

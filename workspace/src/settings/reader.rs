@@ -1,52 +1,61 @@
 //! Tables, keys and values with their places; what is wrong with them is collected.
 
-use super::error::{Mistake, SettingsError};
-use ladder_syntax::{LineIndex, TextRange, TextSize};
-use std::borrow::Cow;
+use super::given::{Entry, Given, Value};
+use super::table::{Kind, Place, Section, Setting, keys, sections};
+use ladder_analysis::types::Scalar;
+use ladder_analysis::value;
+use ladder_simulator::value_text;
 use std::ops::Range;
-use std::path::Path;
-use toml::Spanned;
-use toml::de::{DeTable, DeValue};
 
-/// A settings file that is being read.
-pub(super) struct Reader<'t> {
-    text: &'t str,
+/// Settings that are being read.
+pub(super) struct Reader {
+    source: Source,
     mistakes: Vec<(Range<usize>, String)>,
 }
 
-/// A table whose keys are taken out one by one: what is left at the end is unknown.
-pub(super) struct Table<'t> {
-    /// `[format]`; empty for the file itself.
-    name: String,
-    entries: DeTable<'t>,
-    /// The keys that were asked for.
-    known: Vec<&'static str>,
-    span: Range<usize>,
+/// Who wrote them.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Source {
+    /// `ladder.toml`.
+    File,
+    /// An editor.
+    Editor,
 }
 
-/// A value and where it stands.
-pub(super) type Given<'t> = Spanned<DeValue<'t>>;
-
-impl<'t> Reader<'t> {
-    pub(super) fn new(text: &'t str) -> Reader<'t> {
-        Reader {
-            text,
-            mistakes: Vec::new(),
+impl Source {
+    fn allows(self, place: Place) -> bool {
+        match self {
+            Source::File => place.is_in_file(),
+            Source::Editor => place.is_in_editor(),
         }
     }
 
-    /// The file's tables. None if it is no TOML.
-    pub(super) fn document(&mut self) -> Option<Table<'t>> {
-        match DeTable::parse(self.text) {
-            Ok(document) => {
-                let span = document.span();
-                Some(Table::new(String::new(), document.into_inner(), span))
-            }
-            Err(error) => {
-                let range = error.span().unwrap_or(0..0);
-                self.wrong(range, format!("this is no TOML: {}", error.message()));
-                None
-            }
+    /// What to do with a setting that is not for this place.
+    fn elsewhere(self) -> &'static str {
+        match self {
+            Source::File => "every person sets it in the settings of the editor",
+            Source::Editor => "it must be the same for everybody, and stands in ladder.toml",
+        }
+    }
+}
+
+/// A table whose keys are taken out one by one: what is left at the end is unknown.
+pub(super) struct Table {
+    /// `format`; empty for the whole.
+    name: String,
+    entries: Vec<Entry>,
+    /// The keys that there are.
+    known: Vec<&'static str>,
+    /// Keys that somebody else may set.
+    elsewhere: Vec<&'static str>,
+    range: Range<usize>,
+}
+
+impl Reader {
+    pub(super) fn new(source: Source) -> Reader {
+        Reader {
+            source,
+            mistakes: Vec::new(),
         }
     }
 
@@ -54,157 +63,204 @@ impl<'t> Reader<'t> {
         self.mistakes.push((range, message.into()));
     }
 
-    /// What was found to be wrong.
-    pub(super) fn finish(mut self, file: &Path) -> Result<(), SettingsError> {
-        if self.mistakes.is_empty() {
-            return Ok(());
-        }
+    /// What was found to be wrong, in the order of the places.
+    pub(super) fn finish(mut self) -> Vec<(Range<usize>, String)> {
         self.mistakes.sort_by_key(|(range, _)| range.start);
-        let index = LineIndex::new(self.text);
-        let offset = |at: usize| TextSize::new(at.min(self.text.len()) as u32);
-        let mistakes = self.mistakes.into_iter().map(|(range, message)| {
-            let (start, end) = (offset(range.start), offset(range.end));
-            Mistake {
-                range: TextRange::new(start, end.max(start)),
-                place: index.line_column(self.text, start),
-                message,
-            }
-        });
-        Err(SettingsError::Mistakes {
-            file: file.to_owned(),
-            mistakes: mistakes.collect(),
-        })
+        self.mistakes
     }
 
-    /// A whole number from `least` to `most`.
-    pub(super) fn number(&mut self, given: &Given<'t>, least: i64, most: i64) -> Option<i64> {
-        let number = match given.get_ref() {
-            DeValue::Integer(digits) => {
-                i64::from_str_radix(&digits.as_str().replace('_', ""), digits.radix()).ok()
-            }
-            _ => None,
-        };
-        let number = number.filter(|number| (least..=most).contains(number));
-        if number.is_none() {
-            let message = if most == i64::MAX {
-                format!("a whole number of at least {least} is expected here")
-            } else {
-                format!("a whole number from {least} to {most} is expected here")
-            };
-            self.wrong(given.span(), message);
+    /// All that is set.
+    pub(super) fn top(&self, entries: Vec<Entry>) -> Table {
+        Table {
+            name: String::new(),
+            entries,
+            known: sections(|place| self.source.allows(place)),
+            elsewhere: sections(|place| !self.source.allows(place)),
+            range: 0..0,
         }
-        number
     }
 
-    /// A text. `example` shows what is meant.
-    pub(super) fn string(&mut self, given: &Given<'t>, example: &str) -> Option<Cow<'t, str>> {
-        match given.get_ref() {
-            DeValue::String(text) => Some(text.clone()),
+    /// A section, if it is there.
+    pub(super) fn section(&mut self, top: &mut Table, section: &Section) -> Option<Table> {
+        if !top.known.contains(&section.name) {
+            return None;
+        }
+        let given = top.take(section.name)?;
+        match given.value {
+            Value::Table(entries) => Some(Table {
+                name: section.name.to_owned(),
+                entries,
+                known: keys(section, |place| self.source.allows(place)),
+                elsewhere: keys(section, |place| !self.source.allows(place)),
+                range: given.range,
+            }),
             _ => {
-                self.wrong(
-                    given.span(),
-                    format!("a text in quotes is expected here, for example {example}"),
-                );
+                let name = section.name;
+                let message = match self.source {
+                    Source::File => format!("`{name}` is a table: write [{name}] on a line of its own"),
+                    Source::Editor => {
+                        let key = section.settings.first().map_or("key", |setting| setting.key);
+                        format!("a table of settings is expected here, as in {{ \"{key}\": ... }}")
+                    }
+                };
+                self.wrong(given.range, message);
                 None
             }
         }
     }
 
-    /// A list of tables, each under a heading like `heading`.
-    pub(super) fn tables(&mut self, given: Given<'t>, heading: &str) -> Vec<Table<'t>> {
-        let span = given.span();
-        let DeValue::Array(items) = given.into_inner() else {
-            self.wrong(span, format!("write {heading} on a line of its own"));
-            return Vec::new();
-        };
-        let mut tables = Vec::new();
-        for item in items {
-            let span = item.span();
-            match item.into_inner() {
-                DeValue::Table(entries) => tables.push(Table::new(heading.to_owned(), entries, span)),
-                _ => self.wrong(span, format!("write {heading} on a line of its own")),
-            }
+    /// The value of a setting, if it is there and whoever wrote this may set it.
+    pub(super) fn take(&self, table: &mut Table, setting: &Setting) -> Option<Given> {
+        if self.source.allows(setting.place) {
+            table.take(setting.key)
+        } else {
+            None
         }
-        tables
     }
 
-    /// A list of texts.
-    pub(super) fn strings(&mut self, given: &Given<'t>, example: &str) -> Vec<(Range<usize>, Cow<'t, str>)> {
-        let DeValue::Array(items) = given.get_ref() else {
+    /// A whole number within the setting's limits.
+    pub(super) fn whole(&mut self, table: &mut Table, setting: &Setting) -> Option<i64> {
+        let given = self.take(table, setting)?;
+        let Kind::Whole { least, most } = setting.kind else {
+            return None;
+        };
+        match given.value {
+            Value::Whole(number) if (least..=most).contains(&number) => Some(number),
+            _ => {
+                let message = if most == i64::MAX {
+                    format!("a whole number of at least {least} is expected here")
+                } else {
+                    format!("a whole number from {least} to {most} is expected here")
+                };
+                self.wrong(given.range, message);
+                None
+            }
+        }
+    }
+
+    /// `true` or `false`.
+    pub(super) fn switch(&mut self, table: &mut Table, setting: &Setting) -> Option<bool> {
+        let given = self.take(table, setting)?;
+        if let Value::Switch(switch) = given.value {
+            return Some(switch);
+        }
+        self.wrong(given.range, "true or false is expected here");
+        None
+    }
+
+    /// A time longer than 0, in nanoseconds.
+    pub(super) fn duration(&mut self, table: &mut Table, setting: &Setting) -> Option<i64> {
+        let given = self.take(table, setting)?;
+        let text = self.text(&given, setting.example)?;
+        match value_text::parse(&text, Scalar::Time) {
+            Ok(value::Value::Int(nanoseconds)) if nanoseconds > 0 => Some(nanoseconds),
+            Ok(_) => {
+                self.wrong(
+                    given.range,
+                    "the time from one scan to the next must be longer than 0",
+                );
+                None
+            }
+            Err(problem) => {
+                self.wrong(given.range, problem);
+                None
+            }
+        }
+    }
+
+    /// A text. `example` shows what is meant.
+    pub(super) fn text(&mut self, given: &Given, example: &str) -> Option<String> {
+        if let Value::Text(text) = &given.value {
+            return Some(text.clone());
+        }
+        let message = format!("a text in quotes is expected here, for example {example}");
+        self.wrong(given.range.clone(), message);
+        None
+    }
+
+    /// A list of texts. `example` shows one of them.
+    pub(super) fn texts(&mut self, given: &Given, example: &str) -> Vec<(Range<usize>, String)> {
+        let Value::List(items) = &given.value else {
             self.wrong(
-                given.span(),
+                given.range.clone(),
                 format!("a list of texts is expected here, for example [{example}]"),
             );
             return Vec::new();
         };
         let items = items.iter();
         items
-            .filter_map(|item| Some((item.span(), self.string(item, example)?)))
+            .filter_map(|item| Some((item.range.clone(), self.text(item, example)?)))
             .collect()
+    }
+
+    /// A list of tables, each under a heading like `heading`, with these keys and perhaps others.
+    pub(super) fn tables(
+        &mut self,
+        given: Given,
+        heading: &str,
+        known: &'static [&'static str],
+    ) -> Vec<Table> {
+        let Value::List(items) = given.value else {
+            self.wrong(given.range, format!("write {heading} on a line of its own"));
+            return Vec::new();
+        };
+        let mut tables = Vec::new();
+        for item in items {
+            match Table::of(heading, item.clone(), known) {
+                Some(table) => tables.push(table),
+                None => self.wrong(item.range, format!("write {heading} on a line of its own")),
+            }
+        }
+        tables
     }
 }
 
-impl<'t> Table<'t> {
-    fn new(name: String, entries: DeTable<'t>, span: Range<usize>) -> Table<'t> {
-        Table {
-            name,
-            entries,
-            known: Vec::new(),
-            span,
-        }
-    }
-
-    /// A value that is a table in braces; none if it is anything else.
-    pub(super) fn inline(name: &str, given: &Given<'t>) -> Option<Table<'t>> {
-        match given.get_ref() {
-            DeValue::Table(entries) => Some(Table::new(name.to_owned(), entries.clone(), given.span())),
+impl Table {
+    /// A value that is a table; none if it is anything else.
+    pub(super) fn of(name: &str, given: Given, known: &'static [&'static str]) -> Option<Table> {
+        match given.value {
+            Value::Table(entries) => Some(Table {
+                name: name.to_owned(),
+                entries,
+                known: known.to_vec(),
+                elsewhere: Vec::new(),
+                range: given.range,
+            }),
             _ => None,
         }
     }
 
     /// Where it stands.
-    pub(super) fn span(&self) -> Range<usize> {
-        self.span.clone()
+    pub(super) fn range(&self) -> Range<usize> {
+        self.range.clone()
     }
 
     /// The value of a key, if it is there.
-    pub(super) fn take(&mut self, key: &'static str) -> Option<Given<'t>> {
-        self.known.push(key);
-        self.entries.remove(key)
-    }
-
-    /// A table in this one.
-    pub(super) fn table(&mut self, reader: &mut Reader<'t>, key: &'static str) -> Option<Table<'t>> {
-        let given = self.take(key)?;
-        let span = given.span();
-        match given.into_inner() {
-            DeValue::Table(entries) => Some(Table::new(key.to_owned(), entries, span)),
-            _ => {
-                reader.wrong(
-                    span,
-                    format!("`{key}` is a table: write [{key}] on a line of its own"),
-                );
-                None
-            }
-        }
+    pub(super) fn take(&mut self, key: &str) -> Option<Given> {
+        let at = self.entries.iter().position(|entry| entry.key == key)?;
+        Some(self.entries.remove(at).given)
     }
 
     /// All keys with their values, for a table whose keys are not fixed.
-    pub(super) fn entries(self) -> impl Iterator<Item = (Spanned<Cow<'t, str>>, Given<'t>)> {
+    pub(super) fn entries(self) -> impl Iterator<Item = Entry> {
         self.entries.into_iter()
     }
 
     /// Complains of what nobody asked for.
-    pub(super) fn finish(self, reader: &mut Reader<'t>) {
+    pub(super) fn finish(self, reader: &mut Reader) {
         let of = if self.name.is_empty() {
             String::new()
         } else {
             format!(" in [{}]", self.name)
         };
-        for key in self.entries.keys() {
-            let name = key.get_ref();
-            let hint = hint(name, &self.known);
-            reader.wrong(key.span(), format!("`{name}` is no setting{of}: {hint}"));
+        for entry in self.entries {
+            let name = &entry.key;
+            let hint = if self.elsewhere.contains(&name.as_str()) {
+                reader.source.elsewhere().to_owned()
+            } else {
+                hint(name, &self.known)
+            };
+            reader.wrong(entry.range, format!("`{name}` is no setting{of}: {hint}"));
         }
     }
 }
@@ -222,7 +278,7 @@ pub(super) fn closest<'k>(wanted: &str, known: &[&'k str]) -> Option<&'k str> {
     let wanted = wanted.to_lowercase();
     known
         .iter()
-        .map(|name| (strsim::osa_distance(&wanted, name), *name))
+        .map(|name| (strsim::osa_distance(&wanted, &name.to_lowercase()), *name))
         .filter(|(distance, name)| *distance <= 2 && *distance < name.len())
         .min_by_key(|(distance, _)| *distance)
         .map(|(_, name)| name)

@@ -1,9 +1,8 @@
 //! `[simulate]`: how programs are run.
 
 use super::reader::{Reader, Table};
-use ladder_analysis::types::Scalar;
-use ladder_analysis::value::Value;
-use ladder_simulator::{Options, value_text};
+use super::table::{HISTORY, INTERVAL, RETAIN, WATCHDOG};
+use ladder_simulator::Options;
 use std::path::{Path, PathBuf};
 
 /// How programs are run. What is absent is left to whoever runs them.
@@ -30,35 +29,20 @@ impl Simulate {
     }
 }
 
-pub(super) fn read<'t>(mut table: Table<'t>, folder: &Path, reader: &mut Reader<'t>) -> Simulate {
-    let mut simulate = Simulate::default();
-    if let Some(given) = table.take("interval")
-        && let Some(text) = reader.string(&given, "\"10ms\"")
-    {
-        match value_text::parse(&text, Scalar::Time) {
-            Ok(Value::Int(nanoseconds)) if nanoseconds > 0 => simulate.interval = Some(nanoseconds),
-            Ok(_) => reader.wrong(
-                given.span(),
-                "the time from one scan to the next must be longer than 0",
-            ),
-            Err(problem) => reader.wrong(given.span(), problem),
-        }
-    }
-    simulate.watchdog = table
-        .take("watchdog")
-        .and_then(|given| reader.number(&given, 1, i64::MAX))
-        .map(|blocks| blocks as u64);
-    simulate.history = table
-        .take("history")
-        .and_then(|given| reader.number(&given, 0, i64::MAX))
-        .map(|scans| scans as u64);
-    if let Some(given) = table.take("retain")
-        && let Some(file) = reader.string(&given, "\"plant.retain\"")
+pub(super) fn read(mut table: Table, folder: &Path, reader: &mut Reader) -> Simulate {
+    let mut simulate = Simulate {
+        interval: reader.duration(&mut table, &INTERVAL),
+        watchdog: reader.whole(&mut table, &WATCHDOG).map(|blocks| blocks as u64),
+        history: reader.whole(&mut table, &HISTORY).map(|scans| scans as u64),
+        retain: None,
+    };
+    if let Some(given) = reader.take(&mut table, &RETAIN)
+        && let Some(file) = reader.text(&given, RETAIN.example)
     {
         if file.is_empty() {
-            reader.wrong(given.span(), "name a file, or leave `retain` out");
+            reader.wrong(given.range, "name a file, or leave `retain` out");
         } else {
-            simulate.retain = Some(folder.join(file.as_ref()));
+            simulate.retain = Some(folder.join(file));
         }
     }
     table.finish(reader);

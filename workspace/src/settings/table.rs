@@ -1,0 +1,275 @@
+//! All settings, in one table.
+//!
+//! The reader checks values by it. The page of the book about settings, the JSON schema of `ladder.toml` and the
+//! settings of the extension for Visual Studio Code are written from it. A test compares the defaults with what the
+//! crates do that the settings are for.
+
+/// A table of settings: `[format]` in `ladder.toml`, `ladder.format` in an editor.
+#[derive(Debug, Clone, Copy)]
+pub struct Section {
+    /// Its name.
+    pub name: &'static str,
+    /// What it is for, in Markdown.
+    pub about: &'static str,
+    /// Its settings. Those of [`LINT`] come on top of the rules, each of which is a setting too.
+    pub settings: &'static [Setting],
+}
+
+/// A setting: a key of a table.
+#[derive(Debug, Clone, Copy)]
+pub struct Setting {
+    /// Its name.
+    pub key: &'static str,
+    /// What it takes.
+    pub kind: Kind,
+    /// Who may set it.
+    pub place: Place,
+    /// What holds where nobody sets it, as it would be written in `ladder.toml`; none if nothing does.
+    pub default: Option<&'static str>,
+    /// A value to show, as it would be written in `ladder.toml`.
+    pub example: &'static str,
+    /// What it is for, in Markdown.
+    pub about: &'static str,
+}
+
+/// What a setting takes.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Kind {
+    /// A whole number.
+    Whole {
+        /// The least.
+        least: i64,
+        /// The most.
+        most: i64,
+    },
+    /// A time longer than 0, as text: `10ms`.
+    Duration,
+    /// The path of a file, seen from the folder of `ladder.toml`.
+    File,
+    /// A list of patterns as in `.gitignore`.
+    Patterns,
+    /// `true` or `false`.
+    Switch,
+    /// A text.
+    Text,
+    /// One of these texts.
+    Choice(&'static [&'static str]),
+    /// Tables, each with `files` and the rules that count differently in those.
+    Overrides,
+}
+
+/// Who may set a setting.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Place {
+    /// The project: only `ladder.toml`.
+    File,
+    /// The project. What an editor says holds for programs that no `ladder.toml` stands above.
+    FileOrEditor,
+    /// The person at the screen: only the editor.
+    Editor,
+    /// The person at the screen, for the extension of an editor: the server does not look at it.
+    Extension,
+}
+
+impl Place {
+    /// Whether `ladder.toml` may have it.
+    pub fn is_in_file(self) -> bool {
+        matches!(self, Place::File | Place::FileOrEditor)
+    }
+
+    /// Whether an editor may have it.
+    pub fn is_in_editor(self) -> bool {
+        self != Place::File
+    }
+}
+
+/// What a rule's setting may say.
+pub const LEVELS: [&str; 4] = ["error", "warn", "info", "off"];
+
+/// What a whole number may be if nothing bounds it.
+const ANY: i64 = i64::MAX;
+
+pub(super) const WIDTH: Setting = Setting {
+    key: "width",
+    kind: Kind::Whole {
+        least: 40,
+        most: 10_000,
+    },
+    place: Place::FileOrEditor,
+    default: Some("100"),
+    example: "120",
+    about: "A network up to so many columns shares the file's right rail; a wider one keeps its own.",
+};
+
+pub(super) const SPACING: Setting = Setting {
+    key: "spacing",
+    kind: Kind::Whole { least: 1, most: 40 },
+    place: Place::FileOrEditor,
+    default: Some("2"),
+    example: "2",
+    about: "The least number of columns between neighbours.",
+};
+
+pub(super) const OVERRIDES: Setting = Setting {
+    key: "overrides",
+    kind: Kind::Overrides,
+    place: Place::File,
+    default: None,
+    example: "[{ files = [\"old/**\"], double-coil = \"off\" }]",
+    about: "Rules that count differently in some files. The last one that covers a file wins.",
+};
+
+pub(super) const INTERVAL: Setting = Setting {
+    key: "interval",
+    kind: Kind::Duration,
+    place: Place::FileOrEditor,
+    default: Some("\"10ms\""),
+    example: "\"20ms\"",
+    about: "The time from one scan to the next.",
+};
+
+pub(super) const WATCHDOG: Setting = Setting {
+    key: "watchdog",
+    kind: Kind::Whole { least: 1, most: ANY },
+    place: Place::FileOrEditor,
+    default: Some("1000000"),
+    example: "1000000",
+    about: "How many blocks a scan may evaluate. One that needs more is stopped with a fault.",
+};
+
+pub(super) const HISTORY: Setting = Setting {
+    key: "history",
+    kind: Kind::Whole { least: 0, most: ANY },
+    place: Place::FileOrEditor,
+    default: None,
+    example: "1000",
+    about: "How many scans can be stepped back. Without it as many as fit into 64 MiB.",
+};
+
+pub(super) const RETAIN: Setting = Setting {
+    key: "retain",
+    kind: Kind::File,
+    place: Place::File,
+    default: None,
+    example: "\"plant.retain\"",
+    about: "Where retentive tags are kept over a restart, for the editors' simulations and the interactive screen.",
+};
+
+pub(super) const INCLUDE: Setting = Setting {
+    key: "include",
+    kind: Kind::Patterns,
+    place: Place::File,
+    default: None,
+    example: "[\"lines/**\"]",
+    about: "Only what matches one of these patterns belongs to the workspace. Without it every program does.",
+};
+
+pub(super) const EXCLUDE: Setting = Setting {
+    key: "exclude",
+    kind: Kind::Patterns,
+    place: Place::File,
+    default: None,
+    example: "[\"old/\"]",
+    about: "But not what matches one of these.",
+};
+
+pub(super) const INLAY_HINTS: Setting = Setting {
+    key: "enable",
+    kind: Kind::Switch,
+    place: Place::Editor,
+    default: Some("false"),
+    example: "true",
+    about: "Hints at the ends of lines. They never stand within a drawing, whose columns they would shift.",
+};
+
+pub(super) const CODE_LENS: Setting = Setting {
+    key: "enable",
+    kind: Kind::Switch,
+    place: Place::Editor,
+    default: Some("true"),
+    example: "false",
+    about: "Lines of commands above networks.",
+};
+
+/// How diagrams are laid out.
+pub const FORMAT: Section = Section {
+    name: "format",
+    about: "How diagrams are laid out.",
+    settings: &[WIDTH, SPACING],
+};
+
+/// How much the findings of rules matter.
+pub const LINT: Section = Section {
+    name: "lint",
+    about: "How much the findings of a rule matter: `error`, `warn`, `info` or `off`; or a table with `level` and the `reason` for it.",
+    settings: &[OVERRIDES],
+};
+
+/// How programs are run.
+pub const SIMULATE: Section = Section {
+    name: "simulate",
+    about: "How programs are run.",
+    settings: &[INTERVAL, WATCHDOG, HISTORY, RETAIN],
+};
+
+/// Which programs belong to the workspace.
+pub const WORKSPACE: Section = Section {
+    name: "workspace",
+    about: "Which programs belong to the workspace. Patterns are those of `.gitignore`, seen from the folder of `ladder.toml`.",
+    settings: &[INCLUDE, EXCLUDE],
+};
+
+/// Every section, in the order of the book.
+pub const SECTIONS: &[Section] = &[
+    FORMAT,
+    LINT,
+    SIMULATE,
+    WORKSPACE,
+    Section {
+        name: "inlayHints",
+        about: "Hints in the text.",
+        settings: &[INLAY_HINTS],
+    },
+    Section {
+        name: "codeLens",
+        about: "Commands in the text.",
+        settings: &[CODE_LENS],
+    },
+    Section {
+        name: "server",
+        about: "The language server's program.",
+        settings: &[Setting {
+            key: "path",
+            kind: Kind::Text,
+            place: Place::Extension,
+            default: Some("\"\""),
+            example: "\"/opt/ladder/bin/ladder\"",
+            about: "The program `ladder` that serves the language. Empty: the one that came with the extension, else the one on the `PATH`.",
+        }],
+    },
+    Section {
+        name: "trace",
+        about: "The talk with the language server.",
+        settings: &[Setting {
+            key: "server",
+            kind: Kind::Choice(&["messages", "verbose"]),
+            place: Place::Extension,
+            default: Some("\"messages\""),
+            example: "\"verbose\"",
+            about: "How much of the talk with the language server goes into the log: the names of the messages, or all of them. It is logged only while the log's level is *Trace* (command *Developer: Set Log Level*).",
+        }],
+    },
+];
+
+/// The names of the settings in a section, for whoever may set them.
+pub(super) fn keys(section: &Section, allowed: impl Fn(Place) -> bool) -> Vec<&'static str> {
+    let settings = section.settings.iter().filter(|setting| allowed(setting.place));
+    settings.map(|setting| setting.key).collect()
+}
+
+/// The names of the sections, for whoever may set something in them.
+pub(super) fn sections(allowed: impl Fn(Place) -> bool) -> Vec<&'static str> {
+    // The rules are not in the table; they may be set everywhere.
+    let open = |section: &&Section| section.name == LINT.name || !keys(section, &allowed).is_empty();
+    SECTIONS.iter().filter(open).map(|section| section.name).collect()
+}
