@@ -5,6 +5,7 @@
 
 pub(crate) mod address;
 pub(crate) mod edit;
+pub(crate) mod elsewhere;
 pub(crate) mod neighbours;
 pub(crate) mod position;
 mod revision;

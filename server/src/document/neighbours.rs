@@ -9,6 +9,7 @@ use std::collections::{BTreeMap, HashMap};
 use std::path::{Path, PathBuf};
 use std::sync::{Arc, Mutex, MutexGuard, OnceLock, PoisonError};
 
+use ladder_analysis::context::{Context, context};
 use ladder_analysis::program::Program;
 use ladder_analysis::{
     Analysis, Exported, Exports, NotWhole, Others, RuleSettings, analyze_with, exports, link,
@@ -43,11 +44,29 @@ struct Folder {
 
 /// A file that no editor shows.
 #[derive(Debug)]
-struct OnDisk {
-    name: Arc<str>,
-    text: String,
+pub(crate) struct OnDisk {
+    pub(crate) name: Arc<str>,
+    pub(crate) text: String,
     parse: Arc<Parse>,
     exports: Arc<Exports>,
+    /// Its names, as they are among these other files.
+    names: Mutex<Option<(Arc<Exported>, Arc<Context>)>>,
+}
+
+impl OnDisk {
+    /// Its names. `exported` is what the files of its workspace show to each other.
+    pub(crate) fn context(&self, exported: &Arc<Exported>) -> Arc<Context> {
+        let mut names = self.names.lock().unwrap_or_else(PoisonError::into_inner);
+        if let Some((of, context)) = &*names
+            && Arc::ptr_eq(of, exported)
+        {
+            return Arc::clone(context);
+        }
+        let others = exported.others_of(&self.name);
+        let context = Arc::new(context(&self.parse, &others, &mut Vec::new()));
+        *names = Some((Arc::clone(exported), Arc::clone(&context)));
+        context
+    }
 }
 
 /// A file that an editor shows.
@@ -131,6 +150,17 @@ impl Neighbours {
     pub(crate) fn together(&self, a: &Path, b: &Path) -> bool {
         let mut state = self.lock();
         state.root(a) == state.root(b)
+    }
+
+    /// The files on disk of a file's workspace, with what all of them show to each other. Those that are open are among
+    /// them, as they were when they were last saved.
+    pub(crate) fn on_disk(&self, path: &Path) -> (Vec<(PathBuf, Arc<OnDisk>)>, Arc<Exported>) {
+        let mut state = self.lock();
+        let (_, folder) = state.folder(path);
+        let exported = Arc::clone(folder.exported());
+        let files = folder.disk.iter();
+        let files = files.map(|(path, file)| (path.clone(), Arc::clone(file)));
+        (files.collect(), exported)
     }
 
     /// What the workspace of a file asks for.
@@ -276,6 +306,7 @@ impl Folder {
                     text,
                     parse,
                     exports,
+                    names: Mutex::default(),
                 };
                 self.disk.insert(path.to_owned(), Arc::new(file));
             }

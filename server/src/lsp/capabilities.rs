@@ -1,9 +1,11 @@
 //! What client and server agree on, once, at `initialize`.
 
 use tower_lsp::ls_types::{
-    ClientCapabilities, CodeActionKind, CodeActionOptions, CodeActionProviderCapability, DiagnosticTag,
-    ExecuteCommandOptions, HoverProviderCapability, MarkupKind, OneOf, PositionEncodingKind,
-    ServerCapabilities, TextDocumentSyncCapability, TextDocumentSyncKind, TextDocumentSyncOptions,
+    ClientCapabilities, CodeActionKind, CodeActionOptions, CodeActionProviderCapability,
+    DeclarationCapability, DiagnosticTag, ExecuteCommandOptions, HoverProviderCapability,
+    ImplementationProviderCapability, MarkupKind, OneOf, PositionEncodingKind, ServerCapabilities,
+    TextDocumentSyncCapability, TextDocumentSyncKind, TextDocumentSyncOptions,
+    TypeDefinitionProviderCapability,
 };
 
 use crate::document::position::Encoding;
@@ -27,6 +29,8 @@ pub(super) struct Agreed {
     pub(super) versioned_edits: bool,
     /// Hovers may be Markdown.
     pub(super) markdown: bool,
+    /// A place that an editor is sent to may say how far it reaches.
+    pub(super) links: bool,
     /// The client can be asked to tell of changed files.
     pub(super) watches_files: bool,
     /// The client can be asked for its settings.
@@ -82,6 +86,10 @@ impl Agreed {
                 .and_then(|workspace| workspace.code_lens.as_ref())
                 .and_then(|it| it.refresh_support)
                 .unwrap_or(false),
+            links: document
+                .and_then(|document| document.definition.as_ref())
+                .and_then(|definition| definition.link_support)
+                .unwrap_or(false),
             watches_files: workspace
                 .and_then(|workspace| workspace.did_change_watched_files.as_ref())
                 .and_then(|watched| watched.dynamic_registration)
@@ -107,6 +115,12 @@ pub(super) fn offered(agreed: Agreed) -> ServerCapabilities {
             ..TextDocumentSyncOptions::default()
         })),
         hover_provider: Some(HoverProviderCapability::Simple(true)),
+        definition_provider: Some(OneOf::Left(true)),
+        declaration_provider: Some(DeclarationCapability::Simple(true)),
+        type_definition_provider: Some(TypeDefinitionProviderCapability::Simple(true)),
+        implementation_provider: Some(ImplementationProviderCapability::Simple(true)),
+        references_provider: Some(OneOf::Left(true)),
+        document_highlight_provider: Some(OneOf::Left(true)),
         document_formatting_provider: Some(OneOf::Left(true)),
         code_action_provider: Some(CodeActionProviderCapability::Options(CodeActionOptions {
             code_action_kinds: Some(vec![CodeActionKind::QUICKFIX, FIX_ALL]),
@@ -155,7 +169,8 @@ mod tests {
                     "tagSupport": {"valueSet": [1, 2]},
                     "dataSupport": true
                 },
-                "hover": {"contentFormat": ["markdown", "plaintext"]}
+                "hover": {"contentFormat": ["markdown", "plaintext"]},
+                "definition": {"linkSupport": true}
             },
             "workspace": {
                 "workspaceEdit": {"documentChanges": true},
@@ -180,7 +195,8 @@ mod tests {
                 configuration: true,
                 registers_configuration: true,
                 refreshes_inlay_hints: true,
-                refreshes_code_lenses: true
+                refreshes_code_lenses: true,
+                links: true,
             }
         );
     }

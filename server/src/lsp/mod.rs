@@ -15,6 +15,7 @@
 //! 5. Published diagnostics name the version they belong to, and those of a text that is no longer shown are not
 //!    sent.
 
+mod asked;
 mod backend;
 mod blocking;
 mod capabilities;
@@ -23,11 +24,13 @@ mod configuration;
 mod convert;
 mod diagnostics;
 mod formatting;
+mod goto;
 mod guard;
 mod hover;
 mod inlet;
 mod outbox;
 mod parent;
+mod references;
 mod serve;
 mod shared;
 mod simulate;

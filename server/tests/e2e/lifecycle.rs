@@ -98,11 +98,7 @@ async fn unknown_methods_and_bad_parameters_are_answered() {
     );
     let place = json!({"textDocument": {"uri": URI}, "position": {"line": 0, "character": 0}});
     assert_eq!(
-        client
-            .request("textDocument/definition", place)
-            .await
-            .unwrap_err()
-            .0,
+        client.request("textDocument/moniker", place).await.unwrap_err().0,
         -32601,
         "not offered"
     );

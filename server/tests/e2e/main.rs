@@ -7,6 +7,7 @@ mod features;
 mod history;
 mod house;
 mod lifecycle;
+mod navigate;
 mod plant;
 mod protocol_page;
 mod several_files;

@@ -1,0 +1,43 @@
+//! How far a body reaches: the main program, a function, the definition of a block.
+
+use ladder_analysis::context::{Body, Context};
+use ladder_syntax::TextRange;
+
+/// From the first network of a body to the last, without the last line end; of a block's definition all of it.
+pub(crate) fn extent(context: &Context, body: Body) -> Option<TextRange> {
+    let parse = &context.parse;
+    if let Body::Block(block) = body {
+        let lines = &parse.structure().blocks.get(block)?.lines;
+        let range = TextRange::new(
+            parse.line_start(lines.start),
+            parse.line_range(lines.end - 1).end(),
+        );
+        return Some(without_line_end(context, range));
+    }
+    networks(context, body)
+}
+
+/// From the first network of a body to the last, without the last line end.
+pub(crate) fn networks(context: &Context, body: Body) -> Option<TextRange> {
+    let of = |&network: &usize| context.bodies[network] == body;
+    let first = (0..context.networks.len()).find(of)?;
+    let last = (0..context.networks.len()).rev().find(of)?;
+    let range = context.networks[first].range.cover(context.networks[last].range);
+    Some(without_line_end(context, range))
+}
+
+/// A range of whole lines without the line end of the last, and without what is blank before that.
+pub(crate) fn without_line_end(context: &Context, range: TextRange) -> TextRange {
+    let parse = &context.parse;
+    let Some(last) = range
+        .end()
+        .checked_sub(1.into())
+        .and_then(|end| parse.line_at(end))
+    else {
+        return range;
+    };
+    let text = parse.lines()[last].green().to_string();
+    let blank = text.len() - text.trim_end_matches([' ', '\t', '\r', '\n']).len();
+    let end = parse.line_range(last).end() - ladder_syntax::TextSize::new(blank as u32);
+    TextRange::new(range.start(), end.max(range.start()))
+}

@@ -1,0 +1,256 @@
+//! Where a thing is defined, declared, what type it has and where it is done.
+//!
+//! | asked of | definition | declaration | type | implementation |
+//! | --- | --- | --- | --- | --- |
+//! | a tag | its declaration; of a VAR_EXTERNAL tag the VAR_GLOBAL line | the VAR_EXTERNAL line of this file, else as definition | of a timer or counter the block that it belongs to | the places that write it |
+//! | an undeclared tag | the places that write it, else where it stands first | as definition | | as definition |
+//! | a direct address | the declaration with this address behind AT, else as an undeclared tag | as definition | | the places that write it |
+//! | a member or bit | as its tag | as its tag | as its tag | as its tag |
+//! | a parameter | its declaration in the block | as definition | | the places in the body that write it |
+//! | a label | its `<LBL>` | as definition | | its `<LBL>` |
+//! | a function | its `<FUN>` | as definition | | its networks |
+//! | a user-defined block | its first line | as definition | its first line | its body |
+
+use crate::body;
+use crate::neighbour::{File, Workspace};
+use crate::symbol::{Found, Occurrence, Symbol, Usage, declared_names, files_of, find, occurrences};
+use crate::target::Target;
+use ladder_analysis::Analysis;
+use ladder_analysis::context::{Body, Context};
+use ladder_analysis::network::Formal;
+use ladder_analysis::scope::{Origin, SectionKind};
+use ladder_instructions::Accepts;
+use ladder_syntax::{Name, TextRange, TextSize};
+use std::sync::Arc;
+
+/// Where the thing at an offset is defined.
+pub fn definition(analysis: &Analysis, offset: TextSize, workspace: &dyn Workspace) -> Vec<Target> {
+    let Some(Found { symbol, .. }) = find(File::own(analysis), offset) else {
+        return Vec::new();
+    };
+    defined(analysis, &symbol, workspace)
+}
+
+/// Where the thing at an offset is declared.
+pub fn declaration(analysis: &Analysis, offset: TextSize, workspace: &dyn Workspace) -> Vec<Target> {
+    let own = File::own(analysis);
+    let Some(Found { symbol, .. }) = find(own, offset) else {
+        return Vec::new();
+    };
+    let symbol = tag_behind(symbol);
+    let external = of_file(own, &symbol, |usage| usage == Usage::Declaration);
+    if external.is_empty() {
+        return defined(analysis, &symbol, workspace);
+    }
+    external
+}
+
+/// The type of the thing at an offset: a user-defined block's definition, or the block that a timer or counter
+/// belongs to.
+pub fn type_definition(analysis: &Analysis, offset: TextSize, workspace: &dyn Workspace) -> Vec<Target> {
+    let own = File::own(analysis);
+    let Some(Found { symbol, .. }) = find(own, offset) else {
+        return Vec::new();
+    };
+    match tag_behind(symbol) {
+        symbol @ Symbol::Block { .. } => defined(analysis, &symbol, workspace),
+        symbol @ (Symbol::Tag { .. } | Symbol::Global(_)) => {
+            each_file(analysis, &symbol, workspace, |file| states(file, &symbol))
+        }
+        _ => Vec::new(),
+    }
+}
+
+/// Where the thing at an offset is done: a function's networks, a block's body, the places that write a tag.
+pub fn implementation(analysis: &Analysis, offset: TextSize, workspace: &dyn Workspace) -> Vec<Target> {
+    let Some(Found { symbol, .. }) = find(File::own(analysis), offset) else {
+        return Vec::new();
+    };
+    let symbol = tag_behind(symbol);
+    match &symbol {
+        Symbol::Function { .. } | Symbol::Block { .. } | Symbol::Label { .. } => {
+            defined(analysis, &symbol, workspace)
+                .into_iter()
+                .map(|target| Target {
+                    focus: body_of(analysis, &symbol, &target, workspace).unwrap_or(target.focus),
+                    ..target
+                })
+                .collect()
+        }
+        _ => each_file(analysis, &symbol, workspace, |file| {
+            of_file(file, &symbol, Usage::writes)
+        }),
+    }
+}
+
+/// A member leads to its tag.
+fn tag_behind(symbol: Symbol) -> Symbol {
+    match symbol {
+        Symbol::Member { of, .. } => *of,
+        other => other,
+    }
+}
+
+pub(crate) fn defined(analysis: &Analysis, symbol: &Symbol, workspace: &dyn Workspace) -> Vec<Target> {
+    let symbol = &tag_behind(symbol.clone());
+    if matches!(symbol, Symbol::Instruction(_) | Symbol::System(_)) {
+        return Vec::new();
+    }
+    let found = each_file(analysis, symbol, workspace, |file| {
+        of_file(file, symbol, |usage| usage == Usage::Definition)
+    });
+    if !found.is_empty() {
+        return found;
+    }
+    if let Symbol::Address(address) = symbol {
+        let declared = at_address(File::own(analysis), address);
+        if !declared.is_empty() {
+            return declared;
+        }
+    }
+    if !matches!(
+        symbol,
+        Symbol::Tag { .. } | Symbol::Address(_) | Symbol::Global(_)
+    ) {
+        return Vec::new();
+    }
+    let written = each_file(analysis, symbol, workspace, |file| {
+        of_file(file, symbol, Usage::writes)
+    });
+    if !written.is_empty() {
+        return written;
+    }
+    let mut all = of_file(File::own(analysis), symbol, |_| true);
+    all.truncate(1);
+    all
+}
+
+fn each_file(
+    analysis: &Analysis,
+    symbol: &Symbol,
+    workspace: &dyn Workspace,
+    give: impl Fn(File<'_>) -> Vec<Target>,
+) -> Vec<Target> {
+    let mut targets = give(File::own(analysis));
+    for neighbour in files_of(analysis, symbol, workspace) {
+        targets.extend(give(neighbour.file()));
+    }
+    targets
+}
+
+fn of_file(file: File<'_>, symbol: &Symbol, fits: impl Fn(Usage) -> bool) -> Vec<Target> {
+    let places = occurrences(file, symbol);
+    places
+        .into_iter()
+        .filter(|place| fits(place.usage))
+        .map(|place| target(file, symbol, place))
+        .collect()
+}
+
+fn target(file: File<'_>, symbol: &Symbol, place: Occurrence) -> Target {
+    let range = place
+        .usage
+        .declares()
+        .then(|| surroundings(file.context, symbol, place.range));
+    Target {
+        file: Arc::clone(file.name),
+        range: range.flatten().unwrap_or(place.range),
+        focus: place.range,
+    }
+}
+
+/// All that belongs to a definition whose name stands in a range.
+fn surroundings(context: &Context, symbol: &Symbol, at: TextRange) -> Option<TextRange> {
+    match symbol {
+        Symbol::Function { .. } => {
+            let function = context.functions.iter().position(|it| it.at == at)?;
+            body::extent(context, Body::Function(function))
+        }
+        Symbol::Block { .. } => {
+            let definitions = &context.user_blocks[..context.own_blocks];
+            let block = definitions.iter().position(|it| it.at.contains_range(at))?;
+            body::extent(context, Body::Block(block))
+        }
+        Symbol::Label { .. } => {
+            let label = context.labels.iter().find(|it| it.at == at)?;
+            Some(body::without_line_end(
+                context,
+                context.networks[label.network].range,
+            ))
+        }
+        _ => declared_names(context)
+            .find(|declared| declared.at == at)
+            .map(|it| it.declaration),
+    }
+}
+
+/// The declarations of tags that lie at an address.
+fn at_address(file: File<'_>, address: &Name) -> Vec<Target> {
+    let tags = file.context.scopes.iter().flat_map(|scope| &scope.tags);
+    tags.filter(|tag| tag.is_declared() && tag.origin != Origin::Declared(SectionKind::External))
+        .filter(|tag| tag.address.as_ref().is_some_and(|it| Name::new(it) == *address))
+        .map(|tag| Target {
+            file: Arc::clone(file.name),
+            range: tag.at,
+            focus: tag.at,
+        })
+        .collect()
+}
+
+/// The blocks that keep their state on a tag.
+fn states(file: File<'_>, symbol: &Symbol) -> Vec<Target> {
+    let mut targets = Vec::new();
+    let places = occurrences(file, symbol);
+    for network in &file.context.networks {
+        for block in &network.blocks {
+            for (operand, formal) in block.facts.operands.iter().zip(&block.formals) {
+                let at = block.absolute(operand.value.range);
+                let keeps =
+                    matches!(formal, Formal::Operand(row) if matches!(row.accepts, Accepts::State(_)));
+                if keeps && places.iter().any(|place| place.range == at) {
+                    targets.push(Target {
+                        file: Arc::clone(file.name),
+                        range: block.range(),
+                        focus: block.head_range(),
+                    });
+                }
+            }
+        }
+    }
+    targets
+}
+
+/// Where the body of a definition stands.
+fn body_of(
+    analysis: &Analysis,
+    symbol: &Symbol,
+    target: &Target,
+    workspace: &dyn Workspace,
+) -> Option<TextRange> {
+    let own = File::own(analysis);
+    let neighbour;
+    let file = if own.is_called(&target.file) {
+        own
+    } else {
+        neighbour = workspace.file(&target.file)?;
+        neighbour.file()
+    };
+    let context = file.context;
+    match symbol {
+        Symbol::Function { .. } => {
+            let function = context.functions.iter().position(|it| it.at == target.focus)?;
+            body::networks(context, Body::Function(function))
+        }
+        Symbol::Block { .. } => {
+            let definitions = &context.user_blocks[..context.own_blocks];
+            let block = definitions
+                .iter()
+                .position(|it| it.at.contains_range(target.focus))?;
+            body::networks(context, Body::Block(block))
+        }
+        _ => None,
+    }
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,112 @@
+//! Texts of tests: several files, a cursor, and how places are shown.
+
+use crate::{Neighbour, Workspace, mentions};
+use ladder_analysis::{Analysis, Exported, analyze_in, exports};
+use ladder_syntax::{Name, TextRange, TextSize, parse};
+use std::sync::Arc;
+
+/// The files of a workspace, the first of them the one that is asked about.
+pub(crate) struct Fixture {
+    pub(crate) files: Vec<(Arc<Analysis>, String)>,
+    /// Where `$0` stood, and in which file.
+    pub(crate) cursor: Option<(usize, TextSize)>,
+}
+
+impl Fixture {
+    /// Files begin with `%% name.clad`; a text without that is `main.clad`.
+    pub(crate) fn new(text: &str) -> Fixture {
+        let mut texts: Vec<(String, String)> = Vec::new();
+        for line in text.split_inclusive('\n') {
+            match line.strip_prefix("%% ") {
+                Some(name) => texts.push((name.trim().to_owned(), String::new())),
+                None => {
+                    if texts.is_empty() {
+                        texts.push(("main.clad".to_owned(), String::new()));
+                    }
+                    texts.last_mut().unwrap().1.push_str(line);
+                }
+            }
+        }
+        let mut cursor = None;
+        for (index, (_, text)) in texts.iter_mut().enumerate() {
+            if let Some(at) = text.find("$0") {
+                text.replace_range(at..at + 2, "");
+                cursor = Some((index, TextSize::new(at as u32)));
+            }
+        }
+        Fixture::of(texts, cursor)
+    }
+
+    pub(crate) fn of(texts: Vec<(String, String)>, cursor: Option<(usize, TextSize)>) -> Fixture {
+        let parses: Vec<_> = texts.iter().map(|(_, text)| Arc::new(parse(text))).collect();
+        let exported = texts
+            .iter()
+            .zip(&parses)
+            .map(|((name, _), parse)| Arc::new(exports(parse, name)));
+        let exported = Arc::new(Exported::new(exported.collect()));
+        let files = texts
+            .into_iter()
+            .zip(parses)
+            .map(|((name, text), parse)| {
+                let analysis = analyze_in(&parse, &name, &exported.others_of(&name));
+                (Arc::new(analysis), text)
+            })
+            .collect();
+        Fixture { files, cursor }
+    }
+
+    /// The file with the cursor, the offset in it, and the others.
+    pub(crate) fn ask(&self) -> (&Analysis, TextSize, Others<'_>) {
+        let (file, offset) = self.cursor.expect("a cursor");
+        (&self.files[file].0, offset, self.others(file))
+    }
+
+    pub(crate) fn others(&self, own: usize) -> Others<'_> {
+        Others { fixture: self, own }
+    }
+
+    pub(crate) fn text(&self, file: &str) -> &str {
+        let mut files = self.files.iter();
+        &files.find(|(analysis, _)| *analysis.name == *file).unwrap().1
+    }
+
+    /// A place as `main.clad:3:7 run`: line and column from 1, and what stands there.
+    pub(crate) fn show(&self, file: &str, range: TextRange) -> String {
+        let text = self.text(file);
+        let before = &text[..usize::from(range.start())];
+        let line = before.matches('\n').count() + 1;
+        let column = before.rsplit('\n').next().unwrap().chars().count() + 1;
+        let what = &text[range];
+        let what = match what.split_once('\n') {
+            Some((first, rest)) => format!("{first} ... {}", rest.lines().last().unwrap_or_default()),
+            None => what.to_owned(),
+        };
+        format!("{file}:{line}:{column} {}", what.trim_end())
+    }
+}
+
+/// All files but one.
+pub(crate) struct Others<'f> {
+    fixture: &'f Fixture,
+    own: usize,
+}
+
+impl Workspace for Others<'_> {
+    fn file(&self, name: &str) -> Option<Neighbour> {
+        let mut files = self.fixture.files.iter();
+        let (analysis, _) = files.find(|(analysis, _)| *analysis.name == *name)?;
+        Some(Neighbour::analysed(Arc::clone(analysis)))
+    }
+
+    fn mentioning(&self, name: &Name) -> Vec<Neighbour> {
+        let files = self.fixture.files.iter().enumerate();
+        files
+            .filter(|(index, (_, text))| *index != self.own && mentions(text, name))
+            .map(|(_, (analysis, _))| Neighbour::analysed(Arc::clone(analysis)))
+            .collect()
+    }
+
+    fn all(&self) -> Vec<Neighbour> {
+        self.mentioning(&Name::new(""))
+    }
+}

@@ -1,0 +1,104 @@
+//! What a word of the text names, and every place that names the same: what all of navigation and rename read.
+//!
+//! A [`Symbol`] says what is meant independently of where it was found, so that the same symbol is found from each of
+//! its places, in whichever file they are. [`find()`] comes from an offset to a symbol, [`occurrences()`] from a symbol
+//! to its places in one file, and [`everywhere()`] to those in the whole workspace.
+
+mod declared;
+mod everywhere;
+mod find;
+mod occurrences;
+
+pub(crate) use declared::{DeclaredName, declared_names};
+pub(crate) use everywhere::{everywhere, files_of};
+pub(crate) use find::{Found, find, tag_of};
+pub(crate) use occurrences::{Occurrence, occurrences};
+
+use ladder_analysis::context::Body;
+use ladder_analysis::scope::Access;
+use ladder_instructions::Op;
+use ladder_syntax::Name;
+use std::sync::Arc;
+
+/// Something that has a name.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub(crate) enum Symbol {
+    /// A tag that belongs to one file, or to the body of one of its blocks (scope 1 for its first block); also a
+    /// block's parameter.
+    Tag {
+        file: Arc<str>,
+        scope: usize,
+        name: Name,
+    },
+    /// A VAR_GLOBAL tag: one for the workspace, whichever files declare it.
+    Global(Name),
+    /// A direct address: one for the workspace.
+    Address(Name),
+    /// A label of a body; defined there or not.
+    Label { file: Arc<str>, body: Body, name: Name },
+    /// A function, in the file that calls of it lead to.
+    Function { file: Arc<str>, name: Name },
+    /// A user-defined block, likewise.
+    Block { file: Arc<str>, name: Name },
+    /// A member of a timer, counter or bistable, or a bit of a tag, by its name in the table.
+    Member { of: Box<Symbol>, name: Name },
+    /// A member of SYS.
+    System(Name),
+    /// An instruction.
+    Instruction(Op),
+}
+
+/// What a place does with the thing that it names.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub enum Usage {
+    /// It is defined or declared here.
+    Definition,
+    /// A VAR_EXTERNAL line: it is declared here and defined elsewhere.
+    Declaration,
+    /// It is read. A block that gets a value back through a parameter reads that parameter.
+    Read,
+    /// It is written. A block that is given a value for a parameter writes that parameter.
+    Write,
+    /// Both.
+    ReadWrite,
+    /// It is named: a call, a jump, a block where it is used.
+    Mention,
+}
+
+impl Usage {
+    /// Whether it is a definition or declaration.
+    pub const fn declares(self) -> bool {
+        matches!(self, Usage::Definition | Usage::Declaration)
+    }
+
+    /// Whether the thing gets a new value here.
+    pub const fn writes(self) -> bool {
+        matches!(self, Usage::Write | Usage::ReadWrite)
+    }
+}
+
+impl From<Access> for Usage {
+    fn from(access: Access) -> Usage {
+        match access {
+            Access::Read => Usage::Read,
+            Access::Write => Usage::Write,
+            Access::ReadWrite => Usage::ReadWrite,
+        }
+    }
+}
+
+impl Symbol {
+    /// The name that stands at its places; none if they differ (an instruction).
+    pub(crate) fn name(&self) -> Option<&Name> {
+        match self {
+            Symbol::Tag { name, .. }
+            | Symbol::Global(name)
+            | Symbol::Address(name)
+            | Symbol::Label { name, .. }
+            | Symbol::Function { name, .. }
+            | Symbol::Block { name, .. } => Some(name),
+            Symbol::Member { of, .. } => of.name(),
+            Symbol::System(_) | Symbol::Instruction(_) => None,
+        }
+    }
+}

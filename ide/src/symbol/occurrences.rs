@@ -1,0 +1,357 @@
+//! From a symbol to its places in one file.
+
+use super::find::{is_system, tag_name};
+use super::{Symbol, Usage, declared_names, tag_of};
+use crate::neighbour::File;
+use ladder_analysis::context::{Body, Callee, Context};
+use ladder_analysis::facts::{Node, NodeKind};
+use ladder_analysis::network::{BoundBlock, Formal, Meaning, NetworkFacts};
+use ladder_analysis::program::ParameterKind;
+use ladder_analysis::scope::SectionKind;
+use ladder_instructions::{Accepts, Op};
+use ladder_syntax::{Name, TextRange};
+use std::sync::Arc;
+
+/// A place of a symbol.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) struct Occurrence {
+    pub(crate) range: TextRange,
+    pub(crate) usage: Usage,
+}
+
+/// The places of a symbol in one file, in the order of the text.
+pub(crate) fn occurrences(file: File<'_>, symbol: &Symbol) -> Vec<Occurrence> {
+    let mut out = Places(Vec::new());
+    match symbol {
+        Symbol::Tag {
+            file: of,
+            scope,
+            name,
+            ..
+        } => {
+            if file.is_called(of) {
+                tag_uses(file, *scope..*scope + 1, symbol, name, &mut out);
+            }
+            if *scope > 0 {
+                named_operands(file, symbol, &mut out);
+            }
+        }
+        Symbol::Global(name) | Symbol::Address(name) => {
+            tag_uses(file, 0..file.context.scopes.len(), symbol, name, &mut out);
+        }
+        Symbol::Label { file: of, body, name } if file.is_called(of) => labels(file, *body, name, &mut out),
+        Symbol::Label { .. } => {}
+        Symbol::Function { file: of, name } => functions(file, of, name, &mut out),
+        Symbol::Block { file: of, name } => blocks(file, of, name, &mut out),
+        Symbol::Member { of, name } => members(file, of, name, &mut out),
+        Symbol::System(name) => system_tags(file, name, &mut out),
+        Symbol::Instruction(op) => {
+            for (_, _, block) in all_blocks(file.context) {
+                if block.op() == Some(*op) {
+                    out.add(block.head_range(), Usage::Mention);
+                }
+            }
+        }
+    }
+    out.sorted()
+}
+
+struct Places(Vec<Occurrence>);
+
+impl Places {
+    fn add(&mut self, range: TextRange, usage: Usage) {
+        self.0.push(Occurrence { range, usage });
+    }
+
+    fn sorted(mut self) -> Vec<Occurrence> {
+        self.0
+            .sort_by_key(|it| (it.range.start(), it.range.end(), it.usage));
+        self.0.dedup();
+        self.0
+    }
+}
+
+fn tag_uses(file: File<'_>, scopes: std::ops::Range<usize>, symbol: &Symbol, name: &Name, out: &mut Places) {
+    let context = file.context;
+    let mut found = false;
+    for scope in scopes {
+        // What a shadowing tag of the same name does is its own affair.
+        if tag_of(file, scope, name).as_ref() != Some(symbol) {
+            continue;
+        }
+        found = true;
+        let Some(tag) = context.scopes[scope].find(name) else {
+            continue;
+        };
+        for place in &context.scopes[scope].tags[tag].uses {
+            out.add(place.range, place.access.into());
+        }
+    }
+    if !found {
+        return;
+    }
+    for declared in declared_names(context).filter(|declared| declared.name == *name) {
+        if tag_of(file, declared.scope, name).as_ref() == Some(symbol) {
+            let usage = match declared.section {
+                SectionKind::External => Usage::Declaration,
+                _ => Usage::Definition,
+            };
+            out.add(declared.at, usage);
+        }
+    }
+}
+
+/// `raw := button` where a block is used: what is given for an input is written into it.
+fn named_operands(file: File<'_>, symbol: &Symbol, out: &mut Places) {
+    for (_, _, block) in all_blocks(file.context) {
+        let Meaning::User(user) = block.meaning else {
+            continue;
+        };
+        for (operand, formal) in block.facts.operands.iter().zip(&block.formals) {
+            let (Some(word), Formal::Parameter(parameter)) = (&operand.name, *formal) else {
+                continue;
+            };
+            if operand_name(file, user, parameter).as_ref() == Some(symbol) {
+                let usage = match file.context.user_blocks[user].parameters[parameter].kind {
+                    ParameterKind::Input => Usage::Write,
+                    ParameterKind::Output => Usage::Read,
+                    ParameterKind::InOut => Usage::ReadWrite,
+                };
+                out.add(block.absolute(word.range), usage);
+            }
+        }
+    }
+}
+
+/// The symbol of a parameter of a user-defined block, by the block's and its own index.
+pub(crate) fn operand_name(file: File<'_>, user: usize, parameter: usize) -> Option<Symbol> {
+    let facts = file.context.user_blocks.get(user)?;
+    let (of, item) = match &facts.import {
+        Some(import) => (&import.file, import.item),
+        None => (file.name, user),
+    };
+    Some(Symbol::Tag {
+        file: Arc::clone(of),
+        scope: item + 1,
+        name: facts.parameters.get(parameter)?.key.clone(),
+    })
+}
+
+fn labels(file: File<'_>, body: Body, name: &Name, out: &mut Places) {
+    for (network, _, block) in all_blocks(file.context) {
+        let usage = match block.op() {
+            Some(Op::Lbl) => Usage::Definition,
+            Some(Op::Jmp) => Usage::Mention,
+            _ => continue,
+        };
+        if file.context.bodies[network] == body
+            && let Some(range) = named(block, name)
+        {
+            out.add(range, usage);
+        }
+    }
+}
+
+/// The label that a name means in a network.
+pub(crate) fn label_name(file: File<'_>, network: usize, name: Name) -> Symbol {
+    Symbol::Label {
+        file: Arc::clone(file.name),
+        body: file.context.bodies[network],
+        name,
+    }
+}
+
+fn functions(file: File<'_>, of: &Arc<str>, name: &Name, out: &mut Places) {
+    let leads_there = function_file(file, name).is_some_and(|found| found == *of);
+    if !leads_there && !file.is_called(of) {
+        return;
+    }
+    for (_, _, block) in all_blocks(file.context) {
+        let usage = match block.op() {
+            Some(Op::Fun) if file.is_called(of) => Usage::Definition,
+            Some(Op::Call) => Usage::Mention,
+            _ => continue,
+        };
+        if let Some(range) = named(block, name) {
+            out.add(range, usage);
+        }
+    }
+}
+
+/// The file whose function a `<CALL>` of a name leads to.
+pub(crate) fn function_file(file: File<'_>, name: &Name) -> Option<Arc<str>> {
+    Some(match file.context.callee(name)? {
+        Callee::Own(_) => Arc::clone(file.name),
+        Callee::Other(import) => import.file,
+    })
+}
+
+/// Where a block's first operand stands, if it is this name.
+fn named(block: &BoundBlock, name: &Name) -> Option<TextRange> {
+    let value = &block.facts.operands.first()?.value;
+    match &value.kind {
+        NodeKind::Name(text) if Name::new(text) == *name => Some(block.absolute(value.range)),
+        _ => None,
+    }
+}
+
+fn blocks(file: File<'_>, of: &Arc<str>, name: &Name, out: &mut Places) {
+    let context = file.context;
+    let own = file.is_called(of);
+    if own {
+        for block in &context.user_blocks[..context.own_blocks] {
+            if block.key == *name
+                && let Some(range) = block_name(context, block.at)
+            {
+                out.add(range, Usage::Definition);
+            }
+        }
+    }
+    if !own && block_file(file, name).is_none_or(|found| found != *of) {
+        return;
+    }
+    for (_, _, block) in all_blocks(context) {
+        if block.user_name().is_some_and(|text| Name::new(text) == *name)
+            && let Some(range) = block_name(context, block.head_range())
+        {
+            out.add(range, Usage::Mention);
+        }
+    }
+}
+
+/// The file whose user-defined block a name means, in whatever shape it is drawn.
+pub(crate) fn block_file(file: File<'_>, name: &Name) -> Option<Arc<str>> {
+    let context = file.context;
+    if context.user_blocks[..context.own_blocks]
+        .iter()
+        .any(|block| block.key == *name)
+    {
+        return Some(Arc::clone(file.name));
+    }
+    let (exports, _) = context.others.blocks(name).next()?;
+    Some(Arc::clone(&exports.file))
+}
+
+/// The word `$Name` in a block's first part, which stands on one line.
+pub(crate) fn block_name(context: &Context, head: TextRange) -> Option<TextRange> {
+    let parse = &context.parse;
+    let line = parse.line_at(head.start())?;
+    let start = parse.line_start(line);
+    let mut tokens = parse.lines()[line].syntax().descendants_with_tokens();
+    tokens.find_map(|element| {
+        let token = element.into_token()?;
+        let range = token.text_range() + start;
+        let is_it = token.kind() == ladder_syntax::SyntaxKind::BLOCK_NAME && head.contains_range(range);
+        is_it.then_some(range)
+    })
+}
+
+fn members(file: File<'_>, of: &Symbol, member: &Name, out: &mut Places) {
+    let Some(tag) = of.name() else { return };
+    each_operand(file.context, |network, block, _, node| {
+        let NodeKind::Member(base, word) = &node.kind else {
+            return;
+        };
+        if is_system(base) || member_name(&word.text) != *member {
+            return;
+        }
+        let Some(name) = tag_name(base).map(Name::new).filter(|name| name == tag) else {
+            return;
+        };
+        if tag_of(file, network.scope, &name).as_ref() == Some(of) {
+            // A bit may be written; a timer's members are its own.
+            let usage = usage_at(file.context, network, block, base.range).unwrap_or(Usage::Read);
+            out.add(block.absolute(word.range), usage);
+        }
+    });
+}
+
+/// What the block does with the tag whose name stands in a range of its line.
+fn usage_at(context: &Context, network: &NetworkFacts, block: &BoundBlock, at: TextRange) -> Option<Usage> {
+    let at = block.absolute(at);
+    let tags = context.scopes[network.scope].tags.iter();
+    let mut uses = tags.flat_map(|tag| &tag.uses);
+    uses.find(|place| at.contains_range(place.range))
+        .map(|place| place.access.into())
+}
+
+fn system_tags(file: File<'_>, name: &Name, out: &mut Places) {
+    each_operand(file.context, |_, block, _, node| {
+        if let NodeKind::Member(base, word) = &node.kind
+            && is_system(base)
+            && Name::new(&word.text) == *name
+        {
+            out.add(block.absolute(node.range), Usage::Read);
+        }
+    });
+}
+
+/// A member's name: those of controllers mean the same as those of IEC (LANGUAGE §4). A timer has none of a
+/// counter's, so one table does for both.
+pub(super) fn member_name(word: &str) -> Name {
+    Name::new(match word.to_ascii_uppercase().as_str() {
+        "EN" | "CU" => "IN",
+        "PRE" | "PV" => "PT",
+        "DN" => "Q",
+        "AC" | "ACC" | "CV" => "ET",
+        _ => word,
+    })
+}
+
+/// All blocks with the index of their network, and their own in it.
+pub(super) fn all_blocks(context: &Context) -> impl Iterator<Item = (usize, usize, &BoundBlock)> {
+    let networks = context.networks.iter().enumerate();
+    networks.flat_map(|(index, network)| {
+        let blocks = network.blocks.iter().enumerate();
+        blocks.map(move |(block, bound)| (index, block, bound))
+    })
+}
+
+/// Every node of every operand that is a value.
+fn each_operand(context: &Context, mut give: impl FnMut(&NetworkFacts, &BoundBlock, usize, &Node)) {
+    for network in &context.networks {
+        for block in &network.blocks {
+            for (index, (operand, formal)) in block.facts.operands.iter().zip(&block.formals).enumerate() {
+                let names_no_tag = matches!(formal, Formal::Operand(row) if matches!(
+                    row.accepts,
+                    Accepts::Label | Accepts::Function | Accepts::SearchOperator
+                ));
+                if !names_no_tag {
+                    each_node(&operand.value, &mut |node| give(network, block, index, node));
+                }
+            }
+        }
+    }
+}
+
+/// A node and all within it.
+pub(crate) fn each_node<'n>(node: &'n Node, give: &mut impl FnMut(&'n Node)) {
+    give(node);
+    match &node.kind {
+        NodeKind::Member(base, _) => each_node(base, give),
+        NodeKind::Index(base, index) => {
+            each_node(base, give);
+            each_node(index, give);
+        }
+        NodeKind::Range(base, first, last) => {
+            each_node(base, give);
+            each_node(first, give);
+            each_node(last, give);
+        }
+        NodeKind::Unary(_, inner) | NodeKind::Paren(inner) => each_node(inner, give),
+        NodeKind::Binary(_, left, right) => {
+            each_node(left, give);
+            each_node(right, give);
+        }
+        NodeKind::Call(_, values) | NodeKind::Array(values) | NodeKind::Repeat(_, values) => {
+            for value in values {
+                each_node(value, give);
+            }
+        }
+        NodeKind::Name(_)
+        | NodeKind::Address(_)
+        | NodeKind::Literal(_)
+        | NodeKind::NoFunction
+        | NodeKind::Missing => {}
+    }
+}
