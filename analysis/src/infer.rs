@@ -238,7 +238,7 @@ fn node_type(scope: &Scope, node: &Node) -> Option<Scalar> {
 }
 
 /// The member that a word behind the point of a state tag means (LANGUAGE §4, Members), if it has it.
-pub(crate) fn member(state: StateType, word: &str) -> Option<Member> {
+pub fn member(state: StateType, word: &str) -> Option<Member> {
     let upper = word.to_ascii_uppercase();
     if state.is_timer() {
         return Some(match upper.as_str() {

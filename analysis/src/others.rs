@@ -102,7 +102,7 @@ impl Others {
     }
 
     /// Whether there are other files at all.
-    pub(crate) fn have_files(&self) -> bool {
+    pub fn have_files(&self) -> bool {
         self.files().next().is_some()
     }
 
@@ -114,14 +114,20 @@ impl Others {
     }
 
     /// The names of all functions of the others.
-    pub(crate) fn function_names(&self) -> impl Iterator<Item = &str> {
+    pub fn function_names(&self) -> impl Iterator<Item = &str> {
         self.files()
             .flat_map(|file| &file.functions)
             .map(|function| function.name.as_str())
     }
 
+    /// The VAR_GLOBAL tags of all the others.
+    pub fn all_globals(&self) -> impl Iterator<Item = (&Exports, &Global)> {
+        self.files()
+            .flat_map(|file| file.globals.iter().map(move |global| (file, global)))
+    }
+
     /// All blocks of the others.
-    pub(crate) fn all_blocks(&self) -> impl Iterator<Item = &ExportedBlock> {
+    pub fn all_blocks(&self) -> impl Iterator<Item = &ExportedBlock> {
         self.files().flat_map(|file| &file.blocks)
     }
 

@@ -4,17 +4,24 @@
 //! it reads an [`Analysis`](ladder_analysis::Analysis), which is kept for each version of a document.
 
 mod body;
+mod completion;
 mod definition;
 #[cfg(test)]
 mod fixture;
 mod highlight;
 mod hover;
+mod jumps;
 mod locate;
 mod neighbour;
 mod references;
 mod symbol;
 mod target;
+mod typing;
+mod wanted;
 
+pub use completion::{
+    Completion, CompletionKind, Completions, Snippet, Topic, card, completions, documentation,
+};
 pub use definition::{declaration, definition, implementation, type_definition};
 pub use highlight::{Highlight, highlights};
 pub use hover::{Hover, hover};

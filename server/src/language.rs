@@ -5,7 +5,7 @@ use std::sync::Arc;
 use ladder_analysis::fix::aligned;
 use ladder_analysis::{Diagnostic, Fix, Others, RuleSettings, analyze_with};
 use ladder_format::{Edit, Options, format};
-use ladder_ide::{Hover, hover};
+use ladder_ide::{Completions, Hover, Topic, completions, documentation, hover};
 use ladder_syntax::{TextSize, parse};
 
 /// All that is known of one text.
@@ -36,6 +36,16 @@ impl Analysis {
     /// What stands at an offset.
     pub(crate) fn hover(&self, offset: TextSize) -> Option<Hover> {
         hover(&self.0, offset)
+    }
+
+    /// What can be written at an offset.
+    pub(crate) fn completions(&self, offset: TextSize, trigger: Option<char>) -> Completions {
+        completions(&self.0, offset, trigger)
+    }
+
+    /// What a proposal is, in Markdown.
+    pub(crate) fn documentation(&self, topic: &Topic) -> Option<String> {
+        documentation(&self.0, topic)
     }
 
     /// The edits that make fixes together, with the drawing around them put straight. They are given as edits that

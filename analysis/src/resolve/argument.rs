@@ -14,7 +14,7 @@ use ladder_instructions::{Accepts, Direction, Instruction, Op, Operand, Shape, T
 use ladder_syntax::Name;
 
 /// Whether a type is in a class of result types.
-pub(crate) fn in_class(ty: Scalar, class: TypeClass) -> bool {
+pub fn in_class(ty: Scalar, class: TypeClass) -> bool {
     match class {
         TypeClass::Number => ty.is_number(),
         TypeClass::NumberOrTime => ty.is_number() || matches!(ty, Scalar::Time | Scalar::Dt),

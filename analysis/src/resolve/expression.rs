@@ -386,7 +386,7 @@ impl Resolver<'_, '_> {
 }
 
 /// Whether a row can be called by name in an expression.
-pub(crate) fn is_function(row: &ladder_instructions::Instruction) -> bool {
+pub fn is_function(row: &ladder_instructions::Instruction) -> bool {
     let mut operands = row.operands.iter();
     operands
         .next()

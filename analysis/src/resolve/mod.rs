@@ -11,7 +11,8 @@ mod place;
 mod tags;
 mod times;
 
-pub(crate) use expression::is_function;
+pub use argument::in_class;
+pub use expression::is_function;
 
 use crate::context::{Body, Context};
 use crate::diagnostic::Diagnostic;

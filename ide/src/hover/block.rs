@@ -4,13 +4,14 @@ use super::Hover;
 use ladder_analysis::context::Context;
 use ladder_analysis::network::{BoundBlock, Meaning};
 use ladder_analysis::program::ParameterKind;
+use ladder_analysis::user_block::UserBlockFacts;
 use ladder_instructions::{Direction, Instruction, Presence};
 use std::fmt::Write;
 
 pub(super) fn hover(context: &Context, block: &BoundBlock) -> Option<Hover> {
     let markdown = match block.meaning {
         Meaning::Instruction(row) => instruction(row),
-        Meaning::User(index) => user_block(context, index),
+        Meaning::User(index) => user_block_card(&context.user_blocks[index]),
         Meaning::UnknownUser | Meaning::Unknown => return None,
     };
     Some(Hover {
@@ -58,8 +59,7 @@ pub(crate) fn instruction(row: &Instruction) -> String {
 }
 
 /// A user-defined block: its shape with the parameters, and what each is.
-fn user_block(context: &Context, index: usize) -> String {
-    let block = &context.user_blocks[index];
+pub(crate) fn user_block_card(block: &UserBlockFacts) -> String {
     let (open, close) = block.shape.brackets();
     let names: Vec<&str> = block.parameters.iter().map(|p| p.name.as_str()).collect();
     let mut card = format!(

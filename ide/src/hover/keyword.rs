@@ -9,12 +9,17 @@ pub(super) fn hover(parse: &Parse, line: usize, offset: TextSize) -> Option<Hove
     let token = root
         .token_at_offset(offset - start)
         .find(|token| token.kind() == SyntaxKind::KEYWORD)?;
-    let word = token.text().to_ascii_uppercase();
-    let meaning = meaning(&word)?;
     Some(Hover {
         range: token.text_range() + start,
-        markdown: format!("```clad\n{word}\n```\n{meaning}"),
+        markdown: card(token.text())?,
     })
+}
+
+/// What a keyword means.
+pub(crate) fn card(word: &str) -> Option<String> {
+    let word = word.to_ascii_uppercase();
+    let meaning = meaning(&word)?;
+    Some(format!("```clad\n{word}\n```\n{meaning}"))
 }
 
 fn meaning(word: &str) -> Option<&'static str> {

@@ -6,6 +6,10 @@ mod declaration;
 mod keyword;
 mod operand;
 
+pub(crate) use block::{instruction as instruction_card, user_block_card};
+pub(crate) use keyword::card as keyword_card;
+pub(crate) use operand::tag_card;
+
 use crate::locate::on_rung;
 use ladder_analysis::Analysis;
 use ladder_syntax::wiring::PartKind;

@@ -124,7 +124,7 @@ fn system(word: &str) -> Option<&'static str> {
 }
 
 /// A tag: its declaration in one line, where it comes from, and who writes and reads it.
-pub(super) fn tag_card(context: &Context, tag: &TagFacts) -> String {
+pub(crate) fn tag_card(context: &Context, tag: &TagFacts) -> String {
     // What several scopes share is told where it is declared.
     let tag = tag
         .shared

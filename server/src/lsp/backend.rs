@@ -13,6 +13,7 @@ use tower_lsp::ls_types::{
     DocumentFormattingParams, ExecuteCommandParams, Hover, HoverParams, InitializeParams, InitializeResult,
     InitializedParams, LSPAny, ServerInfo, TextEdit,
 };
+use tower_lsp::ls_types::{CompletionItem, CompletionParams, CompletionResponse};
 use tower_lsp::ls_types::{
     DocumentHighlight, DocumentHighlightParams, GotoDefinitionParams, GotoDefinitionResponse, Location,
     ReferenceParams,
@@ -22,7 +23,7 @@ use tower_lsp::{Client, LanguageServer};
 use super::capabilities::{self, Agreed};
 use super::shared::Shared;
 use super::{code_action, configuration, formatting, hover, parent, simulate, sync, watch};
-use super::{goto, references};
+use super::{completion, goto, references};
 
 /// The server as the framework sees it.
 #[derive(Debug)]
@@ -130,6 +131,14 @@ impl LanguageServer for Backend {
         params: DocumentHighlightParams,
     ) -> Result<Option<Vec<DocumentHighlight>>> {
         references::highlight(&self.shared, params).await
+    }
+
+    async fn completion(&self, params: CompletionParams) -> Result<Option<CompletionResponse>> {
+        completion::completion(&self.shared, params).await
+    }
+
+    async fn completion_resolve(&self, item: CompletionItem) -> Result<CompletionItem> {
+        completion::resolve(&self.shared, item).await
     }
 
     async fn formatting(&self, params: DocumentFormattingParams) -> Result<Option<Vec<TextEdit>>> {

@@ -8,6 +8,7 @@ use tower_lsp::ls_types::{
     TypeDefinitionProviderCapability,
 };
 
+use super::completion;
 use crate::document::position::Encoding;
 use crate::simulation::COMMANDS;
 
@@ -31,6 +32,10 @@ pub(super) struct Agreed {
     pub(super) markdown: bool,
     /// A place that an editor is sent to may say how far it reaches.
     pub(super) links: bool,
+    /// Completions may have tab stops.
+    pub(super) snippets: bool,
+    /// The documentation of completions may be Markdown.
+    pub(super) completion_markdown: bool,
     /// The client can be asked to tell of changed files.
     pub(super) watches_files: bool,
     /// The client can be asked for its settings.
@@ -52,6 +57,12 @@ impl Agreed {
         let hover = document.and_then(|document| document.hover.as_ref());
         let workspace = client.workspace.as_ref();
         let edit = workspace.and_then(|workspace| workspace.workspace_edit.as_ref());
+        let completion = document
+            .and_then(|document| document.completion.as_ref())
+            .and_then(|completion| completion.completion_item.as_ref());
+        let markdown = |formats: Option<&Vec<MarkupKind>>| {
+            formats.is_some_and(|formats| formats.contains(&MarkupKind::Markdown))
+        };
         let encodings = client
             .general
             .as_ref()
@@ -94,9 +105,9 @@ impl Agreed {
                 .and_then(|workspace| workspace.did_change_watched_files.as_ref())
                 .and_then(|watched| watched.dynamic_registration)
                 .unwrap_or(false),
-            markdown: hover
-                .and_then(|it| it.content_format.as_ref())
-                .is_some_and(|formats| formats.contains(&MarkupKind::Markdown)),
+            markdown: markdown(hover.and_then(|it| it.content_format.as_ref())),
+            snippets: completion.and_then(|it| it.snippet_support).unwrap_or(false),
+            completion_markdown: markdown(completion.and_then(|it| it.documentation_format.as_ref())),
         }
     }
 }
@@ -114,6 +125,7 @@ pub(super) fn offered(agreed: Agreed) -> ServerCapabilities {
             change: Some(TextDocumentSyncKind::INCREMENTAL),
             ..TextDocumentSyncOptions::default()
         })),
+        completion_provider: Some(completion::options()),
         hover_provider: Some(HoverProviderCapability::Simple(true)),
         definition_provider: Some(OneOf::Left(true)),
         declaration_provider: Some(DeclarationCapability::Simple(true)),
@@ -170,7 +182,8 @@ mod tests {
                     "dataSupport": true
                 },
                 "hover": {"contentFormat": ["markdown", "plaintext"]},
-                "definition": {"linkSupport": true}
+                "definition": {"linkSupport": true},
+                "completion": {"completionItem": {"snippetSupport": true, "documentationFormat": ["markdown"]}}
             },
             "workspace": {
                 "workspaceEdit": {"documentChanges": true},
@@ -197,6 +210,8 @@ mod tests {
                 refreshes_inlay_hints: true,
                 refreshes_code_lenses: true,
                 links: true,
+                snippets: true,
+                completion_markdown: true
             }
         );
     }

@@ -3,10 +3,11 @@
 use std::sync::Arc;
 
 use tower_lsp::jsonrpc::Result;
-use tower_lsp::ls_types::{Hover, HoverContents, HoverParams, MarkupContent, MarkupKind};
+use tower_lsp::ls_types::{Hover, HoverContents, HoverParams};
 
 use super::blocking::blocking;
 use super::convert;
+use super::markup;
 use super::shared::Shared;
 
 pub(super) async fn hover(shared: &Arc<Shared>, params: HoverParams) -> Result<Option<Hover>> {
@@ -19,43 +20,12 @@ pub(super) async fn hover(shared: &Arc<Shared>, params: HoverParams) -> Result<O
         let analysis = revision.analysis()?;
         let hover = analysis.hover(revision.offset(convert::our_position(place.position)))?;
         let range = Some(convert::range_in(&revision, hover.range));
-        let contents = if markdown {
-            MarkupContent {
-                kind: MarkupKind::Markdown,
-                value: hover.markdown,
-            }
-        } else {
-            MarkupContent {
-                kind: MarkupKind::PlainText,
-                value: plain(&hover.markdown),
-            }
-        };
+        let text = markup::linked(hover.markdown, &revision.uri);
+        let contents = markup::content(markdown, text);
         Some(Hover {
             contents: HoverContents::Markup(contents),
             range,
         })
     })
     .await
-}
-
-/// The text without its Markdown: fences, backquotes and the stars of bold text go.
-fn plain(markdown: &str) -> String {
-    let lines = markdown.lines().filter(|line| !line.starts_with("```"));
-    lines
-        .map(|line| line.replace("**", "").replace('`', ""))
-        .collect::<Vec<_>>()
-        .join("\n")
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn plain_text_keeps_the_words() {
-        assert_eq!(
-            plain("**on-delay** timer\n```clad\n[TON]( t, PT )\n```\nsee `ET`"),
-            "on-delay timer\n[TON]( t, PT )\nsee ET"
-        );
-    }
 }

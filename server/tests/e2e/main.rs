@@ -1,6 +1,7 @@
 //! Sessions between a small client and the whole server, framework included, over a pipe in the process.
 
 mod client;
+mod completion;
 mod configuration;
 mod diagnostics;
 mod features;

@@ -1,0 +1,296 @@
+//! Blocks by the brackets that are written, or on a bare wire: mnemonics and user-defined blocks with their operands
+//! as tab stops.
+
+use super::item::{Completion, CompletionKind, Snippet, Topic};
+use super::proposals::Proposals;
+use crate::typing::{Head, Operand, Typing};
+use crate::wanted::Called;
+use ladder_analysis::user_block::UserBlockFacts;
+use ladder_instructions::{Accepts, Instruction, Op, Presence, Shape, TABLE};
+use rustc_hash::FxHashSet;
+use std::ops::Range;
+
+/// In a block's first part.
+pub(super) fn in_head(typing: &Typing<'_>, head: &Head, out: &mut Proposals<'_>) {
+    let user_only = typing.text[typing.word.clone()].starts_with('$');
+    if !user_only {
+        for row in TABLE
+            .iter()
+            .filter(|row| row.shape == head.shape && is_offered(row))
+        {
+            propose_row(typing, row, Around::Head(head), out);
+        }
+    }
+    each_user_block(typing, |block| {
+        if block.shape == head.shape {
+            propose_user(typing, block, Around::Head(head), out);
+        }
+    });
+}
+
+/// On a rung outside of blocks: each block with its brackets.
+pub(super) fn on_wire(typing: &Typing<'_>, out: &mut Proposals<'_>) {
+    for row in TABLE.iter().filter(|row| is_offered(row)) {
+        propose_row(typing, row, Around::Wire, out);
+    }
+    each_user_block(typing, |block| propose_user(typing, block, Around::Wire, out));
+}
+
+/// What is there already of the block that is written.
+#[derive(Clone, Copy)]
+enum Around<'h> {
+    Wire,
+    Head(&'h Head),
+}
+
+/// Of two rows with one spelling the one with operands, which can be reduced to the other, comes second.
+fn is_offered(row: &Instruction) -> bool {
+    row.operands
+        .iter()
+        .all(|operand| operand.only_in_profile().is_none())
+        || !row.operands.is_empty()
+}
+
+fn each_user_block(typing: &Typing<'_>, mut give: impl FnMut(&UserBlockFacts)) {
+    let context = typing.context;
+    // A block does not stand in its own body.
+    let own_body = typing.scope.checked_sub(1);
+    let mut seen = FxHashSet::default();
+    for (index, block) in context.user_blocks.iter().enumerate() {
+        if Some(index) != own_body && block.name.len() > 1 && seen.insert(block.key.clone()) {
+            give(block);
+        }
+    }
+    if let Some(own) = own_body.and_then(|own| context.user_blocks.get(own)) {
+        seen.insert(own.key.clone());
+    }
+    for block in context.others.all_blocks() {
+        if seen.insert(block.facts.key.clone()) {
+            give(&block.facts);
+        }
+    }
+}
+
+fn propose_row(typing: &Typing<'_>, row: &'static Instruction, around: Around<'_>, out: &mut Proposals<'_>) {
+    let name = if row.mnemonic == " " { "" } else { row.mnemonic };
+    let filter = match (name, around) {
+        ("", Around::Wire) => row.title,
+        _ => name,
+    };
+    // Another spelling leads to the one that is written.
+    let prefix = typing.prefix().to_ascii_uppercase();
+    let spelled = |spelling: &&str| !prefix.is_empty() && spelling.starts_with(&*prefix);
+    let filter = if spelled(&filter) {
+        filter
+    } else {
+        row.spellings().find(spelled).unwrap_or(filter)
+    };
+    let (range, text) = written(
+        typing,
+        row.shape,
+        name,
+        operands_of(row).as_deref(),
+        acts(row),
+        around,
+    );
+    out.add(Completion {
+        label: row.block(),
+        detail: row.title.to_owned(),
+        kind: CompletionKind::Instruction,
+        range: typing.absolute(range),
+        filter: filter.to_owned(),
+        text,
+        topic: Topic::Instruction(row.op),
+    });
+}
+
+fn propose_user(typing: &Typing<'_>, block: &UserBlockFacts, around: Around<'_>, out: &mut Proposals<'_>) {
+    let operands = operands_of_user(block);
+    let (range, text) = written(typing, block.shape, &block.name, Some(&operands), false, around);
+    let (open, close) = block.shape.brackets();
+    out.add(Completion {
+        label: format!("{open}{}{close}", block.name),
+        detail: block.file().map_or_else(
+            || "User-defined block".to_owned(),
+            |file| format!("User-defined block in {file}"),
+        ),
+        kind: CompletionKind::UserBlock,
+        range: typing.absolute(range),
+        filter: block.name.clone(),
+        text,
+        topic: Topic::UserBlock(block.name.clone()),
+    });
+}
+
+/// Whether nothing is drawn behind such a block but the rail: coils, and what leaves the network.
+fn acts(row: &Instruction) -> bool {
+    row.shape == Shape::Coil || matches!(row.op, Op::Jmp | Op::Call | Op::Ret | Op::End)
+}
+
+/// The operands that must be given, as they stand until somebody writes others. None: the block has no list.
+fn operands_of(row: &Instruction) -> Option<Vec<String>> {
+    if row.required() == 0
+        && !row
+            .operands
+            .iter()
+            .any(|o| matches!(o.presence, Presence::Repeated { .. }))
+    {
+        return None;
+    }
+    let places =
+        (0..row.required()).filter_map(|index| row.positional(index).map(|operand| (index, operand)));
+    Some(
+        places
+            .map(|(_, operand)| stand_in(operand.name, operand.accepts))
+            .collect(),
+    )
+}
+
+/// What stands in an operand's place until somebody writes something else.
+fn stand_in(name: &str, accepts: Accepts) -> String {
+    match accepts {
+        Accepts::Duration | Accepts::Time => "T#1s".to_owned(),
+        Accepts::Count => "10".to_owned(),
+        Accepts::SearchOperator => "EQ".to_owned(),
+        Accepts::Range => format!("{name}[1..8]"),
+        Accepts::RangeOrValue if name == "y" || name == "a" => name.to_owned(),
+        Accepts::Expression => "a + b".to_owned(),
+        _ => name
+            .chars()
+            .filter(|c| c.is_alphanumeric() || *c == '_')
+            .collect(),
+    }
+}
+
+/// The operands of a user-defined block up to the last that must be given.
+fn operands_of_user(block: &UserBlockFacts) -> Vec<String> {
+    let given = block
+        .parameters
+        .iter()
+        .rposition(|p| !p.has_default)
+        .map_or(0, |last| last + 1);
+    block.parameters[..given].iter().map(|p| p.name.clone()).collect()
+}
+
+/// What is replaced, and by what.
+fn written(
+    typing: &Typing<'_>,
+    shape: Shape,
+    name: &str,
+    operands: Option<&[String]>,
+    acts: bool,
+    around: Around<'_>,
+) -> (Range<usize>, Snippet) {
+    let (open, close) = shape.brackets();
+    let word = typing.word.clone();
+    let inside = if name.is_empty() { " " } else { name };
+    let head = match around {
+        Around::Wire => {
+            let wire = if wants_wire_before(typing) { "--" } else { "" };
+            let text = Snippet::default().text(&format!("{wire}{open}{inside}{close}"));
+            return with_list(typing, word.clone(), word.end, text, operands, acts, shape);
+        }
+        Around::Head(head) => head,
+    };
+    // A blank first part has its blank already, if one is written.
+    let before = &typing.text[..word.start];
+    let blank = name.is_empty() && before.ends_with(' ');
+    let inside = if blank { "" } else { inside };
+    match (head.closed, head.has_list) {
+        (Some(end), true) => {
+            let tidy = name.is_empty() && typing.text[word.end..end].starts_with(' ');
+            let text = if tidy { "" } else { inside };
+            (word, Snippet::plain_text(text))
+        }
+        (Some(end), false) => {
+            let text = Snippet::default().text(&format!("{inside}{close}"));
+            with_list(typing, word.start..end, end, text, operands, acts, shape)
+        }
+        (None, true) => (word, Snippet::plain_text(format!("{inside}{close}"))),
+        (None, false) => {
+            let end = word.end;
+            let text = Snippet::default().text(&format!("{inside}{close}"));
+            with_list(typing, word, end, text, operands, acts, shape)
+        }
+    }
+}
+
+fn with_list(
+    typing: &Typing<'_>,
+    range: Range<usize>,
+    end: usize,
+    mut text: Snippet,
+    operands: Option<&[String]>,
+    acts: bool,
+    shape: Shape,
+) -> (Range<usize>, Snippet) {
+    if let Some(operands) = operands {
+        text = text.append(list(operands));
+    }
+    let wire = wire_behind(typing, end, acts || shape == Shape::Coil);
+    // A block without a list takes the parenthesis behind it for its own: a wire keeps them apart.
+    text = text.text(wire);
+    if text.has_stops() || !wire.is_empty() {
+        text = text.end();
+    }
+    (range, text)
+}
+
+fn list(operands: &[String]) -> Snippet {
+    let mut text = Snippet::default().text("(");
+    for (index, operand) in operands.iter().enumerate() {
+        text = text.text(if index == 0 { " " } else { ", " }).stop(operand);
+    }
+    text.text(" )")
+}
+
+/// Whether a block that is written here touches something that is no wire.
+fn wants_wire_before(typing: &Typing<'_>) -> bool {
+    let before = &typing.text[typing.physical_line().start..typing.word.start];
+    before.ends_with(['+', '\\', '/', ']', ')', '>'])
+}
+
+/// The wire that a block needs behind it, where none is drawn yet. One that acts reaches to the rail.
+pub(super) fn wire_behind(typing: &Typing<'_>, end: usize, acts: bool) -> &'static str {
+    let rest = typing.rest(end);
+    if rest.starts_with(['\\', '/', '+', '[', '(', '<']) {
+        return "--";
+    }
+    if !rest.trim().is_empty() {
+        return "";
+    }
+    let line = &typing.text[typing.physical_line()];
+    let railed = line.trim_start_matches(['\u{feff}', ' ', '\t']).starts_with('+');
+    match (acts, railed) {
+        (true, true) => "--+",
+        (true, false) => "",
+        (false, _) => "--",
+    }
+}
+
+/// What a list that is not closed yet needs behind the operand that is written: the operands that are still missing,
+/// the parenthesis, and the wire.
+pub(super) fn rest_of_list(typing: &Typing<'_>, operand: &Operand, called: &[Called<'_>]) -> Snippet {
+    let nothing = Snippet::default();
+    if operand.closed && typing.rest(typing.word.end).starts_with(')') && operand.open.is_empty() {
+        return nothing.text(" ").end();
+    }
+    let drawn = typing.rest(typing.word.end).trim_start();
+    if operand.closed || operand.goes_on || !operand.open.is_empty() || drawn.starts_with([',', '.', '[']) {
+        return nothing;
+    }
+    let index = operand.before.len();
+    let (missing, acts) = match called.first() {
+        Some(Called::Row(row)) => (operands_of(row).unwrap_or_default(), acts(row)),
+        Some(Called::User(block)) => (operands_of_user(block), block.shape == Shape::Coil),
+        None => return nothing,
+    };
+    let mut text = nothing;
+    if operand.name.is_none() {
+        for operand in missing.iter().skip(index + 1) {
+            text = text.text(", ").stop(operand);
+        }
+    }
+    text = text.text(" )").text(wire_behind(typing, typing.word.end, acts));
+    text.end()
+}

@@ -1,0 +1,103 @@
+//! What stands behind a point: members of timers, counters and bistables, system tags, bits.
+
+use super::item::{CompletionKind, Topic};
+use super::proposals::Proposals;
+use super::tags::SYSTEM_TAGS;
+use crate::typing::{Operand, Typing};
+use crate::wanted::{Wanted, scalar_rank, wanted, whole_type};
+use ladder_analysis::program::SystemTag;
+use ladder_analysis::state_member;
+use ladder_analysis::types::{Scalar, Type};
+use ladder_instructions::StateType;
+
+/// The members by their names in IEC 61131-3, then the other names that controllers have for them.
+const MEMBERS: [(&str, &str); 20] = [
+    ("Q", "The output."),
+    ("ET", "The time run so far."),
+    ("PT", "The preset time."),
+    ("IN", "The power that entered the block."),
+    ("CV", "The count."),
+    ("PV", "The preset value."),
+    ("QU", "The output of counting up: CV has reached PV."),
+    ("QD", "The output of counting down: CV is 0 or less."),
+    ("CU", "The power that entered the block."),
+    ("CD", "The input of counting down."),
+    ("LD", "The input that loads PV."),
+    ("R", "The reset."),
+    ("Q1", "The output."),
+    (
+        "TT",
+        "The timer is timing: it has power, and its time is not over.",
+    ),
+    ("CC", "The counter changed in this evaluation."),
+    ("DN", "The same as Q."),
+    ("EN", "The same as IN or CU."),
+    ("ACC", "The same as ET or CV."),
+    ("PRE", "The same as PT or PV."),
+    ("AC", "The same as ET or CV."),
+];
+
+/// From here on the names are second ones.
+const SECOND_NAMES: usize = 15;
+
+pub(super) fn propose(typing: &Typing<'_>, operand: &Operand, out: &mut Proposals<'_>) {
+    let Some(base) = &operand.member_of else { return };
+    let base = typing.text[base.clone()].trim();
+    let wanted = wanted(typing, operand);
+    if base.eq_ignore_ascii_case("SYS") {
+        return system(wanted.as_ref(), out);
+    }
+    match whole_type(typing.context, typing.scope, base) {
+        Some(Type::State(state)) => members(state, wanted.as_ref(), out),
+        Some(Type::Scalar(ty)) if ty.is_integer() || ty.is_bits() => bits(ty, out),
+        _ => {}
+    }
+}
+
+/// Members that fit come first: 0, others 1.
+fn fits(wanted: Option<&Wanted>, ty: Scalar) -> u8 {
+    u8::from(wanted.is_some_and(|wanted| scalar_rank(wanted, ty).is_none()))
+}
+
+fn system(wanted: Option<&Wanted>, out: &mut Proposals<'_>) {
+    for (name, doc) in SYSTEM_TAGS {
+        if let Some(tag) = SystemTag::from_name(name) {
+            let order = (fits(wanted, tag.ty()), 0);
+            out.word(
+                order,
+                CompletionKind::Constant,
+                name,
+                tag.ty().name(),
+                Topic::Words(doc),
+            );
+        }
+    }
+}
+
+fn members(state: StateType, wanted: Option<&Wanted>, out: &mut Proposals<'_>) {
+    for (index, (name, doc)) in MEMBERS.iter().enumerate() {
+        if let Some(member) = state_member(state, name) {
+            let order = (fits(wanted, member.ty()), u8::from(index >= SECOND_NAMES));
+            out.word(
+                order,
+                CompletionKind::Member,
+                name,
+                member.ty().name(),
+                Topic::Words(doc),
+            );
+        }
+    }
+}
+
+fn bits(ty: Scalar, out: &mut Proposals<'_>) {
+    for bit in 0..ty.width() {
+        let detail = format!("bit {bit} of {}", ty.width());
+        out.word(
+            (0, 0),
+            CompletionKind::Member,
+            &bit.to_string(),
+            &detail,
+            Topic::Nothing,
+        );
+    }
+}

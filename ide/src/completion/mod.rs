@@ -1,0 +1,154 @@
+//! Completion: what can be written at a place. One file for each kind of place.
+//!
+//! What is accepted leaves a text that reads: a block comes with its operands, its bracket and the wire to what is
+//! drawn behind it, and nothing twice that stands there already. Only the cursor's line is changed: the drawing
+//! around it is put straight by the formatter, which knows how wide it all became.
+
+mod blocks;
+mod expression;
+mod item;
+mod keywords;
+mod members;
+mod names;
+mod operands;
+mod proposals;
+mod tags;
+
+pub use item::{Completion, CompletionKind, Completions, Snippet, Topic};
+
+use crate::hover;
+use crate::typing::{Declaration, Operand, Place, Typing, typing};
+use crate::wanted::{Called, Kind, called, tag_of, wanted};
+use ladder_analysis::Analysis;
+use ladder_instructions::by_op;
+use ladder_syntax::{Name, TextSize};
+use proposals::Proposals;
+
+/// What can be written at an offset. `trigger` is the character that was just typed, if that is why it is asked.
+pub fn completions(analysis: &Analysis, offset: TextSize, trigger: Option<char>) -> Completions {
+    let Some(typing) = typing(&analysis.context, offset) else {
+        return Completions::default();
+    };
+    if trigger.is_some_and(|trigger| !is_welcome(&typing, trigger)) {
+        return Completions::default();
+    }
+    let mut out = Proposals::new(&typing);
+    let mut behind = Snippet::default();
+    match &typing.place {
+        Place::LineStart => keywords::at_line_start(&typing, &mut out),
+        Place::Wire => blocks::on_wire(&typing, &mut out),
+        Place::Head(head) => blocks::in_head(&typing, head, &mut out),
+        Place::Declaration(place) => keywords::in_declaration(&typing, *place, &mut out),
+        Place::Operand(operand) => behind = in_operand(&typing, operand, &mut out),
+    }
+    // `[TON]($0` gets the blanks that its layout has.
+    let crowded = matches!(&typing.place, Place::Operand(operand) if operand.first_word)
+        && typing.text[..typing.word.start].ends_with(['(', ',']);
+    out.finish(if crowded { " " } else { "" }, &behind)
+}
+
+/// Whether a character that was typed is worth a list: a comma between names, or a bracket around a type's bounds,
+/// is not.
+fn is_welcome(typing: &Typing<'_>, trigger: char) -> bool {
+    match &typing.place {
+        Place::Head(_) => matches!(trigger, '[' | '(' | '<' | '$'),
+        Place::Operand(operand) => match trigger {
+            '.' => operand.member_of.is_some(),
+            '%' | '(' | ',' | '[' => true,
+            ':' | '$' => false,
+            _ => operand.open.is_empty() && operand.first_word,
+        },
+        Place::Declaration(place) => match trigger {
+            ':' => *place == Declaration::Type,
+            '%' => *place == Declaration::Address,
+            _ => false,
+        },
+        Place::LineStart | Place::Wire => false,
+    }
+}
+
+/// What can stand in an operand's place. Gives what each proposal gets behind it.
+fn in_operand(typing: &Typing<'_>, operand: &Operand, out: &mut Proposals<'_>) -> Snippet {
+    if operand.before_value && !operand.behind_value {
+        return Snippet::default();
+    }
+    let called = operand
+        .shape
+        .map(|shape| called(typing.context, shape, &operand.head))
+        .unwrap_or_default();
+    let behind = blocks::rest_of_list(typing, operand, &called);
+    if operand.member_of.is_some() {
+        members::propose(typing, operand, out);
+        return behind;
+    }
+    let Some(wanted) = wanted(typing, operand) else {
+        if operand.behind_value {
+            return Snippet::default();
+        }
+        operands::propose(typing, operand, &called, out);
+        return behind;
+    };
+    if operand.behind_value {
+        if wanted.expression {
+            expression::operators(if operand.before_value { "" } else { "b" }, out);
+        }
+        return behind;
+    }
+    match wanted.kind {
+        Kind::Label => names::labels(typing, operand, out),
+        Kind::Function => names::functions(typing, operand, out),
+        Kind::SearchOperator => names::search_operators(out),
+        _ if typing.prefix().starts_with('%') => {
+            tags::propose(typing, operand, &wanted, out);
+            keywords::addresses(out);
+        }
+        _ => {
+            tags::propose(typing, operand, &wanted, out);
+            if wanted.expression {
+                expression::values(typing, out);
+                return behind;
+            }
+            let may_be_named = operand.first_word && operand.name.is_none();
+            let of_user = matches!(called.first(), Some(Called::User(_)));
+            if may_be_named && (of_user || operand.before.len() >= required(&called)) {
+                operands::propose(typing, operand, &called, out);
+            }
+        }
+    }
+    behind
+}
+
+fn required(called: &[Called<'_>]) -> usize {
+    match called.first() {
+        Some(Called::Row(row)) => row.required(),
+        _ => 0,
+    }
+}
+
+/// What a proposal is, in Markdown, for the one that somebody looks at.
+pub fn documentation(analysis: &Analysis, topic: &Topic) -> Option<String> {
+    let context = &analysis.context;
+    match topic {
+        Topic::UserBlock(name) => {
+            let key = Name::new(name);
+            let own = context.user_blocks.iter().find(|block| block.key == key);
+            let block = own.or_else(|| context.others.blocks(&key).map(|(_, block)| &block.facts).next())?;
+            Some(hover::user_block_card(block))
+        }
+        Topic::Tag(scope, name) => Some(hover::tag_card(context, tag_of(context, *scope, name)?)),
+        other => card(other),
+    }
+}
+
+/// The same, for what is known without a program: instructions, keywords.
+pub fn card(topic: &Topic) -> Option<String> {
+    match topic {
+        Topic::Instruction(op) => Some(hover::instruction_card(by_op(*op))),
+        Topic::Keyword(word) => hover::keyword_card(word),
+        Topic::Words(words) => Some((*words).to_owned()),
+        Topic::Nothing | Topic::UserBlock(_) | Topic::Tag(..) => None,
+    }
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,127 @@
+//! The list of proposals while it is being made.
+
+use super::item::{Completion, CompletionKind, Completions, Snippet, Topic};
+use crate::typing::Typing;
+use ladder_syntax::TextRange;
+
+/// So many are proposed at once. A longer list helps nobody, and a large program has thousands of tags.
+const MOST: usize = 200;
+
+/// Proposals for the word at a place.
+pub(super) struct Proposals<'t> {
+    prefix: &'t str,
+    word: TextRange,
+    /// How well each fits, its place in the order of the proposals, and itself.
+    found: Vec<(Order, Completion)>,
+}
+
+/// The order of two proposals: how well they fit, then a second thought, then their names where that is of use.
+pub(super) type Order = (u8, u8);
+
+impl<'t> Proposals<'t> {
+    pub(super) fn new(typing: &'t Typing<'_>) -> Proposals<'t> {
+        Proposals {
+            prefix: typing.prefix(),
+            word: typing.absolute(typing.word.clone()),
+            found: Vec::new(),
+        }
+    }
+
+    /// Adds a proposal behind those that were added before.
+    pub(super) fn add(&mut self, item: Completion) {
+        self.add_at((0, 0), item);
+    }
+
+    /// Whether something of this name can be meant by what is written.
+    pub(super) fn may_be(&self, name: &str) -> bool {
+        let mut letters = name.chars().flat_map(char::to_lowercase);
+        let mut wanted = self.prefix.chars().flat_map(char::to_lowercase);
+        wanted.all(|c| letters.any(|letter| letter == c))
+    }
+
+    /// Adds a proposal at its place in the order.
+    pub(super) fn add_at(&mut self, order: Order, mut item: Completion) {
+        if !self.may_be(&item.filter) {
+            return;
+        }
+        // Names are compared without case, which not every editor does.
+        let written = self.prefix.chars().count();
+        if item
+            .filter
+            .to_lowercase()
+            .starts_with(&self.prefix.to_lowercase())
+        {
+            let rest: String = item.filter.chars().skip(written).collect();
+            item.filter = format!("{}{rest}", self.prefix);
+        }
+        self.found.push((order, item));
+    }
+
+    /// Adds a word that takes the place of the one that is written.
+    pub(super) fn word(
+        &mut self,
+        order: Order,
+        kind: CompletionKind,
+        label: &str,
+        detail: &str,
+        topic: Topic,
+    ) {
+        self.add_at(
+            order,
+            Completion {
+                label: label.to_owned(),
+                detail: detail.to_owned(),
+                kind,
+                range: self.word,
+                filter: label.to_owned(),
+                text: Snippet::plain_text(label),
+                topic,
+            },
+        );
+    }
+
+    /// As `word`, with a text of its own.
+    pub(super) fn snippet(
+        &mut self,
+        order: Order,
+        kind: CompletionKind,
+        label: &str,
+        detail: &str,
+        text: Snippet,
+        topic: Topic,
+    ) {
+        self.add_at(
+            order,
+            Completion {
+                label: label.to_owned(),
+                detail: detail.to_owned(),
+                kind,
+                range: self.word,
+                filter: label.to_owned(),
+                text,
+                topic,
+            },
+        );
+    }
+
+    /// The list. `before` and `behind` are what each word gets around it.
+    pub(super) fn finish(mut self, before: &str, behind: &Snippet) -> Completions {
+        // What begins as it is written comes first.
+        let prefix = self.prefix.to_lowercase();
+        self.found
+            .sort_by_cached_key(|(order, item)| (!item.filter.to_lowercase().starts_with(&prefix), *order));
+        let cut = self.found.len() > MOST;
+        self.found.truncate(MOST);
+        let mut items: Vec<Completion> = self.found.into_iter().map(|(_, item)| item).collect();
+        if !before.is_empty() || *behind != Snippet::default() {
+            for item in &mut items {
+                let word = std::mem::take(&mut item.text);
+                item.text = Snippet::default()
+                    .text(before)
+                    .append(word)
+                    .append(behind.clone());
+            }
+        }
+        Completions { items, cut }
+    }
+}

@@ -1,0 +1,185 @@
+//! Tags, by the type and the direction that the operand needs.
+
+use super::item::{CompletionKind, Topic};
+use super::proposals::Proposals;
+use crate::typing::{Operand, Typing};
+use crate::wanted::{Kind, Wanted, rank, scalar_rank};
+use ladder_analysis::program::{Role, SystemTag};
+use ladder_analysis::scope::{Access, Origin, SectionKind, TagFacts};
+use ladder_analysis::types::{Scalar, Type};
+use ladder_syntax::Name;
+
+/// Inputs come last where something is written: the outside writes them.
+const INPUTS: u8 = 4;
+/// Behind the tags that fit as they are, those that pass, and those of which a member fits.
+const SYSTEM: u8 = 4;
+/// Literals stand behind everything that has a name.
+const LITERALS: u8 = 5;
+
+pub(super) fn propose(typing: &Typing<'_>, operand: &Operand, wanted: &Wanted, out: &mut Proposals<'_>) {
+    // What stands in the list already is less likely meant.
+    let given = |tag: &TagFacts| {
+        let mut before = operand
+            .before
+            .iter()
+            .map(|range| typing.text[range.clone()].trim());
+        before.any(|text| text.eq_ignore_ascii_case(&tag.name))
+    };
+    let scope = &typing.context.scopes[typing.scope];
+    let mut tags: Vec<(&TagFacts, u8, u8)> = scope
+        .tags
+        .iter()
+        .filter(|tag| out.may_be(&tag.name) && !is_being_written(typing, tag))
+        .filter_map(|tag| {
+            let known = tag
+                .shared
+                .map_or(tag, |(scope, tag)| &typing.context.scopes[scope].tags[tag]);
+            let fits = match rank(wanted, known.ty?)? {
+                _ if wanted.writes && known.role == Role::Input => INPUTS,
+                fits => fits,
+            };
+            let second = if given(known) {
+                3
+            } else {
+                second_thought(known, wanted)
+            };
+            (!known.constant || !wanted.writes).then_some((known, fits, second))
+        })
+        .collect();
+    tags.sort_by(|(a, fit, second), (b, other_fit, other_second)| {
+        (fit, second)
+            .cmp(&(other_fit, other_second))
+            .then_with(|| a.name.cmp(&b.name))
+    });
+    for (tag, fits, second) in tags {
+        propose_tag(typing, tag, (fits, second), out);
+    }
+    globals(typing, wanted, out);
+    if wanted.reads && !wanted.writes {
+        system(wanted, out);
+        literals(wanted, out);
+    }
+}
+
+/// Whether all that is known of a tag is the half of a name that stands at the cursor.
+fn is_being_written(typing: &Typing<'_>, tag: &TagFacts) -> bool {
+    let word = typing.absolute(typing.word.clone());
+    tag.origin == Origin::Undeclared && tag.uses.iter().all(|place| place.range == word)
+}
+
+/// Outputs first for what is written; a timer that has its block is unlikely to get another.
+fn second_thought(tag: &TagFacts, wanted: &Wanted) -> u8 {
+    let owned = matches!(wanted.kind, Kind::State(_))
+        && tag.uses.iter().any(|place| place.access == Access::ReadWrite);
+    match tag.role {
+        _ if owned => 2,
+        Role::Output if wanted.writes => 0,
+        Role::Internal if wanted.writes => 1,
+        _ if tag.origin == Origin::Implicit => 2,
+        _ => 0,
+    }
+}
+
+fn propose_tag(typing: &Typing<'_>, tag: &TagFacts, order: (u8, u8), out: &mut Proposals<'_>) {
+    let ty = tag.ty.map(|ty| ty.to_string()).unwrap_or_default();
+    let from = match tag.origin {
+        Origin::Declared(section) if tag.constant => format!("{ty}, {} CONSTANT", section.keyword()),
+        Origin::Declared(section) => format!("{ty}, {}", section.keyword()),
+        _ => ty,
+    };
+    let kind = if tag.constant {
+        CompletionKind::Constant
+    } else {
+        CompletionKind::Tag
+    };
+    out.word(
+        order,
+        kind,
+        &tag.name,
+        &from,
+        Topic::Tag(typing.scope, tag.name.clone()),
+    );
+}
+
+/// VAR_GLOBAL tags of other files that this one does not use yet.
+fn globals(typing: &Typing<'_>, wanted: &Wanted, out: &mut Proposals<'_>) {
+    let scope = &typing.context.scopes[typing.scope];
+    for (file, global) in typing.context.others.all_globals() {
+        let known = scope
+            .find(&Name::new(&global.name))
+            .is_some_and(|tag| !is_being_written(typing, &scope.tags[tag]));
+        let Some(fits) = global.ty.and_then(|ty| rank(wanted, ty)) else {
+            continue;
+        };
+        if known || global.constant && wanted.writes || !out.may_be(&global.name) {
+            continue;
+        }
+        let ty = global.ty.map(|ty| ty.to_string()).unwrap_or_default();
+        let detail = format!("{ty}, {} in {}", SectionKind::Global.keyword(), file.file);
+        out.word(
+            (fits, 2),
+            CompletionKind::Tag,
+            &global.name,
+            &detail,
+            Topic::Nothing,
+        );
+    }
+}
+
+/// The system tags and what they hold.
+pub(super) const SYSTEM_TAGS: [(&str, &str); 7] = [
+    ("FIRST_SCAN", "High in the first scan."),
+    ("SCAN", "The number of this scan, from 0."),
+    ("TIME", "The time since the start."),
+    ("SCAN_TIME", "The interval before this scan; 0 in the first."),
+    ("FAULT", "A fault was recorded in the previous scan."),
+    ("ON", "Always high."),
+    ("OFF", "Always low."),
+];
+
+fn system(wanted: &Wanted, out: &mut Proposals<'_>) {
+    for (name, doc) in SYSTEM_TAGS {
+        let Some(ty) = SystemTag::from_name(name).map(SystemTag::ty) else {
+            continue;
+        };
+        let fits = match wanted.kind {
+            Kind::Duration => ty == Scalar::Time,
+            _ => rank(wanted, Type::Scalar(ty)).is_some_and(|fits| fits < 2),
+        };
+        if fits {
+            let label = format!("SYS.{name}");
+            out.word(
+                (SYSTEM, 0),
+                CompletionKind::Constant,
+                &label,
+                ty.name(),
+                Topic::Words(doc),
+            );
+        }
+    }
+}
+
+fn literals(wanted: &Wanted, out: &mut Proposals<'_>) {
+    let value = |out: &mut Proposals<'_>, text: &str, words: &'static str| {
+        out.word(
+            (LITERALS, 0),
+            CompletionKind::Value,
+            text,
+            "literal",
+            Topic::Words(words),
+        );
+    };
+    // A contact on TRUE is a wire; where a value is asked for, both are at home.
+    let bool_value = matches!(wanted.kind, Kind::To(Scalar::Bool) | Kind::With(Scalar::Bool));
+    if bool_value || wanted.expression && scalar_rank(wanted, Scalar::Bool).is_some() {
+        value(out, "TRUE", "High.");
+        value(out, "FALSE", "Low.");
+    }
+    let time = matches!(
+        wanted.kind,
+        Kind::Duration | Kind::To(Scalar::Time) | Kind::With(Scalar::Time)
+    );
+    if time {
+        value(out, "T#1s", "A duration: T#250ms, T#5s, T#1h30m.");
+    }
+}

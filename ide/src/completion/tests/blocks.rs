@@ -1,0 +1,333 @@
+//! Blocks, by their brackets and on a wire.
+
+use super::{HOLD, accept, check};
+use expect_test::expect;
+
+#[test]
+fn mnemonics_by_the_brackets() {
+    check(
+        "+--[$0",
+        expect![[r#"
+        [ ]            Open contact
+        [/]            Closed contact
+        [P]            Rising-edge contact
+        [N]            Falling-edge contact
+        [NOT]          Inverter
+        [OSR]          One shot rising
+        [OSF]          One shot falling
+        [EQ]           Equal
+        [NE]           Not equal
+        [GT]           Greater than
+        [GE]           Greater or equal
+        [LT]           Less than
+        [LE]           Less or equal
+        [MOV]          Move
+        ... 85 in all
+    "#]],
+    );
+    check(
+        "+--($0",
+        expect![[r#"
+        ( )            Coil
+        (/)            Negated coil
+        (S)            Set coil
+        (R)            Reset coil
+        (P)            Rising-edge coil
+        (N)            Falling-edge coil
+        (M)            Retentive coil
+        (SM)           Set retentive coil
+        (RM)           Reset retentive coil
+        (RES)          Reset timer or counter
+    "#]],
+    );
+    check(
+        "+--<$0",
+        expect![[r#"
+        <LBL>          Label
+        <JMP>          Jump
+        <FUN>          Function
+        <CALL>         Call a function
+        <RET>          Return
+        <END>          End of the program
+        <FOR>          Loop
+        <NEXT>         End of a loop
+        <MCR>          Master control relay
+    "#]],
+    );
+    check(
+        "+--[TO$0",
+        expect![[r#"
+        [TON]          On-delay timer
+        [TOF]          Off-delay timer
+        [RTO]          Retentive on-delay timer
+        [RTOF]         Retentive off-delay timer
+    "#]],
+    );
+    check(
+        "+--[to$0",
+        expect![[r#"
+        [TON]          On-delay timer
+        [TOF]          Off-delay timer
+        [RTO]          Retentive on-delay timer
+        [RTOF]         Retentive off-delay timer
+    "#]],
+    );
+    check(
+        "+--[MOVE$0",
+        expect![[r#"
+        [MOV]          Move
+    "#]],
+    );
+    check(
+        "+--[/$0",
+        expect![[r#"
+        [/]            Closed contact
+    "#]],
+    );
+}
+
+#[test]
+fn an_accepted_block_is_whole() {
+    accept(
+        "+--[TO$0\n",
+        "[TON]",
+        expect![[r#"
+        +--[TON]( ${1:t}, ${2:T#1s} )--$0
+        +--[TON]( t, T#1s )--
+    "#]],
+    );
+    accept(
+        "+--[TO$0]\n",
+        "[TON]",
+        expect![[r#"
+        +--[TON]( ${1:t}, ${2:T#1s} )--$0
+        +--[TON]( t, T#1s )--
+    "#]],
+    );
+    accept(
+        "+--[TO$0]--( )( y )--+\n",
+        "[TON]",
+        expect![[r#"
+        +--[TON]( ${1:t}, ${2:T#1s} )$0--( )( y )--+
+        +--[TON]( t, T#1s )--( )( y )--+
+    "#]],
+    );
+    accept(
+        "+--[TO$0--( )( y )--+\n",
+        "[TON]",
+        expect![[r#"
+        +--[TON]( ${1:t}, ${2:T#1s} )$0--( )( y )--+
+        +--[TON]( t, T#1s )--( )( y )--+
+    "#]],
+    );
+    accept(
+        "+--[TO$0F]( t, 5s )--( )( y )--+\n",
+        "[TON]",
+        expect![[r#"
+        +--[TON]( t, 5s )--( )( y )--+
+        +--[TON]( t, 5s )--( )( y )--+
+    "#]],
+    );
+    accept(
+        "+--[TO$0( t, 5s )--( )( y )--+\n",
+        "[TON]",
+        expect![[r#"
+        +--[TON]( t, 5s )--( )( y )--+
+        +--[TON]( t, 5s )--( )( y )--+
+    "#]],
+    );
+    accept(
+        "+--[$0]\n",
+        "[ ]",
+        expect![[r#"
+        +--[ ]( ${1:tag} )--$0
+        +--[ ]( tag )--
+    "#]],
+    );
+    accept(
+        "+--[ $0 ]--\\\n",
+        "[ ]",
+        expect![[r#"
+        +--[ ]( ${1:tag} )$0--\
+        +--[ ]( tag )--\
+    "#]],
+    );
+    accept(
+        "+--[ ]( a )--($0\n",
+        "( )",
+        expect![[r#"
+        +--[ ]( a )--( )( ${1:tag} )--+$0
+        +--[ ]( a )--( )( tag )--+
+    "#]],
+    );
+    accept(
+        "+--[ ]( a )--($0)\n",
+        "(S)",
+        expect![[r#"
+        +--[ ]( a )--(S)( ${1:tag} )--+$0
+        +--[ ]( a )--(S)( tag )--+
+    "#]],
+    );
+    accept(
+        "+--[ ]( a )--<J$0\n",
+        "<JMP>",
+        expect![[r#"
+        +--[ ]( a )--<JMP>( ${1:name} )--+$0
+        +--[ ]( a )--<JMP>( name )--+
+    "#]],
+    );
+    accept(
+        "|  /--[$0\n",
+        "[/]",
+        expect![[r#"
+        |  /--[/]( ${1:tag} )--$0
+        |  /--[/]( tag )--
+    "#]],
+    );
+    accept(
+        "+--[OS$0\n",
+        "[OSR]",
+        expect![[r#"
+        +--[OSR]--$0
+        +--[OSR]--
+    "#]],
+    );
+    accept(
+        "+--[SEAR$0\n",
+        "[SEARCH]",
+        expect![[r#"
+        +--[SEARCH]( ${1:y}, ${2:EQ}, ${3:a}, ${4:t[1..8]} )--$0
+        +--[SEARCH]( y, EQ, a, t[1..8] )--
+    "#]],
+    );
+}
+
+#[test]
+fn an_empty_rung() {
+    check(
+        "+--$0",
+        expect![[r#"
+        [ ]            Open contact
+        [/]            Closed contact
+        [P]            Rising-edge contact
+        [N]            Falling-edge contact
+        [NOT]          Inverter
+        [OSR]          One shot rising
+        [OSF]          One shot falling
+        [EQ]           Equal
+        [NE]           Not equal
+        [GT]           Greater than
+        [GE]           Greater or equal
+        [LT]           Less than
+        [LE]           Less or equal
+        [MOV]          Move
+        ... 104 in all
+    "#]],
+    );
+    accept(
+        "+--$0\n",
+        "[ ]",
+        expect![[r#"
+        +--[ ]( ${1:tag} )--$0
+        +--[ ]( tag )--
+    "#]],
+    );
+    accept(
+        "+--[ ]( a )$0--+\n",
+        "( )",
+        expect![[r#"
+        +--[ ]( a )--( )( ${1:tag} )$0--+
+        +--[ ]( a )--( )( tag )--+
+    "#]],
+    );
+    accept(
+        "+--to$0\n",
+        "[TON]",
+        expect![[r#"
+        +--[TON]( ${1:t}, ${2:T#1s} )--$0
+        +--[TON]( t, T#1s )--
+    "#]],
+    );
+    accept(
+        "+$0\n",
+        "[ ]",
+        expect![[r#"
+        +--[ ]( ${1:tag} )--$0
+        +--[ ]( tag )--
+    "#]],
+    );
+}
+
+#[test]
+fn user_defined_blocks() {
+    let with = |rung: &str| format!("{HOLD}{rung}\n");
+    check(
+        &with("+--[$H$0"),
+        expect![[r#"
+        [$Hold]        User-defined block
+    "#]],
+    );
+    check(
+        &with("+--($$0"),
+        expect![[r#"
+        nothing
+    "#]],
+    );
+    accept(
+        &with("+--[$H$0"),
+        "[$Hold]",
+        expect![[r#"
+        FUNCTION_BLOCK [$Hold]
+        VAR_INPUT raw : BOOL; wait : TIME := T#1s; END_VAR
+        VAR_OUTPUT clean : BOOL; END_VAR
+        +--[ ]( raw )--( )( clean )--+
+        END_FUNCTION_BLOCK
+        +--[\$Hold]( ${1:raw}, ${2:wait}, ${3:clean} )--$0
+        FUNCTION_BLOCK [$Hold]
+        VAR_INPUT raw : BOOL; wait : TIME := T#1s; END_VAR
+        VAR_OUTPUT clean : BOOL; END_VAR
+        +--[ ]( raw )--( )( clean )--+
+        END_FUNCTION_BLOCK
+        +--[$Hold]( raw, wait, clean )--
+    "#]],
+    );
+    check(
+        &with("+--[$Hold]( $0 )--+"),
+        expect![[r#"
+        raw :=         BOOL
+        wait :=        TIME
+        clean =>       BOOL
+        SYS.FIRST_SCAN BOOL
+        SYS.FAULT      BOOL
+        SYS.ON         BOOL
+        SYS.OFF        BOOL
+    "#]],
+    );
+    check(
+        &with("+--[$Hold]( raw := a, $0 )--+"),
+        expect![[r#"
+        a              DINT
+        wait :=        TIME
+        clean =>       BOOL
+        SYS.FIRST_SCAN BOOL
+        SYS.FAULT      BOOL
+        SYS.ON         BOOL
+        SYS.OFF        BOOL
+    "#]],
+    );
+    check(
+        &with("+--[$Hold]( a, $0 )--+"),
+        expect![[r#"
+        SYS.TIME       TIME
+        SYS.SCAN_TIME  TIME
+        T#1s           literal
+    "#]],
+    );
+    // Not in its own body.
+    check(
+        &HOLD.replace("[ ]( raw )", "[$$0"),
+        expect![[r#"
+        nothing
+    "#]],
+    );
+}

@@ -1,0 +1,76 @@
+//! Completion and its documentation.
+
+use serde_json::{Value, json};
+
+use crate::client::{Client, URI};
+
+async fn complete(client: &mut Client, line: u32, character: u32) -> Vec<Value> {
+    let params = json!({
+        "textDocument": {"uri": URI},
+        "position": {"line": line, "character": character},
+        "context": {"triggerKind": 1}
+    });
+    let answer = client.request("textDocument/completion", params).await.unwrap();
+    answer["items"].as_array().unwrap().clone()
+}
+
+fn labelled<'v>(items: &'v [Value], label: &str) -> &'v Value {
+    items
+        .iter()
+        .find(|item| item["label"] == label)
+        .expect("it is proposed")
+}
+
+#[tokio::test]
+async fn a_half_written_block_is_completed_and_documented() {
+    let capabilities = json!({
+        "textDocument": {"completion": {"completionItem": {
+            "snippetSupport": true, "documentationFormat": ["markdown"]
+        }}},
+        "general": {"positionEncodings": ["utf-16"]}
+    });
+    let mut client = Client::with(capabilities).await;
+    client.open("# 😀 #\n+--# ö #--[TO\n").await;
+    let items = complete(&mut client, 1, 13).await;
+    let timer = labelled(&items, "[TON]");
+    assert_eq!(timer["insertTextFormat"], 2);
+    assert_eq!(
+        timer["textEdit"],
+        json!({
+            "range": {"start": {"line": 1, "character": 11}, "end": {"line": 1, "character": 13}},
+            "newText": "TON]( ${1:t}, ${2:T#1s} )--$0"
+        })
+    );
+    assert_eq!(timer.get("documentation"), None, "nobody has looked at it yet");
+    let resolved = client
+        .request("completionItem/resolve", timer.clone())
+        .await
+        .unwrap();
+    assert_eq!(resolved["documentation"]["kind"], "markdown");
+    let text = resolved["documentation"]["value"].as_str().unwrap();
+    assert!(
+        text.contains("On-delay timer") && text.contains("EN   _---"),
+        "{text}"
+    );
+    client.finish().await;
+}
+
+#[tokio::test]
+async fn a_client_without_snippets_gets_plain_text() {
+    let mut client = Client::with(json!({})).await;
+    client.open("+--[ ]( start )--( )( \n").await;
+    let items = complete(&mut client, 0, 4).await;
+    let contact = labelled(&items, "[/]");
+    assert_eq!(contact.get("insertTextFormat"), None);
+    assert_eq!(contact["textEdit"]["newText"], "/");
+    let items = complete(&mut client, 0, 22).await;
+    let tag = labelled(&items, "start");
+    assert_eq!(tag["textEdit"]["newText"], "start )--+");
+    let resolved = client
+        .request("completionItem/resolve", tag.clone())
+        .await
+        .unwrap();
+    let text = resolved["documentation"]["value"].as_str().unwrap();
+    assert!(text.starts_with("start : BOOL\nInput"), "{text}");
+    client.finish().await;
+}
