@@ -1,7 +1,7 @@
 //! How far a body reaches: the main program, a function, the definition of a block.
 
 use ladder_analysis::context::{Body, Context};
-use ladder_syntax::TextRange;
+use ladder_syntax::{Parse, SyntaxKind, TextRange};
 
 /// From the first network of a body to the last, without the last line end; of a block's definition all of it.
 pub(crate) fn extent(context: &Context, body: Body) -> Option<TextRange> {
@@ -40,4 +40,19 @@ pub(crate) fn without_line_end(context: &Context, range: TextRange) -> TextRange
     let blank = text.len() - text.trim_end_matches([' ', '\t', '\r', '\n']).len();
     let end = parse.line_range(last).end() - ladder_syntax::TextSize::new(blank as u32);
     TextRange::new(range.start(), end.max(range.start()))
+}
+
+/// A line without blanks, comments and line end around it.
+pub(crate) fn line_body(parse: &Parse, line: usize) -> TextRange {
+    let start = parse.line_start(line);
+    let mut range: Option<TextRange> = None;
+    for element in parse.lines()[line].syntax().children_with_tokens() {
+        let kind = element.kind();
+        if kind.is_trivia() || matches!(kind, SyntaxKind::NEWLINE | SyntaxKind::BOM) {
+            continue;
+        }
+        let at = element.text_range() + start;
+        range = Some(range.map_or(at, |range| range.cover(at)));
+    }
+    range.unwrap_or_else(|| TextRange::empty(start))
 }

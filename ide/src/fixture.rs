@@ -27,6 +27,9 @@ impl Fixture {
                 }
             }
         }
+        if texts.is_empty() {
+            texts.push(("main.clad".to_owned(), String::new()));
+        }
         let mut cursor = None;
         for (index, (_, text)) in texts.iter_mut().enumerate() {
             if let Some(at) = text.find("$0") {
@@ -76,10 +79,10 @@ impl Fixture {
         let before = &text[..usize::from(range.start())];
         let line = before.matches('\n').count() + 1;
         let column = before.rsplit('\n').next().unwrap().chars().count() + 1;
-        let what = &text[range];
+        let what = &text[range].replace('\r', "");
         let what = match what.split_once('\n') {
             Some((first, rest)) => format!("{first} ... {}", rest.lines().last().unwrap_or_default()),
-            None => what.to_owned(),
+            None => what.clone(),
         };
         format!("{file}:{line}:{column} {}", what.trim_end())
     }

@@ -4,28 +4,41 @@
 //! it reads an [`Analysis`](ladder_analysis::Analysis), which is kept for each version of a document.
 
 mod body;
+mod call_hierarchy;
+mod comments;
 mod completion;
 mod definition;
 #[cfg(test)]
 mod fixture;
+mod folding;
 mod highlight;
 mod hover;
 mod jumps;
+mod links;
 mod locate;
 mod neighbour;
+mod outline;
 mod references;
+mod selection;
 mod symbol;
 mod target;
 mod typing;
 mod wanted;
+mod workspace_symbols;
 
+pub use call_hierarchy::{Caller, CallerKind, Calls, callers_at, incoming_calls, outgoing_calls};
 pub use completion::{
     Completion, CompletionKind, Completions, Snippet, Topic, card, completions, documentation,
 };
 pub use definition::{declaration, definition, implementation, type_definition};
+pub use folding::{Fold, folds};
 pub use highlight::{Highlight, highlights};
 pub use hover::{Hover, hover};
+pub use links::{Link, LinkTarget, links};
 pub use neighbour::{Alone, Neighbour, Workspace, mentions};
+pub use outline::{OutlineKind, Outlined, outline};
 pub use references::{Reference, references};
+pub use selection::selections;
 pub use symbol::Usage;
 pub use target::Target;
+pub use workspace_symbols::{Named, workspace_symbols};

@@ -30,8 +30,8 @@ fn tags() {
     check(
         "VAR_INPUT\n    start, stop : BOOL;\nEND_VAR\n+--[ ]( st$0op )--( )( run )--+\n",
         expect![[r#"
-            definition: main.clad:2:12 stop in main.clad:2:1     start, stop : BOOL; ...
-            declaration: main.clad:2:12 stop in main.clad:2:1     start, stop : BOOL; ...
+            definition: main.clad:2:12 stop in main.clad:2:5 start, stop : BOOL;
+            declaration: main.clad:2:12 stop in main.clad:2:5 start, stop : BOOL;
         "#]],
     );
     check(

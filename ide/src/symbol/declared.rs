@@ -1,5 +1,6 @@
 //! The names that declarations introduce, read off the text: also those that the scope refused because it has them.
 
+use crate::body::line_body;
 use ladder_analysis::context::Context;
 use ladder_analysis::scope::SectionKind;
 use ladder_syntax::ast::{AstNode, Declaration, SectionHeader};
@@ -42,7 +43,7 @@ pub(crate) fn names_of(context: &Context, section: usize) -> Vec<DeclaredName> {
             continue;
         };
         let start = parse.line_start(line);
-        let declaration = node.syntax().text_range() + start;
+        let declaration = line_body(parse, line);
         names.extend(node.names().map(|token| DeclaredName {
             name: Name::new(token.text()),
             scope: section.block.map_or(0, |block| block + 1),

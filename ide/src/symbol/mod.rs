@@ -4,7 +4,7 @@
 //! its places, in whichever file they are. [`find()`] comes from an offset to a symbol, [`occurrences()`] from a symbol
 //! to its places in one file, and [`everywhere()`] to those in the whole workspace.
 
-mod declared;
+pub(crate) mod declared;
 mod everywhere;
 mod find;
 mod occurrences;
@@ -12,7 +12,7 @@ mod occurrences;
 pub(crate) use declared::{DeclaredName, declared_names};
 pub(crate) use everywhere::{everywhere, files_of};
 pub(crate) use find::{Found, find, tag_of};
-pub(crate) use occurrences::{Occurrence, occurrences};
+pub(crate) use occurrences::{Occurrence, block_name, occurrences};
 
 use ladder_analysis::context::Body;
 use ladder_analysis::scope::Access;

@@ -69,6 +69,11 @@ impl Elsewhere {
         elsewhere
     }
 
+    /// The other open files.
+    pub(crate) fn open(&self) -> impl Iterator<Item = &Arc<Revision>> {
+        self.open.iter().map(|(_, revision)| revision)
+    }
+
     /// The file of a name as an editor shows it; the document itself too.
     pub(crate) fn text(&self, name: &str) -> Option<FileText> {
         let own = self.own.analysis().is_some_and(|own| *own.whole().name == *name);

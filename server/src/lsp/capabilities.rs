@@ -8,6 +8,11 @@ use tower_lsp::ls_types::{
     TypeDefinitionProviderCapability,
 };
 
+use tower_lsp::ls_types::{
+    CallHierarchyServerCapability, DocumentLinkOptions, FoldingRangeProviderCapability,
+    SelectionRangeProviderCapability, WorkDoneProgressOptions,
+};
+
 use super::completion;
 use crate::document::position::Encoding;
 use crate::simulation::COMMANDS;
@@ -36,6 +41,10 @@ pub(super) struct Agreed {
     pub(super) snippets: bool,
     /// The documentation of completions may be Markdown.
     pub(super) completion_markdown: bool,
+    /// Symbols of a document may hold others.
+    pub(super) nested_symbols: bool,
+    /// How many stretches of a document the client wants to fold.
+    pub(super) fold_limit: Option<u32>,
     /// The client can be asked to tell of changed files.
     pub(super) watches_files: bool,
     /// The client can be asked for its settings.
@@ -97,6 +106,13 @@ impl Agreed {
                 .and_then(|workspace| workspace.code_lens.as_ref())
                 .and_then(|it| it.refresh_support)
                 .unwrap_or(false),
+            nested_symbols: document
+                .and_then(|document| document.document_symbol.as_ref())
+                .and_then(|symbols| symbols.hierarchical_document_symbol_support)
+                .unwrap_or(false),
+            fold_limit: document
+                .and_then(|document| document.folding_range.as_ref())
+                .and_then(|folding| folding.range_limit),
             links: document
                 .and_then(|document| document.definition.as_ref())
                 .and_then(|definition| definition.link_support)
@@ -133,6 +149,15 @@ pub(super) fn offered(agreed: Agreed) -> ServerCapabilities {
         implementation_provider: Some(ImplementationProviderCapability::Simple(true)),
         references_provider: Some(OneOf::Left(true)),
         document_highlight_provider: Some(OneOf::Left(true)),
+        document_symbol_provider: Some(OneOf::Left(true)),
+        workspace_symbol_provider: Some(OneOf::Left(true)),
+        folding_range_provider: Some(FoldingRangeProviderCapability::Simple(true)),
+        selection_range_provider: Some(SelectionRangeProviderCapability::Simple(true)),
+        document_link_provider: Some(DocumentLinkOptions {
+            resolve_provider: Some(false),
+            work_done_progress_options: WorkDoneProgressOptions::default(),
+        }),
+        call_hierarchy_provider: Some(CallHierarchyServerCapability::Simple(true)),
         document_formatting_provider: Some(OneOf::Left(true)),
         code_action_provider: Some(CodeActionProviderCapability::Options(CodeActionOptions {
             code_action_kinds: Some(vec![CodeActionKind::QUICKFIX, FIX_ALL]),
@@ -183,7 +208,9 @@ mod tests {
                 },
                 "hover": {"contentFormat": ["markdown", "plaintext"]},
                 "definition": {"linkSupport": true},
-                "completion": {"completionItem": {"snippetSupport": true, "documentationFormat": ["markdown"]}}
+                "completion": {"completionItem": {"snippetSupport": true, "documentationFormat": ["markdown"]}},
+                "documentSymbol": {"hierarchicalDocumentSymbolSupport": true},
+                "foldingRange": {"rangeLimit": 5000}
             },
             "workspace": {
                 "workspaceEdit": {"documentChanges": true},
@@ -211,7 +238,9 @@ mod tests {
                 refreshes_code_lenses: true,
                 links: true,
                 snippets: true,
-                completion_markdown: true
+                completion_markdown: true,
+                nested_symbols: true,
+                fold_limit: Some(5000),
             }
         );
     }

@@ -18,17 +18,20 @@
 mod asked;
 mod backend;
 mod blocking;
+mod call_hierarchy;
 mod capabilities;
 mod code_action;
 mod completion;
 mod configuration;
 mod convert;
 mod diagnostics;
+mod folding;
 mod formatting;
 mod goto;
 mod guard;
 mod hover;
 mod inlet;
+mod links;
 mod markup;
 mod outbox;
 mod parent;
@@ -36,6 +39,7 @@ mod references;
 mod serve;
 mod shared;
 mod simulate;
+mod symbols;
 mod sync;
 mod watch;
 

@@ -125,3 +125,116 @@ async fn references_without_declarations_and_highlights() {
     );
     client.finish().await;
 }
+
+#[tokio::test]
+async fn the_parts_of_a_document() {
+    let text = "# Motor #\n+--\\--[ ]( a )--\\--( )( run )--+\n|  /--[ ]( run )--/             |\n";
+    let document = json!({"textDocument": {"uri": crate::client::URI}});
+    let mut client = Client::new().await;
+    client.open(text).await;
+    let flat = client
+        .request("textDocument/documentSymbol", document.clone())
+        .await
+        .unwrap();
+    assert_eq!(flat[0]["name"], "Motor");
+    assert_eq!(flat[0]["location"]["range"]["end"]["line"], 2);
+    let folds = client
+        .request("textDocument/foldingRange", document.clone())
+        .await
+        .unwrap();
+    assert_eq!(folds, json!([{"startLine": 1, "endLine": 2}]));
+    let positions = json!([{"line": 1, "character": 11}, {"line": 9, "character": 0}]);
+    let params = json!({"textDocument": {"uri": crate::client::URI}, "positions": positions});
+    let selections = client
+        .request("textDocument/selectionRange", params)
+        .await
+        .unwrap();
+    assert_eq!(selections[0]["range"], crate::client::span([1, 11, 1, 12]));
+    assert_eq!(
+        selections[0]["parent"]["range"],
+        crate::client::span([1, 9, 1, 14])
+    );
+    assert_eq!(selections[1]["range"], crate::client::span([0, 0, 3, 0]));
+    client.finish().await;
+
+    let nested = json!({"textDocument": {"documentSymbol": {"hierarchicalDocumentSymbolSupport": true}}});
+    let mut client = Client::with(nested).await;
+    client.open("+--<FUN>( f )--( )( x )--+\n").await;
+    let tree = client
+        .request("textDocument/documentSymbol", document)
+        .await
+        .unwrap();
+    assert_eq!(tree[0]["name"], "f");
+    assert_eq!(tree[0]["children"][0]["name"], "Network 1");
+    client.finish().await;
+}
+
+#[tokio::test]
+async fn symbols_of_all_files_links_and_calls() {
+    let plant = Plant::with(&[
+        ("library.clad", LIBRARY),
+        (
+            "main.clad",
+            "# see library.clad, none.clad, https://example.com #\n",
+        ),
+        ("notes/plan.md", ""),
+    ]);
+    let main = plant.uri("main.clad");
+    let text = format!("# see library.clad, none.clad, notes/plan.md, https://example.com #\n{MAIN}");
+    let mut client = Client::new().await;
+    client.open_as(&main, 1, &text).await;
+    let found = client
+        .request("workspace/symbol", json!({"query": "ct"}))
+        .await
+        .unwrap();
+    assert_eq!(found[0]["name"], "count");
+    assert!(
+        found[0]["location"]["uri"]
+            .as_str()
+            .unwrap()
+            .ends_with("/library.clad")
+    );
+
+    let params = json!({"textDocument": {"uri": main}});
+    let links = client.request("textDocument/documentLink", params).await.unwrap();
+    let targets: Vec<_> = links
+        .as_array()
+        .unwrap()
+        .iter()
+        .map(|it| it["target"].as_str().unwrap())
+        .collect();
+    assert_eq!(targets.len(), 3, "{targets:?}");
+    assert!(targets[0].ends_with("/library.clad") && targets[1].ends_with("/notes/plan.md"));
+    assert_eq!(targets[2], "https://example.com");
+
+    let items = ask(&mut client, "prepareCallHierarchy", &main, 1, 12).await;
+    assert_eq!(items[0]["name"], "count");
+    let incoming = json!({"item": items[0]});
+    let calls = client
+        .request("callHierarchy/incomingCalls", incoming.clone())
+        .await
+        .unwrap();
+    assert_eq!(calls[0]["from"]["name"], "main.clad");
+    assert_eq!(calls[0]["fromRanges"][0], crate::client::span([1, 11, 1, 16]));
+    let program = json!({"item": calls[0]["from"]});
+    let calls = client
+        .request("callHierarchy/outgoingCalls", program)
+        .await
+        .unwrap();
+    assert_eq!(calls[0]["to"]["name"], "count");
+    let calls = client
+        .request("callHierarchy/outgoingCalls", incoming)
+        .await
+        .unwrap();
+    assert_eq!(calls, json!([]));
+    let alien = json!({"item": {
+        "name": "x", "kind": 12, "uri": main,
+        "range": crate::client::span([0, 0, 0, 0]), "selectionRange": crate::client::span([0, 0, 0, 0])
+    }});
+    let calls = client
+        .request("callHierarchy/outgoingCalls", alien)
+        .await
+        .unwrap();
+    assert_eq!(calls, Value::Null, "an item that did not come from here");
+    client.finish().await;
+}

@@ -1,0 +1,76 @@
+//! The comments that belong to what stands below them.
+
+use ladder_analysis::context::Context;
+use ladder_syntax::{LineKind, Parse, SyntaxKind, TextRange};
+
+/// The comments of a logical line with their texts, `#` included.
+pub(crate) fn of_line(parse: &Parse, line: usize) -> Vec<(TextRange, String)> {
+    let start = parse.line_start(line);
+    let elements = parse.lines()[line].syntax().descendants_with_tokens();
+    let tokens = elements.filter_map(|it| it.into_token().filter(|it| it.kind() == SyntaxKind::COMMENT));
+    tokens
+        .map(|token| (token.text_range() + start, token.text().to_owned()))
+        .collect()
+}
+
+/// What a comment says: its first line with words, without the `#` and without lines drawn around it. None if it
+/// only tells the tools something.
+pub(crate) fn words(comment: &str) -> Option<&str> {
+    let inner = comment.strip_prefix('#').unwrap_or(comment);
+    let inner = inner.strip_suffix('#').unwrap_or(inner);
+    let decoration = |c: char| c.is_whitespace() || matches!(c, '*' | '=' | '-' | '_' | '|' | '~');
+    let mut lines = inner.lines().map(|line| line.trim_matches(decoration));
+    let first = lines.find(|line| !line.is_empty())?;
+    (!first.starts_with("ladder:")).then_some(first)
+}
+
+/// The run of comment lines that ends right above a line: the first and the last of them.
+pub(crate) fn above(context: &Context, line: usize) -> Option<(usize, usize)> {
+    let parse = &context.parse;
+    let is_comment = |&line: &usize| match parse.lines()[line].kind {
+        LineKind::Comment => true,
+        LineKind::Rail => !of_line(parse, line).is_empty(),
+        _ => false,
+    };
+    let first = (0..line).rev().take_while(is_comment).last()?;
+    Some((first, line - 1))
+}
+
+/// What the comments right above a line say, or those that begin it.
+pub(crate) fn title(context: &Context, line: usize) -> Option<String> {
+    let parse = &context.parse;
+    let mut lines = above(context, line).map_or(line..line, |(first, last)| first..last + 1);
+    let said = lines.find_map(|line| first_words(&of_line(parse, line)));
+    said.or_else(|| {
+        let mut begin = of_line(parse, line);
+        let before = parse.lines()[line].green().to_string();
+        let drawn = before.trim_start_matches('\u{feff}').trim_start();
+        // Comments further on are about what they stand beside.
+        drawn.starts_with('#').then(|| begin.truncate(1))?;
+        first_words(&begin)
+    })
+}
+
+fn first_words(comments: &[(TextRange, String)]) -> Option<String> {
+    let mut said = comments.iter().filter_map(|(_, text)| words(text));
+    said.next().map(str::to_owned)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::words;
+
+    #[test]
+    fn what_a_comment_says() {
+        for (comment, said) in [
+            ("# start #", Some("start")),
+            ("# ====\n  = Motor 1 =\n ==== #", Some("Motor 1")),
+            ("# ladder: allow(double-coil) #", None),
+            ("#  #", None),
+            ("##", None),
+            ("# open", Some("open")),
+        ] {
+            assert_eq!(words(comment), said, "{comment}");
+        }
+    }
+}

@@ -1,0 +1,45 @@
+//! `textDocument/documentLink`: what comments name on the web, and the files beside the document that there are.
+
+use std::path::Path;
+use std::sync::Arc;
+
+use tower_lsp::jsonrpc::Result;
+use tower_lsp::ls_types::{DocumentLink, DocumentLinkParams};
+
+use super::asked::about;
+use super::convert;
+use super::shared::Shared;
+use crate::document::address;
+use ladder_ide::{LinkTarget, links};
+
+pub(super) async fn document_links(
+    shared: &Arc<Shared>,
+    params: DocumentLinkParams,
+) -> Result<Option<Vec<DocumentLink>>> {
+    about(shared, &params.text_document.uri, |asked| {
+        let path = asked.revision.place().map(|place| place.path.clone());
+        let folder = path.as_deref().and_then(Path::parent);
+        let found = links(&asked.analysis).into_iter().filter_map(|link| {
+            let address = match &link.to {
+                LinkTarget::Web(address) => address.clone(),
+                LinkTarget::File(name) => {
+                    let file = folder?.join(name);
+                    file.is_file().then(|| address::uri_of(&plain(&file)))?
+                }
+            };
+            Some(DocumentLink {
+                range: convert::range_in(&asked.revision, link.range),
+                target: Some(convert::uri(&address)?),
+                tooltip: None,
+                data: None,
+            })
+        });
+        Some(found.collect())
+    })
+    .await
+}
+
+/// A path without `.` and `..`, which not every editor follows.
+fn plain(path: &Path) -> std::path::PathBuf {
+    path.canonicalize().unwrap_or_else(|_| path.to_owned())
+}
