@@ -93,7 +93,7 @@ impl Places {
 
 /// The kind of a section that is neither RETAIN nor CONSTANT.
 fn plain_kind(parse: &Parse, section: &Section) -> Option<SectionKind> {
-    let header = SectionHeader::cast(parse.lines()[section.lines.start].syntax())?;
+    let header = SectionHeader::cast(parse.lines()[section.lines.start].view())?;
     if header.qualifiers().next().is_some() {
         return None;
     }

@@ -8,9 +8,9 @@ use crate::rules::{bad_declaration, did_you_mean, duplicate_declaration};
 use crate::scope::{Origin, Scope, SectionKind, TagFacts, type_by_form};
 use crate::types::{Scalar, Type};
 use ladder_instructions::StateType;
-use ladder_syntax::ast::{AstNode, Declaration, SectionHeader, TypeRef};
+use ladder_syntax::ast::{AstNode, Declaration, SectionHeader, TokenView, TypeRef};
 use ladder_syntax::{
-    LineKind, Name, Parse, Section, SyntaxToken, TextRange, TextSize, is_declaration_keyword, is_reserved,
+    LineKind, Name, Parse, Section, TextRange, TextSize, is_declaration_keyword, is_reserved,
 };
 
 /// The longest array: what still shows and saves quickly.
@@ -21,7 +21,7 @@ const MAX_STRING: i128 = 32_767;
 /// Adds the tags of a section to its scope.
 pub(crate) fn section(parse: &Parse, section: &Section, scope: &mut Scope, out: &mut Vec<Diagnostic>) {
     let header_line = section.lines.start;
-    let Some(header) = SectionHeader::cast(parse.lines()[header_line].syntax()) else {
+    let Some(header) = SectionHeader::cast(parse.lines()[header_line].view()) else {
         return;
     };
     let Some(kind) = header
@@ -45,7 +45,7 @@ pub(crate) fn section(parse: &Parse, section: &Section, scope: &mut Scope, out: 
         if parse.lines()[line].kind != LineKind::Declaration {
             continue;
         }
-        if let Some(node) = Declaration::cast(parse.lines()[line].syntax()) {
+        if let Some(node) = Declaration::cast(parse.lines()[line].view()) {
             let before = out.len();
             declaration(&node, parse.line_start(line), &context, scope, out);
             if !parse.lines()[line].errors.is_empty() {
@@ -113,12 +113,12 @@ fn declaration(
     }
     for name in node.names() {
         let range = name.text_range() + start;
-        if let Some(message) = refused_name(&name, context.in_block) {
+        if let Some(message) = refused_name(name, context.in_block) {
             out.push(bad_declaration::wrong(range, message));
             continue;
         }
         if let Some(first) = scope.find(&Name::new(name.text())) {
-            out.push(duplicate_declaration::twice(&name, range, &scope.tags[first]));
+            out.push(duplicate_declaration::twice(name, range, &scope.tags[first]));
             continue;
         }
         scope.add(TagFacts {
@@ -148,7 +148,7 @@ fn role(kind: SectionKind, address: Option<Role>) -> Role {
 }
 
 /// Why a name may not be declared.
-fn refused_name(name: &SyntaxToken, in_block: bool) -> Option<String> {
+fn refused_name(name: TokenView<'_>, in_block: bool) -> Option<String> {
     let text = name.text();
     if is_reserved(text) || is_declaration_keyword(text) {
         return Some(format!("`{text}` is a word of the language: choose another name"));

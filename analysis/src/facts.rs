@@ -5,8 +5,8 @@
 
 use crate::literal::{self, Literal, LiteralProblem};
 use ladder_instructions::Shape;
-use ladder_syntax::ast::{AstNode, Block, BlockShape, Expression, HeadName, Operand};
-use ladder_syntax::{Line, SyntaxKind, SyntaxToken, TextRange};
+use ladder_syntax::ast::{AstNode, Block, BlockShape, Expression, HeadName, Operand, TokenView};
+use ladder_syntax::{Line, SyntaxKind, TextRange};
 use smol_str::SmolStr;
 
 /// A block on a rung as it is written.
@@ -159,15 +159,15 @@ pub enum Operator {
 
 /// The blocks of a rung, from left to right. `parts` are the indices of the block parts on it.
 pub fn blocks(line: &Line, rung: usize, parts: impl Iterator<Item = usize>) -> Vec<BlockFacts> {
-    let root = line.syntax();
-    root.children()
+    line.view()
+        .children()
         .filter_map(Block::cast)
         .zip(parts)
         .filter_map(|(block, part)| block_facts(&block, rung, part))
         .collect()
 }
 
-fn block_facts(block: &Block, rung: usize, part: usize) -> Option<BlockFacts> {
+fn block_facts(block: &Block<'_>, rung: usize, part: usize) -> Option<BlockFacts> {
     let head = block.head()?;
     let shape = match block.shape() {
         BlockShape::Logical => Shape::Logical,
@@ -191,7 +191,7 @@ fn block_facts(block: &Block, rung: usize, part: usize) -> Option<BlockFacts> {
     })
 }
 
-fn operand_facts(operand: &Operand) -> OperandFacts {
+fn operand_facts(operand: &Operand<'_>) -> OperandFacts {
     let range = operand.range();
     let value = match operand.value() {
         Some(value) => node(&value),
@@ -211,7 +211,7 @@ fn operand_facts(operand: &Operand) -> OperandFacts {
         Operand::Named(named) => {
             let arrow = named.arrow();
             OperandFacts {
-                name: named.name().map(|token| word(&token)),
+                name: named.name().map(|token| word(token)),
                 arrow: arrow
                     .as_ref()
                     .is_some_and(|token| token.kind() == SyntaxKind::ARROW),
@@ -223,7 +223,7 @@ fn operand_facts(operand: &Operand) -> OperandFacts {
     }
 }
 
-fn word(token: &SyntaxToken) -> Word {
+fn word(token: TokenView<'_>) -> Word {
     Word {
         text: token.text().into(),
         range: token.text_range(),
@@ -231,14 +231,14 @@ fn word(token: &SyntaxToken) -> Word {
 }
 
 /// Lowers an expression. Recursion is bounded by the parser's limits on depth and terms.
-pub fn node(expression: &Expression) -> Node {
+pub fn node(expression: &Expression<'_>) -> Node {
     let range = expression.range();
     let kind = match expression {
         Expression::Name(token) => NodeKind::Name(token.text().into()),
         Expression::Address(token) => NodeKind::Address(token.text().into()),
         Expression::Literal(token) => NodeKind::Literal(literal::literal(token.text())),
         Expression::Member(member) => match (member.base(), member.member()) {
-            (Some(base), Some(token)) => NodeKind::Member(Box::new(node(&base)), word(&token)),
+            (Some(base), Some(token)) => NodeKind::Member(Box::new(node(&base)), word(token)),
             _ => NodeKind::Missing,
         },
         Expression::Index(index) => {
@@ -272,7 +272,7 @@ pub fn node(expression: &Expression) -> Node {
         },
         Expression::Binary(binary) => {
             match (
-                binary.operator().and_then(|t| operator(&t)),
+                binary.operator().and_then(|t| operator(t)),
                 binary.left(),
                 binary.right(),
             ) {
@@ -289,7 +289,7 @@ pub fn node(expression: &Expression) -> Node {
         Expression::Call(call) => {
             let arguments = call.arguments().map(|a| node(&a)).collect();
             match call.callee() {
-                Some(Expression::Name(token)) => NodeKind::Call(word(&token), arguments),
+                Some(Expression::Name(token)) => NodeKind::Call(word(token), arguments),
                 Some(count @ Expression::Literal(_)) => NodeKind::Repeat(Box::new(node(&count)), arguments),
                 Some(_) => NodeKind::NoFunction,
                 None => NodeKind::Missing,
@@ -301,7 +301,7 @@ pub fn node(expression: &Expression) -> Node {
     Node { kind, range }
 }
 
-fn operator(token: &SyntaxToken) -> Option<Operator> {
+fn operator(token: TokenView<'_>) -> Option<Operator> {
     Some(match token.kind() {
         SyntaxKind::EQUAL => Operator::Equal,
         SyntaxKind::NOT_EQUAL => Operator::NotEqual,

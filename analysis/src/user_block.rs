@@ -66,7 +66,7 @@ pub struct Parameter {
 pub(crate) fn user_block(parse: &Parse, definition: &BlockDefinition, scope: &Scope) -> UserBlockFacts {
     let header_line = definition.lines.start;
     let start = parse.line_start(header_line);
-    let head = BlockHeader::cast(parse.lines()[header_line].syntax()).and_then(|header| header.head());
+    let head = BlockHeader::cast(parse.lines()[header_line].view()).and_then(|header| header.head());
     let (name, shape, at) = match head {
         Some(head) => {
             let shape = match head.shape() {

@@ -1,5 +1,6 @@
 //! The logical line: what is parsed on its own, and the small summary from which networks are grouped.
 
+use crate::ast::NodeView;
 use crate::{SyntaxError, SyntaxKind, SyntaxNode};
 use rowan::GreenNode;
 
@@ -95,6 +96,11 @@ impl Line {
     /// The line's node as the root of a tree of its own: offsets count from the start of the line.
     pub fn syntax(&self) -> SyntaxNode {
         SyntaxNode::new_root(self.node.clone())
+    }
+
+    /// The line's node for reading downwards: offsets count from the start of the line.
+    pub fn view(&self) -> NodeView<'_> {
+        NodeView::root(&self.node)
     }
 
     /// The line's green node. Two lines with the same node have the same text and mean the same by themselves.

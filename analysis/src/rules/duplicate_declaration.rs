@@ -3,9 +3,10 @@
 use crate::diagnostic::Diagnostic;
 use crate::rule::Rule;
 use crate::scope::TagFacts;
-use ladder_syntax::{SyntaxToken, TextRange};
+use ladder_syntax::TextRange;
+use ladder_syntax::ast::TokenView;
 
-pub(crate) fn twice(name: &SyntaxToken, range: TextRange, first: &TagFacts) -> Diagnostic {
+pub(crate) fn twice(name: TokenView<'_>, range: TextRange, first: &TagFacts) -> Diagnostic {
     let message = format!("`{}` is declared twice", name.text());
     Diagnostic::new(Rule::DuplicateDeclaration, range, message)
         .help(

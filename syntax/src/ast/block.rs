@@ -1,7 +1,7 @@
 //! Blocks on a rung: first part, operand list, operands.
 
-use super::{AstNode, Expression, child, expression_before, expression_behind, tokens};
-use crate::{SyntaxKind, SyntaxNode, SyntaxToken};
+use super::{AstNode, Expression, NodeView, TokenView, child, expression_before, expression_behind};
+use crate::SyntaxKind;
 use rowan::TextRange;
 
 ast_node!(
@@ -33,17 +33,17 @@ pub enum BlockShape {
 }
 
 /// What a block's first part names.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub enum HeadName {
+#[derive(Debug, Clone, Copy)]
+pub enum HeadName<'g> {
     /// Nothing: `[ ]`, `( )`.
     Blank,
     /// `TON`, `/`.
-    Mnemonic(SyntaxToken),
+    Mnemonic(TokenView<'g>),
     /// `$Name` of a user-defined block.
-    User(SyntaxToken),
+    User(TokenView<'g>),
 }
 
-impl Block {
+impl<'g> Block<'g> {
     /// The brackets.
     pub fn shape(&self) -> BlockShape {
         match self.0.kind() {
@@ -54,25 +54,26 @@ impl Block {
     }
 
     /// The first part.
-    pub fn head(&self) -> Option<BlockHead> {
-        child(&self.0)
+    pub fn head(&self) -> Option<BlockHead<'g>> {
+        child(self.0)
     }
 
     /// The operand list.
-    pub fn operand_list(&self) -> Option<OperandList> {
-        child(&self.0)
+    pub fn operand_list(&self) -> Option<OperandList<'g>> {
+        child(self.0)
     }
 
     /// The operands in the order in which they stand.
-    pub fn operands(&self) -> impl Iterator<Item = Operand> + use<> {
+    pub fn operands(&self) -> impl Iterator<Item = Operand<'g>> + use<'g> {
         self.operand_list().into_iter().flat_map(|list| list.operands())
     }
 }
 
-impl BlockHead {
+impl<'g> BlockHead<'g> {
     /// What it names.
-    pub fn name(&self) -> HeadName {
-        tokens(&self.0)
+    pub fn name(&self) -> HeadName<'g> {
+        self.0
+            .tokens()
             .find_map(|token| match token.kind() {
                 SyntaxKind::MNEMONIC => Some(HeadName::Mnemonic(token)),
                 SyntaxKind::BLOCK_NAME => Some(HeadName::User(token)),
@@ -91,24 +92,24 @@ impl BlockHead {
     }
 }
 
-impl OperandList {
+impl<'g> OperandList<'g> {
     /// The operands in the order in which they stand.
-    pub fn operands(&self) -> impl Iterator<Item = Operand> + use<> {
+    pub fn operands(&self) -> impl Iterator<Item = Operand<'g>> + use<'g> {
         self.0.children().filter_map(Operand::cast)
     }
 }
 
 /// One operand of a block.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub enum Operand {
+#[derive(Debug, Clone, Copy)]
+pub enum Operand<'g> {
     /// By place.
-    Positional(Expression),
+    Positional(Expression<'g>),
     /// By name.
-    Named(NamedOperand),
+    Named(NamedOperand<'g>),
 }
 
-impl Operand {
-    fn cast(node: SyntaxNode) -> Option<Operand> {
+impl<'g> Operand<'g> {
+    fn cast(node: NodeView<'g>) -> Option<Operand<'g>> {
         if node.kind() == SyntaxKind::NAMED_OPERAND {
             return Some(Operand::Named(NamedOperand(node)));
         }
@@ -124,7 +125,7 @@ impl Operand {
     }
 
     /// The value, without a name.
-    pub fn value(&self) -> Option<Expression> {
+    pub fn value(&self) -> Option<Expression<'g>> {
         match self {
             Operand::Positional(e) => Some(e.clone()),
             Operand::Named(n) => n.value(),
@@ -132,10 +133,10 @@ impl Operand {
     }
 }
 
-impl NamedOperand {
+impl<'g> NamedOperand<'g> {
     /// The name before `:=` or `=>`, if it is one.
-    pub fn name(&self) -> Option<SyntaxToken> {
-        match expression_before(&self.0, |kind| {
+    pub fn name(&self) -> Option<TokenView<'g>> {
+        match expression_before(self.0, |kind| {
             matches!(kind, SyntaxKind::ASSIGN | SyntaxKind::ARROW)
         }) {
             Some(Expression::Name(name)) => Some(name),
@@ -144,13 +145,15 @@ impl NamedOperand {
     }
 
     /// `:=` or `=>`.
-    pub fn arrow(&self) -> Option<SyntaxToken> {
-        tokens(&self.0).find(|t| matches!(t.kind(), SyntaxKind::ASSIGN | SyntaxKind::ARROW))
+    pub fn arrow(&self) -> Option<TokenView<'g>> {
+        self.0
+            .tokens()
+            .find(|t| matches!(t.kind(), SyntaxKind::ASSIGN | SyntaxKind::ARROW))
     }
 
     /// The value behind it.
-    pub fn value(&self) -> Option<Expression> {
-        expression_behind(&self.0, |kind| {
+    pub fn value(&self) -> Option<Expression<'g>> {
+        expression_behind(self.0, |kind| {
             matches!(kind, SyntaxKind::ASSIGN | SyntaxKind::ARROW)
         })
     }

@@ -1,7 +1,7 @@
 //! Sections, declarations, headers of block definitions.
 
-use super::{AstNode, BlockHead, Expression, child, child_expression, tokens};
-use crate::{SyntaxKind, SyntaxNode, SyntaxToken};
+use super::{AstNode, BlockHead, Expression, NodeView, TokenView, child, child_expression};
+use crate::SyntaxKind;
 
 ast_node!(
     /// One declaration.
@@ -20,41 +20,42 @@ ast_node!(
     TypeRef = TYPE_REF
 );
 
-impl Declaration {
+impl<'g> Declaration<'g> {
     /// The declared names.
-    pub fn names(&self) -> impl Iterator<Item = SyntaxToken> + use<> {
+    pub fn names(&self) -> impl Iterator<Item = TokenView<'g>> + use<'g> {
         self.0
             .children()
             .filter(|n| n.kind() == SyntaxKind::NAME_LIST)
-            .flat_map(|list| tokens(&list))
+            .flat_map(|list| list.tokens())
             .filter(|t| t.kind() == SyntaxKind::IDENT)
     }
 
     /// The address behind AT.
-    pub fn address(&self) -> Option<SyntaxToken> {
+    pub fn address(&self) -> Option<TokenView<'g>> {
         let clause = self.0.children().find(|n| n.kind() == SyntaxKind::AT_CLAUSE)?;
-        tokens(&clause).find(|t| t.kind() == SyntaxKind::ADDRESS)
+        clause.tokens().find(|t| t.kind() == SyntaxKind::ADDRESS)
     }
 
     /// The type.
-    pub fn type_ref(&self) -> Option<TypeRef> {
-        child(&self.0)
+    pub fn type_ref(&self) -> Option<TypeRef<'g>> {
+        child(self.0)
     }
 
     /// The value behind `:=`.
-    pub fn initial_value(&self) -> Option<Expression> {
+    pub fn initial_value(&self) -> Option<Expression<'g>> {
         let value = self
             .0
             .children()
             .find(|n| n.kind() == SyntaxKind::INITIAL_VALUE)?;
-        child_expression(&value, 0)
+        child_expression(value, 0)
     }
 }
 
-impl TypeRef {
+impl<'g> TypeRef<'g> {
     /// The name of the type, or of the elements' type for an array.
-    pub fn name(&self) -> Option<SyntaxToken> {
-        tokens(&self.0)
+    pub fn name(&self) -> Option<TokenView<'g>> {
+        self.0
+            .tokens()
             .filter(|t| matches!(t.kind(), SyntaxKind::KEYWORD | SyntaxKind::IDENT))
             .find(|t| !["ARRAY", "OF"].iter().any(|w| w.eq_ignore_ascii_case(t.text())))
     }
@@ -67,10 +68,10 @@ impl TypeRef {
     }
 
     /// The numbers in it with their signs: an array's bounds, then (or only) a string's length.
-    pub fn numbers(&self) -> Vec<(bool, SyntaxToken)> {
+    pub fn numbers(&self) -> Vec<(bool, TokenView<'g>)> {
         let mut numbers = Vec::new();
         let mut negative = false;
-        for token in tokens(&self.0) {
+        for token in self.0.tokens() {
             match token.kind() {
                 SyntaxKind::MINUS => negative = true,
                 SyntaxKind::LITERAL => numbers.push((std::mem::take(&mut negative), token)),
@@ -81,23 +82,24 @@ impl TypeRef {
     }
 }
 
-impl SectionHeader {
+impl<'g> SectionHeader<'g> {
     /// `VAR`, `VAR_INPUT`, ...
-    pub fn section(&self) -> Option<SyntaxToken> {
-        tokens(&self.0).find(|t| t.kind() == SyntaxKind::KEYWORD)
+    pub fn section(&self) -> Option<TokenView<'g>> {
+        self.0.tokens().find(|t| t.kind() == SyntaxKind::KEYWORD)
     }
 
     /// `RETAIN`, `CONSTANT`
-    pub fn qualifiers(&self) -> impl Iterator<Item = SyntaxToken> + use<> {
-        tokens(&self.0)
+    pub fn qualifiers(&self) -> impl Iterator<Item = TokenView<'g>> + use<'g> {
+        self.0
+            .tokens()
             .filter(|t| t.kind() == SyntaxKind::KEYWORD)
             .skip(1)
     }
 }
 
-impl BlockHeader {
+impl<'g> BlockHeader<'g> {
     /// The head that shows the block's shape.
-    pub fn head(&self) -> Option<BlockHead> {
-        child(&self.0)
+    pub fn head(&self) -> Option<BlockHead<'g>> {
+        child(self.0)
     }
 }

@@ -1,34 +1,34 @@
 //! Expressions: operands, indices, initial values.
 
-use super::{AstNode, child, child_expression, expression_before, expression_behind, tokens};
-use crate::{SyntaxKind, SyntaxNode, SyntaxToken};
+use super::{AstNode, NodeView, TokenView, child, child_expression, expression_before, expression_behind};
+use crate::SyntaxKind;
 use rowan::TextRange;
 
 /// An expression. Which expressions an operand may be is for the analysis to say.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub enum Expression {
+#[derive(Debug, Clone, Copy)]
+pub enum Expression<'g> {
     /// A name.
-    Name(SyntaxToken),
+    Name(TokenView<'g>),
     /// `%IX0.0`
-    Address(SyntaxToken),
+    Address(TokenView<'g>),
     /// A literal or string.
-    Literal(SyntaxToken),
+    Literal(TokenView<'g>),
     /// `base.member`
-    Member(MemberExpression),
+    Member(MemberExpression<'g>),
     /// `base[index]`
-    Index(IndexExpression),
+    Index(IndexExpression<'g>),
     /// `-a`, `NOT a`
-    Unary(UnaryExpression),
+    Unary(UnaryExpression<'g>),
     /// `a + b`
-    Binary(BinaryExpression),
+    Binary(BinaryExpression<'g>),
     /// `( a )`
-    Paren(ParenExpression),
+    Paren(ParenExpression<'g>),
     /// `SQRT(a)`
-    Call(CallExpression),
+    Call(CallExpression<'g>),
     /// `[1, 2]`
-    Array(ArrayExpression),
+    Array(ArrayExpression<'g>),
     /// What could not be read.
-    Error(SyntaxNode),
+    Error(NodeView<'g>),
 }
 
 ast_node!(
@@ -64,9 +64,9 @@ ast_node!(
     ArrayExpression = ARRAY_EXPR
 );
 
-impl Expression {
+impl<'g> Expression<'g> {
     /// The view of an expression node.
-    pub fn cast(node: SyntaxNode) -> Option<Expression> {
+    pub fn cast(node: NodeView<'g>) -> Option<Expression<'g>> {
         Some(match node.kind() {
             SyntaxKind::NAME_EXPR => Expression::Name(node.first_token()?),
             SyntaxKind::ADDRESS_EXPR => Expression::Address(node.first_token()?),
@@ -94,7 +94,7 @@ impl Expression {
             Expression::Paren(n) => n.range(),
             Expression::Call(n) => n.range(),
             Expression::Array(n) => n.range(),
-            Expression::Error(n) => n.text_range(),
+            Expression::Error(n) => n.range(),
         }
     }
 }
@@ -104,98 +104,100 @@ fn is_operator(kind: SyntaxKind) -> bool {
     !kind.is_trivia() && kind != SyntaxKind::ERROR
 }
 
-impl MemberExpression {
+impl<'g> MemberExpression<'g> {
     /// What stands before the point.
-    pub fn base(&self) -> Option<Expression> {
-        child_expression(&self.0, 0)
+    pub fn base(&self) -> Option<Expression<'g>> {
+        child_expression(self.0, 0)
     }
 
     /// The word or bit number behind the point.
-    pub fn member(&self) -> Option<SyntaxToken> {
-        tokens(&self.0).find(|t| matches!(t.kind(), SyntaxKind::IDENT | SyntaxKind::LITERAL))
+    pub fn member(&self) -> Option<TokenView<'g>> {
+        self.0
+            .tokens()
+            .find(|t| matches!(t.kind(), SyntaxKind::IDENT | SyntaxKind::LITERAL))
     }
 }
 
-impl IndexExpression {
+impl<'g> IndexExpression<'g> {
     /// What stands before the bracket.
-    pub fn base(&self) -> Option<Expression> {
-        child_expression(&self.0, 0)
+    pub fn base(&self) -> Option<Expression<'g>> {
+        child_expression(self.0, 0)
     }
 
     /// The index, if it is a single one.
-    pub fn index(&self) -> Option<Expression> {
-        child_expression(&self.0, 1)
+    pub fn index(&self) -> Option<Expression<'g>> {
+        child_expression(self.0, 1)
     }
 
     /// The range, if it is one.
-    pub fn range_expression(&self) -> Option<RangeExpression> {
-        child(&self.0)
+    pub fn range_expression(&self) -> Option<RangeExpression<'g>> {
+        child(self.0)
     }
 }
 
-impl RangeExpression {
+impl<'g> RangeExpression<'g> {
     /// The first element's index.
-    pub fn first(&self) -> Option<Expression> {
-        expression_before(&self.0, |kind| kind == SyntaxKind::DOT_DOT)
+    pub fn first(&self) -> Option<Expression<'g>> {
+        expression_before(self.0, |kind| kind == SyntaxKind::DOT_DOT)
     }
 
     /// The last element's index.
-    pub fn last(&self) -> Option<Expression> {
-        expression_behind(&self.0, |kind| kind == SyntaxKind::DOT_DOT)
+    pub fn last(&self) -> Option<Expression<'g>> {
+        expression_behind(self.0, |kind| kind == SyntaxKind::DOT_DOT)
     }
 }
 
-impl UnaryExpression {
+impl<'g> UnaryExpression<'g> {
     /// `-` or `NOT`.
-    pub fn operator(&self) -> Option<SyntaxToken> {
-        tokens(&self.0).find(|t| is_operator(t.kind()))
+    pub fn operator(&self) -> Option<TokenView<'g>> {
+        self.0.tokens().find(|t| is_operator(t.kind()))
     }
 
     /// What it works on.
-    pub fn operand(&self) -> Option<Expression> {
-        child_expression(&self.0, 0)
+    pub fn operand(&self) -> Option<Expression<'g>> {
+        child_expression(self.0, 0)
     }
 }
 
-impl BinaryExpression {
+impl<'g> BinaryExpression<'g> {
     /// The left side.
-    pub fn left(&self) -> Option<Expression> {
-        expression_before(&self.0, is_operator)
+    pub fn left(&self) -> Option<Expression<'g>> {
+        expression_before(self.0, is_operator)
     }
 
     /// The operator.
-    pub fn operator(&self) -> Option<SyntaxToken> {
-        tokens(&self.0).find(|t| is_operator(t.kind()))
+    pub fn operator(&self) -> Option<TokenView<'g>> {
+        self.0.tokens().find(|t| is_operator(t.kind()))
     }
 
     /// The right side.
-    pub fn right(&self) -> Option<Expression> {
-        expression_behind(&self.0, is_operator)
+    pub fn right(&self) -> Option<Expression<'g>> {
+        expression_behind(self.0, is_operator)
     }
 }
 
-impl ParenExpression {
+impl<'g> ParenExpression<'g> {
     /// What stands in the parentheses.
-    pub fn inner(&self) -> Option<Expression> {
-        child_expression(&self.0, 0)
+    pub fn inner(&self) -> Option<Expression<'g>> {
+        child_expression(self.0, 0)
     }
 }
 
-impl CallExpression {
+impl<'g> CallExpression<'g> {
     /// The function's name (or the count of a repeated initial value).
-    pub fn callee(&self) -> Option<Expression> {
-        child_expression(&self.0, 0)
+    pub fn callee(&self) -> Option<Expression<'g>> {
+        child_expression(self.0, 0)
     }
 
     /// The arguments.
-    pub fn arguments(&self) -> impl Iterator<Item = Expression> + use<> {
+    pub fn arguments(&self) -> impl Iterator<Item = Expression<'g>> + use<'g> {
         self.0.children().filter_map(Expression::cast).skip(1)
     }
 }
 
-impl ArrayExpression {
+impl<'g> ArrayExpression<'g> {
     /// The values.
-    pub fn values(&self) -> impl Iterator<Item = Expression> + use<> {
+    pub fn values(&self) -> impl Iterator<Item = Expression<'g>> + use<'g> {
         self.0.children().filter_map(Expression::cast)
     }
 }

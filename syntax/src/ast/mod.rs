@@ -4,15 +4,15 @@
 macro_rules! ast_node {
     ($(#[$doc:meta])* $name:ident = $($kind:ident)|+) => {
         $(#[$doc])*
-        #[derive(Debug, Clone, PartialEq, Eq, Hash)]
-        pub struct $name(SyntaxNode);
+        #[derive(Debug, Clone, Copy)]
+        pub struct $name<'g>(NodeView<'g>);
 
-        impl AstNode for $name {
-            fn cast(node: SyntaxNode) -> Option<Self> {
+        impl<'g> AstNode<'g> for $name<'g> {
+            fn cast(node: NodeView<'g>) -> Option<Self> {
                 matches!(node.kind(), $(SyntaxKind::$kind)|+).then_some($name(node))
             }
-            fn syntax(&self) -> &SyntaxNode {
-                &self.0
+            fn syntax(&self) -> NodeView<'g> {
+                self.0
             }
         }
     };
@@ -21,6 +21,7 @@ macro_rules! ast_node {
 mod block;
 mod declaration;
 mod expression;
+mod view;
 
 pub use block::{Block, BlockHead, BlockShape, HeadName, NamedOperand, Operand, OperandList};
 pub use declaration::{BlockHeader, Declaration, SectionHeader, TypeRef};
@@ -28,45 +29,41 @@ pub use expression::{
     ArrayExpression, BinaryExpression, CallExpression, Expression, IndexExpression, MemberExpression,
     ParenExpression, RangeExpression, UnaryExpression,
 };
+pub use view::{NodeView, TokenView};
 
-use crate::{SyntaxKind, SyntaxNode, SyntaxToken};
+use crate::SyntaxKind;
 use rowan::TextRange;
 
 /// A typed view of a node.
-pub trait AstNode: Sized {
+pub trait AstNode<'g>: Sized {
     /// The view, if the node is of a kind that it fits.
-    fn cast(node: SyntaxNode) -> Option<Self>;
+    fn cast(node: NodeView<'g>) -> Option<Self>;
     /// The node.
-    fn syntax(&self) -> &SyntaxNode;
+    fn syntax(&self) -> NodeView<'g>;
     /// The node's range.
     fn range(&self) -> TextRange {
-        self.syntax().text_range()
+        self.syntax().range()
     }
 }
 
-fn child<N: AstNode>(node: &SyntaxNode) -> Option<N> {
+fn child<'g, N: AstNode<'g>>(node: NodeView<'g>) -> Option<N> {
     node.children().find_map(N::cast)
 }
 
-fn child_expression(node: &SyntaxNode, nth: usize) -> Option<Expression> {
+fn child_expression(node: NodeView<'_>, nth: usize) -> Option<Expression<'_>> {
     node.children().filter_map(Expression::cast).nth(nth)
 }
 
 /// The expression that stands before the first token of a kind; none if the token is first.
-fn expression_before(node: &SyntaxNode, kind: impl Fn(SyntaxKind) -> bool) -> Option<Expression> {
-    let end = tokens(node).find(|t| kind(t.kind()))?.text_range().start();
+fn expression_before(node: NodeView<'_>, kind: impl Fn(SyntaxKind) -> bool) -> Option<Expression<'_>> {
+    let end = node.tokens().find(|t| kind(t.kind()))?.text_range().start();
     child_expression(node, 0).filter(|e| e.range().end() <= end)
 }
 
 /// The expression that stands behind the first token of a kind.
-fn expression_behind(node: &SyntaxNode, kind: impl Fn(SyntaxKind) -> bool) -> Option<Expression> {
-    let start = tokens(node).find(|t| kind(t.kind()))?.text_range().end();
+fn expression_behind(node: NodeView<'_>, kind: impl Fn(SyntaxKind) -> bool) -> Option<Expression<'_>> {
+    let start = node.tokens().find(|t| kind(t.kind()))?.text_range().end();
     node.children()
-        .filter(|n| n.text_range().start() >= start)
+        .filter(|n| n.range().start() >= start)
         .find_map(Expression::cast)
-}
-
-fn tokens(node: &SyntaxNode) -> impl Iterator<Item = SyntaxToken> + use<> {
-    node.children_with_tokens()
-        .filter_map(rowan::NodeOrToken::into_token)
 }

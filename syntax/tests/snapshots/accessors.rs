@@ -2,22 +2,31 @@
 
 use expect_test::{Expect, expect};
 use ladder_syntax::ast::{
-    AstNode, Block, BlockHeader, Declaration, Expression, HeadName, NamedOperand, Operand, SectionHeader,
+    AstNode, Block, BlockHeader, Declaration, Expression, HeadName, NamedOperand, NodeView, Operand,
+    SectionHeader, TokenView,
 };
-use ladder_syntax::{SyntaxNode, parse};
+use ladder_syntax::{Parse, parse};
 use std::fmt::Write as _;
 
-fn all<N: AstNode>(text: &str) -> Vec<N> {
-    parse(text).syntax().descendants().filter_map(N::cast).collect()
+fn all<'g, N: AstNode<'g>>(parse: &'g Parse) -> Vec<N> {
+    fn collect<'g, N: AstNode<'g>>(node: NodeView<'g>, found: &mut Vec<N>) {
+        found.extend(N::cast(node));
+        for child in node.children() {
+            collect(child, found);
+        }
+    }
+    let mut found = Vec::new();
+    collect(NodeView::root(parse.green()), &mut found);
+    found
 }
 
 /// An expression as its views give it: every part that is missing is `?`.
-fn show(expression: Option<&Expression>) -> String {
+fn show(expression: Option<&Expression<'_>>) -> String {
     let Some(expression) = expression else {
         return "?".to_owned();
     };
-    let token = |t: Option<ladder_syntax::SyntaxToken>| t.map_or("?".to_owned(), |t| t.text().to_owned());
-    let list = |values: Vec<Expression>| {
+    let token = |t: Option<TokenView<'_>>| t.map_or("?".to_owned(), |t| t.text().to_owned());
+    let list = |values: Vec<Expression<'_>>| {
         values
             .iter()
             .map(|v| show(Some(v)))
@@ -56,8 +65,8 @@ fn show(expression: Option<&Expression>) -> String {
     }
 }
 
-fn show_named(operand: &NamedOperand) -> String {
-    let token = |t: Option<ladder_syntax::SyntaxToken>| t.map_or("?".to_owned(), |t| t.text().to_owned());
+fn show_named(operand: &NamedOperand<'_>) -> String {
+    let token = |t: Option<TokenView<'_>>| t.map_or("?".to_owned(), |t| t.text().to_owned());
     format!(
         "{} {} {}",
         token(operand.name()),
@@ -69,7 +78,7 @@ fn show_named(operand: &NamedOperand) -> String {
 #[track_caller]
 fn check_blocks(text: &str, expect: Expect) {
     let mut out = String::new();
-    for block in all::<Block>(text) {
+    for block in all::<Block<'_>>(&parse(text)) {
         let head = match block.head().map(|h| h.name()) {
             Some(HeadName::Blank) => "blank".to_owned(),
             Some(HeadName::Mnemonic(t)) => format!("mnemonic {}", t.text()),
@@ -156,7 +165,7 @@ fn parts_that_are_missing() {
 fn declarations() {
     let text = "VAR_INPUT CONSTANT\na, b AT %IX0.0 : ARRAY[-1..9] OF STRING[5] := [1, 2(0)];\nc : ;\nd AT : INT := ;\ne : Foo := -5;\nEND_VAR";
     let mut out = String::new();
-    for header in all::<SectionHeader>(text) {
+    for header in all::<SectionHeader<'_>>(&parse(text)) {
         let qualifiers: Vec<String> = header.qualifiers().map(|t| t.text().to_owned()).collect();
         let _ = writeln!(
             out,
@@ -164,7 +173,7 @@ fn declarations() {
             header.section().map(|t| t.text().to_owned())
         );
     }
-    for declaration in all::<Declaration>(text) {
+    for declaration in all::<Declaration<'_>>(&parse(text)) {
         let names: Vec<String> = declaration.names().map(|t| t.text().to_owned()).collect();
         let ty = declaration.type_ref().map(|ty| {
             let numbers: Vec<String> = ty
@@ -203,7 +212,7 @@ fn block_headers() {
         "FUNCTION_BLOCK <$D",
         "FUNCTION_BLOCK",
     ] {
-        for header in all::<BlockHeader>(text) {
+        for header in all::<BlockHeader<'_>>(&parse(text)) {
             let head = header.head().map(|h| (h.shape(), h.name()));
             let _ = writeln!(
                 out,
@@ -227,7 +236,8 @@ fn block_headers() {
 
 #[test]
 fn casting_asks_for_the_kind() {
-    let root: SyntaxNode = parse("+--+").syntax();
-    assert!(Block::cast(root.clone()).is_none());
+    let parse = parse("+--+");
+    let root = NodeView::root(parse.green());
+    assert!(Block::cast(root).is_none());
     assert!(Expression::cast(root).is_none());
 }
