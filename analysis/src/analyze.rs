@@ -9,7 +9,7 @@ use crate::rule::Severity;
 use crate::rule_settings::RuleSettings;
 use crate::{lint, rules};
 use ladder_syntax::Parse;
-use std::sync::Arc;
+use std::sync::{Arc, OnceLock};
 
 /// What is known of a file.
 #[derive(Debug, Clone)]
@@ -20,16 +20,37 @@ pub struct Analysis {
     pub diagnostics: Vec<Diagnostic>,
     /// Errors that settings or comments hide, or count as less: the program does not run all the same.
     pub hidden_errors: Vec<Diagnostic>,
-    /// The program, if there are no errors and it uses no function or block of another file: see [`link()`](crate::link()).
-    pub program: Option<Arc<Program>>,
     /// What messages call the file.
     pub name: Arc<str>,
+    program: OnceLock<Option<Arc<Program>>>,
 }
 
 impl Analysis {
     /// Whether a finding is an error: the program is not simulated.
     pub fn has_errors(&self) -> bool {
         self.errors().next().is_some()
+    }
+
+    /// The program, if there are no errors and it uses no function or block of another file: see
+    /// [`link()`](crate::link()). It is put together when it is first asked for.
+    pub fn program(&self) -> Option<&Arc<Program>> {
+        let program = || {
+            if self.has_errors() {
+                return None;
+            }
+            let alone = Unit {
+                context: &self.context,
+                name: &self.name,
+                bodies: None,
+            };
+            let Resolved {
+                program,
+                unresolved,
+                linked,
+            } = resolve::program(&[alone]);
+            (unresolved.is_none() && linked).then(|| Arc::new(program))
+        };
+        self.program.get_or_init(program).as_ref()
     }
 
     /// What keeps the program from being simulated.
@@ -53,16 +74,11 @@ pub fn analyze_in(parse: &Arc<Parse>, name: &str, others: &Others) -> Analysis {
 pub fn analyze_with(parse: &Arc<Parse>, name: &str, others: &Others, settings: &RuleSettings) -> Analysis {
     let mut diagnostics = Vec::new();
     let context = context(parse, others, &mut diagnostics);
-    let alone = Unit {
-        context: &context,
-        name,
-        bodies: None,
-    };
-    let Resolved {
-        program,
-        unresolved,
-        linked,
-    } = resolve::program(&[alone], &mut diagnostics);
+    let mut unresolved = None;
+    for network in 0..context.networks.len() {
+        let found = resolve::check(&context, network, &mut diagnostics);
+        unresolved = unresolved.or(found);
+    }
     rules::check(&context, settings, &mut diagnostics);
     rules::unclosed_comment::hide_what_follows(parse, &mut diagnostics);
     let hidden_errors = lint::apply(&context, settings, &mut diagnostics);
@@ -73,14 +89,11 @@ pub fn analyze_with(parse: &Arc<Parse>, name: &str, others: &Others, settings: &
         context,
         diagnostics,
         hidden_errors,
-        program: None,
         name: Arc::from(name),
+        program: OnceLock::new(),
     };
     if let Some(block) = unresolved.filter(|_| !analysis.has_errors()) {
         analysis.diagnostics.push(rules::bad_operand::meaningless(block));
-    }
-    if linked && !analysis.has_errors() {
-        analysis.program = Some(Arc::new(program));
     }
     analysis
 }

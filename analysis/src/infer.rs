@@ -12,11 +12,10 @@ use crate::facts::{Node, NodeKind, Operator};
 use crate::network::{BoundBlock, Formal, Meaning};
 use crate::program::{Member, Role, SystemTag};
 use crate::rules::type_mismatch;
-use crate::scope::{Origin, Scope};
+use crate::scope::{Origin, Scope, TagFacts};
 use crate::types::{Scalar, Type};
 use ladder_instructions::{Accepts, StateType, TypeClass};
 use ladder_syntax::{Name, TextRange};
-use rustc_hash::FxHashMap;
 
 /// Gives every tag its type.
 pub(crate) fn infer(context: &mut Context, out: &mut Vec<Diagnostic>) {
@@ -55,47 +54,55 @@ fn asked(context: &Context, bound: &BoundBlock, formal: Formal) -> Option<Type> 
     }
 }
 
+/// Rule 1. Only the places of tags without a type have a say.
 fn by_place(context: &mut Context, out: &mut Vec<Diagnostic>) {
-    // Scope and tag to its first answer: type and place.
-    let mut answers: FxHashMap<(usize, usize), (Type, TextRange)> = FxHashMap::default();
-    // `(R)` also takes timers and counters: it makes a tag BOOL only where no other place has a say.
-    let mut reset: Vec<(usize, usize)> = Vec::new();
-    for network in &context.networks {
-        for bound in network.blocks.iter().filter(|bound| !bound.faulty) {
-            for (operand, &formal) in bound.facts.operands.iter().zip(&bound.formals) {
-                let Some(tag) = untyped(&context.scopes[network.scope], &operand.value) else {
-                    continue;
-                };
-                let key = (network.scope, tag);
-                if matches!(formal, Formal::Operand(o) if o.accepts == Accepts::BoolRangeOrState) {
-                    reset.push(key);
-                    continue;
-                }
-                let Some(ty) = asked(context, bound, formal) else {
-                    continue;
-                };
-                let at = bound.absolute(operand.value.range);
-                match answers.get(&key) {
-                    None => {
-                        answers.insert(key, (ty, at));
-                    }
-                    Some(&(first, place))
-                        if first != ty && !context.scopes[network.scope].tags[tag].mistyped =>
-                    {
-                        let name = &context.scopes[network.scope].tags[tag].name;
-                        out.push(type_mismatch::two_answers(name, (first, place), (ty, at)));
-                    }
-                    Some(_) => {}
-                }
+    // Of each tag its first answer.
+    let mut answers: Vec<(usize, usize, Type)> = Vec::new();
+    for (scope, facts) in context.scopes.iter().enumerate() {
+        for (index, tag) in facts.tags.iter().enumerate() {
+            if tag.ty.is_none()
+                && let Some(ty) = answer(context, tag, out)
+            {
+                answers.push((scope, index, ty));
             }
         }
     }
-    for key in reset {
-        answers.entry(key).or_insert((Type::BOOL, TextRange::default()));
-    }
-    for ((scope, tag), (ty, _)) in answers {
+    for (scope, tag, ty) in answers {
         context.scopes[scope].tags[tag].ty = Some(ty);
     }
+}
+
+fn answer(context: &Context, tag: &TagFacts, out: &mut Vec<Diagnostic>) -> Option<Type> {
+    let mut first: Option<(Type, TextRange)> = None;
+    // `(R)` also takes timers and counters: it makes a tag BOOL only where no other place has a say.
+    let mut reset = false;
+    for place in &tag.uses {
+        let bound = &context.networks[place.network].blocks[place.block];
+        let value = &bound.facts.operands[place.operand].value;
+        if bound.faulty || !matches!(value.kind, NodeKind::Name(_) | NodeKind::Address(_)) {
+            continue;
+        }
+        let formal = bound.formals[place.operand];
+        if matches!(formal, Formal::Operand(o) if o.accepts == Accepts::BoolRangeOrState) {
+            reset = true;
+            continue;
+        }
+        let Some(ty) = asked(context, bound, formal) else {
+            continue;
+        };
+        match first {
+            None => first = Some((ty, place.range)),
+            Some((before, at)) if before != ty && !tag.mistyped => {
+                out.push(type_mismatch::two_answers(
+                    &tag.name,
+                    (before, at),
+                    (ty, place.range),
+                ));
+            }
+            Some(_) => {}
+        }
+    }
+    first.map(|(ty, _)| ty).or(reset.then_some(Type::BOOL))
 }
 
 /// The tag that an operand names as a whole, if its type is not known yet.
@@ -110,10 +117,13 @@ fn untyped(scope: &Scope, node: &Node) -> Option<usize> {
 /// Rule 2, until no type changes: a type that is found here may give another. After the first round only blocks
 /// that name a tag whose type has just been found can say more.
 fn by_company(context: &mut Context) {
-    let all = context.networks.iter().enumerate();
-    let mut blocks: Vec<(usize, usize)> = all
-        .flat_map(|(network, facts)| (0..facts.blocks.len()).map(move |block| (network, block)))
+    let tags = context.scopes.iter().flat_map(|scope| &scope.tags);
+    let mut blocks: Vec<(usize, usize)> = tags
+        .filter(|tag| tag.ty.is_none())
+        .flat_map(|tag| tag.uses.iter().map(|place| (place.network, place.block)))
         .collect();
+    blocks.sort_unstable();
+    blocks.dedup();
     while !blocks.is_empty() {
         let mut found: Vec<(usize, usize, Scalar)> = Vec::new();
         for &(network, block) in &blocks {

@@ -46,7 +46,7 @@ pub fn link(
     own: &Arc<Analysis>,
     analysis: &dyn Fn(&str) -> Option<Arc<Analysis>>,
 ) -> Result<Arc<Program>, NotWhole> {
-    if let Some(program) = &own.program {
+    if let Some(program) = own.program() {
         return Ok(Arc::clone(program));
     }
     if own.has_errors() {
@@ -62,8 +62,7 @@ pub fn link(
             bodies: bodies.clone(),
         })
         .collect();
-    let mut found = Vec::new();
-    let resolved = resolve::program(&units, &mut found);
+    let resolved = resolve::program(&units);
     if resolved.unresolved.is_some() || !resolved.linked {
         return Err(NotWhole::Missing(Arc::clone(&own.name)));
     }

@@ -27,7 +27,7 @@ fn program(rungs: usize) -> String {
 
 fn session(text: &str, limits: HistoryLimits) -> Session {
     let analysis = analyze(&Arc::new(ladder_syntax::parse(text)), "bench.clad");
-    let program = analysis.program.clone().expect("a program without errors");
+    let program = analysis.program().cloned().expect("a program without errors");
     let simulation = Simulation::new(program, Options::default()).expect("a program that fits");
     Session::of(simulation, limits)
 }

@@ -24,7 +24,7 @@
 //! # use ladder_simulator::{Options, Simulation, Stepped};
 //! # let text = "+--[ ]( start )--( )( run )--+\n+--[ ]( run )--( )( lamp )--+\n";
 //! # let analysis = ladder_analysis::analyze(&ladder_syntax::parse(text).into(), "motor.clad");
-//! let mut simulation = Simulation::new(analysis.program.clone().unwrap(), Options::default())?;
+//! let mut simulation = Simulation::new(analysis.program().cloned().unwrap(), Options::default())?;
 //! let before = simulation.state();
 //! let mut blocks = Vec::new();
 //! while let Stepped::At(block) = simulation.step_block() {

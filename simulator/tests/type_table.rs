@@ -70,7 +70,7 @@ fn program(declarations: &str, rung: &str) -> Option<Simulation> {
         .iter()
         .filter(|found| found.severity == Severity::Error)
         .collect();
-    if let Some(program) = &analysis.program {
+    if let Some(program) = analysis.program() {
         return Some(Simulation::new(Arc::clone(program), Options::default()).unwrap());
     }
     assert!(

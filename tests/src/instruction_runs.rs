@@ -24,7 +24,7 @@ const WAVES: [&[&str]; 4] = [
 /// The example does not run, or its entry in the list of stimuli names what it does not have.
 pub fn table(row: &Instruction) -> String {
     let parsed = Arc::new(ladder_syntax::parse(row.example));
-    let program = ladder_analysis::analyze(&parsed, "example").program;
+    let program = ladder_analysis::analyze(&parsed, "example").program().cloned();
     let program = program.unwrap_or_else(|| panic!("the example of {}", row.signature()));
     let options = Options {
         interval: 1_000_000_000,

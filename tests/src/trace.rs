@@ -38,7 +38,7 @@ const UNUSED: &str = "nothing_uses_this";
 
 /// The program of a text; none if it has errors.
 pub fn compile(text: &str) -> Option<Arc<Program>> {
-    analyze(&Arc::new(parse(text)), "program").program
+    analyze(&Arc::new(parse(text)), "program").program().cloned()
 }
 
 /// The trace of a text that is a program.

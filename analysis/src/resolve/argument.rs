@@ -87,7 +87,7 @@ impl Resolver<'_, '_> {
                 Accepts::Function if row.op == Op::Fun => match &written.value.kind {
                     NodeKind::Name(name) => {
                         let own = self.context.function(&Name::new(name));
-                        own.map(|item| self.numbers.function(self.unit, &Callee::Own(item)))
+                        own.map(|item| self.function_number(&Callee::Own(item)))
                             .map(Argument::Function)
                     }
                     _ => self.argument(&written.value, operand),
@@ -398,7 +398,7 @@ impl Resolver<'_, '_> {
         };
         let key = Name::new(name);
         match self.context.jump_target(self.network, &key) {
-            Some(target) => Some(Argument::Label(self.numbers.network(self.unit, target))),
+            Some(target) => Some(Argument::Label(self.network_number(target))),
             None if self.is_in_function_shape() => Some(Argument::OuterLabel(key)),
             None => {
                 let diagnostic =
@@ -428,7 +428,7 @@ impl Resolver<'_, '_> {
             return None;
         }
         match self.context.callee(&Name::new(name)) {
-            Some(callee) => Some(Argument::Function(self.numbers.function(self.unit, &callee))),
+            Some(callee) => Some(Argument::Function(self.function_number(&callee))),
             None => {
                 let diagnostic = unknown_function::unknown(self.context, name, self.at(node.range));
                 self.report(diagnostic);

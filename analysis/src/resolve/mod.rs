@@ -14,12 +14,10 @@ mod times;
 pub use argument::in_class;
 pub use expression::is_function;
 
-use crate::context::{Body, Context};
+use crate::context::{Body, Callee, Context};
 use crate::diagnostic::Diagnostic;
 use crate::network::{BoundBlock, Meaning, NetworkFacts};
-use crate::program::{
-    Block, BlockKind, Element, Function, Location, Network, Program, Tag, TagId, UserBlock,
-};
+use crate::program::{Block, BlockKind, Element, Function, Location, Network, Program, TagId, UserBlock};
 use crate::scope::Scope;
 use ladder_instructions::Op;
 use ladder_syntax::{Name, TextRange, TextSize};
@@ -31,20 +29,22 @@ use std::ops::Range;
 pub(crate) struct Resolver<'c, 'o> {
     context: &'c Context,
     scope: &'c Scope,
-    /// The ids of the scope's tags.
-    ids: &'c [TagId],
-    /// The program's tags.
-    tags: &'c [Tag],
-    /// The program's files, and which of them this is.
-    files: &'c [String],
-    file: u32,
+    /// None while a file is only checked: then the numbers in what comes out mean nothing.
+    lowering: Option<Lowering<'c>>,
     /// Where the block's line starts.
     base: TextSize,
     network: usize,
-    numbers: &'c Numbers,
-    /// Which of the numbers' units this is.
-    unit: usize,
     out: &'o mut Vec<Diagnostic>,
+}
+
+/// The numbers by which a program knows what its files name.
+#[derive(Clone, Copy)]
+struct Lowering<'c> {
+    /// The ids of the scope's tags.
+    ids: &'c [TagId],
+    numbers: &'c Numbers,
+    /// Which of the numbers' units this is: also the number of its file.
+    unit: usize,
 }
 
 /// A program as it was resolved. It is whole only if no errors were found.
@@ -56,9 +56,29 @@ pub(crate) struct Resolved {
     pub(crate) linked: bool,
 }
 
-/// Resolves all networks of the units. What is wrong goes to `out`, for the first unit alone: the others were
-/// looked through by themselves.
-pub(crate) fn program(units: &[Unit<'_>], out: &mut Vec<Diagnostic>) -> Resolved {
+/// Resolves a network for the sake of its mistakes, which go to `out`. Gives the first block that could not be
+/// resolved whole.
+pub(crate) fn check(context: &Context, network: usize, out: &mut Vec<Diagnostic>) -> Option<TextRange> {
+    let facts = &context.networks[network];
+    let mut unresolved = None;
+    for bound in &facts.blocks {
+        let mut resolver = Resolver {
+            context,
+            scope: &context.scopes[facts.scope],
+            lowering: None,
+            base: bound.base,
+            network,
+            out: &mut *out,
+        };
+        if !is_whole(resolver.block(bound).as_ref(), bound) {
+            unresolved.get_or_insert(bound.range());
+        }
+    }
+    unresolved
+}
+
+/// Resolves all networks of the units, whose mistakes are told already.
+pub(crate) fn program(units: &[Unit<'_>]) -> Resolved {
     let numbers = Numbers::of(units);
     let mut program = Program {
         files: units.iter().map(|unit| unit.name.to_owned()).collect(),
@@ -66,10 +86,8 @@ pub(crate) fn program(units: &[Unit<'_>], out: &mut Vec<Diagnostic>) -> Resolved
     };
     let ids = tags::tags(units, &numbers, &mut program);
     let mut unresolved = None;
-    let mut elsewhere = Vec::new();
     for (index, unit) in units.iter().enumerate() {
-        let out = if index == 0 { &mut *out } else { &mut elsewhere };
-        let found = networks(unit, index, &numbers, &ids[index], &mut program, out);
+        let found = networks(unit, index, &numbers, &ids[index], &mut program);
         unresolved = unresolved.or(found);
     }
     bodies(units, &numbers, &ids, &mut program);
@@ -87,10 +105,10 @@ fn networks(
     numbers: &Numbers,
     ids: &[Vec<TagId>],
     program: &mut Program,
-    out: &mut Vec<Diagnostic>,
 ) -> Option<TextRange> {
     let context = unit.context;
     let mut unresolved = None;
+    let mut told = Vec::new();
     let mut lowered: Vec<(usize, Network)> = Vec::with_capacity(context.networks.len());
     for (network, facts) in context.networks.iter().enumerate() {
         let Some(number) = numbers.network(index, network) else {
@@ -101,21 +119,17 @@ fn networks(
             let mut resolver = Resolver {
                 context,
                 scope: &context.scopes[facts.scope],
-                ids: &ids[facts.scope],
-                tags: &program.tags,
-                files: &program.files,
-                file: index as u32,
+                lowering: Some(Lowering {
+                    ids: &ids[facts.scope],
+                    numbers,
+                    unit: index,
+                }),
                 base: bound.base,
                 network,
-                numbers,
-                unit: index,
-                out: &mut *out,
+                out: &mut told,
             };
             let block = resolver.block(bound);
-            let whole = block
-                .as_ref()
-                .is_some_and(|block| block.arguments.len() == bound.formals.len());
-            if !whole {
+            if !is_whole(block.as_ref(), bound) {
                 unresolved.get_or_insert(bound.range());
             }
             blocks.extend(block);
@@ -128,6 +142,11 @@ fn networks(
         .networks
         .extend(lowered.into_iter().map(|(_, network)| network));
     unresolved
+}
+
+/// Whether every operand of a block could be resolved.
+fn is_whole(block: Option<&Block>, bound: &BoundBlock) -> bool {
+    block.is_some_and(|block| block.arguments.len() == bound.formals.len())
 }
 
 fn lower(context: &Context, file: u32, facts: &NetworkFacts, blocks: Vec<Block>) -> Network {
@@ -240,7 +259,25 @@ impl Resolver<'_, '_> {
     }
 
     fn tag_id(&self, index: usize) -> TagId {
-        self.ids[index]
+        self.lowering
+            .map_or(TagId(index as u32), |lowering| lowering.ids[index])
+    }
+
+    /// The number of the network that a label of the file marks.
+    fn network_number(&self, network: usize) -> Option<usize> {
+        let lowering = self.lowering?;
+        lowering.numbers.network(lowering.unit, network)
+    }
+
+    fn function_number(&self, callee: &Callee) -> usize {
+        self.lowering
+            .map_or(0, |lowering| lowering.numbers.function(lowering.unit, callee))
+    }
+
+    fn block_number(&self, index: usize) -> usize {
+        self.lowering.map_or(0, |lowering| {
+            lowering.numbers.block(lowering.unit, self.context, index)
+        })
     }
 
     /// A block with its arguments. None if it is no known block, or cannot be read; the rules say so.
@@ -249,7 +286,7 @@ impl Resolver<'_, '_> {
             return None;
         }
         let location = Location {
-            file: self.file,
+            file: self.lowering.map_or(0, |lowering| lowering.unit as u32),
             range: bound.range(),
         };
         match bound.meaning {
@@ -268,7 +305,7 @@ impl Resolver<'_, '_> {
             Meaning::User(index) => {
                 let arguments = self.user_arguments(index, bound);
                 Some(Block {
-                    kind: BlockKind::User(self.numbers.block(self.unit, self.context, index)),
+                    kind: BlockKind::User(self.block_number(index)),
                     location,
                     arguments,
                     works_in: None,

@@ -263,17 +263,38 @@ impl Resolver<'_, '_> {
                 return false;
             }
             Place::Bit(base, ..) => return self.check_writable(base, node, access),
-            Place::Tag(tag) | Place::Element(tag, _) => *tag,
+            Place::Tag(_) | Place::Element(..) => self.written_tag(node),
         };
-        let tag = &self.tags[tag.0 as usize];
-        if tag.constant {
-            let file =
-                (tag.location.file != self.file).then(|| self.files[tag.location.file as usize].as_str());
-            let diagnostic = constant_write::constant(&tag.name, range, file, tag.location.range);
-            self.report(diagnostic);
-            return false;
+        let Some(tag) = tag.filter(|&tag| self.scope.tags[tag].constant) else {
+            return true;
+        };
+        let mut tag = &self.scope.tags[tag];
+        if let Some((scope, shared)) = tag.shared {
+            tag = &self.context.scopes[scope].tags[shared];
         }
-        true
+        let name = Name::new(&tag.name);
+        let elsewhere = match &tag.foreign {
+            Some(_) => self.context.others.globals(&name).next(),
+            None => None,
+        };
+        let (file, declared) = match elsewhere {
+            Some((file, global)) => (Some(&file.file), global.at),
+            None => (None, tag.at),
+        };
+        let diagnostic = constant_write::constant(&tag.name, range, file, declared);
+        self.report(diagnostic);
+        false
+    }
+
+    /// The scope's tag that a node is, or is a part of.
+    fn written_tag(&self, node: &Node) -> Option<usize> {
+        match &node.kind {
+            NodeKind::Index(base, _)
+            | NodeKind::Range(base, ..)
+            | NodeKind::Member(base, _)
+            | NodeKind::Paren(base) => self.written_tag(base),
+            _ => self.named_tag(node),
+        }
     }
 
     /// An integer value in its own type: a count, selector or index.

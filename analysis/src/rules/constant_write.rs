@@ -6,18 +6,19 @@ use ladder_syntax::TextRange;
 use std::sync::Arc;
 
 /// `file` is the one that declares it, if that is another.
-pub(crate) fn constant(name: &str, range: TextRange, file: Option<&str>, declared: TextRange) -> Diagnostic {
+pub(crate) fn constant(
+    name: &str,
+    range: TextRange,
+    file: Option<&Arc<str>>,
+    declared: TextRange,
+) -> Diagnostic {
     Diagnostic::new(
         Rule::ConstantWrite,
         range,
         format!("`{name}` is a constant: no block may write it"),
     )
     .help("declare it in a VAR section without CONSTANT, or write another tag")
-    .related_at(
-        file.map(Arc::from).as_ref(),
-        declared,
-        format!("`{name}` is declared CONSTANT here"),
-    )
+    .related_at(file, declared, format!("`{name}` is declared CONSTANT here"))
 }
 
 pub(crate) fn system(range: TextRange) -> Diagnostic {

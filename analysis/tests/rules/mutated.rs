@@ -84,8 +84,8 @@ fn check(text: &str) {
 
 /// A program that has no errors has every block of its networks.
 fn whole(text: &str, analysis: &Analysis) {
-    assert_eq!(analysis.program.is_some(), !analysis.has_errors());
-    let Some(program) = &analysis.program else { return };
+    assert_eq!(analysis.program().is_some(), !analysis.has_errors());
+    let Some(program) = analysis.program() else { return };
     for network in &program.networks {
         let steps = network
             .steps

@@ -30,7 +30,7 @@ fn check(text: &str, levels: &[(Rule, Level)], expected: Expect) {
         )
         .unwrap();
     }
-    if analysis.program.is_none() {
+    if analysis.program().is_none() {
         writeln!(out, "does not run").unwrap();
     }
     expected.assert_eq(&out);

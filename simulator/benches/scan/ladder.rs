@@ -24,7 +24,7 @@ impl Ladder {
         let text = text(sketch);
         let begin = Instant::now();
         let analysis = analyze(&Arc::new(ladder_syntax::parse(&text)), "bench.clad");
-        let Some(program) = analysis.program.clone() else {
+        let Some(program) = analysis.program().cloned() else {
             panic!("errors in the program: {:?}", analysis.diagnostics.first());
         };
         let analysed_in = begin.elapsed();

@@ -22,7 +22,8 @@ fn simulation(program: &str, interval: Option<i64>) -> Simulation {
     let parse = Arc::new(ladder_syntax::parse(program));
     let analysis = ladder_analysis::analyze(&parse, "motor.clad");
     let program = analysis
-        .program
+        .program()
+        .cloned()
         .unwrap_or_else(|| panic!("{:?}", analysis.diagnostics));
     let options = Options {
         interval: interval.unwrap_or(Options::default().interval),

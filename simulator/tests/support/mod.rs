@@ -15,7 +15,7 @@ pub(crate) fn simulation(text: &str) -> Simulation {
 /// The same with options.
 pub(crate) fn simulation_with(text: &str, options: Options) -> Simulation {
     let analysis = analyze(&Arc::new(syntax::parse(text)), "test.clad");
-    match analysis.program.clone() {
+    match analysis.program().cloned() {
         Some(program) => Simulation::new(program, options).unwrap_or_else(|error| panic!("{error}")),
         None => {
             let messages: Vec<&str> = analysis.diagnostics.iter().map(|d| d.message.as_str()).collect();

@@ -126,7 +126,7 @@ mod tests {
     fn the_ways_are_all_the_smallest_ones_and_no_other() {
         for text in SHAPES {
             let analysis = ladder_analysis::analyze(&Arc::new(ladder_syntax::parse(text)), "test.clad");
-            let program = analysis.program.clone().unwrap();
+            let program = analysis.program().cloned().unwrap();
             let network = &program.networks[0];
             let contacts = network.blocks.len() - 1;
             let coil = network
