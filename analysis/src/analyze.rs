@@ -72,13 +72,22 @@ pub fn analyze_in(parse: &Arc<Parse>, name: &str, others: &Others) -> Analysis {
 
 /// As [`analyze_in()`], with settings of the rules.
 pub fn analyze_with(parse: &Arc<Parse>, name: &str, others: &Others, settings: &RuleSettings) -> Analysis {
+    analyze_after(None, parse, name, others, settings)
+}
+
+/// As [`analyze_with()`], for a text that came from another one by edits: what both have is taken over from the
+/// analysis of the earlier one. What comes out does not hang on it.
+pub fn analyze_after(
+    before: Option<&Analysis>,
+    parse: &Arc<Parse>,
+    name: &str,
+    others: &Others,
+    settings: &RuleSettings,
+) -> Analysis {
     let mut diagnostics = Vec::new();
-    let context = context(parse, others, &mut diagnostics);
-    let mut unresolved = None;
-    for network in 0..context.networks.len() {
-        let found = resolve::check(&context, network, &mut diagnostics);
-        unresolved = unresolved.or(found);
-    }
+    let before = before.map(|before| &before.context);
+    let context = context(parse, others, before, &mut diagnostics);
+    let unresolved = resolve::check_all(&context, &mut diagnostics);
     rules::check(&context, settings, &mut diagnostics);
     rules::unclosed_comment::hide_what_follows(parse, &mut diagnostics);
     let hidden_errors = lint::apply(&context, settings, &mut diagnostics);

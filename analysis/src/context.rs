@@ -4,6 +4,7 @@ use crate::declare;
 use crate::diagnostic::Diagnostic;
 use crate::facts::NodeKind;
 use crate::infer;
+use crate::kept::Kept;
 use crate::known_blocks::KnownBlocks;
 use crate::network::{self, NetworkFacts};
 use crate::others::{Import, Others};
@@ -26,7 +27,7 @@ pub struct Context {
     /// The parse that all of it was read off.
     pub parse: Arc<Parse>,
     /// The networks, as in the structure.
-    pub networks: Vec<NetworkFacts>,
+    pub networks: Vec<Arc<NetworkFacts>>,
     /// The file's scope, then one for each block definition.
     pub scopes: Vec<Scope>,
     /// The definitions of user-defined blocks: the file's own as in the structure, then those of other files that
@@ -142,9 +143,15 @@ impl Context {
     }
 }
 
-/// Reads a file's names, networks and blocks. What is wrong with declarations goes to `out`.
-pub fn context(parse: &Arc<Parse>, others: &Others, out: &mut Vec<Diagnostic>) -> Context {
-    let mut context = skeleton(parse, others, out);
+/// Reads a file's names, networks and blocks. What is wrong with declarations goes to `out`. What an earlier text
+/// had as well is taken from its context.
+pub fn context(
+    parse: &Arc<Parse>,
+    others: &Others,
+    before: Option<&Context>,
+    out: &mut Vec<Diagnostic>,
+) -> Context {
+    let mut context = skeleton(parse, others, before, out);
     uses::collect(&mut context);
     shared::share(&mut context, out);
     infer::infer(&mut context, out);
@@ -152,7 +159,12 @@ pub fn context(parse: &Arc<Parse>, others: &Others, out: &mut Vec<Diagnostic>) -
 }
 
 /// The context before any use of a tag is looked at: declarations, blocks, networks, functions and labels.
-pub(crate) fn skeleton(parse: &Arc<Parse>, others: &Others, out: &mut Vec<Diagnostic>) -> Context {
+pub(crate) fn skeleton(
+    parse: &Arc<Parse>,
+    others: &Others,
+    before: Option<&Context>,
+    out: &mut Vec<Diagnostic>,
+) -> Context {
     let structure = parse.structure();
     let mut scopes = vec![Scope::default()];
     scopes.extend(structure.blocks.iter().enumerate().map(|(index, definition)| {
@@ -179,11 +191,12 @@ pub(crate) fn skeleton(parse: &Arc<Parse>, others: &Others, out: &mut Vec<Diagno
         .collect();
     let own_blocks = user_blocks.len();
     let mut known = KnownBlocks::new(user_blocks, others);
-    let mut networks: Vec<NetworkFacts> = structure
-        .networks
-        .iter()
-        .map(|n| network::network(parse, n, &mut known))
-        .collect();
+    let mut networks: Vec<Arc<NetworkFacts>> = Vec::with_capacity(structure.networks.len());
+    let mut kept = before.map(|before| Kept::of(before, parse));
+    for drawn in &structure.networks {
+        let same = kept.as_mut().and_then(|kept| kept.network(drawn));
+        networks.push(same.unwrap_or_else(|| Arc::new(network::network(parse, drawn, &mut known))));
+    }
     break_neighbours(parse, &mut networks);
     let mut context = Context {
         parse: Arc::clone(parse),
@@ -204,8 +217,11 @@ pub(crate) fn skeleton(parse: &Arc<Parse>, others: &Others, out: &mut Vec<Diagno
 }
 
 /// The first rung below an open `\`, or above an open `/`, was probably meant to belong to the network.
-fn break_neighbours(parse: &Parse, networks: &mut [NetworkFacts]) {
+fn break_neighbours(parse: &Parse, networks: &mut [Arc<NetworkFacts>]) {
     for index in 0..networks.len() {
+        if networks[index].wiring.unpaired.is_empty() {
+            continue;
+        }
         let wiring = &networks[index].wiring;
         let last = wiring.rungs.len() - 1;
         let open = |rung: usize, kind| {
@@ -215,16 +231,16 @@ fn break_neighbours(parse: &Parse, networks: &mut [NetworkFacts]) {
                 .any(|&(r, part)| r == rung && wiring.rungs[r].parts[part].kind == kind)
         };
         let below = open(last, PartKind::Down)
-            .then(|| rung_below(parse, wiring.lines[last]))
+            .then(|| rung_below(parse, networks[index].line(last)))
             .flatten();
         let above = open(0, PartKind::Up)
-            .then(|| rung_above(parse, wiring.lines[0]))
+            .then(|| rung_above(parse, networks[index].line(0)))
             .flatten();
         if below.is_some() && index + 1 < networks.len() {
-            networks[index + 1].broken = true;
+            Arc::make_mut(&mut networks[index + 1]).broken = true;
         }
         if above.is_some() && index > 0 {
-            networks[index - 1].broken = true;
+            Arc::make_mut(&mut networks[index - 1]).broken = true;
         }
     }
 }
@@ -290,7 +306,7 @@ fn bodies(context: &mut Context) {
             (None, _) => current,
             (Some(_), Some((_, function))) => {
                 // It runs with the tags of the file.
-                network.scope = 0;
+                set_scope(network, 0);
                 Body::Function(function)
             }
             (Some(block), None) => Body::Block(block),
@@ -305,6 +321,12 @@ fn bodies(context: &mut Context) {
             .functions_by_name
             .entry(function.key.clone())
             .or_insert(index);
+    }
+}
+
+fn set_scope(network: &mut Arc<NetworkFacts>, scope: usize) {
+    if network.scope != scope {
+        Arc::make_mut(network).scope = scope;
     }
 }
 

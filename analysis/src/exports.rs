@@ -90,7 +90,7 @@ impl Global {
 
 /// What a file shows to the others. `file` is its name in messages.
 pub fn exports(parse: &Arc<Parse>, file: &str) -> Exports {
-    Exports::of(&skeleton(parse, &Others::default(), &mut Vec::new()), file)
+    Exports::of(&skeleton(parse, &Others::default(), None, &mut Vec::new()), file)
 }
 
 impl Exports {
@@ -209,7 +209,7 @@ fn states(context: &Context) -> Vec<(Name, TextRange)> {
     for network in &context.networks {
         let scope = &context.scopes[network.scope];
         for bound in &network.blocks {
-            for (operand, formal) in bound.facts.operands.iter().zip(&bound.formals) {
+            for (operand, formal) in bound.facts.operands.iter().zip(bound.formals.iter()) {
                 let (Formal::Operand(row), NodeKind::Name(name)) = (formal, &operand.value.kind) else {
                     continue;
                 };

@@ -150,7 +150,7 @@ fn company(scope: &Scope, bound: &BoundBlock, mut give: impl FnMut(usize, Scalar
     if bound.faulty {
         return;
     }
-    let operands = || bound.facts.operands.iter().zip(&bound.formals);
+    let operands = || bound.facts.operands.iter().zip(bound.formals.iter());
     let told = |asked: fn(Accepts) -> bool| {
         operands()
             .filter(|(_, formal)| matches!(formal, Formal::Operand(o) if asked(o.accepts)))

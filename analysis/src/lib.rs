@@ -27,6 +27,7 @@ pub mod fix;
 mod infer;
 #[cfg(test)]
 mod infer_tests;
+mod kept;
 mod known_blocks;
 mod link;
 mod lint;
@@ -49,7 +50,7 @@ pub mod user_block;
 mod uses;
 pub mod value;
 
-pub use analyze::{Analysis, analyze, analyze_in, analyze_with};
+pub use analyze::{Analysis, analyze, analyze_after, analyze_in, analyze_with};
 pub use diagnostic::{Diagnostic, Fix, Related};
 pub use exports::{ExportedBlock, ExportedFunction, Exports, Global, exports};
 pub use infer::member as state_member;

@@ -4,17 +4,21 @@
 use crate::facts::{self, BlockFacts, Head};
 use crate::known_blocks::KnownBlocks;
 use crate::order::{Order, order};
-use ladder_instructions::{Instruction, Op, Operand, lookup};
+use crate::resolve::Verdict;
+use ladder_instructions::{Accepts, Instruction, Op, Operand, lookup};
 use ladder_syntax::wiring::{PartKind, Wiring, wiring};
 use ladder_syntax::{Name, Network, Parse, Place, SyntaxError, SyntaxErrorKind, TextRange, TextSize};
+use std::sync::Arc;
 
 /// A network, its wiring, order and blocks.
 #[derive(Debug, Clone)]
 pub struct NetworkFacts {
+    /// Its first line, as in the parse: that of its first rung.
+    pub first_line: usize,
     /// The drawing and its connector pairs.
-    pub wiring: Wiring,
+    pub wiring: Arc<Wiring>,
     /// The order of evaluation.
-    pub order: Order,
+    pub order: Arc<Order>,
     /// The blocks from left to right, top to bottom.
     pub blocks: Vec<BoundBlock>,
     /// From the first rung to the last, line ends included.
@@ -24,19 +28,24 @@ pub struct NetworkFacts {
     /// Its text, or that of the rung which should be joined to it, has a mistake in the drawing (an unclosed
     /// block, a stray character, a connector without its partner), so that wiring says little about what is meant.
     pub broken: bool,
+    /// As `broken`, by its own text alone.
+    pub(crate) broken_by_itself: bool,
+    /// Its operands name tags, and neither labels nor functions nor parameters of user-defined blocks.
+    pub(crate) names_tags_only: bool,
+    pub(crate) verdict: Verdict,
 }
 
 /// A block and what it means.
 #[derive(Debug, Clone)]
 pub struct BoundBlock {
     /// As it is written. Ranges count from the start of its line.
-    pub facts: BlockFacts,
+    pub facts: Arc<BlockFacts>,
     /// Where its line starts.
     pub base: TextSize,
     /// Which instruction or user-defined block it is.
     pub meaning: Meaning,
     /// For each operand, as they stand, what it is given for.
-    pub formals: Vec<Formal>,
+    pub formals: Arc<[Formal]>,
     /// The parser found a mistake in it: rules about its operands would only repeat it.
     pub faulty: bool,
 }
@@ -126,9 +135,33 @@ impl BoundBlock {
 }
 
 impl NetworkFacts {
+    /// The line of a rung, as in the parse.
+    pub fn line(&self, rung: usize) -> usize {
+        self.first_line + self.wiring.line_offsets[rung]
+    }
+
+    /// The same network where other lines stand above it: so many lines and bytes further down.
+    pub(crate) fn moved(&self, lines: isize, bytes: i64) -> NetworkFacts {
+        let to = |at: TextSize| TextSize::new((i64::from(u32::from(at)) + bytes) as u32);
+        let mut moved = self.clone();
+        moved.first_line = self.first_line.wrapping_add_signed(lines);
+        moved.range = TextRange::new(to(self.range.start()), to(self.range.end()));
+        for bound in &mut moved.blocks {
+            bound.base = to(bound.base);
+        }
+        moved
+    }
+
+    /// Whether nothing but its own lines decides what is known of it: it holds no user-defined block, whose meaning
+    /// hangs on its definition.
+    pub(crate) fn stands_alone(&self) -> bool {
+        let user = |bound: &BoundBlock| matches!(bound.facts.head, Head::User(_));
+        !self.blocks.iter().any(user)
+    }
+
     /// A part of a rung, counted from the start of the file.
     pub fn part_range(&self, parse: &Parse, rung: usize, part: usize) -> TextRange {
-        self.wiring.rungs[rung].parts[part].range + parse.line_start(self.wiring.lines[rung])
+        self.wiring.rungs[rung].parts[part].range + parse.line_start(self.line(rung))
     }
 }
 
@@ -137,7 +170,8 @@ pub(crate) fn network(parse: &Parse, network: &Network, known: &mut KnownBlocks<
     let wiring = wiring(parse, network);
     let order = order(&wiring);
     let mut blocks = Vec::new();
-    for (rung, &line) in wiring.lines.iter().enumerate() {
+    for (rung, offset) in wiring.line_offsets.iter().enumerate() {
+        let line = network.lines.start + offset;
         let parts = wiring.rungs[rung].connectors(PartKind::Block);
         let mut mistakes: Vec<TextRange> = parse.lines()[line].errors.iter().map(|e| e.range).collect();
         mistakes.sort_unstable_by_key(|range| range.start());
@@ -155,13 +189,24 @@ pub(crate) fn network(parse: &Parse, network: &Network, known: &mut KnownBlocks<
         parse.line_start(network.lines.start),
         parse.line_range(network.lines.end - 1).end(),
     );
+    let names_tags_only = blocks.iter().all(|bound| {
+        let names_tag = |formal: &Formal| match formal {
+            Formal::Operand(row) => !matches!(row.accepts, Accepts::Label | Accepts::Function),
+            _ => false,
+        };
+        matches!(bound.facts.head, Head::Mnemonic(_)) && bound.formals.iter().all(names_tag)
+    });
     NetworkFacts {
-        wiring,
-        order,
+        first_line: network.lines.start,
+        wiring: Arc::new(wiring),
+        order: Arc::new(order),
         blocks,
         range,
         scope: network.block.map_or(0, |block| block + 1),
         broken,
+        broken_by_itself: broken,
+        names_tags_only,
+        verdict: Verdict::default(),
     }
 }
 
@@ -252,7 +297,7 @@ fn bind(facts: BlockFacts, base: TextSize, known: &mut KnownBlocks<'_>, faulty: 
         })
         .collect();
     BoundBlock {
-        facts,
+        facts: Arc::new(facts),
         base,
         meaning,
         formals,

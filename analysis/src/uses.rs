@@ -16,7 +16,9 @@ pub(crate) fn collect(context: &mut Context) {
     for (network, facts) in context.networks.iter().enumerate() {
         let scope = &mut context.scopes[facts.scope];
         for (block, bound) in facts.blocks.iter().enumerate() {
-            for (operand, (written, formal)) in bound.facts.operands.iter().zip(&bound.formals).enumerate() {
+            for (operand, (written, formal)) in
+                bound.facts.operands.iter().zip(bound.formals.iter()).enumerate()
+            {
                 let Some(access) = access(bound, *formal, &context.user_blocks) else {
                     continue;
                 };
@@ -162,7 +164,7 @@ fn tag(name: &str, range: TextRange, access: Access, part: Part, place: &Place<'
 
 /// An undeclared BOOL that is read and never written is an input; one that coils write and nothing reads is an
 /// output (LANGUAGE §4). Types are not known yet: only BOOL places make a tag either, and infer checks.
-fn roles(scope: &mut Scope, networks: &[crate::network::NetworkFacts]) {
+fn roles(scope: &mut Scope, networks: &[std::sync::Arc<crate::network::NetworkFacts>]) {
     for tag in &mut scope.tags {
         if tag.origin != Origin::Undeclared {
             continue;

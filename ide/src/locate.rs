@@ -31,7 +31,8 @@ pub(crate) fn on_rung(context: &Context, offset: TextSize) -> Option<OnRung<'_>>
         .networks
         .partition_point(|network| network.lines.end <= line);
     let network = context.networks.get(number)?;
-    let rung = network.wiring.lines.iter().position(|&l| l == line)?;
+    let below = line.checked_sub(network.first_line)?;
+    let rung = network.wiring.line_offsets.binary_search(&below).ok()?;
     let within = offset - parse.line_start(line);
     let parts = &network.wiring.rungs[rung].parts;
     let first = parts.partition_point(|part| part.range.end() < within);

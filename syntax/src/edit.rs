@@ -55,6 +55,21 @@ impl Parse {
         self.spliced(text, first..resume, new_lines, &new_starts, new_end, edit.end)
     }
 
+    /// The parse of a text that came from this one's, `old`, in whatever way: what lies between the beginning and the
+    /// end that both have in common counts as one edit.
+    #[must_use]
+    pub fn updated(&self, old: &str, new: &str) -> Parse {
+        let above = floor(new, common_prefix(old.as_bytes(), new.as_bytes()));
+        let (old_rest, new_rest) = (&old.as_bytes()[above..], &new.as_bytes()[above..]);
+        let mut below = common_suffix(old_rest, new_rest);
+        while !new.is_char_boundary(new.len() - below) {
+            below -= 1;
+        }
+        let size = |bytes: usize| TextSize::new(bytes as u32);
+        let range = TextRange::new(size(above), size(old.len() - below));
+        self.edited(new, range, size(new.len() - below - above))
+    }
+
     /// The line to start again from: one that begins a physical line before the edit, and that no line before it
     /// has looked at.
     fn first_touched(&self, edit: usize) -> usize {
@@ -104,6 +119,34 @@ impl Parse {
         let root = chunks::edited_root(self.green(), &lines, &old, &new_range);
         Parse::new(root, Lines::new(text, lines, starts))
     }
+}
+
+/// The next character boundary at or before an offset. (In two texts with one beginning it is the same for both.)
+fn floor(text: &str, mut offset: usize) -> usize {
+    while !text.is_char_boundary(offset) {
+        offset -= 1;
+    }
+    offset
+}
+
+/// Bytes that are compared at once: whole stretches are what makes a comparison fast.
+const STRETCH: usize = 1024;
+
+fn common_prefix(a: &[u8], b: &[u8]) -> usize {
+    let stretches = a.chunks_exact(STRETCH).zip(b.chunks_exact(STRETCH));
+    let same = STRETCH * stretches.take_while(|(a, b)| a == b).count();
+    let rest = a[same..].iter().zip(&b[same..]);
+    same + rest.take_while(|(a, b)| a == b).count()
+}
+
+fn common_suffix(a: &[u8], b: &[u8]) -> usize {
+    let stretches = a.rchunks_exact(STRETCH).zip(b.rchunks_exact(STRETCH));
+    let same = STRETCH * stretches.take_while(|(a, b)| a == b).count();
+    let rest = a[..a.len() - same]
+        .iter()
+        .rev()
+        .zip(b[..b.len() - same].iter().rev());
+    same + rest.take_while(|(a, b)| a == b).count()
 }
 
 /// Whether a line's parse may have looked at lines behind it: a declaration that lacks something was read on to see

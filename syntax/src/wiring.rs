@@ -113,8 +113,9 @@ pub struct Point {
 /// The wiring of one network.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
 pub struct Wiring {
-    /// The number of the line of each rung, in the parse that it came from.
-    pub lines: Vec<usize>,
+    /// For each rung how many lines below the network's first line it stands. So the wiring is that of the lines
+    /// alone, wherever in a file they are.
+    pub line_offsets: Vec<usize>,
     /// The rungs from top to bottom.
     pub rungs: Vec<Rung>,
     /// The pairs, by rung and then from left to right.
@@ -127,7 +128,7 @@ pub struct Wiring {
 pub fn wiring(parse: &Parse, network: &Network) -> Wiring {
     let mut wiring = Wiring::default();
     for line in network.rungs(parse.lines()) {
-        wiring.lines.push(line);
+        wiring.line_offsets.push(line - network.lines.start);
         wiring.rungs.push(rung(&parse.lines()[line]));
     }
     pair(&mut wiring);

@@ -366,7 +366,7 @@ impl Reader<'_> {
 
     /// What a block writes has another value from here on.
     fn writes(&mut self, bound: &BoundBlock) {
-        for (operand, formal) in bound.facts.operands.iter().zip(&bound.formals) {
+        for (operand, formal) in bound.facts.operands.iter().zip(bound.formals.iter()) {
             let access = access(bound, *formal, &self.context.user_blocks);
             if access.is_some_and(Access::writes)
                 && !matches!(formal, Formal::Unknown)

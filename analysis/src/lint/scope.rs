@@ -52,7 +52,8 @@ pub(super) fn allows(context: &Context, out: &mut Vec<Diagnostic>) -> Vec<Allow>
                 read_line(parse, line, || facts.range, &mut allows, out);
             }
         }
-        for (rung, &line) in facts.wiring.rungs.iter().zip(&facts.wiring.lines) {
+        for (number, rung) in facts.wiring.rungs.iter().enumerate() {
+            let line = facts.line(number);
             let aside =
                 |part: &ladder_syntax::wiring::Part| part.kind == PartKind::Comment && part.segment.is_none();
             if rung.parts.iter().any(aside) {

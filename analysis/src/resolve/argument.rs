@@ -39,7 +39,7 @@ impl Resolver<'_, '_> {
         let mut works_in = None;
         let mut arguments = Vec::with_capacity(bound.formals.len());
         let compared = self.compared_type(bound);
-        for (written, formal) in bound.facts.operands.iter().zip(&bound.formals) {
+        for (written, formal) in bound.facts.operands.iter().zip(bound.formals.iter()) {
             let Formal::Operand(operand) = *formal else {
                 continue;
             };
@@ -174,7 +174,7 @@ impl Resolver<'_, '_> {
             .facts
             .operands
             .iter()
-            .zip(&bound.formals)
+            .zip(bound.formals.iter())
             .filter(|(_, formal)| matches!(formal, Formal::Operand(o) if o.accepts == Accepts::Compared))
             .map(|(operand, _)| &operand.value)
             .collect();
@@ -451,7 +451,7 @@ impl Resolver<'_, '_> {
         let facts = &context.user_blocks[block];
         let mut arguments: Vec<Bound> = Vec::with_capacity(facts.parameters.len());
         let mut given = vec![false; facts.parameters.len()];
-        for (written, formal) in bound.facts.operands.iter().zip(&bound.formals) {
+        for (written, formal) in bound.facts.operands.iter().zip(bound.formals.iter()) {
             let Formal::Parameter(index) = *formal else {
                 continue;
             };

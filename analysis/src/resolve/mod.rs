@@ -10,9 +10,11 @@ pub(crate) mod numbers;
 mod place;
 mod tags;
 mod times;
+mod verdict;
 
 pub use argument::in_class;
 pub use expression::is_function;
+pub(crate) use verdict::{Verdict, check_all};
 
 use crate::context::{Body, Callee, Context};
 use crate::diagnostic::Diagnostic;
@@ -58,7 +60,7 @@ pub(crate) struct Resolved {
 
 /// Resolves a network for the sake of its mistakes, which go to `out`. Gives the first block that could not be
 /// resolved whole.
-pub(crate) fn check(context: &Context, network: usize, out: &mut Vec<Diagnostic>) -> Option<TextRange> {
+fn check(context: &Context, network: usize, out: &mut Vec<Diagnostic>) -> Option<TextRange> {
     let facts = &context.networks[network];
     let mut unresolved = None;
     for bound in &facts.blocks {

@@ -30,7 +30,7 @@ impl Resolver<'_, '_> {
         {
             return true;
         }
-        let operands = bound.facts.operands.iter().zip(&bound.formals);
+        let operands = bound.facts.operands.iter().zip(bound.formals.iter());
         let values = operands.filter(
             |(_, formal)| matches!(formal, Formal::Operand(operand) if operand.accepts == Accepts::Value),
         );

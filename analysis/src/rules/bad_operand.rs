@@ -15,7 +15,7 @@ pub(crate) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
         if bound.faulty {
             continue;
         }
-        for (operand, formal) in bound.facts.operands.iter().zip(&bound.formals) {
+        for (operand, formal) in bound.facts.operands.iter().zip(bound.formals.iter()) {
             let Some(name) = &operand.name else { continue };
             let is_read = match (*formal, bound.meaning) {
                 (Formal::UnknownName, Meaning::User(block)) if context.user_blocks[block].doubtful => {

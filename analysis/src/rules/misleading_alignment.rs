@@ -33,7 +33,7 @@ fn misleading(context: &Context, network: &NetworkFacts, points: &[Point]) -> Op
     let starts = |rung: usize, part: usize| wiring.rungs[rung].parts[part].range.start();
     let of_rung = |rung: usize, part: fn(&Point) -> usize| {
         let offsets = points.iter().map(|point| starts(rung, part(point)));
-        columns(&context.parse, wiring.lines[rung], offsets)
+        columns(&context.parse, network.line(rung), offsets)
     };
     let downs = of_rung(upper, |point| point.down);
     let ups = of_rung(upper + 1, |point| point.up);

@@ -11,7 +11,7 @@ pub(crate) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
     for network in &context.networks {
         for (rung, drawing) in network.wiring.rungs.iter().enumerate() {
             let is_stray = |part: &Part| matches!(part.kind, PartKind::StrayRail | PartKind::StrayBar);
-            let line = &context.parse.lines()[network.wiring.lines[rung]];
+            let line = &context.parse.lines()[network.line(rung)];
             if !drawing.parts.iter().any(is_stray) || line.errors.iter().any(breaks_drawing) {
                 continue;
             }

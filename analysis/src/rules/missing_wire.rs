@@ -14,7 +14,7 @@ pub(crate) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
         // Blocks stand in the order of the rungs and parts, so one index follows them.
         let mut block = 0;
         for (rung, drawing) in network.wiring.rungs.iter().enumerate() {
-            let line = network.wiring.lines[rung];
+            let line = network.line(rung);
             let start = context.parse.line_start(line);
             // Where a bracket is missing, two blocks touch because of that.
             let misread = context.parse.lines()[line].errors.iter().any(breaks_drawing);

@@ -72,7 +72,7 @@ impl<'c> Reach<'c> {
 
     fn range(&self, rung: usize, first: usize, last: usize) -> TextRange {
         let range = self.part(rung, first).range.cover(self.part(rung, last).range);
-        range + self.context.parse.line_start(self.network.wiring.lines[rung])
+        range + self.context.parse.line_start(self.network.line(rung))
     }
 
     /// The finding for a segment that begins without power, if the power is lost there.
@@ -145,7 +145,7 @@ impl<'c> Reach<'c> {
             }
         }
         let line = |rung: usize| {
-            let line = self.network.wiring.lines[rung];
+            let line = self.network.line(rung);
             self.context.line_number(self.context.parse.line_start(line))
         };
         let message = format!(
@@ -206,7 +206,7 @@ impl<'c> Reach<'c> {
         if !self.live[rung][before] || said {
             return None;
         }
-        let start = self.context.parse.line_start(self.network.wiring.lines[rung]);
+        let start = self.context.parse.line_start(self.network.line(rung));
         let gap = TextRange::new(
             self.part(rung, before).range.end(),
             self.part(rung, first).range.start(),
@@ -244,7 +244,7 @@ impl<'c> Reach<'c> {
     /// Lets the line begin at the left rail.
     fn with_rail(&self, rung: usize, found: Diagnostic) -> Diagnostic {
         let first = &self.network.wiring.rungs[rung].parts[self.segments(rung)[0].parts.start];
-        let start = self.context.parse.line_start(self.network.wiring.lines[rung]);
+        let start = self.context.parse.line_start(self.network.line(rung));
         let title = "Begin at the left rail";
         let bar = &self.network.wiring.rungs[rung].parts[0];
         if bar.kind == PartKind::Bar {

@@ -82,7 +82,7 @@ fn tags_read(context: &Context, network: usize) -> FxHashSet<(usize, usize)> {
     let network = &context.networks[network];
     let mut found = FxHashSet::default();
     for bound in &network.blocks {
-        for (operand, formal) in bound.facts.operands.iter().zip(&bound.formals) {
+        for (operand, formal) in bound.facts.operands.iter().zip(bound.formals.iter()) {
             if access(bound, *formal, &context.user_blocks).is_some_and(Access::reads) {
                 each_tag(&operand.value, &mut |name| {
                     found.extend(tag(context, network.scope, name).map(|(id, _)| id));

@@ -8,7 +8,7 @@ use crate::rule::Rule;
 use ladder_instructions::Direction;
 
 pub(super) fn check(context: &Context, bound: &BoundBlock, out: &mut Vec<Diagnostic>) {
-    for (operand, formal) in bound.facts.operands.iter().zip(&bound.formals) {
+    for (operand, formal) in bound.facts.operands.iter().zip(bound.formals.iter()) {
         let (Some(name), false) = (&operand.name, operand.arrow) else {
             continue;
         };

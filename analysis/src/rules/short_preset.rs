@@ -14,7 +14,7 @@ const MILLISECOND: i128 = 1_000_000;
 
 pub(super) fn check(place: &Place<'_>, out: &mut Vec<Diagnostic>) {
     let bound = place.bound;
-    let mut operands = bound.facts.operands.iter().zip(&bound.formals);
+    let mut operands = bound.facts.operands.iter().zip(bound.formals.iter());
     let Some((operand, _)) = operands
         .find(|(_, formal)| matches!(formal, Formal::Operand(row) if row.accepts == Accepts::Duration))
     else {

@@ -21,7 +21,7 @@ pub(crate) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
                     .iter()
                     .any(|&(_, part)| wiring.rungs[rung].parts[part].kind == kind)
                 {
-                    unpaired(context, wiring.lines[rung], kind, out);
+                    unpaired(context, network.line(rung), kind, out);
                 }
             }
         }

@@ -80,7 +80,8 @@ fn drawing(parse: &Parse, text: &str) -> Vec<String> {
     for network in &parse.structure().networks {
         let wiring = wiring(parse, network);
         let mut out = format!("block {:?}; {} unpaired;", network.block, wiring.unpaired.len());
-        for (line, rung) in wiring.lines.iter().zip(&wiring.rungs) {
+        for (offset, rung) in wiring.line_offsets.iter().zip(&wiring.rungs) {
+            let line = network.lines.start + offset;
             let start = usize::from(parse.line_start(*line));
             let mut segment = None;
             for (index, part) in rung.parts.iter().enumerate() {

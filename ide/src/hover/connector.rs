@@ -22,7 +22,7 @@ pub(super) fn hover(context: &Context, place: &OnRung<'_>) -> Hover {
     let markdown = match point {
         Some(point) => {
             let rung = if down { point.upper + 1 } else { point.upper };
-            let there = context.line_number(context.parse.line_start(wiring.lines[rung]));
+            let there = context.line_number(context.parse.line_start(network.line(rung)));
             let way = if down { "below" } else { "above" };
             format!(
                 "Connector: the {} `{own}` of this line is joined with the {} `{partner}` of line {there} {way}.\n\n\

@@ -58,10 +58,10 @@ pub(super) fn figure(network: &NetworkFacts, words: &Words<'_>) -> Figure {
         .collect();
     for (number, rung) in network.wiring.rungs.iter().enumerate() {
         let before = match number.checked_sub(1) {
-            Some(before) => network.wiring.lines[before] + 1,
-            None => network.wiring.lines[number],
+            Some(before) => network.line(before) + 1,
+            None => network.line(number),
         };
-        let between = before..network.wiring.lines[number];
+        let between = before..network.line(number);
         figure
             .above
             .push(between.flat_map(|line| words.comments_of(line)).collect());

@@ -1,0 +1,88 @@
+//! What an edit leaves as it was: the networks on whose lines nothing has changed.
+//!
+//! A line that an edit does not touch keeps its green node ([`Parse::edited`]), and what is known of a network by
+//! itself follows from its lines' nodes. So two texts are compared by their nodes' addresses: the lines that both
+//! begin with, and those that both end with.
+
+use crate::context::Context;
+use crate::network::NetworkFacts;
+use ladder_syntax::{Line, Network, Parse};
+use std::sync::Arc;
+
+/// What an earlier context has that a new text has as well.
+pub(crate) struct Kept<'c> {
+    before: &'c Context,
+    /// How many lines both texts begin with.
+    above: usize,
+    /// From which line on the new text ends as the old one does.
+    below: usize,
+    /// How many more lines, and bytes, the new text has.
+    lines: isize,
+    bytes: i64,
+    /// The old network to look at next.
+    next: usize,
+}
+
+impl<'c> Kept<'c> {
+    pub(crate) fn of(before: &'c Context, parse: &Parse) -> Kept<'c> {
+        let (old, new) = (before.parse.lines(), parse.lines());
+        let same = |(old, new): &(&Line, &Line)| is_same(old, new);
+        let above = old.iter().zip(new).take_while(same).count();
+        let rests = old[above..].iter().rev().zip(new[above..].iter().rev());
+        let below = new.len() - rests.take_while(same).count();
+        let len = |parse: &Parse| i64::from(u32::from(parse.text_len()));
+        Kept {
+            before,
+            above,
+            below,
+            lines: new.len() as isize - old.len() as isize,
+            bytes: len(parse) - len(&before.parse),
+            next: 0,
+        }
+    }
+
+    /// What is known of a network of the new text, if the old one has it too. To be asked from top to bottom.
+    pub(crate) fn network(&mut self, drawn: &Network) -> Option<Arc<NetworkFacts>> {
+        let moved = drawn.lines.start >= self.below;
+        if drawn.lines.end > self.above && !moved {
+            return None;
+        }
+        let by = if moved { self.lines } else { 0 };
+        let first = drawn.lines.start.wrapping_add_signed(-by);
+        let networks = &self.before.parse.structure().networks;
+        // Nearly always it is the very next one.
+        if networks
+            .get(self.next)
+            .is_none_or(|next| next.lines.start != first)
+        {
+            self.next = networks.partition_point(|old| old.lines.start < first);
+        }
+        let old = networks.get(self.next)?;
+        if old.lines.start != first || old.lines.len() != drawn.lines.len() {
+            return None;
+        }
+        let facts = &self.before.networks[self.next];
+        if !facts.stands_alone() {
+            return None;
+        }
+        self.next += 1;
+        let scope = drawn.block.map_or(0, |block| block + 1);
+        let in_place = !moved || (self.lines == 0 && self.bytes == 0);
+        if in_place && facts.scope == scope && facts.broken == facts.broken_by_itself {
+            return Some(Arc::clone(facts));
+        }
+        let mut facts = if moved {
+            facts.moved(self.lines, self.bytes)
+        } else {
+            NetworkFacts::clone(facts)
+        };
+        facts.scope = scope;
+        facts.broken = facts.broken_by_itself;
+        Some(Arc::new(facts))
+    }
+}
+
+/// Whether two lines have one node: then they have one text and mean the same.
+fn is_same(old: &Line, new: &Line) -> bool {
+    std::ptr::eq(&raw const **old.green(), &raw const **new.green())
+}

@@ -1,0 +1,214 @@
+//! After every edit the analysis that takes over what an earlier one found says the same as one from scratch.
+
+use ladder_analysis::{Analysis, Others, RuleSettings, analyze, analyze_after};
+use ladder_syntax::{Parse, parse};
+use ladder_tests::generator::{Dice, Mode, program};
+use std::sync::Arc;
+
+/// What a hand puts in.
+const PIECES: [&str; 40] = [
+    "",
+    "",
+    "",
+    "",
+    "\\",
+    "/",
+    "-",
+    "--",
+    "+",
+    "|",
+    " ",
+    "\n",
+    "(",
+    ")",
+    "[",
+    "]",
+    "<",
+    ">",
+    "#",
+    "# note #",
+    ",",
+    ":=",
+    ";",
+    "'",
+    "a",
+    "5",
+    "T#5s",
+    "é",
+    "\r\n",
+    "END_VAR\n",
+    "VAR\n",
+    "VAR\n    b : INT;\nEND_VAR\n",
+    "FUNCTION_BLOCK [$F]\n",
+    "END_FUNCTION_BLOCK\n",
+    "+--[ ]( a )--( )( b )--+\n",
+    "+--<FUN>( f )--+\n",
+    "+--<LBL>( l )--+\n",
+    "--<CALL>( f )--",
+    "--[$F]( a )--",
+    "# ladder: allow(never-read) #\n",
+];
+
+/// Words of declarations, to be exchanged for each other.
+const WORDS: [&str; 12] = [
+    "BOOL",
+    "INT",
+    "DINT",
+    "REAL",
+    "TIME",
+    "STRING",
+    "TON",
+    "CTU",
+    "RETAIN",
+    "CONSTANT",
+    "VAR_INPUT",
+    "VAR_OUTPUT",
+];
+
+/// A text with its analysis, edited step by step.
+struct Document {
+    text: String,
+    parse: Arc<Parse>,
+    analysis: Analysis,
+}
+
+impl Document {
+    fn new(text: String) -> Document {
+        let parse = Arc::new(parse(&text));
+        let analysis = analyze(&parse, "main");
+        Document {
+            text,
+            parse,
+            analysis,
+        }
+    }
+
+    fn becomes(&mut self, text: String) {
+        let parsed = Arc::new(self.parse.updated(&self.text, &text));
+        assert_eq!(parsed.to_string(), text);
+        let (others, rules) = (Others::default(), RuleSettings::default());
+        let before = Some(&self.analysis);
+        let analysis = analyze_after(before, &parsed, "main", &others, &rules);
+        let fresh = analyze(&Arc::new(parse(&text)), "main");
+        assert_eq!(
+            show(&analysis),
+            show(&fresh),
+            "after an edit from\n{}\nto\n{text}",
+            self.text
+        );
+        (self.text, self.parse, self.analysis) = (text, parsed, analysis);
+    }
+}
+
+/// All that an analysis says.
+fn show(analysis: &Analysis) -> String {
+    let context = &analysis.context;
+    format!(
+        "{:#?}\n{:#?}\n{:?}\n{:?}\n{:?}",
+        analysis.diagnostics,
+        analysis.hidden_errors,
+        analysis.program(),
+        context.scopes.iter().map(|scope| &scope.tags).collect::<Vec<_>>(),
+        context
+            .networks
+            .iter()
+            .map(|network| {
+                let blocks: Vec<_> = network
+                    .blocks
+                    .iter()
+                    .map(|b| (&b.facts, b.base, b.meaning, &b.formals))
+                    .collect();
+                (
+                    network.first_line,
+                    network.range,
+                    network.scope,
+                    network.broken,
+                    &network.wiring,
+                    &network.order,
+                    blocks,
+                )
+            })
+            .collect::<Vec<_>>(),
+    )
+}
+
+fn somewhere(text: &str, dice: &mut Dice) -> usize {
+    let mut at = dice.below(text.len() + 1);
+    while !text.is_char_boundary(at) {
+        at -= 1;
+    }
+    at
+}
+
+/// One to three pieces put in, taken out or exchanged; now and then lines are doubled, moved or taken away.
+fn edited(text: &str, dice: &mut Dice) -> String {
+    let mut text = text.to_owned();
+    for _ in 0..=dice.below(3) {
+        if dice.one_in(4) {
+            let mut lines: Vec<&str> = text.split_inclusive('\n').collect();
+            if lines.is_empty() {
+                continue;
+            }
+            let from = dice.below(lines.len());
+            let taken = lines[from];
+            if dice.one_in(2) {
+                lines.remove(from);
+            }
+            if dice.one_in(2) {
+                lines.insert(dice.below(lines.len() + 1), taken);
+            }
+            text = lines.concat();
+            continue;
+        }
+        // A declaration that changes says something of networks that do not.
+        let word = dice.of(&WORDS);
+        let from = somewhere(&text, dice);
+        if dice.one_in(3)
+            && let Some(at) = text[from..].find(word)
+        {
+            let at = from + at;
+            text.replace_range(at..at + word.len(), dice.of(&WORDS));
+            continue;
+        }
+        let at = somewhere(&text, dice);
+        let mut end = (at + dice.below(4) * dice.below(3)).min(text.len());
+        while !text.is_char_boundary(end) {
+            end -= 1;
+        }
+        text.replace_range(at..end.max(at), dice.of(&PIECES));
+    }
+    text
+}
+
+fn steps(mode: Mode, seeds: std::ops::Range<u64>, count: usize) {
+    for seed in seeds {
+        let mut dice = Dice::new(seed);
+        let original = program(seed, mode);
+        let mut document = Document::new(original.clone());
+        for step in 0..count {
+            // Mistakes come and go, as when somebody types.
+            let next = if step % 5 == 4 {
+                original.clone()
+            } else {
+                edited(&document.text, &mut dice)
+            };
+            document.becomes(next);
+        }
+    }
+}
+
+#[test]
+fn edits_of_sensible_programs() {
+    steps(Mode::Sensible, 0..asked(40), 25);
+}
+
+#[test]
+fn edits_of_wild_programs() {
+    steps(Mode::Wild, 0..asked(40), 25);
+}
+
+/// `GENERATED_PROGRAMS` asks for more of them.
+fn asked(usual: u64) -> u64 {
+    let asked = std::env::var("GENERATED_PROGRAMS");
+    asked.ok().and_then(|count| count.parse().ok()).unwrap_or(usual)
+}
