@@ -84,7 +84,7 @@ impl<'g> BlockHead<'g> {
 
     /// The shape of its brackets.
     pub fn shape(&self) -> BlockShape {
-        match self.0.first_token().map(|t| t.kind()) {
+        match self.0.first_token().map(TokenView::kind) {
             Some(SyntaxKind::L_PAREN) => BlockShape::Coil,
             Some(SyntaxKind::L_ANGLE) => BlockShape::Function,
             _ => BlockShape::Logical,
@@ -127,7 +127,7 @@ impl<'g> Operand<'g> {
     /// The value, without a name.
     pub fn value(&self) -> Option<Expression<'g>> {
         match self {
-            Operand::Positional(e) => Some(e.clone()),
+            Operand::Positional(e) => Some(*e),
             Operand::Named(n) => n.value(),
         }
     }

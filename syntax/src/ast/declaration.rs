@@ -26,7 +26,7 @@ impl<'g> Declaration<'g> {
         self.0
             .children()
             .filter(|n| n.kind() == SyntaxKind::NAME_LIST)
-            .flat_map(|list| list.tokens())
+            .flat_map(NodeView::tokens)
             .filter(|t| t.kind() == SyntaxKind::IDENT)
     }
 
