@@ -1,6 +1,6 @@
 //! A file, analysed.
 
-use crate::context::{Context, context};
+use crate::context::{Context, context_after};
 use crate::diagnostic::Diagnostic;
 use crate::others::Others;
 use crate::program::Program;
@@ -86,7 +86,7 @@ pub fn analyze_after(
 ) -> Analysis {
     let mut diagnostics = Vec::new();
     let before = before.map(|before| &before.context);
-    let context = context(parse, others, before, &mut diagnostics);
+    let context = context_after(before, parse, others, &mut diagnostics);
     let unresolved = resolve::check_all(&context, &mut diagnostics);
     rules::check(&context, settings, &mut diagnostics);
     rules::unclosed_comment::hide_what_follows(parse, &mut diagnostics);

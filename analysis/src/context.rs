@@ -143,12 +143,16 @@ impl Context {
     }
 }
 
-/// Reads a file's names, networks and blocks. What is wrong with declarations goes to `out`. What an earlier text
-/// had as well is taken from its context.
-pub fn context(
+/// Reads a file's names, networks and blocks. What is wrong with declarations goes to `out`.
+pub fn context(parse: &Arc<Parse>, others: &Others, out: &mut Vec<Diagnostic>) -> Context {
+    context_after(None, parse, others, out)
+}
+
+/// As [`context()`]. What an earlier text had as well is taken from its context.
+pub(crate) fn context_after(
+    before: Option<&Context>,
     parse: &Arc<Parse>,
     others: &Others,
-    before: Option<&Context>,
     out: &mut Vec<Diagnostic>,
 ) -> Context {
     let mut context = skeleton(parse, others, before, out);

@@ -215,7 +215,7 @@ fn operand_facts(operand: &Operand<'_>) -> OperandFacts {
                 arrow: arrow
                     .as_ref()
                     .is_some_and(|token| token.kind() == SyntaxKind::ARROW),
-                arrow_range: arrow.map(|token| token.text_range()),
+                arrow_range: arrow.map(TokenView::text_range),
                 value,
                 range,
             }

@@ -203,7 +203,7 @@ fn states(file: File<'_>, symbol: &Symbol) -> Vec<Target> {
     let places = occurrences(file, symbol);
     for network in &file.context.networks {
         for block in &network.blocks {
-            for (operand, formal) in block.facts.operands.iter().zip(&block.formals) {
+            for (operand, formal) in block.facts.operands.iter().zip(block.formals.iter()) {
                 let at = block.absolute(operand.value.range);
                 let keeps =
                     matches!(formal, Formal::Operand(row) if matches!(row.accepts, Accepts::State(_)));

@@ -3,39 +3,52 @@
 use std::sync::Arc;
 
 use ladder_analysis::fix::aligned;
-use ladder_analysis::{Diagnostic, Fix, Others, RuleSettings, analyze_with};
+use ladder_analysis::{Diagnostic, Fix, Others, RuleSettings, analyze_after};
 use ladder_format::{Edit, Options, format};
 use ladder_ide::{Completions, Hover, Topic, completions, documentation, hover};
 use ladder_syntax::{TextSize, parse};
 
 /// All that is known of one text.
-#[derive(Debug)]
-pub(crate) struct Analysis(Arc<ladder_analysis::Analysis>);
+#[derive(Debug, Clone)]
+pub(crate) struct Analysis {
+    whole: Arc<ladder_analysis::Analysis>,
+    text: Arc<String>,
+}
 
 impl Analysis {
-    /// Analyses a text of at most 64 MiB. Messages of a running program call the file by this name.
-    pub(crate) fn of(text: &str, name: &str, others: &Others, rules: &RuleSettings) -> Self {
-        Analysis(Arc::new(analyze_with(
-            &Arc::new(parse(text)),
-            name,
-            others,
-            rules,
-        )))
+    /// Analyses a text of at most 64 MiB. Messages of a running program call the file by this name. What an earlier
+    /// text of the document has in common with it is not looked at again.
+    pub(crate) fn of(
+        text: String,
+        before: Option<&Analysis>,
+        name: &str,
+        others: &Others,
+        rules: &RuleSettings,
+    ) -> Self {
+        let parse = match before {
+            Some(before) => before.whole.context.parse.updated(&before.text, &text),
+            None => parse(&text),
+        };
+        let before = before.map(|before| &*before.whole);
+        Analysis {
+            whole: Arc::new(analyze_after(before, &Arc::new(parse), name, others, rules)),
+            text: Arc::new(text),
+        }
     }
 
     /// What is wrong, in the order of the places.
     pub(crate) fn diagnostics(&self) -> &[Diagnostic] {
-        &self.0.diagnostics
+        &self.whole.diagnostics
     }
 
     /// All of it, for those who put the files of a workspace together.
     pub(crate) fn whole(&self) -> &Arc<ladder_analysis::Analysis> {
-        &self.0
+        &self.whole
     }
 
     /// What stands at an offset.
     pub(crate) fn hover(&self, offset: TextSize) -> Option<Hover> {
-        hover(&self.0, offset)
+        hover(&self.whole, offset)
     }
 
     /// What can be written at an offset.
@@ -55,11 +68,11 @@ impl Analysis {
             title: String::new(),
             edits,
         };
-        aligned(&self.0.context.parse.to_string(), &fix, &Options::default())
+        aligned(&self.text, &fix, &Options::default())
     }
 
     /// The edits that bring the text into its canonical layout: sorted, none touching another.
     pub(crate) fn format(&self, options: &Options) -> Vec<Edit> {
-        format(&self.0.context.parse, options)
+        format(&self.whole.context.parse, options)
     }
 }

@@ -29,7 +29,8 @@ impl Tested {
         let parse = Arc::new(ladder_syntax::parse(&project::read(&program)));
         let analysis = analyze(&parse, &program.display().to_string());
         let runs = analysis
-            .program
+            .program()
+            .cloned()
             .unwrap_or_else(|| panic!("{}: {:#?}", program.display(), analysis.diagnostics));
         let options = Options {
             interval: suite

@@ -82,7 +82,7 @@ fn drawing(parse: &Parse, text: &str) -> Vec<String> {
         let mut out = format!("block {:?}; {} unpaired;", network.block, wiring.unpaired.len());
         for (offset, rung) in wiring.line_offsets.iter().zip(&wiring.rungs) {
             let line = network.lines.start + offset;
-            let start = usize::from(parse.line_start(*line));
+            let start = usize::from(parse.line_start(line));
             let mut segment = None;
             for (index, part) in rung.parts.iter().enumerate() {
                 if part.kind == PartKind::Bar || (part.kind == PartKind::Comment && part.segment.is_none()) {

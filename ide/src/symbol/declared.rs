@@ -29,7 +29,7 @@ pub(crate) fn declared_names(context: &Context) -> impl Iterator<Item = Declared
 pub(crate) fn names_of(context: &Context, section: usize) -> Vec<DeclaredName> {
     let parse = &context.parse;
     let section = &parse.structure().sections[section];
-    let header = SectionHeader::cast(parse.lines()[section.lines.start].syntax());
+    let header = SectionHeader::cast(parse.lines()[section.lines.start].view());
     let keyword = header.and_then(|header| header.section());
     let Some(kind) = keyword.and_then(|word| SectionKind::from_keyword(word.text())) else {
         return Vec::new();
@@ -39,7 +39,7 @@ pub(crate) fn names_of(context: &Context, section: usize) -> Vec<DeclaredName> {
         if parse.lines()[line].kind != LineKind::Declaration {
             continue;
         }
-        let Some(node) = Declaration::cast(parse.lines()[line].syntax()) else {
+        let Some(node) = Declaration::cast(parse.lines()[line].view()) else {
             continue;
         };
         let start = parse.line_start(line);

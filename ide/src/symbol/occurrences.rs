@@ -107,7 +107,7 @@ fn named_operands(file: File<'_>, symbol: &Symbol, out: &mut Places) {
         let Meaning::User(user) = block.meaning else {
             continue;
         };
-        for (operand, formal) in block.facts.operands.iter().zip(&block.formals) {
+        for (operand, formal) in block.facts.operands.iter().zip(block.formals.iter()) {
             let (Some(word), Formal::Parameter(parameter)) = (&operand.name, *formal) else {
                 continue;
             };
@@ -311,7 +311,9 @@ pub(super) fn all_blocks(context: &Context) -> impl Iterator<Item = (usize, usiz
 fn each_operand(context: &Context, mut give: impl FnMut(&NetworkFacts, &BoundBlock, usize, &Node)) {
     for network in &context.networks {
         for block in &network.blocks {
-            for (index, (operand, formal)) in block.facts.operands.iter().zip(&block.formals).enumerate() {
+            for (index, (operand, formal)) in
+                block.facts.operands.iter().zip(block.formals.iter()).enumerate()
+            {
                 let names_no_tag = matches!(formal, Formal::Operand(row) if matches!(
                     row.accepts,
                     Accepts::Label | Accepts::Function | Accepts::SearchOperator

@@ -1,7 +1,7 @@
 //! One state of one open document.
 
 use std::sync::atomic::{AtomicU64, Ordering};
-use std::sync::{Arc, OnceLock};
+use std::sync::{Arc, Mutex, MutexGuard, OnceLock, PoisonError};
 
 use ladder_analysis::program::Program;
 use ladder_analysis::{NotWhole, Others, RuleSettings, link};
@@ -31,6 +31,8 @@ pub(crate) struct Revision {
     /// Where the file lies, if it is one.
     place: Option<Place>,
     analysis: OnceLock<Analysis>,
+    /// The analysis that was made last of any revision of the document: the next one begins with it.
+    latest: Arc<Mutex<Option<Analysis>>>,
 }
 
 impl Revision {
@@ -52,6 +54,23 @@ impl Revision {
             rope,
             place,
             analysis: OnceLock::new(),
+            latest: Arc::default(),
+        }
+    }
+
+    /// The document with another text, or to be analysed anew.
+    pub(super) fn followed_by(&self, version: i32, rope: Rope) -> Self {
+        let place = self.place.as_ref().map(Place::anew);
+        Revision {
+            latest: Arc::clone(&self.latest),
+            ..Revision::new(
+                self.uri.clone(),
+                version,
+                self.opening,
+                self.encoding,
+                rope,
+                place,
+            )
         }
     }
 
@@ -63,15 +82,27 @@ impl Revision {
         fits.then(|| {
             self.analysis.get_or_init(|| {
                 let text = self.rope.to_string();
-                match &self.place {
+                let before = self.latest().clone();
+                let before = before.as_ref();
+                let analysis = match &self.place {
                     Some(place) => {
                         let (name, others) = place.neighbours.view(&place.path);
-                        Analysis::of(&text, &name, &others, &place.neighbours.rules(&place.path))
+                        let rules = place.neighbours.rules(&place.path);
+                        Analysis::of(text, before, &name, &others, &rules)
                     }
-                    None => Analysis::of(&text, self.name(), &Others::default(), &RuleSettings::default()),
-                }
+                    None => {
+                        let rules = RuleSettings::default();
+                        Analysis::of(text, before, self.name(), &Others::default(), &rules)
+                    }
+                };
+                *self.latest() = Some(analysis.clone());
+                analysis
             })
         })
+    }
+
+    fn latest(&self) -> MutexGuard<'_, Option<Analysis>> {
+        self.latest.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
     /// Tells the other files of the workspace what this one says now. True, once, if they see something else than

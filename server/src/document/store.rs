@@ -123,14 +123,7 @@ impl Documents {
         for change in changes {
             apply(&mut rope, old.encoding(), change);
         }
-        document.revision = Arc::new(Revision::new(
-            old.uri.clone(),
-            version,
-            old.opening,
-            old.encoding(),
-            rope,
-            old.place().map(Place::anew),
-        ));
+        document.revision = Arc::new(old.followed_by(version, rope));
         Ok(document.revision.clone())
     }
 
@@ -141,14 +134,7 @@ impl Documents {
             return false;
         };
         let old = &document.revision;
-        document.revision = Arc::new(Revision::new(
-            old.uri.clone(),
-            old.version,
-            old.opening,
-            old.encoding(),
-            old.rope().clone(),
-            old.place().map(Place::anew),
-        ));
+        document.revision = Arc::new(old.followed_by(old.version, old.rope().clone()));
         true
     }
 

@@ -45,8 +45,14 @@ fn networks(text: &str, parse: &Parse) {
         assert!(network.lines.start >= end, "networks overlap in {text:?}");
         end = network.lines.end;
         let wiring = wiring::wiring(parse, network);
-        for (line, rung) in wiring.lines.iter().zip(&wiring.rungs) {
-            let len = parse.lines()[*line].len;
+        let lines = || {
+            wiring
+                .line_offsets
+                .iter()
+                .map(|offset| network.lines.start + offset)
+        };
+        for (line, rung) in lines().zip(&wiring.rungs) {
+            let len = parse.lines()[line].len;
             let mut end = 0;
             for part in &rung.parts {
                 assert!(u32::from(part.range.start()) >= end, "parts overlap in {text:?}");
@@ -54,10 +60,8 @@ fn networks(text: &str, parse: &Parse) {
             }
             assert!(end <= len);
         }
-        let connectors: usize = wiring
-            .lines
-            .iter()
-            .map(|&line| (parse.lines()[line].downs + parse.lines()[line].ups) as usize)
+        let connectors: usize = lines()
+            .map(|line| (parse.lines()[line].downs + parse.lines()[line].ups) as usize)
             .sum();
         assert_eq!(
             wiring.points.len() * 2 + wiring.unpaired.len(),

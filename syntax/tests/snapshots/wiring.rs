@@ -13,7 +13,8 @@ fn check(text: &str, expect: Expect) {
     let mut out = String::new();
     for network in &parse.structure().networks {
         let wiring = wiring(&parse, network);
-        for (line, rung) in wiring.lines.iter().zip(&wiring.rungs) {
+        for (offset, rung) in wiring.line_offsets.iter().zip(&wiring.rungs) {
+            let line = network.lines.start + offset;
             let _ = writeln!(out, "line {line}");
             for (index, segment) in rung.segments.iter().enumerate() {
                 let _ = write!(out, " {}", if segment.powered { '*' } else { '-' });
