@@ -53,12 +53,12 @@ impl Analysis {
 
     /// What can be written at an offset.
     pub(crate) fn completions(&self, offset: TextSize, trigger: Option<char>) -> Completions {
-        completions(&self.0, offset, trigger)
+        completions(&self.whole, offset, trigger)
     }
 
     /// What a proposal is, in Markdown.
     pub(crate) fn documentation(&self, topic: &Topic) -> Option<String> {
-        documentation(&self.0, topic)
+        documentation(&self.whole, topic)
     }
 
     /// The edits that make fixes together, with the drawing around them put straight. They are given as edits that
