@@ -149,7 +149,7 @@ impl Outline<'_> {
             if facts.network == network {
                 let head = Outlined {
                     name: facts.name.clone(),
-                    detail: comments::title(context, context.networks[network].wiring.lines[0]),
+                    detail: comments::title(context, context.networks[network].line(0)),
                     kind: OutlineKind::Function,
                     range: item.range,
                     focus: facts.at,
@@ -234,7 +234,7 @@ fn block_item(context: &Context, block: usize) -> Outlined {
 
 fn network_item(context: &Context, network: usize) -> Outlined {
     let facts = &context.networks[network];
-    let first = facts.wiring.lines[0];
+    let first = facts.line(0);
     let written = written(context, network);
     let detail = match written.len() {
         0 => None,
@@ -266,7 +266,7 @@ fn label_item(label: &LabelFacts) -> Outlined {
 fn written(context: &Context, network: usize) -> Vec<String> {
     let mut names: Vec<(Name, String)> = Vec::new();
     for block in &context.networks[network].blocks {
-        for (operand, formal) in block.facts.operands.iter().zip(&block.formals) {
+        for (operand, formal) in block.facts.operands.iter().zip(block.formals.iter()) {
             let writes = match (formal, block.meaning) {
                 (Formal::Operand(row), _) => {
                     row.direction != Direction::In
