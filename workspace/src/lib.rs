@@ -40,7 +40,9 @@ pub use ladder_syntax::MAX_FILE_BYTES;
 pub use programs::{Source, Workspace};
 pub use retentive::{Found, RetentiveFile};
 pub use root::{Root, SETTINGS_FILE};
-pub use search::{EXTENSION, SCENARIO_EXTENSION, find_programs, find_scenarios, is_program, is_scenario};
+pub use search::{
+    EXTENSION, SCENARIO_EXTENSION, Survey, find_programs, find_scenarios, is_program, is_scenario, survey,
+};
 pub use settings::table;
 pub use settings::{EditorSettings, Files, Levels, Lint, Mistake, Settings, SettingsError, Simulate, Tree};
 pub use stamp::Stamp;

@@ -69,6 +69,37 @@ pub(crate) fn programs_below(root: &Path) -> Vec<PathBuf> {
         .collect()
 }
 
+/// What lies below a folder that a person works in.
+#[derive(Debug, Default)]
+pub struct Survey {
+    /// The programs, whichever workspace they belong to.
+    pub programs: Vec<PathBuf>,
+    /// The settings files.
+    pub settings_files: Vec<PathBuf>,
+    /// Whether all of it was seen.
+    pub whole: bool,
+}
+
+/// Looks what lies below a folder, by the rules of `.gitignore`, but not at more files and folders than `most`: a
+/// person may have opened the root of a disk. `stop` says whether nobody waits for it any more.
+pub fn survey(folder: &Path, most: usize, stop: impl Fn() -> bool) -> Survey {
+    let mut found = Survey::default();
+    for (seen, entry) in walker(folder).build().enumerate() {
+        if seen >= most || stop() {
+            return found;
+        }
+        let Ok(entry) = entry else { continue };
+        let path = entry.path();
+        if is_program(path) && path.is_file() {
+            found.programs.push(entry.into_path());
+        } else if path.file_name().is_some_and(|name| name == SETTINGS_FILE) && path.is_file() {
+            found.settings_files.push(entry.into_path());
+        }
+    }
+    found.whole = true;
+    found
+}
+
 /// What lies below a folder, sorted, by the rules of `.gitignore`.
 fn walker(folder: &Path) -> WalkBuilder {
     let mut walk = WalkBuilder::new(folder);

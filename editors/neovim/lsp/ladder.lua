@@ -1,9 +1,21 @@
 -- What `vim.lsp.enable('ladder')` starts. Change parts of it with `vim.lsp.config('ladder', { ... })`.
 return {
   cmd = { 'ladder', 'lsp' },
-  filetypes = { 'clad' },
-  root_markers = { 'ladder.toml', '.git' },
+  filetypes = { 'clad', 'laddertest', 'toml' },
+  -- Of all files in TOML only ladder.toml is the server's. A program without a project gets a server too.
+  root_dir = function(bufnr, attach)
+    local name = vim.fs.basename(vim.api.nvim_buf_get_name(bufnr))
+    if vim.bo[bufnr].filetype ~= 'toml' or name == 'ladder.toml' then
+      attach(vim.fs.root(bufnr, { 'ladder.toml', '.git' }))
+    end
+  end,
+  -- Neovim 0.11 asks for diagnostics, but not again when another file changes them, unless it is told to.
+  capabilities = { workspace = { diagnostics = { refreshSupport = true } } },
   handlers = {
+    ['workspace/diagnostic/refresh'] = function(_, _, context)
+      require('ladder.diagnostics').refresh(context.client_id)
+      return vim.NIL
+    end,
     ['ladder/simulationState'] = function(_, state, context)
       require('ladder.simulation').receive(state, context.client_id)
     end,

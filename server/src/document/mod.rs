@@ -9,7 +9,9 @@ pub(crate) mod elsewhere;
 pub(crate) mod neighbours;
 pub(crate) mod position;
 mod revision;
+mod seen;
 mod store;
 
 pub(crate) use revision::Revision;
+pub(crate) use seen::SettingsFile;
 pub(crate) use store::{Documents, Refused};

@@ -15,7 +15,9 @@ use ladder_analysis::{
     Analysis, Exported, Exports, NotWhole, Others, RuleSettings, analyze_with, exports, link,
 };
 use ladder_syntax::Parse;
-use ladder_workspace::{Root, Settings, Simulate};
+use ladder_workspace::{FileError, Root, SETTINGS_FILE, Settings, Simulate, Stamp};
+
+use super::seen::{Seen, SettingsFile};
 
 /// All workspaces, by their folders.
 #[derive(Debug, Default)]
@@ -35,8 +37,8 @@ struct State {
 #[derive(Debug)]
 struct Folder {
     settings: Settings,
-    /// What is wrong with the settings, until somebody is told.
-    complaint: Option<String>,
+    /// Where they come from, if there is a file.
+    settings_file: Option<Arc<SettingsFile>>,
     disk: BTreeMap<PathBuf, Arc<OnDisk>>,
     open: HashMap<PathBuf, Open>,
     exported: Option<Arc<Exported>>,
@@ -46,6 +48,8 @@ struct Folder {
 #[derive(Debug)]
 pub(crate) struct OnDisk {
     pub(crate) name: Arc<str>,
+    stamp: Stamp,
+    /// Its text.
     pub(crate) text: String,
     parse: Arc<Parse>,
     exports: Arc<Exports>,
@@ -118,10 +122,10 @@ impl Neighbours {
     /// Files were changed, made or removed. True if any file sees something else now.
     pub(crate) fn disk_changed(&self, paths: &[PathBuf]) -> bool {
         let mut state = self.lock();
-        if paths.iter().any(|path| {
-            path.file_name()
-                .is_some_and(|name| name == ladder_workspace::SETTINGS_FILE)
-        }) {
+        if paths
+            .iter()
+            .any(|path| path.file_name().is_some_and(|name| name == SETTINGS_FILE))
+        {
             // Which file belongs where may be another matter now.
             state.begin_anew();
             return true;
@@ -178,9 +182,107 @@ impl Neighbours {
         self.lock().folder(path).1.settings.simulate.clone()
     }
 
-    /// What is wrong with the settings above a file, once.
-    pub(crate) fn complaint(&self, path: &Path) -> Option<String> {
-        self.lock().folder(path).1.complaint.take()
+    /// The settings file above a program.
+    pub(crate) fn settings_file(&self, path: &Path) -> Option<Arc<SettingsFile>> {
+        self.lock().folder(path).1.settings_file.clone()
+    }
+
+    /// All settings files that were read.
+    pub(crate) fn settings_files(&self) -> Vec<Arc<SettingsFile>> {
+        let state = self.lock();
+        let folders = state.folders.values();
+        folders
+            .filter_map(|folder| folder.settings_file.clone())
+            .collect()
+    }
+
+    /// The analysis of a program: as its editor shows it if it is open, else as it is on disk.
+    pub(crate) fn analysis_of(&self, path: &Path) -> Result<Arc<Analysis>, FileError> {
+        let mut state = self.lock();
+        let (root, folder) = state.folder(path);
+        if let Some(open) = folder.open.get(path) {
+            return Ok(Arc::clone(&open.analysis));
+        }
+        let name = name_in(&root, path);
+        let others = folder.exported().others_of(&name);
+        let rules = folder.settings.rules_for(path);
+        let known = folder.disk.get(path).map(|file| Arc::clone(&file.parse));
+        drop(state);
+        let parse = match known {
+            Some(parse) => parse,
+            // Excluded from the workspace, but a program all the same.
+            None => Arc::new(ladder_syntax::parse(&ladder_workspace::read(path)?)),
+        };
+        Ok(Arc::new(analyze_with(&parse, &name, &others, &rules)))
+    }
+
+    /// All programs that were read and that no editor shows, sorted.
+    pub(crate) fn closed_programs(&self) -> Vec<PathBuf> {
+        let state = self.lock();
+        let closed = state.folders.values().flat_map(|folder| {
+            let paths = folder.disk.keys();
+            paths.filter(|path| !folder.open.contains_key(*path)).cloned()
+        });
+        let mut closed: Vec<PathBuf> = closed.collect();
+        closed.sort();
+        closed
+    }
+
+    /// A program as it is on disk, and what it sees: what is found in it is the same as long as both are.
+    pub(crate) fn closed_program(&self, path: &Path) -> Option<(Arc<OnDisk>, Arc<Exported>)> {
+        let mut state = self.lock();
+        let (_, folder) = state.folder(path);
+        let file = Arc::clone(folder.disk.get(path)?);
+        Some((file, Arc::clone(folder.exported())))
+    }
+
+    /// Reads the workspace of a program, if that was not done. The others may go on meanwhile.
+    pub(crate) fn load(&self, path: &Path) {
+        let (root, defaults) = {
+            let mut state = self.lock();
+            let root = state.root(path);
+            if state.folders.contains_key(&root) {
+                return;
+            }
+            (root, state.defaults.clone())
+        };
+        let folder = Folder::load(path, &root, &defaults);
+        self.lock().folders.entry(root).or_insert(folder);
+    }
+
+    /// Forgets the workspaces that no open file belongs to, but for those that are wanted.
+    pub(crate) fn forget(&self, wanted: impl Fn(&Path) -> bool) {
+        let mut state = self.lock();
+        state
+            .folders
+            .retain(|root, folder| !folder.open.is_empty() || wanted(root));
+    }
+
+    /// The files that are not as they were read, for an editor that does not tell of changes. This looks at every
+    /// file, but reads none.
+    pub(crate) fn changed_on_disk(&self) -> Vec<PathBuf> {
+        let state = self.lock();
+        let folders: Vec<_> = state
+            .folders
+            .iter()
+            .map(|(root, folder)| (root.clone(), folder.seen()))
+            .collect();
+        let open = state.folders.iter().flat_map(|(root, folder)| {
+            let paths = folder.open.keys();
+            paths.map(|path| (path.clone(), root.clone()))
+        });
+        let open: Vec<(PathBuf, PathBuf)> = open.collect();
+        drop(state);
+        let mut changed = Vec::new();
+        for (root, seen) in folders {
+            changed.extend(seen.changed(&root));
+        }
+        // A settings file that is made or removed above a program gives it another workspace.
+        let moved = open
+            .iter()
+            .find(|(path, root)| Root::of(path).is_ok_and(|found| found.folder() != root));
+        changed.extend(moved.map(|(path, _)| path.with_file_name(SETTINGS_FILE)));
+        changed
     }
 
     /// The file of a name, as findings and programs of another file know it: its path and text.
@@ -265,7 +367,7 @@ impl Folder {
     fn load(path: &Path, root: &Path, defaults: &Settings) -> Folder {
         let mut folder = Folder {
             settings: Settings::default(),
-            complaint: None,
+            settings_file: None,
             disk: BTreeMap::new(),
             open: HashMap::new(),
             exported: None,
@@ -273,18 +375,28 @@ impl Folder {
         let Ok(found) = Root::of(path) else {
             return folder;
         };
-        if let Root::Folder(_) = found {
-            folder.settings = defaults.clone();
-        }
-        match found.settings() {
-            Ok(_) if found.settings_file().is_none() => {}
-            Ok(settings) => folder.settings = settings,
-            Err(error) => folder.complaint = Some(error.to_string()),
+        match found.settings_file() {
+            Some(file) => {
+                let (settings, file) = SettingsFile::read(file);
+                folder.settings = settings;
+                folder.settings_file = Some(Arc::new(file));
+            }
+            None => folder.settings = defaults.clone(),
         }
         for path in found.programs(&folder.settings.files) {
             folder.reread(root, &path);
         }
         folder
+    }
+
+    /// How its files were when they were read.
+    fn seen(&self) -> Seen {
+        let programs = self.disk.iter();
+        Seen {
+            settings_file: self.settings_file.as_ref().map(|file| file.stamp),
+            files: self.settings.files.clone(),
+            programs: programs.map(|(path, file)| (path.clone(), file.stamp)).collect(),
+        }
     }
 
     /// What the others see of a file.
@@ -295,6 +407,7 @@ impl Folder {
 
     /// Takes a file as it is on disk now.
     fn reread(&mut self, root: &Path, path: &Path) {
+        let stamp = Stamp::of(path);
         let text = ladder_workspace::read(path).ok();
         match text.filter(|_| self.settings.files.contain(path)) {
             Some(text) => {
@@ -303,6 +416,7 @@ impl Folder {
                 let exports = Arc::new(exports(&parse, &name));
                 let file = OnDisk {
                     name,
+                    stamp,
                     text,
                     parse,
                     exports,

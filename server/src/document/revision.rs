@@ -74,6 +74,12 @@ impl Revision {
         }
     }
 
+    /// The text of a file that no editor shows, at version 0 of nothing.
+    pub(crate) fn on_disk(uri: &str, encoding: Encoding, text: &str, place: Place) -> Self {
+        let rope = Rope::from_str(text);
+        Revision::new(Arc::from(uri), 0, 0, encoding, rope, Some(place))
+    }
+
     /// What the language has to say about the text, computed at the first call, or `None` for a text over
     /// [`MAX_FILE_BYTES`]. Takes milliseconds on a large file: for a blocking thread.
     pub(crate) fn analysis(&self) -> Option<&Analysis> {
@@ -147,6 +153,11 @@ impl Revision {
     /// What messages call the file: the last part of its address.
     pub(crate) fn name(&self) -> &str {
         self.uri.rsplit('/').next().unwrap_or(&self.uri)
+    }
+
+    /// The text.
+    pub(crate) fn text(&self) -> String {
+        self.rope.to_string()
     }
 
     /// The length of the text in bytes.

@@ -15,11 +15,14 @@ use tower_lsp::ls_types::{
 };
 use tower_lsp::ls_types::{
     CodeActionParams, CodeActionResponse, DidChangeConfigurationParams, DidChangeTextDocumentParams,
-    DidChangeWatchedFilesParams, DidCloseTextDocumentParams, DidOpenTextDocumentParams,
-    DocumentFormattingParams, ExecuteCommandParams, Hover, HoverParams, InitializeParams, InitializeResult,
-    InitializedParams, LSPAny, ServerInfo, TextEdit,
+    DidChangeWatchedFilesParams, DidChangeWorkspaceFoldersParams, DidCloseTextDocumentParams,
+    DidOpenTextDocumentParams, DidSaveTextDocumentParams, DocumentDiagnosticParams,
+    DocumentDiagnosticReportResult, DocumentFormattingParams, ExecuteCommandParams, Hover, HoverParams,
+    InitializeParams, InitializeResult, InitializedParams, LSPAny, ServerInfo, TextEdit,
+    WorkspaceDiagnosticParams, WorkspaceDiagnosticReportResult,
 };
 use tower_lsp::ls_types::{CompletionItem, CompletionParams, CompletionResponse};
+use tower_lsp::ls_types::{CreateFilesParams, DeleteFilesParams, RenameFilesParams, WorkspaceEdit};
 use tower_lsp::ls_types::{
     DocumentHighlight, DocumentHighlightParams, GotoDefinitionParams, GotoDefinitionResponse, Location,
     ReferenceParams,
@@ -28,9 +31,10 @@ use tower_lsp::{Client, LanguageServer};
 
 use super::capabilities::{self, Agreed};
 use super::completion;
+use super::file_operations;
 use super::shared::Shared;
 use super::{call_hierarchy, folding, goto, links, references, symbols};
-use super::{code_action, configuration, formatting, hover, parent, simulate, sync, watch};
+use super::{code_action, configuration, folders, formatting, hover, parent, pull, simulate, sync, watch};
 
 /// The server as the framework sees it.
 #[derive(Debug)]
@@ -54,6 +58,7 @@ impl LanguageServer for Backend {
     async fn initialize(&self, params: InitializeParams) -> Result<InitializeResult> {
         let agreed = Agreed::with(&params.capabilities);
         self.shared.agree(agreed);
+        folders::begin(&self.shared, &params);
         configuration::begin(&self.shared, params.initialization_options.as_ref());
         if let Some(process) = params.process_id {
             tokio::spawn(parent::watch(process, self.shared.clone()));
@@ -87,9 +92,45 @@ impl LanguageServer for Backend {
 
     async fn initialized(&self, _: InitializedParams) {
         if self.shared.agreed().watches_files {
-            tokio::spawn(watch::register(self.shared.client.clone()));
+            tokio::spawn(watch::register(self.shared.clone()));
         }
         tokio::spawn(configuration::register(self.shared.clone()));
+        folders::index(&self.shared);
+    }
+
+    async fn did_save(&self, params: DidSaveTextDocumentParams) {
+        sync::saved(&self.shared, &params);
+    }
+
+    async fn did_change_workspace_folders(&self, params: DidChangeWorkspaceFoldersParams) {
+        folders::changed(&self.shared, &params);
+    }
+
+    async fn did_create_files(&self, params: CreateFilesParams) {
+        file_operations::created(&self.shared, &params);
+    }
+
+    async fn did_rename_files(&self, params: RenameFilesParams) {
+        file_operations::renamed(&self.shared, &params);
+    }
+
+    async fn did_delete_files(&self, params: DeleteFilesParams) {
+        file_operations::deleted(&self.shared, &params);
+    }
+
+    async fn will_rename_files(&self, params: RenameFilesParams) -> Result<Option<WorkspaceEdit>> {
+        file_operations::will_rename(&self.shared, params).await
+    }
+
+    async fn diagnostic(&self, params: DocumentDiagnosticParams) -> Result<DocumentDiagnosticReportResult> {
+        pull::document(&self.shared, params).await
+    }
+
+    async fn workspace_diagnostic(
+        &self,
+        params: WorkspaceDiagnosticParams,
+    ) -> Result<WorkspaceDiagnosticReportResult> {
+        pull::workspace(&self.shared, params).await
     }
 
     async fn did_change_configuration(&self, params: DidChangeConfigurationParams) {

@@ -1,11 +1,12 @@
 //! What client and server agree on, once, at `initialize`.
 
 use tower_lsp::ls_types::{
-    ClientCapabilities, CodeActionKind, CodeActionOptions, CodeActionProviderCapability,
-    DeclarationCapability, DiagnosticTag, ExecuteCommandOptions, HoverProviderCapability,
-    ImplementationProviderCapability, MarkupKind, OneOf, PositionEncodingKind, ServerCapabilities,
-    TextDocumentSyncCapability, TextDocumentSyncKind, TextDocumentSyncOptions,
-    TypeDefinitionProviderCapability,
+    ClientCapabilities, ClientDiagnosticsTagOptions, CodeActionKind, CodeActionOptions,
+    CodeActionProviderCapability, DeclarationCapability, DiagnosticTag, ExecuteCommandOptions,
+    HoverProviderCapability, ImplementationProviderCapability, MarkupKind, OneOf, PositionEncodingKind,
+    SaveOptions, ServerCapabilities, TextDocumentSyncCapability, TextDocumentSyncKind,
+    TextDocumentSyncOptions, TextDocumentSyncSaveOptions, TypeDefinitionProviderCapability,
+    WorkspaceFoldersServerCapabilities, WorkspaceServerCapabilities,
 };
 
 use tower_lsp::ls_types::{
@@ -14,6 +15,7 @@ use tower_lsp::ls_types::{
 };
 
 use super::completion;
+use super::{file_operations, pull};
 use crate::document::position::Encoding;
 use crate::simulation::COMMANDS;
 
@@ -47,6 +49,16 @@ pub(super) struct Agreed {
     pub(super) fold_limit: Option<u32>,
     /// The client can be asked to tell of changed files.
     pub(super) watches_files: bool,
+    /// The operations on files that the client tells of.
+    pub(super) file_operations: file_operations::Told,
+    /// The client asks for diagnostics, so none are published.
+    pub(super) pulls_diagnostics: bool,
+    /// The client takes diagnostics of other files beside those that it asks for.
+    pub(super) related_documents: bool,
+    /// The client can be told that diagnostics are other ones now.
+    pub(super) refreshes_diagnostics: bool,
+    /// The client shows progress that the server begins.
+    pub(super) progress: bool,
     /// The client can be asked for its settings.
     pub(super) configuration: bool,
     /// The client wants to be asked to tell of changed settings.
@@ -62,7 +74,8 @@ impl Agreed {
     /// the next; UTF-16 is what a client has that names nothing.
     pub(super) fn with(client: &ClientCapabilities) -> Self {
         let document = client.text_document.as_ref();
-        let diagnostics = document.and_then(|document| document.publish_diagnostics.as_ref());
+        let pull = document.and_then(|document| document.diagnostic.as_ref());
+        let push = document.and_then(|document| document.publish_diagnostics.as_ref());
         let hover = document.and_then(|document| document.hover.as_ref());
         let workspace = client.workspace.as_ref();
         let edit = workspace.and_then(|workspace| workspace.workspace_edit.as_ref());
@@ -85,12 +98,35 @@ impl Agreed {
             } else {
                 Encoding::Utf16
             },
-            related_information: diagnostics.and_then(|it| it.related_information).unwrap_or(false),
-            unnecessary_tag: diagnostics
+            related_information: push
+                .and_then(|it| it.related_information)
+                .or(pull.and_then(|it| it.related_information))
+                .unwrap_or(false),
+            unnecessary_tag: push
                 .and_then(|it| it.tag_support.as_ref())
-                .is_some_and(|tags| tags.value_set.contains(&DiagnosticTag::UNNECESSARY)),
-            diagnostic_data: diagnostics.and_then(|it| it.data_support).unwrap_or(false),
+                .is_some_and(|tags| tags.value_set.contains(&DiagnosticTag::UNNECESSARY))
+                || pull
+                    .and_then(|it| it.tag_support.as_ref())
+                    .is_some_and(takes_unnecessary),
+            diagnostic_data: push
+                .and_then(|it| it.data_support)
+                .or(pull.and_then(|it| it.data_support))
+                .unwrap_or(false),
             versioned_edits: edit.and_then(|it| it.document_changes).unwrap_or(false),
+            file_operations: file_operations::Told::by(
+                workspace.and_then(|workspace| workspace.file_operations.as_ref()),
+            ),
+            pulls_diagnostics: pull.is_some(),
+            related_documents: pull.and_then(|it| it.related_document_support).unwrap_or(false),
+            refreshes_diagnostics: workspace
+                .and_then(|workspace| workspace.diagnostics.as_ref())
+                .and_then(|it| it.refresh_support)
+                .unwrap_or(false),
+            progress: client
+                .window
+                .as_ref()
+                .and_then(|window| window.work_done_progress)
+                .unwrap_or(false),
             configuration: workspace
                 .and_then(|workspace| workspace.configuration)
                 .unwrap_or(false),
@@ -128,6 +164,15 @@ impl Agreed {
     }
 }
 
+/// The framework's type keeps its list to itself.
+fn takes_unnecessary(tags: &ClientDiagnosticsTagOptions) -> bool {
+    let tags = serde_json::to_value(tags).unwrap_or_default();
+    let unnecessary = serde_json::to_value(DiagnosticTag::UNNECESSARY).unwrap_or_default();
+    tags["valueSet"]
+        .as_array()
+        .is_some_and(|tags| tags.contains(&unnecessary))
+}
+
 /// What the server offers to such a client.
 pub(super) fn offered(agreed: Agreed) -> ServerCapabilities {
     ServerCapabilities {
@@ -139,9 +184,20 @@ pub(super) fn offered(agreed: Agreed) -> ServerCapabilities {
         text_document_sync: Some(TextDocumentSyncCapability::Options(TextDocumentSyncOptions {
             open_close: Some(true),
             change: Some(TextDocumentSyncKind::INCREMENTAL),
+            save: Some(TextDocumentSyncSaveOptions::SaveOptions(SaveOptions {
+                include_text: Some(false),
+            })),
             ..TextDocumentSyncOptions::default()
         })),
         completion_provider: Some(completion::options()),
+        diagnostic_provider: agreed.pulls_diagnostics.then(pull::options),
+        workspace: Some(WorkspaceServerCapabilities {
+            workspace_folders: Some(WorkspaceFoldersServerCapabilities {
+                supported: Some(true),
+                change_notifications: Some(OneOf::Left(true)),
+            }),
+            file_operations: file_operations::options(agreed.file_operations),
+        }),
         hover_provider: Some(HoverProviderCapability::Simple(true)),
         definition_provider: Some(OneOf::Left(true)),
         declaration_provider: Some(DeclarationCapability::Simple(true)),
@@ -201,6 +257,7 @@ mod tests {
     fn a_rich_client_gets_everything() {
         let client = json!({
             "textDocument": {
+                "diagnostic": {"relatedDocumentSupport": true},
                 "publishDiagnostics": {
                     "relatedInformation": true,
                     "tagSupport": {"valueSet": [1, 2]},
@@ -212,9 +269,12 @@ mod tests {
                 "documentSymbol": {"hierarchicalDocumentSymbolSupport": true},
                 "foldingRange": {"rangeLimit": 5000}
             },
+            "window": {"workDoneProgress": true},
             "workspace": {
                 "workspaceEdit": {"documentChanges": true},
                 "didChangeWatchedFiles": {"dynamicRegistration": true},
+                "diagnostics": {"refreshSupport": true},
+                "fileOperations": {"didCreate": true, "willRename": true, "didRename": true, "didDelete": true},
                 "configuration": true,
                 "didChangeConfiguration": {"dynamicRegistration": true},
                 "inlayHint": {"refreshSupport": true},
@@ -232,6 +292,16 @@ mod tests {
                 versioned_edits: true,
                 markdown: true,
                 watches_files: true,
+                file_operations: file_operations::Told {
+                    created: true,
+                    will_rename: true,
+                    renamed: true,
+                    deleted: true
+                },
+                pulls_diagnostics: true,
+                related_documents: true,
+                refreshes_diagnostics: true,
+                progress: true,
                 configuration: true,
                 registers_configuration: true,
                 refreshes_inlay_hints: true,

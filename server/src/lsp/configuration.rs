@@ -96,7 +96,7 @@ fn follow(shared: &Arc<Shared>, settings: &Value) {
     let before = shared.editor();
     take(shared, settings);
     let now = shared.editor();
-    diagnostics::settings_changed(shared);
+    diagnostics::look_at_everything_again(shared);
     let (shared, agreed) = (shared.clone(), shared.agreed());
     tokio::spawn(async move {
         // Whether the client answers is nobody's concern.

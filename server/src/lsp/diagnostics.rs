@@ -8,11 +8,13 @@ use std::sync::Arc;
 use std::time::Duration;
 
 use ladder_syntax::MAX_FILE_BYTES;
+use ladder_workspace::SETTINGS_FILE;
 use tower_lsp::ls_types::{Diagnostic, DiagnosticSeverity, NumberOrString, Range};
 
 use super::blocking::blocking;
-use super::convert;
+use super::capabilities::Agreed;
 use super::shared::Shared;
+use super::{companions, convert, folders, pull, settings_file};
 use crate::document::Revision;
 
 /// Above this many bytes an analysis takes long enough that a pause in typing is worth waiting for.
@@ -36,9 +38,14 @@ async fn analyse(shared: Arc<Shared>, first: Arc<Revision>) {
         }
         if shared.documents.is_current(&revision) {
             let (agreed, job) = (shared.agreed(), revision.clone());
-            let place = shared.clone();
-            match blocking(move |_| look_at(&place, agreed, &job)).await {
-                Ok(diagnostics) => shared.outbox.diagnostics(revision.clone(), diagnostics),
+            let beside = shared.clone();
+            match blocking(move |_| look_at(&beside, &job)).await {
+                Ok(_) if agreed.pulls_diagnostics => {}
+                Ok(diagnostics) => {
+                    shared
+                        .outbox
+                        .diagnostics(&shared.documents, revision.clone(), diagnostics);
+                }
                 Err(error) => shared
                     .outbox
                     .log(format!("no diagnostics for {}: {}", revision.uri, error.message)),
@@ -48,21 +55,16 @@ async fn analyse(shared: Arc<Shared>, first: Arc<Revision>) {
     }
 }
 
-/// The diagnostics of a document. The other open files of its workspace are looked at again if they see something
-/// else in it than before.
-fn look_at(
-    shared: &Arc<Shared>,
-    agreed: super::capabilities::Agreed,
-    revision: &Revision,
-) -> Vec<Diagnostic> {
-    let diagnostics = diagnostics(agreed, revision);
+/// The diagnostics of a program. The other open files of its workspace are looked at again if they see something
+/// else in it than before. For a blocking thread.
+pub(super) fn look_at(shared: &Arc<Shared>, revision: &Revision) -> Vec<Diagnostic> {
+    let diagnostics = diagnostics_of(shared.agreed(), revision);
     if let Some(place) = revision.place().filter(|_| shared.documents.is_current(revision)) {
-        if let Some(complaint) = place.neighbours.complaint(&place.path) {
-            shared.outbox.show(complaint);
-        }
         if revision.tell_neighbours() {
             refresh_others(shared, &place.path, Some(&revision.uri));
         }
+        settings_file::tell(shared);
+        companions::refresh_scenarios(shared);
     }
     diagnostics
 }
@@ -73,9 +75,17 @@ fn refresh_others(shared: &Arc<Shared>, path: &Path, but: Option<&str>) {
         let beside = other
             .place()
             .is_some_and(|place| shared.neighbours.together(&place.path, path));
-        if beside && Some(&*other.uri) != but && shared.documents.touch(&other.uri) {
-            refresh(shared, &other.uri);
+        if beside && Some(&*other.uri) != but {
+            look_again(shared, &other.uri);
         }
+    }
+    pull::refresh(shared);
+}
+
+/// Looks once more at an open document, whose text is as it was.
+fn look_again(shared: &Arc<Shared>, uri: &str) {
+    if shared.documents.touch(uri) {
+        refresh(shared, uri);
     }
 }
 
@@ -93,25 +103,38 @@ pub(super) fn neighbour_closed(shared: &Arc<Shared>, uri: String, path: PathBuf)
 /// Files were changed, made or removed on disk.
 pub(super) fn disk_changed(shared: &Arc<Shared>, paths: Vec<PathBuf>) {
     let shared = shared.clone();
-    tokio::task::spawn_blocking(move || {
-        if shared.neighbours.disk_changed(&paths) {
-            for path in &paths {
-                refresh_others(&shared, path, None);
+    tokio::task::spawn_blocking(move || files_changed(&shared, &paths));
+}
+
+/// As [`disk_changed`], on a thread that may read the disk.
+pub(super) fn files_changed(shared: &Arc<Shared>, paths: &[PathBuf]) {
+    let settings = paths
+        .iter()
+        .any(|path| path.file_name().is_some_and(|name| name == SETTINGS_FILE));
+    if shared.neighbours.disk_changed(paths) {
+        if settings {
+            // Which file belongs where may be another matter now.
+            look_at_everything_again(shared);
+        } else {
+            for path in paths {
+                refresh_others(shared, path, None);
             }
         }
-    });
-}
-
-/// The editor's settings are other ones: every open document is looked at again.
-pub(super) fn settings_changed(shared: &Arc<Shared>) {
-    for document in shared.documents.all() {
-        if shared.documents.touch(&document.uri) {
-            refresh(shared, &document.uri);
-        }
     }
+    companions::refresh_scenarios(shared);
 }
 
-fn diagnostics(agreed: super::capabilities::Agreed, revision: &Revision) -> Vec<Diagnostic> {
+/// The settings of the editor or of a workspace are other ones, or the client has other folders open.
+pub(super) fn look_at_everything_again(shared: &Arc<Shared>) {
+    for document in shared.documents.all() {
+        look_again(shared, &document.uri);
+    }
+    pull::refresh(shared);
+    folders::index(shared);
+}
+
+/// What is found in a text. For a blocking thread.
+pub(super) fn diagnostics_of(agreed: Agreed, revision: &Revision) -> Vec<Diagnostic> {
     match revision.analysis() {
         Some(analysis) => analysis
             .diagnostics()
@@ -122,7 +145,7 @@ fn diagnostics(agreed: super::capabilities::Agreed, revision: &Revision) -> Vec<
     }
 }
 
-fn too_large(revision: &Revision) -> Diagnostic {
+pub(super) fn too_large(revision: &Revision) -> Diagnostic {
     Diagnostic {
         range: Range::default(),
         severity: Some(DiagnosticSeverity::ERROR),

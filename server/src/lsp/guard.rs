@@ -219,7 +219,6 @@ pub(super) fn internal_error(panic: &(dyn Any + Send)) -> Error {
 
 #[cfg(test)]
 mod tests {
-    use std::sync::Arc;
     use std::time::Duration;
 
     use serde_json::{Value, json};
@@ -228,7 +227,6 @@ mod tests {
     use tower_lsp::{LanguageServer, LspService, jsonrpc};
 
     use super::*;
-    use crate::document::Documents;
 
     /// A server with a mistake in each kind of handler.
     struct Faulty;
@@ -257,7 +255,7 @@ mod tests {
     fn guarded() -> Guard<LspService<Faulty>> {
         let mut outbox = None;
         let (service, socket) = LspService::new(|client| {
-            outbox = Some(Outbox::open(client, Arc::<Documents>::default()));
+            outbox = Some(Outbox::open(client));
             Faulty
         });
         // The loopback has to live, or sending fails.

@@ -21,28 +21,38 @@ pub(super) struct Outbox {
 
 #[derive(Debug)]
 enum Note {
-    Diagnostics(Arc<Revision>, Vec<Diagnostic>),
-    NoDiagnostics(String),
+    Diagnostics(Arc<Documents>, Arc<Revision>, Vec<Diagnostic>),
+    DiagnosticsOnDisk(String, Vec<Diagnostic>),
     Log(MessageType, String),
     Show(MessageType, String),
 }
 
 impl Outbox {
     /// Starts the task that sends. Must be called within the runtime.
-    pub(super) fn open(client: Client, documents: Arc<Documents>) -> Self {
+    pub(super) fn open(client: Client) -> Self {
         let (notes, inbox) = mpsc::unbounded_channel();
-        tokio::spawn(send(client, documents, inbox));
+        tokio::spawn(send(client, inbox));
         Outbox { notes }
     }
 
-    /// Diagnostics of a text, all of them.
-    pub(super) fn diagnostics(&self, revision: Arc<Revision>, diagnostics: Vec<Diagnostic>) {
-        self.note(Note::Diagnostics(revision, diagnostics));
+    /// Diagnostics of an open text, all of them.
+    pub(super) fn diagnostics(
+        &self,
+        documents: &Arc<Documents>,
+        revision: Arc<Revision>,
+        diagnostics: Vec<Diagnostic>,
+    ) {
+        self.note(Note::Diagnostics(documents.clone(), revision, diagnostics));
+    }
+
+    /// Diagnostics of a file that is not open, all of them.
+    pub(super) fn diagnostics_on_disk(&self, uri: &str, diagnostics: Vec<Diagnostic>) {
+        self.note(Note::DiagnosticsOnDisk(uri.to_owned(), diagnostics));
     }
 
     /// Takes the diagnostics of a closed document off the screen.
     pub(super) fn no_diagnostics(&self, uri: &str) {
-        self.note(Note::NoDiagnostics(uri.to_owned()));
+        self.diagnostics_on_disk(uri, Vec::new());
     }
 
     /// A line for the client's log.
@@ -61,20 +71,20 @@ impl Outbox {
     }
 }
 
-async fn send(client: Client, documents: Arc<Documents>, mut inbox: mpsc::UnboundedReceiver<Note>) {
+async fn send(client: Client, mut inbox: mpsc::UnboundedReceiver<Note>) {
     while let Some(note) = inbox.recv().await {
         match note {
-            Note::Diagnostics(revision, _) if !documents.is_current(&revision) => {}
-            Note::Diagnostics(revision, diagnostics) => {
+            Note::Diagnostics(documents, revision, _) if !documents.is_current(&revision) => {}
+            Note::Diagnostics(_, revision, diagnostics) => {
                 if let Some(uri) = convert::uri(&revision.uri) {
                     client
                         .publish_diagnostics(uri, diagnostics, Some(revision.version))
                         .await;
                 }
             }
-            Note::NoDiagnostics(uri) => {
+            Note::DiagnosticsOnDisk(uri, diagnostics) => {
                 if let Some(uri) = convert::uri(&uri) {
-                    client.publish_diagnostics(uri, Vec::new(), None).await;
+                    client.publish_diagnostics(uri, diagnostics, None).await;
                 }
             }
             Note::Log(level, message) => client.log_message(level, message).await,
@@ -113,7 +123,7 @@ mod tests {
         let documents = Arc::<Documents>::default();
         let mut outbox = None;
         let (mut service, socket) = LspService::new(|client| {
-            outbox = Some(Outbox::open(client, documents.clone()));
+            outbox = Some(Outbox::open(client));
             Quiet
         });
         let initialize =
@@ -126,14 +136,14 @@ mod tests {
 
         let open = |version, text| documents.open("file:///a.clad", version, Encoding::Utf16, text);
         let first = open(1, "x");
-        outbox.diagnostics(first.clone(), Vec::new());
+        outbox.diagnostics(&documents, first.clone(), Vec::new());
         documents.close(&first.uri);
         outbox.no_diagnostics(&first.uri);
         let second = open(1, "y");
-        outbox.diagnostics(first, Vec::new());
+        outbox.diagnostics(&documents, first, Vec::new());
         let third = documents.change(&second.uri, 2, &[]).unwrap();
-        outbox.diagnostics(second, Vec::new());
-        outbox.diagnostics(third, Vec::new());
+        outbox.diagnostics(&documents, second, Vec::new());
+        outbox.diagnostics(&documents, third, Vec::new());
         drop(outbox);
 
         let sent: Vec<Value> = socket

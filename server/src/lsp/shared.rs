@@ -1,13 +1,17 @@
 //! What all handlers share.
 
-use std::sync::atomic::{AtomicU64, Ordering};
+use std::path::PathBuf;
+use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
 use std::sync::{Arc, Mutex, OnceLock, PoisonError, RwLock};
+use std::time::Instant;
 
 use tokio::sync::Notify;
 use tower_lsp::Client;
 
 use super::capabilities::Agreed;
 use super::outbox::Outbox;
+use super::pull::Found;
+use super::settings_file::Told;
 use crate::document::Documents;
 use crate::document::neighbours::Neighbours;
 use crate::simulation::Sessions;
@@ -23,8 +27,22 @@ pub(super) struct Shared {
     editor_asked: AtomicU64,
     /// What was said last about mistakes in them.
     settings_complaint: Mutex<String>,
+    /// What was said of settings files that are not open.
+    pub(super) settings_files: Told,
+    /// What was found in files that are not open.
+    pub(super) found: Found,
+    /// Whether the client is about to be told that diagnostics are other ones now.
+    pub(super) refresh_due: AtomicBool,
+    /// When the files on disk were last looked at for a client that does not tell of changes.
+    pub(super) looked_around: Mutex<Option<Instant>>,
+    /// The folders that the client has open.
+    pub(super) folders: Mutex<Vec<PathBuf>>,
     pub(super) client: Client,
+    /// The open programs.
     pub(super) documents: Arc<Documents>,
+    /// The open texts that are no programs: settings files, scenarios, and what the client sends besides. They are
+    /// apart, so that nobody takes one for a program.
+    pub(super) companions: Arc<Documents>,
     /// The files beside them.
     pub(super) neighbours: Arc<Neighbours>,
     pub(super) sessions: Sessions,
@@ -35,15 +53,20 @@ pub(super) struct Shared {
 
 impl Shared {
     pub(super) fn new(client: Client) -> Arc<Self> {
-        let documents = Arc::<Documents>::default();
         Arc::new(Shared {
             agreed: OnceLock::new(),
             editor: RwLock::default(),
             editor_asked: AtomicU64::new(0),
             settings_complaint: Mutex::default(),
-            outbox: Outbox::open(client.clone(), documents.clone()),
+            settings_files: Told::default(),
+            found: Found::default(),
+            refresh_due: AtomicBool::new(false),
+            looked_around: Mutex::new(None),
+            folders: Mutex::default(),
+            outbox: Outbox::open(client.clone()),
             client,
-            documents,
+            documents: Arc::default(),
+            companions: Arc::default(),
             neighbours: Arc::default(),
             sessions: Sessions::default(),
             orphaned: Notify::new(),

@@ -8,13 +8,16 @@ use std::sync::Arc;
 use serde::Deserialize;
 use tower_lsp::jsonrpc::Request;
 use tower_lsp::ls_types::{
-    CancelParams, DidChangeConfigurationParams, DidChangeTextDocumentParams, DidChangeWatchedFilesParams,
-    DidCloseTextDocumentParams, DidOpenTextDocumentParams, TextDocumentContentChangeEvent,
+    CancelParams, CreateFilesParams, DeleteFilesParams, DidChangeConfigurationParams,
+    DidChangeTextDocumentParams, DidChangeWatchedFilesParams, DidChangeWorkspaceFoldersParams,
+    DidCloseTextDocumentParams, DidOpenTextDocumentParams, DidSaveTextDocumentParams, RenameFilesParams,
+    TextDocumentContentChangeEvent,
 };
 
+use super::companions::{self, Kind};
 use super::convert::our_range;
-use super::diagnostics;
 use super::shared::Shared;
+use super::{diagnostics, watch};
 use crate::document::edit::Change;
 use crate::document::neighbours::Place;
 use crate::document::{Refused, address};
@@ -22,33 +25,36 @@ use crate::document::{Refused, address};
 pub(super) fn opened(shared: &Arc<Shared>, params: DidOpenTextDocumentParams) {
     let document = params.text_document;
     let uri = document.uri.as_str();
-    if shared.documents.get(uri).is_some() {
+    let store = match Kind::of(uri, &document.language_id) {
+        Kind::Program => &shared.documents,
+        Kind::Settings | Kind::Scenarios | Kind::Other => &shared.companions,
+    };
+    if shared.documents.get(uri).is_some() || shared.companions.get(uri).is_some() {
         shared.outbox.log(format!(
             "{uri} was opened twice without being closed; the newer text counts"
         ));
+        shared.documents.close(uri);
+        shared.companions.close(uri);
     }
     let place = address::path_of(uri).map(|path| Place::new(path, &shared.neighbours));
-    shared.documents.open_at(
-        uri,
-        document.version,
-        shared.agreed().encoding,
-        &document.text,
-        place,
-    );
+    let encoding = shared.agreed().encoding;
+    store.open_at(uri, document.version, encoding, &document.text, place);
     shared.text_moved(uri);
-    diagnostics::refresh(shared, uri);
+    text_is_new(shared, uri);
 }
 
 pub(super) fn changed(shared: &Arc<Shared>, params: DidChangeTextDocumentParams) {
     let uri = params.text_document.uri.as_str();
     let changes: Vec<_> = params.content_changes.into_iter().map(change).collect();
-    match shared
-        .documents
-        .change(uri, params.text_document.version, &changes)
-    {
+    let version = params.text_document.version;
+    let done = match shared.companions.change(uri, version, &changes) {
+        Err(Refused::NotOpen) => shared.documents.change(uri, version, &changes),
+        done => done,
+    };
+    match done {
         Ok(_) => {
             shared.text_moved(uri);
-            diagnostics::refresh(shared, uri);
+            text_is_new(shared, uri);
         }
         Err(refused) => {
             let message = format!("a change to {uri} was refused: {refused}");
@@ -61,11 +67,24 @@ pub(super) fn changed(shared: &Arc<Shared>, params: DidChangeTextDocumentParams)
     }
 }
 
+fn text_is_new(shared: &Arc<Shared>, uri: &str) {
+    if shared.companions.get(uri).is_some() {
+        companions::refresh(shared, uri);
+    } else {
+        diagnostics::refresh(shared, uri);
+    }
+    watch::look_around(shared);
+}
+
 pub(super) fn closed(shared: &Arc<Shared>, params: &DidCloseTextDocumentParams) {
     let uri = params.text_document.uri.as_str();
-    if shared.documents.close(uri) {
+    if shared.companions.close(uri) {
+        companions::closed(shared, uri);
+    } else if shared.documents.close(uri) {
         shared.document_closed(uri);
-        shared.outbox.no_diagnostics(uri);
+        if !shared.agreed().pulls_diagnostics {
+            shared.outbox.no_diagnostics(uri);
+        }
         if let Some(path) = address::path_of(uri) {
             diagnostics::neighbour_closed(shared, uri.to_owned(), path);
         }
@@ -73,6 +92,15 @@ pub(super) fn closed(shared: &Arc<Shared>, params: &DidCloseTextDocumentParams) 
         shared
             .outbox
             .log(format!("{uri} was closed, but it was not open"));
+    }
+}
+
+/// A document was saved: for a client that does not tell of changed files.
+pub(super) fn saved(shared: &Arc<Shared>, params: &DidSaveTextDocumentParams) {
+    if !shared.agreed().watches_files
+        && let Some(path) = address::path_of(params.text_document.uri.as_str())
+    {
+        diagnostics::disk_changed(shared, vec![path]);
     }
 }
 
@@ -103,7 +131,12 @@ pub(super) fn misread(notification: &Request) -> Option<String> {
         "textDocument/didOpen" => DidOpenTextDocumentParams::deserialize(params).err(),
         "textDocument/didChange" => DidChangeTextDocumentParams::deserialize(params).err(),
         "workspace/didChangeConfiguration" => DidChangeConfigurationParams::deserialize(params).err(),
+        "workspace/didCreateFiles" => CreateFilesParams::deserialize(params).err(),
+        "workspace/didRenameFiles" => RenameFilesParams::deserialize(params).err(),
+        "workspace/didDeleteFiles" => DeleteFilesParams::deserialize(params).err(),
         "workspace/didChangeWatchedFiles" => DidChangeWatchedFilesParams::deserialize(params).err(),
+        "textDocument/didSave" => DidSaveTextDocumentParams::deserialize(params).err(),
+        "workspace/didChangeWorkspaceFolders" => DidChangeWorkspaceFoldersParams::deserialize(params).err(),
         "textDocument/didClose" => DidCloseTextDocumentParams::deserialize(params).err(),
         "$/cancelRequest" => CancelParams::deserialize(params).err(),
         _ => None,

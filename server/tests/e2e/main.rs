@@ -1,6 +1,7 @@
 //! Sessions between a small client and the whole server, framework included, over a pipe in the process.
 
 mod client;
+mod companions;
 mod completion;
 mod configuration;
 mod diagnostics;
@@ -11,6 +12,8 @@ mod lifecycle;
 mod navigate;
 mod plant;
 mod protocol_page;
+mod pull;
 mod several_files;
 mod simulate;
 mod sync;
+mod workspace;

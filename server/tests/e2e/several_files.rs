@@ -125,12 +125,14 @@ async fn settings_say_which_files_belong_to_it() {
     assert_eq!(inserted[0], "---", "{edits}");
     plant.write("ladder.toml", "[workspace]\nexcluded = [\"lib\"]\n");
     watched(&mut client, &plant.uri("ladder.toml")).await;
-    let shown = client.notification("window/showMessage", |_| true).await;
-    let message = shown["message"].as_str().unwrap();
-    assert!(
-        message
-            .ends_with("ladder.toml:2:1: `excluded` is no setting in [workspace]: did you mean `exclude`?"),
-        "{message}"
+    let shown = client
+        .notification("textDocument/publishDiagnostics", |it| {
+            it["uri"] == plant.uri("ladder.toml")
+        })
+        .await;
+    assert_eq!(
+        shown["diagnostics"][0]["message"],
+        "`excluded` is no setting in [workspace]: did you mean `exclude`?"
     );
     client.finish().await;
 }

@@ -80,6 +80,42 @@ t.step('a correction takes the diagnostic away', function()
   end)
 end)
 
+t.step('what one file shows to another is followed in both', function()
+  local main = t.open('calls.clad')
+  t.eventually('the diagnostic', function()
+    return (vim.diagnostic.get(main)[1] or {}).code == 'unknown-function'
+  end)
+  local library = vim.fs.dirname(vim.api.nvim_buf_get_name(main)) .. '/library.clad'
+  vim.cmd.split(library)
+  vim.api.nvim_buf_set_lines(0, 0, -1, false, { '+--<FUN>( count )--[ ]( go )--( )( counted )--+' })
+  t.eventually('no diagnostics', function()
+    return #vim.diagnostic.get(main) == 0
+  end)
+  vim.cmd('bwipeout!')
+end)
+
+t.step('a mistake in ladder.toml is shown at its place, and other files in TOML are left alone', function()
+  local folder = vim.env.LADDER_SCRATCH .. '/settings'
+  vim.fn.mkdir(folder)
+  vim.fn.writefile({ '[format]', 'with = 120' }, folder .. '/ladder.toml')
+  vim.fn.writefile({ '[format]' }, folder .. '/other.toml')
+  vim.cmd.edit(folder .. '/other.toml')
+  local other = vim.api.nvim_get_current_buf()
+  vim.cmd.edit(folder .. '/ladder.toml')
+  local bufnr = vim.api.nvim_get_current_buf()
+  local found = t.eventually('the diagnostic', function()
+    return vim.diagnostic.get(bufnr)[1]
+  end)
+  t.equal('its place', { 1, 0, 4 }, { found.lnum, found.col, found.end_col })
+  t.equal('its message', '`with` is no setting in [format]: did you mean `width`?', found.message)
+  vim.api.nvim_buf_set_text(bufnr, 1, 1, 1, 2, { 'id' })
+  t.eventually('no diagnostics', function()
+    return #vim.diagnostic.get(bufnr) == 0
+  end)
+  t.equal('the servers of another file', 0, #vim.lsp.get_clients({ bufnr = other, name = 'ladder' }))
+  vim.cmd('bwipeout!')
+end)
+
 t.step('hovering over a timer explains it', function()
   local bufnr = t.open('motor.clad')
   local row = 5

@@ -1,0 +1,83 @@
+//! How files on disk were when they were read.
+
+use std::collections::BTreeMap;
+use std::path::{Path, PathBuf};
+
+use ladder_syntax::{LineColumn, TextRange};
+use ladder_workspace::{Files, Mistake, Root, SETTINGS_FILE, Settings, Stamp};
+
+/// A settings file as it was read.
+#[derive(Debug)]
+pub(crate) struct SettingsFile {
+    /// The file.
+    pub(crate) path: PathBuf,
+    /// Its text; empty if it cannot be read.
+    pub(crate) text: String,
+    /// What is wrong in it. The rest of it holds.
+    pub(crate) mistakes: Vec<Mistake>,
+    pub(super) stamp: Stamp,
+}
+
+impl SettingsFile {
+    /// Reads it, as far as it can be read.
+    pub(super) fn read(path: PathBuf) -> (Settings, SettingsFile) {
+        let stamp = Stamp::of(&path);
+        let (text, settings, mistakes) = match ladder_workspace::read(&path) {
+            Ok(text) => {
+                let (settings, mistakes) = Settings::examine(&path, &text);
+                (text, settings, mistakes)
+            }
+            Err(error) => {
+                let unreadable = Mistake {
+                    range: TextRange::default(),
+                    place: LineColumn { line: 1, column: 1 },
+                    message: error.problem.to_string(),
+                };
+                (String::new(), Settings::default(), vec![unreadable])
+            }
+        };
+        let file = SettingsFile {
+            path,
+            text,
+            mistakes,
+            stamp,
+        };
+        (settings, file)
+    }
+}
+
+/// How the files of a workspace were when they were read.
+pub(super) struct Seen {
+    /// The settings file, if there was one.
+    pub(super) settings_file: Option<Stamp>,
+    /// Which programs belong to it.
+    pub(super) files: Files,
+    /// Its programs.
+    pub(super) programs: BTreeMap<PathBuf, Stamp>,
+}
+
+impl Seen {
+    /// Those that are not so any more.
+    pub(super) fn changed(&self, root: &Path) -> Vec<PathBuf> {
+        let settings_file = root.join(SETTINGS_FILE);
+        let now = Stamp::of(&settings_file);
+        if now.exists() != self.settings_file.is_some() || self.settings_file.is_some_and(|it| it != now) {
+            return vec![settings_file];
+        }
+        let found = match self.settings_file {
+            Some(_) => Root::Settings(root.to_owned()),
+            None => Root::Folder(root.to_owned()),
+        };
+        let there = found.programs(&self.files);
+        let gone = self
+            .programs
+            .keys()
+            .filter(|path| there.binary_search(path).is_err());
+        let mut changed: Vec<PathBuf> = gone.cloned().collect();
+        let other = there
+            .iter()
+            .filter(|path| self.programs.get(*path) != Some(&Stamp::of(path)));
+        changed.extend(other.cloned());
+        changed
+    }
+}
