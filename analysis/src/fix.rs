@@ -2,19 +2,24 @@
 //!
 //! A fix changes widths, and what stands in columns below it would no longer stand there. So its raw edits are
 //! made, the networks and sections that they touch are laid out again, and the difference to the text is what
-//! an editor applies. This parses the whole text: it is done for the one fix that is wanted, not for each that
+//! an editor applies. A file that was laid out stays so as a whole: where a rung grows past the right rail, the rail moves
+//! for all. This parses the whole text: it is done for the one fix that is wanted, not for each that
 //! is offered.
 
 use crate::diagnostic::Fix;
-use ladder_format::{Edit, Options, apply, format_ranges};
+use ladder_format::{Edit, Options, apply, format_ranges, format_text, reformat};
 use ladder_syntax::{TextRange, TextSize, parse};
 
 /// The edits that make a fix in `text`, the text that it was found in: sorted, none touching another, none where
 /// nothing changes.
 pub fn aligned(text: &str, fix: &Fix, options: &Options) -> Vec<Edit> {
     let raw = apply(text, &fix.edits);
-    let parsed = parse(&raw);
-    let tidied = apply(&raw, &format_ranges(&parsed, options, &moved(&fix.edits)));
+    let was_laid_out = reformat(text, options).is_none();
+    let tidied = if was_laid_out {
+        format_text(&raw, options)
+    } else {
+        apply(&raw, &format_ranges(&parse(&raw), options, &moved(&fix.edits)))
+    };
     difference(text, &tidied)
 }
 
@@ -124,6 +129,22 @@ mod tests {
 
 +--[ ]( c )-( )( z )--+
 "
+        );
+    }
+
+    #[test]
+    fn a_file_that_is_laid_out_stays_so() {
+        let text = "\
++--[ ]( a )----------------------( )( y )--+
+
++--[ ]( c )----------------------( )( z )--+
+";
+        let text = format_text(text, &Options::default());
+        let fixed = applied(&text, "( a )", "( a_name_that_moves_the_rail_of_the_file )");
+        assert_eq!(fixed, format_text(&fixed, &Options::default()));
+        assert!(
+            fixed.lines().all(|line| line.is_empty() || line.len() > 60),
+            "{fixed}"
         );
     }
 

@@ -4,7 +4,6 @@ use super::source::{Lines, Source};
 use annotate_snippets::{Annotation, AnnotationKind, Group, Level, Patch, Renderer, Snippet};
 use ladder_analysis::Severity;
 use ladder_analysis::{Diagnostic, Fix, Related, fix};
-use ladder_format::Options;
 use ladder_syntax::{TextRange, TextSize};
 use std::borrow::Cow;
 use std::ops::Range;
@@ -73,7 +72,7 @@ const SHORT: usize = 64 << 10;
 /// The lines as they would be.
 fn suggestion<'a>(source: &'a Source, fix: &'a Fix) -> Option<Group<'a>> {
     let edits = if source.text.len() <= SHORT {
-        fix::aligned(&source.text, fix, &Options::default())
+        fix::aligned(&source.text, fix, &source.format_options())
     } else {
         fix.edits.clone()
     };

@@ -79,6 +79,12 @@ impl Source {
         program.clone()
     }
 
+    /// The layout that its workspace asks for.
+    pub(crate) fn format_options(&self) -> ladder_format::Options {
+        let workspace = self.workspace();
+        workspace.map_or_else(Default::default, |workspace| workspace.settings().format.clone())
+    }
+
     /// Another file of the workspace, by the name that findings and programs know it by.
     pub(crate) fn other(&self, name: &str) -> Option<Source> {
         let workspace = self.workspace()?;

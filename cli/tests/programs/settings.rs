@@ -25,6 +25,23 @@ fn the_formatter_takes_width_and_spacing() {
     assert_eq!(folder.ldfmt_stdin(&["-"], CROOKED.as_bytes()).stdout, SPACED);
 }
 
+/// One blank where two would be by default: in the fix that is shown, and in the one that is made.
+#[test]
+fn fixes_are_laid_out_as_the_workspace_asks() {
+    let folder = Folder::with(&[
+        ("ladder.toml", "[format]\nspacing = 1\n"),
+        (
+            "sub/a.clad",
+            "+-[ ]( a )-[TOM]( t, 5s )--------------( )( y )-+\n",
+        ),
+    ]);
+    let laid_out = "+-[ ]( a )-----[TON]( t, 5s )-( )( y )-+\n";
+    let shown = folder.ladder(&["check", "sub/a.clad"]).stdout;
+    assert!(shown.contains(laid_out), "{shown}");
+    folder.ladder(&["check", "--fix", "sub/a.clad"]);
+    assert_eq!(folder.read("sub/a.clad"), laid_out);
+}
+
 #[test]
 fn the_simulator_takes_the_interval_and_the_watchdog() {
     let folder = Folder::with(&[

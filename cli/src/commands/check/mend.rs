@@ -3,7 +3,7 @@
 use super::Checked;
 use crate::findings::Source;
 use ladder_analysis::{Diagnostic, Fix, Severity, fix};
-use ladder_format::{Options, apply};
+use ladder_format::apply;
 use ladder_syntax::TextSize;
 use ladder_workspace::FileError;
 use std::path::Path;
@@ -13,7 +13,7 @@ const ROUNDS: usize = 16;
 
 /// Mends a file. It is written once, at the end, and only if something was mended.
 pub(super) fn mend(mut source: Source) -> Result<Checked, FileError> {
-    let options = Options::default();
+    let options = source.format_options();
     let mut findings = source.analyze().diagnostics.clone();
     let mut mended = 0;
     for _ in 0..ROUNDS {
