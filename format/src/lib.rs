@@ -20,6 +20,7 @@
 //! know nothing of text, so that whoever makes new networks draws them with the same writer.
 
 mod block;
+mod circuit;
 mod columns;
 mod draw;
 mod edit;
@@ -38,6 +39,7 @@ mod sketch;
 mod stays;
 mod width;
 
+pub use circuit::{Circuit, Piece, PieceKind};
 pub use edit::{Edit, apply};
 pub use layout::Layout;
 pub use sketch::{Element, ElementKind, Sketch};
