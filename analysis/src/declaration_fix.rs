@@ -9,7 +9,7 @@ use ladder_syntax::{LineKind, Parse, Section, TextRange, TextSize};
 use std::collections::HashMap;
 
 /// Where declarations of a scope go.
-pub(crate) struct Places {
+pub struct Places {
     /// The last section of each kind that takes them: the place, and whether it begins a line.
     sections: HashMap<SectionKind, (TextSize, bool)>,
     /// Where a new section goes, what must stand before it, and whether a blank line follows it.
@@ -23,7 +23,7 @@ pub(crate) struct Places {
 
 impl Places {
     /// The places of scope 0, the file's, or of block definition `scope - 1`.
-    pub(crate) fn new(context: &Context, scope: usize) -> Places {
+    pub fn new(context: &Context, scope: usize) -> Places {
         let parse = &*context.parse;
         let block = scope.checked_sub(1);
         let line_end = line_end(parse);
@@ -64,30 +64,61 @@ impl Places {
 
     /// The fix that declares a tag: in the last section of its kind, else in a new one. None if a section that is
     /// not closed leaves no place for it.
-    pub(crate) fn declare(&self, section: SectionKind, name: &str, ty: &str) -> Option<Fix> {
+    pub fn declare(&self, section: SectionKind, name: &str, ty: &str) -> Option<Fix> {
+        let keyword = section.keyword();
+        Some(Fix {
+            title: format!("Declare `{name} : {ty}` in {keyword}"),
+            edits: self.declare_all(&[(section, name.to_owned(), ty.to_owned())])?,
+        })
+    }
+
+    /// The edits that declare some tags, each with its section, name and type: those of one section together, in the
+    /// order given; new sections in the order of inputs, outputs and others.
+    pub fn declare_all(&self, tags: &[(SectionKind, String, String)]) -> Option<Vec<Edit>> {
         if self.open {
             return None;
         }
-        let (keyword, line_end) = (section.keyword(), self.line_end);
-        let (at, text) = match self.sections.get(&section) {
-            Some((at, true)) => (*at, format!("    {name} : {ty};{line_end}")),
-            Some((at, false)) => (*at, format!(" {name} : {ty}; ")),
-            None => {
-                let blank = if self.blank_behind { line_end } else { "" };
-                let before = self.before_new;
-                let text = format!(
-                    "{before}{keyword}{line_end}    {name} : {ty};{line_end}END_VAR{line_end}{blank}"
-                );
-                (self.new, text)
+        let line_end = self.line_end;
+        let mut edits = Vec::new();
+        let mut new = String::new();
+        for section in [
+            SectionKind::Input,
+            SectionKind::Output,
+            SectionKind::InOut,
+            SectionKind::Var,
+            SectionKind::Global,
+            SectionKind::External,
+        ] {
+            let own = tags.iter().filter(|(of, ..)| *of == section);
+            let place = self.sections.get(&section);
+            let declarations: String = own
+                .map(|(_, name, ty)| match place {
+                    Some((_, false)) => format!(" {name} : {ty}; "),
+                    _ => format!("    {name} : {ty};{line_end}"),
+                })
+                .collect();
+            match place {
+                _ if declarations.is_empty() => {}
+                Some((at, _)) => edits.push(Edit {
+                    range: TextRange::empty(*at),
+                    text: declarations,
+                }),
+                None => {
+                    let keyword = section.keyword();
+                    let section = [keyword, line_end, &declarations, "END_VAR", line_end];
+                    new.extend(section);
+                }
             }
-        };
-        Some(Fix {
-            title: format!("Declare `{name} : {ty}` in {keyword}"),
-            edits: vec![Edit {
-                range: TextRange::empty(at),
-                text,
-            }],
-        })
+        }
+        if !new.is_empty() {
+            let blank = if self.blank_behind { line_end } else { "" };
+            edits.push(Edit {
+                range: TextRange::empty(self.new),
+                text: format!("{}{new}{blank}", self.before_new),
+            });
+        }
+        edits.sort_by_key(|edit| edit.range.start());
+        Some(edits)
     }
 }
 

@@ -17,7 +17,7 @@ mod analyze;
 mod boolean;
 pub mod constant;
 pub mod context;
-mod declaration_fix;
+pub mod declaration_fix;
 mod declare;
 pub mod diagnostic;
 mod excerpt;

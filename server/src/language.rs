@@ -2,11 +2,11 @@
 
 use std::sync::Arc;
 
-use ladder_analysis::fix::aligned;
-use ladder_analysis::{Diagnostic, Fix, Others, RuleSettings, analyze_after};
+use ladder_analysis::{Diagnostic, Others, RuleSettings, analyze_after};
 use ladder_format::{Edit, Options, format};
+use ladder_ide::{Action, ActionKind, fix_all, quick_fixes, refactorings};
 use ladder_ide::{Completions, Hover, Topic, completions, documentation, hover};
-use ladder_syntax::{TextSize, parse};
+use ladder_syntax::{TextRange, TextSize, parse};
 
 /// All that is known of one text.
 #[derive(Debug, Clone)]
@@ -61,14 +61,26 @@ impl Analysis {
         documentation(&self.whole, topic)
     }
 
-    /// The edits that make fixes together, with the drawing around them put straight. They are given as edits that
-    /// do not touch each other.
-    pub(crate) fn mend(&self, edits: Vec<Edit>) -> Vec<Edit> {
-        let fix = Fix {
-            title: String::new(),
-            edits,
-        };
-        aligned(&self.text, &fix, &Options::default())
+    /// The edits of an action, with the drawing around them put straight.
+    pub(crate) fn aligned(&self, action: &Action, options: &Options) -> Vec<Edit> {
+        action.aligned(&self.text, options)
+    }
+
+    /// What can be done, of the kinds that are wanted, with what a range selects.
+    pub(crate) fn actions(&self, range: TextRange, wants: impl Fn(ActionKind) -> bool) -> Vec<Action> {
+        use ActionKind::{Extract, FixAll, Inline, QuickFix, Rewrite};
+        let mut actions = Vec::new();
+        if wants(QuickFix) {
+            actions.extend(quick_fixes(&self.whole, range));
+        }
+        if [Extract, Inline, Rewrite].into_iter().any(&wants) {
+            actions.extend(refactorings(&self.whole, range));
+        }
+        if wants(FixAll) {
+            actions.extend(fix_all(&self.whole));
+        }
+        actions.retain(|action| wants(action.kind));
+        actions
     }
 
     /// The edits that bring the text into its canonical layout: sorted, none touching another.

@@ -142,12 +142,15 @@ impl Revision {
 
     /// The edits that bring the text into the layout that its workspace asks for.
     pub(crate) fn format(&self) -> Option<Vec<Edit>> {
-        let analysis = self.analysis()?;
-        let options = match &self.place {
+        Some(self.analysis()?.format(&self.format_options()))
+    }
+
+    /// The layout that its workspace asks for.
+    pub(crate) fn format_options(&self) -> Options {
+        match &self.place {
             Some(place) => place.neighbours.format_options(&place.path),
             None => Options::default(),
-        };
-        Some(analysis.format(&options))
+        }
     }
 
     /// What messages call the file: the last part of its address.

@@ -14,6 +14,7 @@ use tower_lsp::ls_types::{
     SelectionRangeProviderCapability, WorkDoneProgressOptions,
 };
 
+use super::code_action::KINDS;
 use super::completion;
 use super::{file_operations, pull};
 use crate::document::position::Encoding;
@@ -35,6 +36,10 @@ pub(super) struct Agreed {
     pub(super) diagnostic_data: bool,
     /// Edits may name the version of the document that they are for.
     pub(super) versioned_edits: bool,
+    /// The edits of a code action may be asked for later.
+    pub(super) resolves_edits: bool,
+    /// Code actions may be shown that cannot be done, with the reason.
+    pub(super) disabled_actions: bool,
     /// Hovers may be Markdown.
     pub(super) markdown: bool,
     /// A place that an editor is sent to may say how far it reaches.
@@ -85,6 +90,7 @@ impl Agreed {
         let markdown = |formats: Option<&Vec<MarkupKind>>| {
             formats.is_some_and(|formats| formats.contains(&MarkupKind::Markdown))
         };
+        let actions = document.and_then(|document| document.code_action.as_ref());
         let encodings = client
             .general
             .as_ref()
@@ -160,6 +166,12 @@ impl Agreed {
             markdown: markdown(hover.and_then(|it| it.content_format.as_ref())),
             snippets: completion.and_then(|it| it.snippet_support).unwrap_or(false),
             completion_markdown: markdown(completion.and_then(|it| it.documentation_format.as_ref())),
+            resolves_edits: actions.is_some_and(|it| {
+                let resolved = it.resolve_support.as_ref();
+                let edits = resolved.is_some_and(|it| it.properties.iter().any(|name| name == "edit"));
+                edits && it.data_support == Some(true)
+            }),
+            disabled_actions: actions.and_then(|it| it.disabled_support).unwrap_or(false),
         }
     }
 }
@@ -216,7 +228,8 @@ pub(super) fn offered(agreed: Agreed) -> ServerCapabilities {
         call_hierarchy_provider: Some(CallHierarchyServerCapability::Simple(true)),
         document_formatting_provider: Some(OneOf::Left(true)),
         code_action_provider: Some(CodeActionProviderCapability::Options(CodeActionOptions {
-            code_action_kinds: Some(vec![CodeActionKind::QUICKFIX, FIX_ALL]),
+            code_action_kinds: Some(KINDS.iter().map(|(_, kind)| kind.clone()).collect()),
+            resolve_provider: Some(agreed.resolves_edits),
             ..CodeActionOptions::default()
         })),
         execute_command_provider: Some(ExecuteCommandOptions {
@@ -267,7 +280,12 @@ mod tests {
                 "definition": {"linkSupport": true},
                 "completion": {"completionItem": {"snippetSupport": true, "documentationFormat": ["markdown"]}},
                 "documentSymbol": {"hierarchicalDocumentSymbolSupport": true},
-                "foldingRange": {"rangeLimit": 5000}
+                "foldingRange": {"rangeLimit": 5000},
+                "codeAction": {
+                    "dataSupport": true,
+                    "disabledSupport": true,
+                    "resolveSupport": {"properties": ["edit"]}
+                }
             },
             "window": {"workDoneProgress": true},
             "workspace": {
@@ -290,6 +308,8 @@ mod tests {
                 unnecessary_tag: true,
                 diagnostic_data: true,
                 versioned_edits: true,
+                resolves_edits: true,
+                disabled_actions: true,
                 markdown: true,
                 watches_files: true,
                 file_operations: file_operations::Told {

@@ -1,11 +1,14 @@
-//! `textDocument/codeAction`: the fixes of the problems in the range, and all sure fixes of the file at once.
+//! `textDocument/codeAction`: the fixes of the problems in the range, refactorings of what is selected, and all sure
+//! fixes of the file at once. What an action does to the text is worked out when it is offered only for clients that
+//! cannot ask for it later (`codeAction/resolve`): to put the drawing straight takes the whole text.
 
-use std::collections::BTreeMap;
 use std::sync::Arc;
 
-use tower_lsp::jsonrpc::Result;
+use serde::{Deserialize, Serialize};
+use tower_lsp::jsonrpc::{Error, Result};
 use tower_lsp::ls_types::{
-    CodeAction, CodeActionContext, CodeActionKind, CodeActionOrCommand, CodeActionParams, CodeActionResponse,
+    CodeAction, CodeActionContext, CodeActionDisabled, CodeActionKind, CodeActionOrCommand, CodeActionParams,
+    CodeActionResponse,
 };
 
 use super::blocking::blocking;
@@ -14,9 +17,26 @@ use super::convert;
 use super::shared::Shared;
 use crate::document::Revision;
 use crate::language::Analysis;
-use ladder_analysis::{Diagnostic, Fix};
-use ladder_format::Edit;
-use ladder_syntax::TextSize;
+use ladder_ide::{Action, ActionKind};
+use ladder_syntax::{TextRange, TextSize};
+
+/// The kinds of actions, and how the protocol calls them.
+pub(super) static KINDS: [(ActionKind, CodeActionKind); 5] = [
+    (ActionKind::QuickFix, CodeActionKind::QUICKFIX),
+    (ActionKind::Extract, CodeActionKind::REFACTOR_EXTRACT),
+    (ActionKind::Inline, CodeActionKind::REFACTOR_INLINE),
+    (ActionKind::Rewrite, CodeActionKind::REFACTOR_REWRITE),
+    (ActionKind::FixAll, FIX_ALL),
+];
+
+/// What an action carries, so that its edits can be asked for later.
+#[derive(Debug, Serialize, Deserialize)]
+struct Data {
+    uri: String,
+    version: i32,
+    start: u32,
+    end: u32,
+}
 
 pub(super) async fn code_action(
     shared: &Arc<Shared>,
@@ -28,22 +48,56 @@ pub(super) async fn code_action(
     let agreed = shared.agreed();
     blocking(move |_| {
         let analysis = revision.analysis()?;
-        let problems = analysis.diagnostics();
         let range = convert::our_range(params.range);
         let (start, end) = (revision.offset(range.start), revision.offset(range.end));
-        let mut actions = Vec::new();
-        if wanted(&params.context, &CodeActionKind::QUICKFIX) {
-            let touched = problems
-                .iter()
-                .filter(|problem| problem.range.start() <= end && start <= problem.range.end());
-            actions.extend(touched.flat_map(|problem| quick_fixes(agreed, &revision, analysis, problem)));
-        }
-        if wanted(&params.context, &FIX_ALL) {
-            actions.extend(fix_all(agreed, &revision, analysis));
-        }
-        Some(actions)
+        let range = TextRange::new(start.min(end), end.max(start));
+        let offered = analysis.actions(range, |kind| wanted(&params.context, &name(kind)));
+        let shown = offered
+            .iter()
+            .filter(|action| action.disabled.is_none() || agreed.disabled_actions)
+            .map(|action| offer(agreed, &revision, analysis, range, action));
+        Some(shown.collect())
     })
     .await
+}
+
+/// `codeAction/resolve`: the edits of an action that was offered without them.
+pub(super) async fn resolve(shared: &Arc<Shared>, mut action: CodeAction) -> Result<CodeAction> {
+    let data = action
+        .data
+        .clone()
+        .and_then(|data| serde_json::from_value::<Data>(data).ok());
+    let Some(data) = data.filter(|_| action.edit.is_none()) else {
+        return Ok(action);
+    };
+    let revision = shared.documents.get(&data.uri);
+    let Some(revision) = revision.filter(|revision| revision.version == data.version) else {
+        return Err(Error::content_modified());
+    };
+    let agreed = shared.agreed();
+    blocking(move |_| {
+        let range = within(&revision, &data);
+        if let Some(analysis) = revision.analysis() {
+            let offered = analysis.actions(range, |kind| Some(name(kind)) == action.kind);
+            let same = offered.into_iter().find(|offered| offered.title == action.title);
+            action.edit = same.and_then(|same| edit(agreed, &revision, analysis, &same));
+        }
+        action
+    })
+    .await
+}
+
+/// How the protocol calls a kind.
+fn name(kind: ActionKind) -> CodeActionKind {
+    let found = KINDS.iter().find(|(ours, _)| *ours == kind);
+    found.map_or(CodeActionKind::EMPTY, |(_, name)| name.clone())
+}
+
+/// The range of an action, which has been with the client meanwhile.
+fn within(revision: &Revision, data: &Data) -> TextRange {
+    let len = revision.len() as u32;
+    let end = data.end.min(len);
+    TextRange::new(TextSize::new(data.start.min(end)), TextSize::new(end))
 }
 
 /// Whether the client asks for actions of this kind: `source` asks for `source.fixAll.ladder` too.
@@ -55,92 +109,54 @@ fn wanted(context: &CodeActionContext, kind: &CodeActionKind) -> bool {
     })
 }
 
-fn quick_fixes(
+fn offer(
     agreed: Agreed,
     revision: &Revision,
     analysis: &Analysis,
-    problem: &Diagnostic,
-) -> Vec<CodeActionOrCommand> {
-    let diagnostic = convert::diagnostic(agreed, revision, problem);
-    let action = |(nth, fix): (usize, &Fix)| {
-        CodeActionOrCommand::CodeAction(CodeAction {
-            title: fix.title.clone(),
-            kind: Some(CodeActionKind::QUICKFIX),
-            diagnostics: Some(vec![diagnostic.clone()]),
-            edit: convert::workspace_edit(agreed, revision, &analysis.mend(fix.edits.clone())),
-            is_preferred: Some(nth == 0),
-            ..CodeAction::default()
+    range: TextRange,
+    action: &Action,
+) -> CodeActionOrCommand {
+    let later = agreed.resolves_edits && action.disabled.is_none();
+    let data = later.then(|| {
+        serde_json::to_value(Data {
+            uri: revision.uri.to_string(),
+            version: revision.version,
+            start: range.start().into(),
+            end: range.end().into(),
         })
-    };
-    problem.fixes.iter().enumerate().map(action).collect()
-}
-
-/// The first fix of every problem, as far as they do not touch each other: the rest is for the next round.
-fn first_fixes(problems: &[Diagnostic]) -> Vec<Edit> {
-    let mut edits: BTreeMap<TextSize, Edit> = BTreeMap::new();
-    for fix in problems.iter().filter_map(|problem| problem.fixes.first()) {
-        // Those taken do not touch each other, so only the last one that begins before the end can touch.
-        let touches = |new: &Edit| {
-            let before = edits.range(..=new.range.end()).next_back();
-            before.is_some_and(|(_, old)| new.range.start() <= old.range.end())
-        };
-        if !fix.edits.iter().any(touches) {
-            edits.extend(fix.edits.iter().map(|edit| (edit.range.start(), edit.clone())));
-        }
-    }
-    edits.into_values().collect()
-}
-
-fn fix_all(agreed: Agreed, revision: &Revision, analysis: &Analysis) -> Option<CodeActionOrCommand> {
-    let edits = first_fixes(analysis.diagnostics());
-    if edits.is_empty() {
-        return None;
-    }
-    let edits = analysis.mend(edits);
-    Some(CodeActionOrCommand::CodeAction(CodeAction {
-        title: "Apply all fixes".into(),
-        kind: Some(FIX_ALL),
-        edit: convert::workspace_edit(agreed, revision, &edits),
+    });
+    let now = !later && action.disabled.is_none();
+    let finding = action
+        .finding
+        .and_then(|finding| analysis.diagnostics().get(finding));
+    CodeActionOrCommand::CodeAction(CodeAction {
+        title: action.title.clone(),
+        kind: Some(name(action.kind)),
+        diagnostics: finding.map(|finding| vec![convert::diagnostic(agreed, revision, finding)]),
+        edit: now.then(|| edit(agreed, revision, analysis, action)).flatten(),
+        is_preferred: finding.map(|_| action.preferred),
+        disabled: action
+            .disabled
+            .clone()
+            .map(|reason| CodeActionDisabled { reason }),
+        data: data.and_then(std::result::Result::ok),
         ..CodeAction::default()
-    }))
+    })
+}
+
+fn edit(
+    agreed: Agreed,
+    revision: &Revision,
+    analysis: &Analysis,
+    action: &Action,
+) -> Option<tower_lsp::ls_types::WorkspaceEdit> {
+    let edits = analysis.aligned(action, &revision.format_options());
+    convert::workspace_edit(agreed, revision, &edits)
 }
 
 #[cfg(test)]
 mod tests {
-    use ladder_analysis::Rule;
-    use ladder_syntax::TextRange;
-
     use super::*;
-
-    /// The texts that "Apply all fixes" puts in for findings with these fixes, each an edit.
-    fn all_fixes(fixes: &[(u32, u32, &str)]) -> Vec<String> {
-        let finding = |&(start, end, text): &(u32, u32, &str)| {
-            let range = TextRange::new(start.into(), end.into());
-            Diagnostic::new(Rule::MissingWire, range, "").fix("", range, text)
-        };
-        let findings: Vec<_> = fixes.iter().map(finding).collect();
-        first_fixes(&findings).into_iter().map(|edit| edit.text).collect()
-    }
-
-    #[test]
-    fn fixes_that_touch_each_other_are_not_made_together() {
-        assert_eq!(
-            all_fixes(&[(0, 2, "first"), (4, 6, "second")]),
-            ["first", "second"]
-        );
-        assert_eq!(
-            all_fixes(&[(4, 6, "second"), (0, 2, "first")]),
-            ["first", "second"],
-            "in the order of the text"
-        );
-        assert_eq!(
-            all_fixes(&[(0, 4, "first"), (2, 6, "across"), (8, 9, "third")]),
-            ["first", "third"]
-        );
-        assert_eq!(all_fixes(&[(3, 3, "first"), (3, 3, "same place")]), ["first"]);
-        assert_eq!(all_fixes(&[(0, 3, "first"), (3, 5, "right behind")]), ["first"]);
-        assert_eq!(all_fixes(&[]), Vec::<String>::new());
-    }
 
     #[test]
     fn a_kind_asks_for_its_sub_kinds() {
@@ -151,15 +167,18 @@ mod tests {
             };
             [
                 wanted(&context, &CodeActionKind::QUICKFIX),
+                wanted(&context, &CodeActionKind::REFACTOR_REWRITE),
                 wanted(&context, &FIX_ALL),
             ]
         };
-        assert_eq!(asks("quickfix"), [true, false]);
-        assert_eq!(asks("source"), [false, true]);
-        assert_eq!(asks("source.fixAll"), [false, true]);
-        assert_eq!(asks("source.fix"), [false, false]);
-        assert_eq!(asks(""), [true, true]);
-        assert_eq!(asks("refactor"), [false, false]);
+        assert_eq!(asks("quickfix"), [true, false, false]);
+        assert_eq!(asks("source"), [false, false, true]);
+        assert_eq!(asks("source.fixAll"), [false, false, true]);
+        assert_eq!(asks("source.fix"), [false, false, false]);
+        assert_eq!(asks(""), [true, true, true]);
+        assert_eq!(asks("refactor"), [false, true, false]);
+        assert_eq!(asks("refactor.rewrite"), [false, true, false]);
+        assert_eq!(asks("refactor.inline"), [false, false, false]);
         assert!(wanted(&CodeActionContext::default(), &CodeActionKind::QUICKFIX));
     }
 }

@@ -169,6 +169,74 @@ async fn all_fixes_at_once() {
     client.finish().await;
 }
 
+/// A seal-in, and a client that asks for edits when it wants them.
+const MOTOR: &str = "\
++--\\--[ ]( start )--\\--[/]( stop )-------------( )( run )--+
+|  /--[ ]( run )----/                                      |
+";
+
+fn asks_later() -> Value {
+    json!({
+        "general": {"positionEncodings": ["utf-8"]},
+        "workspace": {"workspaceEdit": {"documentChanges": true}},
+        "textDocument": {"codeAction": {
+            "dataSupport": true, "disabledSupport": true, "resolveSupport": {"properties": ["edit"]}
+        }}
+    })
+}
+
+#[tokio::test]
+async fn a_refactoring_tells_its_edits_when_it_is_chosen() {
+    let mut client = Client::with(asks_later()).await;
+    client.open(MOTOR).await;
+    let offered = actions(&mut client, [0, 26, 0, 26], Some("refactor.rewrite")).await;
+    let toggle = offered
+        .iter()
+        .find(|action| {
+            action["title"]
+                .as_str()
+                .unwrap()
+                .starts_with("Make `stop` normally open")
+        })
+        .expect("a contact can be toggled");
+    assert_eq!(toggle["kind"], "refactor.rewrite");
+    assert!(toggle.get("edit").is_none(), "{toggle}");
+    let resolved = client
+        .request("codeAction/resolve", toggle.clone())
+        .await
+        .unwrap();
+    let edit = &resolved["edit"]["documentChanges"][0];
+    assert_eq!(edit["textDocument"], json!({"uri": URI, "version": 1}));
+    assert_eq!(
+        edited(MOTOR, &edit["edits"]),
+        MOTOR.replace("[/]( stop )", "[ ]( stop )")
+    );
+    assert_eq!(
+        actions(&mut client, [0, 26, 0, 26], Some("refactor.inline")).await,
+        Vec::<Value>::new(),
+        "only what is asked for"
+    );
+    // What was offered for a text that has moved on is not made.
+    client.change(2, &[([0, 0, 0, 0], "# x #\n")]).await;
+    let outdated = client.request("codeAction/resolve", toggle.clone()).await;
+    assert_eq!(outdated.unwrap_err().0, -32801);
+    client.finish().await;
+}
+
+#[tokio::test]
+async fn a_refactoring_tells_its_edits_at_once_where_nobody_asks_later() {
+    let mut client = Client::new().await;
+    client.open(MOTOR).await;
+    let offered = actions(&mut client, [0, 26, 0, 26], Some("refactor")).await;
+    assert!(offered.len() > 1, "{offered:?}");
+    for action in &offered {
+        let edits = &action["edit"]["documentChanges"][0]["edits"];
+        assert_ne!(edited(MOTOR, edits), MOTOR, "{action}");
+        assert!(action.get("data").is_none(), "{action}");
+    }
+    client.finish().await;
+}
+
 #[tokio::test]
 async fn a_cancelled_request_is_answered_as_such() {
     let mut client = Client::new().await;

@@ -1,0 +1,403 @@
+//! A network as rows of things that refactorings move about, and back to text.
+//!
+//! Only the order of things on a row and whether wire joins them is kept: the columns are the formatter's. Operands,
+//! comments and the lines between rungs keep their text to the letter.
+
+use ladder_analysis::context::Context;
+use ladder_analysis::network::NetworkFacts;
+use ladder_analysis::order::order;
+use ladder_analysis::program::Step;
+use ladder_format::Edit;
+use ladder_syntax::wiring::{Part, PartKind, wiring};
+use ladder_syntax::{Parse, TextRange, TextSize};
+use std::ops::Range;
+
+/// What a thing on a row is.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum ItemKind {
+    LeftRail,
+    RightRail,
+    Down,
+    Up,
+    /// A block; its number in the network's facts, or none for a new one.
+    Block(Option<usize>),
+    Comment,
+    /// A wire that ends at nothing.
+    Stub,
+}
+
+/// One thing on a row.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub(crate) struct Item {
+    pub(crate) kind: ItemKind,
+    pub(crate) text: String,
+    /// Whether wire joins it to the item before it.
+    pub(crate) joined: bool,
+    /// Where it stands in the file, unless it is new.
+    pub(crate) at: TextRange,
+}
+
+impl Item {
+    pub(crate) fn new(kind: ItemKind, text: impl Into<String>, joined: bool) -> Item {
+        Item {
+            kind,
+            text: text.into(),
+            joined,
+            at: TextRange::empty(TextSize::new(0)),
+        }
+    }
+
+    pub(crate) fn left_rail() -> Item {
+        Item::new(ItemKind::LeftRail, "+", false)
+    }
+
+    pub(crate) fn right_rail() -> Item {
+        Item::new(ItemKind::RightRail, "+", true)
+    }
+
+    pub(crate) fn down() -> Item {
+        Item::new(ItemKind::Down, "\\", true)
+    }
+
+    pub(crate) fn up(joined: bool) -> Item {
+        Item::new(ItemKind::Up, "/", joined)
+    }
+
+    pub(crate) fn block(text: impl Into<String>) -> Item {
+        Item::new(ItemKind::Block(None), text, true)
+    }
+
+    pub(crate) fn is_block(&self) -> bool {
+        matches!(self.kind, ItemKind::Block(_))
+    }
+
+    /// A comment that is no piece of a wire. It joins nothing, and what stands behind it is not joined to it.
+    fn is_loose(&self, next: Option<&Item>) -> bool {
+        self.kind == ItemKind::Comment && !self.joined && next.is_none_or(|next| !next.joined)
+    }
+}
+
+/// One rung.
+#[derive(Debug, Clone, Default, PartialEq, Eq)]
+pub(crate) struct Row {
+    pub(crate) items: Vec<Item>,
+    /// The lines between it and the next rung, line ends included.
+    pub(crate) below: String,
+}
+
+/// A network.
+#[derive(Debug, Clone, Default, PartialEq, Eq)]
+pub(crate) struct Drawing {
+    pub(crate) rows: Vec<Row>,
+    /// Lines of comments above the first rung, line ends included.
+    pub(crate) head: String,
+    line_end: &'static str,
+    /// The text of the network in the file, without the last line end.
+    range: TextRange,
+}
+
+impl Drawing {
+    /// The drawing of a network. None where it holds a mistake, or cannot be laid out again.
+    pub(crate) fn read(context: &Context, network: usize) -> Option<Drawing> {
+        let facts = &context.networks[network];
+        if facts.broken {
+            return None;
+        }
+        let parse = &*context.parse;
+        let mut rows = Vec::with_capacity(facts.wiring.rungs.len());
+        let mut block = 0;
+        let mut range: Option<TextRange> = None;
+        let lines: Vec<usize> = facts
+            .wiring
+            .line_offsets
+            .iter()
+            .map(|offset| facts.first_line + offset)
+            .collect();
+        for (rung, &line) in lines.iter().enumerate() {
+            let text = line_text(parse, line);
+            let start = parse.line_start(line);
+            let items = items(facts, rung, &text, start, &mut block)?;
+            let shown = text.trim_end_matches(['\r', '\n']);
+            let place = TextRange::at(start, TextSize::of(shown));
+            range = Some(range.map_or(place, |range| range.cover(place)));
+            let next = lines.get(rung + 1).copied();
+            let below = (line + 1..next.unwrap_or(line + 1)).map(|line| line_text(parse, line));
+            rows.push(Row {
+                items,
+                below: below.collect(),
+            });
+        }
+        let mut range = range?;
+        if range.start() == TextSize::new(0) && line_text(parse, 0).starts_with('\u{feff}') {
+            range = TextRange::new(TextSize::of('\u{feff}'), range.end());
+        }
+        Some(Drawing {
+            rows,
+            head: String::new(),
+            line_end: line_end(parse),
+            range,
+        })
+    }
+
+    /// A drawing of some rows that is not in the file yet, to be written with the line ends of another one.
+    pub(crate) fn beside(&self, rows: Vec<Row>) -> Drawing {
+        Drawing {
+            rows,
+            head: String::new(),
+            line_end: self.line_end,
+            range: self.range,
+        }
+    }
+
+    pub(crate) fn line_end(&self) -> &'static str {
+        self.line_end
+    }
+
+    /// Where it stands in the file, without the last line end.
+    pub(crate) fn range(&self) -> TextRange {
+        self.range
+    }
+
+    /// The text, without the last line end. Its columns are for the formatter to set right.
+    pub(crate) fn text(&self) -> String {
+        let mut out = self.head.clone();
+        for (number, row) in self.rows.iter().enumerate() {
+            if number > 0 {
+                out.push_str(self.line_end);
+                out.push_str(&self.rows[number - 1].below);
+            }
+            for (index, item) in row.items.iter().enumerate() {
+                match (index, item.kind) {
+                    (0, ItemKind::LeftRail) => {}
+                    (0, _) => out.push_str("   "),
+                    _ if item.joined => out.push_str("--"),
+                    _ => out.push_str("  "),
+                }
+                out.push_str(&item.text);
+            }
+        }
+        out
+    }
+
+    /// The edit that puts it in the place of what it was read from.
+    pub(crate) fn replace(&self) -> Edit {
+        Edit {
+            range: self.range,
+            text: self.text(),
+        }
+    }
+
+    /// The numbers of the blocks in the order in which they are evaluated, new ones as none. None if the text would
+    /// not be one network.
+    pub(crate) fn order(&self) -> Option<Vec<Option<usize>>> {
+        let parse = ladder_syntax::parse(&self.text());
+        let [network] = parse.structure().networks.as_slice() else {
+            return None;
+        };
+        let wiring = wiring(&parse, network);
+        if !wiring.unpaired.is_empty() || wiring.rungs.len() != self.rows.len() {
+            return None;
+        }
+        let numbers: Vec<Option<usize>> = self
+            .rows
+            .iter()
+            .flat_map(|row| &row.items)
+            .filter_map(|item| match item.kind {
+                ItemKind::Block(number) => Some(number),
+                _ => None,
+            })
+            .collect();
+        let steps = order(&wiring).steps;
+        let blocks = steps.iter().filter_map(|step| match step {
+            Step::Block { block, .. } => numbers.get(*block).copied(),
+            _ => None,
+        });
+        Some(blocks.collect())
+    }
+
+    /// The same, without the new blocks.
+    pub(crate) fn old_order(&self) -> Option<Vec<usize>> {
+        Some(self.order()?.into_iter().flatten().collect())
+    }
+
+    /// The items of a kind on a row.
+    pub(crate) fn all(&self, row: usize, kind: ItemKind) -> impl Iterator<Item = usize> + '_ {
+        let items = self.rows.get(row).map_or(&[][..], |row| &row.items);
+        let found = items
+            .iter()
+            .enumerate()
+            .filter(move |(_, item)| item.kind == kind);
+        found.map(|(index, _)| index)
+    }
+
+    /// How many items of a kind stand on a row before an index.
+    pub(crate) fn count_before(&self, row: usize, index: usize, kind: ItemKind) -> usize {
+        self.all(row, kind).take_while(|&at| at < index).count()
+    }
+
+    /// The `/` that a `\` pairs with, on the next row.
+    pub(crate) fn up_of(&self, row: usize, down: usize) -> Option<usize> {
+        let ordinal = self.count_before(row, down, ItemKind::Down);
+        self.all(row + 1, ItemKind::Up).nth(ordinal)
+    }
+
+    /// The `\` that a `/` pairs with, on the row before.
+    pub(crate) fn down_of(&self, row: usize, up: usize) -> Option<usize> {
+        let ordinal = self.count_before(row, up, ItemKind::Up);
+        self.all(row.checked_sub(1)?, ItemKind::Down).nth(ordinal)
+    }
+
+    /// The items that wire joins to one.
+    pub(crate) fn segment(&self, row: usize, index: usize) -> Range<usize> {
+        let items = &self.rows[row].items;
+        let mut start = index;
+        while start > 0 && items[start].joined {
+            start -= 1;
+        }
+        let behind = items[index + 1..].iter().take_while(|item| item.joined).count();
+        start..index + 1 + behind
+    }
+
+    /// Whether a wire leads from a rail or another thing to the item.
+    pub(crate) fn has_wire_before(&self, row: usize, index: usize) -> bool {
+        self.rows[row].items[index].joined
+    }
+
+    /// Whether a wire goes on behind an item.
+    pub(crate) fn has_wire_behind(&self, row: usize, index: usize) -> bool {
+        self.rows[row]
+            .items
+            .get(index + 1)
+            .is_some_and(|item| item.joined)
+    }
+
+    /// Where on a row its first thing that is drawn stands: before it stand only comments.
+    pub(crate) fn drawn_start(&self, row: usize) -> usize {
+        let items = &self.rows[row].items;
+        let loose = |&(n, item): &(usize, &Item)| item.is_loose(items.get(n + 1));
+        items.iter().enumerate().take_while(loose).count()
+    }
+
+    /// Takes an item out; what stands on both sides of it is joined if both were.
+    pub(crate) fn take(&mut self, row: usize, index: usize) -> Item {
+        let items = &mut self.rows[row].items;
+        let item = items.remove(index);
+        if let Some(next) = items.get_mut(index) {
+            next.joined &= item.joined;
+        }
+        item
+    }
+
+    /// Takes rows out that hold nothing but comments; the comments go to the row above, or below the first.
+    pub(crate) fn drop_empty_rows(&mut self) {
+        let mut row = 0;
+        while row < self.rows.len() {
+            let drawn = self.rows[row]
+                .items
+                .iter()
+                .any(|item| item.kind != ItemKind::Comment);
+            if drawn || self.rows.len() == 1 {
+                row += 1;
+                continue;
+            }
+            let gone = self.rows.remove(row);
+            let comments = gone.items.into_iter().map(|item| Item {
+                joined: false,
+                ..item
+            });
+            if row > 0 {
+                self.rows[row - 1].items.extend(comments);
+                self.rows[row - 1].below.push_str(&gone.below);
+            } else {
+                self.rows[0].items.splice(0..0, comments);
+            }
+        }
+    }
+}
+
+/// The text of a logical line, line end included.
+pub(crate) fn line_text(parse: &Parse, line: usize) -> String {
+    parse.lines()[line].syntax().text().to_string()
+}
+
+/// The text of some logical lines.
+pub(crate) fn lines_text(parse: &Parse, lines: Range<usize>) -> String {
+    lines.map(|line| line_text(parse, line)).collect()
+}
+
+/// The line end that the text uses.
+pub(crate) fn line_end(parse: &Parse) -> &'static str {
+    if parse.lines().is_empty() {
+        return "\n";
+    }
+    let first = line_text(parse, 0);
+    if first.ends_with("\r\n") {
+        "\r\n"
+    } else if first.ends_with('\r') {
+        "\r"
+    } else {
+        "\n"
+    }
+}
+
+fn items(
+    facts: &NetworkFacts,
+    rung: usize,
+    text: &str,
+    start: TextSize,
+    block: &mut usize,
+) -> Option<Vec<Item>> {
+    let drawn = &facts.wiring.rungs[rung];
+    let mut items: Vec<Item> = Vec::new();
+    let mut last_segment = None;
+    for (index, part) in drawn.parts.iter().enumerate() {
+        let kind = match part.kind {
+            PartKind::StrayRail | PartKind::StrayBar | PartKind::Junk => return None,
+            PartKind::Bar if touches_wire(&drawn.parts, index) => return None,
+            PartKind::Bar => continue,
+            PartKind::Wire => {
+                let segment = &drawn.segments[part.segment? as usize];
+                if segment.parts.start != index && segment.parts.end != index + 1 {
+                    continue;
+                }
+                ItemKind::Stub
+            }
+            PartKind::LeftRail => ItemKind::LeftRail,
+            PartKind::RightRail => ItemKind::RightRail,
+            PartKind::Down => ItemKind::Down,
+            PartKind::Up => ItemKind::Up,
+            PartKind::Comment => ItemKind::Comment,
+            PartKind::Block => {
+                *block += 1;
+                ItemKind::Block(Some(*block - 1))
+            }
+        };
+        let mut shown = &text[part.range];
+        // Between two things on its rung a comment with a line end keeps the formatter off the network.
+        if kind == ItemKind::Comment && shown.contains(['\n', '\r']) {
+            return None;
+        }
+        if kind == ItemKind::Stub {
+            shown = "--";
+        }
+        let joined = part.segment.is_some() && part.segment == last_segment;
+        last_segment = part.segment;
+        items.push(Item {
+            kind,
+            text: shown.to_owned(),
+            joined,
+            at: part.range + start,
+        });
+    }
+    Some(items)
+}
+
+/// Whether a wire of the row reaches to a `|`.
+fn touches_wire(parts: &[Part], index: usize) -> bool {
+    let wire = |part: &Part| part.segment.is_some();
+    let before = parts[index].touches && index > 0 && wire(&parts[index - 1]);
+    let behind = parts
+        .get(index + 1)
+        .is_some_and(|part| part.touches && wire(part));
+    before || behind
+}

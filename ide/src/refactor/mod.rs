@@ -1,0 +1,122 @@
+//! Code actions: fixes of findings, and changes of a drawing that a person would draw by hand.
+//!
+//! ```text
+//! analysis, range --Place--> what is selected --one file each--> Action: title, kind, raw edits
+//!                                                                  --aligned--> edits that leave the drawing straight
+//! ```
+//!
+//! An action's edits are raw: small, or a network's text with its columns anyhow. [`Action::aligned`] has the formatter
+//! draw what they touch, which reads the whole file; it is done for the one action that is wanted. Every action keeps what
+//! the program does, or says in its title that it does not.
+
+mod drawing;
+mod extract_block;
+mod extract_function;
+mod fixes;
+mod flow;
+mod inline_block;
+mod inline_function;
+mod insert_branch;
+mod names;
+mod parallel;
+mod passing;
+mod place;
+mod region;
+mod remove_branch;
+mod split_network;
+mod toggle;
+mod wrap_branch;
+
+pub use fixes::{fix_all, quick_fixes};
+
+use ladder_analysis::{Analysis, Fix, fix};
+use ladder_format::{Edit, Options};
+use ladder_syntax::TextRange;
+use place::Place;
+
+/// What an action is for.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum ActionKind {
+    /// It mends one finding.
+    QuickFix,
+    /// It mends all that can be mended without asking.
+    FixAll,
+    /// It makes a function or block of a part.
+    Extract,
+    /// It puts what a function or block does in the place of its call.
+    Inline,
+    /// It draws a part in another way.
+    Rewrite,
+}
+
+/// Something that can be done with a part of a program.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Action {
+    /// What it does, for a menu.
+    pub title: String,
+    /// What it is for.
+    pub kind: ActionKind,
+    /// The edits, sorted and disjoint, before the drawing is put straight.
+    pub edits: Vec<Edit>,
+    /// Why it cannot be done here, though it looks as if it could.
+    pub disabled: Option<String>,
+    /// The finding that it mends, as an index into the analysis' diagnostics.
+    pub finding: Option<usize>,
+    /// It is the best of those that mend the finding.
+    pub preferred: bool,
+}
+
+impl Action {
+    pub(crate) fn new(kind: ActionKind, title: impl Into<String>, mut edits: Vec<Edit>) -> Action {
+        // What is put in at a place comes before what replaces the text behind it.
+        edits.sort_by_key(|edit| (edit.range.start(), edit.range.end()));
+        Action {
+            title: title.into(),
+            kind,
+            edits,
+            disabled: None,
+            finding: None,
+            preferred: false,
+        }
+    }
+
+    pub(crate) fn disabled(kind: ActionKind, title: impl Into<String>, why: impl Into<String>) -> Action {
+        Action {
+            disabled: Some(why.into()),
+            ..Action::new(kind, title, Vec::new())
+        }
+    }
+
+    /// The edits of the text that was analysed, with the drawing around them put straight: sorted, none touching another,
+    /// none where nothing changes.
+    pub fn aligned(&self, text: &str, options: &Options) -> Vec<Edit> {
+        let fix = Fix {
+            title: String::new(),
+            edits: self.edits.clone(),
+        };
+        fix::aligned(text, &fix, options)
+    }
+}
+
+/// The refactorings that are offered for a selection, or a cursor where it is empty.
+pub fn refactorings(analysis: &Analysis, range: TextRange) -> Vec<Action> {
+    let mut actions = Vec::new();
+    let place = Place::find(analysis, range);
+    for offer in [
+        toggle::offer,
+        insert_branch::offer,
+        wrap_branch::offer,
+        remove_branch::offer,
+        split_network::offer,
+        extract_function::offer,
+        extract_block::offer,
+        inline_function::offer,
+        inline_block::offer,
+    ] {
+        offer(&place, &mut actions);
+    }
+    actions
+}
+
+#[cfg(test)]
+mod tests;

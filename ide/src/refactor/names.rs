@@ -1,0 +1,53 @@
+//! Names that nothing has yet, and how titles call things.
+
+use ladder_analysis::context::Context;
+use ladder_analysis::network::BoundBlock;
+use ladder_syntax::Name;
+
+/// A name for a new tag of a scope that no tag has.
+pub(crate) fn new_tag(context: &Context, taken: &[String], base: &str) -> String {
+    let exists = |name: &Name| {
+        context.scopes.iter().any(|scope| scope.find(name).is_some())
+            || context.others.globals(name).next().is_some()
+            || taken.iter().any(|taken| Name::new(taken) == *name)
+    };
+    numbered(base, "_", exists)
+}
+
+/// A name for a new function that no function of the workspace has.
+pub(crate) fn new_function(context: &Context) -> String {
+    numbered("function", "_", |name| {
+        context.function(name).is_some() || context.others.functions(name).next().is_some()
+    })
+}
+
+/// A name for a new block that no block of the workspace has.
+pub(crate) fn new_block(context: &Context) -> String {
+    numbered("$Block", "", |name| {
+        context.user_blocks.iter().any(|block| block.key == *name)
+            || context.others.blocks(name).next().is_some()
+    })
+}
+
+fn numbered(base: &str, between: &str, exists: impl Fn(&Name) -> bool) -> String {
+    let mut number = 1;
+    loop {
+        let name = format!("{base}{between}{number}");
+        if !exists(&Name::new(&name)) {
+            return name;
+        }
+        number += 1;
+    }
+}
+
+/// How a title calls a block that stands in `drawing`: by its first operand, else by its first part.
+pub(crate) fn called(block: &BoundBlock, text: &str) -> String {
+    operand(block, text, 0).map_or_else(|| block.head_text(), str::to_owned)
+}
+
+/// An operand as it is written. `text` is the block's.
+pub(crate) fn operand<'t>(block: &BoundBlock, text: &'t str, number: usize) -> Option<&'t str> {
+    let range = block.facts.operands.get(number)?.value.range;
+    let start = range.start().checked_sub(block.facts.range.start())?;
+    text.get(usize::from(start)..usize::from(start + range.len()))
+}

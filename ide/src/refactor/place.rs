@@ -1,0 +1,147 @@
+//! What an editor's selection means: the network, its drawing, the things on a rung.
+
+use super::drawing::{Drawing, Item, ItemKind};
+use super::region::Region;
+use ladder_analysis::Analysis;
+use ladder_analysis::context::Context;
+use ladder_analysis::network::{BoundBlock, NetworkFacts};
+use ladder_syntax::TextRange;
+use std::ops::Range;
+
+/// A place in a file that actions are asked for.
+pub(crate) struct Place<'a> {
+    pub(crate) analysis: &'a Analysis,
+    pub(crate) context: &'a Context,
+    pub(crate) range: TextRange,
+    /// The networks that the selection reaches into, or the cursor stands in.
+    pub(crate) networks: Range<usize>,
+    /// Where it is one network whose drawing can be read: what is selected in it.
+    pub(crate) on: Option<OnNetwork<'a>>,
+}
+
+/// A place in a network.
+pub(crate) struct OnNetwork<'a> {
+    pub(crate) network: usize,
+    pub(crate) facts: &'a NetworkFacts,
+    pub(crate) drawing: Drawing,
+    /// The row, and the items on it that are selected, if all are on one row.
+    pub(crate) items: Option<(usize, Range<usize>)>,
+}
+
+impl<'a> Place<'a> {
+    pub(crate) fn find(analysis: &'a Analysis, range: TextRange) -> Place<'a> {
+        let context = &analysis.context;
+        let networks = touched(context, range);
+        let on = (networks.len() == 1)
+            .then(|| on_network(context, networks.start, range))
+            .flatten();
+        Place {
+            analysis,
+            context,
+            range,
+            networks,
+            on,
+        }
+    }
+}
+
+/// The networks that a range reaches into.
+fn touched(context: &Context, range: TextRange) -> Range<usize> {
+    let networks = &context.networks;
+    let first = networks.partition_point(|network| network.range.end() <= range.start());
+    let rest = &networks[first.min(networks.len())..];
+    let reaches = |place: TextRange| {
+        place.start() < range.end() || (range.is_empty() && place.contains_inclusive(range.start()))
+    };
+    let count = rest.iter().take_while(|network| reaches(network.range)).count();
+    // At the end of a text without a last line end.
+    let at_end = first > 0 && range.is_empty() && range.start() == context.parse.text_len();
+    if count == 0 && at_end && networks[first - 1].range.end() == range.start() {
+        return first - 1..first;
+    }
+    first..first + count
+}
+
+fn on_network(context: &Context, network: usize, range: TextRange) -> Option<OnNetwork<'_>> {
+    let drawing = Drawing::read(context, network)?;
+    let items = selected(&drawing, range);
+    Some(OnNetwork {
+        network,
+        facts: &context.networks[network],
+        drawing,
+        items,
+    })
+}
+
+/// The items that a range reaches into, all on one row; for a cursor the one that it stands in or touches.
+fn selected(drawing: &Drawing, range: TextRange) -> Option<(usize, Range<usize>)> {
+    let mut found: Option<(usize, Range<usize>)> = None;
+    for (number, row) in drawing.rows.iter().enumerate() {
+        let touched: Vec<usize> = if range.is_empty() {
+            let at_cursor = row.items.iter().enumerate();
+            let at_cursor = at_cursor.filter(|(_, item)| item.at.contains_inclusive(range.start()));
+            // Of two that touch, a block before all else, then the right one.
+            let best = at_cursor.max_by_key(|(index, item)| (item.is_block(), *index));
+            best.map(|(index, _)| index).into_iter().collect()
+        } else {
+            let reaches = |at: TextRange| at.start() < range.end() && range.start() < at.end();
+            let items = row.items.iter().enumerate();
+            items
+                .filter(|(_, item)| reaches(item.at))
+                .map(|(index, _)| index)
+                .collect()
+        };
+        let (Some(&first), Some(&last)) = (touched.first(), touched.last()) else {
+            continue;
+        };
+        if found.is_some() {
+            return None;
+        }
+        found = Some((number, first..last + 1));
+    }
+    found
+}
+
+impl OnNetwork<'_> {
+    /// The selected items without rails, loose comments and loose ends at both ends.
+    pub(crate) fn trimmed(&self) -> Option<(usize, Range<usize>)> {
+        let (row, items) = self.items.clone()?;
+        let wanted = |index: usize| {
+            matches!(
+                self.drawing.rows[row].items[index].kind,
+                ItemKind::Block(_) | ItemKind::Down | ItemKind::Up
+            )
+        };
+        let start = items.clone().find(|&index| wanted(index))?;
+        let end = items.rev().find(|&index| wanted(index))? + 1;
+        Some((row, start..end))
+    }
+
+    /// The region that is selected, if it holds a block.
+    pub(crate) fn region(&self) -> Option<Region> {
+        let (row, items) = self.trimmed()?;
+        let region = Region::of(&self.drawing, row, items)?;
+        let has_block = region.items(&self.drawing).any(Item::is_block);
+        has_block.then_some(region)
+    }
+
+    /// The one block that is selected.
+    pub(crate) fn block(&self) -> Option<&BoundBlock> {
+        let (row, items) = self.items.clone()?;
+        let [item] = &self.drawing.rows[row].items[items] else {
+            return None;
+        };
+        match item.kind {
+            ItemKind::Block(Some(number)) => self.facts.blocks.get(number),
+            _ => None,
+        }
+    }
+
+    /// Some of its blocks.
+    pub(crate) fn blocks(&self, numbers: &[usize]) -> impl Iterator<Item = &BoundBlock> {
+        let numbers = numbers.to_vec();
+        numbers
+            .into_iter()
+            .filter_map(|number| self.facts.blocks.get(number))
+    }
+}

@@ -1,0 +1,238 @@
+//! A network becomes two: where a rung hangs below another, or across a rung. Where power passes from the first to the
+//! second, a new internal tag carries it.
+
+use super::drawing::{Drawing, Item, ItemKind, Row};
+use super::flow::{is_mark, leaves, steers};
+use super::names::{called, new_tag};
+use super::place::{OnNetwork, Place};
+use super::{Action, ActionKind};
+use ladder_analysis::declaration_fix::Places;
+use ladder_analysis::network::BoundBlock;
+use ladder_analysis::scope::SectionKind;
+use ladder_format::Edit;
+use ladder_instructions::Op;
+use std::ops::Range;
+
+/// The two networks, and the tag that carries power from the first to the second.
+struct Split {
+    first: Drawing,
+    second: Drawing,
+    carries: Option<String>,
+}
+
+pub(super) fn offer(place: &Place<'_>, out: &mut Vec<Action>) {
+    let Some(on) = &place.on else { return };
+    let Some((row, items)) = on.trimmed() else { return };
+    if on.facts.blocks.iter().any(|block| block.op() == Some(Op::Mcr)) {
+        return;
+    }
+    let tag = new_tag(place.context, &[], "split");
+    if let Some(split) = between_rows(on, row, &tag) {
+        let title = "Split the network above this rung";
+        out.extend(action(place, on, title, &split));
+    }
+    // Within a branch there is no place to cut: then before it.
+    let mut cuts = (1..=items.start).rev().map(|at| (at, across(on, row, at, &tag)));
+    let found = cuts.find_map(|(at, split)| Some((at, split?)));
+    if let Some((at, split)) = found {
+        let behind = on.drawing.rows[row].items[at..].iter();
+        let mut blocks = behind.filter_map(|item| match item.kind {
+            ItemKind::Block(Some(number)) => Some(called(&on.facts.blocks[number], &item.text)),
+            _ => None,
+        });
+        let name = blocks.next().unwrap_or_default();
+        out.extend(action(
+            place,
+            on,
+            &format!("Split the network before `{name}`"),
+            &split,
+        ));
+    }
+}
+
+fn action(place: &Place<'_>, on: &OnNetwork<'_>, title: &str, split: &Split) -> Option<Action> {
+    // Every block runs when it ran before.
+    let mut order = split.first.old_order()?;
+    order.extend(split.second.old_order()?);
+    if order != on.drawing.old_order()? {
+        return None;
+    }
+    let line_end = on.drawing.line_end();
+    let mut edits = vec![Edit {
+        range: on.drawing.range(),
+        text: format!(
+            "{}{line_end}{line_end}{}",
+            split.first.text(),
+            split.second.text()
+        ),
+    }];
+    let title = match &split.carries {
+        Some(tag) => {
+            edits.extend(declare(place, on.facts.scope, tag)?);
+            format!("{title} (`{tag}` carries the power)")
+        }
+        None => title.to_owned(),
+    };
+    Some(Action::new(ActionKind::Rewrite, title, edits))
+}
+
+/// The declaration of a new BOOL where the scope declares its tags.
+pub(super) fn declare(place: &Place<'_>, scope: usize, tag: &str) -> Option<Vec<Edit>> {
+    if scope == 0 && !place.context.scopes[0].declares() {
+        return Some(Vec::new());
+    }
+    let fix = Places::new(place.context, scope).declare(SectionKind::Var, tag, "BOOL")?;
+    Some(fix.edits)
+}
+
+/// The blocks on some rows.
+fn blocks<'f>(on: &OnNetwork<'f>, rows: Range<usize>) -> impl Iterator<Item = &'f BoundBlock> {
+    let facts = on.facts;
+    facts
+        .blocks
+        .iter()
+        .filter(move |block| rows.contains(&block.facts.rung))
+}
+
+/// The rungs from one on get a network of their own, if they hang at one point of the rung above.
+fn between_rows(on: &OnNetwork<'_>, row: usize, tag: &str) -> Option<Split> {
+    let drawing = &on.drawing;
+    let above = row.checked_sub(1)?;
+    let mut downs = drawing.all(above, ItemKind::Down);
+    let (down, None) = (downs.next()?, downs.next()) else {
+        return None;
+    };
+    let up = drawing.up_of(above, down)?;
+    if up != drawing.drawn_start(row) || !drawing.has_wire_behind(row, up) {
+        return None;
+    }
+    let below = row..drawing.rows.len();
+    if !blocks(on, 0..row).all(|block| !steers(block) || is_mark(block) || leaves(block))
+        || !blocks(on, below.clone()).all(|block| !steers(block) || leaves(block))
+        || blocks(on, below.clone()).next().is_none()
+        || blocks(on, 0..row).next().is_none()
+    {
+        return None;
+    }
+    let mut first = drawing.beside(drawing.rows[..row].to_vec());
+    let mut second = drawing.beside(drawing.rows[below].to_vec());
+    let comments = std::mem::take(&mut first.rows[above].below);
+    let carries = if is_rail(drawing, above, down) {
+        first.take(above, down);
+        None
+    } else {
+        let railed = drawing.rows.iter().flat_map(|row| &row.items);
+        let railed = railed.into_iter().any(|item| item.kind == ItemKind::RightRail);
+        let mut items = vec![Item::up(false), Item::block(format!("( )( {tag} )"))];
+        items.extend(railed.then(Item::right_rail));
+        first.rows.push(Row {
+            items,
+            below: String::new(),
+        });
+        Some(tag.to_owned())
+    };
+    second.rows[0].items[up] = Item::left_rail();
+    if carries.is_some() {
+        let contact = Item::block(format!("[ ]( {tag} )"));
+        second.rows[0].items.insert(up + 1, contact);
+    }
+    if has_comment(&comments) {
+        second.head = comments;
+    }
+    Some(Split {
+        first,
+        second,
+        carries,
+    })
+}
+
+/// Whether a line of comments is among some lines between rungs: it goes with the rung below it.
+fn has_comment(lines: &str) -> bool {
+    lines.contains('#')
+}
+
+/// Whether a `\` has the power of the left rail and no other.
+fn is_rail(drawing: &Drawing, row: usize, down: usize) -> bool {
+    let Some(before) = down.checked_sub(1).filter(|_| drawing.has_wire_before(row, down)) else {
+        return false;
+    };
+    match drawing.rows[row].items[before].kind {
+        ItemKind::LeftRail => true,
+        ItemKind::Up if !drawing.has_wire_before(row, before) => {
+            let above = drawing.down_of(row, before);
+            above.is_some_and(|above| is_rail(drawing, row - 1, above))
+        }
+        _ => false,
+    }
+}
+
+/// What stands from an item of the first row on, and hangs below that, gets a network of its own.
+fn across(on: &OnNetwork<'_>, row: usize, at: usize, tag: &str) -> Option<Split> {
+    let drawing = &on.drawing;
+    let items = &drawing.rows[0].items;
+    if row != 0 || items.first().map(|item| item.kind) != Some(ItemKind::LeftRail) || !items[at].joined {
+        return None;
+    }
+    let mut cuts = vec![at];
+    for row in 1..drawing.rows.len() {
+        let left = drawing.count_before(row - 1, cuts[row - 1], ItemKind::Down);
+        let cut = match left.checked_sub(1) {
+            Some(last) => {
+                let last = drawing.all(row, ItemKind::Up).nth(last)?;
+                drawing.segment(row, last).end
+            }
+            None => 0,
+        };
+        if drawing.count_before(row, cut, ItemKind::Up) != left {
+            return None;
+        }
+        let rails = drawing.rows[row].items[cut..].iter();
+        if rails.into_iter().any(|item| item.kind == ItemKind::LeftRail) {
+            return None;
+        }
+        cuts.push(cut);
+    }
+    let (mut first, mut second) = (drawing.beside(Vec::new()), drawing.beside(Vec::new()));
+    for (row, cut) in drawing.rows.iter().zip(&cuts) {
+        let (left, right) = row.items.split_at(*cut);
+        first.rows.push(Row {
+            items: left.to_vec(),
+            below: String::new(),
+        });
+        second.rows.push(Row {
+            items: right.to_vec(),
+            below: row.below.clone(),
+        });
+    }
+    let has_block = |drawing: &Drawing| drawing.rows.iter().flat_map(|row| &row.items).any(Item::is_block);
+    if !has_block(&first) || !has_block(&second) || !may_part(on, &first, &second) {
+        return None;
+    }
+    let railed = items.iter().any(|item| item.kind == ItemKind::RightRail);
+    let on_top = &mut first.rows[0].items;
+    on_top.push(Item::block(format!("( )( {tag} )")));
+    on_top.extend(railed.then(Item::right_rail));
+    let on_top = &mut second.rows[0].items;
+    on_top.splice(0..0, [Item::left_rail(), Item::block(format!("[ ]( {tag} )"))]);
+    first.drop_empty_rows();
+    second.drop_empty_rows();
+    Some(Split {
+        first,
+        second,
+        carries: Some(tag.to_owned()),
+    })
+}
+
+fn may_part(on: &OnNetwork<'_>, first: &Drawing, second: &Drawing) -> bool {
+    let all = |drawing: &Drawing, allowed: fn(&BoundBlock) -> bool| {
+        let items = drawing.rows.iter().flat_map(|row| &row.items);
+        items.into_iter().all(|item| match item.kind {
+            ItemKind::Block(Some(number)) => {
+                let block = &on.facts.blocks[number];
+                !steers(block) || allowed(block)
+            }
+            _ => true,
+        })
+    };
+    all(first, is_mark) && all(second, leaves)
+}
