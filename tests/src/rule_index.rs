@@ -57,8 +57,8 @@ fn link(rule: Rule) -> String {
     }
 }
 
-/// The first sentence behind the heading of the rule's own page.
-fn summary(rule: Rule) -> String {
+/// The first sentence behind the heading of the rule's own page, as Markdown for a table.
+pub fn summary(rule: Rule) -> String {
     let page = page(rule);
     if !page.exists() {
         return String::new();

@@ -53,7 +53,7 @@ export interface Why {
 
 /** What each command takes besides the session, and what it answers. */
 export interface Commands {
-    start: { argument: { uri: string; options: { intervalMs: number } }; answer: { session: string; state: State; notes?: string[] } };
+    start: { argument: { uri: string }; answer: { session: string; state: State; notes?: string[] } };
     step: { argument: { scans: number }; answer: State };
     stepBlock: { argument: object; answer: State };
     stepRung: { argument: object; answer: State };

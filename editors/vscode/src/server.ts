@@ -31,7 +31,6 @@ export class Server implements vscode.Disposable {
     readonly log = vscode.window.createOutputChannel('Ladder', { log: true });
 
     readonly #extensionPath: string;
-    readonly #files = vscode.workspace.createFileSystemWatcher('**/{*.clad,ladder.toml}');
     readonly #stateReceived = new vscode.EventEmitter<State>();
     readonly #stopped = new vscode.EventEmitter<void>();
     #client: LanguageClient | undefined;
@@ -73,9 +72,9 @@ export class Server implements vscode.Disposable {
             'Ladder',
             { command: place.path, args: ['lsp'] },
             {
-                documentSelector: [{ language: 'clad' }],
+                // Settings and files on disk the server asks for by itself.
+                documentSelector: [{ language: 'clad' }, { language: 'ladder-test' }, { pattern: '**/ladder.toml' }],
                 outputChannel: this.log,
-                synchronize: { fileEvents: this.#files },
             },
         );
         client.onNotification(stateNotification, (state: State) => this.#stateReceived.fire(state));
@@ -111,7 +110,6 @@ export class Server implements vscode.Disposable {
     };
 
     dispose(): void {
-        this.#files.dispose();
         this.#stateReceived.dispose();
         this.#stopped.dispose();
         this.log.dispose();

@@ -35,8 +35,8 @@ export class Session {
         this.#send = send;
     }
 
-    static async start(document: TextDocument, intervalMs: number, textIn: (range: Power['range']) => string, send: Send): Promise<Session> {
-        const { state, notes = [] } = await send('start', { uri: document.uri.toString(), options: { intervalMs } });
+    static async start(document: TextDocument, textIn: (range: Power['range']) => string, send: Send): Promise<Session> {
+        const { state, notes = [] } = await send('start', { uri: document.uri.toString() });
         return new Session(document, state, notes, findLineTags(state, textIn), send);
     }
 

@@ -48,10 +48,9 @@ export class Simulation implements vscode.Disposable {
             return;
         }
         await this.#end(document);
-        const intervalMs = vscode.workspace.getConfiguration('ladder.simulation', document).get('interval', 10);
         const { version } = document;
         const textIn = (range: State['power'][number]['range']) => document.getText(toRange(range));
-        const session = await this.#tell(Session.start(document, intervalMs, textIn, (name, argument) => this.#server.simulate(name, argument)));
+        const session = await this.#tell(Session.start(document, textIn, (name, argument) => this.#server.simulate(name, argument)));
         if (!session) {
             return;
         }

@@ -25,10 +25,26 @@ test('menus and the welcome text name commands that exist', () => {
 test('settings that the code reads are declared', () => {
     const declared = Object.keys(manifest.contributes.configuration[0].properties);
     assert.ok(declared.includes('ladder.server.path'));
-    assert.ok(declared.includes('ladder.simulation.interval'));
+    assert.ok(declared.includes('ladder.inlayHints.enable'));
     for (const name of manifest.capabilities.untrustedWorkspaces.restrictedConfigurations) {
         assert.ok(declared.includes(name), name);
     }
+});
+
+test('the server gets programs, scenarios and ladder.toml, and no other file in TOML', () => {
+    const [, selector] = /documentSelector: (\[.*?\]),\n/s.exec(read('src/server.ts')) ?? [];
+    assert.deepEqual(eval(selector ?? ''), [
+        { language: 'clad' },
+        { language: 'ladder-test' },
+        { pattern: '**/ladder.toml' },
+    ]);
+});
+
+test('the schema of ladder.toml is packed', () => {
+    const [{ fileMatch, url }] = manifest.contributes.tomlValidation;
+    assert.equal(fileMatch, 'ladder.toml');
+    assert.equal(JSON.parse(read(url)).title, 'ladder.toml');
+    assert.ok(read('.vscodeignore').includes('!schema/*.json'));
 });
 
 test('the languages claim .clad and .ladder-test files only', () => {

@@ -37,12 +37,12 @@ const nextTurn = () => new Promise(setImmediate);
 
 test('commands wait for one another, a pause does not', async () => {
     const { sent, send, answer } = slowServer();
-    const session = await Session.start(document, 10, () => '', send);
+    const session = await Session.start(document, () => '', send);
     void session.command('set', { tag: 'start', value: true });
     void session.command('step', { scans: 3 });
     await nextTurn();
     assert.deepEqual(sent, [
-        'start {"uri":"file:///motor.clad","options":{"intervalMs":10}}',
+        'start {"uri":"file:///motor.clad"}',
         'set {"tag":"start","value":true,"session":"s1"}',
     ]);
     answer();
@@ -58,14 +58,14 @@ test('a refused command does not hold up the next', async () => {
         sent.push(name);
         return name === 'set' ? Promise.reject(new Error('no such tag')) : Promise.resolve(name === 'start' ? { state } : state);
     }) as unknown as Send;
-    const session = await Session.start(document, 10, () => '', send);
+    const session = await Session.start(document, () => '', send);
     await assert.rejects(session.command('set', { tag: 'strat', value: true }), /no such tag/);
     await session.command('step', { scans: 1 });
     assert.deepEqual(sent, ['start', 'set', 'step']);
 });
 
 test('the first edit makes a session stale, and its ranges move on', async () => {
-    const session = await Session.start(document, 10, () => '', slowServer().send);
+    const session = await Session.start(document, () => '', slowServer().send);
     const line = { range: { start: { line: 0, character: 0 }, end: { line: 0, character: 0 } }, text: '\n' };
     const changes = [line] as unknown as Parameters<Session['edited']>[0];
     assert.equal(session.edited(changes), true);
