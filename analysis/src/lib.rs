@@ -51,6 +51,7 @@ mod uses;
 pub mod value;
 
 pub use analyze::{Analysis, analyze, analyze_after, analyze_in, analyze_with};
+pub use boolean::formula::{Formulas, formulas};
 pub use diagnostic::{Diagnostic, Fix, Related};
 pub use exports::{ExportedBlock, ExportedFunction, Exports, Global, exports};
 pub use infer::member as state_member;

@@ -24,6 +24,8 @@ pub(crate) struct Typing<'c> {
     pub(crate) scope: usize,
     /// The body that the network belongs to, if it is one.
     pub(crate) body: Option<Body>,
+    /// Whether the cursor is in a string or a number: nobody's to complete.
+    pub(crate) literal: bool,
     pub(crate) place: Place,
 }
 
@@ -119,7 +121,7 @@ struct Token {
     end: usize,
 }
 
-/// What is being written at an offset. None in comments, strings and numbers.
+/// What is being written at an offset. None in comments, and where nothing can be said.
 pub(crate) fn typing(context: &Context, offset: TextSize) -> Option<Typing<'_>> {
     let parse = &context.parse;
     let behind_last = parse
@@ -150,6 +152,7 @@ pub(crate) fn typing(context: &Context, offset: TextSize) -> Option<Typing<'_>> 
         cursor,
         scope: scope_of(context, line),
         body: None,
+        literal: false,
         place: Place::LineStart,
     };
     let Some(found) = parse.lines().get(line) else {
@@ -160,9 +163,10 @@ pub(crate) fn typing(context: &Context, offset: TextSize) -> Option<Typing<'_>> 
     };
     let mut tokens = Vec::new();
     flatten(found.green(), &mut 0, &mut tokens);
-    if inside_comment_or_string(&tokens, &typing.text, cursor) {
+    if is_inside(SyntaxKind::COMMENT, '#', &tokens, &typing.text, cursor) {
         return None;
     }
+    typing.literal = is_inside(SyntaxKind::STRING, '\'', &tokens, &typing.text, cursor);
     match kind {
         LineKind::Rung => {
             let network = context
@@ -278,17 +282,16 @@ fn word(text: &str, cursor: usize) -> Range<usize> {
     start..text.len() - behind.len()
 }
 
-fn inside_comment_or_string(tokens: &[Token], text: &str, cursor: usize) -> bool {
-    tokens.iter().any(|token| {
-        let inside = token.start < cursor && cursor < token.end;
-        let at_open_end = cursor == token.end && token.start < cursor;
+/// Whether a place is inside of a comment or a string, which ends with `quote`.
+fn is_inside(kind: SyntaxKind, quote: char, tokens: &[Token], text: &str, at: usize) -> bool {
+    let open = |token: &Token| {
         let written = &text[token.start..token.end];
-        match token.kind {
-            SyntaxKind::COMMENT => inside || at_open_end && (written.len() < 2 || !written.ends_with('#')),
-            SyntaxKind::STRING => inside || at_open_end && (written.len() < 2 || !written.ends_with('\'')),
-            _ => false,
-        }
-    })
+        written.len() < 2 || !written.ends_with(quote)
+    };
+    let mut these = tokens
+        .iter()
+        .filter(|token| token.kind == kind && token.start < at);
+    these.any(|token| at < token.end || at == token.end && open(token))
 }
 
 fn on_rung(line: &GreenNodeData, typing: &mut Typing<'_>) -> Option<Place> {
@@ -356,7 +359,7 @@ fn on_rung(line: &GreenNodeData, typing: &mut Typing<'_>) -> Option<Place> {
             if !gap_is_blank || closed && cursor >= end {
                 return on_wire(typing);
             }
-            let mut operand = operand(list, from, closed, typing)?;
+            let mut operand = operand(list, from, closed, typing);
             operand.shape = Some(shape);
             let head = typing.text[start..head_end].trim_matches([open, close, ' ', '\t']);
             operand.head.push_str(head);
@@ -405,7 +408,7 @@ fn parenthesis_closes(list: &[Token]) -> bool {
 }
 
 /// The operand around the cursor. `from`: where the list begins.
-fn operand(list: &[Token], from: usize, closed: bool, typing: &Typing<'_>) -> Option<Operand> {
+fn operand(list: &[Token], from: usize, closed: bool, typing: &mut Typing<'_>) -> Operand {
     let (text, word) = (&typing.text, &typing.word);
     let mut operand = Operand {
         closed,
@@ -473,12 +476,12 @@ fn operand(list: &[Token], from: usize, closed: bool, typing: &Typing<'_>) -> Op
         || text[word.end..].starts_with('#')
     {
         // A number or a duration.
-        return None;
+        typing.literal = true;
     } else {
         operand.behind_value = value.is_some();
     }
     behind(list, typing, &mut operand);
-    Some(operand)
+    operand
 }
 
 /// What stands behind the word: whether the operand goes on, and which operands follow.

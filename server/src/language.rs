@@ -5,7 +5,10 @@ use std::sync::Arc;
 use ladder_analysis::{Diagnostic, Others, RuleSettings, analyze_after};
 use ladder_format::{Edit, Options, format};
 use ladder_ide::{Action, ActionKind, fix_all, quick_fixes, refactorings};
-use ladder_ide::{Completions, Hover, Topic, completions, documentation, hover};
+use ladder_ide::{
+    Completions, Hover, SignatureHelp, Token, Topic, completions, documentation, hover, semantic_tokens,
+    signature_help,
+};
 use ladder_syntax::{TextRange, TextSize, parse};
 
 /// All that is known of one text.
@@ -54,6 +57,16 @@ impl Analysis {
     /// What can be written at an offset.
     pub(crate) fn completions(&self, offset: TextSize, trigger: Option<char>) -> Completions {
         completions(&self.whole, offset, trigger)
+    }
+
+    /// What can be given at an offset.
+    pub(crate) fn signature_help(&self, offset: TextSize) -> Option<SignatureHelp> {
+        signature_help(&self.whole, offset)
+    }
+
+    /// What each word is, for the colours of an editor.
+    pub(crate) fn semantic_tokens(&self, within: Option<TextRange>) -> Vec<Token> {
+        semantic_tokens(&self.whole, within)
     }
 
     /// What a proposal is, in Markdown.

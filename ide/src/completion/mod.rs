@@ -26,7 +26,7 @@ use proposals::Proposals;
 
 /// What can be written at an offset. `trigger` is the character that was just typed, if that is why it is asked.
 pub fn completions(analysis: &Analysis, offset: TextSize, trigger: Option<char>) -> Completions {
-    let Some(typing) = typing(&analysis.context, offset) else {
+    let Some(typing) = typing(&analysis.context, offset).filter(|typing| !typing.literal) else {
         return Completions::default();
     };
     if trigger.is_some_and(|trigger| !is_welcome(&typing, trigger)) {
@@ -135,7 +135,7 @@ pub fn documentation(analysis: &Analysis, topic: &Topic) -> Option<String> {
             let block = own.or_else(|| context.others.blocks(&key).map(|(_, block)| &block.facts).next())?;
             Some(hover::user_block_card(block))
         }
-        Topic::Tag(scope, name) => Some(hover::tag_card(context, tag_of(context, *scope, name)?)),
+        Topic::Tag(scope, name) => Some(hover::tag_card(context, tag_of(context, *scope, name)?, None)),
         other => card(other),
     }
 }

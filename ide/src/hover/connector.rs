@@ -1,6 +1,7 @@
 //! Hover on a connector: which partner it has.
 
-use super::Hover;
+use super::uses::line_link;
+use super::{Hover, wire};
 use crate::locate::OnRung;
 use ladder_analysis::context::Context;
 use ladder_syntax::wiring::{PartKind, Wiring};
@@ -22,7 +23,7 @@ pub(super) fn hover(context: &Context, place: &OnRung<'_>) -> Hover {
     let markdown = match point {
         Some(point) => {
             let rung = if down { point.upper + 1 } else { point.upper };
-            let there = context.line_number(context.parse.line_start(network.line(rung)));
+            let there = line_link(context.line_number(context.parse.line_start(network.line(rung))));
             let way = if down { "below" } else { "above" };
             format!(
                 "Connector: the {} `{own}` of this line is joined with the {} `{partner}` of line {there} {way}.\n\n\
@@ -36,6 +37,10 @@ pub(super) fn hover(context: &Context, place: &OnRung<'_>) -> Hover {
             ordinal(nth),
             if down { "below" } else { "above" }
         ),
+    };
+    let markdown = match wire::power(context, place) {
+        Some(power) if point.is_some() => format!("{markdown}\n\n{power}"),
+        _ => markdown,
     };
     Hover { range, markdown }
 }

@@ -13,6 +13,6 @@ pub(super) fn hover(context: &Context, offset: TextSize) -> Option<Hover> {
         .find(|tag| tag.is_declared() && tag.at.contains_inclusive(offset))?;
     Some(Hover {
         range: tag.at,
-        markdown: tag_card(context, tag),
+        markdown: tag_card(context, tag, None),
     })
 }

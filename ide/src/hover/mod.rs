@@ -5,6 +5,8 @@ mod connector;
 mod declaration;
 mod keyword;
 mod operand;
+mod uses;
+mod wire;
 
 pub(crate) use block::{instruction as instruction_card, user_block_card};
 pub(crate) use keyword::card as keyword_card;
@@ -38,6 +40,7 @@ pub fn hover(analysis: &Analysis, offset: TextSize) -> Option<Hover> {
                     let block = place.block?;
                     operand::hover(context, &place, block, offset).or_else(|| block::hover(context, block))
                 }
+                PartKind::Wire | PartKind::LeftRail | PartKind::RightRail => wire::hover(context, &place),
                 _ => None,
             }
         }

@@ -1,6 +1,7 @@
 //! Hover on an operand: the tag with its type and who uses it, or the value; and what the block does with it.
 
 use super::Hover;
+use super::uses::{self, line_link};
 use crate::locate::{OnRung, node_at};
 use ladder_analysis::constant::natural_literal;
 use ladder_analysis::context::{Callee, Context};
@@ -27,7 +28,7 @@ pub(super) fn hover(
         .find(|(_, operand)| operand.range.contains_inclusive(within))?;
     let formal = block.formals.get(index).copied();
     let node = node_at(&operand.value, within).unwrap_or(&operand.value);
-    let what = describe(context, place, node, formal);
+    let what = describe(context, place, node, formal, offset);
     let used_for = match formal {
         Some(Formal::Operand(row)) => format!("`{}` of {}: {}", row.name, block.head_text(), row.doc),
         Some(Formal::Parameter(parameter)) => match block.meaning {
@@ -53,7 +54,13 @@ pub(super) fn hover(
 }
 
 /// What a node is by itself.
-fn describe(context: &Context, place: &OnRung<'_>, node: &Node, formal: Option<Formal>) -> Option<String> {
+fn describe(
+    context: &Context,
+    place: &OnRung<'_>,
+    node: &Node,
+    formal: Option<Formal>,
+    here: TextSize,
+) -> Option<String> {
     if let (NodeKind::Name(name), Some(Formal::Operand(operand))) = (&node.kind, formal) {
         let key = Name::new(name);
         match operand.accepts {
@@ -62,7 +69,7 @@ fn describe(context: &Context, place: &OnRung<'_>, node: &Node, formal: Option<F
                 return Some(format!(
                     "```clad\n<LBL>( {} )\n```\nLabel on line {}",
                     label.name,
-                    context.line_number(label.at.start())
+                    line_link(context.line_number(label.at.start()))
                 ));
             }
             Accepts::Function => {
@@ -76,7 +83,7 @@ fn describe(context: &Context, place: &OnRung<'_>, node: &Node, formal: Option<F
                     }
                 };
                 let function = &context.functions[own];
-                let line = context.line_number(function.at.start());
+                let line = line_link(context.line_number(function.at.start()));
                 return Some(format!(
                     "```clad\n<FUN>( {} )\n```\nFunction on line {line}",
                     function.name
@@ -89,7 +96,7 @@ fn describe(context: &Context, place: &OnRung<'_>, node: &Node, formal: Option<F
     match &node.kind {
         NodeKind::Name(name) | NodeKind::Address(name) => scope
             .find(&Name::new(name))
-            .map(|tag| tag_card(context, &scope.tags[tag])),
+            .map(|tag| tag_card(context, &scope.tags[tag], Some(here))),
         NodeKind::Member(base, word) => {
             let (NodeKind::Name(name) | NodeKind::Address(name)) = &base.kind else {
                 return None;
@@ -102,7 +109,11 @@ fn describe(context: &Context, place: &OnRung<'_>, node: &Node, formal: Option<F
                 ));
             }
             let tag = &scope.tags[scope.find(&Name::new(name))?];
-            Some(format!("Member `{}` of\n\n{}", word.text, tag_card(context, tag)))
+            Some(format!(
+                "Member `{}` of\n\n{}",
+                word.text,
+                tag_card(context, tag, Some(here))
+            ))
         }
         NodeKind::Literal(Ok(literal)) => Some(natural_literal(literal)),
         _ => None,
@@ -123,8 +134,9 @@ fn system(word: &str) -> Option<&'static str> {
     })
 }
 
-/// A tag: its declaration in one line, where it comes from, and who writes and reads it.
-pub(crate) fn tag_card(context: &Context, tag: &TagFacts) -> String {
+/// A tag: its declaration in one line, where it comes from, and who writes and reads it. `here` is where somebody
+/// looks at it already.
+pub(crate) fn tag_card(context: &Context, tag: &TagFacts, here: Option<TextSize>) -> String {
     // What several scopes share is told where it is declared.
     let tag = tag
         .shared
@@ -146,7 +158,7 @@ pub(crate) fn tag_card(context: &Context, tag: &TagFacts) -> String {
         Origin::Declared(section) => format!(
             "declared in {} on line {}",
             section.keyword(),
-            context.line_number(tag.at.start())
+            line_link(context.line_number(tag.at.start()))
         ),
         Origin::Form => "its name gives its type".to_owned(),
         Origin::Implicit => "every block has it".to_owned(),
@@ -157,20 +169,7 @@ pub(crate) fn tag_card(context: &Context, tag: &TagFacts) -> String {
         Origin::Undeclared => "not declared; its type follows from its use".to_owned(),
     };
     let _ = write!(card, "{} ({origin})", capitalised(role));
-    for (verb, lines) in [
-        (
-            "Written",
-            uses(context, tag, ladder_analysis::scope::Access::writes),
-        ),
-        ("Read", uses(context, tag, ladder_analysis::scope::Access::reads)),
-    ] {
-        if lines.is_empty() {
-            let _ = write!(card, "  \n{verb}: nowhere");
-        } else {
-            let noun = if lines.len() == 1 { "line" } else { "lines" };
-            let _ = write!(card, "  \n{verb}: {noun} {}", lines.join(", "));
-        }
-    }
+    card.push_str(&uses::card(context, tag, here));
     card
 }
 
@@ -180,27 +179,4 @@ fn capitalised(text: &str) -> String {
         .next()
         .map(|c| c.to_ascii_uppercase().to_string() + chars.as_str())
         .unwrap_or_default()
-}
-
-/// The lines of the uses that `wanted` takes, each once, at most eight of them.
-fn uses(
-    context: &Context,
-    tag: &TagFacts,
-    wanted: impl Fn(ladder_analysis::scope::Access) -> bool,
-) -> Vec<String> {
-    const MOST: usize = 8;
-    let mut lines: Vec<usize> = tag
-        .uses
-        .iter()
-        .filter(|u| wanted(u.access))
-        .map(|u| context.line_number(u.range.start()))
-        .collect();
-    lines.sort_unstable();
-    lines.dedup();
-    let more = lines.len().saturating_sub(MOST);
-    let mut shown: Vec<String> = lines.iter().take(MOST).map(usize::to_string).collect();
-    if more > 0 {
-        shown.push(format!("and {more} more"));
-    }
-    shown
 }

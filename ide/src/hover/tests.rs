@@ -81,9 +81,13 @@ fn tag_with_uses() {
             ```clad
             start : BOOL
             ```
-            Input (declared in VAR_INPUT on line 1)  
+            Input (declared in VAR_INPUT on line [1](#L1))  
             Written: nowhere  
-            Read: lines 2, 3
+            Read: lines [2](#L2), [3](#L3)
+
+            ```clad
+            +--[/]( start )--( )( idle )--+
+            ```
 
             ---
 
@@ -113,8 +117,12 @@ fn tag_with_uses() {
             t : TON
             ```
             Internal tag (not declared; its type follows from its use)  
-            Written: line 2  
-            Read: lines 1, 2
+            Written: line [2](#L2)  
+            Read: lines [1](#L1), [2](#L2)
+
+            ```clad
+            +--[ ]( a )--[TON]( t, 5s )--+
+            ```
 
             ---
 
@@ -139,17 +147,17 @@ fn tag_with_uses() {
     check(
         "+--[ ]( a )--<JMP>( do$0ne )--+\n+--<LBL>( done )--+\n",
         expect![[r#"
-        done
+            done
 
-        ```clad
-        <LBL>( done )
-        ```
-        Label on line 2
+            ```clad
+            <LBL>( done )
+            ```
+            Label on line [2](#L2)
 
-        ---
+            ---
 
-        `name` of <JMP>: The label to go on at.
-    "#]],
+            `name` of <JMP>: The label to go on at.
+        "#]],
     );
 }
 
@@ -159,22 +167,26 @@ fn connectors() {
     check(
         seal,
         expect![[r#"
-        \
+            \
 
-        Connector: the 2nd `\` of this line is joined with the 2nd `/` of line 2 below.
+            Connector: the 2nd `\` of this line is joined with the 2nd `/` of line [2](#L2) below.
 
-        Both wires behind the pair carry power if one of the wires before it does.
-    "#]],
+            Both wires behind the pair carry power if one of the wires before it does.
+
+            Power: `a OR y`
+        "#]],
     );
     check(
         "+--\\--[ ]( a )--\\--( )( y )--+\n|  /--[ ]( y )--$0/\n",
         expect![[r#"
-        /
+            /
 
-        Connector: the 2nd `/` of this line is joined with the 2nd `\` of line 1 above.
+            Connector: the 2nd `/` of this line is joined with the 2nd `\` of line [1](#L1) above.
 
-        Both wires behind the pair carry power if one of the wires before it does.
-    "#]],
+            Both wires behind the pair carry power if one of the wires before it does.
+
+            Power: `a OR y`
+        "#]],
     );
     check(
         "+--\\--[ ]( a )--\\$0--( )( y )--+\n|  /--[ ]( y )--\n",
@@ -213,15 +225,15 @@ fn keywords_and_declarations() {
     check(
         "VAR\n    $0a AT %MW1 : INT;\nEND_VAR\n",
         expect![[r#"
-        a
+            a
 
-        ```clad
-        a AT %MW1 : INT
-        ```
-        Internal tag (declared in VAR on line 2)  
-        Written: nowhere  
-        Read: nowhere
-    "#]],
+            ```clad
+            a AT %MW1 : INT
+            ```
+            Internal tag (declared in VAR on line [2](#L2))  
+            Written: nowhere  
+            Read: nowhere
+        "#]],
     );
 }
 
@@ -250,8 +262,14 @@ fn nothing_there() {
     check(
         "+-$0-[ ]( a )--( )( y )--+\n",
         expect![[r#"
-        nothing
-    "#]],
+            --
+
+            Power: always
+
+            ```text
+            y := a
+            ```
+        "#]],
     );
     check(
         "$0\n",
@@ -262,15 +280,15 @@ fn nothing_there() {
     check(
         "+--[FOO]( $0a )--+\n",
         expect![[r#"
-        a
+            a
 
-        ```clad
-        a : DINT
-        ```
-        Internal tag (not declared; its type follows from its use)  
-        Written: line 1  
-        Read: line 1
-    "#]],
+            ```clad
+            a : DINT
+            ```
+            Internal tag (not declared; its type follows from its use)  
+            Written: line [1](#L1)  
+            Read: line [1](#L1)
+        "#]],
     );
 }
 
@@ -317,7 +335,7 @@ fn names_of_other_files() {
         ```
         Input (not declared; its type follows from its use)  
         Written: nowhere  
-        Read: line 1
+        Read: line [1](#L1)
 
         ---
 
@@ -327,8 +345,8 @@ fn names_of_other_files() {
         total : DINT
         ```
         Internal tag (declared in VAR_GLOBAL in library.clad)  
-        Written: nowhere  
-        Read: line 1
+        Written in this file: nowhere  
+        Read in this file: line [1](#L1)
 
         ---
 

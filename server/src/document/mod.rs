@@ -11,6 +11,7 @@ pub(crate) mod position;
 mod revision;
 mod seen;
 mod store;
+pub(crate) mod sweep;
 
 pub(crate) use revision::Revision;
 pub(crate) use seen::SettingsFile;

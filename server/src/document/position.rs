@@ -42,6 +42,16 @@ pub struct Range {
     pub end: Position,
 }
 
+/// How long a text is in units, line ends included.
+pub(crate) fn length(text: &str, encoding: Encoding) -> u32 {
+    let units = match encoding {
+        Encoding::Utf8 => text.len(),
+        Encoding::Utf16 => text.encode_utf16().count(),
+        Encoding::Utf32 => text.chars().count(),
+    };
+    units as u32
+}
+
 /// The byte offset of a position, clamped into the text.
 pub(crate) fn offset(text: &Rope, encoding: Encoding, position: Position) -> usize {
     text.char_to_byte(char_index(text, encoding, position))

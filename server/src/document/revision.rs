@@ -210,7 +210,13 @@ impl Revision {
         self.serial == other.serial
     }
 
-    pub(super) fn encoding(&self) -> Encoding {
+    /// A stretch of the text.
+    pub(crate) fn text(&self, bytes: std::ops::Range<usize>) -> String {
+        self.rope.byte_slice(bytes).to_string()
+    }
+
+    /// The unit of positions.
+    pub(crate) fn encoding(&self) -> Encoding {
         self.encoding
     }
 

@@ -28,6 +28,11 @@ use tower_lsp::ls_types::{
     DocumentHighlight, DocumentHighlightParams, GotoDefinitionParams, GotoDefinitionResponse, Location,
     ReferenceParams,
 };
+use tower_lsp::ls_types::{
+    SemanticTokensDeltaParams, SemanticTokensFullDeltaResult, SemanticTokensParams,
+    SemanticTokensRangeParams, SemanticTokensRangeResult, SemanticTokensResult,
+};
+use tower_lsp::ls_types::{SignatureHelp, SignatureHelpParams};
 use tower_lsp::{Client, LanguageServer};
 
 use super::capabilities::{self, Agreed};
@@ -36,6 +41,7 @@ use super::file_operations;
 use super::shared::Shared;
 use super::{call_hierarchy, folding, goto, links, references, symbols};
 use super::{code_action, configuration, folders, formatting, hover, parent, pull, simulate, sync, watch};
+use super::{semantic_tokens, signature};
 
 /// The server as the framework sees it.
 #[derive(Debug)]
@@ -184,6 +190,31 @@ impl LanguageServer for Backend {
 
     async fn completion(&self, params: CompletionParams) -> Result<Option<CompletionResponse>> {
         completion::completion(&self.shared, params).await
+    }
+
+    async fn signature_help(&self, params: SignatureHelpParams) -> Result<Option<SignatureHelp>> {
+        signature::signature_help(&self.shared, params).await
+    }
+
+    async fn semantic_tokens_full(
+        &self,
+        params: SemanticTokensParams,
+    ) -> Result<Option<SemanticTokensResult>> {
+        semantic_tokens::full(&self.shared, params).await
+    }
+
+    async fn semantic_tokens_full_delta(
+        &self,
+        params: SemanticTokensDeltaParams,
+    ) -> Result<Option<SemanticTokensFullDeltaResult>> {
+        semantic_tokens::delta(&self.shared, params).await
+    }
+
+    async fn semantic_tokens_range(
+        &self,
+        params: SemanticTokensRangeParams,
+    ) -> Result<Option<SemanticTokensRangeResult>> {
+        semantic_tokens::range(&self.shared, params).await
     }
 
     async fn completion_resolve(&self, item: CompletionItem) -> Result<CompletionItem> {

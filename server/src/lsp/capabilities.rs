@@ -17,6 +17,7 @@ use tower_lsp::ls_types::{
 use super::code_action::KINDS;
 use super::completion;
 use super::{file_operations, pull};
+use super::{semantic_tokens, signature};
 use crate::document::position::Encoding;
 use crate::simulation::COMMANDS;
 
@@ -52,6 +53,12 @@ pub(super) struct Agreed {
     pub(super) nested_symbols: bool,
     /// How many stretches of a document the client wants to fold.
     pub(super) fold_limit: Option<u32>,
+    /// A semantic token may span lines.
+    pub(super) multiline_tokens: bool,
+    /// Parameters of signatures may be told by their place in the label.
+    pub(super) label_offsets: bool,
+    /// The documentation of signatures may be Markdown.
+    pub(super) signature_markdown: bool,
     /// The client can be asked to tell of changed files.
     pub(super) watches_files: bool,
     /// The operations on files that the client tells of.
@@ -84,6 +91,9 @@ impl Agreed {
         let hover = document.and_then(|document| document.hover.as_ref());
         let workspace = client.workspace.as_ref();
         let edit = workspace.and_then(|workspace| workspace.workspace_edit.as_ref());
+        let signature = document
+            .and_then(|document| document.signature_help.as_ref())
+            .and_then(|help| help.signature_information.as_ref());
         let completion = document
             .and_then(|document| document.completion.as_ref())
             .and_then(|completion| completion.completion_item.as_ref());
@@ -164,6 +174,15 @@ impl Agreed {
                 .and_then(|watched| watched.dynamic_registration)
                 .unwrap_or(false),
             markdown: markdown(hover.and_then(|it| it.content_format.as_ref())),
+            multiline_tokens: document
+                .and_then(|it| it.semantic_tokens.as_ref())
+                .and_then(|it| it.multiline_token_support)
+                .unwrap_or(false),
+            label_offsets: signature
+                .and_then(|it| it.parameter_information.as_ref())
+                .and_then(|it| it.label_offset_support)
+                .unwrap_or(false),
+            signature_markdown: markdown(signature.and_then(|it| it.documentation_format.as_ref())),
             snippets: completion.and_then(|it| it.snippet_support).unwrap_or(false),
             completion_markdown: markdown(completion.and_then(|it| it.documentation_format.as_ref())),
             resolves_edits: actions.is_some_and(|it| {
@@ -201,6 +220,8 @@ pub(super) fn offered(agreed: Agreed) -> ServerCapabilities {
             })),
             ..TextDocumentSyncOptions::default()
         })),
+        semantic_tokens_provider: Some(semantic_tokens::options()),
+        signature_help_provider: Some(signature::options()),
         completion_provider: Some(completion::options()),
         diagnostic_provider: agreed.pulls_diagnostics.then(pull::options),
         workspace: Some(WorkspaceServerCapabilities {
@@ -285,7 +306,14 @@ mod tests {
                     "dataSupport": true,
                     "disabledSupport": true,
                     "resolveSupport": {"properties": ["edit"]}
-                }
+                },
+                "semanticTokens": {
+                    "requests": {}, "tokenTypes": [], "tokenModifiers": [], "formats": ["relative"],
+                    "multilineTokenSupport": true
+                },
+                "signatureHelp": {"signatureInformation": {
+                    "parameterInformation": {"labelOffsetSupport": true}, "documentationFormat": ["markdown"]
+                }}
             },
             "window": {"workDoneProgress": true},
             "workspace": {
@@ -327,6 +355,9 @@ mod tests {
                 refreshes_inlay_hints: true,
                 refreshes_code_lenses: true,
                 links: true,
+                multiline_tokens: true,
+                label_offsets: true,
+                signature_markdown: true,
                 snippets: true,
                 completion_markdown: true,
                 nested_symbols: true,

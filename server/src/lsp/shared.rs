@@ -11,6 +11,7 @@ use tower_lsp::Client;
 use super::capabilities::Agreed;
 use super::outbox::Outbox;
 use super::pull::Found;
+use super::semantic_tokens::TokensTold;
 use super::settings_file::Told;
 use crate::document::Documents;
 use crate::document::neighbours::Neighbours;
@@ -47,6 +48,8 @@ pub(super) struct Shared {
     pub(super) neighbours: Arc<Neighbours>,
     pub(super) sessions: Sessions,
     pub(super) outbox: Outbox,
+    /// The semantic tokens that the client has.
+    pub(super) tokens_told: TokensTold,
     /// Told when the process that started the server is gone.
     pub(super) orphaned: Notify,
 }
@@ -68,6 +71,7 @@ impl Shared {
             documents: Arc::default(),
             companions: Arc::default(),
             neighbours: Arc::default(),
+            tokens_told: TokensTold::default(),
             sessions: Sessions::default(),
             orphaned: Notify::new(),
         })
@@ -125,5 +129,6 @@ impl Shared {
     /// The document is gone from the editor, and with it the drawing that its simulations would show.
     pub(super) fn document_closed(&self, uri: &str) {
         self.sessions.stop_all_of(uri);
+        self.tokens_told.forget(uri);
     }
 }

@@ -74,3 +74,29 @@ async fn a_client_without_snippets_gets_plain_text() {
     assert!(text.starts_with("start : BOOL\nInput"), "{text}");
     client.finish().await;
 }
+
+#[tokio::test]
+async fn signatures_point_at_the_operand_that_is_written() {
+    let ask = json!({"textDocument": {"uri": URI}, "position": {"line": 0, "character": 14}});
+    let capabilities = json!({"textDocument": {"signatureHelp": {"signatureInformation": {
+        "parameterInformation": {"labelOffsetSupport": true}, "documentationFormat": ["markdown"]
+    }}}});
+    let mut client = Client::with(capabilities).await;
+    client.open("+--[TON]( tö, \n").await;
+    let help = client
+        .request("textDocument/signatureHelp", ask.clone())
+        .await
+        .unwrap();
+    assert_eq!(
+        (&help["activeParameter"], &help["signatures"][0]["label"]),
+        (&json!(1), &json!("[TON]( t, PT, R := )"))
+    );
+    assert_eq!(help["signatures"][0]["parameters"][1]["label"], json!([10, 12]));
+    client.finish().await;
+
+    let mut plain = Client::with(json!({})).await;
+    plain.open("+--[TON]( tö, \n").await;
+    let help = plain.request("textDocument/signatureHelp", ask).await.unwrap();
+    assert_eq!(help["signatures"][0]["parameters"][1]["label"], "PT");
+    plain.finish().await;
+}

@@ -1,0 +1,428 @@
+//! The power of a network as people write it: `(start OR run) AND NOT stop`.
+//!
+//! Put together along the order of evaluation, and simplified only where the drawing asks for it: what two branches
+//! share in front of them is written once.
+
+use super::written::{written, written_block};
+use crate::context::{Body, Context};
+use crate::facts::NodeKind;
+use crate::network::{BoundBlock, Meaning, NetworkFacts};
+use crate::operand_value::tag;
+use crate::program::Step;
+use crate::types::Type;
+use ladder_instructions::Op;
+use std::fmt;
+
+/// A formula with more parts than this helps nobody.
+const MOST: usize = 60;
+
+/// How many steps a network may have.
+const MOST_STEPS: usize = 400;
+
+/// When power is at a place.
+#[derive(Debug, Clone, PartialEq, Eq)]
+enum Formula {
+    Always,
+    Never,
+    /// A tag, or something that is written like a function.
+    Name(String),
+    /// A comparison.
+    Compare(String),
+    Not(Box<Formula>),
+    And(Vec<Formula>),
+    Or(Vec<Formula>),
+}
+
+/// The formulas of one network.
+#[derive(Debug)]
+pub struct Formulas<'c> {
+    context: &'c Context,
+    network: &'c NetworkFacts,
+    /// For each step of its order; none where it would be too long, or a block is not known.
+    steps: Vec<Option<Formula>>,
+}
+
+/// The formulas of a network. None if its drawing has a mistake, or it is too large.
+pub fn formulas(context: &Context, network: usize) -> Option<Formulas<'_>> {
+    let facts = &context.networks[network];
+    let order = &facts.order.steps;
+    if facts.broken || order.len() > MOST_STEPS {
+        return None;
+    }
+    let rail = if rail_may_be_dead(context, network) {
+        Formula::Name("RAIL".to_owned())
+    } else {
+        Formula::Always
+    };
+    let mut steps: Vec<Option<Formula>> = Vec::with_capacity(order.len());
+    for step in order {
+        let formula = match *step {
+            Step::Start { rail: true } => Some(rail.clone()),
+            Step::Start { rail: false } => Some(Formula::Never),
+            Step::Join { upper, lower } => match (&steps[upper], &steps[lower]) {
+                (Some(upper), Some(lower)) => Some(or(upper.clone(), lower.clone())),
+                _ => None,
+            },
+            Step::Block { block, en } => behind(context, facts, &facts.blocks[block], steps[en].as_ref()),
+        };
+        steps.push(formula.filter(|formula| formula.size() <= MOST));
+    }
+    Some(Formulas {
+        context,
+        network: facts,
+        steps,
+    })
+}
+
+/// Whether an `<MCR>` in front of the network may take the left rail's power.
+fn rail_may_be_dead(context: &Context, network: usize) -> bool {
+    let body = context.bodies.get(network).copied().unwrap_or(Body::Main);
+    let has = |index: usize| {
+        context.networks[index]
+            .blocks
+            .iter()
+            .any(|block| block.op() == Some(Op::Mcr))
+    };
+    !has(network) && (0..network).any(|index| context.bodies[index] == body && has(index))
+}
+
+impl Formulas<'_> {
+    /// When a step has power. None if that is not known, or would be too long.
+    pub fn power(&self, step: usize) -> Option<String> {
+        Some(self.steps.get(step)?.as_ref()?.to_string())
+    }
+
+    /// What each block does that acts: the block's number, and `run := start AND NOT stop`. In the order of
+    /// evaluation.
+    pub fn effects(&self) -> impl Iterator<Item = (usize, String)> {
+        self.network.order.steps.iter().filter_map(|step| match *step {
+            Step::Block { block, en } => Some((block, self.effect(&self.network.blocks[block], en)?)),
+            _ => None,
+        })
+    }
+
+    fn effect(&self, bound: &BoundBlock, en: usize) -> Option<String> {
+        let scope = self.network.scope;
+        let en = self.steps[en].as_ref()?;
+        let first = || Some(written(self.context, scope, &bound.facts.operands.first()?.value));
+        let conditionally = || {
+            let block = written_block(self.context, scope, bound);
+            Some(match en {
+                Formula::Always => block,
+                en => format!("IF {en}: {block}"),
+            })
+        };
+        let Meaning::Instruction(row) = bound.meaning else {
+            return conditionally();
+        };
+        match row.op {
+            Op::Coil | Op::RetentiveCoil => Some(format!("{} := {en}", first()?)),
+            Op::NegatedCoil => Some(format!("{} := {}", first()?, not(en.clone()))),
+            Op::SetCoil | Op::RetentiveSet => {
+                let tag = first()?;
+                let text = or(Formula::Name(tag.clone()), en.clone());
+                Some(format!("{tag} := {text}"))
+            }
+            // A timer or counter is cleared.
+            Op::ResetCoil if self.is_state(bound) => conditionally(),
+            Op::ResetCoil | Op::RetentiveReset => {
+                let tag = first()?;
+                let text = and(Formula::Name(tag.clone()), not(en.clone()));
+                Some(format!("{tag} := {text}"))
+            }
+            Op::RisingCoil => Some(format!("{} := RISE({en})", first()?)),
+            Op::FallingCoil => Some(format!("{} := FALL({en})", first()?)),
+            op if (Op::Ton..=Op::Rtof).contains(&op) => Some(format!("{}.IN := {en}", first()?)),
+            op if (Op::Ctu..=Op::Ctc).contains(&op) => Some(format!("{}.CU := {en}", first()?)),
+            _ if row.role == ladder_instructions::Role::Condition => None,
+            _ => conditionally(),
+        }
+    }
+}
+
+impl Formulas<'_> {
+    fn is_state(&self, bound: &BoundBlock) -> bool {
+        let Some(NodeKind::Name(name)) = bound.facts.operands.first().map(|operand| &operand.value.kind)
+        else {
+            return false;
+        };
+        tag(self.context, self.network.scope, name)
+            .is_some_and(|(_, tag)| matches!(tag.ty, Some(Type::State(_))))
+    }
+}
+
+/// When power leaves a block.
+fn behind(
+    context: &Context,
+    network: &NetworkFacts,
+    bound: &BoundBlock,
+    en: Option<&Formula>,
+) -> Option<Formula> {
+    let text = |index: usize| {
+        let operand = bound.facts.operands.get(index)?;
+        match &operand.value.kind {
+            NodeKind::Missing => None,
+            _ => Some(written(context, network.scope, &operand.value)),
+        }
+    };
+    let is_range = bound
+        .facts
+        .operands
+        .first()
+        .is_some_and(|operand| matches!(operand.value.kind, NodeKind::Range(..)));
+    let row = match bound.meaning {
+        Meaning::Instruction(row) => row,
+        Meaning::User(_) => return Some(Formula::Name(format!("{}.ENO", bound.facts.head.text()))),
+        Meaning::Unknown | Meaning::UnknownUser => return None,
+    };
+    let condition = match row.op {
+        Op::Contact if is_range => Formula::Name(format!("ALL({})", text(0)?)),
+        Op::Contact => Formula::Name(text(0)?),
+        Op::NegatedContact if is_range => Formula::Name(format!("NONE({})", text(0)?)),
+        Op::NegatedContact => not(Formula::Name(text(0)?)),
+        Op::RisingContact => Formula::Name(format!("RISE({})", text(0)?)),
+        Op::FallingContact => Formula::Name(format!("FALL({})", text(0)?)),
+        Op::Eq | Op::Ne | Op::Gt | Op::Ge | Op::Lt | Op::Le => {
+            let mut all = Formula::Always;
+            for index in 1..bound.facts.operands.len() {
+                let pair = format!("{} {} {}", text(index - 1)?, sign(row.op), text(index)?);
+                all = and(all, Formula::Compare(pair));
+            }
+            all
+        }
+        Op::Inverter => return Some(not(en?.clone())),
+        Op::OneShotRising => return Some(Formula::Name(format!("RISE({})", en?))),
+        Op::OneShotFalling => return Some(Formula::Name(format!("FALL({})", en?))),
+        Op::SetCoil | Op::RetentiveSet => return text(0).map(Formula::Name),
+        Op::Sr | Op::Rs => return Some(Formula::Name(format!("{}.Q1", text(0)?))),
+        op if (Op::Ton..=Op::Ctc).contains(&op) => return Some(Formula::Name(format!("{}.Q", text(0)?))),
+        _ => return en.cloned(),
+    };
+    Some(and(en?.clone(), condition))
+}
+
+const fn sign(op: Op) -> &'static str {
+    match op {
+        Op::Eq => "=",
+        Op::Ne => "<>",
+        Op::Gt => ">",
+        Op::Ge => ">=",
+        Op::Lt => "<",
+        _ => "<=",
+    }
+}
+
+fn not(formula: Formula) -> Formula {
+    match formula {
+        Formula::Always => Formula::Never,
+        Formula::Never => Formula::Always,
+        Formula::Not(inner) => *inner,
+        other => Formula::Not(Box::new(other)),
+    }
+}
+
+fn and(a: Formula, b: Formula) -> Formula {
+    match (a, b) {
+        (Formula::Never, _) | (_, Formula::Never) => Formula::Never,
+        (Formula::Always, other) | (other, Formula::Always) => other,
+        (a, b) => {
+            let mut parts = factors(a);
+            parts.extend(factors(b));
+            Formula::And(parts)
+        }
+    }
+}
+
+fn or(a: Formula, b: Formula) -> Formula {
+    match (a, b) {
+        (Formula::Always, _) | (_, Formula::Always) => Formula::Always,
+        (Formula::Never, other) | (other, Formula::Never) => other,
+        (a, b) if a == b => a,
+        (a, b) => {
+            // What both have in front of them is where they branched.
+            let (mut a, mut b) = (factors(a), factors(b));
+            let shared = a.iter().zip(&b).take_while(|(a, b)| a == b).count();
+            let front = product(a.drain(..shared).collect());
+            b.drain(..shared);
+            if a.is_empty() || b.is_empty() {
+                return front;
+            }
+            let mut terms = terms(product(a));
+            for term in self::terms(product(b)) {
+                if !terms.contains(&term) {
+                    terms.push(term);
+                }
+            }
+            let branches = if terms.len() == 1 {
+                terms.remove(0)
+            } else {
+                Formula::Or(terms)
+            };
+            and(front, branches)
+        }
+    }
+}
+
+fn factors(formula: Formula) -> Vec<Formula> {
+    match formula {
+        Formula::And(parts) => parts,
+        other => vec![other],
+    }
+}
+
+fn terms(formula: Formula) -> Vec<Formula> {
+    match formula {
+        Formula::Or(parts) => parts,
+        other => vec![other],
+    }
+}
+
+fn product(mut parts: Vec<Formula>) -> Formula {
+    match parts.len() {
+        0 => Formula::Always,
+        1 => parts.remove(0),
+        _ => Formula::And(parts),
+    }
+}
+
+impl Formula {
+    fn size(&self) -> usize {
+        match self {
+            Formula::Not(inner) => 1 + inner.size(),
+            Formula::And(parts) | Formula::Or(parts) => parts.iter().map(Formula::size).sum(),
+            // A function of a formula is as long as that.
+            Formula::Name(text) | Formula::Compare(text) => 1 + text.len() / 40,
+            _ => 1,
+        }
+    }
+}
+
+impl fmt::Display for Formula {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let join = |f: &mut fmt::Formatter<'_>, parts: &[Formula], word: &str| {
+            for (index, part) in parts.iter().enumerate() {
+                if index > 0 {
+                    f.write_str(word)?;
+                }
+                match part {
+                    Formula::Or(_) => write!(f, "({part})")?,
+                    Formula::And(_) if word == " OR " => write!(f, "{part}")?,
+                    Formula::And(_) => write!(f, "({part})")?,
+                    _ => write!(f, "{part}")?,
+                }
+            }
+            Ok(())
+        };
+        match self {
+            Formula::Always => f.write_str("TRUE"),
+            Formula::Never => f.write_str("FALSE"),
+            Formula::Name(text) | Formula::Compare(text) => f.write_str(text),
+            Formula::Not(inner) => match **inner {
+                Formula::Name(_) => write!(f, "NOT {inner}"),
+                _ => write!(f, "NOT ({inner})"),
+            },
+            Formula::And(parts) => join(f, parts, " AND "),
+            Formula::Or(parts) => join(f, parts, " OR "),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use expect_test::{Expect, expect};
+    use std::fmt::Write;
+    use std::sync::Arc;
+
+    fn check(text: &str, expected: Expect) {
+        let analysis = crate::analyze(&Arc::new(ladder_syntax::parse(text)), "test.clad");
+        let mut shown = String::new();
+        for network in 0..analysis.context.networks.len() {
+            match formulas(&analysis.context, network) {
+                Some(formulas) => {
+                    for (_, effect) in formulas.effects() {
+                        let _ = writeln!(shown, "{effect}");
+                    }
+                }
+                None => shown.push_str("nothing\n"),
+            }
+        }
+        expected.assert_eq(&shown);
+    }
+
+    #[test]
+    fn branches() {
+        check(
+            "+--\\--[ ]( start )--\\--[/]( stop )--( )( run )--+\n|  /--[ ]( run )----/                           |\n",
+            expect![[r#"
+                run := (start OR run) AND NOT stop
+            "#]],
+        );
+        // Three branches behind a contact, and a branch around two.
+        check(
+            "+--[ ]( x )--\\--[ ]( a )----------------\\--( )( y )--+\n             /--\\--[ ]( b )--[ ]( d )--\\--/\n                /--[ ]( c )------------/\n",
+            expect![[r#"
+                y := x AND (a OR b AND d OR c)
+            "#]],
+        );
+        // A bare wire beside a contact, and an inverter behind branches.
+        check(
+            "+--\\--[ ]( a )--\\--( )( y )--+\n|  /------------/            |\n+--\\--[ ]( a )--\\--[NOT]--( )( z )--+\n|  /--[ ]( b )--/                   |\n",
+            expect![[r#"
+                y := TRUE
+                z := NOT (a OR b)
+            "#]],
+        );
+    }
+
+    #[test]
+    fn blocks() {
+        check(
+            "+--[ ]( a )--[TON]( t, 5s )--( )( y )--(S)( s )--(R)( r )--(/)( n )--+\n\
+             +--[GT]( count, 3, 1 )--[P]( a )--[ADD]( count, count, 1 )--+\n\
+             +--[ ]( a )--[OSR]--[CTU]( c, 10 )--<JMP>( done )--+\n\
+             +--[ ]( a )--(R)( c )--+\n\
+             +--[ ]( b[1..3] )--[/]( b[4..5] )--(P)( p )--+\n\
+             +--[MOV]( k, 1 )--+\n\
+             +--<LBL>( done )--[SR]( latch )--( )( q )--+\n",
+            expect![[r#"
+                t.IN := a
+                y := t.Q
+                s := s OR t.Q
+                r := r AND NOT s
+                n := NOT s
+                IF count > 3 AND 3 > 1 AND RISE(a): [ADD]( count, count, 1 )
+                c.CU := RISE(a)
+                IF c.Q: <JMP>( done )
+                IF a: (R)( c )
+                p := RISE(ALL(b[1..3]) AND NONE(b[4..5]))
+                [MOV]( k, 1 )
+                [SR]( latch )
+                q := latch.Q1
+            "#]],
+        );
+    }
+
+    #[test]
+    fn what_is_not_known() {
+        check(
+            "+--[ ]( a )--[FOO]( b )--( )( y )--+\n",
+            expect![[r#"
+            IF a: [FOO]( b )
+        "#]],
+        );
+        check(
+            "+--\\--[ ]( a )--( )( y )--+\n",
+            expect![[r#"
+            nothing
+        "#]],
+        );
+        check(
+            "+--[ ]( a )--<MCR>--+\n+--[ ]( b )--( )( y )--+\n",
+            expect![[r#"
+            IF a: <MCR>
+            y := RAIL AND b
+        "#]],
+        );
+    }
+}

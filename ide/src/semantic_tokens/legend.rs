@@ -1,0 +1,106 @@
+//! The legend: the kinds and modifiers that are told, by their names in the protocol.
+
+/// What a word is.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+#[allow(missing_docs)]
+#[repr(u8)]
+pub enum TokenKind {
+    Comment,
+    Keyword,
+    Type,
+    Class,
+    Function,
+    Label,
+    Variable,
+    Parameter,
+    Property,
+    EnumMember,
+    Number,
+    String,
+    Operator,
+}
+
+impl TokenKind {
+    /// All of them, in the order of the legend, with their names in the protocol and what they stand for here.
+    pub const LEGEND: [(TokenKind, &'static str, &'static str); 13] = [
+        (TokenKind::Comment, "comment", "comments"),
+        (
+            TokenKind::Keyword,
+            "keyword",
+            "words of sections, declarations and block definitions; program flow: `<JMP>`",
+        ),
+        (TokenKind::Type, "type", "types in declarations"),
+        (TokenKind::Class, "class", "user-defined blocks"),
+        (
+            TokenKind::Function,
+            "function",
+            "other instructions; functions of `<FUN>` and of expressions",
+        ),
+        (TokenKind::Label, "label", "labels"),
+        (TokenKind::Variable, "variable", "tags and direct addresses"),
+        (
+            TokenKind::Parameter,
+            "parameter",
+            "operands given by name; in a block's body its parameters",
+        ),
+        (TokenKind::Property, "property", "members and bits behind a `.`"),
+        (
+            TokenKind::EnumMember,
+            "enumMember",
+            "TRUE and FALSE; the comparison in `[SEARCH]`",
+        ),
+        (TokenKind::Number, "number", "numbers, durations and dates"),
+        (TokenKind::String, "string", "texts"),
+        (
+            TokenKind::Operator,
+            "operator",
+            "operators, `:=` and `=>`, the `/` of `[/]` and `(/)`",
+        ),
+    ];
+}
+
+/// What else is to be said of a word: a bit for each modifier.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Hash)]
+pub struct Modifiers(pub u8);
+
+impl Modifiers {
+    /// The name is introduced here.
+    pub const DECLARATION: Modifiers = Modifiers(1);
+    /// It cannot be written.
+    pub const READONLY: Modifiers = Modifiers(1 << 1);
+    /// The whole workspace sees it, or it has an address.
+    pub const STATIC: Modifiers = Modifiers(1 << 2);
+    /// It is written here.
+    pub const MODIFICATION: Modifiers = Modifiers(1 << 3);
+    /// It belongs to the language.
+    pub const DEFAULT_LIBRARY: Modifiers = Modifiers(1 << 4);
+
+    /// All of them, in the order of their bits, with their names in the protocol and what they stand for here.
+    pub const LEGEND: [(Modifiers, &'static str, &'static str); 5] = [
+        (
+            Modifiers::DECLARATION,
+            "declaration",
+            "where a tag, label, function or block is introduced",
+        ),
+        (Modifiers::READONLY, "readonly", "constants and system tags"),
+        (
+            Modifiers::STATIC,
+            "static",
+            "direct addresses and tags of VAR_GLOBAL and VAR_EXTERNAL",
+        ),
+        (
+            Modifiers::MODIFICATION,
+            "modification",
+            "a tag where a block writes it",
+        ),
+        (
+            Modifiers::DEFAULT_LIBRARY,
+            "defaultLibrary",
+            "what belongs to the language itself",
+        ),
+    ];
+
+    pub(super) const fn and(self, other: Modifiers) -> Modifiers {
+        Modifiers(self.0 | other.0)
+    }
+}
