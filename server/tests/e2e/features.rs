@@ -62,9 +62,9 @@ async fn hover_explains_what_stands_there() {
         "{hover}"
     );
     assert_eq!(
-        client.hover(0, 99).await,
+        client.hover(1, 0).await,
         Ok(Value::Null),
-        "nothing stands behind the line"
+        "nothing stands behind the last line"
     );
     client.finish().await;
 
