@@ -211,7 +211,7 @@ impl Revision {
     }
 
     /// A stretch of the text.
-    pub(crate) fn text(&self, bytes: std::ops::Range<usize>) -> String {
+    pub(crate) fn stretch(&self, bytes: std::ops::Range<usize>) -> String {
         self.rope.byte_slice(bytes).to_string()
     }
 

@@ -151,7 +151,7 @@ fn encoded(revision: &Revision, tokens: &[ladder_ide::Token], several_lines: boo
     };
     let start = revision.range(first.range).start;
     let base = usize::from(revision.line_start(start.line));
-    let text = revision.text(base..usize::from(last.range.end()));
+    let text = revision.stretch(base..usize::from(last.range.end()));
     let mut sweep = Sweep::new(&text, revision.encoding(), start.line);
     let mut before = crate::Position::default();
     let mut out = Vec::with_capacity(tokens.len());
