@@ -1,0 +1,165 @@
+//! Names that something else has: after the renaming one of the two would mean the other.
+
+use super::Refused;
+use crate::neighbour::{File, Workspace};
+use crate::symbol::{Symbol, Usage, declared_names, occurrences, tag_of};
+use ladder_analysis::Analysis;
+use ladder_analysis::scope::{Origin, SectionKind};
+use ladder_syntax::{Name, TextRange};
+use std::sync::Arc;
+
+/// Whether a symbol may get a new name.
+pub(super) fn check(
+    analysis: &Analysis,
+    symbol: &Symbol,
+    key: &Name,
+    new: &str,
+    workspace: &dyn Workspace,
+) -> Result<(), Refused> {
+    match symbol {
+        Symbol::Tag { file, scope, .. } => {
+            in_file(analysis, file, workspace, |file| tag(file, *scope, key, new))
+        }
+        Symbol::Global(_) => {
+            global(File::own(analysis), symbol, key, new)?;
+            let (uses, named) = (
+                crate::symbol::files_of(analysis, symbol, workspace),
+                workspace.mentioning(key),
+            );
+            for neighbour in uses.iter().chain(&named) {
+                global(neighbour.file(), symbol, key, new)?;
+            }
+            Ok(())
+        }
+        Symbol::Label { file, body, .. } => in_file(analysis, file, workspace, |file| {
+            let other = Symbol::Label {
+                file: Arc::clone(file.name),
+                body: *body,
+                name: key.clone(),
+            };
+            named(file, &other, new, "label", "jump")
+        }),
+        Symbol::Function { .. } => {
+            let other = |file: File<'_>| Symbol::Function {
+                file: Arc::clone(file.name),
+                name: key.clone(),
+            };
+            in_all(analysis, key, workspace, |file| {
+                named(file, &other(file), new, "function", "call")
+            })
+        }
+        Symbol::Block { .. } => {
+            let other = |file: File<'_>| Symbol::Block {
+                file: Arc::clone(file.name),
+                name: key.clone(),
+            };
+            in_all(analysis, key, workspace, |file| {
+                named(file, &other(file), new, "user-defined block", "block")
+            })
+        }
+        Symbol::Address(_) | Symbol::Member { .. } | Symbol::System(_) | Symbol::Instruction(_) => Ok(()),
+    }
+}
+
+fn in_file(
+    analysis: &Analysis,
+    name: &str,
+    workspace: &dyn Workspace,
+    check: impl FnOnce(File<'_>) -> Result<(), Refused>,
+) -> Result<(), Refused> {
+    let own = File::own(analysis);
+    if own.is_called(name) {
+        return check(own);
+    }
+    match workspace.file(name) {
+        Some(neighbour) => check(neighbour.file()),
+        None => Err(Refused(format!(
+            "{name}, which declares it, cannot be read: rename it there"
+        ))),
+    }
+}
+
+fn in_all(
+    analysis: &Analysis,
+    key: &Name,
+    workspace: &dyn Workspace,
+    check: impl Fn(File<'_>) -> Result<(), Refused>,
+) -> Result<(), Refused> {
+    check(File::own(analysis))?;
+    for neighbour in workspace.mentioning(key) {
+        check(neighbour.file())?;
+    }
+    Ok(())
+}
+
+/// A tag of one file, or of one block's body.
+fn tag(file: File<'_>, scope: usize, key: &Name, new: &str) -> Result<(), Refused> {
+    let context = file.context;
+    if let Some(other) = context.scopes[scope].find(key) {
+        let other = &context.scopes[scope].tags[other];
+        return Err(taken(file, other.foreign.as_deref(), new, other.at, "tag"));
+    }
+    if scope > 0 {
+        // A body's own tag may hide one of the workspace that the body does not name.
+        return Ok(());
+    }
+    if let Some((exports, _)) = context.others.globals(key).next() {
+        return Err(taken(file, Some(&exports.file), new, TextRange::default(), "tag"));
+    }
+    let mut globals = declared_names(context)
+        .filter(|declared| declared.section == SectionKind::Global && declared.name == *key);
+    match globals.next() {
+        Some(global) => Err(taken(file, None, new, global.at, "tag")),
+        None => Ok(()),
+    }
+}
+
+/// A VAR_GLOBAL tag, as far as one file is concerned.
+fn global(file: File<'_>, symbol: &Symbol, key: &Name, new: &str) -> Result<(), Refused> {
+    let Some(old) = symbol.name() else { return Ok(()) };
+    for (number, scope) in file.context.scopes.iter().enumerate() {
+        let Some(tag) = scope.find(key).map(|tag| &scope.tags[tag]) else {
+            continue;
+        };
+        // A declared tag hides the global one; that is well where the global one is not named.
+        let hides = tag.is_declared()
+            && !matches!(
+                tag.origin,
+                Origin::Declared(SectionKind::Global | SectionKind::External)
+            );
+        if !hides || tag_of(file, number, old).as_ref() == Some(symbol) {
+            return Err(taken(file, tag.foreign.as_deref(), new, tag.at, "tag"));
+        }
+    }
+    Ok(())
+}
+
+/// Labels, functions, blocks: defined somewhere, or only named.
+fn named(file: File<'_>, other: &Symbol, new: &str, what: &str, mention: &str) -> Result<(), Refused> {
+    let places = occurrences(file, other);
+    let defined = places.iter().find(|place| place.usage == Usage::Definition);
+    if let Some(place) = defined {
+        return Err(taken(file, None, new, place.range, what));
+    }
+    match places.first() {
+        Some(place) => Err(Refused(format!(
+            "the {mention} on {} names `{new}`, which is not there: it would mean this one",
+            place_of(file, place.range)
+        ))),
+        None => Ok(()),
+    }
+}
+
+fn taken(file: File<'_>, foreign: Option<&str>, new: &str, at: TextRange, what: &str) -> Refused {
+    let place = match foreign {
+        Some(foreign) => format!("in {foreign}"),
+        None => format!("on {}", place_of(file, at)),
+    };
+    Refused(format!(
+        "there is a {what} `{new}` {place} already: both would become one"
+    ))
+}
+
+fn place_of(file: File<'_>, at: TextRange) -> String {
+    format!("line {} of {}", file.context.line_number(at.start()), file.name)
+}

@@ -1,0 +1,151 @@
+//! Labels that must go by one name: a jump in a `<$B>` block to a label that the block does not have goes to the
+//! label of that name wherever the block stands (LANGUAGE §5.7).
+
+use crate::neighbour::{File, Workspace};
+use crate::symbol::{Symbol, Usage, occurrences};
+use ladder_analysis::context::{Body, Context};
+use ladder_analysis::network::Meaning;
+use ladder_instructions::Shape;
+use ladder_syntax::Name;
+use std::sync::Arc;
+
+/// A body of a file.
+type Place = (Arc<str>, Body);
+
+/// A symbol with all others that must keep its name; they are more than one for labels only.
+pub(super) fn together(own: File<'_>, symbol: &Symbol, workspace: &dyn Workspace) -> Vec<Symbol> {
+    let Symbol::Label { file, body, name } = symbol else {
+        return vec![symbol.clone()];
+    };
+    let search = Search { own, name, workspace };
+    let mut found: Vec<Place> = vec![(Arc::clone(file), *body)];
+    let mut next = 0;
+    while let Some(place) = found.get(next).cloned() {
+        next += 1;
+        for linked in search.linked(&place) {
+            if !found.contains(&linked) {
+                found.push(linked);
+            }
+        }
+    }
+    let label = |(file, body)| Symbol::Label {
+        file,
+        body,
+        name: name.clone(),
+    };
+    found.into_iter().map(label).collect()
+}
+
+struct Search<'s> {
+    own: File<'s>,
+    name: &'s Name,
+    workspace: &'s dyn Workspace,
+}
+
+impl Search<'_> {
+    /// The bodies that share the label with one, directly.
+    fn linked(&self, (file, body): &Place) -> Vec<Place> {
+        let mut linked = Vec::new();
+        // The blocks that stand in it and jump out.
+        self.with(file, &mut |file| {
+            for block in blocks_in(file, *body) {
+                if self.passes(&block, 0) {
+                    linked.push(block);
+                }
+            }
+        });
+        // The places where it stands itself.
+        let Body::Block(item) = *body else { return linked };
+        if !self.passes(&(Arc::clone(file), *body), 0) {
+            return linked;
+        }
+        let mut key = None;
+        self.with(file, &mut |file| {
+            key = file.context.user_blocks.get(item).map(|block| block.key.clone());
+        });
+        let Some(key) = key else { return linked };
+        let wanted = (Arc::clone(file), *body);
+        let mut hold = |file: File<'_>| {
+            for body in bodies(file.context) {
+                if blocks_in(file, body).contains(&wanted) {
+                    linked.push((Arc::clone(file.name), body));
+                }
+            }
+        };
+        hold(self.own);
+        for neighbour in self.workspace.mentioning(&key) {
+            hold(neighbour.file());
+        }
+        linked
+    }
+
+    /// Whether jumps to the label leave a block: it has none, and it, or a block in it, jumps there. `depth`
+    /// bounds the walk through blocks that hold themselves, which is a mistake.
+    fn passes(&self, (file, body): &Place, depth: usize) -> bool {
+        let label = Symbol::Label {
+            file: Arc::clone(file),
+            body: *body,
+            name: self.name.clone(),
+        };
+        let mut passes = false;
+        self.with(file, &mut |file| {
+            let places = occurrences(file, &label);
+            if places.iter().any(|place| place.usage == Usage::Definition) {
+                return;
+            }
+            passes = !places.is_empty()
+                || (depth < 16
+                    && blocks_in(file, *body)
+                        .iter()
+                        .any(|inner| self.passes(inner, depth + 1)));
+        });
+        passes
+    }
+
+    fn with(&self, name: &str, act: &mut dyn FnMut(File<'_>)) {
+        if self.own.is_called(name) {
+            act(self.own);
+        } else if let Some(neighbour) = self.workspace.file(name) {
+            act(neighbour.file());
+        }
+    }
+}
+
+/// The `<$B>` blocks that stand in a body.
+fn blocks_in(file: File<'_>, body: Body) -> Vec<Place> {
+    let context = file.context;
+    let mut places: Vec<Place> = Vec::new();
+    if context
+        .user_blocks
+        .iter()
+        .all(|block| block.shape != Shape::Function)
+    {
+        return places;
+    }
+    for (network, of) in context.networks.iter().zip(&context.bodies) {
+        for block in network.blocks.iter().filter(|_| *of == body) {
+            let Meaning::User(user) = block.meaning else {
+                continue;
+            };
+            let facts = &context.user_blocks[user];
+            if facts.shape != Shape::Function {
+                continue;
+            }
+            let place = match &facts.import {
+                Some(import) => (Arc::clone(&import.file), Body::Block(import.item)),
+                None => (Arc::clone(file.name), Body::Block(user)),
+            };
+            if !places.contains(&place) {
+                places.push(place);
+            }
+        }
+    }
+    places
+}
+
+fn bodies(context: &Context) -> Vec<Body> {
+    let mut bodies = context.bodies.clone();
+    bodies.sort_unstable();
+    bodies.dedup();
+    bodies
+}

@@ -1,0 +1,168 @@
+//! Edits of names together with the drawing that they move.
+//!
+//! A longer name shifts what stands behind it, and the connectors below no longer stand under theirs. So the names
+//! are changed first, then what was laid out before is laid out again, together with every network and section that a
+//! name changed in; and both steps become one list of small edits.
+
+use ladder_format::{Edit, Options, apply, format, format_ranges};
+use ladder_syntax::{Item, Parse, TextRange, TextSize, parse};
+
+/// The edits of names in a text, and those that put its drawing straight afterwards, as one.
+pub(super) fn laid_out(old: &Parse, text: &str, names: &[Edit], options: &Options) -> Vec<Edit> {
+    let renamed = apply(text, names);
+    let parsed = parse(&renamed);
+    let crooked = format(old, options);
+    let straighten = if crooked.is_empty() {
+        format(&parsed, options)
+    } else {
+        let mut ranges = moved(names);
+        ranges.extend(straight_items(old, &crooked).map(|range| shifted(range, names)));
+        format_ranges(&parsed, options, &ranges)
+    };
+    compose(text, names, &renamed, &straighten)
+}
+
+/// Where the new names stand once all are there.
+fn moved(names: &[Edit]) -> Vec<TextRange> {
+    names
+        .iter()
+        .map(|edit| {
+            let start = shift(edit.range.start(), names);
+            TextRange::at(start, TextSize::of(edit.text.as_str()))
+        })
+        .collect()
+}
+
+/// The networks, sections and lines that are laid out as they should be.
+fn straight_items<'p>(old: &'p Parse, crooked: &'p [Edit]) -> impl Iterator<Item = TextRange> + 'p {
+    let structure = old.structure();
+    structure.items.iter().filter_map(move |item| {
+        let lines = match *item {
+            Item::Network(network) => structure.networks[network].lines.clone(),
+            Item::Section(section) => structure.sections[section].lines.clone(),
+            _ => return None,
+        };
+        let range = TextRange::new(old.line_start(lines.start), old.line_range(lines.end - 1).end());
+        let first = crooked.partition_point(|edit| edit.range.end() < range.start());
+        let touched = crooked
+            .get(first)
+            .is_some_and(|edit| edit.range.start() < range.end());
+        (!touched).then_some(range)
+    })
+}
+
+fn shifted(range: TextRange, names: &[Edit]) -> TextRange {
+    TextRange::new(shift(range.start(), names), shift(range.end(), names))
+}
+
+/// Where an offset lies when the edits before it are made.
+fn shift(offset: TextSize, edits: &[Edit]) -> TextSize {
+    let before = edits.partition_point(|edit| edit.range.end() <= offset && edit.range.start() < offset);
+    edits[..before].iter().fold(offset, |offset, edit| {
+        offset + TextSize::of(edit.text.as_str()) - edit.range.len()
+    })
+}
+
+/// Two lists of edits, one made after the other, as one list of edits of the first text. `between` is the text that
+/// the first ones make.
+fn compose(text: &str, first: &[Edit], between: &str, second: &[Edit]) -> Vec<Edit> {
+    /// An edit by the range that it has in the text between, and what it adds to the length of that text.
+    struct Step<'e> {
+        start: usize,
+        end: usize,
+        grows: i64,
+        second: Option<&'e Edit>,
+    }
+    let mut grown = 0i64;
+    let mut steps: Vec<Step<'_>> = first
+        .iter()
+        .map(|edit| {
+            let start = (i64::from(u32::from(edit.range.start())) + grown) as usize;
+            let grows = edit.text.len() as i64 - i64::from(u32::from(edit.range.len()));
+            grown += grows;
+            Step {
+                start,
+                end: start + edit.text.len(),
+                grows,
+                second: None,
+            }
+        })
+        .collect();
+    steps.extend(second.iter().map(|edit| Step {
+        start: edit.range.start().into(),
+        end: edit.range.end().into(),
+        grows: 0,
+        second: Some(edit),
+    }));
+    steps.sort_by_key(|step| (step.start, step.end));
+    let mut edits = Vec::new();
+    let mut before = 0i64;
+    let mut rest = &steps[..];
+    while let Some(leader) = rest.first() {
+        let mut end = leader.end;
+        let mut count = 1;
+        while rest.get(count).is_some_and(|step| step.start <= end) {
+            end = end.max(rest[count].end);
+            count += 1;
+        }
+        let (group, others) = rest.split_at(count);
+        rest = others;
+        let grows: i64 = group.iter().map(|step| step.grows).sum();
+        let old = (leader.start as i64 - before) as usize..(end as i64 - before - grows) as usize;
+        before += grows;
+        let mut new = String::new();
+        let mut at = leader.start;
+        for edit in group.iter().filter_map(|step| step.second) {
+            new.push_str(&between[at..usize::from(edit.range.start())]);
+            new.push_str(&edit.text);
+            at = edit.range.end().into();
+        }
+        new.push_str(&between[at..end]);
+        if text[old.clone()] != new {
+            let range = TextRange::new(TextSize::new(old.start as u32), TextSize::new(old.end as u32));
+            edits.push(Edit { range, text: new });
+        }
+    }
+    edits
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn edit(start: u32, end: u32, text: &str) -> Edit {
+        Edit {
+            range: TextRange::new(start.into(), end.into()),
+            text: text.to_owned(),
+        }
+    }
+
+    #[test]
+    fn two_lists_become_one() {
+        let text = "abcdefgh";
+        let check = |first: &[Edit], second: &[Edit], expected: &[Edit]| {
+            let between = apply(text, first);
+            let both = compose(text, first, &between, second);
+            assert_eq!(apply(text, &both), apply(&between, second));
+            assert_eq!(both, expected);
+        };
+        check(&[], &[edit(1, 2, "x")], &[edit(1, 2, "x")]);
+        check(&[edit(1, 2, "xyz")], &[], &[edit(1, 2, "xyz")]);
+        // bcd -> xyz, then behind it f -> .
+        check(
+            &[edit(1, 2, "xyz")],
+            &[edit(7, 8, "")],
+            &[edit(1, 2, "xyz"), edit(5, 6, "")],
+        );
+        // What touches becomes one.
+        check(&[edit(1, 2, "xyz")], &[edit(4, 5, "-")], &[edit(1, 3, "xyz-")]);
+        check(&[edit(1, 2, "xyz")], &[edit(2, 6, "")], &[edit(1, 4, "x")]);
+        // What was changed and changed back is nothing.
+        check(&[edit(1, 2, "xyz")], &[edit(1, 4, "b")], &[]);
+        check(
+            &[edit(0, 1, ""), edit(4, 4, "!!")],
+            &[edit(0, 1, "B"), edit(6, 7, "F")],
+            &[edit(0, 2, "B"), edit(4, 4, "!!"), edit(5, 6, "F")],
+        );
+    }
+}

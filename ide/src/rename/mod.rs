@@ -1,0 +1,206 @@
+//! Renaming: a thing gets another name at all its places, in all files of the workspace, and the drawings around them
+//! are laid out in the same edit.
+//!
+//! A name that would make the program another one is refused with the reason: one that is no name, one that something
+//! else has (here, or in a file that would then mean that), and one that changes the type of an undeclared tag.
+
+mod clash;
+mod labels;
+mod layout;
+mod spelling;
+
+use crate::neighbour::{File, Neighbour, Workspace};
+use crate::outline::text_of;
+use crate::symbol::{Found, Occurrence, Symbol, files_of, find, occurrences};
+use ladder_analysis::Analysis;
+use ladder_analysis::context::{Context, context};
+use ladder_analysis::scope::Origin;
+use ladder_format::{Edit, Options, apply};
+use ladder_syntax::{Name, TextRange, TextSize, parse};
+use std::sync::Arc;
+
+/// What would be renamed.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Renamable {
+    /// The name at the cursor.
+    pub range: TextRange,
+    /// As it is written there.
+    pub name: String,
+}
+
+/// Why something cannot be renamed, or not in this way.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Refused(pub String);
+
+impl std::fmt::Display for Refused {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.write_str(&self.0)
+    }
+}
+
+/// The edits of one file.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Renamed {
+    /// The file.
+    pub file: Arc<str>,
+    /// Sorted, none touching another, none where nothing changes.
+    pub edits: Vec<Edit>,
+}
+
+/// What stands at an offset and can be renamed. None: nothing has a name there.
+///
+/// # Errors
+/// It has a name that is not the program's to choose.
+pub fn prepare_rename(analysis: &Analysis, offset: TextSize) -> Result<Option<Renamable>, Refused> {
+    let own = File::own(analysis);
+    let Some(Found { symbol, range }) = find(own, offset) else {
+        return Ok(None);
+    };
+    fixed(own, &symbol)?;
+    Ok(Some(Renamable {
+        range,
+        name: text_of(&analysis.context.parse, range),
+    }))
+}
+
+/// The edits that give what stands at an offset another name. `options` are those that the workspace's drawings are
+/// laid out with.
+///
+/// # Errors
+/// The name is refused.
+pub fn rename(
+    analysis: &Analysis,
+    offset: TextSize,
+    new: &str,
+    workspace: &dyn Workspace,
+    options: &Options,
+) -> Result<Vec<Renamed>, Refused> {
+    let own = File::own(analysis);
+    let Some(Found { symbol, .. }) = find(own, offset) else {
+        return Err(Refused("there is nothing to rename here".to_owned()));
+    };
+    fixed(own, &symbol)?;
+    let new = spelling::checked(&symbol, new)?;
+    // All places of all that must go by one name.
+    let symbols = labels::together(own, &symbol, workspace);
+    let key = Name::new(&new);
+    if symbol.name() != Some(&key) {
+        for symbol in &symbols {
+            clash::check(analysis, symbol, &key, &new, workspace)?;
+        }
+    }
+    let neighbours = neighbours(analysis, &symbols, workspace);
+    let files = std::iter::once(own).chain(neighbours.iter().map(Neighbour::file));
+    let mut renamed = Vec::new();
+    for file in files {
+        let mut places: Vec<Occurrence> = symbols
+            .iter()
+            .flat_map(|symbol| occurrences(file, symbol))
+            .collect();
+        places.sort_by_key(|place| place.range.start());
+        places.dedup_by_key(|place| place.range);
+        let edits = places.into_iter().map(|place| Edit {
+            range: place.range,
+            text: new.clone(),
+        });
+        // What is written so already stays.
+        let edits: Vec<Edit> = edits
+            .filter(|edit| text_of(&file.context.parse, edit.range) != edit.text)
+            .collect();
+        if edits.is_empty() {
+            continue;
+        }
+        let text = file.context.parse.to_string();
+        same_type(file, &symbol, &text, &edits, &new)?;
+        renamed.push(Renamed {
+            file: Arc::clone(file.name),
+            edits: layout::laid_out(&file.context.parse, &text, &edits, options),
+        });
+    }
+    Ok(renamed)
+}
+
+/// The other files in which the symbols have places, each once.
+fn neighbours(analysis: &Analysis, symbols: &[Symbol], workspace: &dyn Workspace) -> Vec<Neighbour> {
+    let mut all: Vec<Neighbour> = Vec::new();
+    for symbol in symbols {
+        for neighbour in files_of(analysis, symbol, workspace) {
+            let name = neighbour.file().name;
+            if all.iter().all(|known| known.file().name != name) {
+                all.push(neighbour);
+            }
+        }
+    }
+    all
+}
+
+/// Names that are not the program's to choose.
+fn fixed(file: File<'_>, symbol: &Symbol) -> Result<(), Refused> {
+    let why = match symbol {
+        Symbol::Tag { scope, name, .. } => {
+            let tags = &file.context.scopes.get(*scope).filter(|_| *scope > 0);
+            let implicit = tags.is_some_and(|scope| {
+                scope
+                    .find(name)
+                    .is_some_and(|tag| scope.tags[tag].origin == Origin::Implicit)
+            });
+            if !implicit {
+                return Ok(());
+            }
+            "EN and ENO belong to every block: they keep their names".to_owned()
+        }
+        Symbol::Global(_) | Symbol::Label { .. } | Symbol::Function { .. } | Symbol::Block { .. } => {
+            return Ok(());
+        }
+        Symbol::Address(name) => format!(
+            "`{}` is a direct address: it says where the signal is. Declare a tag with AT to give it a name",
+            name.as_str().to_uppercase()
+        ),
+        Symbol::Member { .. } => {
+            "the members of a timer, counter or bistable, and the bits of a tag, keep their names".to_owned()
+        }
+        Symbol::System(_) => "the tags of SYS keep their names".to_owned(),
+        Symbol::Instruction(_) => "instructions keep their names".to_owned(),
+    };
+    Err(Refused(why))
+}
+
+/// The type of an undeclared tag may follow from its name, and must not become another one.
+fn same_type(file: File<'_>, symbol: &Symbol, text: &str, edits: &[Edit], new: &str) -> Result<(), Refused> {
+    let Symbol::Tag { scope, name, .. } = symbol else {
+        return Ok(());
+    };
+    let tag_in = |context: &Context, name: &Name| {
+        let scope = context.scopes.get(*scope)?;
+        Some(scope.tags[scope.find(name)?].clone())
+    };
+    let Some(before) = tag_in(file.context, name).filter(|tag| !tag.is_declared()) else {
+        return Ok(());
+    };
+    let parsed = Arc::new(parse(&apply(text, edits)));
+    let after = context(&parsed, &file.context.others, &mut Vec::new());
+    let Some(after) = tag_in(&after, &Name::new(new)) else {
+        return Ok(());
+    };
+    if (before.ty, before.role) == (after.ty, after.role) {
+        return Ok(());
+    }
+    let what = |tag: &ladder_analysis::scope::TagFacts| {
+        let ty = tag.ty.map(|ty| ty.to_string()).unwrap_or_default();
+        let role = match tag.role {
+            ladder_analysis::program::Role::Input => "input",
+            ladder_analysis::program::Role::Output => "output",
+            ladder_analysis::program::Role::Internal => "internal tag",
+        };
+        format!("{role} of type {ty}")
+    };
+    Err(Refused(format!(
+        "`{}` is not declared, and is an {}; the name `{new}` would make it an {}: declare it first",
+        before.name,
+        what(&before),
+        what(&after)
+    )))
+}
+
+#[cfg(test)]
+mod tests;
