@@ -1,11 +1,11 @@
 //! Edits of names together with the drawing that they move.
 //!
 //! A longer name shifts what stands behind it, and the connectors below no longer stand under theirs. So the names
-//! are changed first, then what was laid out before is laid out again, together with every network and section that a
-//! name changed in; and both steps become one list of small edits.
+//! are changed first, then what was laid out before is laid out again, together with every network in which a name has
+//! another width now; and both steps become one list of small edits.
 
-use ladder_format::{Edit, Options, apply, format, format_ranges};
-use ladder_syntax::{Item, Parse, TextRange, TextSize, parse};
+use ladder_format::{Edit, Options, apply, display_width, format, format_ranges};
+use ladder_syntax::{Item, LineKind, Parse, TextRange, TextSize, parse};
 
 /// The edits of names in a text, and those that put its drawing straight afterwards, as one.
 pub(super) fn laid_out(old: &Parse, text: &str, names: &[Edit], options: &Options) -> Vec<Edit> {
@@ -15,17 +15,24 @@ pub(super) fn laid_out(old: &Parse, text: &str, names: &[Edit], options: &Option
     let straighten = if crooked.is_empty() {
         format(&parsed, options)
     } else {
-        let mut ranges = moved(names);
+        let mut ranges = moved(old, text, names);
         ranges.extend(straight_items(old, &crooked).map(|range| shifted(range, names)));
         format_ranges(&parsed, options, &ranges)
     };
     compose(text, names, &renamed, &straighten)
 }
 
-/// Where the new names stand once all are there.
-fn moved(names: &[Edit]) -> Vec<TextRange> {
+/// Where the new names stand once all are there, as far as they move what is drawn behind them. Declarations are no
+/// drawing: those that nobody laid out stay.
+fn moved(old: &Parse, text: &str, names: &[Edit]) -> Vec<TextRange> {
+    let moves = |edit: &&Edit| {
+        let line = old.line_at(edit.range.start());
+        line.is_some_and(|line| old.lines()[line].kind == LineKind::Rung)
+            && display_width(&text[edit.range]) != display_width(&edit.text)
+    };
     names
         .iter()
+        .filter(moves)
         .map(|edit| {
             let start = shift(edit.range.start(), names);
             TextRange::at(start, TextSize::of(edit.text.as_str()))

@@ -74,6 +74,26 @@ fn a_network_that_nobody_laid_out_is_left_alone() {
 }
 
 #[test]
+fn what_is_as_wide_as_before_moves_nothing() {
+    check(
+        "VAR a,b:BOOL; END_VAR\n+-[ ]( a$0 )-(S)( b )-+\n",
+        "x",
+        expect![[r#"
+            VAR x,b:BOOL; END_VAR
+            +-[ ]( x )-(S)( b )-+
+        "#]],
+    );
+    check(
+        "VAR a,b:BOOL; END_VAR\n+-[ ]( a$0 )-(S)( b )-+\n",
+        "xy",
+        expect![[r#"
+            VAR xy,b:BOOL; END_VAR
+            +--[ ]( xy )-----------------(S)( b )--+
+        "#]],
+    );
+}
+
+#[test]
 fn all_files() {
     let plant = "%% a.clad\nVAR_GLOBAL\n    total : DINT;\nEND_VAR\n\
         %% b.clad\nVAR_EXTERNAL\n    total : DINT;\nEND_VAR\n+--[GT]( total, 3 )------------( )( y )--+\n\
@@ -173,41 +193,75 @@ fn labels() {
 fn names_that_are_refused() {
     let tag = "VAR a, b : BOOL; END_VAR\n+--[ ]( a$0 )--( )( b )--+\n";
     for (new, expected) in [
-        ("", expect![[r#"
+        (
+            "",
+            expect![[r#"
             refused: a name is needed
-        "#]]),
-        ("1a", expect![[r#"
+        "#]],
+        ),
+        (
+            "1a",
+            expect![[r#"
             refused: `1a` is no name: write a letter or `_`, then letters, digits and `_`
-        "#]]),
-        ("a b", expect![[r#"
+        "#]],
+        ),
+        (
+            "a b",
+            expect![[r#"
             refused: `a b` is no name: write a letter or `_`, then letters, digits and `_`
-        "#]]),
-        ("true", expect![[r#"
+        "#]],
+        ),
+        (
+            "true",
+            expect![[r#"
             refused: `true` is a word of the language: choose another name
-        "#]]),
-        ("Var", expect![[r#"
+        "#]],
+        ),
+        (
+            "Var",
+            expect![[r#"
             refused: `Var` is a word of the language: choose another name
-        "#]]),
-        ("B", expect![[r#"
+        "#]],
+        ),
+        (
+            "B",
+            expect![[r#"
             refused: there is a tag `B` on line 1 of main.clad already: both would become one
-        "#]]),
+        "#]],
+        ),
     ] {
         check(tag, new, expected);
     }
     let block = "FUNCTION_BLOCK [$B]\nVAR_INPUT raw$0 : BOOL; END_VAR\n+--[ ]( raw )--( )( ENO )--+\nEND_FUNCTION_BLOCK\n";
-    check(block, "eno", expect![[r#"
+    check(
+        block,
+        "eno",
+        expect![[r#"
         refused: a block has `eno` of its own: choose another name
-    "#]]);
+    "#]],
+    );
     let block = block.replace("raw$0", "raw").replace("[$B]", "[$$0B]");
-    check(&block, "$B_1", expect![[r#"
+    check(
+        &block,
+        "$B_1",
+        expect![[r#"
         refused: `$B_1` cannot name a block: write `$`, a letter, then letters and digits
-    "#]]);
-    check(&block, "1", expect![[r#"
+    "#]],
+    );
+    check(
+        &block,
+        "1",
+        expect![[r#"
         refused: `1` cannot name a block: write `$`, a letter, then letters and digits
-    "#]]);
-    check("+--[ ]( a$0 )--<CALL>( f )--+\n", "é", expect![[r#"
-        +--[ ]( é )---------------<CALL>( f )--+
-    "#]]);
+    "#]],
+    );
+    check(
+        "+--[ ]( a$0 )--<CALL>( f )--+\n",
+        "é",
+        expect![[r#"
+            +--[ ]( é )--<CALL>( f )--+
+        "#]],
+    );
 }
 
 #[test]
@@ -218,49 +272,83 @@ fn names_that_something_else_has() {
         +--<FUN>( own )--+\nFUNCTION_BLOCK [$Own]\nVAR_INPUT i : BOOL; END_VAR\nEND_FUNCTION_BLOCK\n\
         %% c.clad\n+--[ ]( other )--( )( y )--+\n";
     let at = |place: &str| plant.replacen(place, &format!("{place}$0"), 1);
-    check(&at("VAR mine"), "total", expect![[r#"
+    check(
+        &at("VAR mine"),
+        "total",
+        expect![[r#"
         refused: there is a tag `total` in a.clad already: both would become one
-    "#]]);
-    check(&at("VAR mine"), "y", expect![[r#"
+    "#]],
+    );
+    check(
+        &at("VAR mine"),
+        "y",
+        expect![[r#"
         refused: there is a tag `y` on line 2 of b.clad already: both would become one
-    "#]]);
-    check(&at("VAR_GLOBAL total"), "other", expect![[r#"
+    "#]],
+    );
+    check(
+        &at("VAR_GLOBAL total"),
+        "other",
+        expect![[r#"
         refused: there is a tag `other` on line 1 of c.clad already: both would become one
-    "#]]);
-    check(&at("VAR_GLOBAL total"), "mine", expect![[r#"
+    "#]],
+    );
+    check(
+        &at("VAR_GLOBAL total"),
+        "mine",
+        expect![[r#"
         refused: there is a tag `mine` on line 1 of b.clad already: both would become one
-    "#]]);
-    check(&at("<FUN>( own"), "count", expect![[r#"
+    "#]],
+    );
+    check(
+        &at("<FUN>( own"),
+        "count",
+        expect![[r#"
         refused: there is a function `count` on line 2 of a.clad already: both would become one
-    "#]]);
-    check(&at("<FUN>( count"), "own", expect![[r#"
+    "#]],
+    );
+    check(
+        &at("<FUN>( count"),
+        "own",
+        expect![[r#"
         refused: there is a function `own` on line 4 of b.clad already: both would become one
-    "#]]);
-    check(&at("[$Own"), "hold", expect![[r#"
+    "#]],
+    );
+    check(
+        &at("[$Own"),
+        "hold",
+        expect![[r#"
         refused: there is a user-defined block `$hold` on line 3 of a.clad already: both would become one
-    "#]]);
-    check(&at("<LBL>( l"), "m", expect![[r#"
+    "#]],
+    );
+    check(
+        &at("<LBL>( l"),
+        "m",
+        expect![[r#"
         refused: the jump on line 3 of b.clad names `m`, which is not there: it would mean this one
-    "#]]);
+    "#]],
+    );
     // A body's own tag may hide a global one that it does not name.
-    check(&at("VAR_INPUT i"), "total", expect![[r#"
-        %% b.clad
-        VAR mine : DINT; END_VAR
-        +--[GT]( total, mine )--( )( y )--+
-        +--<LBL>( l )--<JMP>( m )--+
-        +--<FUN>( own )--+
-        FUNCTION_BLOCK [$Own]
-        VAR_INPUT
-            total : BOOL;
-        END_VAR
-        END_FUNCTION_BLOCK
-    "#]]);
+    check(
+        &at("VAR_INPUT i"),
+        "total",
+        expect![[r#"
+            %% b.clad
+            VAR mine : DINT; END_VAR
+            +--[GT]( total, mine )--( )( y )--+
+            +--<LBL>( l )--<JMP>( m )--+
+            +--<FUN>( own )--+
+            FUNCTION_BLOCK [$Own]
+            VAR_INPUT total : BOOL; END_VAR
+            END_FUNCTION_BLOCK
+        "#]],
+    );
     // Another case of the same name is the same name.
     check(
         "+--[ ]( Run$0 )---------------------( )( rUN )--+\n",
         "RUN",
         expect![[r#"
-            +--[ ]( RUN )--------------( )( RUN )--+
+            +--[ ]( RUN )---------------------( )( RUN )--+
         "#]],
     );
 }
@@ -268,12 +356,20 @@ fn names_that_something_else_has() {
 #[test]
 fn a_type_that_follows_from_the_name() {
     let check = |text: &str, new: &str, expected: Expect| check(text, new, expected);
-    check("+--[MOV]( MI1$0, 3 )--+\n", "MF1", expect![[r#"
+    check(
+        "+--[MOV]( MI1$0, 3 )--+\n",
+        "MF1",
+        expect![[r#"
         refused: `MI1` is not declared, and is an internal tag of type DINT; the name `MF1` would make it an internal tag of type LREAL: declare it first
-    "#]]);
-    check("+--[MOV]( MF1$0, 3 )--+\n", "speed", expect![[r#"
+    "#]],
+    );
+    check(
+        "+--[MOV]( MF1$0, 3 )--+\n",
+        "speed",
+        expect![[r#"
         refused: `MF1` is not declared, and is an internal tag of type LREAL; the name `speed` would make it an internal tag of type DINT: declare it first
-    "#]]);
+    "#]],
+    );
     check(
         "+--[ ]( M1$0 )--------------------------( )( y )--+\n",
         "start",
@@ -305,37 +401,64 @@ fn what_keeps_its_name() {
             assert!(renamed(text, "x").starts_with("refused"));
         }
     };
-    check("+--[ ]( r$0un )--+\n", expect![[r#"
+    check(
+        "+--[ ]( r$0un )--+\n",
+        expect![[r#"
         main.clad:1:9 run `run`
-    "#]]);
-    check("+--[$Ho$0ld]( run )--+\n", expect![[r#"
+    "#]],
+    );
+    check(
+        "+--[$Ho$0ld]( run )--+\n",
+        expect![[r#"
         main.clad:1:5 $Hold `$Hold`
-    "#]]);
-    check("+--[ ]( %IX0$0.0 )--+\n", expect![[r#"
+    "#]],
+    );
+    check(
+        "+--[ ]( %IX0$0.0 )--+\n",
+        expect![[r#"
         refused: `%IX0.0` is a direct address: it says where the signal is. Declare a tag with AT to give it a name
-    "#]]);
-    check("+--[ ]( t.Q$0 )--+\n", expect![[r#"
+    "#]],
+    );
+    check(
+        "+--[ ]( t.Q$0 )--+\n",
+        expect![[r#"
         refused: the members of a timer, counter or bistable, and the bits of a tag, keep their names
-    "#]]);
-    check("+--[ ]( SYS.ON$0 )--+\n", expect![[r#"
+    "#]],
+    );
+    check(
+        "+--[ ]( SYS.ON$0 )--+\n",
+        expect![[r#"
         refused: the tags of SYS keep their names
-    "#]]);
-    check("+--[TON$0]( t, 1s )--+\n", expect![[r#"
+    "#]],
+    );
+    check(
+        "+--[TON$0]( t, 1s )--+\n",
+        expect![[r#"
         refused: instructions keep their names
-    "#]]);
+    "#]],
+    );
     check(
         "FUNCTION_BLOCK [$B]\n+--[ ]( EN$0 )--( )( ENO )--+\nEND_FUNCTION_BLOCK\n",
         expect![[r#"
             refused: EN and ENO belong to every block: they keep their names
         "#]],
     );
-    check("+--$0[ ]( a )--+\n", expect![[r#"
+    check(
+        "+--$0[ ]( a )--+\n",
+        expect![[r#"
         refused: instructions keep their names
-    "#]]);
-    check("+-$0-[ ]( a )--+\n", expect![[r#"
+    "#]],
+    );
+    check(
+        "+-$0-[ ]( a )--+\n",
+        expect![[r#"
         nothing
-    "#]]);
-    check("+--[CALC]( y, SQ$0RT(a) )--+\n", expect![[r#"
+    "#]],
+    );
+    check(
+        "+--[CALC]( y, SQ$0RT(a) )--+\n",
+        expect![[r#"
         nothing
-    "#]]);
+    "#]],
+    );
 }

@@ -29,6 +29,8 @@ pub(crate) struct Elsewhere {
 pub(crate) struct FileText {
     /// Its address.
     pub(crate) uri: String,
+    /// The document, if it is open.
+    pub(crate) revision: Option<Arc<Revision>>,
     rope: Rope,
     encoding: position::Encoding,
 }
@@ -86,6 +88,7 @@ impl Elsewhere {
         if let Some(revision) = open {
             return Some(FileText {
                 uri: revision.uri.to_string(),
+                revision: Some(Arc::clone(revision)),
                 rope: revision.rope().clone(),
                 encoding: self.own.encoding(),
             });
@@ -93,6 +96,7 @@ impl Elsewhere {
         let (path, file) = self.closed.iter().find(|(_, file)| *file.name == *name)?;
         Some(FileText {
             uri: address::uri_of(path),
+            revision: None,
             rope: Rope::from_str(&file.text),
             encoding: self.own.encoding(),
         })

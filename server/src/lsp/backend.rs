@@ -33,13 +33,17 @@ use tower_lsp::ls_types::{
     SemanticTokensRangeParams, SemanticTokensRangeResult, SemanticTokensResult,
 };
 use tower_lsp::ls_types::{SignatureHelp, SignatureHelpParams};
+    DocumentOnTypeFormattingParams, DocumentRangeFormattingParams, PrepareRenameResponse, RenameParams,
+    TextDocumentPositionParams,
+};
 use tower_lsp::{Client, LanguageServer};
 
 use super::capabilities::{self, Agreed};
 use super::completion;
 use super::file_operations;
+use super::formatting::DocumentRangesFormattingParams;
 use super::shared::Shared;
-use super::{call_hierarchy, folding, goto, links, references, symbols};
+use super::{call_hierarchy, folding, goto, links, references, rename, symbols};
 use super::{code_action, configuration, folders, formatting, hover, parent, pull, simulate, sync, watch};
 use super::{semantic_tokens, signature};
 
@@ -58,6 +62,14 @@ impl Backend {
 
     pub(super) fn shared(&self) -> Arc<Shared> {
         self.shared.clone()
+    }
+
+    /// `textDocument/rangesFormatting`, which the framework does not know yet.
+    pub(super) async fn ranges_formatting(
+        &self,
+        params: DocumentRangesFormattingParams,
+    ) -> Result<Option<Vec<TextEdit>>> {
+        formatting::ranges_formatting(&self.shared, params).await
     }
 }
 
@@ -264,6 +276,28 @@ impl LanguageServer for Backend {
 
     async fn formatting(&self, params: DocumentFormattingParams) -> Result<Option<Vec<TextEdit>>> {
         formatting::formatting(&self.shared, params).await
+    }
+
+    async fn range_formatting(&self, params: DocumentRangeFormattingParams) -> Result<Option<Vec<TextEdit>>> {
+        formatting::range_formatting(&self.shared, params).await
+    }
+
+    async fn on_type_formatting(
+        &self,
+        params: DocumentOnTypeFormattingParams,
+    ) -> Result<Option<Vec<TextEdit>>> {
+        formatting::on_type_formatting(&self.shared, params).await
+    }
+
+    async fn prepare_rename(
+        &self,
+        params: TextDocumentPositionParams,
+    ) -> Result<Option<PrepareRenameResponse>> {
+        rename::prepare(&self.shared, params).await
+    }
+
+    async fn rename(&self, params: RenameParams) -> Result<Option<WorkspaceEdit>> {
+        rename::rename(&self.shared, params).await
     }
 
     async fn code_action(&self, params: CodeActionParams) -> Result<Option<CodeActionResponse>> {

@@ -1,5 +1,6 @@
 //! What client and server agree on, once, at `initialize`.
 
+use serde_json::{Value, json};
 use tower_lsp::ls_types::{
     ClientCapabilities, ClientDiagnosticsTagOptions, CodeActionKind, CodeActionOptions,
     CodeActionProviderCapability, DeclarationCapability, DiagnosticTag, ExecuteCommandOptions,
@@ -10,8 +11,8 @@ use tower_lsp::ls_types::{
 };
 
 use tower_lsp::ls_types::{
-    CallHierarchyServerCapability, DocumentLinkOptions, FoldingRangeProviderCapability,
-    SelectionRangeProviderCapability, WorkDoneProgressOptions,
+    CallHierarchyServerCapability, DocumentLinkOptions, DocumentOnTypeFormattingOptions,
+    FoldingRangeProviderCapability, RenameOptions, SelectionRangeProviderCapability, WorkDoneProgressOptions,
 };
 
 use super::code_action::KINDS;
@@ -20,6 +21,7 @@ use super::{file_operations, pull};
 use super::{semantic_tokens, signature};
 use crate::document::position::Encoding;
 use crate::simulation::COMMANDS;
+use ladder_ide::TRIGGERS;
 
 /// The kind of the action that applies every sure fix of a file.
 pub(super) const FIX_ALL: CodeActionKind = CodeActionKind::new("source.fixAll.ladder");
@@ -238,6 +240,12 @@ pub(super) fn offered(agreed: Agreed) -> ServerCapabilities {
         implementation_provider: Some(ImplementationProviderCapability::Simple(true)),
         references_provider: Some(OneOf::Left(true)),
         document_highlight_provider: Some(OneOf::Left(true)),
+        document_range_formatting_provider: Some(OneOf::Left(true)),
+        document_on_type_formatting_provider: Some(on_type_formatting()),
+        rename_provider: Some(OneOf::Right(RenameOptions {
+            prepare_provider: Some(true),
+            work_done_progress_options: WorkDoneProgressOptions::default(),
+        })),
         document_symbol_provider: Some(OneOf::Left(true)),
         workspace_symbol_provider: Some(OneOf::Left(true)),
         folding_range_provider: Some(FoldingRangeProviderCapability::Simple(true)),
@@ -261,10 +269,24 @@ pub(super) fn offered(agreed: Agreed) -> ServerCapabilities {
     }
 }
 
+fn on_type_formatting() -> DocumentOnTypeFormattingOptions {
+    let mut triggers = TRIGGERS.iter().map(ToString::to_string);
+    DocumentOnTypeFormattingOptions {
+        first_trigger_character: triggers.next().unwrap_or_default(),
+        more_trigger_character: Some(triggers.collect()),
+    }
+}
+
+/// Adds to the answer of `initialize` what the framework's types do not know yet: several ranges can be formatted at
+/// once (3.18).
+pub(super) fn since_3_18(answer: &mut Value) {
+    if let Some(provider) = answer.pointer_mut("/capabilities/documentRangeFormattingProvider") {
+        *provider = json!({ "rangesSupport": true });
+    }
+}
+
 #[cfg(test)]
 mod tests {
-    use serde_json::{Value, json};
-
     use super::*;
 
     fn agreed(client: Value) -> Agreed {

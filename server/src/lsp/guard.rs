@@ -21,6 +21,7 @@ use tower::Service;
 use tower_lsp::ExitedError;
 use tower_lsp::jsonrpc::{Error, ErrorCode, Id, Request, Response};
 
+use super::capabilities::since_3_18;
 use super::inlet::MALFORMED;
 use super::outbox::Outbox;
 use super::sync::misread;
@@ -139,6 +140,9 @@ where
             if step == Step::Shutdown && answer.as_ref().is_some_and(Response::is_ok) {
                 life.state().shutdown = true;
             }
+            if step == Step::Initialize {
+                return Ok(answer.map(with_newer_capabilities));
+            }
             Ok(answer)
         }
         .boxed()
@@ -150,6 +154,14 @@ enum Step {
     Initialize,
     Shutdown,
     Other,
+}
+
+fn with_newer_capabilities(answer: Response) -> Response {
+    let (id, mut body) = answer.into_parts();
+    if let Ok(result) = &mut body {
+        since_3_18(result);
+    }
+    Response::from_parts(id, body)
 }
 
 /// Keeps later messages waiting until it is dropped, also by a panic or a cancellation.

@@ -42,6 +42,7 @@ mod progress;
 mod pull;
 mod references;
 mod semantic_tokens;
+mod rename;
 mod serve;
 mod settings_file;
 mod shared;

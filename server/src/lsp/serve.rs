@@ -34,7 +34,9 @@ where
     I: AsyncRead + Send + Unpin + 'static,
     O: AsyncWrite,
 {
-    let (service, socket) = LspService::new(Backend::new);
+    let (service, socket) = LspService::build(Backend::new)
+        .custom_method("textDocument/rangesFormatting", Backend::ranges_formatting)
+        .finish();
     let shared = service.inner().shared();
     let guard = Guard::new(service, shared.outbox.clone());
     let life = guard.life();

@@ -26,7 +26,7 @@ async fn actions(client: &mut Client, range: [u32; 4], only: Option<&str>) -> Ve
 }
 
 /// The text after the edits, which are in bytes (the client negotiated utf-8).
-fn edited(text: &str, edits: &Value) -> String {
+pub(crate) fn edited(text: &str, edits: &Value) -> String {
     let offset = |position: &Value| {
         let line = position["line"].as_u64().unwrap() as usize;
         let start: usize = text.split_inclusive('\n').take(line).map(str::len).sum();

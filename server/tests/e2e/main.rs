@@ -13,6 +13,7 @@ mod navigate;
 mod plant;
 mod protocol_page;
 mod pull;
+mod rename;
 mod semantic_tokens;
 mod several_files;
 mod simulate;
