@@ -197,7 +197,7 @@ mod tests {
             let after = apply(before, &edits);
             let solid = |text: &str| text.replace([' ', '-', '|', '\n', '\r'], "");
             assert_eq!(solid(before), solid(&after), "nothing is lost");
-            after.replace(" \n", "·\n")
+            after.replace('\r', "").replace(" \n", "·\n")
         };
         expected.assert_eq(&(shown + "\n"));
     }
@@ -333,7 +333,7 @@ mod tests {
             expect![[r#"
                 +--\--[ ]( a )--\--( )( y )--+
                 |  |  |
-                |  
+                | ·
 
             "#]],
         );
