@@ -29,13 +29,14 @@ use tower_lsp::ls_types::{
     ReferenceParams,
 };
 use tower_lsp::ls_types::{
+    DocumentOnTypeFormattingParams, DocumentRangeFormattingParams, PrepareRenameResponse, RenameParams,
+    TextDocumentPositionParams,
+};
+use tower_lsp::ls_types::{
     SemanticTokensDeltaParams, SemanticTokensFullDeltaResult, SemanticTokensParams,
     SemanticTokensRangeParams, SemanticTokensRangeResult, SemanticTokensResult,
 };
 use tower_lsp::ls_types::{SignatureHelp, SignatureHelpParams};
-    DocumentOnTypeFormattingParams, DocumentRangeFormattingParams, PrepareRenameResponse, RenameParams,
-    TextDocumentPositionParams,
-};
 use tower_lsp::{Client, LanguageServer};
 
 use super::capabilities::{self, Agreed};
