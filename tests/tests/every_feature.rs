@@ -1,0 +1,214 @@
+//! No text, however broken, makes any feature of an editor panic, at any place. A new feature gets a line in
+//! [`FEATURES`].
+
+use ladder_analysis::{Analysis, analyze};
+use ladder_format::{Edit, Options};
+use ladder_ide::{
+    Alone, TRIGGERS, callers_at, completions, declaration, definition, fix_all, folds, highlights, hover,
+    implementation, incoming_calls, links, on_type, outgoing_calls, outline, prepare_rename, quick_fixes,
+    refactorings, references, rename, selections, semantic_tokens, signature_help, type_definition,
+    workspace_symbols,
+};
+use ladder_syntax::{TextRange, TextSize, parse};
+use ladder_tests::generator::Dice;
+use ladder_tests::project;
+use std::sync::Arc;
+
+/// Asks at an offset; `end` is the end of the text.
+type Ask = fn(&Analysis, TextSize, TextSize);
+
+/// All features that are asked at a place.
+const FEATURES: [(&str, Ask); 17] = [
+    ("hover", |it, at, _| drop(hover(it, at))),
+    ("completion", |it, at, _| {
+        drop(completions(it, at, None));
+        drop(completions(it, at, Some('.')));
+    }),
+    ("signature help", |it, at, _| drop(signature_help(it, at))),
+    ("definition", |it, at, _| drop(definition(it, at, &Alone))),
+    ("declaration", |it, at, _| drop(declaration(it, at, &Alone))),
+    ("type definition", |it, at, _| {
+        drop(type_definition(it, at, &Alone));
+    }),
+    ("implementation", |it, at, _| drop(implementation(it, at, &Alone))),
+    ("references", |it, at, _| drop(references(it, at, &Alone))),
+    ("highlights", |it, at, end| {
+        for highlight in highlights(it, at) {
+            assert!(highlight.range.end() <= end);
+        }
+    }),
+    ("selections", |it, at, end| {
+        let ranges = selections(it, at);
+        assert!(!ranges.is_empty());
+        assert!(ranges[0].contains_inclusive(at), "{ranges:?} around {at:?}");
+        for pair in ranges.windows(2) {
+            assert!(
+                pair[1].contains_range(pair[0]) && pair[1] != pair[0],
+                "{ranges:?}"
+            );
+        }
+        assert_eq!(ranges.last(), Some(&TextRange::up_to(end)));
+    }),
+    ("calls", |it, at, _| {
+        for caller in callers_at(it, at, &Alone) {
+            drop(incoming_calls(it, &caller, &Alone));
+            drop(outgoing_calls(it, &caller, &Alone));
+        }
+    }),
+    ("prepare rename", |it, at, _| drop(prepare_rename(it, at))),
+    ("rename", |it, at, end| {
+        if let Ok(files) = rename(it, at, "a_new_name", &Alone, &Options::default()) {
+            for file in files {
+                apart(&file.edits, end);
+            }
+        }
+    }),
+    ("while typing", |it, at, end| {
+        for typed in TRIGGERS {
+            let edits = on_type(it, at, typed, &Options::default());
+            apart(&edits, end);
+            nothing_is_lost(it, &edits);
+        }
+    }),
+    ("fixes", |it, at, _| drop(quick_fixes(it, TextRange::empty(at)))),
+    ("refactorings", |it, at, end| {
+        drop(refactorings(it, TextRange::empty(at)));
+        drop(refactorings(it, TextRange::new(at, end)));
+    }),
+    ("tokens from there on", |it, at, end| {
+        drop(semantic_tokens(it, Some(TextRange::new(at, end))));
+    }),
+];
+
+/// Those that are asked once for a text.
+fn whole(analysis: &Analysis) {
+    drop(folds(analysis));
+    drop(outline(analysis));
+    drop(links(analysis));
+    drop(semantic_tokens(analysis, None));
+    drop(fix_all(analysis));
+    drop(workspace_symbols("a", analysis, &Alone));
+}
+
+fn apart(edits: &[Edit], end: TextSize) {
+    for pair in edits.windows(2) {
+        assert!(pair[0].range.end() <= pair[1].range.start(), "{pair:?}");
+    }
+    assert!(edits.iter().all(|edit| edit.range.end() <= end), "{edits:?}");
+}
+
+/// While a person types only blanks, wires and rails may come and go.
+fn nothing_is_lost(analysis: &Analysis, edits: &[Edit]) {
+    let text = analysis.context.parse.to_string();
+    let solid = |text: &str| -> String {
+        text.chars()
+            .filter(|c| !matches!(c, ' ' | '\t' | '-' | '|' | '\n' | '\r'))
+            .flat_map(char::to_uppercase)
+            .collect()
+    };
+    for edit in edits {
+        assert_eq!(solid(&text[edit.range]), solid(&edit.text), "{edit:?}");
+    }
+}
+
+/// What a hand puts in, or leaves half-written.
+const PIECES: [&str; 34] = [
+    "",
+    "",
+    "\\",
+    "/",
+    "-",
+    "+",
+    "|",
+    " ",
+    "\n",
+    "\r\n",
+    "\r",
+    "(",
+    ")",
+    "[",
+    "]",
+    "<",
+    ">",
+    "#",
+    ",",
+    ":=",
+    "=>",
+    ".",
+    "'",
+    "$",
+    "%",
+    "é",
+    "\u{feff}",
+    "[TON](",
+    "<CALL>(",
+    "VAR\n",
+    "END_VAR",
+    "FUNCTION_BLOCK [$B]\n",
+    "+--",
+    "# note",
+];
+
+fn mutated(dice: &mut Dice, text: &str) -> String {
+    let mut text = text.to_owned();
+    for _ in 0..dice.below(4) {
+        let mut at = dice.below(text.len() + 1);
+        while !text.is_char_boundary(at) {
+            at -= 1;
+        }
+        let mut end = (at + dice.below(6)).min(text.len());
+        while !text.is_char_boundary(end) {
+            end += 1;
+        }
+        text.replace_range(at..end, dice.of(&PIECES));
+    }
+    if dice.one_in(4) {
+        let mut at = dice.below(text.len() + 1);
+        while !text.is_char_boundary(at) {
+            at -= 1;
+        }
+        text.truncate(at);
+    }
+    text
+}
+
+fn ask_everywhere(text: &str, offsets: impl Iterator<Item = usize>) {
+    let analysis = analyze(&Arc::new(parse(text)), "main.clad");
+    whole(&analysis);
+    let end = TextSize::of(text);
+    for at in offsets.filter(|at| text.is_char_boundary(*at)) {
+        for (name, ask) in FEATURES {
+            let at = TextSize::new(at as u32);
+            let asked = std::panic::catch_unwind(std::panic::AssertUnwindSafe(|| ask(&analysis, at, end)));
+            assert!(asked.is_ok(), "{name} at {at:?} of\n{text}\n{text:?}");
+        }
+    }
+}
+
+/// A bit of everything, small enough to ask at every offset.
+const SMALL: &str = "VAR t : TON; a : ARRAY[1..3] OF INT; END_VAR\n# motor # \n+--\\--[ ]( x )--\\--[TON]( t, 5s )--( )( y )--+\n\
+    |  /--[/]( y )--/                              |\n+--<FUN>( f )--[$B]( i := t.Q )--<JMP>( l )--+\n\
+    FUNCTION_BLOCK [$B]\nVAR_INPUT i : BOOL; END_VAR\n+--<LBL>( l )--[CALC]( n, -(a[2] + 1) )--<CALL>( f )--+\nEND_FUNCTION_BLOCK\n";
+
+#[test]
+fn at_every_offset() {
+    ask_everywhere(SMALL, 0..=SMALL.len());
+    let mut dice = Dice::new(7);
+    for _ in 0..6 {
+        let text = mutated(&mut dice, SMALL);
+        ask_everywhere(&text, 0..=text.len());
+    }
+}
+
+#[test]
+fn here_and_there_in_broken_examples() {
+    let mut dice = Dice::new(11);
+    for path in project::files(&project::root().join("examples"), "clad") {
+        let text = project::read(&path);
+        for _ in 0..8 {
+            let text = mutated(&mut dice, &text);
+            let offsets: Vec<usize> = (0..12).map(|_| dice.below(text.len() + 1)).collect();
+            ask_everywhere(&text, offsets.into_iter());
+        }
+    }
+}
