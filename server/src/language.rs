@@ -9,6 +9,7 @@ use ladder_ide::{
     Completions, Hover, SignatureHelp, Token, Topic, completions, documentation, hover, semantic_tokens,
     signature_help,
 };
+use ladder_ide::{Inlay, Lens};
 use ladder_syntax::{TextRange, TextSize, parse};
 
 /// All that is known of one text.
@@ -67,6 +68,16 @@ impl Analysis {
     /// What each word is, for the colours of an editor.
     pub(crate) fn semantic_tokens(&self, within: Option<TextRange>) -> Vec<Token> {
         semantic_tokens(&self.whole, within)
+    }
+
+    /// What can be done with its networks.
+    pub(crate) fn lenses(&self) -> Vec<Lens> {
+        ladder_ide::lenses(&self.whole)
+    }
+
+    /// What its coils compute, for the lines that touch a range.
+    pub(crate) fn inlays(&self, within: TextRange) -> Vec<Inlay> {
+        ladder_ide::inlays(&self.whole, within)
     }
 
     /// What a proposal is, in Markdown.

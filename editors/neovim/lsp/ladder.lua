@@ -10,7 +10,22 @@ return {
     end
   end,
   -- Neovim 0.11 asks for diagnostics, but not again when another file changes them, unless it is told to.
-  capabilities = { workspace = { diagnostics = { refreshSupport = true } } },
+  capabilities = {
+    workspace = { diagnostics = { refreshSupport = true } },
+    -- What the lenses above networks may do here: see `commands`.
+    experimental = { commands = { 'ladder.simulation.start', 'ladder.test', 'ladder.showReferences' } },
+  },
+  commands = {
+    ['ladder.simulation.start'] = function(command)
+      require('ladder.simulation').start(vim.uri_to_bufnr(command.arguments[1]))
+    end,
+    ['ladder.test'] = function(_, context)
+      require('ladder.test').run(context.bufnr)
+    end,
+    ['ladder.showReferences'] = function(command, context)
+      require('ladder.lenses').show(command, context)
+    end,
+  },
   handlers = {
     ['workspace/diagnostic/refresh'] = function(_, _, context)
       require('ladder.diagnostics').refresh(context.client_id)

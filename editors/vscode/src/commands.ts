@@ -1,6 +1,7 @@
 // The commands of package.json.
 import * as vscode from 'vscode';
 
+import { showReferences } from './lenses.ts';
 import { askValue, pickTag } from './prompts.ts';
 import type { Tag } from './protocol.ts';
 import { runScenarios } from './scenarios.ts';
@@ -73,7 +74,8 @@ async function why(simulation: Simulation, given: Tag | undefined): Promise<void
 }
 
 export function registerCommands(server: Server, simulation: Simulation): vscode.Disposable {
-    const commands: Record<string, (tag?: Tag) => unknown> = {
+    // A command comes with the tag of a row, a lens with the address of its file, the palette with nothing.
+    const commands: Record<string, (given?: any) => unknown> = {
         'ladder.simulation.start': () => simulation.start(),
         'ladder.simulation.step': () => simulation.command('step', { scans: 1 }),
         'ladder.simulation.stepBlock': () => simulation.command('stepBlock', {}),
@@ -88,7 +90,7 @@ export function registerCommands(server: Server, simulation: Simulation): vscode
         'ladder.simulation.force': (tag) => assign(simulation, 'force', tag),
         'ladder.simulation.unforce': (tag) => release(simulation, tag),
         'ladder.simulation.toggle': (tag) => toggle(simulation, tag),
-        'ladder.test': () => runScenarios(server.program()),
+        'ladder.test': (uri?: unknown) => runScenarios(server.program(), typeof uri === 'string' ? uri : undefined),
         'ladder.simulation.breakOnChange': (tag) => breakOnChange(simulation, tag),
         'ladder.simulation.why': (tag) => why(simulation, tag),
         'ladder.toggleComment': () => toggleCommentInEditor(),
@@ -96,6 +98,7 @@ export function registerCommands(server: Server, simulation: Simulation): vscode
         'ladder.showLog': () => server.log.show(),
     };
     return vscode.Disposable.from(
+        vscode.commands.registerCommand('ladder.showReferences', showReferences),
         ...Object.entries(commands).map(([name, run]) => vscode.commands.registerCommand(name, run)),
     );
 }

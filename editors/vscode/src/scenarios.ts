@@ -3,9 +3,15 @@ import * as vscode from 'vscode';
 
 const NAME = 'Ladder Scenarios';
 
-/** Saves the file of the active editor and runs `ladder test` on it. The shell is passed by: nothing needs quotes. */
-export async function runScenarios(program: string): Promise<void> {
-    const document = vscode.window.activeTextEditor?.document;
+/**
+ * Saves a file of scenarios, that of the active editor if none is named, and runs `ladder test` on it. The shell is
+ * passed by: nothing needs quotes.
+ */
+export async function runScenarios(program: string, uri?: string): Promise<void> {
+    const document =
+        uri === undefined
+            ? vscode.window.activeTextEditor?.document
+            : await vscode.workspace.openTextDocument(vscode.Uri.parse(uri));
     if (!document || document.languageId !== 'ladder-test') {
         return;
     }

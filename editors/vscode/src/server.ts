@@ -7,6 +7,7 @@ import { promisify } from 'node:util';
 import * as vscode from 'vscode';
 import { LanguageClient, State as ClientState } from 'vscode-languageclient/node';
 
+import { lensCommands } from './lenses.ts';
 import { stateNotification, type State } from './protocol.ts';
 import { cannotStart, findServer, type Place } from './serverPath.ts';
 import type { Send } from './session.ts';
@@ -77,6 +78,7 @@ export class Server implements vscode.Disposable {
                 outputChannel: this.log,
             },
         );
+        client.registerFeature(lensCommands);
         client.onNotification(stateNotification, (state: State) => this.#stateReceived.fire(state));
         client.onDidChangeState(({ newState }) => {
             if (newState === ClientState.Stopped) {

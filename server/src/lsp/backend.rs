@@ -22,6 +22,7 @@ use tower_lsp::ls_types::{
     InitializeParams, InitializeResult, InitializedParams, LSPAny, ServerInfo, TextEdit,
     WorkspaceDiagnosticParams, WorkspaceDiagnosticReportResult,
 };
+use tower_lsp::ls_types::{CodeLens, CodeLensParams, InlayHint, InlayHintParams};
 use tower_lsp::ls_types::{CompletionItem, CompletionParams, CompletionResponse};
 use tower_lsp::ls_types::{CreateFilesParams, DeleteFilesParams, RenameFilesParams, WorkspaceEdit};
 use tower_lsp::ls_types::{
@@ -46,7 +47,7 @@ use super::formatting::DocumentRangesFormattingParams;
 use super::shared::Shared;
 use super::{call_hierarchy, folding, goto, links, references, rename, symbols};
 use super::{code_action, configuration, folders, formatting, hover, parent, pull, simulate, sync, watch};
-use super::{semantic_tokens, signature};
+use super::{code_lens, inlay_hint, semantic_tokens, signature};
 
 /// The server as the framework sees it.
 #[derive(Debug)]
@@ -207,6 +208,18 @@ impl LanguageServer for Backend {
 
     async fn signature_help(&self, params: SignatureHelpParams) -> Result<Option<SignatureHelp>> {
         signature::signature_help(&self.shared, params).await
+    }
+
+    async fn code_lens(&self, params: CodeLensParams) -> Result<Option<Vec<CodeLens>>> {
+        code_lens::code_lens(&self.shared, params).await
+    }
+
+    async fn code_lens_resolve(&self, lens: CodeLens) -> Result<CodeLens> {
+        code_lens::resolve(&self.shared, lens).await
+    }
+
+    async fn inlay_hint(&self, params: InlayHintParams) -> Result<Option<Vec<InlayHint>>> {
+        inlay_hint::inlay_hint(&self.shared, params).await
     }
 
     async fn semantic_tokens_full(

@@ -17,8 +17,8 @@ use tower_lsp::ls_types::{
 
 use super::code_action::KINDS;
 use super::completion;
+use super::{code_lens, semantic_tokens, signature};
 use super::{file_operations, pull};
-use super::{semantic_tokens, signature};
 use crate::document::position::Encoding;
 use crate::simulation::COMMANDS;
 use ladder_ide::TRIGGERS;
@@ -55,6 +55,8 @@ pub(super) struct Agreed {
     pub(super) nested_symbols: bool,
     /// How many stretches of a document the client wants to fold.
     pub(super) fold_limit: Option<u32>,
+    /// The commands of lenses that the client can run.
+    pub(super) lens_commands: code_lens::Commands,
     /// A semantic token may span lines.
     pub(super) multiline_tokens: bool,
     /// Parameters of signatures may be told by their place in the label.
@@ -176,6 +178,7 @@ impl Agreed {
                 .and_then(|watched| watched.dynamic_registration)
                 .unwrap_or(false),
             markdown: markdown(hover.and_then(|it| it.content_format.as_ref())),
+            lens_commands: code_lens::Commands::of(client),
             multiline_tokens: document
                 .and_then(|it| it.semantic_tokens.as_ref())
                 .and_then(|it| it.multiline_token_support)
@@ -222,6 +225,8 @@ pub(super) fn offered(agreed: Agreed) -> ServerCapabilities {
             })),
             ..TextDocumentSyncOptions::default()
         })),
+        code_lens_provider: agreed.lens_commands.options(),
+        inlay_hint_provider: Some(OneOf::Left(true)),
         semantic_tokens_provider: Some(semantic_tokens::options()),
         signature_help_provider: Some(signature::options()),
         completion_provider: Some(completion::options()),
@@ -377,6 +382,7 @@ mod tests {
                 refreshes_inlay_hints: true,
                 refreshes_code_lenses: true,
                 links: true,
+                lens_commands: code_lens::Commands::default(),
                 multiline_tokens: true,
                 label_offsets: true,
                 signature_markdown: true,

@@ -8,6 +8,7 @@ mod diagnostics;
 mod features;
 mod history;
 mod house;
+mod lenses;
 mod lifecycle;
 mod navigate;
 mod plant;

@@ -395,6 +395,48 @@ t.step('an unknown tag is named', function()
   assert(messages[1] and messages[1]:find('strat', 1, true), 'no message names the tag')
 end)
 
+t.step('completion proposes tags of the right type', function()
+  local bufnr = t.open('motor.clad')
+  local count = vim.api.nvim_buf_line_count(bufnr)
+  vim.api.nvim_buf_set_lines(bufnr, count, -1, false, { '+--[TO' })
+  vim.api.nvim_win_set_cursor(0, { count + 1, 6 })
+  local client = require('ladder.server').of(bufnr)
+  local params = vim.lsp.util.make_position_params(0, client.offset_encoding)
+  local answer = client:request_sync('textDocument/completion', params, 2000, bufnr)
+  local items = vim.lsp.completion._lsp_to_complete_items(answer.result, 'TO', client.id)
+  local timer = vim.iter(items):find(function(item)
+    return item.abbr == '[TON]'
+  end)
+  assert(timer, vim.inspect(vim.tbl_map(function(item)
+    return item.abbr
+  end, items)))
+  t.equal('the word that stands for it while it is chosen', 'TON', timer.word)
+end)
+
+t.step('lenses start simulations and count jumps', function()
+  local bufnr = t.open('motor.clad')
+  vim.api.nvim_buf_set_lines(bufnr, -1, -1, false, { '+--<JMP>( out )--+', '+--<LBL>( out )--+' })
+  local client = require('ladder.server').of(bufnr)
+  local lenses = client:request_sync('textDocument/codeLens', {
+    textDocument = vim.lsp.util.make_text_document_params(bufnr),
+  }, 2000, bufnr).result
+  local titles = {}
+  for _, lens in ipairs(lenses) do
+    if not lens.command then
+      lens = client:request_sync('codeLens/resolve', lens, 2000, bufnr).result
+      client:exec_cmd(lens.command, { bufnr = bufnr })
+    end
+    table.insert(titles, lens.command.title)
+  end
+  t.equal('the lenses', { 'Start simulation', '1 jump' }, titles)
+  t.equal('the places in the quickfix list', 1, #vim.fn.getqflist())
+  vim.cmd('cclose')
+  client:exec_cmd(lenses[1].command, { bufnr = bufnr })
+  assert(ladder.wait(bufnr), 'no answer')
+  t.equal('the status', 'paused', ladder.state(bufnr).status)
+  vim.cmd('Ladder stop')
+end)
+
 t.step(':checkhealth ladder finds the server', function()
   t.open('motor.clad')
   vim.cmd('silent checkhealth ladder')
