@@ -44,7 +44,7 @@ impl Ladder {
         let result = match self.command {
             // The server has an exit status of its own, which the protocol asks for.
             #[cfg(feature = "server")]
-            Command::Lsp(_) => return lsp::run(),
+            Command::Lsp(arguments) => return lsp::run(&arguments),
             Command::Check(arguments) => check::run(&arguments),
             Command::Fmt(arguments) => fmt::run(&arguments),
             Command::Sim(arguments) => sim::run(&arguments),

@@ -16,6 +16,7 @@
 //! - `language` is where the server asks about a text: findings, hovers, layout, in bytes.
 //! - `simulation` runs programs for the editor, on the scan engine. It knows the custom messages, but nothing of
 //!   the framework.
+//! - `recording` and `replay` keep what a client sent, and play it again.
 //! - `lsp` speaks the protocol. It is the only folder that names `tower-lsp`, and its page has the rules that
 //!   keep a server on it alive, in order and answering.
 //!
@@ -23,12 +24,16 @@
 
 #![deny(clippy::print_stdout)]
 
+mod busy;
 mod cancel;
 mod document;
 mod language;
 mod lsp;
+mod recording;
+mod replay;
 mod simulation;
 
+use std::path::Path;
 use std::process::ExitCode;
 
 pub use document::position::{Position, Range};
@@ -38,10 +43,42 @@ pub use simulation::messages;
 /// Threads that read, write and dispatch messages. The work itself runs on blocking threads.
 const WORKERS: usize = 2;
 
-/// Serves one client over standard input and output, until it says `exit`, closes the input, or dies.
+/// Serves one client over standard input and output, until it says `exit`, closes the input, or dies. What the client
+/// sends is recorded in the file `mirror`, if one is named.
 ///
 /// The exit status is 0 after `shutdown`, else 1, as the protocol asks; 2 if the server could not start.
-pub fn run_stdio() -> ExitCode {
+pub fn run_stdio(mirror: Option<&Path>) -> ExitCode {
+    let input = tokio::io::stdin();
+    let Some(mirror) = mirror else {
+        return run(serve(input, tokio::io::stdout()));
+    };
+    match recording::Mirror::new(input, mirror) {
+        Ok(input) => run(serve(input, tokio::io::stdout())),
+        Err(error) => {
+            eprintln!("the session cannot be recorded in {}: {error}", mirror.display());
+            ExitCode::from(2)
+        }
+    }
+}
+
+/// Plays a recorded session, as fast as possible or so much faster than it was, and prints what the server says to
+/// standard output, a message a line.
+///
+/// The exit status is 0, or 2 if there is no such recording.
+pub fn run_replay(recorded: &Path, speed: Option<f64>) -> ExitCode {
+    match recording::read(recorded) {
+        Ok(pieces) => run(async move {
+            replay::play(pieces, speed, std::io::stdout()).await;
+            Ending::Clean
+        }),
+        Err(error) => {
+            eprintln!("{error}");
+            ExitCode::from(2)
+        }
+    }
+}
+
+fn run(session: impl Future<Output = Ending>) -> ExitCode {
     let runtime = match tokio::runtime::Builder::new_multi_thread()
         .worker_threads(WORKERS)
         .enable_all()
@@ -53,7 +90,7 @@ pub fn run_stdio() -> ExitCode {
             return ExitCode::from(2);
         }
     };
-    let ending = runtime.block_on(serve(tokio::io::stdin(), tokio::io::stdout()));
+    let ending = runtime.block_on(session);
     // A read of standard input cannot be interrupted: waiting for that thread would wait for the client.
     runtime.shutdown_background();
     match ending {

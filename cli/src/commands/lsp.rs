@@ -1,19 +1,54 @@
 //! `ladder lsp`: the language server.
 
 use clap::Args;
+use std::path::PathBuf;
 use std::process::ExitCode;
+
+const EXAMPLES: &str = "\
+Examples:
+  ladder lsp                                    what an editor starts
+  ladder lsp --mirror session.rec               the same, recorded
+  ladder lsp --replay session.rec > said.jsonl  what the server said, to compare";
 
 /// Run the language server over stdin and stdout
 ///
 /// Editors start this; it speaks the Language Server Protocol. The exit status is 0 if the editor said goodbye
 /// before it left, else 1.
 #[derive(Debug, Args)]
+#[command(after_help = EXAMPLES)]
 pub(crate) struct Arguments {
+    /// Record what the editor sends in this file, with its times: the best report of a mistake in the server
+    #[arg(long, value_name = "FILE", conflicts_with = "replay")]
+    mirror: Option<PathBuf>,
+
+    /// Play a recorded session again, and print what the server says, a message a line
+    ///
+    /// Each message waits until all before it are done, so that the output can be compared with another's. Files that
+    /// the session reads from disk must be as they were.
+    #[arg(long, value_name = "FILE")]
+    replay: Option<PathBuf>,
+
+    /// Keep the recording's clock, so much faster than it was: 1 is as it was
+    #[arg(long, value_name = "FACTOR", requires = "replay", value_parser = factor)]
+    speed: Option<f64>,
+
     /// Accepted, since many editors give it; stdin and stdout are what the server speaks over anyway
     #[arg(long = "stdio", hide = true)]
     _stdio: bool,
 }
 
-pub(crate) fn run() -> ExitCode {
-    ladder_server::run_stdio()
+pub(crate) fn run(arguments: &Arguments) -> ExitCode {
+    match &arguments.replay {
+        Some(recorded) => ladder_server::run_replay(recorded, arguments.speed),
+        None => ladder_server::run_stdio(arguments.mirror.as_deref()),
+    }
+}
+
+fn factor(text: &str) -> Result<f64, String> {
+    let factor: f64 = text.parse().map_err(|_| "write a number, such as 1 or 0.5")?;
+    if (0.001..=1000.0).contains(&factor) {
+        Ok(factor)
+    } else {
+        Err("from 0.001 to 1000".into())
+    }
 }

@@ -10,6 +10,7 @@ mod harness;
 mod help;
 mod lsp;
 mod lsp_ending;
+mod lsp_recording;
 mod render;
 mod retain;
 mod scenario_formats;

@@ -48,6 +48,7 @@ use super::shared::Shared;
 use super::{call_hierarchy, folding, goto, links, references, rename, symbols};
 use super::{code_action, configuration, folders, formatting, hover, parent, pull, simulate, sync, watch};
 use super::{code_lens, inlay_hint, semantic_tokens, signature};
+use crate::busy::Busy;
 
 /// The server as the framework sees it.
 #[derive(Debug)]
@@ -56,9 +57,15 @@ pub(super) struct Backend {
 }
 
 impl Backend {
+    #[cfg(test)]
     pub(super) fn new(client: Client) -> Self {
+        Backend::counting(client, Busy::default())
+    }
+
+    /// A server that tells whether work is under way.
+    pub(super) fn counting(client: Client, busy: Busy) -> Self {
         Backend {
-            shared: Shared::new(client),
+            shared: Shared::new(client, busy),
         }
     }
 
@@ -112,10 +119,11 @@ impl LanguageServer for Backend {
     }
 
     async fn initialized(&self, _: InitializedParams) {
-        if self.shared.agreed().watches_files {
-            tokio::spawn(watch::register(self.shared.clone()));
-        }
-        tokio::spawn(configuration::register(self.shared.clone()));
+        // Together, and in this order: a session that is played again asks the same questions.
+        let shared = self.shared.clone();
+        tokio::spawn(async move {
+            futures::join!(watch::register(&shared), configuration::register(&shared));
+        });
         folders::index(&self.shared);
     }
 

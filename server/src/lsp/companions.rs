@@ -13,6 +13,7 @@ use tower_lsp::ls_types::{Diagnostic, DiagnosticSeverity, NumberOrString};
 use super::blocking::blocking;
 use super::shared::Shared;
 use super::{convert, diagnostics, settings_file};
+use crate::busy::Work;
 use crate::document::{Revision, address};
 
 /// What stands where the name of a rule would.
@@ -56,7 +57,7 @@ pub(super) fn refresh(shared: &Arc<Shared>, uri: &str) {
         return;
     }
     if let Some(revision) = shared.companions.begin_analysis(uri) {
-        tokio::spawn(look_at(shared.clone(), revision));
+        tokio::spawn(look_at(shared.clone(), revision, shared.busy.begin()));
     }
 }
 
@@ -69,7 +70,7 @@ pub(super) fn refresh_scenarios(shared: &Arc<Shared>) {
     }
 }
 
-async fn look_at(shared: Arc<Shared>, first: Arc<Revision>) {
+async fn look_at(shared: Arc<Shared>, first: Arc<Revision>, _work: Work) {
     let mut next = Some(first);
     while let Some(revision) = next {
         if shared.companions.is_current(&revision) {

@@ -28,7 +28,7 @@ pub(super) fn begin(shared: &Shared, options: Option<&Value>) {
 }
 
 /// Asks to be told of changes, and for what is set now. To be spawned: no handler waits for a client's answer.
-pub(super) async fn register(shared: Arc<Shared>) {
+pub(super) async fn register(shared: &Arc<Shared>) {
     if shared.agreed().registers_configuration {
         let registration = Registration {
             id: "ladder-settings".into(),
@@ -40,7 +40,7 @@ pub(super) async fn register(shared: Arc<Shared>) {
         let _ = tokio::time::timeout(PATIENCE, asked).await;
     }
     if shared.agreed().configuration {
-        pull(shared).await;
+        pull(shared.clone()).await;
     }
 }
 
@@ -52,10 +52,10 @@ pub(super) fn changed(shared: &Arc<Shared>, params: &DidChangeConfigurationParam
     }
     // The other sections, if there are any, are those of other servers.
     if let Some(settings) = params.settings.get(SECTION).cloned() {
-        let (shared, told_as) = (shared.clone(), shared.editor_settings_asked());
-        tokio::task::spawn_blocking(move || {
+        let told_as = shared.editor_settings_asked();
+        shared.in_background(move |shared| {
             if shared.editor_settings_asked_last(told_as) {
-                follow(&shared, &settings);
+                follow(shared, &settings);
             }
         });
     }
@@ -76,10 +76,10 @@ async fn pull(shared: Arc<Shared>) {
         return;
     };
     let settings = settings.clone();
-    tokio::task::spawn_blocking(move || {
+    shared.in_background(move |shared| {
         // Answers may overtake each other; the one to the newest question counts.
         if shared.editor_settings_asked_last(asked_as) {
-            follow(&shared, &settings);
+            follow(shared, &settings);
         }
     });
 }

@@ -15,6 +15,7 @@ use super::blocking::blocking;
 use super::capabilities::Agreed;
 use super::shared::Shared;
 use super::{companions, convert, folders, pull, settings_file};
+use crate::busy::Work;
 use crate::document::Revision;
 
 /// Above this many bytes an analysis takes long enough that a pause in typing is worth waiting for.
@@ -26,11 +27,11 @@ const PAUSE: Duration = Duration::from_millis(50);
 /// Sees to it that the newest text of the document gets its diagnostics.
 pub(super) fn refresh(shared: &Arc<Shared>, uri: &str) {
     if let Some(revision) = shared.documents.begin_analysis(uri) {
-        tokio::spawn(analyse(shared.clone(), revision));
+        tokio::spawn(analyse(shared.clone(), revision, shared.busy.begin()));
     }
 }
 
-async fn analyse(shared: Arc<Shared>, first: Arc<Revision>) {
+async fn analyse(shared: Arc<Shared>, first: Arc<Revision>, _work: Work) {
     let mut next = Some(first);
     while let Some(revision) = next {
         if revision.len() > LARGE {
@@ -91,19 +92,17 @@ fn look_again(shared: &Arc<Shared>, uri: &str) {
 
 /// A document was closed: its file counts as it is on disk.
 pub(super) fn neighbour_closed(shared: &Arc<Shared>, uri: String, path: PathBuf) {
-    let shared = shared.clone();
-    tokio::task::spawn_blocking(move || {
+    shared.in_background(move |shared| {
         // Unless it was opened again meanwhile.
         if shared.documents.get(&uri).is_none() && shared.neighbours.closed(&path) {
-            refresh_others(&shared, &path, None);
+            refresh_others(shared, &path, None);
         }
     });
 }
 
 /// Files were changed, made or removed on disk.
 pub(super) fn disk_changed(shared: &Arc<Shared>, paths: Vec<PathBuf>) {
-    let shared = shared.clone();
-    tokio::task::spawn_blocking(move || files_changed(&shared, &paths));
+    shared.in_background(move |shared| files_changed(shared, &paths));
 }
 
 /// As [`disk_changed`], on a thread that may read the disk.

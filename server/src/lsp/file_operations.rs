@@ -41,11 +41,10 @@ pub(super) fn renamed(shared: &Arc<Shared>, params: &RenameFilesParams) {
 
 /// Files, or folders with all that is in them, are other ones than before.
 fn follow(shared: &Arc<Shared>, mut paths: Vec<PathBuf>) {
-    let shared = shared.clone();
-    tokio::task::spawn_blocking(move || {
+    shared.in_background(move |shared| {
         paths.extend(shared.neighbours.changed_on_disk());
-        diagnostics::files_changed(&shared, &paths);
-        folders::index(&shared);
+        diagnostics::files_changed(shared, &paths);
+        folders::index(shared);
     });
 }
 

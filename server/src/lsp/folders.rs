@@ -43,12 +43,11 @@ pub(super) fn changed(shared: &Arc<Shared>, params: &DidChangeWorkspaceFoldersPa
         }
     }
     drop(folders);
-    let shared = shared.clone();
-    tokio::task::spawn_blocking(move || {
-        shared.neighbours.forget(|root| is_open(&shared, root));
-        settings_file::tell(&shared);
-        pull::refresh(&shared);
-        index(&shared);
+    shared.in_background(|shared| {
+        shared.neighbours.forget(|root| is_open(shared, root));
+        settings_file::tell(shared);
+        pull::refresh(shared);
+        index(shared);
     });
 }
 
@@ -72,11 +71,10 @@ fn is_open(shared: &Shared, folder: &Path) -> bool {
 
 /// Reads what lies in the open folders and was not read yet, in the background.
 pub(super) fn index(shared: &Arc<Shared>) {
-    let shared = shared.clone();
-    tokio::task::spawn_blocking(move || {
-        let progress = Progress::begin(&shared, "Reading ladder programs");
-        read(&shared, &progress, &|| false);
-        settings_file::tell(&shared);
+    shared.in_background(|shared| {
+        let progress = Progress::begin(shared, "Reading ladder programs");
+        read(shared, &progress, &|| false);
+        settings_file::tell(shared);
     });
 }
 

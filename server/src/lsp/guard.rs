@@ -267,7 +267,7 @@ mod tests {
     fn guarded() -> Guard<LspService<Faulty>> {
         let mut outbox = None;
         let (service, socket) = LspService::new(|client| {
-            outbox = Some(Outbox::open(client));
+            outbox = Some(Outbox::open(client, crate::busy::Busy::default()));
             Faulty
         });
         // The loopback has to live, or sending fails.

@@ -54,4 +54,5 @@ mod symbols;
 mod sync;
 mod watch;
 
+pub(crate) use serve::serve_counting;
 pub use serve::{Ending, serve};

@@ -11,12 +11,14 @@ use tower_lsp::Client;
 use tower_lsp::ls_types::{Diagnostic, MessageType};
 
 use super::convert;
+use crate::busy::{Busy, Work};
 use crate::document::{Documents, Revision};
 
 /// The sending end. When the last one is dropped the task ends.
 #[derive(Debug, Clone)]
 pub(super) struct Outbox {
-    notes: mpsc::UnboundedSender<Note>,
+    notes: mpsc::UnboundedSender<(Note, Work)>,
+    busy: Busy,
 }
 
 #[derive(Debug)]
@@ -29,10 +31,10 @@ enum Note {
 
 impl Outbox {
     /// Starts the task that sends. Must be called within the runtime.
-    pub(super) fn open(client: Client) -> Self {
+    pub(super) fn open(client: Client, busy: Busy) -> Self {
         let (notes, inbox) = mpsc::unbounded_channel();
         tokio::spawn(send(client, inbox));
-        Outbox { notes }
+        Outbox { notes, busy }
     }
 
     /// Diagnostics of an open text, all of them.
@@ -67,12 +69,12 @@ impl Outbox {
 
     fn note(&self, note: Note) {
         // The task is gone only when the session is.
-        let _ = self.notes.send(note);
+        let _ = self.notes.send((note, self.busy.begin()));
     }
 }
 
-async fn send(client: Client, mut inbox: mpsc::UnboundedReceiver<Note>) {
-    while let Some(note) = inbox.recv().await {
+async fn send(client: Client, mut inbox: mpsc::UnboundedReceiver<(Note, Work)>) {
+    while let Some((note, work)) = inbox.recv().await {
         match note {
             Note::Diagnostics(documents, revision, _) if !documents.is_current(&revision) => {}
             Note::Diagnostics(_, revision, diagnostics) => {
@@ -90,6 +92,7 @@ async fn send(client: Client, mut inbox: mpsc::UnboundedReceiver<Note>) {
             Note::Log(level, message) => client.log_message(level, message).await,
             Note::Show(level, message) => client.show_message(level, message).await,
         }
+        drop(work);
     }
 }
 
@@ -123,7 +126,7 @@ mod tests {
         let documents = Arc::<Documents>::default();
         let mut outbox = None;
         let (mut service, socket) = LspService::new(|client| {
-            outbox = Some(Outbox::open(client));
+            outbox = Some(Outbox::open(client, Busy::default()));
             Quiet
         });
         let initialize =

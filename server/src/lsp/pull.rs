@@ -60,10 +60,11 @@ pub(super) fn refresh(shared: &Arc<Shared>) {
     if shared.refresh_due.swap(true, Ordering::Relaxed) {
         return;
     }
-    let shared = shared.clone();
+    let (shared, work) = (shared.clone(), shared.busy.begin());
     tokio::spawn(async move {
         tokio::time::sleep(GATHER).await;
         shared.refresh_due.store(false, Ordering::Relaxed);
+        drop(work);
         // Whether it answers is nobody's concern.
         let _ = tokio::time::timeout(PATIENCE, shared.client.workspace_diagnostic_refresh()).await;
     });

@@ -8,6 +8,7 @@ use tower_lsp::{LspService, Server};
 use super::backend::Backend;
 use super::guard::Guard;
 use super::inlet;
+use crate::busy::Busy;
 
 /// Handlers that run at once. Four of them, the framework's own limit, are soon all waiting for something.
 const CONCURRENCY: usize = 64;
@@ -34,7 +35,16 @@ where
     I: AsyncRead + Send + Unpin + 'static,
     O: AsyncWrite,
 {
-    let (service, socket) = LspService::build(Backend::new)
+    serve_counting(input, output, Busy::default()).await
+}
+
+/// As [`serve`], and tells whether work is under way.
+pub(crate) async fn serve_counting<I, O>(input: I, output: O, busy: Busy) -> Ending
+where
+    I: AsyncRead + Send + Unpin + 'static,
+    O: AsyncWrite,
+{
+    let (service, socket) = LspService::build(|client| Backend::counting(client, busy))
         .custom_method("textDocument/rangesFormatting", Backend::ranges_formatting)
         .finish();
     let shared = service.inner().shared();

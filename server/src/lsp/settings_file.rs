@@ -26,8 +26,7 @@ pub(super) fn tell_anew(shared: &Arc<Shared>, uri: &str) {
             .unwrap_or_else(PoisonError::into_inner);
         told.remove(&path);
     }
-    let shared = shared.clone();
-    tokio::task::spawn_blocking(move || tell(&shared));
+    shared.in_background(|shared| tell(shared));
 }
 
 /// Tells the client what is wrong in settings files that were read, as far as that is new. A file that is open shows

@@ -13,6 +13,7 @@ use super::outbox::Outbox;
 use super::pull::Found;
 use super::semantic_tokens::TokensTold;
 use super::settings_file::Told;
+use crate::busy::Busy;
 use crate::document::Documents;
 use crate::document::neighbours::Neighbours;
 use crate::simulation::Sessions;
@@ -39,6 +40,8 @@ pub(super) struct Shared {
     /// The folders that the client has open.
     pub(super) folders: Mutex<Vec<PathBuf>>,
     pub(super) client: Client,
+    /// Whether work is under way that nobody asked for.
+    pub(super) busy: Busy,
     /// The open programs.
     pub(super) documents: Arc<Documents>,
     /// The open texts that are no programs: settings files, scenarios, and what the client sends besides. They are
@@ -55,7 +58,7 @@ pub(super) struct Shared {
 }
 
 impl Shared {
-    pub(super) fn new(client: Client) -> Arc<Self> {
+    pub(super) fn new(client: Client, busy: Busy) -> Arc<Self> {
         Arc::new(Shared {
             agreed: OnceLock::new(),
             editor: RwLock::default(),
@@ -66,7 +69,8 @@ impl Shared {
             refresh_due: AtomicBool::new(false),
             looked_around: Mutex::new(None),
             folders: Mutex::default(),
-            outbox: Outbox::open(client.clone()),
+            outbox: Outbox::open(client.clone(), busy.clone()),
+            busy,
             client,
             documents: Arc::default(),
             companions: Arc::default(),
@@ -119,6 +123,15 @@ impl Shared {
                 .show(format!("The settings of this editor: {complaint}"));
         }
         *last = complaint;
+    }
+
+    /// Does something on a thread that may read the disk. Nobody waits for it.
+    pub(super) fn in_background(self: &Arc<Self>, job: impl FnOnce(&Arc<Shared>) + Send + 'static) {
+        let (shared, work) = (self.clone(), self.busy.begin());
+        tokio::task::spawn_blocking(move || {
+            job(&shared);
+            drop(work);
+        });
     }
 
     /// The text of a document is another one now: simulations of it say so.

@@ -16,8 +16,11 @@ const PATIENCE: Duration = Duration::from_secs(30);
 /// The server looks for itself no more often.
 const PACE: Duration = Duration::from_secs(2);
 
-/// Registers for programs and settings files. To be spawned: no handler waits for a client's answer.
-pub(super) async fn register(shared: Arc<Shared>) {
+/// Registers for programs and settings files, if the client watches files. To be spawned: no handler waits for a client's answer.
+pub(super) async fn register(shared: &Arc<Shared>) {
+    if !shared.agreed().watches_files {
+        return;
+    }
     let registration = Registration {
         id: "ladder-files".into(),
         method: "workspace/didChangeWatchedFiles".into(),
@@ -45,11 +48,10 @@ pub(super) fn look_around(shared: &Arc<Shared>) {
     }
     *last = Some(Instant::now());
     drop(last);
-    let shared = shared.clone();
-    tokio::task::spawn_blocking(move || {
+    shared.in_background(|shared| {
         let changed = shared.neighbours.changed_on_disk();
         if !changed.is_empty() {
-            diagnostics::files_changed(&shared, &changed);
+            diagnostics::files_changed(shared, &changed);
         }
     });
 }
