@@ -8,6 +8,24 @@ use ladder_syntax::ast::{AstNode, SectionHeader};
 use ladder_syntax::{LineKind, Parse, Section, TextRange, TextSize};
 use std::collections::HashMap;
 
+/// A tag that needs a declaration.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Undeclared {
+    /// The tag in its scope.
+    pub tag: usize,
+    /// The section that its uses ask for.
+    pub section: SectionKind,
+    /// As first written.
+    pub name: String,
+    /// Its type.
+    pub ty: String,
+}
+
+/// The tags of a scope that need a declaration and whose places say enough to make one, in the order of their first use.
+pub fn undeclared(context: &Context, scope: usize) -> Vec<Undeclared> {
+    crate::rules::undeclared_tag::undeclared(context, scope)
+}
+
 /// Where declarations of a scope go.
 pub struct Places {
     /// The last section of each kind that takes them: the place, and whether it begins a line.

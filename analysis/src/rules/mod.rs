@@ -63,7 +63,7 @@ mod unbalanced_loop;
 mod unclosed_block;
 pub(crate) mod unclosed_comment;
 mod unconditional_end;
-mod undeclared_tag;
+pub(crate) mod undeclared_tag;
 mod unexpected_character;
 mod unknown_block;
 pub(crate) mod unknown_function;

@@ -7,7 +7,7 @@
 use super::did_you_mean;
 use super::near_names::NearNames;
 use crate::context::Context;
-use crate::declaration_fix::Places;
+use crate::declaration_fix::{Places, Undeclared};
 use crate::diagnostic::{Diagnostic, Fix};
 use crate::facts::NodeKind;
 use crate::network::Formal;
@@ -165,12 +165,43 @@ fn forgotten(context: &Context, places: &Places, tag: &TagFacts, range: TextRang
     found.with(declare(places, tag.role, tag))
 }
 
-fn declare(places: &Places, role: Role, tag: &TagFacts) -> Option<Fix> {
-    let section = match role {
+/// The tags of a scope that need a declaration and whose places say enough to make one.
+pub(crate) fn undeclared(context: &Context, scope: usize) -> Vec<Undeclared> {
+    let tags = context.scopes[scope].tags.iter().enumerate();
+    let tags = tags.filter(|(_, tag)| {
+        is_undeclared(tag, scope)
+            && !tag.uses.is_empty()
+            && tag.uses.iter().all(|place| is_clear(context, tag, place))
+    });
+    tags.map(|(index, tag)| {
+        let role = if scope > 0 { Role::Internal } else { tag.role };
+        let (section, ty) = if tag.uses.iter().any(|place| place.indexed) {
+            let (last, element) = extent(context, tag);
+            (SectionKind::Var, format!("ARRAY[1..{last}] OF {element}"))
+        } else {
+            let ty = tag.ty.unwrap_or(Type::Scalar(Scalar::Dint));
+            (section_of(role), ty.to_string())
+        };
+        Undeclared {
+            tag: index,
+            section,
+            name: tag.name.clone(),
+            ty,
+        }
+    })
+    .collect()
+}
+
+const fn section_of(role: Role) -> SectionKind {
+    match role {
         Role::Input => SectionKind::Input,
         Role::Output => SectionKind::Output,
         Role::Internal => SectionKind::Var,
-    };
+    }
+}
+
+fn declare(places: &Places, role: Role, tag: &TagFacts) -> Option<Fix> {
+    let section = section_of(role);
     let ty = tag.ty.unwrap_or(Type::Scalar(Scalar::Dint)).to_string();
     places.declare(section, &tag.name, &ty)
 }

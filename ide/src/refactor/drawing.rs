@@ -72,7 +72,7 @@ impl Item {
     }
 
     /// A comment that is no piece of a wire. It joins nothing, and what stands behind it is not joined to it.
-    fn is_loose(&self, next: Option<&Item>) -> bool {
+    pub(crate) fn is_loose(&self, next: Option<&Item>) -> bool {
         self.kind == ItemKind::Comment && !self.joined && next.is_none_or(|next| !next.joined)
     }
 }

@@ -9,6 +9,8 @@
 //! draw what they touch, which reads the whole file; it is done for the one action that is wanted. Every action keeps what
 //! the program does, or says in its title that it does not.
 
+mod circuits;
+mod declare_tags;
 mod drawing;
 mod extract_block;
 mod extract_function;
@@ -17,6 +19,7 @@ mod flow;
 mod inline_block;
 mod inline_function;
 mod insert_branch;
+mod latch;
 mod names;
 mod parallel;
 mod passing;
@@ -108,6 +111,9 @@ pub fn refactorings(analysis: &Analysis, range: TextRange) -> Vec<Action> {
         wrap_branch::offer,
         remove_branch::offer,
         split_network::offer,
+        latch::offer_seal_in,
+        latch::offer_set_and_reset,
+        declare_tags::offer,
         extract_function::offer,
         extract_block::offer,
         inline_function::offer,

@@ -2,6 +2,7 @@
 
 mod blocks;
 mod branches;
+mod latches;
 mod networks;
 mod toggles;
 

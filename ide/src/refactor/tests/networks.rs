@@ -71,12 +71,13 @@ VAR a, b : BOOL; END_VAR
     titles(
         "+--[ ]( a )--[ ]( $0b )--<MCR>--+\n",
         expect![[r#"
-        Make `b` normally closed (changes what the rung does)
-        Make `b` a rising-edge contact (changes what the rung does)
-        Draw a parallel contact `new_contact_1` around `b` (no change while it is low)
-        Wrap `b` in a branch, with a copy in parallel (changes nothing yet)
-        Extract the network into the function `function_1` -- <MCR> works only where it stands: a function has labels, returns and loops of its own
-    "#]],
+            Make `b` normally closed (changes what the rung does)
+            Make `b` a rising-edge contact (changes what the rung does)
+            Draw a parallel contact `new_contact_1` around `b` (no change while it is low)
+            Wrap `b` in a branch, with a copy in parallel (changes nothing yet)
+            Declare the 2 undeclared tags of the file
+            Extract the network into the function `function_1` -- <MCR> works only where it stands: a function has labels, returns and loops of its own
+        "#]],
     );
 }
 
