@@ -123,6 +123,65 @@ fn record(simulation: &mut Simulation, source: &str, stimulus: Stimulus) -> Stri
     text
 }
 
+/// Runs a program beside another that should do the same: all values of the first are looked at in both, in every scan,
+/// with inputs that the first has. The first difference; none if there is none. Both stop where the first does.
+///
+/// # Panics
+/// One of the texts is no program.
+pub fn beside(text: &str, other: &str, stimulus: Stimulus) -> Option<String> {
+    let start = |text: &str| {
+        let program = compile(text).unwrap_or_else(|| panic!("this is no program:\n{text}"));
+        let options = Options {
+            watchdog: WATCHDOG,
+            ..Options::default()
+        };
+        Simulation::new(program, options).unwrap_or_else(|error| panic!("it is refused: {error:?}\n{text}"))
+    };
+    let (mut one, mut two) = (start(text), start(other));
+    let mut points = Vec::new();
+    for point in self::points(&one) {
+        match two.resolve(&point.name) {
+            Ok(same) => points.push((point, same)),
+            Err(_) => return Some(format!("`{}` is gone", point.name)),
+        }
+    }
+    let mut dice = Dice::new(stimulus.seed);
+    for scan in 0..stimulus.scans {
+        for (point, same) in &points {
+            if point.role == Role::Input && !point.read_only && dice.one_in(3) {
+                let value = any_value(&mut dice, point.ty);
+                one.set(point, value.clone())
+                    .expect("an input takes a value of its type");
+                two.set(same, value).expect("it is the same tag");
+            }
+        }
+        if dice.one_in(4) {
+            let byte = [dice.any() as u8];
+            one.feed_serial(&byte);
+            two.feed_serial(&byte);
+        }
+        // Where the one is stopped by its watchdog the other may do a few blocks more.
+        if !one.scan() {
+            return None;
+        }
+        two.scan();
+        for (point, same) in &points {
+            let (left, right) = (one.value(point), two.value(same));
+            if left != right {
+                return Some(format!("{} in scan {scan}: {left:?} and {right:?}", point.name));
+            }
+        }
+        let (left, right) = (one.take_faults().len(), two.take_faults().len());
+        if left != right {
+            return Some(format!("{left} and {right} faults in scan {scan}"));
+        }
+        if one.take_serial() != two.take_serial() {
+            return Some(format!("what is sent in scan {scan}"));
+        }
+    }
+    None
+}
+
 /// Every value that the program has, elements of arrays too.
 fn points(simulation: &Simulation) -> Vec<Point> {
     let mut points = simulation.points().to_vec();

@@ -3,6 +3,7 @@
 use super::place::Place;
 use super::{Action, ActionKind};
 use ladder_analysis::declaration_fix::{Places, undeclared};
+use ladder_analysis::scope::TagFacts;
 
 pub(super) fn offer(place: &Place<'_>, out: &mut Vec<Action>) {
     let context = place.context;
@@ -10,9 +11,12 @@ pub(super) fn offer(place: &Place<'_>, out: &mut Vec<Action>) {
         Some(network) => context.networks[network].scope,
         None => return,
     };
-    let touched = |tag: &ladder_analysis::scope::TagFacts| {
-        let mut uses = tag.uses.iter();
-        uses.any(|found| found.range.start() <= place.range.end() && place.range.start() <= found.range.end())
+    let touched = |tag: &TagFacts| {
+        let mut blocks = tag
+            .uses
+            .iter()
+            .map(|found| context.networks[found.network].blocks[found.block].range());
+        blocks.any(|block| block.start() <= place.range.end() && place.range.start() <= block.end())
     };
     let found = undeclared(context, scope);
     let at_one = found

@@ -24,6 +24,8 @@ impl Way {
         match (above.0 && below.1, below.0 && above.1) {
             (true, true) => Way::Both,
             (false, true) => Way::Up,
+            // Power that goes nowhere comes from where it came.
+            (false, false) if below.0 && !above.0 => Way::Up,
             _ => Way::Down,
         }
     }

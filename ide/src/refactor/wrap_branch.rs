@@ -5,6 +5,7 @@ use super::insert_branch::{first_name, with_branch};
 use super::place::{OnNetwork, Place};
 use super::region::Region;
 use super::{Action, ActionKind};
+use ladder_analysis::facts::{Node, NodeKind};
 use ladder_analysis::network::BoundBlock;
 use ladder_instructions::Op;
 
@@ -24,9 +25,9 @@ pub(super) fn offer(place: &Place<'_>, out: &mut Vec<Action>) {
     out.push(Action::new(ActionKind::Rewrite, title, vec![drawing.replace()]));
 }
 
-/// Whether a block has no effect and no memory: twice the same is the same.
+/// Whether a block has no effect, no memory and no fault: twice the same is the same.
 pub(super) fn only_reads(block: &BoundBlock) -> bool {
-    matches!(
+    let reads = matches!(
         block.op(),
         Some(
             Op::Contact
@@ -39,7 +40,25 @@ pub(super) fn only_reads(block: &BoundBlock) -> bool {
                 | Op::Le
                 | Op::Inverter
         )
-    )
+    );
+    reads
+        && block
+            .facts
+            .operands
+            .iter()
+            .all(|operand| cannot_fault(&operand.value))
+}
+
+/// Whether to read a value is no fault: an index that is a tag may be outside its array.
+fn cannot_fault(node: &Node) -> bool {
+    let literal = |node: &Node| matches!(node.kind, NodeKind::Literal(_));
+    match &node.kind {
+        NodeKind::Name(_) | NodeKind::Address(_) | NodeKind::Literal(_) => true,
+        NodeKind::Member(base, _) => cannot_fault(base),
+        NodeKind::Index(base, index) => cannot_fault(base) && literal(index),
+        NodeKind::Range(base, first, last) => cannot_fault(base) && literal(first) && literal(last),
+        _ => false,
+    }
 }
 
 fn doubled(on: &OnNetwork<'_>, region: &Region) -> Option<Drawing> {
