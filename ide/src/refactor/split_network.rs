@@ -32,7 +32,8 @@ pub(super) fn offer(place: &Place<'_>, out: &mut Vec<Action>) {
         out.extend(action(place, on, title, &split));
     }
     // Within a branch there is no place to cut: then before it.
-    let mut cuts = (1..=items.start).rev().map(|at| (at, across(on, row, at, &tag)));
+    let (row, start) = on_first_row(&on.drawing, row, items.start);
+    let mut cuts = (1..=start).rev().map(|at| (at, across(on, row, at, &tag)));
     let found = cuts.find_map(|(at, split)| Some((at, split?)));
     if let Some((at, split)) = found {
         let behind = on.drawing.rows[row].items[at..].iter();
@@ -48,6 +49,21 @@ pub(super) fn offer(place: &Place<'_>, out: &mut Vec<Action>) {
             &split,
         ));
     }
+}
+
+/// The item of the first row that a branch in which an item stands begins at.
+fn on_first_row(drawing: &Drawing, mut row: usize, mut item: usize) -> (usize, usize) {
+    while row > 0 {
+        let start = drawing.segment(row, item).start;
+        let up = (start..=item)
+            .rev()
+            .find(|&at| drawing.rows[row].items[at].kind == ItemKind::Up);
+        match up.and_then(|up| drawing.down_of(row, up)) {
+            Some(down) => (row, item) = (row - 1, down),
+            None => break,
+        }
+    }
+    (row, item)
 }
 
 fn action(place: &Place<'_>, on: &OnNetwork<'_>, title: &str, split: &Split) -> Option<Action> {
