@@ -70,6 +70,7 @@ fn comparisons() {
         expect![[r#"
             Draw a parallel contact `new_contact_1` around `a` (no change while it is low)
             Wrap `a` in a branch, with a copy in parallel (changes nothing yet)
+            Declare the 2 undeclared tags of the file
             Extract the network into the function `function_1`
         "#]],
     );
