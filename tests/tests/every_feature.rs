@@ -72,8 +72,10 @@ const FEATURES: [(&str, Ask); 17] = [
     }),
     ("fixes", |it, at, _| drop(quick_fixes(it, TextRange::empty(at)))),
     ("refactorings", |it, at, end| {
-        drop(refactorings(it, TextRange::empty(at)));
-        drop(refactorings(it, TextRange::new(at, end)));
+        let here = refactorings(it, TextRange::empty(at));
+        for action in here.iter().chain(&refactorings(it, TextRange::new(at, end))) {
+            apart(&action.edits, end);
+        }
     }),
     ("tokens from there on", |it, at, end| {
         drop(semantic_tokens(it, Some(TextRange::new(at, end))));
