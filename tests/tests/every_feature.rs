@@ -4,10 +4,10 @@
 use ladder_analysis::{Analysis, analyze};
 use ladder_format::{Edit, Options};
 use ladder_ide::{
-    Alone, TRIGGERS, callers_at, completions, declaration, definition, fix_all, folds, highlights, hover,
-    implementation, incoming_calls, links, on_type, outgoing_calls, outline, prepare_rename, quick_fixes,
-    refactorings, references, rename, selections, semantic_tokens, signature_help, type_definition,
-    workspace_symbols,
+    Alone, TRIGGERS, callers_at, completions, declaration, definition, documentation, fix_all, folds,
+    highlights, hover, implementation, incoming_calls, inlays, lenses, links, on_type, outgoing_calls,
+    outline, prepare_rename, quick_fixes, refactorings, references, rename, selections, semantic_tokens,
+    signature_help, type_definition, workspace_symbols,
 };
 use ladder_syntax::{TextRange, TextSize, parse};
 use ladder_tests::generator::Dice;
@@ -18,11 +18,19 @@ use std::sync::Arc;
 type Ask = fn(&Analysis, TextSize, TextSize);
 
 /// All features that are asked at a place.
-const FEATURES: [(&str, Ask); 17] = [
+const FEATURES: [(&str, Ask); 19] = [
     ("hover", |it, at, _| drop(hover(it, at))),
-    ("completion", |it, at, _| {
-        drop(completions(it, at, None));
+    ("completion", |it, at, end| {
+        for item in completions(it, at, None).items {
+            assert!(item.range.contains_inclusive(at) && item.range.end() <= end);
+            drop(item.text.snippet());
+        }
         drop(completions(it, at, Some('.')));
+    }),
+    ("documentation", |it, at, _| {
+        for item in completions(it, at, None).items.iter().take(5) {
+            drop(documentation(it, &item.topic));
+        }
     }),
     ("signature help", |it, at, _| drop(signature_help(it, at))),
     ("definition", |it, at, _| drop(definition(it, at, &Alone))),
@@ -77,6 +85,9 @@ const FEATURES: [(&str, Ask); 17] = [
             apart(&action.edits, end);
         }
     }),
+    ("hints from there on", |it, at, end| {
+        drop(inlays(it, TextRange::new(at, end)));
+    }),
     ("tokens from there on", |it, at, end| {
         drop(semantic_tokens(it, Some(TextRange::new(at, end))));
     }),
@@ -87,6 +98,7 @@ fn whole(analysis: &Analysis) {
     drop(folds(analysis));
     drop(outline(analysis));
     drop(links(analysis));
+    drop(lenses(analysis));
     drop(semantic_tokens(analysis, None));
     drop(fix_all(analysis));
     drop(workspace_symbols("a", analysis, &Alone));
