@@ -101,7 +101,7 @@ mod tests {
             );
             shown.insert_str(at, &format!("  {{{}}}", inlay.label));
         }
-        expected.assert_eq(&shown);
+        expected.assert_eq(&shown.replace('\r', ""));
     }
 
     #[test]
