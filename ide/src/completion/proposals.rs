@@ -5,7 +5,7 @@ use crate::typing::Typing;
 use ladder_syntax::TextRange;
 
 /// So many are proposed at once. A longer list helps nobody, and a large program has thousands of tags.
-const MOST: usize = 128;
+pub(super) const MOST: usize = 128;
 
 /// Proposals for the word at a place.
 pub(super) struct Proposals<'t> {

@@ -1,13 +1,14 @@
 //! Tags, by the type and the direction that the operand needs.
 
 use super::item::{CompletionKind, Topic};
-use super::proposals::Proposals;
+use super::proposals::{MOST, Proposals};
 use crate::typing::{Operand, Typing};
 use crate::wanted::{Kind, Wanted, rank, scalar_rank};
 use ladder_analysis::program::{Role, SystemTag};
 use ladder_analysis::scope::{Access, Origin, SectionKind, TagFacts};
 use ladder_analysis::types::{Scalar, Type};
 use ladder_syntax::Name;
+use std::cmp::Ordering;
 
 /// Inputs come last where something is written: the outside writes them.
 const INPUTS: u8 = 4;
@@ -15,6 +16,9 @@ const INPUTS: u8 = 4;
 const SYSTEM: u8 = 4;
 /// Literals stand behind everything that has a name.
 const LITERALS: u8 = 5;
+
+/// A tag, how well it fits, and what else speaks for it.
+type Ranked<'c> = (&'c TagFacts, u8, u8);
 
 pub(super) fn propose(typing: &Typing<'_>, operand: &Operand, wanted: &Wanted, out: &mut Proposals<'_>) {
     // What stands in the list already is less likely meant.
@@ -26,7 +30,7 @@ pub(super) fn propose(typing: &Typing<'_>, operand: &Operand, wanted: &Wanted, o
         before.any(|text| text.eq_ignore_ascii_case(&tag.name))
     };
     let scope = &typing.context.scopes[typing.scope];
-    let mut tags: Vec<(&TagFacts, u8, u8)> = scope
+    let mut tags: Vec<Ranked<'_>> = scope
         .tags
         .iter()
         .filter(|tag| out.may_be(&tag.name) && !is_being_written(typing, tag))
@@ -46,11 +50,25 @@ pub(super) fn propose(typing: &Typing<'_>, operand: &Operand, wanted: &Wanted, o
             (!known.constant || !wanted.writes).then_some((known, fits, second))
         })
         .collect();
-    tags.sort_by(|(a, fit, second), (b, other_fit, other_second)| {
-        (fit, second)
-            .cmp(&(other_fit, other_second))
+    // A large program has more tags than anybody reads: only the best are put in order.
+    let prefix = typing.prefix().to_lowercase();
+    let begins = |tag: &TagFacts| tag.name.to_lowercase().starts_with(&prefix);
+    let best = |(a, fits, second): &Ranked<'_>, (b, other_fits, other_second): &Ranked<'_>| {
+        let begin = || begins(b).cmp(&begins(a));
+        let begin = if prefix.is_empty() {
+            Ordering::Equal
+        } else {
+            begin()
+        };
+        begin
+            .then((fits, second).cmp(&(other_fits, other_second)))
             .then_with(|| a.name.cmp(&b.name))
-    });
+    };
+    if tags.len() > MOST {
+        tags.select_nth_unstable_by(MOST, best);
+        tags.truncate(MOST + 1);
+    }
+    tags.sort_by(best);
     for (tag, fits, second) in tags {
         propose_tag(typing, tag, (fits, second), out);
     }

@@ -83,16 +83,21 @@ fn what_is_accepted_reads() {
     for rung in rungs {
         for cut in 0..=rung.len() {
             for behind in ["", ")", "]", " --( )( run )--+", &rung[cut..]] {
+                // Every place once, and every third with each of the others behind it.
+                if !behind.is_empty() && cut % 3 != 0 {
+                    continue;
+                }
                 let line = format!("{}{behind}", &rung[..cut]);
                 let text = format!("{PLANT}{line}\n{HOLD}");
-                let before = mistakes(&text);
+                let before = mistakes(&line);
                 let cursor = TextSize::new((PLANT.len() + cut) as u32);
                 let analysis = analyze(&Arc::new(parse(&text)), "test.clad");
                 for item in completions(&analysis, cursor, None).items {
                     assert!(item.range.contains_inclusive(cursor));
                     assert!(!text[item.range].contains('\n'));
-                    let mut new = text.clone();
-                    new.replace_range(std::ops::Range::<usize>::from(item.range), &item.text.plain());
+                    let range = item.range - TextSize::of(PLANT);
+                    let mut new = line.clone();
+                    new.replace_range(std::ops::Range::<usize>::from(range), &item.text.plain());
                     assert!(
                         mistakes(&new) <= before,
                         "{} in\n{line} at {cut} gives\n{new}",

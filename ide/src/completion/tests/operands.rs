@@ -483,3 +483,19 @@ fn expressions() {
     "#]],
     );
 }
+
+#[test]
+fn of_many_tags_the_best_are_proposed() {
+    let mut rungs = String::new();
+    for n in 0..500 {
+        rungs.push_str(&format!("+--[ ]( a{n:03} )--[TON]( t{n}, 5s )--( )( y{n} )--+\n"));
+    }
+    let (_, found) = super::found(&format!("{rungs}+--[ ]( y499$0 )--( )( z )--+\n"));
+    assert_eq!(found.items[0].label, "y499");
+    let (_, all) = super::found(&format!("{rungs}+--[ ]( $0 )--( )( z )--+\n"));
+    assert!(all.cut && all.items.len() < 200);
+    assert_eq!(
+        (all.items[0].label.as_str(), all.items[1].label.as_str()),
+        ("a000", "a001")
+    );
+}
