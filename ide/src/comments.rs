@@ -1,16 +1,33 @@
 //! The comments that belong to what stands below them.
 
 use ladder_analysis::context::Context;
-use ladder_syntax::{LineKind, Parse, SyntaxKind, TextRange};
+use ladder_syntax::rowan::GreenNodeData;
+use ladder_syntax::{LineKind, NodeOrToken, Parse, SyntaxKind, TextRange, TextSize};
 
 /// The comments of a logical line with their texts, `#` included.
 pub(crate) fn of_line(parse: &Parse, line: usize) -> Vec<(TextRange, String)> {
-    let start = parse.line_start(line);
-    let elements = parse.lines()[line].syntax().descendants_with_tokens();
-    let tokens = elements.filter_map(|it| it.into_token().filter(|it| it.kind() == SyntaxKind::COMMENT));
-    tokens
-        .map(|token| (token.text_range() + start, token.text().to_owned()))
-        .collect()
+    let mut comments = Vec::new();
+    // Straight through the green node: this is asked of every line.
+    gather(parse.lines()[line].green(), parse.line_start(line), &mut comments);
+    comments
+}
+
+fn gather(node: &GreenNodeData, start: TextSize, comments: &mut Vec<(TextRange, String)>) {
+    let mut at = start;
+    for child in node.children() {
+        match child {
+            NodeOrToken::Node(node) => {
+                gather(node, at, comments);
+                at += node.text_len();
+            }
+            NodeOrToken::Token(token) => {
+                if SyntaxKind::from_raw(token.kind()) == SyntaxKind::COMMENT {
+                    comments.push((TextRange::at(at, token.text_len()), token.text().to_owned()));
+                }
+                at += token.text_len();
+            }
+        }
+    }
 }
 
 /// What a comment says: its first line with words, without the `#` and without lines drawn around it. None if it

@@ -1,6 +1,6 @@
 //! Texts of tests: several files, a cursor, and how places are shown.
 
-use crate::{Neighbour, Workspace, mentions};
+use crate::{Neighbour, ScenarioFile, Workspace, mentions};
 use ladder_analysis::{Analysis, Exported, analyze_in, exports};
 use ladder_syntax::{Name, TextRange, TextSize, parse};
 use std::sync::Arc;
@@ -8,6 +8,7 @@ use std::sync::Arc;
 /// The files of a workspace, the first of them the one that is asked about.
 pub(crate) struct Fixture {
     pub(crate) files: Vec<(Arc<Analysis>, String)>,
+    pub(crate) scenarios: Vec<(String, String)>,
     /// Where `$0` stood, and in which file.
     pub(crate) cursor: Option<(usize, TextSize)>,
 }
@@ -40,7 +41,11 @@ impl Fixture {
         Fixture::of(texts, cursor)
     }
 
+    /// A text that ends in `.ladder-test` is no program: a line in it names the one that it is about.
     pub(crate) fn of(texts: Vec<(String, String)>, cursor: Option<(usize, TextSize)>) -> Fixture {
+        let (scenarios, texts): (Vec<_>, Vec<_>) = texts
+            .into_iter()
+            .partition(|(name, _)| name.ends_with(".ladder-test"));
         let parses: Vec<_> = texts.iter().map(|(_, text)| Arc::new(parse(text))).collect();
         let exported = texts
             .iter()
@@ -55,7 +60,11 @@ impl Fixture {
                 (Arc::new(analysis), text)
             })
             .collect();
-        Fixture { files, cursor }
+        Fixture {
+            files,
+            scenarios,
+            cursor,
+        }
     }
 
     /// The file with the cursor, the offset in it, and the others.
@@ -70,7 +79,11 @@ impl Fixture {
 
     pub(crate) fn text(&self, file: &str) -> &str {
         let mut files = self.files.iter();
-        &files.find(|(analysis, _)| *analysis.name == *file).unwrap().1
+        if let Some((_, text)) = files.find(|(analysis, _)| *analysis.name == *file) {
+            return text;
+        }
+        let mut scenarios = self.scenarios.iter();
+        &scenarios.find(|(name, _)| name == file).unwrap().1
     }
 
     /// A place as `main.clad:3:7 run`: line and column from 1, and what stands there.
@@ -111,5 +124,17 @@ impl Workspace for Others<'_> {
 
     fn all(&self) -> Vec<Neighbour> {
         self.mentioning(&Name::new(""))
+    }
+
+    fn scenarios(&self) -> Vec<ScenarioFile> {
+        let file = |(name, text): &(String, String)| ScenarioFile {
+            name: Arc::from(name.as_str()),
+            program: text
+                .lines()
+                .find_map(|line| line.strip_prefix("program "))
+                .map(Arc::from),
+            text: text.clone(),
+        };
+        self.fixture.scenarios.iter().map(file).collect()
     }
 }

@@ -44,7 +44,7 @@ pub use hover::{Hover, hover};
 pub use inlay::{Inlay, inlays};
 pub use lens::{Lens, LensKind, lenses};
 pub use links::{Link, LinkTarget, links};
-pub use neighbour::{Alone, Neighbour, Workspace, mentions};
+pub use neighbour::{Alone, Neighbour, ScenarioFile, Workspace, mentions};
 pub use on_type::{TRIGGERS, on_type};
 pub use outline::{OutlineKind, Outlined, outline};
 pub use refactor::{Action, ActionKind, fix_all, quick_fixes, refactorings};

@@ -79,6 +79,22 @@ pub trait Workspace {
 
     /// All of them.
     fn all(&self) -> Vec<Neighbour>;
+
+    /// The files of scenarios, which name tags too.
+    fn scenarios(&self) -> Vec<ScenarioFile> {
+        Vec::new()
+    }
+}
+
+/// A file of scenarios.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct ScenarioFile {
+    /// Its name in the workspace.
+    pub name: Arc<str>,
+    /// The name of the program that it is about, if there is one.
+    pub program: Option<Arc<str>>,
+    /// What it says.
+    pub text: String,
 }
 
 /// A file that stands alone.

@@ -7,11 +7,12 @@
 mod clash;
 mod labels;
 mod layout;
+mod scenarios;
 mod spelling;
 
 use crate::neighbour::{File, Neighbour, Workspace};
 use crate::outline::text_of;
-use crate::symbol::{Found, Occurrence, Symbol, files_of, find, occurrences};
+use crate::symbol::{Found, Occurrence, Symbol, files_of, find, occurrences, tag_of};
 use ladder_analysis::Analysis;
 use ladder_analysis::context::{Context, context};
 use ladder_analysis::scope::Origin;
@@ -117,7 +118,20 @@ pub fn rename(
             edits: layout::laid_out(&file.context.parse, &text, &edits, options),
         });
     }
+    let hides = |program: &str| {
+        let hides = |file: File<'_>| symbol.name().is_some_and(|name| hides(file, &symbol, name));
+        if own.is_called(program) {
+            return hides(own);
+        }
+        workspace.file(program).is_some_and(|it| hides(it.file()))
+    };
+    renamed.extend(scenarios::renamed(&symbol, &new, workspace, &hides));
     Ok(renamed)
+}
+
+/// Whether a file has a tag of its own by a symbol's name.
+fn hides(file: File<'_>, symbol: &Symbol, name: &Name) -> bool {
+    tag_of(file, 0, name).is_some_and(|found| found != *symbol)
 }
 
 /// The other files in which the symbols have places, each once.

@@ -149,7 +149,7 @@ fn in_operand(
             if is_system(base) {
                 return found(Symbol::System(Name::new(&word.text)), node.range);
             }
-            let of = Box::new(tag_of(file, scope, &Name::new(tag_name(base)?))?);
+            let of = Box::new(tag_of(file, scope, &Name::new(tag_of_node(base)?.0))?);
             let name = member_name(&word.text);
             found(Symbol::Member { of, name }, word.range)
         }
@@ -157,11 +157,11 @@ fn in_operand(
     }
 }
 
-/// The tag that an expression with members and indices is about.
-pub(super) fn tag_name(node: &Node) -> Option<&str> {
+/// The tag that an expression with members and indices is about, and where its name stands.
+pub(super) fn tag_of_node(node: &Node) -> Option<(&str, TextRange)> {
     match &node.kind {
-        NodeKind::Name(name) | NodeKind::Address(name) => Some(name),
-        NodeKind::Member(base, _) | NodeKind::Index(base, _) | NodeKind::Range(base, ..) => tag_name(base),
+        NodeKind::Name(name) | NodeKind::Address(name) => Some((name, node.range)),
+        NodeKind::Member(base, _) | NodeKind::Index(base, _) | NodeKind::Range(base, ..) => tag_of_node(base),
         _ => None,
     }
 }

@@ -1,6 +1,6 @@
 //! From a symbol to its places in one file.
 
-use super::find::{is_system, tag_name};
+use super::find::{is_system, tag_of_node};
 use super::{Symbol, Usage, declared_names, tag_of};
 use crate::neighbour::File;
 use ladder_analysis::context::{Body, Callee, Context};
@@ -10,6 +10,7 @@ use ladder_analysis::program::ParameterKind;
 use ladder_analysis::scope::SectionKind;
 use ladder_instructions::{Accepts, Op};
 use ladder_syntax::{Name, TextRange};
+use std::collections::HashMap;
 use std::sync::Arc;
 
 /// A place of a symbol.
@@ -248,6 +249,12 @@ pub(crate) fn block_name(context: &Context, head: TextRange) -> Option<TextRange
 
 fn members(file: File<'_>, of: &Symbol, member: &Name, out: &mut Places) {
     let Some(tag) = of.name() else { return };
+    let mut usages: HashMap<TextRange, Usage> = HashMap::new();
+    for scope in &file.context.scopes {
+        let tag = scope.find(tag).map(|tag| &scope.tags[tag]);
+        let uses = tag.into_iter().flat_map(|tag| &tag.uses);
+        usages.extend(uses.map(|place| (place.range, Usage::from(place.access))));
+    }
     each_operand(file.context, |network, block, _, node| {
         let NodeKind::Member(base, word) = &node.kind else {
             return;
@@ -255,24 +262,16 @@ fn members(file: File<'_>, of: &Symbol, member: &Name, out: &mut Places) {
         if is_system(base) || member_name(&word.text) != *member {
             return;
         }
-        let Some(name) = tag_name(base).map(Name::new).filter(|name| name == tag) else {
+        let Some((name, at)) = tag_of_node(base) else {
             return;
         };
-        if tag_of(file, network.scope, &name).as_ref() == Some(of) {
-            // A bit may be written; a timer's members are its own.
-            let usage = usage_at(file.context, network, block, base.range).unwrap_or(Usage::Read);
-            out.add(block.absolute(word.range), usage);
+        if Name::new(name) != *tag || tag_of(file, network.scope, tag).as_ref() != Some(of) {
+            return;
         }
+        // A bit may be written; a timer's members are its own.
+        let usage = usages.get(&block.absolute(at)).copied();
+        out.add(block.absolute(word.range), usage.unwrap_or(Usage::Read));
     });
-}
-
-/// What the block does with the tag whose name stands in a range of its line.
-fn usage_at(context: &Context, network: &NetworkFacts, block: &BoundBlock, at: TextRange) -> Option<Usage> {
-    let at = block.absolute(at);
-    let tags = context.scopes[network.scope].tags.iter();
-    let mut uses = tags.flat_map(|tag| &tag.uses);
-    uses.find(|place| at.contains_range(place.range))
-        .map(|place| place.access.into())
 }
 
 fn system_tags(file: File<'_>, name: &Name, out: &mut Places) {

@@ -4,10 +4,10 @@
 //! read the disk and analyse texts: for a blocking thread.
 
 use std::path::PathBuf;
-use std::sync::Arc;
+use std::sync::{Arc, OnceLock};
 
 use ladder_analysis::Exported;
-use ladder_ide::{Neighbour, Workspace, mentions};
+use ladder_ide::{Neighbour, ScenarioFile, Workspace, mentions};
 use ladder_syntax::{Name, TextRange};
 use ropey::Rope;
 
@@ -15,14 +15,32 @@ use super::neighbours::OnDisk;
 use super::position::{self, Range};
 use super::{Documents, Revision, address};
 
-/// The files of a document's workspace, the document itself among them.
+/// The files of a document's workspace, the document itself among them. They are looked for when they are first asked
+/// for: most requests stay within their document.
 pub(crate) struct Elsewhere {
     own: Arc<Revision>,
+    documents: Arc<Documents>,
+    companions: Arc<Documents>,
+    files: OnceLock<Files>,
+    scenarios: OnceLock<Vec<Scenarios>>,
+}
+
+/// The programs.
+#[derive(Default)]
+struct Files {
     /// The open ones but the own, by name.
     open: Vec<(Arc<str>, Arc<Revision>)>,
     /// The others.
     closed: Vec<(PathBuf, Arc<OnDisk>)>,
     exported: Option<Arc<Exported>>,
+}
+
+/// A file of scenarios.
+struct Scenarios {
+    path: PathBuf,
+    text: String,
+    revision: Option<Arc<Revision>>,
+    shown: ScenarioFile,
 }
 
 /// A file as it is shown to an editor.
@@ -43,47 +61,110 @@ impl FileText {
 }
 
 impl Elsewhere {
-    /// The files beside a document, as they are now.
-    pub(crate) fn of(own: &Arc<Revision>, documents: &Documents) -> Elsewhere {
-        let mut elsewhere = Elsewhere {
+    /// The files beside a document, as they are when they are first asked for. `documents` are the open programs,
+    /// `companions` other open files.
+    pub(crate) fn of(
+        own: &Arc<Revision>,
+        documents: &Arc<Documents>,
+        companions: &Arc<Documents>,
+    ) -> Elsewhere {
+        Elsewhere {
             own: Arc::clone(own),
-            open: Vec::new(),
-            closed: Vec::new(),
-            exported: None,
-        };
-        let Some(place) = own.place() else {
-            return elsewhere;
-        };
+            documents: Arc::clone(documents),
+            companions: Arc::clone(companions),
+            files: OnceLock::new(),
+            scenarios: OnceLock::new(),
+        }
+    }
+
+    fn files(&self) -> &Files {
+        self.files.get_or_init(|| self.find_files().unwrap_or_default())
+    }
+
+    fn find_files(&self) -> Option<Files> {
+        let place = self.own.place()?;
+        let mut open = Vec::new();
         let mut shown = vec![place.path.clone()];
-        for revision in documents.all() {
+        for revision in self.documents.all() {
             let Some(other) = revision.place() else { continue };
             if other.path == place.path || !place.neighbours.together(&place.path, &other.path) {
                 continue;
             }
             shown.push(other.path.clone());
             let (name, _) = place.neighbours.view(&other.path);
-            elsewhere.open.push((name, revision));
+            open.push((name, revision));
         }
-        elsewhere.open.sort_by(|(a, _), (b, _)| a.cmp(b));
+        open.sort_by(|(a, _), (b, _)| a.cmp(b));
         let (mut closed, exported) = place.neighbours.on_disk(&place.path);
         closed.retain(|(path, _)| !shown.contains(path));
-        (elsewhere.closed, elsewhere.exported) = (closed, Some(exported));
-        elsewhere
+        Some(Files {
+            open,
+            closed,
+            exported: Some(exported),
+        })
+    }
+
+    fn scenario_files(&self) -> &[Scenarios] {
+        self.scenarios
+            .get_or_init(|| self.find_scenarios().unwrap_or_default())
+    }
+
+    /// The files of scenarios below the workspace's folder.
+    fn find_scenarios(&self) -> Option<Vec<Scenarios>> {
+        let place = self.own.place()?;
+        let folder = place.neighbours.folder_of(&place.path);
+        let (paths, _) = ladder_workspace::find_scenarios(&[folder]);
+        let open: Vec<_> = self
+            .companions
+            .all()
+            .into_iter()
+            .filter_map(|revision| Some((address::path_of(&revision.uri)?, revision)))
+            .collect();
+        let mut found = Vec::new();
+        for path in paths {
+            if !place.neighbours.together(&place.path, &path) {
+                continue;
+            }
+            let revision = open.iter().find(|(of, _)| *of == path);
+            let revision = revision.map(|(_, revision)| Arc::clone(revision));
+            let text = match &revision {
+                Some(revision) => revision.rope().to_string(),
+                None => ladder_workspace::read(&path).unwrap_or_default(),
+            };
+            let suite = ladder_simulator::scenario::parse(&text);
+            let program = suite.program.and_then(|(program, _)| {
+                let beside = path.parent()?.join(program).canonicalize().ok()?;
+                Some(place.neighbours.view(&beside).0)
+            });
+            let (name, _) = place.neighbours.view(&path);
+            let shown = ScenarioFile {
+                name,
+                program,
+                text: text.clone(),
+            };
+            found.push(Scenarios {
+                path,
+                text,
+                revision,
+                shown,
+            });
+        }
+        Some(found)
     }
 
     /// The other open files.
     pub(crate) fn open(&self) -> impl Iterator<Item = &Arc<Revision>> {
-        self.open.iter().map(|(_, revision)| revision)
+        self.files().open.iter().map(|(_, revision)| revision)
     }
 
     /// The file of a name as an editor shows it; the document itself too.
     pub(crate) fn text(&self, name: &str) -> Option<FileText> {
         let own = self.own.analysis().is_some_and(|own| *own.whole().name == *name);
-        let open = self.open.iter().find(|(of, _)| **of == *name);
         let open = if own {
             Some(&self.own)
         } else {
-            open.map(|(_, it)| it)
+            let mut open = self.files().open.iter();
+            open.find(|(of, _)| **of == *name).map(|(_, revision)| revision)
         };
         if let Some(revision) = open {
             return Some(FileText {
@@ -93,17 +174,29 @@ impl Elsewhere {
                 encoding: self.own.encoding(),
             });
         }
-        let (path, file) = self.closed.iter().find(|(_, file)| *file.name == *name)?;
+        let mut closed = self.files().closed.iter();
+        if let Some((path, file)) = closed.find(|(_, file)| *file.name == *name) {
+            return Some(FileText {
+                uri: address::uri_of(path),
+                revision: None,
+                rope: Rope::from_str(&file.text),
+                encoding: self.own.encoding(),
+            });
+        }
+        let mut scenarios = self.scenarios.get()?.iter();
+        let found = scenarios.find(|it| *it.shown.name == *name)?;
+        let uri = found.revision.as_ref().map(|revision| revision.uri.to_string());
         Some(FileText {
-            uri: address::uri_of(path),
-            revision: None,
-            rope: Rope::from_str(&file.text),
+            uri: uri.unwrap_or_else(|| address::uri_of(&found.path)),
+            revision: found.revision.clone(),
+            rope: Rope::from_str(&found.text),
             encoding: self.own.encoding(),
         })
     }
 
     fn which(&self, wanted: impl Fn(&str, &dyn Fn() -> String) -> bool) -> Vec<Neighbour> {
-        let open = self.open.iter();
+        let files = self.files();
+        let open = files.open.iter();
         let open = open.filter(|(name, revision)| wanted(name, &|| revision.rope().to_string()));
         let mut found: Vec<Neighbour> = open
             .filter_map(|(_, revision)| {
@@ -111,10 +204,10 @@ impl Elsewhere {
                 Some(Neighbour::analysed(Arc::clone(analysis.whole())))
             })
             .collect();
-        let Some(exported) = &self.exported else {
+        let Some(exported) = &files.exported else {
             return found;
         };
-        let closed = self.closed.iter();
+        let closed = files.closed.iter();
         let closed = closed.filter(|(_, file)| wanted(&file.name, &|| file.text.clone()));
         found.extend(closed.map(|(_, file)| Neighbour::read(Arc::clone(&file.name), file.context(exported))));
         found
@@ -132,5 +225,9 @@ impl Workspace for Elsewhere {
 
     fn all(&self) -> Vec<Neighbour> {
         self.which(|_, _| true)
+    }
+
+    fn scenarios(&self) -> Vec<ScenarioFile> {
+        self.scenario_files().iter().map(|it| it.shown.clone()).collect()
     }
 }

@@ -156,6 +156,11 @@ impl Neighbours {
         state.root(a) == state.root(b)
     }
 
+    /// The folder of the workspace that a file belongs to.
+    pub(crate) fn folder_of(&self, path: &Path) -> PathBuf {
+        self.lock().root(path)
+    }
+
     /// The files on disk of a file's workspace, with what all of them show to each other. Those that are open are among
     /// them, as they were when they were last saved.
     pub(crate) fn on_disk(&self, path: &Path) -> (Vec<(PathBuf, Arc<OnDisk>)>, Arc<Exported>) {

@@ -168,6 +168,15 @@ impl Documents {
             .is_some_and(|document| document.revision.is(revision))
     }
 
+    /// Whether this is the text that the editor shows now, even if it is to be analysed anew because other files
+    /// have changed.
+    pub(crate) fn shows(&self, revision: &Revision) -> bool {
+        self.lock().documents.get(&*revision.uri).is_some_and(|document| {
+            let shown = &document.revision;
+            (shown.version, shown.opening) == (revision.version, revision.opening)
+        })
+    }
+
     /// The revision to analyse, for the one who may begin; `None` if the document is being analysed, in which
     /// case [`Documents::analysed`] hands the newest revision to whoever does.
     pub(crate) fn begin_analysis(&self, uri: &str) -> Option<Arc<Revision>> {
@@ -276,6 +285,17 @@ mod tests {
     }
 
     #[test]
+    fn a_text_that_is_looked_at_anew_is_the_same_text() {
+        let documents = Documents::default();
+        documents.open(URI, 1, Encoding::Utf16, "");
+        let old = documents.get(URI).unwrap();
+        assert!(documents.touch(URI));
+        assert!(!documents.is_current(&old) && documents.shows(&old));
+        documents.change(URI, 2, &insert_front("a")).unwrap();
+        assert!(!documents.shows(&old));
+    }
+
+    #[test]
     fn a_reopened_document_is_another_one() {
         let documents = Documents::default();
         documents.open(URI, 1, Encoding::Utf16, "");
@@ -287,6 +307,7 @@ mod tests {
             "same address, same version, another text"
         );
         assert!(documents.begin_analysis(URI).is_some());
+        assert!(!documents.shows(&old));
         assert!(
             documents.analysed(&old).is_none(),
             "and the old analysis does not go on with it"

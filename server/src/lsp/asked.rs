@@ -38,10 +38,9 @@ pub(super) async fn about<T: Send + 'static>(
     let Some(revision) = shared.documents.get(uri.as_str()) else {
         return Ok(None);
     };
-    let documents = Arc::clone(&shared.documents);
+    let elsewhere = Elsewhere::of(&revision, &shared.documents, &shared.companions);
     blocking(move |_| {
         let analysis = Arc::clone(revision.analysis()?.whole());
-        let elsewhere = Elsewhere::of(&revision, &documents);
         job(&Asked {
             revision,
             analysis,

@@ -89,7 +89,7 @@ async fn current(
     };
     let of = revision.clone();
     let edits = blocking(move |_| Some(convert::edits(&of, &job(&of)?))).await?;
-    if !shared.documents.is_current(&revision) {
+    if !shared.documents.shows(&revision) {
         return Err(Error::content_modified());
     }
     Ok(edits)

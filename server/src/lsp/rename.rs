@@ -56,11 +56,8 @@ pub(super) async fn rename(shared: &Arc<Shared>, params: RenameParams) -> Result
         None => return Ok(None),
     };
     // Edits of a text that has moved on would tear it.
-    let open = changes.iter().filter_map(|(_, revision, _)| revision.as_ref());
-    if open
-        .into_iter()
-        .any(|revision| !shared.documents.is_current(revision))
-    {
+    let mut open = changes.iter().filter_map(|(_, revision, _)| revision.as_ref());
+    if open.any(|it| !shared.documents.shows(it) && !shared.companions.shows(it)) {
         return Err(Error::content_modified());
     }
     Ok(Some(workspace_edit(shared.agreed().versioned_edits, changes)))

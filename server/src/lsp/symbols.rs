@@ -41,7 +41,7 @@ pub(super) async fn symbols(
     shared: &Arc<Shared>,
     params: WorkspaceSymbolParams,
 ) -> Result<Option<WorkspaceSymbolResponse>> {
-    let documents = Arc::clone(&shared.documents);
+    let (documents, companions) = (Arc::clone(&shared.documents), Arc::clone(&shared.companions));
     blocking(move |cancel| {
         let mut found = Vec::new();
         let mut seen: HashSet<Arc<str>> = HashSet::new();
@@ -49,7 +49,7 @@ pub(super) async fn symbols(
             if cancel.is_cancelled() {
                 break;
             }
-            let elsewhere = Elsewhere::of(&revision, &documents);
+            let elsewhere = Elsewhere::of(&revision, &documents, &companions);
             if seen.contains(&revision.uri) {
                 continue;
             }

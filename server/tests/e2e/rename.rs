@@ -140,3 +140,34 @@ async fn while_a_person_types() {
     assert_eq!(edits, Ok(json!([])));
     client.finish().await;
 }
+
+#[tokio::test]
+async fn scenarios_follow_open_or_not() {
+    let tests = "program main.clad\nstep 100ms\n\nscenario \"one\"\ny => _-\n";
+    let plant = Plant::with(&[
+        ("main.clad", MAIN),
+        ("a.ladder-test", tests),
+        ("b.ladder-test", tests),
+    ]);
+    let (main, a) = (plant.uri("main.clad"), plant.uri("a.ladder-test"));
+    let mut client = Client::new().await;
+    client.open_as(&main, 1, MAIN).await;
+    let shown = tests.replace("_-", "_--");
+    let document = json!({"uri": a, "languageId": "ladder-test", "version": 4, "text": shown});
+    client
+        .notify("textDocument/didOpen", json!({"textDocument": document}))
+        .await;
+    let edit = rename(&mut client, &main, (0, 44), "lamp").await.unwrap();
+    let changes = edit["documentChanges"].as_array().unwrap();
+    assert_eq!(changes.len(), 3, "{edit}");
+    assert_eq!(changes[1]["textDocument"], json!({"uri": a, "version": 4}));
+    assert_eq!(
+        edited(&shown, &changes[1]["edits"]),
+        shown.replace("y =>", "lamp =>")
+    );
+    assert_eq!(
+        edited(tests, &changes[2]["edits"]),
+        tests.replace("y =>", "lamp =>")
+    );
+    client.finish().await;
+}
