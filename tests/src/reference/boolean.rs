@@ -33,6 +33,8 @@ pub struct Boolean {
     pub tags: BTreeMap<String, bool>,
     /// The ENO of every block in the order of the text, of the last scan.
     pub power: Vec<bool>,
+    /// The EN of every block likewise.
+    pub enabled: Vec<bool>,
 }
 
 impl Boolean {
@@ -58,14 +60,17 @@ impl Boolean {
             networks,
             tags,
             power: Vec::new(),
+            enabled: Vec::new(),
         }
     }
 
     /// Runs one scan.
     pub fn scan(&mut self) {
         self.power.clear();
+        self.enabled.clear();
         for (rungs, blocks) in &self.networks {
             let mut power = vec![false; blocks.len()];
+            let mut given = vec![false; blocks.len()];
             let tags = &mut self.tags;
             evaluate(rungs, &mut |block, enabled| {
                 let (kind, tag) = &blocks[block];
@@ -83,9 +88,11 @@ impl Boolean {
                     *tag = after;
                 }
                 power[block] = passed;
+                given[block] = enabled;
                 passed
             });
             self.power.extend(power);
+            self.enabled.extend(given);
         }
     }
 }
