@@ -49,6 +49,7 @@ pub mod types;
 pub mod user_block;
 mod uses;
 pub mod value;
+mod verdict;
 
 pub use analyze::{Analysis, analyze, analyze_after, analyze_in, analyze_with};
 pub use boolean::formula::{Formulas, formulas};

@@ -4,7 +4,7 @@
 use crate::facts::{self, BlockFacts, Head};
 use crate::known_blocks::KnownBlocks;
 use crate::order::{Order, order};
-use crate::resolve::Verdict;
+use crate::verdict::Verdict;
 use ladder_instructions::{Accepts, Instruction, Op, Operand, lookup};
 use ladder_syntax::wiring::{PartKind, Wiring, wiring};
 use ladder_syntax::{Name, Network, Parse, Place, SyntaxError, SyntaxErrorKind, TextRange, TextSize};

@@ -10,11 +10,11 @@ pub(crate) mod numbers;
 mod place;
 mod tags;
 mod times;
-mod verdict;
+mod unchanged;
 
 pub use argument::in_class;
 pub use expression::is_function;
-pub(crate) use verdict::{Verdict, check_all};
+pub(crate) use unchanged::check_all;
 
 use crate::context::{Body, Callee, Context};
 use crate::diagnostic::Diagnostic;

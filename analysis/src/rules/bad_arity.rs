@@ -3,7 +3,7 @@
 use super::{missing_wire, wrong_shape};
 use crate::context::Context;
 use crate::diagnostic::{Diagnostic, Fix};
-use crate::network::{BoundBlock, Formal, Meaning};
+use crate::network::{BoundBlock, Formal, Meaning, NetworkFacts};
 use crate::program::ParameterKind;
 use crate::rule::Rule;
 use crate::user_block::UserBlockFacts;
@@ -11,24 +11,21 @@ use ladder_format::Edit;
 use ladder_instructions::{Accepts, Instruction, Operand};
 use ladder_syntax::TextRange;
 
-pub(crate) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
-    for network in &context.networks {
-        for (index, bound) in network.blocks.iter().enumerate() {
-            if bound.faulty {
-                continue;
-            }
-            match bound.meaning {
-                Meaning::Instruction(row) => {
-                    if !row.takes(bound.positional_count()) && !missing_wire::takes_next_head(network, index)
-                    {
-                        out.extend(instruction(context, bound, row));
-                    }
-                }
-                Meaning::User(block) => user_block(context, bound, block, out),
-                Meaning::Unknown | Meaning::UnknownUser => continue,
-            }
-            given_twice(bound, out);
+pub(crate) fn check(context: &Context, network: &NetworkFacts, out: &mut Vec<Diagnostic>) {
+    for (index, bound) in network.blocks.iter().enumerate() {
+        if bound.faulty {
+            continue;
         }
+        match bound.meaning {
+            Meaning::Instruction(row) => {
+                if !row.takes(bound.positional_count()) && !missing_wire::takes_next_head(network, index) {
+                    out.extend(instruction(context, bound, row));
+                }
+            }
+            Meaning::User(block) => user_block(context, bound, block, out),
+            Meaning::Unknown | Meaning::UnknownUser => continue,
+        }
+        given_twice(bound, out);
     }
 }
 

@@ -4,14 +4,14 @@ use super::did_you_mean;
 use crate::context::Context;
 use crate::diagnostic::Diagnostic;
 use crate::facts::{OperandFacts, Word};
-use crate::network::{BoundBlock, Formal, Meaning};
+use crate::network::{BoundBlock, Formal, Meaning, NetworkFacts};
 use crate::program::ParameterKind;
 use crate::rule::Rule;
 use ladder_instructions::{Direction, Presence, StateType};
 use ladder_syntax::{OperandPlace, TextRange};
 
-pub(crate) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
-    for bound in context.networks.iter().flat_map(|network| &network.blocks) {
+pub(crate) fn check(context: &Context, network: &NetworkFacts, out: &mut Vec<Diagnostic>) {
+    for bound in &network.blocks {
         if bound.faulty {
             continue;
         }

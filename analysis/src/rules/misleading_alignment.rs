@@ -8,13 +8,14 @@ use crate::rule::Rule;
 use ladder_syntax::TextRange;
 use ladder_syntax::wiring::{PartKind, Point};
 
-pub(crate) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
-    for network in context.networks.iter().filter(|network| !network.broken) {
-        for points in network.wiring.points.chunk_by(|a, b| a.upper == b.upper) {
-            // With one pair there is nothing to mistake it for; and nearly every drawing is straight.
-            if points.len() > 1 && points.iter().any(|point| !is_straight(network, point)) {
-                out.extend(misleading(context, network, points));
-            }
+pub(crate) fn check(context: &Context, network: &NetworkFacts, out: &mut Vec<Diagnostic>) {
+    if network.broken {
+        return;
+    }
+    for points in network.wiring.points.chunk_by(|a, b| a.upper == b.upper) {
+        // With one pair there is nothing to mistake it for; and nearly every drawing is straight.
+        if points.len() > 1 && points.iter().any(|point| !is_straight(network, point)) {
+            out.extend(misleading(context, network, points));
         }
     }
 }

@@ -2,65 +2,62 @@
 
 use crate::context::Context;
 use crate::diagnostic::Diagnostic;
-use crate::network::breaks_drawing;
+use crate::network::{NetworkFacts, breaks_drawing};
 use crate::rule::Rule;
 use ladder_syntax::TextRange;
 use ladder_syntax::wiring::{Part, PartKind};
 
-pub(crate) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
-    for network in &context.networks {
-        for (rung, drawing) in network.wiring.rungs.iter().enumerate() {
-            let is_stray = |part: &Part| matches!(part.kind, PartKind::StrayRail | PartKind::StrayBar);
-            let line = &context.parse.lines()[network.line(rung)];
-            if !drawing.parts.iter().any(is_stray) || line.errors.iter().any(breaks_drawing) {
+pub(crate) fn check(context: &Context, network: &NetworkFacts, out: &mut Vec<Diagnostic>) {
+    for (rung, drawing) in network.wiring.rungs.iter().enumerate() {
+        let is_stray = |part: &Part| matches!(part.kind, PartKind::StrayRail | PartKind::StrayBar);
+        let line = &context.parse.lines()[network.line(rung)];
+        if !drawing.parts.iter().any(is_stray) || line.errors.iter().any(breaks_drawing) {
+            continue;
+        }
+        for (index, part) in drawing.parts.iter().enumerate() {
+            let (message, help) = match part.kind {
+                PartKind::StrayRail => (
+                    "`+` stands in the middle of a line",
+                    "`+` is where a line leaves the left rail or ends at the right rail; lines are joined with \\ and /",
+                ),
+                PartKind::StrayBar => (
+                    "`|` cuts the wire",
+                    "`|` only draws the rails and verticals; lines are joined with \\ and /",
+                ),
+                _ => continue,
+            };
+            let range = network.part_range(&context.parse, rung, index);
+            let right = index > 0 && drawing.parts[index - 1].kind == PartKind::StrayRail && !part.touches;
+            if part.kind == PartKind::StrayRail && right {
+                // Said with the `+` before it.
                 continue;
             }
-            for (index, part) in drawing.parts.iter().enumerate() {
-                let (message, help) = match part.kind {
-                    PartKind::StrayRail => (
-                        "`+` stands in the middle of a line",
-                        "`+` is where a line leaves the left rail or ends at the right rail; lines are joined with \\ and /",
-                    ),
-                    PartKind::StrayBar => (
-                        "`|` cuts the wire",
-                        "`|` only draws the rails and verticals; lines are joined with \\ and /",
-                    ),
-                    _ => continue,
-                };
-                let range = network.part_range(&context.parse, rung, index);
-                let right =
-                    index > 0 && drawing.parts[index - 1].kind == PartKind::StrayRail && !part.touches;
-                if part.kind == PartKind::StrayRail && right {
-                    // Said with the `+` before it.
-                    continue;
-                }
-                if let Some(next) = drawing.parts.get(index + 1)
-                    && part.kind == PartKind::StrayRail
-                    && next.kind == PartKind::StrayRail
-                    && !next.touches
-                {
-                    let next = network.part_range(&context.parse, rung, index + 1);
-                    out.push(
-                        Diagnostic::new(
-                            Rule::MisplacedRail,
-                            range.cover(next),
-                            "a second rung begins on this line",
-                        )
-                        .help("each rung stands on a line of its own")
-                        .fix(
-                            "Break the line",
-                            TextRange::new(range.end(), next.start()),
-                            "\n",
-                        ),
-                    );
-                    continue;
-                }
+            if let Some(next) = drawing.parts.get(index + 1)
+                && part.kind == PartKind::StrayRail
+                && next.kind == PartKind::StrayRail
+                && !next.touches
+            {
+                let next = network.part_range(&context.parse, rung, index + 1);
                 out.push(
-                    Diagnostic::new(Rule::MisplacedRail, range, message)
-                        .help(help)
-                        .fix("Replace with wire", range, "-"),
+                    Diagnostic::new(
+                        Rule::MisplacedRail,
+                        range.cover(next),
+                        "a second rung begins on this line",
+                    )
+                    .help("each rung stands on a line of its own")
+                    .fix(
+                        "Break the line",
+                        TextRange::new(range.end(), next.start()),
+                        "\n",
+                    ),
                 );
+                continue;
             }
+            out.push(
+                Diagnostic::new(Rule::MisplacedRail, range, message)
+                    .help(help)
+                    .fix("Replace with wire", range, "-"),
+            );
         }
     }
 }

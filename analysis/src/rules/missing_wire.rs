@@ -9,52 +9,47 @@ use ladder_instructions::{Shape, lookup};
 use ladder_syntax::wiring::PartKind;
 use ladder_syntax::{TextRange, TextSize};
 
-pub(crate) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
-    for network in &context.networks {
-        // Blocks stand in the order of the rungs and parts, so one index follows them.
-        let mut block = 0;
-        for (rung, drawing) in network.wiring.rungs.iter().enumerate() {
-            let line = network.line(rung);
-            let start = context.parse.line_start(line);
-            // Where a bracket is missing, two blocks touch because of that.
-            let misread = context.parse.lines()[line].errors.iter().any(breaks_drawing);
-            for (index, part) in drawing.parts.iter().enumerate() {
-                let is_block = part.kind == PartKind::Block;
-                block += usize::from(is_block);
-                let Some(before) = index.checked_sub(1).filter(|_| part.touches) else {
-                    continue;
-                };
-                let before = &drawing.parts[before];
-                let connects = |kind| {
-                    matches!(
-                        kind,
-                        PartKind::Down | PartKind::Up | PartKind::LeftRail | PartKind::RightRail
-                    )
-                };
-                let lacks_wire = match before.kind {
-                    PartKind::Block => is_block || connects(part.kind),
-                    kind => is_block && connects(kind),
-                };
-                // A connector without its partner is the greater mistake.
-                let is_unpaired = |part| network.wiring.unpaired.binary_search(&(rung, part)).is_ok();
-                if !lacks_wire || misread || is_unpaired(index) || is_unpaired(index - 1) {
-                    continue;
-                }
-                let seam = TextRange::new(before.range.end(), part.range.start()) + start;
-                if is_block
-                    && before.kind == PartKind::Block
-                    && block >= 2
-                    && takes_next_head(network, block - 2)
-                {
-                    out.push(took_head(network, block - 2));
-                    continue;
-                }
-                out.push(
-                    Diagnostic::new(Rule::MissingWire, around(seam), message(before.kind, part.kind))
-                        .help("draw a `-` between them")
-                        .fix("Insert wire", seam, "--"),
-                );
+pub(crate) fn check(context: &Context, network: &NetworkFacts, out: &mut Vec<Diagnostic>) {
+    // Blocks stand in the order of the rungs and parts, so one index follows them.
+    let mut block = 0;
+    for (rung, drawing) in network.wiring.rungs.iter().enumerate() {
+        let line = network.line(rung);
+        let start = context.parse.line_start(line);
+        // Where a bracket is missing, two blocks touch because of that.
+        let misread = context.parse.lines()[line].errors.iter().any(breaks_drawing);
+        for (index, part) in drawing.parts.iter().enumerate() {
+            let is_block = part.kind == PartKind::Block;
+            block += usize::from(is_block);
+            let Some(before) = index.checked_sub(1).filter(|_| part.touches) else {
+                continue;
+            };
+            let before = &drawing.parts[before];
+            let connects = |kind| {
+                matches!(
+                    kind,
+                    PartKind::Down | PartKind::Up | PartKind::LeftRail | PartKind::RightRail
+                )
+            };
+            let lacks_wire = match before.kind {
+                PartKind::Block => is_block || connects(part.kind),
+                kind => is_block && connects(kind),
+            };
+            // A connector without its partner is the greater mistake.
+            let is_unpaired = |part| network.wiring.unpaired.binary_search(&(rung, part)).is_ok();
+            if !lacks_wire || misread || is_unpaired(index) || is_unpaired(index - 1) {
+                continue;
             }
+            let seam = TextRange::new(before.range.end(), part.range.start()) + start;
+            if is_block && before.kind == PartKind::Block && block >= 2 && takes_next_head(network, block - 2)
+            {
+                out.push(took_head(network, block - 2));
+                continue;
+            }
+            out.push(
+                Diagnostic::new(Rule::MissingWire, around(seam), message(before.kind, part.kind))
+                    .help("draw a `-` between them")
+                    .fix("Insert wire", seam, "--"),
+            );
         }
     }
 }

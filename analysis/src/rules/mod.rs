@@ -80,32 +80,39 @@ mod wrong_shape;
 
 use crate::context::Context;
 use crate::diagnostic::Diagnostic;
+use crate::network::NetworkFacts;
 use crate::rule::Rule;
 use crate::rule_settings::RuleSettings;
 use survey::Survey;
 
-type Check = fn(&Context, &mut Vec<Diagnostic>);
+type NetworkCheck = fn(&Context, &NetworkFacts, &mut Vec<Diagnostic>);
 
-/// Every rule that looks at the whole context.
-const CHECKS: &[Check] = &[
+/// The rules that look at a network by itself: its drawing and the form of its blocks.
+const OF_NETWORKS: &[NetworkCheck] = &[
     missing_wire::check,
     misplaced_rail::check,
     unpaired_connector::check,
     misleading_alignment::check,
     unknown_instruction::check,
+    unknown_block::check,
     bad_arity::check,
     bad_operand::check,
+    wrong_place::check,
+    open_wire::check,
+    no_output::check,
+];
+
+type Check = fn(&Context, &mut Vec<Diagnostic>);
+
+/// Every rule that looks at the whole context.
+const CHECKS: &[Check] = &[
     undeclared_tag::check,
     duplicate_timer::check,
     duplicate_label::check,
     duplicate_function::check,
     unknown_label::check,
-    unknown_block::check,
     duplicate_block::check,
     recursive_block::check,
-    wrong_place::check,
-    open_wire::check,
-    no_output::check,
     double_coil::check,
     overlapping_address::check,
     commented_out_rung::check,
@@ -128,8 +135,27 @@ const SURVEYED: &[SurveyedCheck] = &[
     unused_label::check,
 ];
 
+/// Looks at each network by itself, but for those that an earlier text had as well and nothing was found in.
+fn of_networks(context: &Context, out: &mut Vec<Diagnostic>) {
+    for network in &context.networks {
+        // Elsewhere the definition of a block, or what surrounds the network, has a say.
+        let by_itself = network.names_tags_only && !network.broken && network.scope == 0;
+        if by_itself && network.verdict.is_well_formed() {
+            continue;
+        }
+        let found = out.len();
+        for check in OF_NETWORKS {
+            check(context, network, out);
+        }
+        if by_itself && out.len() == found {
+            network.verdict.well_formed();
+        }
+    }
+}
+
 /// Runs them.
 pub(crate) fn check(context: &Context, settings: &RuleSettings, out: &mut Vec<Diagnostic>) {
+    of_networks(context, out);
     for check in CHECKS {
         check(context, out);
     }

@@ -8,25 +8,25 @@ use ladder_instructions::{Op, Role};
 use ladder_syntax::TextRange;
 use ladder_syntax::wiring::PartKind;
 
-pub(crate) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
-    for network in context.networks.iter().filter(|network| !network.broken) {
-        if network.blocks.iter().any(may_act) {
-            continue;
-        }
-        let Some(range) = first_rung(context, network) else {
-            continue;
-        };
-        let found = Diagnostic::new(
-            Rule::NoOutput,
-            range,
-            "this network does nothing: no block in it acts",
-        );
-        out.push(if network.blocks.is_empty() {
-            found.help("put blocks onto the wire, or remove the line")
-        } else {
-            found.help("its contacts only pass power on: end it with a coil or another block that acts, or remove it")
-        });
+pub(crate) fn check(context: &Context, network: &NetworkFacts, out: &mut Vec<Diagnostic>) {
+    if network.broken || network.blocks.iter().any(may_act) {
+        return;
     }
+    let Some(range) = first_rung(context, network) else {
+        return;
+    };
+    let found = Diagnostic::new(
+        Rule::NoOutput,
+        range,
+        "this network does nothing: no block in it acts",
+    );
+    out.push(if network.blocks.is_empty() {
+        found.help("put blocks onto the wire, or remove the line")
+    } else {
+        found.help(
+            "its contacts only pass power on: end it with a coil or another block that acts, or remove it",
+        )
+    });
 }
 
 /// The drawing of the first rung, without the comments at its ends.

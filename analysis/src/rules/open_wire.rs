@@ -13,25 +13,25 @@ use ladder_format::Edit;
 use ladder_syntax::wiring::{Part, PartKind, Segment};
 use ladder_syntax::{TextRange, TextSize};
 
-pub(crate) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
-    let mut live = Vec::new();
-    for network in context.networks.iter().filter(|network| !network.broken) {
-        live_steps(network, &mut live);
-        if network.order.elements.iter().all(|&(_, _, step, _)| live[step]) {
-            continue;
-        }
-        let reach = Reach::new(context, network, &live);
-        for rung in 0..network.wiring.rungs.len() {
-            for segment in 0..network.wiring.rungs[rung].segments.len() {
-                out.extend(reach.lost_at(rung, segment));
-            }
+pub(crate) fn check(context: &Context, network: &NetworkFacts, out: &mut Vec<Diagnostic>) {
+    if network.broken {
+        return;
+    }
+    let live = live_steps(network);
+    if network.order.elements.iter().all(|&(_, _, step, _)| live[step]) {
+        return;
+    }
+    let reach = Reach::new(context, network, &live);
+    for rung in 0..network.wiring.rungs.len() {
+        for segment in 0..network.wiring.rungs[rung].segments.len() {
+            out.extend(reach.lost_at(rung, segment));
         }
     }
 }
 
 /// For each step whether power can come there.
-fn live_steps(network: &NetworkFacts, live: &mut Vec<bool>) {
-    live.clear();
+fn live_steps(network: &NetworkFacts) -> Vec<bool> {
+    let mut live = Vec::with_capacity(network.order.steps.len());
     for step in &network.order.steps {
         live.push(match *step {
             Step::Start { rail } => rail,
@@ -39,6 +39,7 @@ fn live_steps(network: &NetworkFacts, live: &mut Vec<bool>) {
             Step::Join { upper, lower } => live[upper] || live[lower],
         });
     }
+    live
 }
 
 struct Reach<'c> {

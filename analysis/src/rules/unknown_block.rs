@@ -3,12 +3,12 @@
 use super::did_you_mean;
 use crate::context::Context;
 use crate::diagnostic::Diagnostic;
-use crate::network::{BoundBlock, Meaning};
+use crate::network::{BoundBlock, Meaning, NetworkFacts};
 use crate::rule::Rule;
 use ladder_syntax::Name;
 
-pub(crate) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
-    for bound in context.networks.iter().flat_map(|network| &network.blocks) {
+pub(crate) fn check(context: &Context, network: &NetworkFacts, out: &mut Vec<Diagnostic>) {
+    for bound in &network.blocks {
         if matches!(bound.meaning, Meaning::UnknownUser) && !bound.faulty {
             out.push(unknown(context, bound));
         }

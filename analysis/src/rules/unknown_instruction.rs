@@ -9,21 +9,19 @@ use crate::rule::Rule;
 use ladder_instructions::{Shape, closest};
 use ladder_syntax::{Name, is_identifier};
 
-pub(crate) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
-    for network in &context.networks {
-        for (index, bound) in network.blocks.iter().enumerate() {
-            if !matches!(bound.meaning, Meaning::Unknown) || bound.faulty {
-                continue;
-            }
-            let before = index.checked_sub(1);
-            if before.is_some_and(|before| missing_wire::takes_next_head(network, before)) {
-                continue;
-            }
-            out.push(match wrong_shape::elsewhere(bound) {
-                Some(row) => wrong_shape::brackets(context, bound, row),
-                None => unknown(context, network, bound),
-            });
+pub(crate) fn check(context: &Context, network: &NetworkFacts, out: &mut Vec<Diagnostic>) {
+    for (index, bound) in network.blocks.iter().enumerate() {
+        if !matches!(bound.meaning, Meaning::Unknown) || bound.faulty {
+            continue;
         }
+        let before = index.checked_sub(1);
+        if before.is_some_and(|before| missing_wire::takes_next_head(network, before)) {
+            continue;
+        }
+        out.push(match wrong_shape::elsewhere(bound) {
+            Some(row) => wrong_shape::brackets(context, bound, row),
+            None => unknown(context, network, bound),
+        });
     }
 }
 

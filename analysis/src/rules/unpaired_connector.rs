@@ -3,7 +3,7 @@
 use crate::context::{Context, rung_above, rung_below};
 use crate::diagnostic::Diagnostic;
 use crate::excerpt::{columns, nth, trimmed_line};
-use crate::network::breaks_drawing;
+use crate::network::{NetworkFacts, breaks_drawing};
 use crate::rule::Rule;
 use ladder_syntax::wiring::{self, PartKind, Rung};
 use ladder_syntax::{Parse, TextRange, TextSize};
@@ -11,18 +11,16 @@ use ladder_syntax::{Parse, TextRange, TextSize};
 /// How many connectors of one line are told: whoever draws more of them without partners knows.
 const MOST: usize = 10;
 
-pub(crate) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
-    for network in context.networks.iter().filter(|n| !n.wiring.unpaired.is_empty()) {
-        let wiring = &network.wiring;
-        for of_rung in wiring.unpaired.chunk_by(|a, b| a.0 == b.0) {
-            let rung = of_rung[0].0;
-            for kind in [PartKind::Up, PartKind::Down] {
-                if of_rung
-                    .iter()
-                    .any(|&(_, part)| wiring.rungs[rung].parts[part].kind == kind)
-                {
-                    unpaired(context, network.line(rung), kind, out);
-                }
+pub(crate) fn check(context: &Context, network: &NetworkFacts, out: &mut Vec<Diagnostic>) {
+    let wiring = &network.wiring;
+    for of_rung in wiring.unpaired.chunk_by(|a, b| a.0 == b.0) {
+        let rung = of_rung[0].0;
+        for kind in [PartKind::Up, PartKind::Down] {
+            if of_rung
+                .iter()
+                .any(|&(_, part)| wiring.rungs[rung].parts[part].kind == kind)
+            {
+                unpaired(context, network.line(rung), kind, out);
             }
         }
     }

@@ -2,47 +2,45 @@
 
 use crate::context::Context;
 use crate::diagnostic::Diagnostic;
-use crate::network::BoundBlock;
+use crate::network::{BoundBlock, NetworkFacts};
 use crate::rule::Rule;
 use ladder_instructions::{Op, Shape};
 
-pub(crate) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
-    for network in &context.networks {
-        let body = network
-            .scope
-            .checked_sub(1)
-            .map(|block| &context.user_blocks[block]);
-        let mut functions = 0;
-        for bound in &network.blocks {
-            match (bound.op(), body) {
-                (Some(Op::End), Some(block)) if block.shape != Shape::Function => out.push(
-                    wrong(
+pub(crate) fn check(context: &Context, network: &NetworkFacts, out: &mut Vec<Diagnostic>) {
+    let body = network
+        .scope
+        .checked_sub(1)
+        .map(|block| &context.user_blocks[block]);
+    let mut functions = 0;
+    for bound in &network.blocks {
+        match (bound.op(), body) {
+            (Some(Op::End), Some(block)) if block.shape != Shape::Function => out.push(
+                wrong(
+                    bound,
+                    "<END> cannot stand in this block",
+                    "<RET> ends the body of the block",
+                )
+                .related(block.at, "this is the block"),
+            ),
+            (Some(Op::Fun), Some(block)) => out.push(
+                wrong(
+                    bound,
+                    "<FUN> cannot stand in this block",
+                    "write the function in the program, or in the body of a <$B> block",
+                )
+                .related(block.at, "this is the block"),
+            ),
+            (Some(Op::Fun), None) => {
+                functions += 1;
+                if functions > 1 {
+                    out.push(wrong(
                         bound,
-                        "<END> cannot stand in this block",
-                        "<RET> ends the body of the block",
-                    )
-                    .related(block.at, "this is the block"),
-                ),
-                (Some(Op::Fun), Some(block)) => out.push(
-                    wrong(
-                        bound,
-                        "<FUN> cannot stand in this block",
-                        "write the function in the program, or in the body of a <$B> block",
-                    )
-                    .related(block.at, "this is the block"),
-                ),
-                (Some(Op::Fun), None) => {
-                    functions += 1;
-                    if functions > 1 {
-                        out.push(wrong(
-                            bound,
-                            "this network begins two functions",
-                            "give each function a network of its own to begin with",
-                        ));
-                    }
+                        "this network begins two functions",
+                        "give each function a network of its own to begin with",
+                    ));
                 }
-                _ => {}
             }
+            _ => {}
         }
     }
 }

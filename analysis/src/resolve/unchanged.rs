@@ -7,18 +7,6 @@ use crate::scope::{Origin, TagFacts};
 use ladder_syntax::TextRange;
 use rustc_hash::FxHasher;
 use std::hash::{Hash, Hasher};
-use std::sync::atomic::{AtomicU64, Ordering};
-
-/// For which types of its tags a network was found to be without mistakes. It goes with the network from one text to
-/// the next; what it says is never needed, only saves looking.
-#[derive(Debug, Default)]
-pub(crate) struct Verdict(AtomicU64);
-
-impl Clone for Verdict {
-    fn clone(&self) -> Verdict {
-        Verdict(AtomicU64::new(self.0.load(Ordering::Relaxed)))
-    }
-}
 
 /// Resolves all networks for the sake of their mistakes, which go to `out`. Gives the first block that could not be
 /// resolved whole.
@@ -26,15 +14,15 @@ pub(crate) fn check_all(context: &Context, out: &mut Vec<Diagnostic>) -> Option<
     let types = types(context);
     let mut unresolved = None;
     for (index, network) in context.networks.iter().enumerate() {
-        // A verdict begins with 0.
+        // Never 0.
         let types = types[index] | 1;
-        if network.names_tags_only && network.verdict.0.load(Ordering::Relaxed) == types {
+        if network.names_tags_only && network.verdict.is_well_typed(types) {
             continue;
         }
         let found = out.len();
         let here = check(context, index, out);
         if out.len() == found && here.is_none() {
-            network.verdict.0.store(types, Ordering::Relaxed);
+            network.verdict.well_typed(types);
         }
         unresolved = unresolved.or(here);
     }
