@@ -43,7 +43,8 @@ pub struct Context {
     pub bodies: Vec<Body>,
     /// The other files of the workspace.
     pub others: Others,
-    line_index: OnceLock<LineIndex>,
+    /// For each logical line how many physical lines end above it.
+    line_ends_above: OnceLock<Vec<u32>>,
     /// The labels of each body by name, in the order of the text.
     labels_by_name: HashMap<(Body, Name), Vec<usize>>,
     functions_by_name: HashMap<Name, usize>,
@@ -98,10 +99,25 @@ pub struct LabelFacts {
 impl Context {
     /// The physical line of an offset, from 1: what messages name.
     pub fn line_number(&self, offset: TextSize) -> usize {
-        self.line_index
-            .get_or_init(|| LineIndex::new(&self.parse.to_string()))
-            .line(offset)
-            + 1
+        let Some(line) = self.parse.line_at(offset) else {
+            return 1;
+        };
+        let above = self.line_ends_above.get_or_init(|| {
+            let mut above = Vec::with_capacity(self.parse.lines().len());
+            let mut sum = 0;
+            for line in self.parse.lines() {
+                above.push(sum);
+                sum += line.line_ends;
+            }
+            above
+        });
+        let mut number = above[line] as usize + 1;
+        if self.parse.lines()[line].line_ends > 0 {
+            let within = usize::from(offset - self.parse.line_start(line));
+            let text = self.parse.lines()[line].green().to_string();
+            number += LineIndex::new(&text).line(TextSize::new(within as u32));
+        }
+        number
     }
 
     /// The tags of all scopes, each once.
@@ -212,7 +228,7 @@ pub(crate) fn skeleton(
         functions: Vec::new(),
         labels: Vec::new(),
         bodies: Vec::new(),
-        line_index: OnceLock::new(),
+        line_ends_above: OnceLock::new(),
         labels_by_name: HashMap::new(),
         functions_by_name: HashMap::new(),
     };

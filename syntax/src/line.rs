@@ -79,6 +79,8 @@ pub struct Line<N = GreenNode> {
     pub len: u32,
     /// Its mistakes, counted from its start.
     pub errors: Vec<SyntaxError>,
+    /// How many physical lines end on it: none, one, or more where a comment or a declaration spans them.
+    pub line_ends: u32,
     /// Whether a line end is its last token. Else another line begins on the same physical line, or the text
     /// ends.
     pub(crate) has_line_end: bool,

@@ -18,16 +18,17 @@ pub struct LineIndex {
     len: u32,
 }
 
+/// The last byte of each line end.
+pub(crate) fn line_ends(text: &[u8]) -> impl Iterator<Item = usize> + '_ {
+    memchr::memchr2_iter(b'\n', b'\r', text)
+        .filter(|&at| text[at] == b'\n' || text.get(at + 1) != Some(&b'\n'))
+}
+
 impl LineIndex {
     /// The index of a text.
     pub fn new(text: &str) -> LineIndex {
-        let bytes = text.as_bytes();
         let mut starts = vec![0];
-        starts.extend(
-            memchr::memchr2_iter(b'\n', b'\r', bytes)
-                .filter(|&at| bytes[at] == b'\n' || bytes.get(at + 1) != Some(&b'\n'))
-                .map(|at| at as u32 + 1),
-        );
+        starts.extend(line_ends(text.as_bytes()).map(|at| at as u32 + 1));
         LineIndex {
             starts,
             len: text.len() as u32,

@@ -1,6 +1,6 @@
 //! Names: two spellings that mean one thing.
 
-use smol_str::{SmolStr, StrExt};
+use smol_str::SmolStr;
 use unicode_normalization::{UnicodeNormalization, is_nfc_quick};
 
 /// A name as it is compared: NFC, then simple case folding (LANGUAGE §1). How a person wrote it is kept elsewhere.
@@ -11,7 +11,7 @@ impl Name {
     /// The name that `text` spells.
     pub fn new(text: &str) -> Name {
         if text.is_ascii() {
-            return Name(text.to_ascii_lowercase_smolstr());
+            return Name(lower(text));
         }
         let normal = if is_nfc_quick(text.chars()) == unicode_normalization::IsNormalized::Yes {
             text.to_owned()
@@ -26,6 +26,21 @@ impl Name {
     pub fn as_str(&self) -> &str {
         &self.0
     }
+}
+
+/// The longest text that a `SmolStr` holds in itself.
+const INLINE: usize = 23;
+
+/// An ASCII text in small letters. Names are made at every operand of every check: the usual short one is written
+/// without a detour over characters.
+fn lower(text: &str) -> SmolStr {
+    let mut buffer = [0; INLINE];
+    let Some(short) = buffer.get_mut(..text.len()) else {
+        return text.to_ascii_lowercase().into();
+    };
+    short.copy_from_slice(text.as_bytes());
+    short.make_ascii_lowercase();
+    std::str::from_utf8(short).map_or_else(|_| text.to_ascii_lowercase().into(), SmolStr::new)
 }
 
 /// Simple case folding: one character to one, by Unicode's table.

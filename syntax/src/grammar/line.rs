@@ -5,6 +5,7 @@ use super::{Parser, block, declaration};
 use crate::builder::Builder;
 use crate::lexer;
 use crate::line::{Line, LineKind, Mode};
+use crate::line_index::line_ends;
 use crate::{DeclarationProblem, Place, SyntaxErrorKind, SyntaxKind};
 use rowan::TextSize;
 
@@ -38,6 +39,7 @@ pub(crate) fn line<B: Builder>(text: &str, start: usize, entry: Entry, builder: 
         downs: marks.downs,
         ups: marks.ups,
         len: (p.at - start) as u32,
+        line_ends: line_ends(&text.as_bytes()[start..p.at]).count() as u32,
         has_line_end: matches!(text.as_bytes()[p.at - 1], b'\n' | b'\r'),
         node: p.builder.finish_line(kind.syntax_kind()),
         errors: p.errors,
