@@ -245,6 +245,18 @@ impl Typing {
         (0..count).map(request).collect()
     }
 
+    /// Time of the processor that the server has taken, in all its threads: what else the machine does is not in it.
+    /// Linux only.
+    fn processor_time(&self) -> Option<Duration> {
+        let tasks = std::fs::read_dir(format!("/proc/{}/task", self.server.child.id())).ok()?;
+        let of = |task: std::fs::DirEntry| {
+            let stat = std::fs::read_to_string(task.path().join("schedstat")).ok()?;
+            stat.split_whitespace().next()?.parse::<u64>().ok()
+        };
+        let nanoseconds: u64 = tasks.flatten().filter_map(of).sum();
+        Some(Duration::from_nanos(nanoseconds))
+    }
+
     /// Memory that the server holds, and has held at most, in bytes. Linux only.
     fn memory(&self) -> Option<[u64; 2]> {
         let status = std::fs::read_to_string(format!("/proc/{}/status", self.server.child.id())).ok()?;
@@ -283,7 +295,15 @@ fn measure(rungs: usize) {
         version: 1,
     };
     let count = if rungs > 20_000 { EDITS / 8 } else { EDITS };
+    let before = typing.processor_time();
     let edit = show("edit to its diagnostics", typing.edits(count));
+    if let (Some(before), Some(after)) = (before, typing.processor_time()) {
+        println!(
+            "  {:<28} {:.1?}",
+            "processor time of an edit",
+            (after - before) / count as u32
+        );
+    }
     let mut bare = Vec::with_capacity(EDITS);
     for _ in 0..EDITS {
         let started = Instant::now();
