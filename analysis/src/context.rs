@@ -30,6 +30,8 @@ pub struct Context {
     pub networks: Vec<Arc<NetworkFacts>>,
     /// The file's scope, then one for each block definition.
     pub scopes: Vec<Scope>,
+    /// Nothing is wrong with the declarations.
+    pub(crate) declared_cleanly: bool,
     /// The definitions of user-defined blocks: the file's own as in the structure, then those of other files that
     /// it uses.
     pub user_blocks: Vec<UserBlockFacts>,
@@ -186,23 +188,13 @@ pub(crate) fn skeleton(
     out: &mut Vec<Diagnostic>,
 ) -> Context {
     let structure = parse.structure();
-    let mut scopes = vec![Scope::default()];
-    scopes.extend(structure.blocks.iter().enumerate().map(|(index, definition)| {
-        let mut scope = Scope::default();
-        scope.block = Some(index);
-        for name in ["EN", "ENO"] {
-            scope.add(implicit(name, parse.line_range(definition.lines.start)));
-        }
-        scope
-    }));
-    for section in &structure.sections {
-        declare::section(
-            parse,
-            section,
-            &mut scopes[section.block.map_or(0, |block| block + 1)],
-            out,
-        );
-    }
+    let mut kept = before.map(|before| Kept::of(before, parse));
+    let found = out.len();
+    let scopes = kept
+        .as_ref()
+        .and_then(|kept| kept.declared(structure))
+        .unwrap_or_else(|| declared(parse, out));
+    let declared_cleanly = out.len() == found;
     let user_blocks: Vec<UserBlockFacts> = structure
         .blocks
         .iter()
@@ -212,7 +204,6 @@ pub(crate) fn skeleton(
     let own_blocks = user_blocks.len();
     let mut known = KnownBlocks::new(user_blocks, others);
     let mut networks: Vec<Arc<NetworkFacts>> = Vec::with_capacity(structure.networks.len());
-    let mut kept = before.map(|before| Kept::of(before, parse));
     for drawn in &structure.networks {
         let same = kept.as_mut().and_then(|kept| kept.network(drawn));
         networks.push(same.unwrap_or_else(|| Arc::new(network::network(parse, drawn, &mut known))));
@@ -222,6 +213,7 @@ pub(crate) fn skeleton(
         parse: Arc::clone(parse),
         networks,
         scopes,
+        declared_cleanly,
         user_blocks: known.into_list(),
         own_blocks,
         others: others.clone(),
@@ -234,6 +226,28 @@ pub(crate) fn skeleton(
     };
     bodies(&mut context);
     context
+}
+
+/// The scopes with their declared tags.
+fn declared(parse: &Parse, out: &mut Vec<Diagnostic>) -> Vec<Scope> {
+    let structure = parse.structure();
+    let mut scopes = vec![Scope::default()];
+    scopes.extend(structure.blocks.iter().enumerate().map(|(index, definition)| {
+        let mut scope = Scope::default();
+        scope.block = Some(index);
+        for name in ["EN", "ENO"] {
+            scope.add(implicit(name, parse.line_range(definition.lines.start)));
+        }
+        scope
+    }));
+    for section in &structure.sections {
+        let scope = section.block.map_or(0, |block| block + 1);
+        declare::section(parse, section, &mut scopes[scope], out);
+    }
+    for scope in &mut scopes {
+        scope.declared = scope.tags.len();
+    }
+    scopes
 }
 
 /// The first rung below an open `\`, or above an open `/`, was probably meant to belong to the network.

@@ -206,7 +206,7 @@ fn globals(context: &Context) -> Vec<Global> {
 
 fn states(context: &Context) -> Vec<(Name, TextRange)> {
     let mut states = Vec::new();
-    for network in &context.networks {
+    for network in context.networks.iter().filter(|network| network.keeps_state) {
         let scope = &context.scopes[network.scope];
         for bound in &network.blocks {
             for (operand, formal) in bound.facts.operands.iter().zip(bound.formals.iter()) {

@@ -6,7 +6,8 @@
 
 use crate::context::Context;
 use crate::network::NetworkFacts;
-use ladder_syntax::{Line, Network, Parse};
+use crate::scope::Scope;
+use ladder_syntax::{Line, Network, Parse, Structure};
 use std::sync::Arc;
 
 /// What an earlier context has that a new text has as well.
@@ -39,6 +40,30 @@ impl<'c> Kept<'c> {
             bytes: len(parse) - len(&before.parse),
             next: 0,
         }
+    }
+
+    /// The scopes with their declared tags, if no declaration has changed, or moved.
+    pub(crate) fn declared(&self, structure: &Structure) -> Option<Vec<Scope>> {
+        let old = self.before.parse.structure();
+        let headers = |structure: &Structure| {
+            structure
+                .blocks
+                .iter()
+                .map(|block| block.lines.start)
+                .collect::<Vec<_>>()
+        };
+        let sections = structure.sections.iter().map(|section| section.lines.end);
+        let last = sections
+            .chain(headers(structure).iter().map(|header| header + 1))
+            .max();
+        let same = self.before.declared_cleanly
+            && last.is_none_or(|last| last <= self.above)
+            && old.sections == structure.sections
+            && headers(old) == headers(structure);
+        if !same {
+            return None;
+        }
+        self.before.scopes.iter().map(Scope::as_declared).collect()
     }
 
     /// What is known of a network of the new text, if the old one has it too. To be asked from top to bottom.

@@ -4,6 +4,7 @@
 use crate::facts::{self, BlockFacts, Head};
 use crate::known_blocks::KnownBlocks;
 use crate::order::{Order, order};
+use crate::uses::{self, Named};
 use crate::verdict::Verdict;
 use ladder_instructions::{Accepts, Instruction, Op, Operand, lookup};
 use ladder_syntax::wiring::{PartKind, Wiring, wiring};
@@ -32,6 +33,10 @@ pub struct NetworkFacts {
     pub(crate) broken_by_itself: bool,
     /// Its operands name tags, and neither labels nor functions nor parameters of user-defined blocks.
     pub(crate) names_tags_only: bool,
+    /// The tags that it names, if it names nothing else: how it uses them then hangs on nothing else.
+    pub(crate) named: Option<Arc<[Named]>>,
+    /// A block of it keeps its state in a tag.
+    pub(crate) keeps_state: bool,
     pub(crate) verdict: Verdict,
 }
 
@@ -196,6 +201,10 @@ pub(crate) fn network(parse: &Parse, network: &Network, known: &mut KnownBlocks<
         };
         matches!(bound.facts.head, Head::Mnemonic(_)) && bound.formals.iter().all(names_tag)
     });
+    let named = names_tags_only.then(|| uses::named(&blocks, &[]).into());
+    let mut formals = blocks.iter().flat_map(|bound| bound.formals.iter());
+    let keeps_state = formals
+        .any(|formal| matches!(formal, Formal::Operand(row) if matches!(row.accepts, Accepts::State(_))));
     NetworkFacts {
         first_line: network.lines.start,
         wiring: Arc::new(wiring),
@@ -206,6 +215,8 @@ pub(crate) fn network(parse: &Parse, network: &Network, known: &mut KnownBlocks<
         broken,
         broken_by_itself: broken,
         names_tags_only,
+        named,
+        keeps_state,
         verdict: Verdict::default(),
     }
 }

@@ -145,6 +145,8 @@ pub struct Scope {
     /// In the order of declaration, then of first use.
     pub tags: Vec<TagFacts>,
     by_name: FxHashMap<Name, usize>,
+    /// So many of the tags were there before any use was looked at.
+    pub(crate) declared: usize,
     /// The block definition whose body it is.
     pub block: Option<usize>,
 }
@@ -153,6 +155,37 @@ impl Scope {
     /// The tag of a name.
     pub fn find(&self, name: &Name) -> Option<usize> {
         self.by_name.get(name).copied()
+    }
+
+    /// The scope as it was before any use was looked at. None if what was found since has changed a declared tag.
+    pub(crate) fn as_declared(&self) -> Option<Scope> {
+        let plain = |tag: &TagFacts| {
+            let kind = SectionKind::External;
+            let shared = matches!(tag.origin, Origin::Declared(SectionKind::Global))
+                || tag.origin == Origin::Declared(kind);
+            !shared && tag.shared.is_none() && !tag.mistyped
+        };
+        let declared = &self.tags[..self.declared];
+        if !declared.iter().all(plain) {
+            return None;
+        }
+        let mut scope = Scope {
+            tags: Vec::with_capacity(self.tags.len()),
+            by_name: FxHashMap::with_capacity_and_hasher(self.tags.len(), rustc_hash::FxBuildHasher),
+            declared: self.declared,
+            block: self.block,
+        };
+        for tag in declared {
+            scope.add(TagFacts {
+                name: tag.name.clone(),
+                initial: tag.initial.clone(),
+                address: tag.address.clone(),
+                uses: Vec::with_capacity(tag.uses.len()),
+                foreign: None,
+                ..*tag
+            });
+        }
+        Some(scope)
     }
 
     /// Adds a tag; the first one of a name is found by it.

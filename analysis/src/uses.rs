@@ -3,33 +3,23 @@
 
 use crate::context::Context;
 use crate::facts::{Node, NodeKind};
-use crate::network::{BoundBlock, Formal};
+use crate::network::{BoundBlock, Formal, NetworkFacts};
 use crate::program::{ParameterKind, Role};
 use crate::scope::{Access, Origin, Scope, TagFacts, Use, type_by_form};
 use crate::types::Type;
 use crate::user_block::UserBlockFacts;
 use ladder_instructions::{Accepts, Direction, Op};
 use ladder_syntax::{Name, TextRange};
+use std::sync::Arc;
 
 /// Enters every use of every tag into its scope.
 pub(crate) fn collect(context: &mut Context) {
     for (network, facts) in context.networks.iter().enumerate() {
         let scope = &mut context.scopes[facts.scope];
-        for (block, bound) in facts.blocks.iter().enumerate() {
-            for (operand, (written, formal)) in
-                bound.facts.operands.iter().zip(bound.formals.iter()).enumerate()
-            {
-                let Some(access) = access(bound, *formal, &context.user_blocks) else {
-                    continue;
-                };
-                let place = Place {
-                    network,
-                    block,
-                    operand,
-                    bound,
-                };
-                walk(&written.value, access, true, &place, scope);
-            }
+        if let Some(named) = &facts.named {
+            enter(named, network, facts, scope);
+        } else {
+            enter(&named(&facts.blocks, &context.user_blocks), network, facts, scope);
         }
     }
     roles(&mut context.scopes[0], &context.networks);
@@ -61,48 +51,105 @@ pub(crate) fn access(bound: &BoundBlock, formal: Formal, user_blocks: &[UserBloc
     }
 }
 
-struct Place<'b> {
-    network: usize,
-    block: usize,
-    operand: usize,
-    bound: &'b BoundBlock,
+/// A tag's name in an operand.
+#[derive(Debug, Clone)]
+pub(crate) struct Named {
+    key: Name,
+    /// Where it stands, from the start of the block's line.
+    range: TextRange,
+    block: u32,
+    operand: u32,
+    access: Access,
+    part: Part,
 }
 
-fn walk(node: &Node, access: Access, whole: bool, place: &Place<'_>, scope: &mut Scope) {
-    match &node.kind {
-        NodeKind::Name(name) => tag(name, node.range, access, Part::of(whole), place, scope),
-        NodeKind::Address(name) => tag(name, node.range, access, Part::of(whole), place, scope),
-        NodeKind::Member(base, _) => {
-            let system = matches!(&base.kind, NodeKind::Name(name) if name.eq_ignore_ascii_case("SYS"));
-            if !system {
-                walk(base, access, false, place, scope);
+/// The tags that blocks name, in the order in which they stand.
+pub(crate) fn named(blocks: &[BoundBlock], user_blocks: &[UserBlockFacts]) -> Vec<Named> {
+    let mut names = Names {
+        block: 0,
+        operand: 0,
+        found: Vec::new(),
+    };
+    for (block, bound) in blocks.iter().enumerate() {
+        names.block = block as u32;
+        for (operand, (written, formal)) in bound.facts.operands.iter().zip(bound.formals.iter()).enumerate()
+        {
+            if let Some(access) = access(bound, *formal, user_blocks) {
+                names.operand = operand as u32;
+                names.walk(&written.value, access, true);
             }
         }
-        NodeKind::Index(base, index) => {
-            walk_indexed(base, access, place, scope);
-            walk(index, Access::Read, true, place, scope);
-        }
-        NodeKind::Range(base, first, last) => {
-            walk_indexed(base, access, place, scope);
-            walk(first, Access::Read, true, place, scope);
-            walk(last, Access::Read, true, place, scope);
-        }
-        NodeKind::Unary(_, inner) | NodeKind::Paren(inner) => walk(inner, Access::Read, whole, place, scope),
-        NodeKind::Binary(_, left, right) => {
-            walk(left, Access::Read, true, place, scope);
-            walk(right, Access::Read, true, place, scope);
-        }
-        NodeKind::Call(_, arguments) | NodeKind::Array(arguments) | NodeKind::Repeat(_, arguments) => {
-            for argument in arguments {
-                walk(argument, Access::Read, true, place, scope);
+    }
+    names.found
+}
+
+/// Names that are being gathered, and where.
+struct Names {
+    block: u32,
+    operand: u32,
+    found: Vec<Named>,
+}
+
+impl Names {
+    fn walk(&mut self, node: &Node, access: Access, whole: bool) {
+        match &node.kind {
+            NodeKind::Name(name) | NodeKind::Address(name) => {
+                self.add(name, node.range, access, Part::of(whole));
             }
+            NodeKind::Member(base, _) => {
+                let system = matches!(&base.kind, NodeKind::Name(name) if name.eq_ignore_ascii_case("SYS"));
+                if !system {
+                    self.walk(base, access, false);
+                }
+            }
+            NodeKind::Index(base, index) => {
+                self.walk_indexed(base, access);
+                self.walk(index, Access::Read, true);
+            }
+            NodeKind::Range(base, first, last) => {
+                self.walk_indexed(base, access);
+                self.walk(first, Access::Read, true);
+                self.walk(last, Access::Read, true);
+            }
+            NodeKind::Unary(_, inner) | NodeKind::Paren(inner) => self.walk(inner, Access::Read, whole),
+            NodeKind::Binary(_, left, right) => {
+                self.walk(left, Access::Read, true);
+                self.walk(right, Access::Read, true);
+            }
+            NodeKind::Call(_, arguments) | NodeKind::Array(arguments) | NodeKind::Repeat(_, arguments) => {
+                for argument in arguments {
+                    self.walk(argument, Access::Read, true);
+                }
+            }
+            NodeKind::Literal(_) | NodeKind::NoFunction | NodeKind::Missing => {}
         }
-        NodeKind::Literal(_) | NodeKind::NoFunction | NodeKind::Missing => {}
+    }
+
+    /// The base of an index.
+    fn walk_indexed(&mut self, base: &Node, access: Access) {
+        match &base.kind {
+            NodeKind::Name(name) => self.add(name, base.range, access, Part::Elements),
+            _ => self.walk(base, access, false),
+        }
+    }
+
+    fn add(&mut self, name: &str, range: TextRange, access: Access, part: Part) {
+        if name.eq_ignore_ascii_case("SYS") || name.eq_ignore_ascii_case("PI") {
+            return;
+        }
+        self.found.push(Named {
+            key: Name::new(name),
+            range,
+            block: self.block,
+            operand: self.operand,
+            access,
+            part,
+        });
     }
 }
 
 /// Which part of a tag is meant.
-#[derive(Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 enum Part {
     Whole,
     Member,
@@ -115,56 +162,75 @@ impl Part {
     }
 }
 
-/// The base of an index.
-fn walk_indexed(base: &Node, access: Access, place: &Place<'_>, scope: &mut Scope) {
-    match &base.kind {
-        NodeKind::Name(name) => tag(name, base.range, access, Part::Elements, place, scope),
-        _ => walk(base, access, false, place, scope),
+/// Enters the uses of a network's tags.
+fn enter(named: &[Named], network: usize, facts: &NetworkFacts, scope: &mut Scope) {
+    for named in named {
+        let bound = &facts.blocks[named.block as usize];
+        let range = bound.absolute(named.range);
+        let index = scope.find(&named.key).unwrap_or_else(|| {
+            let written = &bound.facts.operands[named.operand as usize].value;
+            scope.add(undeclared(
+                spelled(written, named.range).unwrap_or_default(),
+                range,
+            ))
+        });
+        scope.tags[index].uses.push(Use {
+            network,
+            block: named.block as usize,
+            operand: named.operand as usize,
+            range,
+            access: named.access,
+            whole: named.part == Part::Whole,
+            indexed: named.part == Part::Elements,
+        });
     }
 }
 
-fn tag(name: &str, range: TextRange, access: Access, part: Part, place: &Place<'_>, scope: &mut Scope) {
-    if name.eq_ignore_ascii_case("SYS") || name.eq_ignore_ascii_case("PI") {
-        return;
+/// A tag that is first met in an operand.
+fn undeclared(name: &str, at: TextRange) -> TagFacts {
+    let form = type_by_form(name);
+    TagFacts {
+        name: name.to_owned(),
+        ty: form.map(|(scalar, _)| Type::Scalar(scalar)),
+        role: form.map_or(Role::Internal, |(_, role)| role),
+        origin: if form.is_some() {
+            Origin::Form
+        } else {
+            Origin::Undeclared
+        },
+        retain: false,
+        constant: false,
+        initial: Vec::new(),
+        address: name.starts_with('%').then(|| name.to_owned()),
+        at,
+        uses: Vec::new(),
+        shared: None,
+        foreign: None,
+        mistyped: false,
     }
-    let at = place.bound.absolute(range);
-    let index = scope.find(&Name::new(name)).unwrap_or_else(|| {
-        let form = type_by_form(name);
-        scope.add(TagFacts {
-            name: name.to_owned(),
-            ty: form.map(|(scalar, _)| Type::Scalar(scalar)),
-            role: form.map_or(Role::Internal, |(_, role)| role),
-            origin: if form.is_some() {
-                Origin::Form
-            } else {
-                Origin::Undeclared
-            },
-            retain: false,
-            constant: false,
-            initial: Vec::new(),
-            address: name.starts_with('%').then(|| name.to_owned()),
-            at,
-            uses: Vec::new(),
-            shared: None,
-            foreign: None,
-            mistyped: false,
-        })
-    });
-    let (network, block, operand) = (place.network, place.block, place.operand);
-    scope.tags[index].uses.push(Use {
-        network,
-        block,
-        operand,
-        range: at,
-        access,
-        whole: part == Part::Whole,
-        indexed: part == Part::Elements,
-    });
+}
+
+/// The name that stands at a place of an operand, as it is written.
+fn spelled(node: &Node, at: TextRange) -> Option<&str> {
+    let all = |nodes: &'_ [Node]| -> Option<usize> { nodes.iter().position(|n| n.range.contains_range(at)) };
+    match &node.kind {
+        NodeKind::Name(name) | NodeKind::Address(name) => (node.range == at).then_some(name),
+        NodeKind::Member(inner, _) | NodeKind::Unary(_, inner) | NodeKind::Paren(inner) => spelled(inner, at),
+        NodeKind::Index(base, index) => spelled(base, at).or_else(|| spelled(index, at)),
+        NodeKind::Range(base, first, last) => spelled(base, at)
+            .or_else(|| spelled(first, at))
+            .or_else(|| spelled(last, at)),
+        NodeKind::Binary(_, left, right) => spelled(left, at).or_else(|| spelled(right, at)),
+        NodeKind::Call(_, nodes) | NodeKind::Array(nodes) | NodeKind::Repeat(_, nodes) => {
+            all(nodes).and_then(|found| spelled(&nodes[found], at))
+        }
+        NodeKind::Literal(_) | NodeKind::NoFunction | NodeKind::Missing => None,
+    }
 }
 
 /// An undeclared BOOL that is read and never written is an input; one that coils write and nothing reads is an
 /// output (LANGUAGE §4). Types are not known yet: only BOOL places make a tag either, and infer checks.
-fn roles(scope: &mut Scope, networks: &[std::sync::Arc<crate::network::NetworkFacts>]) {
+fn roles(scope: &mut Scope, networks: &[Arc<NetworkFacts>]) {
     for tag in &mut scope.tags {
         if tag.origin != Origin::Undeclared {
             continue;

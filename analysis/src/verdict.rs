@@ -10,6 +10,7 @@ use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
 pub(crate) struct Verdict {
     types: AtomicU64,
     well_formed: AtomicBool,
+    well_led: AtomicBool,
 }
 
 impl Verdict {
@@ -32,6 +33,16 @@ impl Verdict {
     pub(crate) fn well_formed(&self) {
         self.well_formed.store(true, Ordering::Relaxed);
     }
+
+    /// Whether the rules about what stands behind what on its wires found nothing.
+    pub(crate) fn is_well_led(&self) -> bool {
+        self.well_led.load(Ordering::Relaxed)
+    }
+
+    /// They did not.
+    pub(crate) fn well_led(&self) {
+        self.well_led.store(true, Ordering::Relaxed);
+    }
 }
 
 impl Clone for Verdict {
@@ -39,6 +50,7 @@ impl Clone for Verdict {
         Verdict {
             types: AtomicU64::new(self.types.load(Ordering::Relaxed)),
             well_formed: AtomicBool::new(self.is_well_formed()),
+            well_led: AtomicBool::new(self.is_well_led()),
         }
     }
 }

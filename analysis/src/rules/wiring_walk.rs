@@ -30,6 +30,10 @@ pub(super) fn check(context: &Context, survey: &Survey, out: &mut Vec<Diagnostic
     let mut walk = None;
     for (index, network) in context.networks.iter().enumerate() {
         let steering = survey.steering[index];
+        let by_itself = network.names_tags_only;
+        if by_itself && network.verdict.is_well_led() {
+            continue;
+        }
         // What does nothing at all is no-output.
         if !survey.sound[index] || !network.blocks.iter().any(super::no_output::may_act) {
             continue;
@@ -41,6 +45,7 @@ pub(super) fn check(context: &Context, survey: &Survey, out: &mut Vec<Diagnostic
         });
         walk.network = network;
         find_useful(network, &mut walk.useful);
+        let found = out.len();
         dead_end::check(walk, out);
         if network.wiring.points.len() > 1 {
             shorted_branch::check(walk, out);
@@ -51,6 +56,9 @@ pub(super) fn check(context: &Context, survey: &Survey, out: &mut Vec<Diagnostic
         }
         if steering.has(Steering::SET) && network.blocks.len() > 1 {
             latched_power::check(walk, out);
+        }
+        if by_itself && out.len() == found {
+            network.verdict.well_led();
         }
     }
 }

@@ -33,6 +33,8 @@ pub(crate) struct Revision {
     analysis: OnceLock<Analysis>,
     /// The analysis that was made last of any revision of the document: the next one begins with it.
     latest: Arc<Mutex<Option<Analysis>>>,
+    /// The one that this revision's began with. To throw it away takes a while: that can wait.
+    superseded: Mutex<Option<Analysis>>,
 }
 
 impl Revision {
@@ -55,6 +57,7 @@ impl Revision {
             place,
             analysis: OnceLock::new(),
             latest: Arc::default(),
+            superseded: Mutex::default(),
         }
     }
 
@@ -89,22 +92,31 @@ impl Revision {
             self.analysis.get_or_init(|| {
                 let text = self.rope.to_string();
                 let before = self.latest().clone();
-                let before = before.as_ref();
                 let analysis = match &self.place {
                     Some(place) => {
                         let (name, others) = place.neighbours.view(&place.path);
                         let rules = place.neighbours.rules(&place.path);
-                        Analysis::of(text, before, &name, &others, &rules)
+                        Analysis::of(text, before.as_ref(), &name, &others, &rules)
                     }
                     None => {
                         let rules = RuleSettings::default();
-                        Analysis::of(text, before, self.name(), &Others::default(), &rules)
+                        Analysis::of(text, before.as_ref(), self.name(), &Others::default(), &rules)
                     }
                 };
                 *self.latest() = Some(analysis.clone());
+                *self.superseded() = before;
                 analysis
             })
         })
+    }
+
+    /// Throws away what was known of the text before: when its successor has been told, and nobody waits.
+    pub(crate) fn forget_superseded(&self) {
+        drop(self.superseded().take());
+    }
+
+    fn superseded(&self) -> MutexGuard<'_, Option<Analysis>> {
+        self.superseded.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
     fn latest(&self) -> MutexGuard<'_, Option<Analysis>> {

@@ -5,7 +5,6 @@
 
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
-use std::time::Duration;
 
 use ladder_syntax::MAX_FILE_BYTES;
 use ladder_workspace::SETTINGS_FILE;
@@ -18,12 +17,6 @@ use super::{companions, convert, folders, pull, settings_file};
 use crate::busy::Work;
 use crate::document::Revision;
 
-/// Above this many bytes an analysis takes long enough that a pause in typing is worth waiting for.
-const LARGE: usize = 200_000;
-
-/// How long a large text must have rested.
-const PAUSE: Duration = Duration::from_millis(50);
-
 /// Sees to it that the newest text of the document gets its diagnostics.
 pub(super) fn refresh(shared: &Arc<Shared>, uri: &str) {
     if let Some(revision) = shared.documents.begin_analysis(uri) {
@@ -34,9 +27,6 @@ pub(super) fn refresh(shared: &Arc<Shared>, uri: &str) {
 async fn analyse(shared: Arc<Shared>, first: Arc<Revision>, _work: Work) {
     let mut next = Some(first);
     while let Some(revision) = next {
-        if revision.len() > LARGE {
-            tokio::time::sleep(PAUSE).await;
-        }
         if shared.documents.is_current(&revision) {
             let (agreed, job) = (shared.agreed(), revision.clone());
             let beside = shared.clone();
@@ -53,6 +43,7 @@ async fn analyse(shared: Arc<Shared>, first: Arc<Revision>, _work: Work) {
             }
         }
         next = shared.documents.analysed(&revision);
+        tokio::task::spawn_blocking(move || revision.forget_superseded());
     }
 }
 
