@@ -301,7 +301,7 @@ fn measure(rungs: usize) {
         println!(
             "  {:<28} {:.1?}",
             "processor time of an edit",
-            (after - before) / count as u32
+            after.saturating_sub(before) / count as u32
         );
     }
     let mut bare = Vec::with_capacity(EDITS);
