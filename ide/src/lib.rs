@@ -40,7 +40,7 @@ pub use completion::{
 pub use definition::{declaration, definition, implementation, type_definition};
 pub use folding::{Fold, folds};
 pub use highlight::{Highlight, highlights};
-pub use hover::{Hover, hover};
+pub use hover::{Hover, hover, used_elsewhere};
 pub use inlay::{Inlay, inlays};
 pub use lens::{Lens, LensKind, lenses};
 pub use links::{Link, LinkTarget, links};

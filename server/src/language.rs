@@ -6,8 +6,7 @@ use ladder_analysis::{Diagnostic, Others, RuleSettings, analyze_after};
 use ladder_format::{Edit, Options, format};
 use ladder_ide::{Action, ActionKind, fix_all, quick_fixes, refactorings};
 use ladder_ide::{
-    Completions, Hover, SignatureHelp, Token, Topic, completions, documentation, hover, semantic_tokens,
-    signature_help,
+    Completions, SignatureHelp, Token, Topic, completions, documentation, semantic_tokens, signature_help,
 };
 use ladder_ide::{Inlay, Lens};
 use ladder_syntax::{TextRange, TextSize, parse};
@@ -48,11 +47,6 @@ impl Analysis {
     /// All of it, for those who put the files of a workspace together.
     pub(crate) fn whole(&self) -> &Arc<ladder_analysis::Analysis> {
         &self.whole
-    }
-
-    /// What stands at an offset.
-    pub(crate) fn hover(&self, offset: TextSize) -> Option<Hover> {
-        hover(&self.whole, offset)
     }
 
     /// What can be written at an offset.

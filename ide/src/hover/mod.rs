@@ -3,10 +3,13 @@
 mod block;
 mod connector;
 mod declaration;
+mod elsewhere;
 mod keyword;
 mod operand;
 mod uses;
 mod wire;
+
+pub use elsewhere::used_elsewhere;
 
 pub(crate) use block::{instruction as instruction_card, user_block_card};
 pub(crate) use keyword::card as keyword_card;

@@ -186,3 +186,20 @@ async fn a_simulation_runs_functions_of_other_files_and_faults_name_them() {
     );
     client.finish().await;
 }
+
+#[tokio::test]
+async fn a_hover_tells_of_the_other_files() {
+    let plant = Plant::with(&[("library.clad", LIBRARY)]);
+    let mut client = Client::new().await;
+    let main = plant.uri("main.clad");
+    client.open_as(&main, 1, MAIN).await;
+    let params = json!({"textDocument": {"uri": main}, "position": {"line": 0, "character": 26}});
+    let hover = client.request("textDocument/hover", params).await.unwrap();
+    let text = hover["contents"]["value"].as_str().unwrap();
+    assert!(text.contains("Read in this file: line [1]("), "{text}");
+    assert!(
+        text.ends_with("In library.clad: written once, read once"),
+        "{text}"
+    );
+    client.finish().await;
+}
