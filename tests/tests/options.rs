@@ -4,7 +4,7 @@ use ladder_tests::{book, project};
 use std::collections::BTreeSet;
 use std::process::Command;
 
-const COMMANDS: [&str; 7] = ["check", "fmt", "sim", "test", "render", "explain", "tree"];
+const COMMANDS: [&str; 8] = ["check", "fmt", "sim", "test", "render", "explain", "lsp", "tree"];
 
 #[test]
 fn the_guide_tells_of_every_option() {

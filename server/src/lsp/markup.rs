@@ -17,9 +17,13 @@ pub(super) fn content(markdown: bool, text: String) -> MarkupContent {
     }
 }
 
-/// The same, where the protocol wants documentation.
+/// The same, where the protocol wants documentation. A client that lists no formats takes nothing but a text.
 pub(super) fn documentation(markdown: bool, text: String) -> Documentation {
-    Documentation::MarkupContent(content(markdown, text))
+    if markdown {
+        Documentation::MarkupContent(content(markdown, text))
+    } else {
+        Documentation::String(plain(&text))
+    }
 }
 
 /// The links to lines of a document lead there.

@@ -70,7 +70,7 @@ async fn a_client_without_snippets_gets_plain_text() {
         .request("completionItem/resolve", tag.clone())
         .await
         .unwrap();
-    let text = resolved["documentation"]["value"].as_str().unwrap();
+    let text = resolved["documentation"].as_str().unwrap();
     assert!(text.starts_with("start : BOOL\nInput"), "{text}");
     client.finish().await;
 }
