@@ -1,7 +1,7 @@
 //! How far a body reaches: the main program, a function, the definition of a block.
 
 use ladder_analysis::context::{Body, Context};
-use ladder_syntax::{Parse, SyntaxKind, TextRange};
+use ladder_syntax::{NodeOrToken, Parse, SyntaxKind, TextRange};
 
 /// From the first network of a body to the last, without the last line end; of a block's definition all of it.
 pub(crate) fn extent(context: &Context, body: Body) -> Option<TextRange> {
@@ -44,15 +44,23 @@ pub(crate) fn without_line_end(context: &Context, range: TextRange) -> TextRange
 
 /// A line without blanks, comments and line end around it.
 pub(crate) fn line_body(parse: &Parse, line: usize) -> TextRange {
-    let start = parse.line_start(line);
-    let mut range: Option<TextRange> = None;
-    for element in parse.lines()[line].syntax().children_with_tokens() {
-        let kind = element.kind();
-        if kind.is_trivia() || matches!(kind, SyntaxKind::NEWLINE | SyntaxKind::BOM) {
-            continue;
+    let mut at = parse.line_start(line);
+    let mut range = TextRange::empty(at);
+    // Through the green node, without a cursor: this is asked of every network and declaration.
+    for child in parse.lines()[line].green().children() {
+        let (kind, len) = match child {
+            NodeOrToken::Node(node) => (SyntaxKind::from_raw(node.kind()), node.text_len()),
+            NodeOrToken::Token(token) => (SyntaxKind::from_raw(token.kind()), token.text_len()),
+        };
+        let child = TextRange::at(at, len);
+        at += len;
+        if !kind.is_trivia() && !matches!(kind, SyntaxKind::NEWLINE | SyntaxKind::BOM) {
+            range = if range.is_empty() {
+                child
+            } else {
+                range.cover(child)
+            };
         }
-        let at = element.text_range() + start;
-        range = Some(range.map_or(at, |range| range.cover(at)));
     }
-    range.unwrap_or_else(|| TextRange::empty(start))
+    range
 }
