@@ -175,28 +175,34 @@ impl LanguageServer for Backend {
     }
 
     async fn goto_definition(&self, params: GotoDefinitionParams) -> Result<Option<GotoDefinitionResponse>> {
-        goto::goto(&self.shared, params, ladder_ide::definition).await
+        goto::goto(&self.shared, params, ladder_ide::definition, |it| it.definition).await
     }
 
     async fn goto_declaration(
         &self,
         params: GotoDeclarationParams,
     ) -> Result<Option<GotoDeclarationResponse>> {
-        goto::goto(&self.shared, params, ladder_ide::declaration).await
+        goto::goto(&self.shared, params, ladder_ide::declaration, |it| it.declaration).await
     }
 
     async fn goto_type_definition(
         &self,
         params: GotoTypeDefinitionParams,
     ) -> Result<Option<GotoTypeDefinitionResponse>> {
-        goto::goto(&self.shared, params, ladder_ide::type_definition).await
+        goto::goto(&self.shared, params, ladder_ide::type_definition, |it| {
+            it.type_definition
+        })
+        .await
     }
 
     async fn goto_implementation(
         &self,
         params: GotoImplementationParams,
     ) -> Result<Option<GotoImplementationResponse>> {
-        goto::goto(&self.shared, params, ladder_ide::implementation).await
+        goto::goto(&self.shared, params, ladder_ide::implementation, |it| {
+            it.implementation
+        })
+        .await
     }
 
     async fn references(&self, params: ReferenceParams) -> Result<Option<Vec<Location>>> {

@@ -12,7 +12,8 @@ use tower_lsp::ls_types::{
 
 use tower_lsp::ls_types::{
     CallHierarchyServerCapability, DocumentLinkOptions, DocumentOnTypeFormattingOptions,
-    FoldingRangeProviderCapability, RenameOptions, SelectionRangeProviderCapability, WorkDoneProgressOptions,
+    FoldingRangeProviderCapability, GotoCapability, RenameOptions, SelectionRangeProviderCapability,
+    TextDocumentClientCapabilities, WorkDoneProgressOptions,
 };
 
 use super::code_action::KINDS;
@@ -46,7 +47,9 @@ pub(super) struct Agreed {
     /// Hovers may be Markdown.
     pub(super) markdown: bool,
     /// A place that an editor is sent to may say how far it reaches.
-    pub(super) links: bool,
+    pub(super) links: Links,
+    /// The client asks what would be renamed before it asks for a new name.
+    pub(super) prepares_rename: bool,
     /// Completions may have tab stops.
     pub(super) snippets: bool,
     /// The documentation of completions may be Markdown.
@@ -83,6 +86,30 @@ pub(super) struct Agreed {
     pub(super) refreshes_inlay_hints: bool,
     /// The client can be told that code lenses are other ones now.
     pub(super) refreshes_code_lenses: bool,
+}
+
+/// To which of the questions where a thing is the answer may say how far it reaches.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
+pub(super) struct Links {
+    pub(super) definition: bool,
+    pub(super) declaration: bool,
+    pub(super) type_definition: bool,
+    pub(super) implementation: bool,
+}
+
+impl Links {
+    fn with(document: Option<&TextDocumentClientCapabilities>) -> Self {
+        let Some(document) = document else {
+            return Links::default();
+        };
+        let takes = |it: &Option<GotoCapability>| it.and_then(|it| it.link_support).unwrap_or(false);
+        Links {
+            definition: takes(&document.definition),
+            declaration: takes(&document.declaration),
+            type_definition: takes(&document.type_definition),
+            implementation: takes(&document.implementation),
+        }
+    }
 }
 
 impl Agreed {
@@ -169,9 +196,10 @@ impl Agreed {
             fold_limit: document
                 .and_then(|document| document.folding_range.as_ref())
                 .and_then(|folding| folding.range_limit),
-            links: document
-                .and_then(|document| document.definition.as_ref())
-                .and_then(|definition| definition.link_support)
+            links: Links::with(document),
+            prepares_rename: document
+                .and_then(|document| document.rename.as_ref())
+                .and_then(|rename| rename.prepare_support)
                 .unwrap_or(false),
             watches_files: workspace
                 .and_then(|workspace| workspace.did_change_watched_files.as_ref())
@@ -247,10 +275,14 @@ pub(super) fn offered(agreed: Agreed) -> ServerCapabilities {
         document_highlight_provider: Some(OneOf::Left(true)),
         document_range_formatting_provider: Some(OneOf::Left(true)),
         document_on_type_formatting_provider: Some(on_type_formatting()),
-        rename_provider: Some(OneOf::Right(RenameOptions {
-            prepare_provider: Some(true),
-            work_done_progress_options: WorkDoneProgressOptions::default(),
-        })),
+        rename_provider: Some(if agreed.prepares_rename {
+            OneOf::Right(RenameOptions {
+                prepare_provider: Some(true),
+                work_done_progress_options: WorkDoneProgressOptions::default(),
+            })
+        } else {
+            OneOf::Left(true)
+        }),
         document_symbol_provider: Some(OneOf::Left(true)),
         workspace_symbol_provider: Some(OneOf::Left(true)),
         folding_range_provider: Some(FoldingRangeProviderCapability::Simple(true)),
@@ -326,6 +358,7 @@ mod tests {
                 },
                 "hover": {"contentFormat": ["markdown", "plaintext"]},
                 "definition": {"linkSupport": true},
+                "rename": {"prepareSupport": true},
                 "completion": {"completionItem": {"snippetSupport": true, "documentationFormat": ["markdown"]}},
                 "documentSymbol": {"hierarchicalDocumentSymbolSupport": true},
                 "foldingRange": {"rangeLimit": 5000},
@@ -381,7 +414,11 @@ mod tests {
                 registers_configuration: true,
                 refreshes_inlay_hints: true,
                 refreshes_code_lenses: true,
-                links: true,
+                links: Links {
+                    definition: true,
+                    ..Links::default()
+                },
+                prepares_rename: true,
                 lens_commands: code_lens::Commands::default(),
                 multiline_tokens: true,
                 label_offsets: true,

@@ -6,6 +6,7 @@ use tower_lsp::jsonrpc::Result;
 use tower_lsp::ls_types::{GotoDefinitionParams, GotoDefinitionResponse, LocationLink};
 
 use super::asked::{Places, about_place};
+use super::capabilities::Links;
 use super::shared::Shared;
 use ladder_analysis::Analysis;
 use ladder_ide::{Target, Workspace};
@@ -18,8 +19,9 @@ pub(super) async fn goto(
     shared: &Arc<Shared>,
     params: GotoDefinitionParams,
     question: Question,
+    links: fn(&Links) -> bool,
 ) -> Result<Option<GotoDefinitionResponse>> {
-    let links = shared.agreed().links;
+    let links = links(&shared.agreed().links);
     about_place(
         shared,
         params.text_document_position_params,
