@@ -15,8 +15,9 @@ pub(super) fn laid_out(old: &Parse, text: &str, names: &[Edit], options: &Option
     let straighten = if crooked.is_empty() {
         format(&parsed, options)
     } else {
-        let mut ranges = moved(old, text, names);
-        ranges.extend(straight_items(old, &crooked).map(|range| shifted(range, names)));
+        let shift = Shift::of(names);
+        let mut ranges = moved(old, text, names, &shift);
+        ranges.extend(straight_items(old, &crooked).map(|range| shift.range(range)));
         format_ranges(&parsed, options, &ranges)
     };
     compose(text, names, &renamed, &straighten)
@@ -24,7 +25,7 @@ pub(super) fn laid_out(old: &Parse, text: &str, names: &[Edit], options: &Option
 
 /// Where the new names stand once all are there, as far as they move what is drawn behind them. Declarations are no
 /// drawing: those that nobody laid out stay.
-fn moved(old: &Parse, text: &str, names: &[Edit]) -> Vec<TextRange> {
+fn moved(old: &Parse, text: &str, names: &[Edit], shift: &Shift<'_>) -> Vec<TextRange> {
     let moves = |edit: &&Edit| {
         let line = old.line_at(edit.range.start());
         line.is_some_and(|line| old.lines()[line].kind == LineKind::Rung)
@@ -34,7 +35,7 @@ fn moved(old: &Parse, text: &str, names: &[Edit]) -> Vec<TextRange> {
         .iter()
         .filter(moves)
         .map(|edit| {
-            let start = shift(edit.range.start(), names);
+            let start = shift.offset(edit.range.start());
             TextRange::at(start, TextSize::of(edit.text.as_str()))
         })
         .collect()
@@ -58,16 +59,33 @@ fn straight_items<'p>(old: &'p Parse, crooked: &'p [Edit]) -> impl Iterator<Item
     })
 }
 
-fn shifted(range: TextRange, names: &[Edit]) -> TextRange {
-    TextRange::new(shift(range.start(), names), shift(range.end(), names))
+/// Where things lie when the edits before them are made.
+struct Shift<'e> {
+    edits: &'e [Edit],
+    /// How much the text has grown before each edit, and behind the last.
+    grown: Vec<i64>,
 }
 
-/// Where an offset lies when the edits before it are made.
-fn shift(offset: TextSize, edits: &[Edit]) -> TextSize {
-    let before = edits.partition_point(|edit| edit.range.end() <= offset && edit.range.start() < offset);
-    edits[..before].iter().fold(offset, |offset, edit| {
-        offset + TextSize::of(edit.text.as_str()) - edit.range.len()
-    })
+impl<'e> Shift<'e> {
+    fn of(edits: &'e [Edit]) -> Shift<'e> {
+        let mut grown = vec![0];
+        for edit in edits {
+            let by = edit.text.len() as i64 - i64::from(u32::from(edit.range.len()));
+            grown.push(grown[grown.len() - 1] + by);
+        }
+        Shift { edits, grown }
+    }
+
+    fn offset(&self, offset: TextSize) -> TextSize {
+        let before = self
+            .edits
+            .partition_point(|edit| edit.range.end() <= offset && edit.range.start() < offset);
+        TextSize::new((i64::from(u32::from(offset)) + self.grown[before]) as u32)
+    }
+
+    fn range(&self, range: TextRange) -> TextRange {
+        TextRange::new(self.offset(range.start()), self.offset(range.end()))
+    }
 }
 
 /// Two lists of edits, one made after the other, as one list of edits of the first text. `between` is the text that
