@@ -11,8 +11,6 @@ use std::collections::HashMap;
 /// A tag that needs a declaration.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Undeclared {
-    /// The tag in its scope.
-    pub tag: usize,
     /// The section that its uses ask for.
     pub section: SectionKind,
     /// As first written.
@@ -24,6 +22,11 @@ pub struct Undeclared {
 /// The tags of a scope that need a declaration and whose places say enough to make one, in the order of their first use.
 pub fn undeclared(context: &Context, scope: usize) -> Vec<Undeclared> {
     crate::rules::undeclared_tag::undeclared(context, scope)
+}
+
+/// Whether a tag of a scope is one of [`undeclared()`].
+pub fn can_be_declared(context: &Context, scope: usize, tag: usize) -> bool {
+    crate::rules::undeclared_tag::can_be_declared(context, scope, &context.scopes[scope].tags[tag])
 }
 
 /// Where declarations of a scope go.

@@ -81,7 +81,7 @@ impl Analysis {
 
     /// The edits of an action, with the drawing around them put straight.
     pub(crate) fn aligned(&self, action: &Action, options: &Options) -> Vec<Edit> {
-        action.aligned(&self.text, options)
+        action.aligned(&self.whole, &self.text, options)
     }
 
     /// What can be done, of the kinds that are wanted, with what a range selects.

@@ -23,12 +23,13 @@ fn done(text: &str, title: &str, place: &str) -> String {
     } else {
         TextRange::empty(start + TextSize::new(2))
     };
-    let actions = refactorings(&analyze(&Arc::new(parse(text)), "program"), range);
+    let analysis = analyze(&Arc::new(parse(text)), "program");
+    let actions = refactorings(&analysis, range);
     let found = actions
         .iter()
         .find(|action| action.title.starts_with(title) && action.disabled.is_none());
     match found {
-        Some(action) => apply(text, &action.aligned(text, &Options::default())),
+        Some(action) => apply(text, &action.aligned(&analysis, text, &Options::default())),
         None => format!("`{title}` is not offered at `{place}`, but {actions:#?}"),
     }
 }

@@ -82,7 +82,7 @@ const FEATURES: [(&str, Ask); 19] = [
     ("refactorings", |it, at, end| {
         let here = refactorings(it, TextRange::empty(at));
         for action in here.iter().chain(&refactorings(it, TextRange::new(at, end))) {
-            apart(&action.edits, end);
+            apart(&action.edits(it), end);
         }
     }),
     ("hints from there on", |it, at, end| {

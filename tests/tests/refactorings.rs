@@ -25,7 +25,7 @@ fn formatted(text: &str) -> String {
 }
 
 fn done(text: &str, action: &Action) -> String {
-    apply(text, &action.aligned(text, &Options::default()))
+    apply(text, &action.aligned(&analysis(text), text, &Options::default()))
 }
 
 /// A place to look at: a cursor on a block, or a selection from one block to another of the same network.
@@ -177,7 +177,7 @@ fn taken_back(text: &str, new: &str, action: &Action, range: TextRange, shown: &
     if action.title.starts_with("Remove") {
         return;
     }
-    let spelled = action.edits[0].range;
+    let spelled = action.edits(&analysis(text))[0].range;
     let at = TextRange::empty(range.start());
     // The first edit lies before or behind the cursor; the layout may have moved the block.
     let after = analysis(new);

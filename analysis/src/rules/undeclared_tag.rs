@@ -165,15 +165,18 @@ fn forgotten(context: &Context, places: &Places, tag: &TagFacts, range: TextRang
     found.with(declare(places, tag.role, tag))
 }
 
+/// Whether a tag needs a declaration, and its places say enough to make one.
+pub(crate) fn can_be_declared(context: &Context, scope: usize, tag: &TagFacts) -> bool {
+    is_undeclared(tag, scope)
+        && !tag.uses.is_empty()
+        && tag.uses.iter().all(|place| is_clear(context, tag, place))
+}
+
 /// The tags of a scope that need a declaration and whose places say enough to make one.
 pub(crate) fn undeclared(context: &Context, scope: usize) -> Vec<Undeclared> {
-    let tags = context.scopes[scope].tags.iter().enumerate();
-    let tags = tags.filter(|(_, tag)| {
-        is_undeclared(tag, scope)
-            && !tag.uses.is_empty()
-            && tag.uses.iter().all(|place| is_clear(context, tag, place))
-    });
-    tags.map(|(index, tag)| {
+    let tags = context.scopes[scope].tags.iter();
+    let tags = tags.filter(|tag| can_be_declared(context, scope, tag));
+    tags.map(|tag| {
         let role = if scope > 0 { Role::Internal } else { tag.role };
         let (section, ty) = if tag.uses.iter().any(|place| place.indexed) {
             let (last, element) = extent(context, tag);
@@ -183,7 +186,6 @@ pub(crate) fn undeclared(context: &Context, scope: usize) -> Vec<Undeclared> {
             (section_of(role), ty.to_string())
         };
         Undeclared {
-            tag: index,
             section,
             name: tag.name.clone(),
             ty,

@@ -1,42 +1,79 @@
 //! All tags that no declaration names get one, with the types and sections that follow from their uses.
 
 use super::place::Place;
-use super::{Action, ActionKind};
-use ladder_analysis::declaration_fix::{Places, undeclared};
-use ladder_analysis::scope::TagFacts;
+use super::{Action, ActionKind, Work};
+use ladder_analysis::context::Context;
+use ladder_analysis::declaration_fix::{Places, can_be_declared, undeclared};
+use ladder_analysis::facts::{Node, NodeKind};
+use ladder_format::Edit;
+use ladder_syntax::Name;
 
 pub(super) fn offer(place: &Place<'_>, out: &mut Vec<Action>) {
     let context = place.context;
-    let scope = match place.networks.clone().next() {
-        Some(network) => context.networks[network].scope,
-        None => return,
+    let Some(scope) = place
+        .networks
+        .clone()
+        .next()
+        .map(|network| context.networks[network].scope)
+    else {
+        return;
     };
-    let touched = |tag: &TagFacts| {
-        let mut blocks = tag
-            .uses
-            .iter()
-            .map(|found| context.networks[found.network].blocks[found.block].range());
-        blocks.any(|block| block.start() <= place.range.end() && place.range.start() <= block.end())
-    };
-    let found = undeclared(context, scope);
-    let at_one = found
+    let networks = &context.networks[place.networks.clone()];
+    let mut blocks = networks
         .iter()
-        .any(|declared| touched(&context.scopes[scope].tags[declared.tag]));
-    // One alone is mended where it is found.
-    if !at_one || found.len() < 2 && scope > 0 {
+        .flat_map(|network| &network.blocks)
+        .filter(|block| {
+            let at = block.range();
+            at.start() <= place.range.end() && place.range.start() <= at.end()
+        });
+    let needs_one = blocks.any(|block| {
+        let mut operands = block.facts.operands.iter();
+        operands.any(|operand| names_undeclared(context, scope, &operand.value))
+    });
+    let open = context
+        .parse
+        .structure()
+        .sections
+        .iter()
+        .any(|section| !section.closed);
+    if !needs_one || open {
         return;
     }
-    let tags: Vec<_> = found
-        .iter()
-        .map(|declared| (declared.section, declared.name.clone(), declared.ty.clone()))
+    let title = match scope {
+        0 => "Declare the undeclared tags of the file",
+        _ => "Declare the undeclared tags of the block",
+    };
+    out.push(Action::later(
+        ActionKind::Rewrite,
+        title,
+        Work::Declarations(scope),
+    ));
+}
+
+/// The declarations. To look at all tags of a file takes time.
+pub(super) fn edits(context: &Context, scope: usize) -> Vec<Edit> {
+    let tags: Vec<_> = undeclared(context, scope)
+        .into_iter()
+        .map(|declared| (declared.section, declared.name, declared.ty))
         .collect();
-    let Some(edits) = Places::new(context, scope).declare_all(&tags) else {
-        return;
-    };
-    let of = if scope == 0 { "file" } else { "block" };
-    let title = match tags.len() {
-        1 => format!("Declare the undeclared tag of the {of}"),
-        count => format!("Declare the {count} undeclared tags of the {of}"),
-    };
-    out.push(Action::new(ActionKind::Rewrite, title, edits));
+    let places = Places::new(context, scope);
+    places.declare_all(&tags).unwrap_or_default()
+}
+
+fn names_undeclared(context: &Context, scope: usize, node: &Node) -> bool {
+    let any = |nodes: &[&Node]| nodes.iter().any(|node| names_undeclared(context, scope, node));
+    match &node.kind {
+        NodeKind::Name(name) => {
+            let tag = context.scopes[scope].find(&Name::new(name));
+            tag.is_some_and(|tag| can_be_declared(context, scope, tag))
+        }
+        NodeKind::Member(base, _) | NodeKind::Unary(_, base) | NodeKind::Paren(base) => any(&[base]),
+        NodeKind::Index(base, index) => any(&[base, index]),
+        NodeKind::Range(base, first, last) => any(&[base, first, last]),
+        NodeKind::Binary(_, left, right) => any(&[left, right]),
+        NodeKind::Call(_, values) | NodeKind::Array(values) | NodeKind::Repeat(_, values) => {
+            values.iter().any(|value| names_undeclared(context, scope, value))
+        }
+        NodeKind::Address(_) | NodeKind::Literal(_) | NodeKind::NoFunction | NodeKind::Missing => false,
+    }
 }

@@ -1,7 +1,7 @@
 //! Selected blocks become a user-defined block. Its power goes in as `EN` and out as `ENO`, so that it stands where they
 //! stood; the tags that they use become its operands: those that are only read as inputs, all others by reference.
 
-use super::drawing::{Drawing, Item, line_end};
+use super::drawing::{Drawing, Item, line_end, lines_text};
 use super::flow::steers;
 use super::names::new_block;
 use super::place::{OnNetwork, Place};
@@ -93,7 +93,8 @@ fn extracted(
     let parse = &context.parse;
     let end = parse.text_len();
     let line_end = line_end(parse);
-    let closed = drawing.range().end() < end && parse.to_string().ends_with(['\n', '\r']);
+    let last = lines_text(parse, parse.lines().len() - 1..parse.lines().len());
+    let closed = last.ends_with(['\n', '\r']);
     let before = if closed { "" } else { line_end };
     Ok(vec![
         caller.replace(),

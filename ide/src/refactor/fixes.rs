@@ -1,6 +1,6 @@
 //! Fixes of findings: each where its finding is, and all of a file at once.
 
-use super::{Action, ActionKind};
+use super::{Action, ActionKind, Work};
 use ladder_analysis::{Analysis, Diagnostic};
 use ladder_format::Edit;
 use ladder_syntax::{TextRange, TextSize};
@@ -24,11 +24,11 @@ pub fn quick_fixes(analysis: &Analysis, range: TextRange) -> Vec<Action> {
 
 /// The first fix of every finding at once, as far as they do not touch each other: the rest is for the next round.
 pub fn fix_all(analysis: &Analysis) -> Option<Action> {
-    let edits = first_fixes(&analysis.diagnostics);
-    (!edits.is_empty()).then(|| Action::new(ActionKind::FixAll, "Apply all fixes", edits))
+    let can = analysis.diagnostics.iter().any(|found| !found.fixes.is_empty());
+    can.then(|| Action::later(ActionKind::FixAll, "Apply all fixes", Work::AllFixes))
 }
 
-fn first_fixes(findings: &[Diagnostic]) -> Vec<Edit> {
+pub(super) fn first_fixes(findings: &[Diagnostic]) -> Vec<Edit> {
     let mut edits: BTreeMap<TextSize, Edit> = BTreeMap::new();
     for fix in findings.iter().filter_map(|found| found.fixes.first()) {
         // Those taken do not touch each other, so only the last one that begins before the end can touch.

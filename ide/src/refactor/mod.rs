@@ -52,6 +52,17 @@ pub enum ActionKind {
     Rewrite,
 }
 
+/// What an action does to the text.
+#[derive(Debug, Clone, PartialEq, Eq)]
+enum Work {
+    /// Edits, sorted and disjoint.
+    Edits(Vec<Edit>),
+    /// The first fix of every finding. They are gathered when they are wanted: a file may have many.
+    AllFixes,
+    /// Declarations of all undeclared tags of a scope, likewise.
+    Declarations(usize),
+}
+
 /// Something that can be done with a part of a program.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Action {
@@ -59,8 +70,7 @@ pub struct Action {
     pub title: String,
     /// What it is for.
     pub kind: ActionKind,
-    /// The edits, sorted and disjoint, before the drawing is put straight.
-    pub edits: Vec<Edit>,
+    work: Work,
     /// Why it cannot be done here, though it looks as if it could.
     pub disabled: Option<String>,
     /// The finding that it mends, as an index into the analysis' diagnostics.
@@ -74,9 +84,16 @@ impl Action {
         // What is put in at a place comes before what replaces the text behind it.
         edits.sort_by_key(|edit| (edit.range.start(), edit.range.end()));
         Action {
+            work: Work::Edits(edits),
+            ..Action::later(kind, title, Work::AllFixes)
+        }
+    }
+
+    fn later(kind: ActionKind, title: impl Into<String>, work: Work) -> Action {
+        Action {
             title: title.into(),
             kind,
-            edits,
+            work,
             disabled: None,
             finding: None,
             preferred: false,
@@ -90,12 +107,21 @@ impl Action {
         }
     }
 
+    /// The edits, sorted and disjoint, before the drawing is put straight.
+    pub fn edits(&self, analysis: &Analysis) -> Vec<Edit> {
+        match &self.work {
+            Work::Edits(edits) => edits.clone(),
+            Work::AllFixes => fixes::first_fixes(&analysis.diagnostics),
+            Work::Declarations(scope) => declare_tags::edits(&analysis.context, *scope),
+        }
+    }
+
     /// The edits of the text that was analysed, with the drawing around them put straight: sorted, none touching another,
     /// none where nothing changes.
-    pub fn aligned(&self, text: &str, options: &Options) -> Vec<Edit> {
+    pub fn aligned(&self, analysis: &Analysis, text: &str, options: &Options) -> Vec<Edit> {
         let fix = Fix {
             title: String::new(),
-            edits: self.edits.clone(),
+            edits: self.edits(analysis),
         };
         fix::aligned(text, &fix, options)
     }

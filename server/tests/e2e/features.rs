@@ -223,6 +223,26 @@ async fn a_refactoring_tells_its_edits_when_it_is_chosen() {
     client.finish().await;
 }
 
+/// A call that hangs on a contact cannot be inlined: the editor shows why, if it can.
+#[tokio::test]
+async fn what_cannot_be_done_comes_with_its_reason() {
+    let text = "+--[ ]( a )--<CALL>( f )--+\n\n+--<FUN>( f )--( )( y )--+\n";
+    let mut client = Client::with(asks_later()).await;
+    client.open(text).await;
+    let offered = actions(&mut client, [0, 20, 0, 20], Some("refactor.inline")).await;
+    assert_eq!(offered.len(), 1);
+    let reason = "whether the function runs depends on this rung's power";
+    assert_eq!(offered[0]["disabled"], json!({"reason": reason}));
+    assert!(offered[0].get("edit").is_none() && offered[0].get("data").is_none());
+    client.finish().await;
+
+    let mut plain = Client::new().await;
+    plain.open(text).await;
+    let offered = actions(&mut plain, [0, 20, 0, 20], Some("refactor.inline")).await;
+    assert_eq!(offered, Vec::<Value>::new());
+    plain.finish().await;
+}
+
 #[tokio::test]
 async fn a_refactoring_tells_its_edits_at_once_where_nobody_asks_later() {
     let mut client = Client::new().await;

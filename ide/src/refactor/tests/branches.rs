@@ -229,7 +229,7 @@ fn gone() {
         expect![[r#"
             Draw a parallel contact `new_contact_1` around `t` (no change while it is low)
             Split the network before `t` (`split_1` carries the power)
-            Declare the 3 undeclared tags of the file
+            Declare the undeclared tags of the file
             Extract the network into the function `function_1`
         "#]],
     );

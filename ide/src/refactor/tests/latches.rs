@@ -135,7 +135,7 @@ fn declarations() {
 +--[P]( I1 )--[ADD]( n, n, 1 )--+
 ",
         expect![[r#"
-            Declare the 6 undeclared tags of the file
+            Declare the undeclared tags of the file
 
             # head #
 
@@ -177,7 +177,7 @@ VAR_INPUT a : BOOL; END_VAR
 END_FUNCTION_BLOCK
 ",
         expect![[r#"
-            Declare the 2 undeclared tags of the block
+            Declare the undeclared tags of the block
 
 
             FUNCTION_BLOCK [$B]

@@ -31,11 +31,22 @@ fn offered(text: &str, range: TextRange) -> Vec<Action> {
     refactorings(&analysis, range)
 }
 
+/// The text after the action whose title begins so.
+#[track_caller]
+fn done(begin: &str, text: &str, range: TextRange) -> String {
+    let analysis = analyze(&Arc::new(parse(text)), "test.clad");
+    let actions = refactorings(&analysis, range);
+    let action = actions.iter().find(|action| action.title.starts_with(begin));
+    let action = action.unwrap_or_else(|| panic!("{begin} is not offered in\n{text}"));
+    apply(text, &action.aligned(&analysis, text, &Options::default()))
+}
+
 /// What the action does whose title begins so; or why it cannot.
 #[track_caller]
 fn check(begin: &str, marked: &str, expected: Expect) {
     let (text, range) = fixture(marked);
-    let actions = offered(&text, range);
+    let analysis = analyze(&Arc::new(parse(&text)), "test.clad");
+    let actions = refactorings(&analysis, range);
     let action = actions.iter().find(|action| action.title.starts_with(begin));
     let shown = match action {
         None => "not offered\n".to_owned(),
@@ -43,7 +54,7 @@ fn check(begin: &str, marked: &str, expected: Expect) {
             disabled: Some(why), ..
         }) => format!("disabled: {why}\n"),
         Some(action) => {
-            let edits = action.aligned(&text, &Options::default());
+            let edits = action.aligned(&analysis, &text, &Options::default());
             format!("{}\n\n{}", action.title, apply(&text, &edits))
         }
     };

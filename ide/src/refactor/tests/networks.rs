@@ -75,7 +75,7 @@ VAR a, b : BOOL; END_VAR
             Make `b` a rising-edge contact (changes what the rung does)
             Draw a parallel contact `new_contact_1` around `b` (no change while it is low)
             Wrap `b` in a branch, with a copy in parallel (changes nothing yet)
-            Declare the 2 undeclared tags of the file
+            Declare the undeclared tags of the file
             Extract the network into the function `function_1` -- <MCR> works only where it stands: a function has labels, returns and loops of its own
         "#]],
     );
@@ -171,4 +171,23 @@ fn inline() {
     disabled: whether the function runs depends on this rung's power
 "#]],
     );
+}
+
+/// The marks show the line ends.
+#[test]
+fn line_ends_wide_letters_and_a_byte_order_mark() {
+    let text = "\u{feff}+--[ ]( 温度 )--\\--( )( läuft )--+  # 🏭 #\r\n|\t/--[ ]( $0b )--( )( z )--+\r\n";
+    for begin in [
+        "Split",
+        "Draw a parallel contact",
+        "Extract the network",
+        "Declare",
+    ] {
+        let (text, range) = super::fixture(text);
+        let new = super::done(begin, &text, range);
+        assert!(new.starts_with('\u{feff}'), "{new:?}");
+        assert!(!new.replace("\r\n", "").contains(['\r', '\n']), "{new:?}");
+        assert_eq!(new.matches("# 🏭 #").count(), 1, "{new:?}");
+    }
+    check("Split", &text.replace("\r\n", "\n"), expect![[""]]);
 }

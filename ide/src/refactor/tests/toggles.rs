@@ -21,7 +21,7 @@ fn contacts() {
             Make `stop` a falling-edge contact (changes what the rung does)
             Draw a parallel contact `new_contact_1` around `stop` (no change while it is low)
             Wrap `stop` in a branch, with a copy in parallel (changes nothing yet)
-            Declare the 2 undeclared tags of the file
+            Declare the undeclared tags of the file
             Extract the network into the function `function_1`
         "#]],
     );
@@ -31,7 +31,7 @@ fn contacts() {
             Make `stop` a falling-edge contact (changes what the rung does)
             Make `stop` a plain contact (changes what the rung does)
             Draw a parallel contact `new_contact_1` around `stop` (no change while it is low)
-            Declare the 2 undeclared tags of the file
+            Declare the undeclared tags of the file
             Extract the network into the function `function_1`
         "#]],
     );
@@ -70,7 +70,7 @@ fn comparisons() {
         expect![[r#"
             Draw a parallel contact `new_contact_1` around `a` (no change while it is low)
             Wrap `a` in a branch, with a copy in parallel (changes nothing yet)
-            Declare the 2 undeclared tags of the file
+            Declare the undeclared tags of the file
             Extract the network into the function `function_1`
         "#]],
     );
@@ -84,7 +84,7 @@ fn coils() {
             Reset `run` instead of setting it (changes what the rung does)
             Draw a parallel coil `new_coil_1` beside `run`
             Split the network before `run` (`split_1` carries the power)
-            Declare the 2 undeclared tags of the file
+            Declare the undeclared tags of the file
             Extract the network into the function `function_1`
         "#]],
     );
@@ -93,7 +93,7 @@ fn coils() {
         expect![[r#"
             Draw a parallel coil `new_coil_1` beside `run`
             Split the network before `run` (`split_1` carries the power)
-            Declare the 4 undeclared tags of the file
+            Declare the undeclared tags of the file
             Extract the network into the function `function_1`
         "#]],
     );
