@@ -226,7 +226,7 @@ fn without_declarations(text: &str) -> String {
 #[test]
 fn in_programs_of_the_generator() {
     let mut tally = Tally::default();
-    for (mode, programs) in [(Mode::Sensible, 60), (Mode::Wild, 150), (Mode::Boolean, 100)] {
+    for (mode, programs) in [(Mode::Sensible, 60), (Mode::Wild, 90), (Mode::Boolean, 40)] {
         for seed in 0..count(programs) {
             let text = program(seed, mode);
             let text = if seed % 3 == 0 { text } else { formatted(&text) };
@@ -259,7 +259,7 @@ fn in_programs_of_the_generator() {
         "Extract the selected blocks into the block",
         "Inline the function",
         "Inline the block",
-        "Declare the",
+        "Declare the undeclared tags of the file",
     ] {
         assert!(
             tally.0.contains_key(name),

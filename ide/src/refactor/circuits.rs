@@ -1,6 +1,6 @@
 //! Networks as what stands in series and in parallel, and back to a drawing.
 
-use super::drawing::{Drawing, Item, ItemKind, Row};
+use super::drawing::{Drawing, Item, ItemKind, Row, comments};
 use super::parallel::Parallel;
 use ladder_format::{Circuit, PieceKind};
 use std::ops::Range;
@@ -45,15 +45,11 @@ impl Rung {
                 }
             }
         }
-        let lines = drawing
-            .rows
-            .iter()
-            .flat_map(|row| row.below.split_inclusive(drawing.line_end()));
         Some(Rung {
             parts,
             railed,
             beside,
-            between: lines.filter(|line| line.contains('#')).collect(),
+            between: drawing.rows.iter().map(|row| comments(&row.below)).collect(),
         })
     }
 
@@ -84,7 +80,7 @@ impl Rung {
             }
             rows.push(Row {
                 items,
-                below: String::new(),
+                below: Vec::new(),
             });
         }
         let mut drawing = like.beside(rows);

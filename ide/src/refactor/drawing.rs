@@ -82,7 +82,7 @@ impl Item {
 pub(crate) struct Row {
     pub(crate) items: Vec<Item>,
     /// The lines between it and the next rung, line ends included.
-    pub(crate) below: String,
+    pub(crate) below: Vec<String>,
 }
 
 /// A network.
@@ -164,7 +164,7 @@ impl Drawing {
         for (number, row) in self.rows.iter().enumerate() {
             if number > 0 {
                 out.push_str(self.line_end);
-                out.push_str(&self.rows[number - 1].below);
+                out.extend(self.rows[number - 1].below.iter().map(String::as_str));
             }
             for (index, item) in row.items.iter().enumerate() {
                 match (index, item.kind) {
@@ -288,7 +288,8 @@ impl Drawing {
         item
     }
 
-    /// Takes rows out that hold nothing but comments; the comments go to the row above, or below the first.
+    /// Takes rows out that hold nothing but comments; the comments go to the row above, or below the first. Lines of
+    /// comments that no rung stands below any more go above the first.
     pub(crate) fn drop_empty_rows(&mut self) {
         let mut row = 0;
         while row < self.rows.len() {
@@ -307,12 +308,21 @@ impl Drawing {
             });
             if row > 0 {
                 self.rows[row - 1].items.extend(comments);
-                self.rows[row - 1].below.push_str(&gone.below);
+                self.rows[row - 1].below.extend(gone.below);
             } else {
                 self.rows[0].items.splice(0..0, comments);
             }
         }
+        if let Some(last) = self.rows.last_mut() {
+            self.head.push_str(&comments(&std::mem::take(&mut last.below)));
+        }
     }
+}
+
+/// The lines of comments among some lines between rungs.
+pub(crate) fn comments(lines: &[String]) -> String {
+    let comments = lines.iter().filter(|line| line.contains('#'));
+    comments.map(String::as_str).collect()
 }
 
 /// The text of a logical line, line end included.

@@ -8,7 +8,7 @@ use super::{Action, ActionKind};
 use ladder_analysis::context::{Body, Context};
 use ladder_format::Edit;
 use ladder_instructions::Op;
-use ladder_syntax::{LineKind, TextRange};
+use ladder_syntax::{LineKind, TextRange, TextSize};
 use std::ops::Range;
 
 pub(super) fn offer(place: &Place<'_>, out: &mut Vec<Action>) {
@@ -70,15 +70,17 @@ fn extracted(context: &Context, networks: Range<usize>, name: &str) -> Result<Ve
     let line_end = line_end(parse);
     let call = format!("+--<CALL>( {name} )--+");
     let mut moved = lines_text(parse, lines.clone());
+    let mut start = parse.line_start(lines.start);
+    if starts_with_mark(context, &lines) {
+        start += TextSize::of(MARK);
+        moved.remove(0);
+    }
     let ends_line = moved.ends_with(['\n', '\r']);
     if !ends_line {
         moved.push_str(line_end);
     }
-    let function = begin_function(context, networks.start, lines.start, &moved, name).ok_or(None)?;
-    let place = TextRange::new(
-        parse.line_start(lines.start),
-        parse.line_range(lines.end - 1).end(),
-    );
+    let function = begin_function(context, networks.start, start, &moved, name).ok_or(None)?;
+    let place = TextRange::new(start, parse.line_range(lines.end - 1).end());
     if place.end() == parse.text_len() {
         // Nothing stands behind them: call and function come one behind the other.
         return Ok(vec![Edit {
@@ -102,6 +104,14 @@ fn extracted(context: &Context, networks: Range<usize>, name: &str) -> Result<Ve
             text: format!("{before}{line_end}{function}"),
         },
     ])
+}
+
+/// The byte order mark.
+const MARK: char = '\u{feff}';
+
+/// Whether some lines begin with the file's byte order mark.
+pub(super) fn starts_with_mark(context: &Context, lines: &Range<usize>) -> bool {
+    lines.start == 0 && lines_text(&context.parse, 0..1).starts_with(MARK)
 }
 
 /// A call stands where a function stood: there is nothing to extract.
@@ -133,13 +143,17 @@ pub(super) fn lines_with_comments(context: &Context, networks: &Range<usize>) ->
     });
     let start = first - above.count();
     let begins_line = start == 0 || lines_text(parse, start - 1..start).ends_with(['\n', '\r']);
-    let has_mark = start == 0 && lines_text(parse, 0..1).starts_with('\u{feff}');
-    (begins_line && !has_mark).then_some(start..last)
+    begins_line.then_some(start..last)
 }
 
 /// The text of the networks with `<FUN>` on the first rung, or on one of its own before them.
-fn begin_function(context: &Context, first: usize, start: usize, text: &str, name: &str) -> Option<String> {
-    let parse = &context.parse;
+fn begin_function(
+    context: &Context,
+    first: usize,
+    start: TextSize,
+    text: &str,
+    name: &str,
+) -> Option<String> {
     let drawing = Drawing::read(context, first)?;
     let items = &drawing.rows[0].items;
     let at_rail = items.first().filter(|item| item.kind == ItemKind::LeftRail);
@@ -147,7 +161,7 @@ fn begin_function(context: &Context, first: usize, start: usize, text: &str, nam
     let Some(rail) = at_rail.filter(|_| items.len() > 1) else {
         return Some(format!("+--{}--+{}{text}", fun.text, drawing.line_end()));
     };
-    let behind = usize::from(rail.at.end() - parse.line_start(start));
+    let behind = usize::from(rail.at.end() - start);
     let (before, rest) = text.split_at_checked(behind)?;
     Some(format!("{before}--{}--{rest}", fun.text))
 }

@@ -1,7 +1,7 @@
 //! The networks of a function take the place of its only call.
 
 use super::drawing::{Drawing, Item, ItemKind, lines_text};
-use super::extract_function::lines_with_comments;
+use super::extract_function::{lines_with_comments, starts_with_mark};
 use super::flow::{has_mcr, steers};
 use super::place::Place;
 use super::{Action, ActionKind};
@@ -75,6 +75,9 @@ fn inlined(context: &Context, caller: usize, drawing: &Drawing, name: &Name) -> 
     }
     let mixed = || "declarations or blocks stand between the rungs of the function".to_owned();
     let lines = lines_with_comments(context, &networks).ok_or_else(mixed)?;
+    if starts_with_mark(context, &lines) {
+        return Err("the function stands first in a file with a byte order mark".to_owned());
+    }
     if lines.contains(&context.networks[caller].first_line) {
         return Err("the function calls itself".to_owned());
     }

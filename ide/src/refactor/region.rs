@@ -94,7 +94,7 @@ impl Region {
         let rows = self.rows.iter().enumerate();
         rows.map(|(n, range)| Row {
             items: drawing.rows[self.top + n].items[range.clone()].to_vec(),
-            below: String::new(),
+            below: Vec::new(),
         })
         .collect()
     }

@@ -1,7 +1,7 @@
 //! A network becomes two: where a rung hangs below another, or across a rung. Where power passes from the first to the
 //! second, a new internal tag carries it.
 
-use super::drawing::{Drawing, Item, ItemKind, Row};
+use super::drawing::{Drawing, Item, ItemKind, Row, comments};
 use super::flow::{is_mark, leaves, steers};
 use super::names::{called, new_tag};
 use super::place::{OnNetwork, Place};
@@ -132,7 +132,7 @@ fn between_rows(on: &OnNetwork<'_>, row: usize, tag: &str) -> Option<Split> {
     }
     let mut first = drawing.beside(drawing.rows[..row].to_vec());
     let mut second = drawing.beside(drawing.rows[below].to_vec());
-    let comments = std::mem::take(&mut first.rows[above].below);
+    second.head = comments(&std::mem::take(&mut first.rows[above].below));
     let carries = if is_rail(drawing, above, down) {
         first.take(above, down);
         None
@@ -143,7 +143,7 @@ fn between_rows(on: &OnNetwork<'_>, row: usize, tag: &str) -> Option<Split> {
         items.extend(railed.then(Item::right_rail));
         first.rows.push(Row {
             items,
-            below: String::new(),
+            below: Vec::new(),
         });
         Some(tag.to_owned())
     };
@@ -152,19 +152,11 @@ fn between_rows(on: &OnNetwork<'_>, row: usize, tag: &str) -> Option<Split> {
         let contact = Item::block(format!("[ ]( {tag} )"));
         second.rows[0].items.insert(up + 1, contact);
     }
-    if has_comment(&comments) {
-        second.head = comments;
-    }
     Some(Split {
         first,
         second,
         carries,
     })
-}
-
-/// Whether a line of comments is among some lines between rungs: it goes with the rung below it.
-fn has_comment(lines: &str) -> bool {
-    lines.contains('#')
 }
 
 /// Whether a `\` has the power of the left rail and no other.
@@ -213,7 +205,7 @@ fn across(on: &OnNetwork<'_>, row: usize, at: usize, tag: &str) -> Option<Split>
         let (left, right) = row.items.split_at(*cut);
         first.rows.push(Row {
             items: left.to_vec(),
-            below: String::new(),
+            below: Vec::new(),
         });
         second.rows.push(Row {
             items: right.to_vec(),

@@ -234,3 +234,40 @@ fn gone() {
         "#]],
     );
 }
+
+#[test]
+fn no_line_of_comments_is_lost() {
+    check(
+        "Remove",
+        r"
++--\--[ ]( start )--\--[/]( stop )----------( )( run )--+
+# what holds it #
+|  /--[ ]( $0run )----/                                |
+",
+        expect![[r#"
+            Remove the parallel branch with `run` (changes what the rung does)
+
+
+            # what holds it #
+            +--[ ]( start )--[/]( stop )-------------------( )( run )--+
+        "#]],
+    );
+    check(
+        "Split the network before",
+        r"
++--\--[ ]( start )--[/]( $0stop )----------( )( run )--+
+# nothing #
+|  /----                                              |
+",
+        expect![[r#"
+            Split the network before `stop` (`split_1` carries the power)
+
+
+            +--\--[ ]( start )-------------------------( )( split_1 )--+
+            |  /----                                                   |
+
+            # nothing #
+            +--[ ]( split_1 )--[/]( stop )-----------------( )( run )--+
+        "#]],
+    );
+}

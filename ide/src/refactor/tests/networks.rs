@@ -189,5 +189,16 @@ fn line_ends_wide_letters_and_a_byte_order_mark() {
         assert!(!new.replace("\r\n", "").contains(['\r', '\n']), "{new:?}");
         assert_eq!(new.matches("# 🏭 #").count(), 1, "{new:?}");
     }
-    check("Split", &text.replace("\r\n", "\n"), expect![[""]]);
+    check(
+        "Split",
+        &text.replace("\r\n", "\n"),
+        expect![[r#"
+        Split the network above this rung (`split_1` carries the power)
+
+        ﻿+--[ ]( 温度 )--\--------( )( läuft )--+  # 🏭 #
+        |               /------( )( split_1 )--+
+
+        +--[ ]( split_1 )--[ ]( b )--( )( z )--+
+    "#]],
+    );
 }
