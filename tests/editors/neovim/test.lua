@@ -437,6 +437,37 @@ t.step('lenses start simulations and count jumps', function()
   vim.cmd('Ladder stop')
 end)
 
+t.step('rename changes every place and draws the networks again', function()
+  local bufnr = t.open('motor.clad')
+  vim.fn.cursor(6, 9)
+  vim.lsp.buf.rename('motor_is_running')
+  local lines = t.eventually('the new name', function()
+    local lines = vim.api.nvim_buf_get_lines(bufnr, 0, -1, false)
+    return lines[2]:find('motor_is_running', 1, true) and lines
+  end)
+  t.equal('the drawing', {
+    '+--\\--[ ]( start )-------------\\--[/]( stop )---------( )( motor_is_running )--+',
+  }, { lines[2] })
+end)
+
+t.step('the outline names networks by the comments above them', function()
+  t.open('motor.clad')
+  vim.lsp.buf.document_symbol({
+    on_list = function(list)
+      vim.b.outline = vim.tbl_map(function(item)
+        return item.text
+      end, list.items)
+    end,
+  })
+  local outline = t.eventually('the outline', function()
+    return vim.b.outline
+  end)
+  t.equal('the outline', {
+    '[Object] Größe: a motor with a seal-in contact, and a lamp when it has warmed up',
+    '[Object] Network 2',
+  }, outline)
+end)
+
 t.step(':checkhealth ladder finds the server', function()
   t.open('motor.clad')
   vim.cmd('silent checkhealth ladder')
