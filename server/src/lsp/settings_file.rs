@@ -40,6 +40,7 @@ pub(super) fn tell(shared: &Shared) {
             wrong.insert(file.path.clone(), diagnostics(&file, agreed.encoding));
         }
     }
+    let mut later = Vec::new();
     let mut told = shared
         .settings_files
         .lock()
@@ -51,8 +52,14 @@ pub(super) fn tell(shared: &Shared) {
         // The client asks for them, beside those of a program; one that does not take them there gets a message.
         if !agreed.related_documents {
             for (path, diagnostics) in &wrong {
-                if told.get(path) != Some(diagnostics) {
+                if told.get(path) == Some(diagnostics) {
+                    continue;
+                }
+                if concerns_an_open_program(shared, path) {
                     shared.outbox.show(sentence(path, diagnostics));
+                } else {
+                    // Nobody looks at it now: told when a program is opened below it.
+                    later.push(path.clone());
                 }
             }
         }
@@ -69,7 +76,18 @@ pub(super) fn tell(shared: &Shared) {
             shared.outbox.no_diagnostics(&uri_of(path));
         }
     }
+    wrong.retain(|path, _| !later.contains(path));
     *told = wrong;
+}
+
+/// Whether a program is open that the settings file stands above.
+fn concerns_an_open_program(shared: &Shared, settings_file: &Path) -> bool {
+    shared.documents.all().iter().any(|document| {
+        document
+            .place()
+            .and_then(|place| shared.neighbours.settings_file(&place.path))
+            .is_some_and(|file| file.path == settings_file)
+    })
 }
 
 /// The files that the client has open as texts that are no programs.

@@ -128,8 +128,13 @@ async fn a_mistake_in_the_settings_comes_beside_those_of_a_program() {
 
 #[tokio::test]
 async fn a_client_that_takes_no_related_documents_gets_a_message() {
-    let plant = Plant::with(&[("ladder.toml", "[formt]\n")]);
-    let mut client = client(&[], json!({"textDocument": {"diagnostic": {}}})).await;
+    let plant = Plant::with(&[("ladder.toml", "[formt]\n"), ("other/ladder.toml", "[lin]\n")]);
+    let folder = plant.uri("");
+    let mut client = client(
+        &[folder.trim_end_matches('/')],
+        json!({"textDocument": {"diagnostic": {}}}),
+    )
+    .await;
     let main = plant.uri("main.clad");
     client.open_as(&main, 1, "").await;
     let report = ask(&mut client, &main, Value::Null).await;
