@@ -1,6 +1,8 @@
 //! How a command ends.
 
+use crate::findings::render_settings;
 use crate::terminal;
+use annotate_snippets::Renderer;
 use ladder_workspace::{FileError, SettingsError};
 use std::fmt;
 use std::process::ExitCode;
@@ -39,35 +41,58 @@ pub(crate) fn exit(result: Result<Outcome, Failure>) -> ExitCode {
 
 /// Why a command could not do its work: a message for the person who started it.
 #[derive(Debug)]
-pub(crate) struct Failure(String);
+pub(crate) struct Failure {
+    message: String,
+    /// The same with the lines that it is about.
+    excerpt: Option<String>,
+}
 
 impl Failure {
     pub(crate) fn new(message: impl Into<String>) -> Failure {
-        Failure(message.into())
+        Failure {
+            message: message.into(),
+            excerpt: None,
+        }
+    }
+
+    /// Says it as a command does that shows findings: with the lines that it is about, if there are any.
+    pub(crate) fn show(&self) {
+        match &self.excerpt {
+            Some(excerpt) => terminal::plain(excerpt),
+            None => terminal::error(self),
+        }
     }
 }
 
 impl fmt::Display for Failure {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(&self.0)
+        f.write_str(&self.message)
     }
 }
 
 impl From<FileError> for Failure {
     fn from(error: FileError) -> Failure {
-        Failure(error.to_string())
+        Failure::new(error.to_string())
     }
 }
 
 impl From<SettingsError> for Failure {
     fn from(error: SettingsError) -> Failure {
-        Failure(error.to_string())
+        let renderer = if terminal::stderr_has_colours() {
+            Renderer::styled()
+        } else {
+            Renderer::plain()
+        };
+        Failure {
+            message: error.to_string(),
+            excerpt: render_settings(&error, &renderer),
+        }
     }
 }
 
 /// Writing to stdout is the only bare input or output of a command; files have their own errors.
 impl From<std::io::Error> for Failure {
     fn from(error: std::io::Error) -> Failure {
-        Failure(format!("the output cannot be written: {error}"))
+        Failure::new(format!("the output cannot be written: {error}"))
     }
 }

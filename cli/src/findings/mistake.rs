@@ -3,14 +3,42 @@
 use super::source::Source;
 use annotate_snippets::{AnnotationKind, Group, Level, Renderer};
 use ladder_simulator::scenario::Mistake;
+use ladder_workspace::SettingsError;
 
 /// What stands where the name of a rule would.
 pub(crate) const NAME: &str = "bad-scenario";
 
+/// The same in `ladder.toml`.
+const SETTING: &str = "bad-setting";
+
+/// What is wrong in a settings file, each with its excerpt; None if it is not about places in it.
+pub(crate) fn render_settings(error: &SettingsError, renderer: &Renderer) -> Option<String> {
+    let SettingsError::Mistakes { file, mistakes } = error else {
+        return None;
+    };
+    let text = ladder_workspace::read(file).ok()?;
+    let here = std::env::current_dir().ok();
+    let named = here.and_then(|here| file.strip_prefix(here).ok()).unwrap_or(file);
+    let source = Source::new(named.display().to_string(), text);
+    let shown = mistakes.iter().map(|mistake| {
+        let mistake = Mistake {
+            range: mistake.range,
+            message: mistake.message.clone(),
+            help: None,
+        };
+        render_as(SETTING, &source, &mistake, renderer)
+    });
+    Some(shown.collect::<Vec<_>>().join("\n\n"))
+}
+
 /// A mistake with its excerpt, without a line end behind it.
 pub(crate) fn render(source: &Source, mistake: &Mistake, renderer: &Renderer) -> String {
+    render_as(NAME, source, mistake, renderer)
+}
+
+fn render_as(name: &str, source: &Source, mistake: &Mistake, renderer: &Renderer) -> String {
     let excerpt = super::full::Excerpt::of(source, source.lines(mistake.range));
-    let mut group = Group::with_title(Level::ERROR.primary_title(mistake.message.as_str()).id(NAME)).element(
+    let mut group = Group::with_title(Level::ERROR.primary_title(mistake.message.as_str()).id(name)).element(
         excerpt
             .snippet(source)
             .annotation(AnnotationKind::Primary.span(excerpt.span(mistake.range))),

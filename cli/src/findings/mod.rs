@@ -11,6 +11,7 @@ pub(crate) mod sarif;
 mod source;
 mod workspaces;
 
+pub(crate) use mistake::render_settings;
 pub(crate) use problem::{Place, Problem, annotation};
 pub(crate) use source::Source;
 pub(crate) use workspaces::Workspaces;

@@ -102,3 +102,29 @@ fn a_broken_settings_file_is_told_once() {
         .refused_with(message);
     assert_eq!(folder.read("b.clad"), CROOKED);
 }
+
+#[test]
+fn check_shows_what_is_wrong_in_them_with_its_lines() {
+    let folder = Folder::with(&[
+        ("ladder.toml", "[format]\nwith = 120\nspacing = 0\n"),
+        ("a.clad", "+--[ ]( a )--( )( y )--+\n"),
+    ]);
+    let run = folder.ladder(&["check", "a.clad"]);
+    assert_eq!(run.status, Some(2), "{run}");
+    assert_eq!(
+        run.stderr,
+        "\
+error[bad-setting]: `with` is no setting in [format]: did you mean `width`?
+ --> ladder.toml:2:1
+  |
+2 | with = 120
+  | ^^^^
+
+error[bad-setting]: a whole number from 1 to 40 is expected here
+ --> ladder.toml:3:11
+  |
+3 | spacing = 0
+  |           ^
+"
+    );
+}

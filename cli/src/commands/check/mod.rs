@@ -97,7 +97,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
                 Ok(source) => sources.extend(source),
                 // One file that is bad does not keep the others from being checked.
                 Err(failure) => {
-                    terminal::error(&failure);
+                    failure.show();
                     outcome = Outcome::Failed;
                 }
             }
