@@ -194,9 +194,8 @@ struct Typing {
     line: usize,
     column: usize,
     version: i64,
+    uri: String,
 }
-
-const URI: &str = "file:///bench.clad";
 
 impl Typing {
     /// A letter in, a letter out.
@@ -210,7 +209,7 @@ impl Typing {
         let place = |character| json!({ "line": self.line, "character": character });
         self.server.send(
             &json!({ "jsonrpc": "2.0", "method": "textDocument/didChange", "params": {
-            "textDocument": { "uri": URI, "version": self.version },
+            "textDocument": { "uri": self.uri, "version": self.version },
             "contentChanges": [{ "range": { "start": place(self.column), "end": place(end) }, "text": new }] } }),
         );
     }
@@ -228,7 +227,7 @@ impl Typing {
     /// A request on a text that was just edited and checked. What the answer is must not be an error.
     fn requests(&mut self, count: usize, method: &str, params: &Value) -> Vec<Duration> {
         let mut params = params.clone();
-        params["textDocument"] = json!({ "uri": URI });
+        params["textDocument"] = json!({ "uri": self.uri });
         let request = |_| {
             self.type_on();
             self.server.diagnostics_of(self.version);
@@ -280,10 +279,16 @@ fn measure(rungs: usize) {
         .expect("the rung is there");
     let column = row.find(&middle).expect("the tag is there") + middle.len() - 2;
     println!("{rungs} rungs, {} bytes", text.len());
+    // A workspace of its own, so that nothing else on the disk is looked at.
+    let folder = tempfile::tempdir().expect("a folder can be made");
+    let file = folder.path().join("bench.clad");
+    std::fs::write(folder.path().join("ladder.toml"), "").expect("the folder can be written");
+    std::fs::write(&file, &text).expect("the folder can be written");
+    let uri = format!("file://{}", file.display());
     let mut server = Server::start();
     server.send(
         &json!({ "jsonrpc": "2.0", "method": "textDocument/didOpen", "params": {
-        "textDocument": { "uri": URI, "languageId": "clad", "version": 1, "text": text } } }),
+        "textDocument": { "uri": uri, "languageId": "clad", "version": 1, "text": text } } }),
     );
     let started = Instant::now();
     server.diagnostics_of(1);
@@ -293,6 +298,7 @@ fn measure(rungs: usize) {
         line,
         column,
         version: 1,
+        uri,
     };
     let count = if rungs > 20_000 { EDITS / 8 } else { EDITS };
     let before = typing.processor_time();
