@@ -30,20 +30,23 @@ async fn analyse(shared: Arc<Shared>, first: Arc<Revision>, _work: Work) {
         if shared.documents.is_current(&revision) {
             let (agreed, job) = (shared.agreed(), revision.clone());
             let beside = shared.clone();
-            match blocking(move |_| look_at(&beside, &job)).await {
-                Ok(_) if agreed.pulls_diagnostics => {}
-                Ok(diagnostics) => {
-                    shared
+            // All on one thread, the person first: what was allocated there is freed there.
+            let looked = blocking(move |_| {
+                let diagnostics = diagnostics_of(agreed, &job);
+                if !agreed.pulls_diagnostics {
+                    beside
                         .outbox
-                        .diagnostics(&shared.documents, revision.clone(), diagnostics);
+                        .diagnostics(&beside.documents, job.clone(), diagnostics);
                 }
-                Err(error) => shared
-                    .outbox
-                    .log(format!("no diagnostics for {}: {}", revision.uri, error.message)),
+                tell_others(&beside, &job);
+                job.forget_superseded();
+            });
+            if let Err(error) = looked.await {
+                let message = format!("no diagnostics for {}: {}", revision.uri, error.message);
+                shared.outbox.log(message);
             }
         }
         next = shared.documents.analysed(&revision);
-        tokio::task::spawn_blocking(move || revision.forget_superseded());
     }
 }
 
@@ -51,6 +54,12 @@ async fn analyse(shared: Arc<Shared>, first: Arc<Revision>, _work: Work) {
 /// else in it than before. For a blocking thread.
 pub(super) fn look_at(shared: &Arc<Shared>, revision: &Revision) -> Vec<Diagnostic> {
     let diagnostics = diagnostics_of(shared.agreed(), revision);
+    tell_others(shared, revision);
+    diagnostics
+}
+
+/// Has the other open files of a program's workspace looked at again if they see something else in it than before.
+fn tell_others(shared: &Arc<Shared>, revision: &Revision) {
     if let Some(place) = revision.place().filter(|_| shared.documents.is_current(revision)) {
         if revision.tell_neighbours() {
             refresh_others(shared, &place.path, Some(&revision.uri));
@@ -58,7 +67,6 @@ pub(super) fn look_at(shared: &Arc<Shared>, revision: &Revision) -> Vec<Diagnost
         settings_file::tell(shared);
         companions::refresh_scenarios(shared);
     }
-    diagnostics
 }
 
 /// Looks once more at the open documents of a file's workspace, but for one.
