@@ -281,7 +281,7 @@ fn break_neighbours(parse: &Parse, networks: &mut [Arc<NetworkFacts>]) {
 
 fn implicit(name: &str, at: TextRange) -> TagFacts {
     TagFacts {
-        name: name.to_owned(),
+        name: name.into(),
         ty: Some(Type::Scalar(Scalar::Bool)),
         role: Role::Internal,
         origin: Origin::Implicit,

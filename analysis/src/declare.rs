@@ -122,7 +122,7 @@ fn declaration(
             continue;
         }
         scope.add(TagFacts {
-            name: name.text().to_owned(),
+            name: name.text().into(),
             ty,
             mistyped: ty.is_none(),
             role: role(context.kind, address_role),

@@ -186,7 +186,7 @@ fn globals(context: &Context) -> Vec<Global> {
         }
         let key = Name::new(&tag.name);
         globals.push(Global {
-            name: tag.name.clone(),
+            name: tag.name.to_string(),
             key,
             ty: if tag.mistyped { None } else { tag.ty },
             role: tag.role,

@@ -5,6 +5,7 @@ use crate::types::{Scalar, Type};
 use crate::value::Value;
 use ladder_syntax::{Name, TextRange};
 use rustc_hash::FxHashMap;
+use smol_str::SmolStr;
 use std::sync::Arc;
 
 /// The section that a tag is declared in.
@@ -105,7 +106,7 @@ pub struct Use {
 #[derive(Debug, Clone)]
 pub struct TagFacts {
     /// As declared, or as first written.
-    pub name: String,
+    pub name: SmolStr,
     /// Its type. None until it is inferred.
     pub ty: Option<Type>,
     /// Input, output or neither.
@@ -169,23 +170,27 @@ impl Scope {
         if !declared.iter().all(plain) {
             return None;
         }
-        let mut scope = Scope {
-            tags: Vec::with_capacity(self.tags.len()),
-            by_name: FxHashMap::with_capacity_and_hasher(self.tags.len(), rustc_hash::FxBuildHasher),
+        let tags = declared.iter().map(|tag| TagFacts {
+            name: tag.name.clone(),
+            initial: tag.initial.clone(),
+            address: tag.address.clone(),
+            uses: Vec::with_capacity(tag.uses.len()),
+            foreign: None,
+            ..*tag
+        });
+        let mut by_name = self.by_name.clone();
+        for found in &self.tags[self.declared..] {
+            let name = Name::new(&found.name);
+            if by_name.get(&name).is_some_and(|&tag| tag >= self.declared) {
+                by_name.remove(&name);
+            }
+        }
+        Some(Scope {
+            tags: tags.collect(),
+            by_name,
             declared: self.declared,
             block: self.block,
-        };
-        for tag in declared {
-            scope.add(TagFacts {
-                name: tag.name.clone(),
-                initial: tag.initial.clone(),
-                address: tag.address.clone(),
-                uses: Vec::with_capacity(tag.uses.len()),
-                foreign: None,
-                ..*tag
-            });
-        }
-        Some(scope)
+        })
     }
 
     /// Adds a tag; the first one of a name is found by it.

@@ -83,7 +83,7 @@ fn import(
     }
     let used = &context.scopes[scope].tags[tag];
     let facts = TagFacts {
-        name: global.name.clone(),
+        name: global.name.as_str().into(),
         ty: global.ty,
         role: global.role,
         origin: Origin::Shared,

@@ -94,7 +94,7 @@ pub(crate) fn user_block(parse: &Parse, definition: &BlockDefinition, scope: &Sc
                 _ => return None,
             };
             Some(Parameter {
-                name: facts.name.clone(),
+                name: facts.name.to_string(),
                 key: Name::new(&facts.name),
                 ty: facts.ty.filter(|_| !facts.mistyped),
                 tag,

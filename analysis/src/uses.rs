@@ -190,7 +190,7 @@ fn enter(named: &[Named], network: usize, facts: &NetworkFacts, scope: &mut Scop
 fn undeclared(name: &str, at: TextRange) -> TagFacts {
     let form = type_by_form(name);
     TagFacts {
-        name: name.to_owned(),
+        name: name.into(),
         ty: form.map(|(scalar, _)| Type::Scalar(scalar)),
         role: form.map_or(Role::Internal, |(_, role)| role),
         origin: if form.is_some() {

@@ -12,7 +12,7 @@ pub(crate) fn written(context: &Context, scope: usize, node: &Node) -> String {
     let inner = |node: &Node| written(context, scope, node);
     match &node.kind {
         NodeKind::Name(name) => match tag(context, scope, name) {
-            Some((_, facts)) => facts.name.clone(),
+            Some((_, facts)) => facts.name.to_string(),
             None => name.to_string(),
         },
         NodeKind::Address(name) => name.to_string(),

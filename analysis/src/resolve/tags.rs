@@ -113,7 +113,7 @@ fn place(unit: &Unit<'_>, index: usize, tag: &TagFacts, program: &mut Program) -
 fn add(program: &mut Program, tag: &TagFacts, block: Option<usize>, location: Location) -> TagId {
     let id = TagId(program.tags.len() as u32);
     program.tags.push(Tag {
-        name: tag.name.clone(),
+        name: tag.name.to_string(),
         ty: tag.ty.unwrap_or(Type::Scalar(Scalar::Dint)),
         role: tag.role,
         retain: tag.retain,

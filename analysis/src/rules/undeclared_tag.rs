@@ -187,7 +187,7 @@ pub(crate) fn undeclared(context: &Context, scope: usize) -> Vec<Undeclared> {
         };
         Undeclared {
             section,
-            name: tag.name.clone(),
+            name: tag.name.to_string(),
             ty,
         }
     })

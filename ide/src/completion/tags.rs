@@ -115,7 +115,7 @@ fn propose_tag(typing: &Typing<'_>, tag: &TagFacts, order: (u8, u8), out: &mut P
         kind,
         &tag.name,
         &from,
-        Topic::Tag(typing.scope, tag.name.clone()),
+        Topic::Tag(typing.scope, tag.name.to_string()),
     );
 }
 

@@ -136,7 +136,7 @@ fn parameters(context: &Context, on: &OnNetwork<'_>, blocks: &[usize]) -> Result
         };
         parameters.push(Parameter {
             section,
-            name: name.clone(),
+            name: name.to_string(),
             ty,
         });
     }

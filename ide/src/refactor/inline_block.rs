@@ -267,7 +267,7 @@ impl Words<'_> {
         let key = Name::new(name);
         let free = self.outer.find(&key).is_none() && !taken.iter().any(|taken| Name::new(taken) == key);
         let new = if free {
-            name.clone()
+            name.to_string()
         } else {
             new_tag(self.place.context, &taken, name)
         };
