@@ -14,6 +14,7 @@ use ropey::Rope;
 use super::neighbours::OnDisk;
 use super::position::{self, Range};
 use super::{Documents, Revision, address};
+use crate::cancel::Cancel;
 
 /// The files of a document's workspace, the document itself among them. They are looked for when they are first asked
 /// for: most requests stay within their document.
@@ -23,6 +24,7 @@ pub(crate) struct Elsewhere {
     companions: Arc<Documents>,
     files: OnceLock<Files>,
     scenarios: OnceLock<Vec<Scenarios>>,
+    cancel: Cancel,
 }
 
 /// The programs.
@@ -62,11 +64,12 @@ impl FileText {
 
 impl Elsewhere {
     /// The files beside a document, as they are when they are first asked for. `documents` are the open programs,
-    /// `companions` other open files.
+    /// `companions` other open files. Who is told to stop finds no more files.
     pub(crate) fn of(
         own: &Arc<Revision>,
         documents: &Arc<Documents>,
         companions: &Arc<Documents>,
+        cancel: &Cancel,
     ) -> Elsewhere {
         Elsewhere {
             own: Arc::clone(own),
@@ -74,6 +77,7 @@ impl Elsewhere {
             companions: Arc::clone(companions),
             files: OnceLock::new(),
             scenarios: OnceLock::new(),
+            cancel: cancel.clone(),
         }
     }
 
@@ -196,7 +200,8 @@ impl Elsewhere {
 
     fn which(&self, wanted: impl Fn(&str, &dyn Fn() -> String) -> bool) -> Vec<Neighbour> {
         let files = self.files();
-        let open = files.open.iter();
+        let waited_for = || !self.cancel.is_cancelled();
+        let open = files.open.iter().take_while(|_| waited_for());
         let open = open.filter(|(name, revision)| wanted(name, &|| revision.rope().to_string()));
         let mut found: Vec<Neighbour> = open
             .filter_map(|(_, revision)| {
@@ -207,7 +212,7 @@ impl Elsewhere {
         let Some(exported) = &files.exported else {
             return found;
         };
-        let closed = files.closed.iter();
+        let closed = files.closed.iter().take_while(|_| waited_for());
         let closed = closed.filter(|(_, file)| wanted(&file.name, &|| file.text.clone()));
         found.extend(closed.map(|(_, file)| Neighbour::read(Arc::clone(&file.name), file.context(exported))));
         found
@@ -229,5 +234,34 @@ impl Workspace for Elsewhere {
 
     fn scenarios(&self) -> Vec<ScenarioFile> {
         self.scenario_files().iter().map(|it| it.shown.clone()).collect()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::neighbours::{Neighbours, Place};
+    use super::super::position::Encoding;
+    use super::*;
+
+    #[test]
+    fn nothing_is_read_for_an_answer_that_nobody_waits_for() {
+        let folder = tempfile::tempdir().unwrap();
+        let (documents, companions) = (Arc::<Documents>::default(), Arc::<Documents>::default());
+        let neighbours = Arc::<Neighbours>::default();
+        let open = |name: &str| {
+            let path = folder.path().join(name);
+            std::fs::write(&path, "+--[ ]( a )--( )( b )--+\n").unwrap();
+            let place = Some(Place::new(path.clone(), &neighbours));
+            let text = std::fs::read_to_string(&path).unwrap();
+            documents.open_at(&address::uri_of(&path), 1, Encoding::Utf8, &text, place)
+        };
+        std::fs::write(folder.path().join("closed.clad"), "+--[ ]( a )--( )( c )--+\n").unwrap();
+        let own = open("own.clad");
+        open("other.clad");
+        let cancel = Cancel::default();
+        let elsewhere = Elsewhere::of(&own, &documents, &companions, &cancel);
+        assert_eq!(elsewhere.all().len(), 2);
+        cancel.cancel();
+        assert_eq!(elsewhere.all().len(), 0);
     }
 }

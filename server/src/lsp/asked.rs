@@ -38,8 +38,9 @@ pub(super) async fn about<T: Send + 'static>(
     let Some(revision) = shared.documents.get(uri.as_str()) else {
         return Ok(None);
     };
-    let elsewhere = Elsewhere::of(&revision, &shared.documents, &shared.companions);
-    blocking(move |_| {
+    let (documents, companions) = (Arc::clone(&shared.documents), Arc::clone(&shared.companions));
+    blocking(move |cancel| {
+        let elsewhere = Elsewhere::of(&revision, &documents, &companions, cancel);
         let analysis = Arc::clone(revision.analysis()?.whole());
         job(&Asked {
             revision,

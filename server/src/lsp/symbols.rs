@@ -49,7 +49,7 @@ pub(super) async fn symbols(
             if cancel.is_cancelled() {
                 break;
             }
-            let elsewhere = Elsewhere::of(&revision, &documents, &companions);
+            let elsewhere = Elsewhere::of(&revision, &documents, &companions, cancel);
             if seen.contains(&revision.uri) {
                 continue;
             }
