@@ -85,6 +85,46 @@ async function session() {
         assert.match(hover.contents.map((content) => content.value ?? content).join('\n'), /timer/i);
     });
 
+    await step('a half-typed block is completed, with its operands', async () => {
+        const document = await vscode.workspace.openTextDocument({ language: 'clad', content: '+--[ ]( go )--[TO' });
+        const end = document.positionAt(document.getText().length);
+        const list = await vscode.commands.executeCommand('vscode.executeCompletionItemProvider', document.uri, end);
+        const labels = list.items.map(({ label }) => label.label ?? label);
+        assert.ok(labels.some((label) => label.includes('TON')), labels.join(' '));
+        const inside = await vscode.workspace.openTextDocument({ language: 'clad', content: '+--[TON]( t, ' });
+        const help = await vscode.commands.executeCommand(
+            'vscode.executeSignatureHelpProvider', inside.uri, inside.positionAt(inside.getText().length));
+        assert.equal(help.signatures[0].activeParameter ?? help.activeParameter, 1);
+    });
+
+    await step('a tag is found at all its places, and renamed with the drawing laid out', async () => {
+        const document = await open('motor.clad');
+        const place = document.positionAt(document.getText().indexOf('start'));
+        const found = await vscode.commands.executeCommand('vscode.executeReferenceProvider', document.uri, document.positionAt(document.getText().indexOf('run )')));
+        assert.ok(found.filter(({ uri }) => uri.path === document.uri.path).length >= 3);
+        const edit = await vscode.commands.executeCommand('vscode.executeDocumentRenameProvider', document.uri, place, 'start_button');
+        await vscode.workspace.applyEdit(edit);
+        const rails = document.getText().split('\n').filter((line) => /^\+.*\+$/.test(line));
+        assert.ok(document.getText().includes('[ ]( start_button )'));
+        assert.equal(new Set(rails.map((line) => line.length)).size, 1, rails.join('\n'));
+        // Back to what is on disk, in every file that the renaming touched.
+        for (const [uri] of edit.entries()) {
+            await vscode.window.showTextDocument(await vscode.workspace.openTextDocument(uri));
+            await vscode.commands.executeCommand('workbench.action.files.revert');
+        }
+    });
+
+    await step('the outline, the colours, and what can be done at a contact', async () => {
+        const document = await open('motor.clad');
+        const symbols = await vscode.commands.executeCommand('vscode.executeDocumentSymbolProvider', document.uri);
+        assert.ok(symbols.length > 0);
+        const tokens = await vscode.commands.executeCommand('vscode.provideDocumentSemanticTokens', document.uri);
+        assert.ok(tokens.data.length > 0);
+        const at = document.positionAt(document.getText().indexOf('[/]') + 1);
+        const actions = await vscode.commands.executeCommand('vscode.executeCodeActionProvider', document.uri, new vscode.Range(at, at));
+        assert.ok(actions.some(({ kind }) => kind?.value.startsWith('refactor')), actions.map(({ title }) => title).join('; '));
+    });
+
     await step('formatting aligns a crooked drawing', async () => {
         const document = await open('crooked.clad');
         await vscode.commands.executeCommand('editor.action.formatDocument');
