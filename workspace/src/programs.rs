@@ -3,7 +3,7 @@
 use crate::settings::SettingsError;
 use crate::{FileError, Root, Settings, read};
 use ladder_analysis::program::Program;
-use ladder_analysis::{Analysis, Exported, Exports, NotWhole, analyze_with, exports, link};
+use ladder_analysis::{Analysis, Exported, Exports, NotWhole, Others, analyze_with, exports, link};
 use ladder_syntax::Parse;
 use std::path::{Path, PathBuf};
 use std::sync::{Arc, OnceLock};
@@ -85,7 +85,11 @@ impl Workspace {
     /// A program's names, findings and, if it needs no other file, program.
     pub fn analysis(&self, source: &Source) -> Arc<Analysis> {
         let analysis = source.analysis.get_or_init(|| {
-            let others = self.exported().others_of(&source.name);
+            // What a program shows is for others to see: one that stands alone need not be read twice.
+            let others = match self.programs.len() {
+                1 => Others::default(),
+                _ => self.exported().others_of(&source.name),
+            };
             let rules = self.settings.rules_for(&source.path);
             Arc::new(analyze_with(source.parse(), &source.name, &others, &rules))
         });

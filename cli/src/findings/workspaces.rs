@@ -27,7 +27,9 @@ impl Workspaces {
             return Ok(loaded.clone());
         }
         let workspace = Workspace::of(file).map(Arc::new);
-        if let Ok(workspace) = &workspace {
+        if let Ok(workspace) = &workspace
+            && workspace.programs().len() > 1
+        {
             // What the files see of each other is needed before any of them is checked.
             workspace
                 .programs()
