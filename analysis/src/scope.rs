@@ -161,10 +161,9 @@ impl Scope {
     /// The scope as it was before any use was looked at. None if what was found since has changed a declared tag.
     pub(crate) fn as_declared(&self) -> Option<Scope> {
         let plain = |tag: &TagFacts| {
-            let kind = SectionKind::External;
-            let shared = matches!(tag.origin, Origin::Declared(SectionKind::Global))
-                || tag.origin == Origin::Declared(kind);
-            !shared && tag.shared.is_none() && !tag.mistyped
+            let common = Origin::Declared(SectionKind::Global) == tag.origin
+                || Origin::Declared(SectionKind::External) == tag.origin;
+            !common && tag.shared.is_none() && !tag.mistyped
         };
         let declared = &self.tags[..self.declared];
         if !declared.iter().all(plain) {

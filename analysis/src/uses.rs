@@ -212,7 +212,6 @@ fn undeclared(name: &str, at: TextRange) -> TagFacts {
 
 /// The name that stands at a place of an operand, as it is written.
 fn spelled(node: &Node, at: TextRange) -> Option<&str> {
-    let all = |nodes: &'_ [Node]| -> Option<usize> { nodes.iter().position(|n| n.range.contains_range(at)) };
     match &node.kind {
         NodeKind::Name(name) | NodeKind::Address(name) => (node.range == at).then_some(name),
         NodeKind::Member(inner, _) | NodeKind::Unary(_, inner) | NodeKind::Paren(inner) => spelled(inner, at),
@@ -222,7 +221,7 @@ fn spelled(node: &Node, at: TextRange) -> Option<&str> {
             .or_else(|| spelled(last, at)),
         NodeKind::Binary(_, left, right) => spelled(left, at).or_else(|| spelled(right, at)),
         NodeKind::Call(_, nodes) | NodeKind::Array(nodes) | NodeKind::Repeat(_, nodes) => {
-            all(nodes).and_then(|found| spelled(&nodes[found], at))
+            nodes.iter().find_map(|node| spelled(node, at))
         }
         NodeKind::Literal(_) | NodeKind::NoFunction | NodeKind::Missing => None,
     }
