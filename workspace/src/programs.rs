@@ -63,6 +63,14 @@ impl Workspace {
         &self.programs
     }
 
+    /// Those that show something to each other: none where one stands alone, which need not be read twice then.
+    pub fn programs_seen_by_others(&self) -> &[Source] {
+        match &*self.programs {
+            [_] => &[],
+            several => several,
+        }
+    }
+
     /// The program of a file, if it belongs to the workspace.
     pub fn program_at(&self, path: &Path) -> Option<&Source> {
         let wanted = path.canonicalize().ok()?;
@@ -85,9 +93,8 @@ impl Workspace {
     /// A program's names, findings and, if it needs no other file, program.
     pub fn analysis(&self, source: &Source) -> Arc<Analysis> {
         let analysis = source.analysis.get_or_init(|| {
-            // What a program shows is for others to see: one that stands alone need not be read twice.
-            let others = match self.programs.len() {
-                1 => Others::default(),
+            let others = match self.programs_seen_by_others() {
+                [] => Others::default(),
                 _ => self.exported().others_of(&source.name),
             };
             let rules = self.settings.rules_for(&source.path);

@@ -27,12 +27,10 @@ impl Workspaces {
             return Ok(loaded.clone());
         }
         let workspace = Workspace::of(file).map(Arc::new);
-        if let Ok(workspace) = &workspace
-            && workspace.programs().len() > 1
-        {
+        if let Ok(workspace) = &workspace {
             // What the files see of each other is needed before any of them is checked.
             workspace
-                .programs()
+                .programs_seen_by_others()
                 .par_iter()
                 .for_each(ladder_workspace::Source::prepare);
         }
