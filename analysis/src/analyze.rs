@@ -90,6 +90,7 @@ pub fn analyze_after(
     let unresolved = resolve::check_all(&context, &mut diagnostics);
     rules::check(&context, settings, &mut diagnostics);
     rules::unclosed_comment::hide_what_follows(parse, &mut diagnostics);
+    diagnostics.iter_mut().for_each(Diagnostic::say_how_many_more);
     let hidden_errors = lint::apply(&context, settings, &mut diagnostics);
     diagnostics.sort_by_key(|d| (d.range.start(), d.range.end(), d.rule));
     // The first says it best: what is found while types are inferred comes before what follows from it.

@@ -1,5 +1,6 @@
 //! Constants: literals brought to the type that their place asks for, and initial values.
 
+use crate::article::with_article;
 use crate::diagnostic::Diagnostic;
 use crate::facts::{Node, NodeKind, Operator};
 use crate::literal::{Literal, LiteralProblem};
@@ -58,7 +59,10 @@ pub(crate) fn place(
     };
     if let Literal::Typed(own, inner) = literal {
         if !passes(*own, ty) {
-            let message = format!("a {own} does not pass to {ty}: convert it with [TYP]");
+            let message = format!(
+                "{} does not pass to {ty}: convert it with [TYP]",
+                with_article(own)
+            );
             return Err(ConstantProblem::new(Rule::TypeMismatch, range, message));
         }
         let value = place(inner, negative, *own, range)?;
@@ -140,7 +144,7 @@ pub(crate) fn describe(literal: &Literal) -> String {
         Literal::Tod(_) => "a time of day".to_owned(),
         Literal::Dt(_) => "a date and time".to_owned(),
         Literal::Text(_) => "a text".to_owned(),
-        Literal::Typed(scalar, _) => format!("a {scalar}"),
+        Literal::Typed(scalar, _) => with_article(scalar),
     }
 }
 
@@ -190,7 +194,10 @@ pub(crate) fn initial_values(node: &Node, ty: Type) -> Result<Vec<Value>, Consta
     match ty {
         Type::Scalar(scalar) => Ok(vec![initial_value(node, scalar)?]),
         Type::State(state) => {
-            let message = format!("a {} starts cleared: it has no initial value", state.name());
+            let message = format!(
+                "{} starts cleared: it has no initial value",
+                with_article(state.name())
+            );
             Err(ConstantProblem::new(Rule::BadDeclaration, node.range, message))
         }
         Type::Array { first, last, element } => {

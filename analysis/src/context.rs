@@ -3,11 +3,13 @@
 use crate::declare;
 use crate::diagnostic::Diagnostic;
 use crate::facts::NodeKind;
+use crate::foreign_comment::ForeignComments;
 use crate::infer;
 use crate::kept::Kept;
 use crate::known_blocks::KnownBlocks;
 use crate::network::{self, NetworkFacts};
 use crate::others::{Import, Others};
+use crate::profile;
 use crate::program::Role;
 use crate::scope::{Origin, Scope, TagFacts};
 use crate::shared;
@@ -15,7 +17,7 @@ use crate::types::Scalar;
 use crate::types::Type;
 use crate::user_block::{self, UserBlockFacts};
 use crate::uses;
-use ladder_instructions::{Op, Shape};
+use ladder_instructions::{Op, Profile, Shape};
 use ladder_syntax::wiring::PartKind;
 use ladder_syntax::{LineIndex, LineKind, Name, Parse, TextRange, TextSize};
 use std::collections::HashMap;
@@ -26,6 +28,8 @@ use std::sync::{Arc, OnceLock};
 pub struct Context {
     /// The parse that all of it was read off.
     pub parse: Arc<Parse>,
+    /// Whose arithmetic and timing the program has.
+    pub profile: Profile,
     /// The networks, as in the structure.
     pub networks: Vec<Arc<NetworkFacts>>,
     /// The file's scope, then one for each block definition.
@@ -47,6 +51,7 @@ pub struct Context {
     pub others: Others,
     /// For each logical line how many physical lines end above it.
     line_ends_above: OnceLock<Vec<u32>>,
+    foreign_comments: OnceLock<ForeignComments>,
     /// The labels of each body by name, in the order of the text.
     labels_by_name: HashMap<(Body, Name), Vec<usize>>,
     functions_by_name: HashMap<Name, usize>,
@@ -120,6 +125,12 @@ impl Context {
             number += LineIndex::new(&text).line(TextSize::new(within as u32));
         }
         number
+    }
+
+    /// Comments as other languages write them.
+    pub(crate) fn foreign_comments(&self) -> &ForeignComments {
+        self.foreign_comments
+            .get_or_init(|| ForeignComments::find(&self.parse))
     }
 
     /// The tags of all scopes, each once.
@@ -211,6 +222,7 @@ pub(crate) fn skeleton(
     break_neighbours(parse, &mut networks);
     let mut context = Context {
         parse: Arc::clone(parse),
+        profile: profile::profile(parse),
         networks,
         scopes,
         declared_cleanly,
@@ -221,6 +233,7 @@ pub(crate) fn skeleton(
         labels: Vec::new(),
         bodies: Vec::new(),
         line_ends_above: OnceLock::new(),
+        foreign_comments: OnceLock::new(),
         labels_by_name: HashMap::new(),
         functions_by_name: HashMap::new(),
     };

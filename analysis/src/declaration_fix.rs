@@ -1,7 +1,7 @@
 //! Where a new declaration goes, and the text that puts it there.
 
 use crate::context::Context;
-use crate::diagnostic::Fix;
+use crate::diagnostic::{Applicability, Fix};
 use crate::scope::SectionKind;
 use ladder_format::Edit;
 use ladder_syntax::ast::{AstNode, SectionHeader};
@@ -87,10 +87,10 @@ impl Places {
     /// not closed leaves no place for it.
     pub fn declare(&self, section: SectionKind, name: &str, ty: &str) -> Option<Fix> {
         let keyword = section.keyword();
-        Some(Fix {
-            title: format!("Declare `{name} : {ty}` in {keyword}"),
-            edits: self.declare_all(&[(section, name.to_owned(), ty.to_owned())])?,
-        })
+        let title = format!("Declare `{name} : {ty}` in {keyword}");
+        let edits = self.declare_all(&[(section, name.to_owned(), ty.to_owned())])?;
+        // A typing mistake must not make a tag.
+        Some(Fix::new(Applicability::Unsafe, title, edits))
     }
 
     /// The edits that declare some tags, each with its section, name and type: those of one section together, in the

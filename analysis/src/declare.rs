@@ -118,10 +118,14 @@ fn declaration(
             continue;
         }
         if let Some(first) = scope.find(&Name::new(name.text())) {
-            out.push(duplicate_declaration::twice(name, range, &scope.tags[first]));
+            let first = &mut scope.tags[first];
+            out.push(duplicate_declaration::twice(name, range, first));
+            let alike = (first.ty, first.constant) == (ty, context.constant);
+            // Which of the two its places mean is open.
+            first.mistyped |= !alike || first.origin != Origin::Declared(context.kind);
             continue;
         }
-        scope.add(TagFacts {
+        let index = scope.add(TagFacts {
             name: name.text().into(),
             ty,
             mistyped: ty.is_none(),
@@ -136,6 +140,10 @@ fn declaration(
             shared: None,
             foreign: None,
         });
+        // An address is one tag of the file; what a body declares belongs to each place of the block.
+        if let Some(token) = address.as_ref().filter(|_| !context.in_block) {
+            scope.find_by_address(token.text(), index);
+        }
     }
 }
 

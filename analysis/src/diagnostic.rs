@@ -5,6 +5,9 @@ use ladder_format::Edit;
 use ladder_syntax::TextRange;
 use std::sync::Arc;
 
+/// A finding names at most so many other places.
+pub const MOST_RELATED: usize = 20;
+
 /// A finding of a rule. Ranges count bytes from the start of the file.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Diagnostic {
@@ -18,8 +21,10 @@ pub struct Diagnostic {
     pub message: String,
     /// What to do about it.
     pub help: Option<String>,
-    /// Other places that have to do with it.
+    /// Other places that have to do with it: the first of them.
     pub related: Vec<Related>,
+    /// How many more there are.
+    pub more_related: usize,
     /// Ways to mend it; the best first.
     pub fixes: Vec<Fix>,
 }
@@ -42,6 +47,44 @@ pub struct Fix {
     pub title: String,
     /// The edits, sorted and disjoint.
     pub edits: Vec<Edit>,
+    /// Whether it may be made unasked.
+    pub applicability: Applicability,
+}
+
+/// Whether a fix may be made unasked. Of every fix a rule decides it by one question: can the drawing mean something
+/// else than what the fix makes of it?
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub enum Applicability {
+    /// The drawing can mean nothing else. A program that runs does the same afterwards.
+    Safe,
+    /// A guess, or with a placeholder in it: a person looks at it first.
+    Unsafe,
+}
+
+impl Applicability {
+    /// `safe`, `unsafe`.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Applicability::Safe => "safe",
+            Applicability::Unsafe => "unsafe",
+        }
+    }
+}
+
+impl Fix {
+    /// A fix of these edits, which are sorted and disjoint.
+    pub fn new(applicability: Applicability, title: impl Into<String>, edits: Vec<Edit>) -> Fix {
+        Fix {
+            title: title.into(),
+            edits,
+            applicability,
+        }
+    }
+
+    /// Whether it may be made unasked.
+    pub fn is_safe(&self) -> bool {
+        self.applicability == Applicability::Safe
+    }
 }
 
 impl Diagnostic {
@@ -54,6 +97,7 @@ impl Diagnostic {
             message: message.into(),
             help: None,
             related: Vec::new(),
+            more_related: 0,
             fixes: Vec::new(),
         }
     }
@@ -67,24 +111,42 @@ impl Diagnostic {
 
     /// Adds a related place.
     #[must_use]
-    pub fn related(mut self, range: TextRange, message: impl Into<String>) -> Diagnostic {
+    pub fn related(self, range: TextRange, message: impl Into<String>) -> Diagnostic {
+        self.add_related(None, range, message)
+    }
+
+    fn add_related(
+        mut self,
+        file: Option<&Arc<str>>,
+        range: TextRange,
+        message: impl Into<String>,
+    ) -> Diagnostic {
+        if self.related.len() == MOST_RELATED {
+            self.more_related += 1;
+            return self;
+        }
         self.related.push(Related {
-            file: None,
+            file: file.cloned(),
             range,
             message: message.into(),
         });
         self
     }
 
+    /// Says at the last related place how many more there are.
+    pub(crate) fn say_how_many_more(&mut self) {
+        if self.more_related > 0
+            && let Some(last) = self.related.last_mut()
+        {
+            last.message
+                .push_str(&format!("; and {} more", self.more_related));
+        }
+    }
+
     /// Adds a related place in another file.
     #[must_use]
-    pub fn related_in(mut self, file: &Arc<str>, range: TextRange, message: impl Into<String>) -> Diagnostic {
-        self.related.push(Related {
-            file: Some(Arc::clone(file)),
-            range,
-            message: message.into(),
-        });
-        self
+    pub fn related_in(self, file: &Arc<str>, range: TextRange, message: impl Into<String>) -> Diagnostic {
+        self.add_related(Some(file), range, message)
     }
 
     /// Adds a related place in another file, or in this one where there is none.
@@ -110,14 +172,16 @@ impl Diagnostic {
 
     /// Adds a fix of one edit.
     #[must_use]
-    pub fn fix(mut self, title: impl Into<String>, range: TextRange, text: impl Into<String>) -> Diagnostic {
-        self.fixes.push(Fix {
-            title: title.into(),
-            edits: vec![Edit {
-                range,
-                text: text.into(),
-            }],
-        });
+    pub fn fix(
+        mut self,
+        applicability: Applicability,
+        title: impl Into<String>,
+        range: TextRange,
+        text: impl Into<String>,
+    ) -> Diagnostic {
+        let text = text.into();
+        let edits = vec![Edit { range, text }];
+        self.fixes.push(Fix::new(applicability, title, edits));
         self
     }
 }

@@ -6,6 +6,7 @@ use crate::context::{Body, Context, skeleton};
 use crate::facts::NodeKind;
 use crate::network::Formal;
 use crate::others::Others;
+use crate::outward::Outward;
 use crate::program::Role;
 use crate::rules::unknown_label;
 use crate::scope::{Origin, SectionKind};
@@ -29,6 +30,8 @@ pub struct Exports {
     pub globals: Vec<Global>,
     /// Tags that it does not declare for itself and on which a block keeps its state.
     pub states: Vec<(Name, TextRange)>,
+    /// What it does with names that it does not hold.
+    pub outward: Outward,
 }
 
 /// A function as other files see it.
@@ -102,11 +105,17 @@ impl Exports {
             blocks: blocks(context),
             globals: globals(context),
             states: states(context),
+            outward: Outward::of(context),
         }
     }
 
     /// Whether other files see the same; places do not count.
     pub fn says_the_same(&self, other: &Exports) -> bool {
+        self.offers_the_same(other) && self.outward == other.outward
+    }
+
+    /// Whether the same functions, blocks, tags and states are seen, whatever the file does with those of others.
+    pub(crate) fn offers_the_same(&self, other: &Exports) -> bool {
         fn same<T>(a: &[T], b: &[T], equal: impl Fn(&T, &T) -> bool) -> bool {
             a.len() == b.len() && a.iter().zip(b).all(|(a, b)| equal(a, b))
         }

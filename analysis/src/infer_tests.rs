@@ -152,13 +152,16 @@ fn arrays_must_be_declared() {
     "#]],
     );
     check(
-        "VAR a : ARRAY[1..3] OF INT; END_VAR\n+--[MOV]( a[4], 5 )--[MOV]( a, 5 )--[MOV]( a[2].16, TRUE )--+\n",
+        "VAR a : ARRAY[1..3] OF INT; END_VAR\n+--[MOV]( a[4], 5 )--[MOV]( a, 5 )--[MOV]( a[2].16, TRUE )--+\n\
+         +--[CALC]( a[1], a[a[1]] + a[a[1] + 1] )--[BMOV]( a[1..2], a[-a[1]..3] )--+\n",
         expect![[r#"
-        a : ARRAY[1..3] OF INT, Internal
-        bad-operand: `a` has the elements 1 to 3, there is no 4 `4`
-        type-mismatch: `a` is an array: name an element such as a[1] `a`
-        unknown-member: INT has the bits 0 to 15, there is no `16` `16`
-    "#]],
+            a : ARRAY[1..3] OF INT, Internal
+            bad-operand: `a` has the elements 1 to 3, there is no 4 `4`
+            type-mismatch: `a` is an array: name an element such as a[1] `a`
+            unknown-member: INT has the bits 0 to 15, there is no `16` `16`
+            bad-operand: an index is one tag or one number, no expression `a[1] + 1`
+            bad-operand: an index is one tag or one number, no expression `-a[1]`
+        "#]],
     );
 }
 

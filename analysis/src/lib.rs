@@ -14,9 +14,11 @@
 //! read; [`Program`](program::Program) is what runs. A file with errors has no program.
 
 mod analyze;
+mod article;
 mod boolean;
 pub mod constant;
 pub mod context;
+mod cplc_draft;
 pub mod declaration_fix;
 mod declare;
 pub mod diagnostic;
@@ -24,6 +26,7 @@ mod excerpt;
 mod exports;
 pub mod facts;
 pub mod fix;
+mod foreign_comment;
 mod infer;
 #[cfg(test)]
 mod infer_tests;
@@ -38,6 +41,8 @@ pub mod order;
 #[cfg(test)]
 mod order_tests;
 mod others;
+mod outward;
+mod profile;
 pub mod program;
 mod resolve;
 pub mod rule;
@@ -45,6 +50,7 @@ pub mod rule_settings;
 mod rules;
 pub mod scope;
 mod shared;
+pub mod system_tag;
 pub mod types;
 pub mod user_block;
 mod uses;
@@ -52,8 +58,10 @@ pub mod value;
 mod verdict;
 
 pub use analyze::{Analysis, analyze, analyze_after, analyze_in, analyze_with};
+pub use article::with_article;
 pub use boolean::formula::{Formulas, formulas};
-pub use diagnostic::{Diagnostic, Fix, Related};
+pub use cplc_draft::is_cplc_draft;
+pub use diagnostic::{Applicability, Diagnostic, Fix, Related};
 pub use exports::{ExportedBlock, ExportedFunction, Exports, Global, exports};
 pub use infer::member as state_member;
 pub use link::{NotWhole, link};

@@ -229,6 +229,7 @@ pub(crate) fn breaks_drawing(error: &SyntaxError) -> bool {
             | SyntaxErrorKind::UnclosedComment
             | SyntaxErrorKind::UnclosedString
             | SyntaxErrorKind::TooComplex
+            | SyntaxErrorKind::TooMany(_)
             | SyntaxErrorKind::BadDeclaration(_)
             | SyntaxErrorKind::UnexpectedCharacter {
                 place: Place::Rung,

@@ -1,6 +1,7 @@
 //! The other files of a workspace, as one of its files sees them: their [`Exports`], found by name.
 
 use crate::exports::{ExportedBlock, ExportedFunction, Exports, Global};
+use crate::outward::TagUse;
 use ladder_syntax::Name;
 use rustc_hash::FxHashMap;
 use std::sync::Arc;
@@ -13,6 +14,10 @@ pub struct Exported {
     blocks: FxHashMap<Name, Vec<(u32, u32)>>,
     globals: FxHashMap<Name, Vec<(u32, u32)>>,
     states: FxHashMap<Name, Vec<(u32, u32)>>,
+    /// How each file uses VAR_GLOBAL tags.
+    uses: FxHashMap<Name, Vec<(u32, TagUse)>>,
+    /// The files that call a function.
+    calls: FxHashMap<Name, Vec<u32>>,
 }
 
 /// Something in another file: its name, and the index in that file's own context.
@@ -47,8 +52,27 @@ impl Exported {
                 enter(&mut exported.states, name, item);
             }
         }
+        for (file, exports) in files.iter().enumerate() {
+            for (name, &used) in &exports.outward.tags {
+                if exported.globals.contains_key(name) {
+                    let uses = exported.uses.entry(name.clone()).or_default();
+                    uses.push((file as u32, used));
+                }
+            }
+            for name in &exports.outward.calls {
+                if exported.functions.contains_key(name) {
+                    exported.calls.entry(name.clone()).or_default().push(file as u32);
+                }
+            }
+        }
         exported.files = files;
         exported
+    }
+
+    /// Whether it matters to other files that one of them says something else now.
+    pub fn concerns(&self, before: &Exports, after: &Exports) -> bool {
+        let is_shared = |name: &Name| self.globals.contains_key(name) || self.functions.contains_key(name);
+        !before.offers_the_same(after) || before.outward.differing(&after.outward).any(is_shared)
     }
 
     /// The files.
@@ -99,6 +123,36 @@ impl Others {
     pub(crate) fn states(&self, name: &Name) -> impl Iterator<Item = (&Exports, ladder_syntax::TextRange)> {
         self.find(name, |exported| &exported.states)
             .map(|(file, item)| (file, file.states[item].1))
+    }
+
+    /// How the others use a VAR_GLOBAL tag.
+    pub fn tag_use(&self, name: &Name) -> TagUse {
+        let uses = self
+            .exported
+            .iter()
+            .filter_map(|exported| exported.uses.get(name))
+            .flatten();
+        uses.filter(|(file, _)| Some(*file as usize) != self.own)
+            .fold(TagUse::default(), |all, (_, used)| all.with(*used))
+    }
+
+    /// Whether one of the others calls a function of a name.
+    pub fn call(&self, name: &Name) -> bool {
+        let calls = self
+            .exported
+            .iter()
+            .filter_map(|exported| exported.calls.get(name));
+        calls.flatten().any(|file| Some(*file as usize) != self.own)
+    }
+
+    /// Whether a file before this one declares a VAR_GLOBAL tag of a name.
+    pub(crate) fn is_declared_before(&self, name: &Name) -> bool {
+        let own = self.own.unwrap_or(usize::MAX);
+        let exported = self.exported.iter();
+        let mut declared = exported
+            .filter_map(|exported| exported.globals.get(name))
+            .flatten();
+        declared.any(|(file, _)| (*file as usize) < own)
     }
 
     /// Whether there are other files at all.

@@ -4,9 +4,10 @@
 //! resolved, operands typed and brought to the type that the instruction works in, and each network's elements
 //! stand in their order of evaluation (LANGUAGE §6).
 
+pub use crate::system_tag::{Clock, SystemTag};
 use crate::types::{Scalar, Type};
 use crate::value::Value;
-use ladder_instructions::{Instruction, Op, Operand, Shape};
+use ladder_instructions::{Instruction, Op, Operand, Profile, Shape};
 use ladder_syntax::{Name, TextRange};
 use std::ops::Range;
 
@@ -28,6 +29,8 @@ pub struct TagId(pub u32);
 pub struct Program {
     /// Names of the files it is made of, the program's own first.
     pub files: Vec<String>,
+    /// Whose arithmetic and timing it has: that of its own file.
+    pub profile: Profile,
     /// The tags, in the order of their declaration or first use.
     pub tags: Vec<Tag>,
     /// All networks: those of the program's file first, from top to bottom.
@@ -106,6 +109,8 @@ pub struct Tag {
     pub constant: bool,
     /// Its value at a cold start, one for each element; empty for zero, FALSE, the empty text.
     pub initial: Vec<Value>,
+    /// The direct address that it is declared at, or that it is.
+    pub address: Option<String>,
     /// The user-defined block whose body it belongs to (index into [`Program::blocks`]).
     pub block: Option<usize>,
     /// Where it is declared, or first used.
@@ -358,44 +363,6 @@ impl Member {
         match self {
             Member::Pt | Member::Et => Scalar::Time,
             Member::Pv | Member::Cv => Scalar::Dint,
-            _ => Scalar::Bool,
-        }
-    }
-}
-
-/// A system tag (LANGUAGE §4): read-only.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-#[allow(missing_docs)]
-pub enum SystemTag {
-    FirstScan,
-    Scan,
-    Time,
-    ScanTime,
-    Fault,
-    On,
-    Off,
-}
-
-impl SystemTag {
-    /// The tag that a word behind `SYS.` means.
-    pub fn from_name(name: &str) -> Option<SystemTag> {
-        Some(match name.to_ascii_uppercase().as_str() {
-            "FIRST_SCAN" => SystemTag::FirstScan,
-            "SCAN" => SystemTag::Scan,
-            "TIME" => SystemTag::Time,
-            "SCAN_TIME" => SystemTag::ScanTime,
-            "FAULT" => SystemTag::Fault,
-            "ON" => SystemTag::On,
-            "OFF" => SystemTag::Off,
-            _ => return None,
-        })
-    }
-
-    /// Its type.
-    pub const fn ty(self) -> Scalar {
-        match self {
-            SystemTag::Scan => Scalar::Dint,
-            SystemTag::Time | SystemTag::ScanTime => Scalar::Time,
             _ => Scalar::Bool,
         }
     }

@@ -36,6 +36,30 @@ pub enum RuleGroup {
     Program,
 }
 
+impl RuleGroup {
+    /// All of them, in the order of the reference.
+    pub const ALL: [RuleGroup; 6] = [
+        RuleGroup::Text,
+        RuleGroup::Connectors,
+        RuleGroup::Blocks,
+        RuleGroup::Names,
+        RuleGroup::Wiring,
+        RuleGroup::Program,
+    ];
+
+    /// The heading that its rules stand under.
+    pub const fn title(self) -> &'static str {
+        match self {
+            RuleGroup::Text => "Text",
+            RuleGroup::Connectors => "Connectors",
+            RuleGroup::Blocks => "Blocks",
+            RuleGroup::Names => "Names",
+            RuleGroup::Wiring => "Wiring",
+            RuleGroup::Program => "The program",
+        }
+    }
+}
+
 macro_rules! rules {
     ($($rule:ident $name:literal $group:ident $severity:ident $($off:ident)?;)+) => {
         /// A rule. Its name is stable: people write it in settings and in comments that switch it off.
@@ -120,7 +144,7 @@ rules! {
     ShortedBranch "shorted-branch" Wiring Warning;
     DuplicateBranch "duplicate-branch" Wiring Warning;
     ConstantPower "constant-power" Wiring Warning;
-    RedundantElement "redundant-element" Wiring Info;
+    RedundantElement "redundant-element" Wiring Warning;
     ContactAfterCoil "contact-after-coil" Wiring Warning;
     LatchedPower "latched-power" Wiring Info;
     ComplexNetwork "complex-network" Wiring Info off;

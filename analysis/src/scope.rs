@@ -113,7 +113,8 @@ pub struct TagFacts {
     pub role: Role,
     /// Where it comes from.
     pub origin: Origin,
-    /// Its declared type could not be read. Its places give it one, and no finding is about that.
+    /// Its declared type could not be read, or it is declared in two ways. No finding is about the type that it has
+    /// at its places.
     pub mistyped: bool,
     /// Declared RETAIN.
     pub retain: bool,
@@ -198,6 +199,11 @@ impl Scope {
         self.by_name.entry(Name::new(&tag.name)).or_insert(index);
         self.tags.push(tag);
         index
+    }
+
+    /// Lets a tag be found by its direct address too; the first one at an address is.
+    pub(crate) fn find_by_address(&mut self, address: &str, index: usize) {
+        self.by_name.entry(Name::new(address)).or_insert(index);
     }
 
     /// Whether the scope has at least one declaration.

@@ -50,22 +50,26 @@ pub(crate) fn share(context: &mut Context, out: &mut Vec<Diagnostic>) {
                     match (globals.get(&key), others.globals(&key).next()) {
                         (Some(&own), _) => Some(own),
                         (None, Some((file, global))) => {
-                            shared_globals::check_others(facts, &others, file, global, out);
-                            Some(import(context, &mut imported, (scope, tag), file, global))
+                            let agree = shared_globals::check_others(facts, &others, file, global, out);
+                            let entry = import(context, &mut imported, (scope, tag), file, global);
+                            context.scopes[entry.0].tags[entry.1].mistyped |= !agree;
+                            Some(entry)
                         }
                         (None, None) => None,
                     }
                 }
                 _ => None,
             };
+            let mut agrees = true;
             if context.scopes[scope].tags[tag].origin == Origin::Declared(SectionKind::External) {
                 let tag = &context.scopes[scope].tags[tag];
                 let global = target.map(|(scope, tag)| &context.scopes[scope].tags[tag]);
-                shared_globals::check_external(tag, global, out);
+                agrees = shared_globals::check_external(tag, global, out);
             }
             if let Some(target) = target.filter(|target| *target != (scope, tag)) {
                 lead(context, (scope, tag), target);
             }
+            context.scopes[scope].tags[tag].mistyped |= !agrees;
         }
     }
 }

@@ -54,12 +54,12 @@ pub(crate) fn access(bound: &BoundBlock, formal: Formal, user_blocks: &[UserBloc
 /// A tag's name in an operand.
 #[derive(Debug, Clone)]
 pub(crate) struct Named {
-    key: Name,
+    pub(crate) key: Name,
     /// Where it stands, from the start of the block's line.
     range: TextRange,
-    block: u32,
+    pub(crate) block: u32,
     operand: u32,
-    access: Access,
+    pub(crate) access: Access,
     part: Part,
 }
 
@@ -189,11 +189,13 @@ fn enter(named: &[Named], network: usize, facts: &NetworkFacts, scope: &mut Scop
 /// A tag that is first met in an operand.
 fn undeclared(name: &str, at: TextRange) -> TagFacts {
     let form = type_by_form(name);
+    let is_address = name.starts_with('%');
     TagFacts {
         name: name.into(),
         ty: form.map(|(scalar, _)| Type::Scalar(scalar)),
         role: form.map_or(Role::Internal, |(_, role)| role),
-        origin: if form.is_some() {
+        // One that is no address is told where it stands, and nothing else is said of it.
+        origin: if form.is_some() || is_address {
             Origin::Form
         } else {
             Origin::Undeclared
@@ -201,7 +203,7 @@ fn undeclared(name: &str, at: TextRange) -> TagFacts {
         retain: false,
         constant: false,
         initial: Vec::new(),
-        address: name.starts_with('%').then(|| name.to_owned()),
+        address: is_address.then(|| name.to_owned()),
         at,
         uses: Vec::new(),
         shared: None,

@@ -1,26 +1,32 @@
 //! What stands on the command line.
 
-#[cfg(feature = "server")]
-use crate::commands::lsp;
-use crate::commands::{check, explain, fmt, render, sim, test, tree};
+use crate::commands::{check, convert, explain, fmt, lsp, render, sim, test, tree};
+#[cfg(feature = "pages")]
+use crate::commands::{completions, man};
+#[cfg(not(feature = "pages"))]
+use crate::features::{Feature, LeftOut};
 use crate::outcome::exit;
 use clap::{Parser, Subcommand};
 use std::process::ExitCode;
 
 const EXAMPLES: &str = "\
 Examples:
-  ladder check motor.clad                       look for mistakes
-  ladder fmt .                                  align all diagrams in this folder
+  ladder check motor.clad         look for mistakes
+  ladder fmt .                    align all diagrams in this folder
+  ladder sim motor.clad           run it, live, on this terminal
   ladder sim motor.clad --scans 100 --set start=1
-                                                run 100 scans with `start` high
-  ladder test .                                 run all scenarios in this folder
-  ladder explain TON                            how the on-delay timer works
+                                  run 100 scans with `start` high
+  ladder test .                   run all scenarios in this folder
+  ladder convert old.cplc -o motor.clad
+                                  programs of other systems
+  ladder explain TON              how the on-delay timer works
+  ladder help sim                 all about one of the commands
 
 Exit status: 0 fine, 1 findings, 2 the command could not do its work.";
 
 /// Ladder logic as plain text: check it, align it, run it.
 #[derive(Debug, Parser)]
-#[command(name = "ladder", version, after_help = EXAMPLES, disable_help_subcommand = true)]
+#[command(name = "ladder", version, after_help = EXAMPLES)]
 pub(crate) struct Ladder {
     #[command(subcommand)]
     command: Command,
@@ -33,25 +39,41 @@ enum Command {
     Sim(sim::Arguments),
     Test(test::Arguments),
     Render(render::Arguments),
+    Convert(convert::Arguments),
     Explain(explain::Arguments),
-    #[cfg(feature = "server")]
     Lsp(lsp::Arguments),
     Tree(tree::Arguments),
+    #[cfg(feature = "pages")]
+    Completions(completions::Arguments),
+    #[cfg(feature = "pages")]
+    Man(man::Arguments),
+    /// Print a script for a shell (not in this build)
+    #[cfg(not(feature = "pages"))]
+    Completions(LeftOut),
+    /// Print a manual page (not in this build)
+    #[cfg(not(feature = "pages"))]
+    Man(LeftOut),
 }
 
 impl Ladder {
     pub(crate) fn run(self) -> ExitCode {
         let result = match self.command {
             // The server has an exit status of its own, which the protocol asks for.
-            #[cfg(feature = "server")]
             Command::Lsp(arguments) => return lsp::run(&arguments),
             Command::Check(arguments) => check::run(&arguments),
             Command::Fmt(arguments) => fmt::run(&arguments),
             Command::Sim(arguments) => sim::run(&arguments),
             Command::Test(arguments) => test::run(&arguments),
             Command::Render(arguments) => render::run(&arguments),
+            Command::Convert(arguments) => convert::run(&arguments),
             Command::Explain(arguments) => explain::run(&arguments),
             Command::Tree(arguments) => tree::run(&arguments),
+            #[cfg(feature = "pages")]
+            Command::Completions(arguments) => completions::run(&arguments),
+            #[cfg(feature = "pages")]
+            Command::Man(arguments) => man::run(&arguments),
+            #[cfg(not(feature = "pages"))]
+            Command::Completions(_) | Command::Man(_) => Err(Feature::Pages.left_out()),
         };
         exit(result)
     }

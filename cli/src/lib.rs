@@ -12,10 +12,14 @@
 //! the process itself.
 //!
 //! - `outcome` has the exit status: 0 fine, 1 findings, 2 the command could not do its work.
+//! - `features` has what a command says whose part was left out of the build.
 //! - `findings` shows what is wrong in a program.
+//! - `json` writes what machines read.
 //! - `settings` has what the `ladder.toml` of a program's workspace asks for.
 //! - `run` is a program on its way through its scans, with what the world outside gives to it.
+//! - `diff` shows what would change.
 //! - `output` is a file that is there whole or not at all, or stdout.
+//! - `stdin` is standard input in the place of a file.
 //! - `terminal` is the only module that names stdout and stderr: messages go to stderr as `error: ...`, colours
 //!   only to a terminal, and a reader that closes the pipe early is no error.
 //!
@@ -26,13 +30,27 @@
 
 mod arguments;
 mod commands;
+mod diff;
+#[cfg(any(
+    test,
+    not(all(
+        feature = "server",
+        feature = "screen",
+        feature = "png",
+        feature = "pdf",
+        feature = "pages"
+    ))
+))]
+mod features;
 mod findings;
+mod json;
 mod outcome;
 mod output;
 mod run;
 #[cfg(feature = "screen")]
 mod screen;
 mod settings;
+mod stdin;
 mod terminal;
 
 use clap::Parser;

@@ -3,7 +3,7 @@
 use crate::findings::render_settings;
 use crate::terminal;
 use annotate_snippets::Renderer;
-use ladder_workspace::{FileError, SettingsError};
+use ladder_workspace::{FileError, SettingsError, shown};
 use std::fmt;
 use std::process::ExitCode;
 
@@ -48,9 +48,10 @@ pub(crate) struct Failure {
 }
 
 impl Failure {
-    pub(crate) fn new(message: impl Into<String>) -> Failure {
+    /// With a message of one line: what others wrote in it makes no other.
+    pub(crate) fn new(message: impl AsRef<str>) -> Failure {
         Failure {
-            message: message.into(),
+            message: shown::line(message.as_ref()).into_owned(),
             excerpt: None,
         }
     }

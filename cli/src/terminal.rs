@@ -1,10 +1,9 @@
 //! What reaches the person: stdout for what was asked for, stderr for messages.
 
 use anstyle::{AnsiColor, Style};
+use ladder_workspace::shown;
 use std::fmt::Display;
-#[cfg(feature = "screen")]
-use std::io::IsTerminal;
-use std::io::{self, BufWriter, ErrorKind, StdoutLock, Write};
+use std::io::{self, BufWriter, ErrorKind, IsTerminal, StdoutLock, Write};
 
 const ERROR: Style = AnsiColor::BrightRed.on_default().bold();
 const WARNING: Style = AnsiColor::BrightYellow.on_default().bold();
@@ -25,15 +24,32 @@ pub(crate) fn note(message: &dyn Display) {
     say(NOTE, "note", message);
 }
 
-/// Says something on stderr as it is, on lines of its own.
+/// Says something on stderr as it is, on lines of its own: what others wrote in it is written out already.
 pub(crate) fn plain(message: &dyn Display) {
     let _ = writeln!(io::stderr().lock(), "{message}");
+}
+
+/// Stderr for a whole report, as it is.
+pub(crate) fn stderr() -> BufWriter<io::Stderr> {
+    BufWriter::new(io::stderr())
+}
+
+/// Empties the screen, with what could be scrolled back to, if stdout is one.
+pub(crate) fn clear() {
+    let mut stdout = io::stdout().lock();
+    if stdout.is_terminal() {
+        // Whoever has closed stdout does not want to see it empty.
+        let _ = stdout
+            .write_all(b"\x1b[2J\x1b[3J\x1b[H")
+            .and_then(|()| stdout.flush());
+    }
 }
 
 fn say(style: Style, kind: &str, message: &dyn Display) {
     let mut stderr = anstream::stderr();
     // Whoever has closed stderr does not want to know.
-    let _ = writeln!(stderr, "{style}{kind}:{style:#} {message}");
+    let message = message.to_string();
+    let _ = writeln!(stderr, "{style}{kind}:{style:#} {}", shown::text(&message));
 }
 
 /// Whether stdout shows colours: it is a terminal, and `NO_COLOR` is not set.
@@ -47,7 +63,6 @@ pub(crate) fn stderr_has_colours() -> bool {
 }
 
 /// Whether a person sits there: keys can be read, and a screen be shown.
-#[cfg(feature = "screen")]
 pub(crate) fn is_interactive() -> bool {
     io::stdin().is_terminal() && io::stdout().is_terminal()
 }
@@ -58,13 +73,12 @@ pub(crate) fn raw_stdout() -> io::Stdout {
     io::stdout()
 }
 
-/// How wide lines may be: what the environment says, else 100.
+/// How wide lines may be: what the environment says, else what the terminal has, else 100.
 pub(crate) fn width() -> usize {
     let columns = std::env::var("COLUMNS").ok();
-    columns
-        .and_then(|columns| columns.parse().ok())
-        .unwrap_or(100)
-        .max(40)
+    let said = columns.and_then(|columns| columns.parse().ok());
+    let terminal = || terminal_size::terminal_size_of(io::stdout()).map(|(columns, _)| columns.0.into());
+    said.or_else(terminal).unwrap_or(100).max(40)
 }
 
 /// Standard output, buffered. A reader that goes away (`ladder check . | head`) is no error: what follows is

@@ -9,7 +9,7 @@
 //! Then, in a network that is railed right, what acts moves right: the same walk from the other end, over the
 //! elements that move.
 
-use crate::sketch::{ElementKind, NONE, Sketch};
+use crate::sketch::{Element, ElementKind, NONE, Sketch};
 use std::ops::Range;
 
 /// What the left layout of a network says about the whole of it.
@@ -31,7 +31,8 @@ pub(crate) type Spacing = u32;
 pub(crate) struct Placer {
     /// For each rung the element that is next.
     cursor: Vec<u32>,
-    /// For each rung the column that the next element may touch, spacing aside.
+    /// For each rung the column where what was placed on it ends: from the left behind its last element, from the
+    /// right where the next one may end.
     edge: Vec<u32>,
     /// Rungs that wait for the one below to reach a connector; the last one is being followed.
     stack: Vec<usize>,
@@ -86,19 +87,30 @@ impl Placer {
                     continue;
                 }
                 let element = &sketch.elements[at as usize];
+                let distance = |rung: usize, at: u32| {
+                    let is_first = at == sketch.rungs[first + rung].start;
+                    if is_first {
+                        0
+                    } else {
+                        distance(sketch, at, spacing)
+                    }
+                };
                 if element.partner == NONE {
-                    columns[at as usize] = self.edge[rung];
-                    self.edge[rung] += element.width + spacing;
+                    let column = self.edge[rung] + distance(rung, at);
+                    put(sketch, columns, at, column);
+                    self.edge[rung] = column + element.width;
                     self.cursor[rung] += 1;
                 } else if element.kind == ElementKind::Up {
                     // The rung above waits for this one.
                     self.stack.pop();
                 } else if self.cursor[rung + 1] == element.partner {
-                    let column = self.edge[rung].max(self.edge[rung + 1]);
-                    columns[at as usize] = column;
-                    columns[element.partner as usize] = column;
+                    let above = self.edge[rung] + distance(rung, at);
+                    let below = self.edge[rung + 1] + distance(rung + 1, element.partner);
+                    let column = above.max(below);
+                    put(sketch, columns, at, column);
+                    put(sketch, columns, element.partner, column);
                     for side in [rung, rung + 1] {
-                        self.edge[side] = column + 1 + spacing;
+                        self.edge[side] = column + 1;
                         self.cursor[side] += 1;
                     }
                 } else {
@@ -107,11 +119,12 @@ impl Placer {
             }
         }
         for (rung, range) in rungs.clone().enumerate() {
-            // A rung that ends at the rail has its last element in the rail's column.
-            let ends_at_rail = elements(range)
-                .last()
-                .is_some_and(|e| matches!(e.kind, ElementKind::RightRail | ElementKind::RightBar));
-            let rail = self.edge[rung] - if ends_at_rail { 1 + spacing } else { 0 };
+            let rail = match elements(range).last().map(|e| e.kind) {
+                None => self.edge[rung],
+                // A rung that ends at the rail has its last element in the rail's column.
+                Some(ElementKind::RightRail | ElementKind::RightBar) => self.edge[rung] - 1,
+                Some(_) => self.edge[rung] + spacing,
+            };
             outline.rail = outline.rail.max(rail);
         }
         outline
@@ -146,12 +159,13 @@ impl Placer {
                 let element = &sketch.elements[at as usize];
                 match element.kind {
                     ElementKind::RightRail | ElementKind::RightBar => {
-                        columns[at as usize] = rail;
+                        put(sketch, columns, at, rail);
                         self.cursor[rung] = at;
                     }
                     _ if element.partner == NONE => {
-                        columns[at as usize] = self.edge[rung] - element.width;
-                        self.edge[rung] = columns[at as usize].saturating_sub(spacing);
+                        let column = self.edge[rung] - element.width;
+                        put(sketch, columns, at, column);
+                        self.edge[rung] = column.saturating_sub(spacing);
                         self.cursor[rung] = at;
                     }
                     ElementKind::Up => {
@@ -159,8 +173,8 @@ impl Placer {
                     }
                     _ if self.cursor[rung + 1] == element.partner + 1 => {
                         let column = self.edge[rung].min(self.edge[rung + 1]) - 1;
-                        columns[at as usize] = column;
-                        columns[element.partner as usize] = column;
+                        put(sketch, columns, at, column);
+                        put(sketch, columns, element.partner, column);
                         for side in [rung, rung + 1] {
                             self.edge[side] = column.saturating_sub(spacing);
                             self.cursor[side] -= 1;
@@ -243,6 +257,28 @@ impl Placer {
             self.moving[rung] = at + 1;
             self.queue.push(rung);
         }
+    }
+}
+
+/// How far an element stands from the one before it on its rung. A stub is the end of a wire: it touches what the
+/// wire leads to.
+fn distance(sketch: &Sketch, at: u32, spacing: Spacing) -> u32 {
+    let [before, element] = [at - 1, at].map(|n| &sketch.elements[n as usize]);
+    let is_stub = |e: &Element| e.kind == ElementKind::Stub;
+    if element.joined && (is_stub(before) || is_stub(element)) {
+        0
+    } else {
+        spacing
+    }
+}
+
+/// Sets the column of an element, and with it that of a stub before it, where its wire begins.
+fn put(sketch: &Sketch, columns: &mut [u32], at: u32, column: u32) {
+    let mut at = at as usize;
+    columns[at] = column;
+    while sketch.elements[at].joined && sketch.elements[at - 1].kind == ElementKind::Stub {
+        columns[at - 1] = columns[at] - sketch.elements[at - 1].width;
+        at -= 1;
     }
 }
 

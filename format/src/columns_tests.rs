@@ -22,7 +22,7 @@ fn pushed_left(sketch: &Sketch) -> Vec<u32> {
                 let element = &sketch.elements[at];
                 let at_rail = matches!(element.kind, ElementKind::LeftRail | ElementKind::LeftBar);
                 let least = if at > rung.start as usize {
-                    columns[at - 1] + sketch.elements[at - 1].width + SPACING
+                    columns[at - 1] + sketch.elements[at - 1].width + apart(sketch, at)
                 } else if at_rail {
                     0
                 } else {
@@ -36,6 +36,26 @@ fn pushed_left(sketch: &Sketch) -> Vec<u32> {
         }
         if columns == before {
             return columns;
+        }
+        hold_stubs(sketch, &mut columns);
+    }
+}
+
+/// How far an element and the one before it stand apart: a stub is part of the wire.
+fn apart(sketch: &Sketch, at: usize) -> u32 {
+    let stubs = [at - 1, at].map(|n| sketch.elements[n].kind == ElementKind::Stub);
+    if sketch.elements[at].joined && stubs.contains(&true) {
+        0
+    } else {
+        SPACING
+    }
+}
+
+/// Where a wire begins at nothing it is two dashes long, so that its stub comes along with what it leads to.
+fn hold_stubs(sketch: &Sketch, columns: &mut [u32]) {
+    for at in (1..columns.len()).rev() {
+        if sketch.elements[at].joined && sketch.elements[at - 1].kind == ElementKind::Stub {
+            columns[at - 1] = columns[at] - sketch.elements[at - 1].width;
         }
     }
 }
@@ -102,6 +122,7 @@ fn pulled_right(sketch: &Sketch, rail: u32, left: &[u32]) -> Vec<u32> {
             }
         }
         if columns == before {
+            hold_stubs(sketch, &mut columns);
             return columns;
         }
     }

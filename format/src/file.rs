@@ -11,7 +11,7 @@ use crate::draw::Rails;
 use crate::edit::Sink;
 use crate::flat::{Flat, Source};
 use crate::network::Drawing;
-use crate::networks::{Networks, Placed};
+use crate::networks::{Networks, Placed, rail_column};
 use crate::pen::Pen;
 use crate::ranges::keep_all_but;
 use crate::section;
@@ -186,7 +186,7 @@ impl<S: Sink> File<'_, S> {
                 self.rail_is_drawn = true;
                 rail
             }
-            _ => outline.rail,
+            _ => rail_column(outline.rail),
         });
         if let Some(rail) = right {
             part.networks.placer.place_right(

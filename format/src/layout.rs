@@ -3,7 +3,7 @@
 use crate::Options;
 use crate::columns::Placer;
 use crate::draw::{self, Rails, Surface};
-use crate::networks::least_rail;
+use crate::networks::rail_column;
 use crate::sketch::{ElementKind, Sketch};
 
 /// A sketch whose elements have their columns.
@@ -26,8 +26,7 @@ impl Sketch {
         let outline = placer.place_left(&self, rungs.clone(), options.spacing, &mut columns);
         let rail = match rail {
             Some(rail) if rail >= outline.rail => rail,
-            _ if outline.rail < options.width => least_rail(outline.rail),
-            _ => outline.rail,
+            _ => rail_column(outline.rail),
         };
         let right = outline.railed_right.then_some(rail);
         if right.is_some() {

@@ -17,7 +17,8 @@
 //!
 //! What holds for every text: formatting twice gives the same text; nothing is lost but blanks, dashes, `|` and
 //! line ends; the wiring, and with it what the program does, stays the same. The [`Sketch`] and its columns
-//! know nothing of text, so that whoever makes new networks draws them with the same writer.
+//! know nothing of text, so that whoever makes new networks draws them with the same writer. A whole program is written
+//! from a [`program::ProgramSketch`].
 
 mod block;
 mod circuit;
@@ -32,6 +33,7 @@ mod networks;
 mod pen;
 mod pieces;
 mod plain;
+pub mod program;
 mod ranges;
 mod read;
 mod section;
@@ -51,7 +53,8 @@ use ladder_syntax::{Parse, TextRange};
 /// How a text is laid out.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Options {
-    /// A network up to this many columns wide takes the file's right rail; a wider one has its own.
+    /// A network up to this many columns wide takes the file's right rail; a wider one has its own. Both stand in a
+    /// multiple of 20.
     pub width: u32,
     /// The least number of columns between neighbours on a rung; at least 1.
     pub spacing: u32,

@@ -88,7 +88,7 @@ impl Networks {
             .map(|network| network.outline.rail)
             .filter(|&rail| rail < options.width)
             .max()?;
-        Some(least_rail(widest))
+        Some(rail_column(widest))
     }
 
     /// The column, from 0, in which all networks that stay have their right rail, if there is one and the
@@ -124,7 +124,7 @@ impl Networks {
     }
 }
 
-/// The first column, from 0, that is good for a rail and not left of `rail`.
-pub(crate) fn least_rail(rail: u32) -> u32 {
+/// The column, from 0, of the right rail for networks that need it at `rail` at the least.
+pub(crate) fn rail_column(rail: u32) -> u32 {
     (rail + 1).next_multiple_of(RAIL_STEP).max(LEAST_RAIL) - 1
 }

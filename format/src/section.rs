@@ -12,7 +12,7 @@ use std::ops::Range;
 /// How far a declaration stands in.
 const INDENT: u32 = 4;
 
-/// The parts of a declaration, and with them the columns of a section.
+/// The parts of a declaration, and with them the columns of a run.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 struct Widths {
     names: u32,
@@ -23,7 +23,7 @@ struct Widths {
     has_value: bool,
 }
 
-/// Where the parts of a section's declarations begin.
+/// Where the parts of a run of declarations begin.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 struct Columns {
     at: u32,
@@ -33,43 +33,66 @@ struct Columns {
 
 /// Writes a section that is whole and without mistakes.
 pub(crate) fn write<S: Sink>(source: Source<'_>, lines: Range<usize>, pen: &mut Pen<'_, S>) {
-    let columns = columns(source, lines.clone());
-    let mut blank_before = false;
+    // The first of the blank lines behind the last declaration or comment, which wait for the next one.
+    let mut blank = None;
+    let mut columns = None;
+    let mut is_within = false;
     for line in lines.clone() {
         let kind = source.kind(line);
-        let blank = kind == LineKind::Blank;
-        if blank && blank_before {
+        if kind == LineKind::Blank {
+            columns = None;
+            blank = blank.or(is_within.then_some(line));
             continue;
         }
-        blank_before = blank;
+        is_within = matches!(kind, LineKind::Declaration | LineKind::Comment);
+        if let Some(blank) = blank.take().filter(|_| is_within) {
+            end_line(source, blank, lines.end, pen);
+        }
         match kind {
-            LineKind::Declaration => declaration(source, line, columns, pen),
-            LineKind::SectionHeader | LineKind::SectionEnd => words(source, line, pen),
-            LineKind::Comment => comment_line(source, line, pen),
-            _ => {}
+            LineKind::Declaration => {
+                let columns = columns.get_or_insert_with(|| run_columns(source, line..lines.end));
+                declaration(source, line, *columns, pen);
+            }
+            LineKind::Comment => {
+                columns = None;
+                pen.blanks(INDENT);
+                comment_line(source, line, pen);
+            }
+            _ => words(source, line, pen),
         }
-        let end = source.range(line).end;
-        match source.line_end(line) {
-            Some(line_end) => pen.keep(line_end, end),
-            None if line + 1 < lines.end => pen.split_line(end),
-            None => {}
-        }
+        end_line(source, line, lines.end, pen);
+    }
+}
+
+/// Ends a line of a section: with its own line end, or with a new one where more of the section stands behind it.
+fn end_line<S: Sink>(source: Source<'_>, line: usize, section_end: usize, pen: &mut Pen<'_, S>) {
+    let end = source.range(line).end;
+    match source.line_end(line) {
+        Some(line_end) => pen.keep(line_end, end),
+        None if line + 1 < section_end => pen.split_line(end),
+        None => {}
     }
 }
 
 /// A line of words with comments behind it: the first or last line of a section or of a block definition.
 pub(crate) fn words<S: Sink>(source: Source<'_>, line: usize, pen: &mut Pen<'_, S>) {
     let node = source.line(line);
+    let is_word = |child: &Node<'_>| !child.kind().is_trivia();
+    let behind = node
+        .children()
+        .filter(is_word)
+        .last()
+        .map_or(node.start(), Node::end);
     let mut pieces = Pieces::new(source.text, false, |piece| write_piece(pen, piece));
-    let mut behind = node.start();
-    for child in node.children().filter(|child| !child.kind().is_trivia()) {
-        pieces.node(child);
-        behind = child.end();
+    for child in node.children().take_while(|child| child.start() < behind) {
+        if is_word(&child) || child.kind() == COMMENT {
+            pieces.node(child);
+        }
     }
     comments_behind(source, line, behind, pen);
 }
 
-/// A line that holds nothing but comments, from its first column.
+/// A line that holds nothing but comments, from where the pen is.
 pub(crate) fn comment_line<S: Sink>(source: Source<'_>, line: usize, pen: &mut Pen<'_, S>) {
     let comments = source
         .line(line)
@@ -106,9 +129,11 @@ pub(crate) fn write_piece<S: Sink>(pen: &mut Pen<'_, S>, piece: Piece) {
     }
 }
 
-fn columns(source: Source<'_>, lines: Range<usize>) -> Columns {
+/// The columns of the run of declarations that the first of some lines begins.
+fn run_columns(source: Source<'_>, lines: Range<usize>) -> Columns {
     let mut widest = Widths::default();
-    for line in lines.filter(|&line| source.kind(line) == LineKind::Declaration) {
+    let is_declaration = |line: &usize| source.kind(*line) == LineKind::Declaration;
+    for line in lines.take_while(is_declaration) {
         let widths = measure(source.text, source.line(line));
         widest.names = widest.names.max(widths.names);
         widest.address = widest.address.max(widths.address);

@@ -28,7 +28,7 @@ pub enum ElementKind {
     Acting,
     /// A comment: a piece of wire if it is joined, else only text between two segments.
     Comment,
-    /// Two dashes where a wire ends at nothing.
+    /// Two dashes where a wire ends at nothing: directly beside the element that the wire comes from or leads to.
     Stub,
 }
 
@@ -37,7 +37,7 @@ pub enum ElementKind {
 pub struct Element {
     /// What it is.
     pub kind: ElementKind,
-    /// Whether wire joins it to the element before it; if not, blanks stand between them.
+    /// Whether wire joins it to the element before it on its rung; if not, blanks stand between them.
     pub joined: bool,
     /// Its display width in columns.
     pub width: u32,
@@ -73,9 +73,10 @@ impl Sketch {
         if self.rungs.is_empty() {
             self.begin_rung();
         }
+        let is_first = self.rungs.last().is_some_and(Range::is_empty);
         self.elements.push(Element {
             kind,
-            joined,
+            joined: joined && !is_first,
             width,
             partner: NONE,
         });

@@ -2,7 +2,7 @@
 
 use crate::flat::{FlatLine, Node, Source};
 use ladder_syntax::SyntaxKind::{self, COMMENT};
-use ladder_syntax::{Item, LineKind, Lines, Network, SyntaxErrorKind};
+use ladder_syntax::{Item, LineKind, Lines, Many, Network, SyntaxErrorKind};
 use std::ops::Range;
 
 /// For each logical line whether it stays to the letter.
@@ -157,6 +157,7 @@ fn is_broken(source: Source<'_>, network: &Network) -> bool {
                     | SyntaxErrorKind::UnexpectedCharacter { .. }
                     | SyntaxErrorKind::UnclosedComment
                     | SyntaxErrorKind::UnclosedString
+                    | SyntaxErrorKind::TooMany(Many::Parts)
             )
         });
         if uncertain || line.ups != downs_above {

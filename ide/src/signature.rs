@@ -5,7 +5,7 @@ use crate::wanted::{Called, called, function};
 use ladder_analysis::Analysis;
 use ladder_analysis::program::ParameterKind;
 use ladder_analysis::user_block::UserBlockFacts;
-use ladder_instructions::{Direction, Instruction, Presence};
+use ladder_instructions::{Direction, Instruction, Presence, Profile};
 use ladder_syntax::TextSize;
 use std::ops::Range;
 
@@ -60,7 +60,7 @@ pub fn signature_help(analysis: &Analysis, offset: TextSize) -> Option<Signature
     let signatures: Vec<Signature> = called
         .iter()
         .map(|called| match called {
-            Called::Row(row) => of_row(row, operand),
+            Called::Row(row) => of_row(row, operand, typing.context.profile),
             Called::User(block) => of_user(block, operand),
         })
         .collect();
@@ -108,14 +108,14 @@ impl Label {
     }
 }
 
-fn of_row(row: &'static Instruction, operand: &Operand) -> Signature {
+fn of_row(row: &'static Instruction, operand: &Operand, profile: Profile) -> Signature {
     let mut label = Label::new(format!("{}( ", row.block()));
     let mut active = None;
     let meant = match &operand.name {
         Some(name) => row.named(name),
         None => row.positional(operand.before.len()),
     };
-    let shown = row.operands.iter().filter(|o| o.only_in_profile().is_none());
+    let shown = row.operands.iter().filter(|o| o.profiles.contain(profile));
     for (index, formal) in shown.enumerate() {
         let text = match (formal.presence, formal.direction) {
             (Presence::Named, Direction::Out) => format!("{} =>", formal.name),
@@ -136,7 +136,7 @@ fn of_row(row: &'static Instruction, operand: &Operand) -> Signature {
     if active.is_none() && operand.name.is_none() {
         let free = |formal: &&ladder_instructions::Operand| {
             formal.presence == Presence::Named
-                && formal.only_in_profile().is_none()
+                && formal.profiles.contain(profile)
                 && !operand
                     .given
                     .iter()

@@ -29,6 +29,7 @@ mod lookup;
 mod op;
 mod operand;
 mod origin;
+mod profile;
 mod spelling;
 mod table;
 
@@ -36,6 +37,7 @@ pub use lookup::{by_op, closest, in_other_shape, lookup};
 pub use op::Op;
 pub use operand::{Accepts, Direction, Operand, Presence, StateType, TypeClass};
 pub use origin::{Origin, origin};
+pub use profile::{Profile, Profiles};
 pub use table::TABLE;
 
 /// The outline of a block: which brackets its first part stands in (LANGUAGE §2).
@@ -100,6 +102,30 @@ pub enum Group {
     Port,
 }
 
+impl Group {
+    /// All of them, in the order of the reference.
+    pub const ALL: [Group; 6] = [
+        Group::Condition,
+        Group::Data,
+        Group::State,
+        Group::Coil,
+        Group::Flow,
+        Group::Port,
+    ];
+
+    /// The heading that its instructions stand under.
+    pub const fn title(self) -> &'static str {
+        match self {
+            Group::Condition => "Conditions",
+            Group::Data => "Data",
+            Group::State => "Timers, counters, bistables",
+            Group::Coil => "Coils",
+            Group::Flow => "Program flow",
+            Group::Port => "Ports",
+        }
+    }
+}
+
 /// One row of the table.
 #[derive(Debug, Clone, Copy)]
 pub struct Instruction {
@@ -121,6 +147,10 @@ pub struct Instruction {
     pub group: Group,
     /// The operands in their order; optional named ones last.
     pub operands: &'static [Operand],
+    /// The profiles that have it (LANGUAGE §5.8).
+    pub profiles: Profiles,
+    /// How it differs in other profiles than `iec`: a sentence or two in Markdown for each.
+    pub differs: &'static [(Profile, &'static str)],
     /// What power leaves the block, in a few words: `EN and tag`.
     pub eno: &'static str,
     /// A name of two or three words: "Open contact".
@@ -226,9 +256,13 @@ impl Instruction {
         format!("{open}{}{close}", self.mnemonic)
     }
 
-    /// The signature as a person writes it: `[TON]( t, PT, R := )`. Operands that only one profile knows are
-    /// left out.
+    /// The signature as a person writes it: `[TON]( t, PT, R := )`, without operands that profile `iec` does not know.
     pub fn signature(&self) -> String {
+        self.signature_in(Profile::Iec)
+    }
+
+    /// As [`Instruction::signature`], in a profile.
+    pub fn signature_in(&self, profile: Profile) -> String {
         if self.operands.is_empty() {
             return self.block();
         }
@@ -240,7 +274,7 @@ impl Instruction {
             .operands
             .iter()
             .enumerate()
-            .filter(|(_, operand)| operand.only_in_profile().is_none())
+            .filter(|(_, operand)| operand.profiles.contain(profile))
             .map(|(index, operand)| match (operand.presence, operand.direction) {
                 (Presence::Named, Direction::Out) => format!("{} =>", operand.name),
                 (Presence::Named, _) => format!("{} :=", operand.name),

@@ -1,5 +1,7 @@
 //! What an operand of an instruction is: its name, direction, and what may stand in its place.
 
+use crate::Profiles;
+
 /// One operand of an instruction.
 #[derive(Debug, Clone, Copy)]
 pub struct Operand {
@@ -13,14 +15,11 @@ pub struct Operand {
     pub presence: Presence,
     /// One line for hover and completion.
     pub doc: &'static str,
+    /// The profiles that know it (LANGUAGE §5.8).
+    pub profiles: Profiles,
 }
 
 impl Operand {
-    /// The only profile (LANGUAGE §5.8) that knows this operand; none if all do.
-    pub fn only_in_profile(&self) -> Option<&'static str> {
-        (self.accepts == Accepts::Time).then_some("iot")
-    }
-
     /// A required operand that the block reads.
     pub(crate) const fn input(name: &'static str, accepts: Accepts, doc: &'static str) -> Self {
         Self {
@@ -29,6 +28,7 @@ impl Operand {
             accepts,
             presence: Presence::Required,
             doc,
+            profiles: Profiles::ALL,
         }
     }
 
@@ -40,6 +40,7 @@ impl Operand {
             accepts,
             presence: Presence::Required,
             doc,
+            profiles: Profiles::ALL,
         }
     }
 
@@ -51,6 +52,7 @@ impl Operand {
             accepts,
             presence: Presence::Required,
             doc,
+            profiles: Profiles::ALL,
         }
     }
 
@@ -76,6 +78,11 @@ impl Operand {
             presence: Presence::Repeated { group: 1, least: 1 },
             ..self
         }
+    }
+
+    /// The same operand, known to some profiles only.
+    pub(crate) const fn known_to(self, profiles: Profiles) -> Self {
+        Self { profiles, ..self }
     }
 
     /// One operand of a pair that is given once or more.
@@ -244,7 +251,7 @@ pub enum Accepts {
     Number,
     /// A TIME, or a plain integer in milliseconds (PT).
     Duration,
-    /// A TIME: the time base `B` of profile `iot`, see [`Operand::only_in_profile`].
+    /// A TIME: the time base `B` of profile `iot`, see [`Operand::profiles`].
     Time,
     /// A DINT (PV of a counter).
     Count,

@@ -3,32 +3,36 @@
 
 use expect_test::expect_file;
 use ladder_analysis::analyze;
-use ladder_interchange::picture::{Options, Theme, svg};
+use ladder_interchange::picture::{Options, Theme, scene, svg};
 use ladder_syntax::{Parse, TextRange, TextSize, parse};
 use std::collections::HashMap;
 use std::sync::Arc;
 
-fn drawn(text: &str, options: &Options<'_>) -> String {
-    svg(&analyze(&Arc::new(parse(text)), "program").context, options)
+fn drawn(text: &str, theme: Theme, options: &Options<'_>) -> String {
+    let analysis = analyze(&Arc::new(parse(text)), "program");
+    svg(&scene(&analysis.context, options), theme)
 }
 
-fn in_colours(theme: Theme) -> Options<'static> {
-    Options {
-        theme,
-        ..Options::default()
-    }
+fn at_rest(text: &str, theme: Theme) -> String {
+    drawn(text, theme, &Options::default())
 }
 
 #[test]
 fn every_kind_of_symbol() {
-    let picture = drawn(include_str!("pictures/symbols.clad"), &in_colours(Theme::Light));
+    let picture = at_rest(include_str!("pictures/symbols.clad"), Theme::Light);
     expect_file!["pictures/symbols.svg"].assert_eq(&picture);
 }
 
 #[test]
 fn program_flow_and_blocks() {
-    let picture = drawn(include_str!("pictures/flow.clad"), &in_colours(Theme::Auto));
+    let picture = at_rest(include_str!("pictures/flow.clad"), Theme::Auto);
     expect_file!["pictures/flow.svg"].assert_eq(&picture);
+}
+
+#[test]
+fn branches_are_flush() {
+    let picture = at_rest(include_str!("pictures/branches.clad"), Theme::Dark);
+    expect_file!["pictures/branches.svg"].assert_eq(&picture);
 }
 
 #[test]
@@ -53,16 +57,39 @@ fn power_and_values() {
             power.insert(range, on && here);
         }
     }
-    let value = |text: &str| (text == "warmup").then(|| "1.2s".to_owned());
+    let value = |text: &str| match text {
+        "warmup" => Some("1.2s".to_owned()),
+        "run" => Some("1".to_owned()),
+        "start" => Some("0".to_owned()),
+        _ => None,
+    };
     let picture = drawn(
         text,
+        Theme::Dark,
         &Options {
-            theme: Theme::Dark,
             power: Some(power),
             value: Some(&value),
         },
     );
     expect_file!["pictures/power.svg"].assert_eq(&picture);
+}
+
+#[test]
+fn tags_of_a_body_have_no_one_value() {
+    let text = "\
+FUNCTION_BLOCK [$B]
+VAR_INPUT a : BOOL; END_VAR
++--[ ]( a )--( )( ENO )--+
+END_FUNCTION_BLOCK
++--[$B]( a )--( )( y )--+
+";
+    let value = |text: &str| (text == "a").then(|| "1".to_owned());
+    let options = Options {
+        value: Some(&value),
+        ..Options::default()
+    };
+    let picture = drawn(text, Theme::Light, &options);
+    assert_eq!(picture.matches("= 1").count(), 1, "{picture}");
 }
 
 /// The parts of the drawing that lie in a piece of the text.
@@ -93,7 +120,7 @@ fn no_text_makes_a_broken_document() {
         "|--[ ]( a )--|",
         "FUNCTION_BLOCK\n+--+",
     ] {
-        let picture = drawn(text, &Options::default());
+        let picture = at_rest(text, Theme::Auto);
         let document = roxmltree::Document::parse(&picture);
         assert!(document.is_ok(), "{text:?}: {document:?}\n{picture}");
     }

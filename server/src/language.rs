@@ -19,7 +19,7 @@ pub(crate) struct Analysis {
 }
 
 impl Analysis {
-    /// Analyses a text of at most 64 MiB. Messages of a running program call the file by this name. What an earlier
+    /// Analyses a text of at most 24 MiB. Messages of a running program call the file by this name. What an earlier
     /// text of the document has in common with it is not looked at again.
     pub(crate) fn of(
         text: String,

@@ -29,6 +29,8 @@ mod cancel;
 mod document;
 mod language;
 mod lsp;
+#[doc(hidden)]
+pub mod probe;
 mod recording;
 mod replay;
 mod simulation;
@@ -55,7 +57,10 @@ pub fn run_stdio(mirror: Option<&Path>) -> ExitCode {
     match recording::Mirror::new(input, mirror) {
         Ok(input) => run(serve(input, tokio::io::stdout())),
         Err(error) => {
-            eprintln!("the session cannot be recorded in {}: {error}", mirror.display());
+            eprintln!(
+                "the session cannot be recorded in {}: {error}",
+                ladder_workspace::shown::path(mirror)
+            );
             ExitCode::from(2)
         }
     }

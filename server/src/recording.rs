@@ -11,6 +11,7 @@ use std::pin::Pin;
 use std::task::{Context, Poll, ready};
 use std::time::{Duration, Instant};
 
+use ladder_workspace::shown;
 use tokio::io::{AsyncRead, ReadBuf};
 
 /// The first line.
@@ -26,8 +27,13 @@ pub(crate) struct Mirror<R> {
 }
 
 impl<R> Mirror<R> {
-    /// Records into a file, which is made anew.
+    /// Records into a file, which is made anew. One that holds something else than a recording stays.
     pub(crate) fn new(input: R, file: &Path) -> io::Result<Mirror<R>> {
+        if holds_something_else(file)? {
+            return Err(io::Error::other(
+                "it holds something else, and stays as it is; name another file",
+            ));
+        }
         let mut file = File::create(file)?;
         file.write_all(format!("{HEADER}\n").as_bytes())?;
         Ok(Mirror {
@@ -65,6 +71,24 @@ impl<R: AsyncRead + Unpin> AsyncRead for Mirror<R> {
     }
 }
 
+/// Whether a file is there that is neither empty nor a recording.
+fn holds_something_else(file: &Path) -> io::Result<bool> {
+    let metadata = match file.metadata() {
+        Ok(metadata) => metadata,
+        Err(error) if error.kind() == io::ErrorKind::NotFound => return Ok(false),
+        Err(error) => return Err(error),
+    };
+    // A device, a pipe or a terminal is written to as it is.
+    if !metadata.is_file() || metadata.len() == 0 {
+        return Ok(false);
+    }
+    let mut head = Vec::new();
+    File::open(file)?
+        .take(HEADER.len() as u64)
+        .read_to_end(&mut head)?;
+    Ok(head != HEADER.as_bytes())
+}
+
 /// A piece of what was read, and when.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(crate) struct Piece {
@@ -74,7 +98,7 @@ pub(crate) struct Piece {
 
 /// Reads a recording. A last piece that is cut off counts as far as it goes.
 pub(crate) fn read(file: &Path) -> Result<Vec<Piece>, String> {
-    let named = |what: String| format!("{}: {what}", file.display());
+    let named = |what: String| format!("{}: {what}", shown::path(file));
     let opened = File::open(file).map_err(|error| named(error.to_string()))?;
     pieces(&mut BufReader::new(opened)).map_err(|error| named(error.to_string()))
 }

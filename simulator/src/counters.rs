@@ -1,8 +1,7 @@
 //! The counters and bistables (LANGUAGE §5.3).
 
-use crate::layout::counter::{CD, CHANGED, CU, CV, DOWN_BEFORE, LD, PV, Q, QD, R, STAMP, UP_BEFORE};
+use crate::layout::counter::{CD, CHANGED, CU, CV, DOWN_BEFORE, LD, PV, Q, QD, R, UP_BEFORE};
 use crate::memory::{Bit, Memory, Word};
-use crate::timers::Clock;
 use ladder_instructions::StateType;
 
 /// Where a counter's state begins.
@@ -23,17 +22,15 @@ struct Inputs {
 
 impl Counter {
     /// Copies EN and PV into the members, looks for edges, and reads the rest. Edges are seen also while R or LD
-    /// is high. A block that is reached twice in a scan sees none the second time.
-    fn inputs<const FORCED: bool>(self, memory: &mut Memory, en: bool, pv: i64, clock: Clock) -> Inputs {
+    /// is high.
+    fn inputs<const FORCED: bool>(self, memory: &mut Memory, en: bool, pv: i64) -> Inputs {
         memory.put_bit::<FORCED>(self.bits.offset(CU), en);
         memory.put_word::<FORCED>(self.words.offset(PV), pv);
-        let stamp = &mut memory.words[self.words.offset(STAMP).0 as usize];
-        let again = std::mem::replace(stamp, clock.scan) == clock.scan;
         let mut rise = |input: u32, before: u32| {
             let high = memory.bit(self.bits.offset(input));
             let was = memory.bit(self.bits.offset(before));
             memory.set_bit(self.bits.offset(before), high);
-            high && !was && !again
+            high && !was
         };
         Inputs {
             up: rise(CU, UP_BEFORE),
@@ -61,14 +58,8 @@ impl Counter {
         memory.bit(self.bits.offset(member))
     }
 
-    pub(crate) fn ctu<const FORCED: bool>(
-        self,
-        memory: &mut Memory,
-        en: bool,
-        pv: i64,
-        clock: Clock,
-    ) -> bool {
-        let inputs = self.inputs::<FORCED>(memory, en, pv, clock);
+    pub(crate) fn ctu<const FORCED: bool>(self, memory: &mut Memory, en: bool, pv: i64) -> bool {
+        let inputs = self.inputs::<FORCED>(memory, en, pv);
         let count = match self.count(memory) {
             _ if inputs.reset => 0,
             count if inputs.up => up(count),
@@ -79,14 +70,8 @@ impl Counter {
         self.set_output::<FORCED>(memory, Q, reached)
     }
 
-    pub(crate) fn ctd<const FORCED: bool>(
-        self,
-        memory: &mut Memory,
-        en: bool,
-        pv: i64,
-        clock: Clock,
-    ) -> bool {
-        let inputs = self.inputs::<FORCED>(memory, en, pv, clock);
+    pub(crate) fn ctd<const FORCED: bool>(self, memory: &mut Memory, en: bool, pv: i64) -> bool {
+        let inputs = self.inputs::<FORCED>(memory, en, pv);
         let count = match self.count(memory) {
             _ if inputs.reset => 0,
             _ if inputs.load => inputs.pv,
@@ -98,14 +83,8 @@ impl Counter {
         self.set_output::<FORCED>(memory, Q, empty)
     }
 
-    pub(crate) fn ctud<const FORCED: bool>(
-        self,
-        memory: &mut Memory,
-        en: bool,
-        pv: i64,
-        clock: Clock,
-    ) -> bool {
-        let inputs = self.inputs::<FORCED>(memory, en, pv, clock);
+    pub(crate) fn ctud<const FORCED: bool>(self, memory: &mut Memory, en: bool, pv: i64) -> bool {
+        let inputs = self.inputs::<FORCED>(memory, en, pv);
         let count = match (self.count(memory), inputs.up, inputs.down) {
             _ if inputs.reset => 0,
             _ if inputs.load => inputs.pv,
@@ -120,14 +99,8 @@ impl Counter {
     }
 
     /// Counts in a circle: PV is followed by 0.
-    pub(crate) fn ctc<const FORCED: bool>(
-        self,
-        memory: &mut Memory,
-        en: bool,
-        pv: i64,
-        clock: Clock,
-    ) -> bool {
-        let inputs = self.inputs::<FORCED>(memory, en, pv, clock);
+    pub(crate) fn ctc<const FORCED: bool>(self, memory: &mut Memory, en: bool, pv: i64) -> bool {
+        let inputs = self.inputs::<FORCED>(memory, en, pv);
         let count = match self.count(memory) {
             _ if inputs.reset => 0,
             count if inputs.up && count >= inputs.pv => 0,

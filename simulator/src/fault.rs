@@ -1,5 +1,6 @@
 //! What can go wrong while a program runs (LANGUAGE §5.2, §5.5), in words for the person at the machine.
 
+use crate::work::ELEMENTS;
 use ladder_analysis::program::Location;
 
 /// A fault that was recorded.
@@ -11,7 +12,7 @@ pub struct Fault {
     pub location: Location,
     /// The scan it happened in, from 0.
     pub scan: u64,
-    /// The simulation stopped: the watchdog, or calls nested too deep.
+    /// The simulation stopped: the watchdog, calls nested too deep, or by hand in the midst of a scan.
     pub stops: bool,
 }
 
@@ -53,13 +54,26 @@ pub(crate) enum Trouble {
         to: i64,
     },
     Watchdog(u64),
+    /// What counts are elements of arrays and characters of texts.
+    Elements(u64),
     CallDepth,
+    /// Whoever runs the program wanted this scan to stop.
+    Braked,
+    /// Whoever runs the program allows no more blocks.
+    Exhausted(u64),
 }
 
 impl Trouble {
     /// The simulation does not go on after it.
     pub(crate) const fn stops(self) -> bool {
-        matches!(self, Trouble::Watchdog(_) | Trouble::CallDepth)
+        matches!(
+            self,
+            Trouble::Watchdog(_)
+                | Trouble::Elements(_)
+                | Trouble::CallDepth
+                | Trouble::Braked
+                | Trouble::Exhausted(_)
+        )
     }
 
     pub(crate) fn message(self) -> String {
@@ -110,6 +124,15 @@ impl Trouble {
             Trouble::Watchdog(limit) => format!(
                 "this scan has evaluated more than {limit} blocks, so the watchdog stopped the simulation here; \
                  look for a jump or loop that does not end"
+            ),
+            Trouble::Elements(limit) => format!(
+                "this scan has done more than {limit} blocks do, so the watchdog stopped the simulation here: \
+                 {ELEMENTS} elements or characters count as a block; go through fewer of them in one scan"
+            ),
+            Trouble::Braked => "the scan took long and was stopped by hand here, before its end".into(),
+            Trouble::Exhausted(limit) => format!(
+                "all scans together have done the work of more than {limit} blocks; run fewer scans, or make the \
+                 program do less in each"
             ),
             Trouble::CallDepth => format!(
                 "calls are nested deeper than {}, so the simulation was stopped; look for a function that calls \

@@ -73,7 +73,7 @@ pub(crate) fn fuse(plain: &Code, mut temporary: Vec<bool>, memory: &mut Memory) 
         memory,
         instrs: Vec::with_capacity(plain.instrs.len() / 2),
         records: Vec::new(),
-        // The plain instruction that each fused one reaches up to, for the count of blocks.
+        // The plain instruction that each fused one reaches up to, for the count of work.
         reaches: Vec::new(),
         powers: Vec::new(),
         group: Group::default(),
@@ -85,10 +85,10 @@ pub(crate) fn fuse(plain: &Code, mut temporary: Vec<bool>, memory: &mut Memory) 
     let moved = fuser.walk(&is_target);
     fuser.memory.fill_up_bits();
     let mut code = Code {
-        blocks_through: fuser
+        work_through: fuser
             .reaches
             .iter()
-            .map(|&at| plain.blocks_through[at as usize])
+            .map(|&at| plain.work_through[at as usize])
             .collect(),
         instrs: fuser.instrs,
         records: fuser.records,
@@ -128,6 +128,9 @@ struct Fuser<'c> {
     may_extend: bool,
 }
 
+/// A group writes at most so many bits: each of them is looked for among the others.
+const MOST_WRITTEN: usize = 64;
+
 /// Boolean instructions that together read at most three bits.
 #[derive(Default)]
 struct Group {
@@ -161,6 +164,9 @@ impl Group {
     /// Takes an instruction in. False if it does not fit any more; the group may then have gained an input that
     /// nothing reads, which does no harm.
     fn take(&mut self, instr: &Instr) -> bool {
+        if self.written.len() == MOST_WRITTEN {
+            return false;
+        }
         let written = match *instr {
             Instr::Contact { out, en, tag } => self.combine(en, tag, |en, tag| en & tag).map(|t| (out, t)),
             Instr::NegatedContact { out, en, tag } => {

@@ -67,9 +67,7 @@ pub(crate) mod timer {
     pub(crate) const ET: u32 = 1;
     /// The instant it began, or of the last evaluation.
     pub(crate) const SINCE: u32 = 2;
-    /// The scan of the last evaluation, counted from 1.
-    pub(crate) const STAMP: u32 = 3;
-    pub(crate) const WORDS: u32 = 4;
+    pub(crate) const WORDS: u32 = 3;
 }
 
 /// Where parts of a counter's state lie behind its first bit and word.
@@ -89,9 +87,7 @@ pub(crate) mod counter {
 
     pub(crate) const PV: u32 = 0;
     pub(crate) const CV: u32 = 1;
-    /// The scan of the last evaluation, counted from 1.
-    pub(crate) const STAMP: u32 = 2;
-    pub(crate) const WORDS: u32 = 3;
+    pub(crate) const WORDS: u32 = 2;
 }
 
 /// How many bits and words the state of a type takes.

@@ -58,10 +58,12 @@ mod routine;
 pub mod scenario;
 mod session;
 mod simulation;
+mod system;
 mod tags;
 mod timers;
 pub mod trace;
 pub mod value_text;
+mod work;
 
 pub use compile::CompileError;
 pub use diagram::{diagram, diagram_of};
@@ -70,3 +72,4 @@ pub use retain::Kept;
 pub use session::{Breakpoint, Cause, HistoryLimits, Hit, Reason, Session, Since, Stop, Why, Write};
 pub use simulation::{Options, Refused, Simulation, State, Status, Stepped};
 pub use tags::{Point, UnknownTag};
+pub use work::Brake;

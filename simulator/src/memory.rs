@@ -1,5 +1,6 @@
 //! The memory of a running program: flat banks, so that a scan touches no heap but these.
 
+use ladder_analysis::program::Clock;
 use std::collections::VecDeque;
 
 /// A slot of the bank of bits: BOOL tags, powers, edge memories. One byte each, 0 or 1.
@@ -23,8 +24,10 @@ impl Bit {
     pub(crate) const FIRST_SCAN: Bit = Bit(2);
     /// `SYS.FAULT`
     pub(crate) const FAULT: Bit = Bit(3);
+    /// The first of the clocks of `SYS`.
+    pub(crate) const CLOCKS: Bit = Bit(4);
     /// How many bits are the engine's own.
-    pub(crate) const RESERVED: usize = 4;
+    pub(crate) const RESERVED: usize = 4 + Clock::ALL.len();
 
     /// The slot so many behind this one.
     pub(crate) const fn offset(self, by: u32) -> Bit {

@@ -13,6 +13,7 @@ use crate::fault::Trouble;
 use crate::memory::{Bit, Memory, TextSlot, Word};
 use crate::operation::Test;
 use crate::timers::Clock;
+use crate::work;
 use ladder_analysis::types::Scalar;
 
 /// Which routine; behind each what its operands are. A range is two words: the slot of its first element, and how
@@ -134,9 +135,23 @@ pub(crate) fn type_operand(ty: Scalar) -> u32 {
 /// Operands in their order.
 struct Operands<'c> {
     rest: std::slice::Iter<'c, u32>,
+    /// Elements and characters that the routine has gone through.
+    work: usize,
 }
 
 impl<'c> Operands<'c> {
+    fn of(operands: &'c [u32]) -> Operands<'c> {
+        Operands {
+            rest: operands.iter(),
+            work: 0,
+        }
+    }
+
+    /// Counts elements or characters that the routine goes through; those of its ranges are counted already.
+    fn count(&mut self, work: usize) {
+        self.work = self.work.saturating_add(work);
+    }
+
     fn number(&mut self) -> u32 {
         self.rest.next().copied().unwrap_or(0)
     }
@@ -169,6 +184,7 @@ impl<'c> Operands<'c> {
     /// The slots of a range.
     fn range(&mut self, memory: &Memory) -> std::ops::Range<usize> {
         let (start, count) = (self.value(memory), self.value(memory));
+        self.count(count as usize);
         start as usize..(start + count) as usize
     }
 
@@ -179,19 +195,18 @@ impl<'c> Operands<'c> {
     }
 }
 
-/// Runs a routine.
+/// Runs a routine; gives what it counts for.
 pub(crate) fn run<const FORCED: bool>(
     routine: Routine,
     memory: &mut Memory,
     operands: &[u32],
     clock: Clock,
-) -> Result<(), Trouble> {
-    let with = Operands {
-        rest: operands.iter(),
-    };
+) -> Result<u32, Trouble> {
+    let mut operands = Operands::of(operands);
+    let with = &mut operands;
     match routine {
-        Routine::Range => return ranges::find(memory, with),
-        Routine::RangeFrom => return ranges::find_from(memory, with),
+        Routine::Range => ranges::find(memory, with)?,
+        Routine::RangeFrom => ranges::find_from(memory, with)?,
         Routine::AllHigh => ranges::all(memory, with, 1),
         Routine::AllLow => ranges::all(memory, with, 0),
         Routine::FillBits => ranges::fill_bits::<FORCED>(memory, with),
@@ -199,39 +214,39 @@ pub(crate) fn run<const FORCED: bool>(
         Routine::FillTexts => ranges::fill_texts::<FORCED>(memory, with),
         Routine::SetBits => ranges::write_bits_when::<FORCED>(memory, with, true),
         Routine::ResetBits => ranges::write_bits_when::<FORCED>(memory, with, false),
-        Routine::CopyBits => return ranges::copy_bits::<FORCED>(memory, with),
-        Routine::CopyWords => return ranges::copy_words::<FORCED>(memory, with),
-        Routine::CopyTexts => return ranges::copy_texts::<FORCED>(memory, with),
+        Routine::CopyBits => ranges::copy_bits::<FORCED>(memory, with)?,
+        Routine::CopyWords => ranges::copy_words::<FORCED>(memory, with)?,
+        Routine::CopyTexts => ranges::copy_texts::<FORCED>(memory, with)?,
         Routine::ShiftBits => ranges::shift_bits::<FORCED>(memory, with),
         Routine::ShiftWords => ranges::shift_words::<FORCED>(memory, with),
         Routine::ShiftTexts => ranges::shift_texts::<FORCED>(memory, with),
-        Routine::PackBits => return ranges::pack_bits::<FORCED>(memory, with),
-        Routine::PackWords => return ranges::pack_words::<FORCED>(memory, with),
+        Routine::PackBits => ranges::pack_bits::<FORCED>(memory, with)?,
+        Routine::PackWords => ranges::pack_words::<FORCED>(memory, with)?,
         Routine::UnpackBits => ranges::unpack_bits::<FORCED>(memory, with),
         Routine::UnpackWords => ranges::unpack_words::<FORCED>(memory, with),
-        Routine::Sum => return ranges::sum(memory, with),
+        Routine::Sum => ranges::sum(memory, with)?,
         Routine::Search => search::search::<FORCED>(memory, with),
-        Routine::SelectBit => return select::bit(memory, with),
-        Routine::SelectWord => return select::word(memory, with),
-        Routine::SelectText => return select::text(memory, with),
-        Routine::Curve => return curve::point(memory, with),
+        Routine::SelectBit => select::bit(memory, with)?,
+        Routine::SelectWord => select::word(memory, with)?,
+        Routine::SelectText => select::text(memory, with)?,
+        Routine::Curve => curve::point(memory, with)?,
         Routine::Length => strings::length(memory, with),
-        Routine::Left => return strings::left(memory, with),
-        Routine::Right => return strings::right(memory, with),
-        Routine::Middle => return strings::middle(memory, with),
+        Routine::Left => strings::left(memory, with)?,
+        Routine::Right => strings::right(memory, with)?,
+        Routine::Middle => strings::middle(memory, with)?,
         Routine::Concat => strings::concat(memory, with),
-        Routine::Insert => return strings::insert(memory, with),
-        Routine::Delete => return strings::delete(memory, with),
-        Routine::Replace => return strings::replace(memory, with),
+        Routine::Insert => strings::insert(memory, with)?,
+        Routine::Delete => strings::delete(memory, with)?,
+        Routine::Replace => strings::replace(memory, with)?,
         Routine::Find => strings::find(memory, with),
         Routine::Format => numerals::format(memory, with),
         Routine::FormatBit => numerals::format_bit(memory, with),
-        Routine::Parse => return numerals::parse(memory, with),
-        Routine::ParseBit => return numerals::parse_bit(memory, with),
+        Routine::Parse => numerals::parse(memory, with)?,
+        Routine::ParseBit => numerals::parse_bit(memory, with)?,
         Routine::Send => ports::send(memory, with),
         Routine::Receive => ports::receive(memory, with),
         Routine::SendText => ports::send_text(memory, with),
         Routine::SendScanTime => ports::send_scan_time(memory, with, clock),
     }
-    Ok(())
+    Ok(work::blocks(operands.work))
 }

@@ -3,9 +3,11 @@
 use crate::compile::{CHANNELS, Ports};
 use crate::layout::{self, Home, MemberSlot};
 use crate::memory::{Bit, Memory, TextSlot, Word};
+use crate::system::{self, SystemSlot};
 use ladder_analysis::program::{Member, Program, Role, SystemTag};
 use ladder_analysis::types::{Scalar, Type};
 use ladder_analysis::value::Value;
+use ladder_analysis::with_article;
 use ladder_instructions::StateType;
 use ladder_syntax::Name;
 use std::collections::HashMap;
@@ -93,6 +95,10 @@ impl Names {
         for (index, tag) in visible {
             tags.entry(Name::new(&tag.name)).or_insert(index as u32);
         }
+        let addresses = (0u32..).zip(&program.tags).filter(|(_, tag)| tag.block.is_none());
+        for (index, address) in addresses.filter_map(|(index, tag)| Some((index, tag.address.as_ref()?))) {
+            tags.entry(Name::new(address)).or_insert(index);
+        }
         Names { tags }
     }
 
@@ -113,9 +119,9 @@ impl Names {
                 (Home::Words { at, .. }, Type::Scalar(ty)) => Ok(whole(PointSlot::Word(at), ty)),
                 (Home::Texts { at, .. }, Type::Scalar(ty)) => Ok(whole(PointSlot::Text(at), ty)),
                 (_, Type::State(state)) => unknown(format!(
-                    "{} is a {}: name one of its members, as in {}.{}",
+                    "{} is {}: name one of its members, as in {}.{}",
                     tag.name,
-                    state.name(),
+                    with_article(state.name()),
                     tag.name,
                     members(state)[0].0
                 )),
@@ -152,8 +158,9 @@ impl Names {
         let tag = &program.tags[number];
         let Type::Array { first, last, element } = tag.ty else {
             return unknown(format!(
-                "{} is no array: it is a {} and has no elements",
-                tag.name, tag.ty
+                "{} is no array: it is {} and has no elements",
+                tag.name,
+                with_article(tag.ty)
             ));
         };
         let Ok(position) = index.parse::<i64>() else {
@@ -209,9 +216,9 @@ impl Names {
             let Some((name, member, slot)) = found else {
                 let names: Vec<&str> = members(state).iter().map(|(name, _)| *name).collect();
                 return unknown(format!(
-                    "{} has no member `{member}`: a {} has {}",
+                    "{} has no member `{member}`: {} has {}",
                     tag.name,
-                    state.name(),
+                    with_article(state.name()),
                     names.join(" ")
                 ));
             };
@@ -225,7 +232,11 @@ impl Names {
         }
         let point = self.resolve(program, homes, whole)?;
         let PointSlot::Word(word) = point.slot else {
-            return unknown(format!("{} is a {} and has no members", point.name, point.ty));
+            return unknown(format!(
+                "{} is {} and has no members",
+                point.name,
+                with_article(point.ty)
+            ));
         };
         let bit = member
             .parse::<u8>()
@@ -244,12 +255,16 @@ impl Names {
                 },
             }),
             _ if point.ty.is_bits() || point.ty.is_integer() => unknown(format!(
-                "{} has no bit `{member}`: the bits of a {} are 0 to {}",
+                "{} has no bit `{member}`: the bits of {} are 0 to {}",
                 point.name,
-                point.ty,
+                with_article(point.ty),
                 point.ty.width() - 1
             )),
-            _ => unknown(format!("{} is a {} and has no members", point.name, point.ty)),
+            _ => unknown(format!(
+                "{} is {} and has no members",
+                point.name,
+                with_article(point.ty)
+            )),
         }
     }
 
@@ -318,21 +333,16 @@ impl Names {
 fn system_tag(name: &str) -> Result<Point, UnknownTag> {
     let Some(tag) = SystemTag::from_name(name) else {
         return unknown(format!(
-            "there is no SYS.{name}: the system tags are SYS.FIRST_SCAN SYS.SCAN SYS.TIME SYS.SCAN_TIME SYS.FAULT \
-             SYS.ON SYS.OFF"
+            "there is no SYS.{name}: the system tags are {}",
+            SystemTag::list()
         ));
     };
-    let (name, slot) = match tag {
-        SystemTag::FirstScan => ("SYS.FIRST_SCAN", PointSlot::Bit(Bit::FIRST_SCAN)),
-        SystemTag::Scan => ("SYS.SCAN", PointSlot::Word(Word::SCAN)),
-        SystemTag::Time => ("SYS.TIME", PointSlot::Word(Word::TIME)),
-        SystemTag::ScanTime => ("SYS.SCAN_TIME", PointSlot::Word(Word::SCAN_TIME)),
-        SystemTag::Fault => ("SYS.FAULT", PointSlot::Bit(Bit::FAULT)),
-        SystemTag::On => ("SYS.ON", PointSlot::Bit(Bit::HIGH)),
-        SystemTag::Off => ("SYS.OFF", PointSlot::Bit(Bit::LOW)),
+    let slot = match system::slot(tag) {
+        SystemSlot::Bit(bit) => PointSlot::Bit(bit),
+        SystemSlot::Word(word) => PointSlot::Word(word),
     };
     Ok(Point {
-        name: name.to_owned(),
+        name: format!("SYS.{}", tag.name()),
         ty: tag.ty(),
         role: Role::Internal,
         read_only: true,

@@ -5,7 +5,7 @@
 //! pulse timer are differences to that instant, so a timer that was not reached for a while is right when it is
 //! next evaluated.
 
-use crate::layout::timer::{BITS, ET, IN, PHASE, PT, Q, R, SINCE, STAMP, WORDS};
+use crate::layout::timer::{BITS, ET, IN, PHASE, PT, Q, R, SINCE, WORDS};
 use crate::memory::{Bit, Memory, Word};
 use ladder_instructions::StateType;
 
@@ -197,8 +197,7 @@ impl Timer {
         // While R is high EN counts as low, but what is then high at its end is no rise.
         let high = if FORCED && !reset { input } else { en };
         let before = timer.phase();
-        let again = std::mem::replace(&mut timer.words[STAMP as usize], clock.scan) == clock.scan;
-        let rise = high && before & WAS_HIGH == 0 && !again;
+        let rise = high && before & WAS_HIGH == 0;
         let (mut q, mut et) = (false, 0);
         let mut phase = before & !WAS_HIGH;
         match phase {

@@ -3,6 +3,7 @@
 use ladder_analysis::literal::{Literal, LiteralProblem, literal};
 use ladder_analysis::types::Scalar;
 use ladder_analysis::value::{Value, wrap};
+use ladder_analysis::with_article;
 use std::fmt::{self, Write};
 
 /// A value as a cell of a trace: BOOL as 0 or 1, TIME in milliseconds, reals in the shortest form that reads back
@@ -195,7 +196,7 @@ pub fn parse(text: &str, ty: Scalar) -> Result<Value, String> {
             return Ok(Value::Text(text.as_bytes().into()));
         }
     }
-    let wrong = || format!("`{text}` is no value for a {ty}: {}", example(ty));
+    let wrong = || format!("`{text}` is no value for {}: {}", with_article(ty), example(ty));
     if text.is_empty() {
         return Err(wrong());
     }
@@ -216,7 +217,9 @@ pub fn parse(text: &str, ty: Scalar) -> Result<Value, String> {
             };
             prefixed.map_err(|problem| match problem {
                 LiteralProblem::Malformed(_) => wrong(),
-                LiteralProblem::OutOfRange(why) => format!("`{text}` is no value for a {ty}: {why}"),
+                LiteralProblem::OutOfRange(why) => {
+                    format!("`{text}` is no value for {}: {why}", with_article(ty))
+                }
             })?
         }
     };

@@ -65,6 +65,9 @@ pub enum SyntaxErrorKind {
     MissingComma,
     /// An expression that is nested more deeply, or has more terms, than the tools read.
     TooComplex,
+    /// There are more things on a line, or in an operand list, than the tools read. The range is the rest, which is not
+    /// read.
+    TooMany(Many),
     /// A declaration that cannot be read from here on.
     BadDeclaration(DeclarationProblem),
 }
@@ -78,6 +81,25 @@ impl SyntaxErrorKind {
                 DeclarationProblem::SectionNotClosed | DeclarationProblem::BlockNotClosed
             )
         )
+    }
+}
+
+/// What there can be too many of.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum Many {
+    /// Wires, connectors, blocks, rails and comments on a line.
+    Parts,
+    /// Operands of a block.
+    Operands,
+}
+
+impl Many {
+    /// How many are read.
+    pub const fn most(self) -> u32 {
+        match self {
+            Many::Parts => 5_000,
+            Many::Operands => 1_000,
+        }
     }
 }
 

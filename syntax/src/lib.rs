@@ -44,14 +44,14 @@ pub mod wiring;
 
 pub use builder::Builder;
 pub use dump::dump;
-pub use error::{DeclarationProblem, OperandPlace, Place, SyntaxError, SyntaxErrorKind};
+pub use error::{DeclarationProblem, Many, OperandPlace, Place, SyntaxError, SyntaxErrorKind};
 pub use grammar::is_declaration_keyword;
 pub use kind::{LadderLanguage, SyntaxElement, SyntaxKind, SyntaxNode, SyntaxToken};
 pub use line::{Line, LineKind, Mode};
 pub use line_index::{LineColumn, LineIndex};
 pub use lines::{LineReader, Lines, read_lines};
 pub use name::{Name, is_identifier, is_reserved};
-pub use parse::{MAX_FILE_BYTES, Parse, parse};
+pub use parse::{MAX_FILE_BYTES, MAX_OPEN_BYTES, MAX_OPEN_LINES, Parse, parse};
 pub use structure::{BlockDefinition, Item, Network, Section, Structure};
 
 pub use rowan::{self, NodeOrToken, TextRange, TextSize};

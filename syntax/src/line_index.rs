@@ -16,6 +16,44 @@ pub struct LineColumn {
 pub struct LineIndex {
     starts: Vec<u32>,
     len: u32,
+    /// Lines that are so long that their columns are not counted from the beginning each time, from top to bottom.
+    long: Vec<LongLine>,
+}
+
+/// A line of which some columns are known.
+#[derive(Debug, Clone, PartialEq, Eq)]
+struct LongLine {
+    start: u32,
+    /// At least every so many bytes ([`STRIDE`]) an offset, with the characters of the line before it.
+    columns: Vec<(u32, u32)>,
+}
+
+impl LongLine {
+    fn of(text: &str, start: usize, end: usize) -> LongLine {
+        let mut columns = vec![(start as u32, 0)];
+        let (mut at, mut characters) = (start, 0);
+        while end - at > STRIDE {
+            let mut next = at + STRIDE;
+            while !text.is_char_boundary(next) {
+                next -= 1;
+            }
+            characters += characters_of(&text[at..next]);
+            columns.push((next as u32, characters));
+            at = next;
+        }
+        LongLine {
+            start: start as u32,
+            columns,
+        }
+    }
+}
+
+/// Between two known columns of a long line stand so many bytes.
+const STRIDE: usize = 1024;
+
+/// Characters as people count them: a byte order mark is none.
+fn characters_of(text: &str) -> u32 {
+    text.chars().filter(|&c| c != '\u{feff}').count() as u32
 }
 
 /// The last byte of each line end.
@@ -28,10 +66,22 @@ impl LineIndex {
     /// The index of a text.
     pub fn new(text: &str) -> LineIndex {
         let mut starts = vec![0];
-        starts.extend(line_ends(text.as_bytes()).map(|at| at as u32 + 1));
+        let mut long = Vec::new();
+        let mut start = 0;
+        for end in line_ends(text.as_bytes()) {
+            if end - start > STRIDE {
+                long.push(LongLine::of(text, start, end));
+            }
+            start = end + 1;
+            starts.push(start as u32);
+        }
+        if text.len() - start > STRIDE {
+            long.push(LongLine::of(text, start, text.len()));
+        }
         LineIndex {
             starts,
             len: text.len() as u32,
+            long,
         }
     }
 
@@ -55,16 +105,25 @@ impl LineIndex {
     pub fn line_column(&self, text: &str, offset: TextSize) -> LineColumn {
         let offset = offset.min(TextSize::new(self.len));
         let line = self.line(offset);
-        let start = self.starts[line] as usize;
         let mut end = usize::from(offset);
         while !text.is_char_boundary(end) {
             end -= 1;
         }
-        let column = text[start..end].chars().filter(|&c| c != '\u{feff}').count();
+        let (known, before) = self.known_column(self.starts[line], end as u32);
         LineColumn {
             line: line as u32 + 1,
-            column: column as u32 + 1,
+            column: before + characters_of(&text[known as usize..end]) + 1,
         }
+    }
+
+    /// The nearest place before an offset whose column is known, and the characters before it on its line.
+    fn known_column(&self, start: u32, offset: u32) -> (u32, u32) {
+        let Ok(long) = self.long.binary_search_by_key(&start, |long| long.start) else {
+            return (start, 0);
+        };
+        let columns = &self.long[long].columns;
+        let behind = columns.partition_point(|&(known, _)| known <= offset);
+        columns[behind.max(1) - 1]
     }
 }
 
@@ -80,6 +139,30 @@ mod tests {
         assert_eq!(lines, ["a\n", "b\r\n", "c\r", "d\u{2028}e\n", ""]);
         assert!(index.range(99).is_empty());
         assert_eq!(LineIndex::new("").line_count(), 1);
+    }
+
+    /// In long lines columns are counted from the nearest known one.
+    #[test]
+    fn columns_of_long_lines() {
+        let line = "\u{feff}aä温😀".repeat(900);
+        let text = format!("x\n{line}\r\n\n{line}");
+        let index = LineIndex::new(&text);
+        assert_eq!(index.long.len(), 2);
+        for start in [2, 2 + line.len() + 3] {
+            let mut characters = 0;
+            for (at, c) in line.char_indices() {
+                let place = index.line_column(&text, TextSize::new((start + at) as u32));
+                assert_eq!(place.column, characters + 1, "{start} {at}");
+                characters += u32::from(c != '\u{feff}');
+            }
+        }
+        // No column is far from a known one, and no line holds more of them than it needs.
+        for long in &index.long {
+            assert!(long.columns.is_sorted());
+            assert!(long.columns.len() <= line.len() / (STRIDE - 4) + 1);
+            let gaps = long.columns.windows(2).map(|pair| pair[1].0 - pair[0].0);
+            assert!(gaps.max().unwrap() <= STRIDE as u32);
+        }
     }
 
     /// Columns count characters, whatever their bytes, and a byte order mark is none. Places inside a character or

@@ -15,7 +15,6 @@ pub struct Page {
     pub group: Group,
     /// The file, seen from the folder `docs/src/language/instructions/`.
     pub file: &'static str,
-    title: &'static str,
     introduction: &'static str,
 }
 
@@ -24,40 +23,34 @@ pub const PAGES: [Page; 6] = [
     Page {
         group: Group::Condition,
         file: "conditions.md",
-        title: "Conditions",
         introduction: "Contacts, edges and comparisons decide whether power goes on.",
     },
     Page {
         group: Group::Data,
         file: "data.md",
-        title: "Data",
         introduction: "These instructions compute a value and write it to their first operand. Which values go together, \
                        and what happens at a fault, is told in [Values and expressions](../expressions.md).",
     },
     Page {
         group: Group::State,
         file: "state.md",
-        title: "Timers, counters, bistables",
         introduction: "Each of these keeps its state in a tag of its own type. Rules that all timers or all counters \
                        share stand in [Instructions](../instructions.md#timers).",
     },
     Page {
         group: Group::Coil,
         file: "coils.md",
-        title: "Coils",
         introduction: "Coils write what the rung has found out. They work at every evaluation, with power or without.",
     },
     Page {
         group: Group::Flow,
         file: "flow.md",
-        title: "Program flow",
         introduction: "These blocks change which network runs next. What the main program and a function are is told in \
                        [Instructions](../instructions.md#flow).",
     },
     Page {
         group: Group::Port,
         file: "ports.md",
-        title: "Ports",
         introduction: "A port connects the program to the world: analog values, pulses, serial text.",
     },
 ];
@@ -67,7 +60,8 @@ pub fn text(page: &Page) -> String {
     let rows = || TABLE.iter().filter(|row| row.group == page.group);
     let mut out = format!(
         "# {}\n\n{}\n\n| block | name | |\n| --- | --- | --- |\n",
-        page.title, page.introduction
+        page.group.title(),
+        page.introduction
     );
     for row in rows() {
         let (title, summary) = (row.title, cell(row.summary()));

@@ -4,21 +4,20 @@
 //! pages of the book that are made from the table of instructions.
 //!
 //! ```text
-//! docs/src/SUMMARY.md --book--> pages: headings, links, programs    checked by tests/book_*.rs
-//! TABLE --instruction_pages--> docs/src/language/instructions/*.md  compared by tests/instruction_reference.rs
-//! Rule::ALL --rule_index--> docs/src/rules/index.md               compared by tests/rule_index.rs
-//! SECTIONS --settings_reference--> settings.md, the schema, package.json  compared by tests/settings_reference.rs
-//! console blocks --console--> what they really show                compared by tests/book_sessions.rs
+//! docs/src/SUMMARY.md --book--> pages: headings, links, programs    checked by tests/project/book_*.rs
+//! TABLE --instruction_pages--> docs/src/language/instructions/*.md  compared by tests/project/instruction_reference.rs
+//! Rule::ALL --rule_index--> docs/src/rules/index.md               compared by tests/project/rule_index.rs
+//! SECTIONS --settings_reference--> settings.md, the schema, package.json  compared by tests/project/settings_reference.rs
+//! console blocks --console--> what they really show                compared by cli/tests/project/book_sessions.rs
 //! ```
 
 pub mod book;
 pub mod console;
-pub mod generator;
 pub mod instruction_pages;
 pub mod instruction_runs;
 pub mod markdown;
 pub mod project;
-pub mod reference;
 pub mod rule_index;
 pub mod settings_reference;
-pub mod trace;
+
+pub use ladder_invariants::{features, generator, reference, trace};

@@ -23,14 +23,8 @@ offers a fix where there is one.
 /// The text of the page.
 pub fn text() -> String {
     let mut out = INTRODUCTION.to_owned();
-    for (group, title) in [
-        (RuleGroup::Text, "Text"),
-        (RuleGroup::Connectors, "Connectors"),
-        (RuleGroup::Blocks, "Blocks"),
-        (RuleGroup::Names, "Names"),
-        (RuleGroup::Wiring, "Wiring"),
-        (RuleGroup::Program, "The program"),
-    ] {
+    for group in RuleGroup::ALL {
+        let title = group.title();
         // Writing to a String does not fail.
         let _ = write!(
             out,

@@ -154,7 +154,8 @@ pub fn extension_settings() -> String {
             );
             // Whoever may write a workspace's settings must not say which program runs.
             let scope = if setting.kind == Kind::Text {
-                "machine-overridable"
+                // Not for a workspace to say, trusted or not.
+                "machine"
             } else {
                 "window"
             };

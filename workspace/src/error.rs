@@ -1,6 +1,6 @@
 //! What can be wrong with a file, in words that say what to do.
 
-use crate::MAX_FILE_BYTES;
+use crate::{MAX_FILE_BYTES, shown};
 use ladder_syntax::LineColumn;
 use std::fmt;
 use std::io;
@@ -26,6 +26,8 @@ pub enum Problem {
     NoPrograms,
     /// A folder in which no scenario file is found.
     NoScenarios,
+    /// A folder in which no file of the kind that is looked for is found.
+    NoneOfThese,
     /// Larger than [`MAX_FILE_BYTES`].
     TooLarge,
     /// Bytes that are not UTF-8.
@@ -39,10 +41,51 @@ pub enum Problem {
     },
     /// The file may be read but not written.
     ReadOnly,
+    /// Neither a regular file nor a folder.
+    Special(Special),
+    /// A workspace names it by its whole path.
+    NotRelative,
+    /// A workspace names it, and it lies outside.
+    Outside,
+    /// It was to be written over, but it is none of the tools' own files.
+    NotOurs,
+    /// Another run uses it.
+    InUse,
+    /// Writing failed in the middle, in a file that could only be written in its place.
+    HalfWritten {
+        /// Why.
+        error: io::Error,
+        /// Where its old content is.
+        backup: PathBuf,
+    },
     /// The operating system refuses to read it.
     Read(io::Error),
     /// The operating system refuses to write it.
     Write(io::Error),
+}
+
+/// What looks like a file and is none.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Special {
+    /// A named pipe.
+    Pipe,
+    /// A socket.
+    Socket,
+    /// A device.
+    Device,
+    /// A file of `/proc` and the like.
+    System,
+}
+
+impl fmt::Display for Special {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Special::Pipe => "a pipe",
+            Special::Socket => "a socket",
+            Special::Device => "a device",
+            Special::System => "a file of the operating system itself",
+        })
+    }
 }
 
 impl FileError {
@@ -72,7 +115,11 @@ impl FileError {
 impl fmt::Display for FileError {
     /// `motor.clad: no such file or folder`
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{}: {}", self.path.display(), self.problem)
+        write!(f, "{}: {}", shown::path(&self.path), self.problem)?;
+        if self.path == Path::new("-") && matches!(self.problem, Problem::Missing) {
+            f.write_str("; of standard input only `ladder check -` and `ladder fmt -` read a program")?;
+        }
+        Ok(())
     }
 }
 
@@ -85,6 +132,7 @@ impl fmt::Display for Problem {
             Problem::NoScenarios => {
                 f.write_str("no scenarios (a file ending in .ladder-test) are in this folder")
             }
+            Problem::NoneOfThese => f.write_str("no file that could be meant is in this folder"),
             Problem::TooLarge => write!(
                 f,
                 "the file is larger than {} MiB, the most that is read",
@@ -99,6 +147,22 @@ impl fmt::Display for Problem {
                 place.line, place.column
             ),
             Problem::ReadOnly => f.write_str("the file is write-protected"),
+            Problem::Special(what) => write!(f, "this is {what}, and only a regular file is used here"),
+            Problem::NotRelative => f.write_str(
+                "a path in a workspace is relative: write it as it is seen from the file that names it",
+            ),
+            Problem::Outside => f.write_str(
+                "this leads out of the workspace, the folder of ladder.toml (without one: the file's own folder); an empty ladder.toml in a folder above both makes them one",
+            ),
+            Problem::NotOurs => f.write_str(
+                "this is no file of retentive values, and it stays as it is; name another file, or remove this one",
+            ),
+            Problem::InUse => f.write_str("another run uses this file; wait until that ends, or name another file"),
+            Problem::HalfWritten { error, backup } => write!(
+                f,
+                "could only be written in part: {error}; its old content is in {}",
+                shown::path(backup)
+            ),
             Problem::Read(error) => write!(f, "cannot be read: {error}"),
             Problem::Write(error) => write!(f, "cannot be written: {error}"),
         }
@@ -108,7 +172,7 @@ impl fmt::Display for Problem {
 impl std::error::Error for FileError {
     fn source(&self) -> Option<&(dyn std::error::Error + 'static)> {
         match &self.problem {
-            Problem::Read(error) | Problem::Write(error) => Some(error),
+            Problem::Read(error) | Problem::Write(error) | Problem::HalfWritten { error, .. } => Some(error),
             _ => None,
         }
     }

@@ -1,6 +1,7 @@
 //! Whether a file that somebody named is one that a search would pass over.
 
 use crate::SETTINGS_FILE;
+use crate::search::ignore_files;
 use crate::settings::Settings;
 use ignore::Match;
 use ignore::gitignore::Gitignore;
@@ -20,6 +21,10 @@ pub fn is_excluded(file: &Path) -> bool {
 /// The nearest file that says something about it decides.
 fn is_ignored(file: &Path) -> bool {
     for folder in file.ancestors().skip(1) {
+        // What cannot be read says nothing, as in a search.
+        if ignore_files(folder).is_err() {
+            continue;
+        }
         for name in [".ignore", ".gitignore"] {
             let patterns = folder.join(name);
             if !patterns.is_file() {

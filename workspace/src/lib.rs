@@ -13,8 +13,11 @@
 //! - [`is_excluded`] says of a file that was named whether a search would pass over it.
 //! - [`read`] and [`decode`] are the one gate for text: nothing that is not UTF-8, and nothing larger than
 //!   [`MAX_FILE_BYTES`], goes past it.
+//! - [`Named`] is a file that a workspace names, in its settings or scenarios: it lies inside of that, whatever links lead
+//!   to it, and is a regular file.
 //! - [`write()`] puts a new text in a file's place in one step: a reader, or a power cut, sees the old text or the
 //!   new one, never a half.
+//! - [`shown`] is what others wrote, on its way to a terminal or a log.
 //! - [`Root::of`] finds the folder that a program belongs to (LANGUAGE §4), which is where the settings file
 //!   [`SETTINGS_FILE`] stands.
 //! - [`RetentiveFile`] keeps the values of retentive tags over a restart.
@@ -25,26 +28,32 @@
 
 mod error;
 mod excluded;
+mod lock;
+mod named;
 mod programs;
+mod regular;
 mod retentive;
 mod root;
 mod search;
 mod settings;
+pub mod shown;
 mod stamp;
 mod text;
 mod write;
 
-pub use error::{FileError, Problem};
+pub use error::{FileError, Problem, Special};
 pub use excluded::is_excluded;
 pub use ladder_syntax::MAX_FILE_BYTES;
+pub use named::{Named, read_own};
 pub use programs::{Source, Workspace};
 pub use retentive::{Found, RetentiveFile};
 pub use root::{Root, SETTINGS_FILE};
 pub use search::{
-    EXTENSION, SCENARIO_EXTENSION, Survey, find_programs, find_scenarios, is_program, is_scenario, survey,
+    EXTENSION, SCENARIO_EXTENSION, Survey, find_files, find_programs, find_scenarios, is_program,
+    is_scenario, survey,
 };
 pub use settings::table;
 pub use settings::{EditorSettings, Files, Levels, Lint, Mistake, Settings, SettingsError, Simulate, Tree};
 pub use stamp::Stamp;
-pub use text::{decode, read};
+pub use text::{decode, read, read_bytes};
 pub use write::{Replacement, write};

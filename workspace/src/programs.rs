@@ -1,7 +1,7 @@
 //! The programs of a workspace, read and analysed together.
 
 use crate::settings::SettingsError;
-use crate::{FileError, Root, Settings, read};
+use crate::{FileError, Root, Settings, read_own};
 use ladder_analysis::program::Program;
 use ladder_analysis::{Analysis, Exported, Exports, NotWhole, Others, analyze_with, exports, link};
 use ladder_syntax::Parse;
@@ -43,6 +43,14 @@ impl Workspace {
         let programs = root.programs(&settings.files);
         let sources = programs.into_iter().filter_map(|path| Source::read(path).ok());
         Ok(Workspace::with(settings, sources.collect()))
+    }
+
+    /// The workspace of a text that stands alone: only the settings that hold for its place.
+    ///
+    /// # Errors
+    /// As for [`Workspace::of`].
+    pub fn without_programs(place: &Path) -> Result<Workspace, SettingsError> {
+        Ok(Workspace::with(Settings::of(place)?, Vec::new()))
     }
 
     fn with(settings: Settings, programs: Vec<Source>) -> Workspace {
@@ -135,7 +143,7 @@ impl Workspace {
 
 impl Source {
     fn read(path: PathBuf) -> Result<Source, FileError> {
-        let text = read(&path)?;
+        let text = read_own(&path)?;
         Ok(Source {
             name: Arc::from(from_here(&path).display().to_string()),
             text,

@@ -12,15 +12,18 @@
 //!
 //! The parts of a line are separated by tabs. The number behind `end` is the CRC-32 of all that stands before it.
 
-use crate::{FileError, Problem, write};
+use crate::lock::Lock;
+use crate::{FileError, MAX_FILE_BYTES, Named, Problem, regular, shown, write};
 use ladder_simulator::Kept;
-use std::fs;
-use std::io;
+use std::fs::{self, File};
+use std::io::{self, Read};
 use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 
 /// The format that is written, and the only one that is read.
 const FORMAT: u32 = 1;
+/// What every file of retentive values begins with.
+const HEAD: &str = "ladder-retain ";
 /// At most one save in this time.
 const PAUSE: Duration = Duration::from_secs(1);
 
@@ -33,6 +36,8 @@ pub struct RetentiveFile {
     written: Option<String>,
     /// When that was last done; a short run saves at its end only.
     saved: Instant,
+    /// Nobody else writes it meanwhile.
+    _lock: Option<Lock>,
 }
 
 /// What was found in a retentive file.
@@ -45,31 +50,47 @@ pub struct Found {
 }
 
 impl RetentiveFile {
-    /// Opens the file for a program and reads what it kept. A file that is not there yet is no mistake. One that
-    /// cannot be understood is put aside beside it, as `NAME.damaged`, and the program starts cold.
+    /// Opens the file that a workspace names: see [`RetentiveFile::open`].
     ///
     /// # Errors
-    /// The operating system refuses to read it, or to put it aside.
+    /// As there, or it lies outside of the workspace.
+    pub fn open_named(file: &Named, program: &str) -> Result<(RetentiveFile, Found), FileError> {
+        RetentiveFile::open(&file.locate()?, program)
+    }
+
+    /// Opens the file for a program and reads what it kept. A file that is not there yet is no mistake. A damaged one
+    /// is put aside beside it, as `NAME.damaged`, and the program starts cold. Until the value is dropped nobody else
+    /// can open it.
+    ///
+    /// # Errors
+    /// It is no file of retentive values, another run uses it, or the operating system refuses to read it or to put it
+    /// aside.
     pub fn open(path: &Path, program: &str) -> Result<(RetentiveFile, Found), FileError> {
+        // Looked at before a lock is made for it: what is none of ours is not touched.
+        if read(path)?.is_some_and(|bytes| !has_head(&bytes)) {
+            return Err(FileError::new(path, Problem::NotOurs));
+        }
         let mut file = RetentiveFile {
             path: path.to_owned(),
             program: program.to_owned(),
             written: None,
             saved: Instant::now(),
+            _lock: Lock::of(path)?,
         };
-        let bytes = match fs::read(path) {
-            Ok(bytes) => bytes,
-            Err(error) if error.kind() == io::ErrorKind::NotFound => return Ok((file, Found::default())),
-            Err(error) => return Err(FileError::reading(path, error)),
+        let Some(bytes) = read(path)? else {
+            return Ok((file, Found::default()));
         };
+        if !has_head(&bytes) {
+            return Err(FileError::new(path, Problem::NotOurs));
+        }
         let found = match understand(&bytes) {
             Ok(content) => {
                 let mut notes = Vec::new();
                 if content.program != program {
                     notes.push(format!(
                         "{}: the values were kept by {}; {program} takes those that fit",
-                        path.display(),
-                        content.program
+                        shown::path(path),
+                        shown::line(&content.program)
                     ));
                 }
                 file.written = String::from_utf8(bytes).ok();
@@ -84,8 +105,8 @@ impl RetentiveFile {
                     kept: None,
                     notes: vec![format!(
                         "{}: {damage}; the program starts cold, and the file is kept as {}",
-                        path.display(),
-                        aside.display()
+                        shown::path(path),
+                        shown::path(&aside)
                     )],
                 }
             }
@@ -119,8 +140,29 @@ impl RetentiveFile {
     }
 }
 
+/// The file's content; none if it is not there.
+fn read(path: &Path) -> Result<Option<Vec<u8>>, FileError> {
+    let file = match regular::open_plain(path, File::options().read(true)) {
+        Ok((file, _)) => file,
+        Err(FileError {
+            problem: Problem::Missing,
+            ..
+        }) => return Ok(None),
+        Err(error) => return Err(error),
+    };
+    let mut bytes = Vec::new();
+    file.take(MAX_FILE_BYTES as u64)
+        .read_to_end(&mut bytes)
+        .map_err(|error| FileError::reading(path, error))?;
+    Ok(Some(bytes))
+}
+
+fn has_head(bytes: &[u8]) -> bool {
+    bytes.starts_with(HEAD.as_bytes())
+}
+
 fn compose(program: &str, kept: &[Kept]) -> String {
-    let mut text = format!("ladder-retain {FORMAT}\nprogram {program}\n");
+    let mut text = format!("{HEAD}{FORMAT}\nprogram {program}\n");
     for tag in kept {
         text.push_str(&tag.name);
         for part in std::iter::once(&tag.ty).chain(&tag.values) {
@@ -129,7 +171,7 @@ fn compose(program: &str, kept: &[Kept]) -> String {
         }
         text.push('\n');
     }
-    let sum = crc32(text.as_bytes());
+    let sum = crc32fast::hash(text.as_bytes());
     text.push_str(&format!("end {sum:08x}\n"));
     text
 }
@@ -142,16 +184,13 @@ struct Content {
 /// Reads a file; else what is wrong with it.
 fn understand(bytes: &[u8]) -> Result<Content, String> {
     let text = std::str::from_utf8(bytes).unwrap_or("");
-    let Some(format) = text
-        .lines()
-        .next()
-        .and_then(|line| line.strip_prefix("ladder-retain "))
-    else {
-        return Err("this is no file of retentive values".into());
+    let Some(format) = text.lines().next().and_then(|line| line.strip_prefix(HEAD)) else {
+        return Err("the file is damaged".into());
     };
     if format.parse() != Ok(FORMAT) {
         return Err(format!(
-            "the file has format {format}, but this version of ladder reads format {FORMAT} only"
+            "the file has format {}, but this version of ladder reads format {FORMAT} only",
+            shown::line(format)
         ));
     }
     let damaged = || "the file is damaged".to_owned();
@@ -162,7 +201,7 @@ fn understand(bytes: &[u8]) -> Result<Content, String> {
     // With the line end in front of the last line.
     let body = &text[..=body.len()];
     let sum = end.strip_prefix("end ").ok_or_else(damaged)?;
-    if u32::from_str_radix(sum, 16) != Ok(crc32(body.as_bytes())) {
+    if u32::from_str_radix(sum, 16) != Ok(crc32fast::hash(body.as_bytes())) {
         return Err(damaged());
     }
     let mut lines = body.lines().skip(1);
@@ -188,36 +227,31 @@ fn understand(bytes: &[u8]) -> Result<Content, String> {
 /// Renames a file to `NAME.damaged`, or with a number behind it where that is taken.
 fn put_aside(path: &Path) -> Result<PathBuf, FileError> {
     let name = path.file_name().unwrap_or_default().to_string_lossy();
-    let names = (1..).map(|number| match number {
-        1 => format!("{name}.damaged"),
-        _ => format!("{name}.damaged.{number}"),
-    });
-    let free = names
-        .map(|name| path.with_file_name(name))
-        .find(|aside| fs::symlink_metadata(aside).is_err());
-    let aside = free.ok_or_else(|| FileError::new(path, Problem::ReadOnly))?;
-    fs::rename(path, &aside).map_err(|error| FileError::writing(&aside, error))?;
-    Ok(aside)
-}
-
-/// CRC-32 as zip and PNG have it.
-fn crc32(bytes: &[u8]) -> u32 {
-    let step = |sum: u32, &byte: &u8| {
-        (0..8).fold(sum ^ u32::from(byte), |sum, _| {
-            (sum >> 1) ^ (0xEDB8_8320 & (sum & 1).wrapping_neg())
-        })
-    };
-    !bytes.iter().fold(u32::MAX, step)
+    for number in 1.. {
+        let aside = path.with_file_name(match number {
+            1 => format!("{name}.damaged"),
+            _ => format!("{name}.damaged.{number}"),
+        });
+        if fs::symlink_metadata(&aside).is_ok() {
+            continue;
+        }
+        // A second name first: unlike a renaming it takes the place of nothing that came there meanwhile.
+        let moved = match fs::hard_link(path, &aside) {
+            Ok(()) => fs::remove_file(path),
+            Err(error) if error.kind() == io::ErrorKind::AlreadyExists => continue,
+            Err(_) => fs::rename(path, &aside),
+        };
+        return match moved {
+            Ok(()) => Ok(aside),
+            Err(error) => Err(FileError::writing(&aside, error)),
+        };
+    }
+    Err(FileError::new(path, Problem::ReadOnly))
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    #[test]
-    fn the_sum_is_the_one_that_others_compute() {
-        assert_eq!(crc32(b"123456789"), 0xCBF4_3926);
-    }
 
     #[test]
     fn every_damage_is_seen() {

@@ -1,9 +1,9 @@
 //! The workspace of a program (LANGUAGE §4).
 
-use crate::search::{is_program, programs_below};
+use crate::search::{is_own_file, is_program, programs_below};
 use crate::settings::{Files, Settings, SettingsError};
 use std::io;
-use std::path::{Path, PathBuf};
+use std::path::{Component, Path, PathBuf};
 
 /// The settings file that marks a workspace's root.
 pub const SETTINGS_FILE: &str = "ladder.toml";
@@ -23,11 +23,11 @@ impl Root {
     /// # Errors
     /// The path is relative and the process has no current folder.
     pub fn of(program: &Path) -> io::Result<Root> {
-        let program = std::path::absolute(program)?;
+        let program = without_parents(std::path::absolute(program)?);
         let folder = program.parent().unwrap_or(&program);
         let settings = folder
             .ancestors()
-            .find(|above| above.join(SETTINGS_FILE).is_file());
+            .find(|above| is_settings_file(&above.join(SETTINGS_FILE)));
         Ok(match settings {
             Some(root) => Root::Settings(root.to_owned()),
             None => Root::Folder(folder.to_owned()),
@@ -55,7 +55,7 @@ impl Root {
     /// There is a settings file that cannot be read, or something in it is wrong.
     pub fn settings(&self) -> Result<Settings, SettingsError> {
         match self.settings_file() {
-            Some(file) => Settings::read(&file),
+            Some(file) => Settings::read_own(&file),
             None => Ok(Settings::default()),
         }
     }
@@ -74,11 +74,31 @@ impl Root {
                     .into_iter()
                     .flatten()
                     .filter_map(|entry| Some(entry.ok()?.path()))
-                    .filter(|path| is_program(path) && path.is_file())
+                    .filter(|path| is_program(path) && is_own_file(folder, path))
                     .collect();
                 programs.sort();
                 programs
             }
         }
+    }
+}
+
+/// A link counts without being followed: whoever reads it says what is wrong with it.
+fn is_settings_file(path: &Path) -> bool {
+    path.symlink_metadata()
+        .is_ok_and(|metadata| metadata.is_file() || metadata.is_symlink())
+}
+
+/// What stands above `plant/../line` is not above `plant`.
+fn without_parents(program: PathBuf) -> PathBuf {
+    let folder = program
+        .parent()
+        .filter(|folder| folder.components().any(|part| part == Component::ParentDir));
+    match (
+        folder.and_then(|folder| folder.canonicalize().ok()),
+        program.file_name(),
+    ) {
+        (Some(folder), Some(name)) => folder.join(name),
+        _ => program,
     }
 }

@@ -1,31 +1,49 @@
 //! The gate for text: UTF-8, and not larger than the offsets of the tree can count.
 
-use crate::{FileError, MAX_FILE_BYTES, Problem};
+use crate::{FileError, MAX_FILE_BYTES, Problem, regular};
 use ladder_syntax::{LineIndex, TextSize};
-use std::fs::File;
+use std::fs::{File, Metadata};
 use std::io::Read;
 use std::path::Path;
 
 /// Reads a file.
 ///
 /// # Errors
-/// The file is missing, is a folder, is larger than [`MAX_FILE_BYTES`], is not UTF-8, or the operating system
+/// The file is missing, is a folder, a pipe or a device, is larger than [`MAX_FILE_BYTES`], is not UTF-8, or the operating system
 /// refuses.
 pub fn read(path: &Path) -> Result<String, FileError> {
-    let file = File::open(path).map_err(|error| FileError::reading(path, error))?;
-    let metadata = file.metadata().map_err(|error| FileError::reading(path, error))?;
+    read_from(regular::open(path)?, path)
+}
+
+/// As [`read`], for a file in another notation, which need not be text.
+///
+/// # Errors
+/// As for [`read`], but for what is not UTF-8.
+pub fn read_bytes(path: &Path) -> Result<Vec<u8>, FileError> {
+    let bytes = bytes(regular::open(path)?, path)?;
+    if bytes.len() > MAX_FILE_BYTES {
+        return Err(FileError::new(path, Problem::TooLarge));
+    }
+    Ok(bytes)
+}
+
+/// Reads what was opened; `path` names it in errors.
+pub(crate) fn read_from(opened: (File, Metadata), path: &Path) -> Result<String, FileError> {
+    decode(path, bytes(opened, path)?)
+}
+
+/// One byte more than a file may have, if there are so many.
+fn bytes((file, metadata): (File, Metadata), path: &Path) -> Result<Vec<u8>, FileError> {
     if metadata.is_dir() {
         return Err(FileError::new(path, Problem::Directory));
     }
-    // Refused before its bytes are fetched; what has no length in advance (a pipe) is cut off below.
-    if metadata.len() > MAX_FILE_BYTES as u64 {
-        return Err(FileError::new(path, Problem::TooLarge));
-    }
-    let mut bytes = Vec::with_capacity(metadata.len() as usize + 1);
+    // What has no length in advance (a pipe) is cut off below.
+    let length = metadata.len().min(MAX_FILE_BYTES as u64);
+    let mut bytes = Vec::with_capacity(length as usize + 1);
     file.take(MAX_FILE_BYTES as u64 + 1)
         .read_to_end(&mut bytes)
         .map_err(|error| FileError::reading(path, error))?;
-    decode(path, bytes)
+    Ok(bytes)
 }
 
 /// Takes bytes for a text; `path` names them in errors.

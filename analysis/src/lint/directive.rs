@@ -3,6 +3,7 @@
 use crate::diagnostic::Diagnostic;
 use crate::rule::{Rule, Severity};
 use crate::rules::did_you_mean::closest;
+use ladder_instructions::Profile;
 use ladder_syntax::{TextRange, TextSize};
 
 /// What a comment asks for.
@@ -68,10 +69,10 @@ fn rules(text: &str, place: TextRange, out: &mut Vec<Diagnostic>) -> Option<Vec<
 }
 
 fn profile(name: &str, place: TextRange, out: &mut Vec<Diagnostic>) -> Option<Directive> {
-    match name {
-        "iec" => Some(Directive::Known),
-        "ldmicro" | "click" | "iot" => {
-            let mut found = bad(place, format!("the profile `{name}` is not there yet")).help(
+    match Profile::from_name(name) {
+        Some(Profile::Iec) => Some(Directive::Known),
+        Some(profile) => {
+            let mut found = bad(place, format!("the profile `{profile}` is not there yet")).help(
                 "with the profile `iec` timers, counters and arithmetic of this program may behave otherwise",
             );
             // Better no simulation than one of another program.
@@ -79,13 +80,22 @@ fn profile(name: &str, place: TextRange, out: &mut Vec<Diagnostic>) -> Option<Di
             out.push(found);
             None
         }
-        _ => {
+        None => {
+            let names = Profile::ALL.map(|profile| format!("`{profile}`"));
             out.push(
                 bad(place, format!("there is no profile `{name}`"))
-                    .help("the profiles are `iec`, `ldmicro`, `click` and `iot`"),
+                    .help(format!("the profiles are {}", and_list(&names))),
             );
             None
         }
+    }
+}
+
+/// `a`, `b` and `c`
+fn and_list(words: &[String]) -> String {
+    match words {
+        [rest @ .., last] if !rest.is_empty() => format!("{} and {last}", rest.join(", ")),
+        _ => words.concat(),
     }
 }
 

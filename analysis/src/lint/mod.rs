@@ -3,12 +3,14 @@
 
 mod directive;
 mod scope;
+mod switches;
 
 use crate::context::Context;
-use crate::diagnostic::Diagnostic;
+use crate::diagnostic::{Applicability, Diagnostic};
 use crate::rule::{Rule, Severity};
 use crate::rule_settings::{Level, RuleSettings};
 use scope::Allow;
+use switches::Switches;
 
 /// Gives the findings their severities and takes those away that are switched off. What comes back are the errors
 /// that are hidden or count as less now: a program with them does not run all the same.
@@ -18,9 +20,10 @@ pub(crate) fn apply(
     findings: &mut Vec<Diagnostic>,
 ) -> Vec<Diagnostic> {
     let mut allows = scope::allows(context, findings);
+    let mut switches = Switches::of(&allows);
     let mut blocking = Vec::new();
     findings.retain_mut(|finding| {
-        let shown = level(settings, finding).filter(|_| !is_allowed(&mut allows, finding));
+        let shown = level(settings, finding).filter(|_| !switches.hide(finding));
         if finding.severity == Severity::Error && shown != Some(Severity::Error) {
             blocking.push(finding.clone());
         }
@@ -29,6 +32,7 @@ pub(crate) fn apply(
         }
         shown.is_some()
     });
+    switches.note_used(&mut allows);
     for allow in &allows {
         findings.extend(unused(allow, settings));
     }
@@ -43,22 +47,6 @@ fn level(settings: &RuleSettings, finding: &Diagnostic) -> Option<Severity> {
         // A rule that is off unless set may still have errors to tell.
         Some(Level::Off) => None,
     }
-}
-
-fn is_allowed(allows: &mut [Allow], finding: &Diagnostic) -> bool {
-    let mut allowed = false;
-    for allow in allows {
-        if !allow.covers.contains_inclusive(finding.range.start()) {
-            continue;
-        }
-        for switched in &mut allow.rules {
-            if switched.rule == finding.rule {
-                switched.used = true;
-                allowed = true;
-            }
-        }
-    }
-    allowed
 }
 
 /// A comment that switches off what finds nothing.
@@ -91,7 +79,7 @@ fn unused(allow: &Allow, settings: &RuleSettings) -> Option<Diagnostic> {
     .help("remove it: it would hide a mistake that is made later");
     found.severity = severity;
     Some(match allow.removal.filter(|_| all) {
-        Some(line) => found.fix("Remove the comment", line, ""),
+        Some(line) => found.fix(Applicability::Safe, "Remove the comment", line, ""),
         None => found,
     })
 }

@@ -15,6 +15,8 @@ pub(super) struct Allow {
     pub(super) rules: Vec<Switched>,
     /// Findings that begin here are not shown.
     pub(super) covers: TextRange,
+    /// That is the whole file.
+    pub(super) whole_file: bool,
     /// What to take out to be rid of the comment: its line, if nothing else stands there.
     pub(super) removal: Option<TextRange>,
 }
@@ -33,14 +35,22 @@ pub(super) fn allows(context: &Context, out: &mut Vec<Diagnostic>) -> Vec<Allow>
     let mut allows = Vec::new();
     // Comments between the things of a file: they speak of what stands next.
     let items = &parse.structure().items;
+    // The next such thing, and which item it is.
+    let mut known: Option<(usize, TextRange)> = None;
     for (index, item) in items.iter().enumerate() {
         let Item::Decoration(line) = *item else { continue };
         if holds_comments(parse.lines()[line].kind) {
-            let next = || {
-                let mut behind = items[index + 1..].iter();
-                behind
-                    .find_map(|item| covered(context, *item))
-                    .unwrap_or_default()
+            let next = || match known {
+                Some((at, range)) if at > index => range,
+                _ => {
+                    let mut behind = items.iter().enumerate().skip(index + 1);
+                    let found =
+                        behind.find_map(|(at, item)| covered(context, *item).map(|range| (at, range)));
+                    // Nothing stands behind: that stays so.
+                    let (at, range) = found.unwrap_or((items.len(), TextRange::default()));
+                    known = Some((at, range));
+                    range
+                }
             };
             read_line(parse, line, next, &mut allows, out);
         }
@@ -93,7 +103,7 @@ fn covered(context: &Context, item: Item) -> Option<TextRange> {
 fn read_line(
     parse: &Parse,
     line: usize,
-    covers: impl Fn() -> TextRange,
+    mut covers: impl FnMut() -> TextRange,
     allows: &mut Vec<Allow>,
     out: &mut Vec<Diagnostic>,
 ) {
@@ -127,6 +137,7 @@ fn read_line(
                 } else {
                     covers()
                 },
+                whole_file: file,
                 removal: None,
             });
         }

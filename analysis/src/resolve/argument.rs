@@ -111,6 +111,9 @@ impl Resolver<'_, '_> {
         if compared_in_bool(compared) && !matches!(row.op, Op::Eq | Op::Ne) {
             self.report(type_mismatch::bool_order(bound.range()));
         }
+        if row.op == Op::Search {
+            self.check_search(bound);
+        }
         (arguments, works_in)
     }
 

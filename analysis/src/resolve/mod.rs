@@ -8,6 +8,7 @@ mod argument;
 mod expression;
 pub(crate) mod numbers;
 mod place;
+mod search;
 mod tags;
 mod times;
 mod unchanged;
@@ -21,7 +22,7 @@ use crate::diagnostic::Diagnostic;
 use crate::network::{BoundBlock, Meaning, NetworkFacts};
 use crate::program::{Block, BlockKind, Element, Function, Location, Network, Program, TagId, UserBlock};
 use crate::scope::Scope;
-use ladder_instructions::Op;
+use ladder_instructions::{Op, Profile};
 use ladder_syntax::{Name, TextRange, TextSize};
 use numbers::{Numbers, Unit};
 use rustc_hash::FxHashMap;
@@ -84,6 +85,7 @@ pub(crate) fn program(units: &[Unit<'_>]) -> Resolved {
     let numbers = Numbers::of(units);
     let mut program = Program {
         files: units.iter().map(|unit| unit.name.to_owned()).collect(),
+        profile: units.first().map_or(Profile::Iec, |unit| unit.context.profile),
         ..Program::default()
     };
     let ids = tags::tags(units, &numbers, &mut program);

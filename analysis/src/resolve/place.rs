@@ -6,7 +6,7 @@ use crate::infer;
 use crate::literal::Literal;
 use crate::program::{Expr, ExprKind, Place, RangeRef, SystemTag};
 use crate::rules::{bad_operand, constant_write, type_mismatch, unknown_member};
-use crate::scope::{Access, Origin};
+use crate::scope::{Access, Origin, type_by_form};
 use crate::types::{Scalar, Type};
 use crate::value::Value;
 use ladder_instructions::StateType;
@@ -57,6 +57,14 @@ impl Resolver<'_, '_> {
                     range,
                     "SYS is no tag by itself: write SYS.ON, SYS.FIRST_SCAN, ...",
                 ));
+                None
+            }
+            NodeKind::Name(name) if name.eq_ignore_ascii_case("PI") => {
+                self.report(bad_operand::pi(range));
+                None
+            }
+            NodeKind::Address(name) if type_by_form(name).is_none() => {
+                self.report(bad_operand::no_address(name, range));
                 None
             }
             NodeKind::Name(name) | NodeKind::Address(name) => {
@@ -189,6 +197,14 @@ impl Resolver<'_, '_> {
         let Type::Array { first, last, .. } = self.tag_type(tag) else {
             return None;
         };
+        let is_expression = matches!(
+            index.kind,
+            NodeKind::Unary(..) | NodeKind::Binary(..) | NodeKind::Call(..)
+        );
+        if is_expression && crate::constant::signed_literal(index).is_none() {
+            self.report(bad_operand::expression_as_index(self.at(index.range)));
+            return None;
+        }
         let expr = self.integer(index)?;
         if let ExprKind::Constant(Value::Int(n)) = expr.kind
             && !(first..=last).contains(&n)

@@ -39,10 +39,16 @@ pub(super) fn tags(units: &[Unit<'_>], numbers: &Numbers, program: &mut Program)
                     if let Some(prefix) = prefixes[index].as_ref().filter(|_| block.is_none()) {
                         program.tags[id.0 as usize].name = format!("{prefix}.{}", tag.name);
                     }
+                    // Files that use the address itself mean this tag.
+                    if let Some(address) = tag.address.as_deref().filter(|_| block.is_none()) {
+                        common.entry(Name::new(address)).or_insert(id);
+                    }
                     return id;
                 }
                 let key = Name::new(&tag.name);
-                if let Some(&id) = common.get(&key) {
+                if let Some(&id) = common.get(&key)
+                    && program.tags[id.0 as usize].ty == type_of(tag)
+                {
                     return id;
                 }
                 let location = place(unit, index, tag, program);
@@ -110,15 +116,20 @@ fn place(unit: &Unit<'_>, index: usize, tag: &TagFacts, program: &mut Program) -
     }
 }
 
+fn type_of(tag: &TagFacts) -> Type {
+    tag.ty.unwrap_or(Type::Scalar(Scalar::Dint))
+}
+
 fn add(program: &mut Program, tag: &TagFacts, block: Option<usize>, location: Location) -> TagId {
     let id = TagId(program.tags.len() as u32);
     program.tags.push(Tag {
         name: tag.name.to_string(),
-        ty: tag.ty.unwrap_or(Type::Scalar(Scalar::Dint)),
+        ty: type_of(tag),
         role: tag.role,
         retain: tag.retain,
         constant: tag.constant,
         initial: tag.initial.clone(),
+        address: tag.address.clone(),
         block,
         location,
     });

@@ -1,6 +1,6 @@
 //! `alternative-mnemonic`: an instruction is written in one of the spellings that are also accepted.
 
-use crate::diagnostic::Diagnostic;
+use crate::diagnostic::{Applicability, Diagnostic};
 use crate::network::BoundBlock;
 use crate::rule::Rule;
 use ladder_instructions::Instruction;
@@ -16,7 +16,12 @@ pub(super) fn check(row: &Instruction, bound: &BoundBlock, out: &mut Vec<Diagnos
                 format!("{} is another spelling of {block}", bound.head_text()),
             )
             .help("one spelling for one instruction makes a program easy to search")
-            .fix(format!("Write {block}"), bound.head_range(), block),
+            .fix(
+                Applicability::Safe,
+                format!("Write {block}"),
+                bound.head_range(),
+                block,
+            ),
         );
     }
 }

@@ -1,7 +1,7 @@
 //! `ambiguous-sign`: `-a ^ b`, which people read in two ways.
 
 use super::survey::Place;
-use crate::diagnostic::{Diagnostic, Fix};
+use crate::diagnostic::{Applicability, Diagnostic, Fix};
 use crate::facts::{Node, NodeKind, Operator};
 use crate::literal::Literal;
 use crate::operand_value::each_node;
@@ -29,10 +29,9 @@ pub(super) fn check(place: &Place<'_>, out: &mut Vec<Diagnostic>) {
                 range: TextRange::empty(at),
                 text: text.to_owned(),
             };
-            found.fixes.push(Fix {
-                title: "Put parentheses around what it means now".to_owned(),
-                edits: vec![parenthesis(base.start(), "("), parenthesis(base.end(), ")")],
-            });
+            let edits = vec![parenthesis(base.start(), "("), parenthesis(base.end(), ")")];
+            let title = "Put parentheses around what it means now";
+            found.fixes.push(Fix::new(Applicability::Safe, title, edits));
             out.push(found);
         });
     }

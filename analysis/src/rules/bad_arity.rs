@@ -2,7 +2,7 @@
 
 use super::{missing_wire, wrong_shape};
 use crate::context::Context;
-use crate::diagnostic::{Diagnostic, Fix};
+use crate::diagnostic::{Applicability, Diagnostic, Fix};
 use crate::network::{BoundBlock, Formal, Meaning, NetworkFacts};
 use crate::program::ParameterKind;
 use crate::rule::Rule;
@@ -114,20 +114,18 @@ fn remove_excess(bound: &BoundBlock, excess: &[usize], mut found: Diagnostic) ->
             })
             .collect()
     };
-    found.fixes.push(Fix {
-        title: if excess.len() == 1 {
-            "Remove the extra operand".to_owned()
-        } else {
-            "Remove the extra operands".to_owned()
-        },
-        edits: edits
-            .into_iter()
-            .map(|range| Edit {
-                range: bound.absolute(range),
-                text: String::new(),
-            })
-            .collect(),
+    let title = if excess.len() == 1 {
+        "Remove the extra operand"
+    } else {
+        "Remove the extra operands"
+    };
+    let edits = edits.into_iter().map(|range| Edit {
+        range: bound.absolute(range),
+        text: String::new(),
     });
+    // Another block may have been meant to take them.
+    let fix = Fix::new(Applicability::Unsafe, title, edits.collect());
+    found.fixes.push(fix);
     found
 }
 
@@ -144,7 +142,8 @@ fn add_missing(bound: &BoundBlock, row: &'static Instruction, given: usize, foun
     let values: Vec<&str> = missing.iter().map(|operand| placeholder(operand)).collect();
     let values = values.join(", ");
     let (at, text) = insertion(bound, given, &values);
-    found.fix(title, bound.absolute(at), text)
+    // The values are placeholders.
+    found.fix(Applicability::Unsafe, title, bound.absolute(at), text)
 }
 
 /// Where missing operands go, and the text that puts them there.

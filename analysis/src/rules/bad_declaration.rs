@@ -1,6 +1,6 @@
 //! `bad-declaration`: a section, a declaration or a block definition that cannot be read.
 
-use crate::diagnostic::Diagnostic;
+use crate::diagnostic::{Applicability, Diagnostic};
 use crate::excerpt::shortened;
 use crate::rule::Rule;
 use ladder_syntax::{DeclarationProblem, TextRange};
@@ -25,11 +25,21 @@ pub(crate) fn block_name(header: bool, text: &str, range: TextRange) -> Diagnost
 pub(crate) fn misspelt(word: &str, keyword: &str, range: TextRange) -> Diagnostic {
     wrong(range, format!("`{word}` is no declaration"))
         .help(format!("did you mean {keyword}?"))
-        .fix(format!("Replace with {keyword}"), range, keyword)
+        .fix(
+            Applicability::Unsafe,
+            format!("Replace with {keyword}"),
+            range,
+            keyword,
+        )
 }
 
-/// What the parser could not read. `text` is what stands in the range.
-pub(crate) fn unreadable(problem: DeclarationProblem, text: &str, range: TextRange) -> Diagnostic {
+/// What the parser could not read. `text` is what stands in the range; `has_text`: a text in quotes stands before it.
+pub(crate) fn unreadable(
+    problem: DeclarationProblem,
+    text: &str,
+    range: TextRange,
+    has_text: bool,
+) -> Diagnostic {
     use DeclarationProblem::*;
     let found = shortened(text, 30);
     let instead = |expected: &str| {
@@ -102,8 +112,13 @@ pub(crate) fn unreadable(problem: DeclarationProblem, text: &str, range: TextRan
         ),
     };
     let diagnostic = Diagnostic::new(Rule::BadDeclaration, range, message).help(help);
+    let applicability = if has_text {
+        Applicability::Unsafe
+    } else {
+        Applicability::Safe
+    };
     match problem {
-        SemicolonMissing => diagnostic.fix("Insert `;`", TextRange::empty(range.start()), ";"),
+        SemicolonMissing => diagnostic.fix(applicability, "Insert `;`", TextRange::empty(range.start()), ";"),
         _ => diagnostic,
     }
 }

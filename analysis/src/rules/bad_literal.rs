@@ -1,6 +1,6 @@
 //! `bad-literal`: a number, duration, date or text that is not written like one.
 
-use crate::diagnostic::Diagnostic;
+use crate::diagnostic::{Applicability, Diagnostic};
 use crate::rule::Rule;
 use ladder_syntax::TextRange;
 
@@ -8,5 +8,11 @@ use ladder_syntax::TextRange;
 pub(crate) fn unclosed_string(range: TextRange) -> Diagnostic {
     Diagnostic::new(Rule::BadLiteral, range, "this text is not closed: `'` is missing")
         .help("a text ends on its own line; a quote in it is written $'")
-        .fix("Insert `'`", TextRange::empty(range.end()), "'")
+        // Where the text should end is a guess.
+        .fix(
+            Applicability::Unsafe,
+            "Insert `'`",
+            TextRange::empty(range.end()),
+            "'",
+        )
 }

@@ -2,13 +2,13 @@
 
 use super::did_you_mean;
 use crate::context::Context;
-use crate::diagnostic::Diagnostic;
+use crate::diagnostic::{Applicability, Diagnostic};
 use crate::facts::{OperandFacts, Word};
 use crate::network::{BoundBlock, Formal, Meaning, NetworkFacts};
 use crate::program::ParameterKind;
 use crate::rule::Rule;
-use ladder_instructions::{Direction, Presence, StateType};
-use ladder_syntax::{OperandPlace, TextRange};
+use ladder_instructions::{Direction, Presence, Profile, StateType};
+use ladder_syntax::{Many, OperandPlace, TextRange};
 
 pub(crate) fn check(context: &Context, network: &NetworkFacts, out: &mut Vec<Diagnostic>) {
     for bound in &network.blocks {
@@ -25,7 +25,13 @@ pub(crate) fn check(context: &Context, network: &NetworkFacts, out: &mut Vec<Dia
                     out.push(unknown_name(context, bound, operand, name));
                     continue;
                 }
-                (Formal::Operand(row), _) => row.direction == Direction::In,
+                (Formal::Operand(row), _) => {
+                    if !row.profiles.contain(context.profile) {
+                        out.push(of_another_profile(context.profile, bound, operand, name));
+                        continue;
+                    }
+                    row.direction == Direction::In
+                }
                 (Formal::Parameter(index), Meaning::User(block)) => {
                     context.user_blocks[block].parameters[index].kind == ParameterKind::Input
                 }
@@ -38,6 +44,24 @@ pub(crate) fn check(context: &Context, network: &NetworkFacts, out: &mut Vec<Dia
     }
 }
 
+/// An operand that only another profile than that of the file knows.
+fn of_another_profile(
+    profile: Profile,
+    bound: &BoundBlock,
+    operand: &OperandFacts,
+    name: &Word,
+) -> Diagnostic {
+    wrong(
+        bound.absolute(operand.range),
+        format!(
+            "{} has no operand `{}` in the profile `{profile}`",
+            bound.head_text(),
+            name.text
+        ),
+    )
+    .help("leave it out, or say above the first network whose arithmetic the program has: # ladder: profile iot #")
+}
+
 /// `=>` before an operand that the block reads.
 fn arrow(bound: &BoundBlock, operand: &OperandFacts, name: &Word) -> Diagnostic {
     let found = wrong(
@@ -46,7 +70,13 @@ fn arrow(bound: &BoundBlock, operand: &OperandFacts, name: &Word) -> Diagnostic 
     )
     .help("`:=` gives an operand, `=>` takes a result");
     match operand.arrow_range {
-        Some(arrow) => found.fix("Replace `=>` with `:=`", bound.absolute(arrow), ":="),
+        // An output may be meant.
+        Some(arrow) => found.fix(
+            Applicability::Unsafe,
+            "Replace `=>` with `:=`",
+            bound.absolute(arrow),
+            ":=",
+        ),
         None => found,
     }
 }
@@ -59,7 +89,7 @@ fn unknown_name(context: &Context, bound: &BoundBlock, operand: &OperandFacts, n
             let named = row
                 .operands
                 .iter()
-                .filter(|o| o.presence == Presence::Named && o.only_in_profile().is_none());
+                .filter(|o| o.presence == Presence::Named && o.profiles.contain(context.profile));
             let by_place = row
                 .operands
                 .iter()
@@ -74,12 +104,22 @@ fn unknown_name(context: &Context, bound: &BoundBlock, operand: &OperandFacts, n
     };
     if by_place {
         let prefix = TextRange::new(operand.range.start(), operand.value.range.start());
+        let applicability = if is_at_its_place(bound, operand, name) {
+            Applicability::Safe
+        } else {
+            Applicability::Unsafe
+        };
         return wrong(
             bound.absolute(name.range),
             format!("`{}` of {head} is given by its place, without a name", name.text),
         )
         .help("the first operands stand in their order; only the optional ones are given by name")
-        .fix(format!("Remove `{} :=`", name.text), bound.absolute(prefix), "");
+        .fix(
+            applicability,
+            format!("Remove `{} :=`", name.text),
+            bound.absolute(prefix),
+            "",
+        );
     }
     let found = wrong(
         bound.absolute(name.range),
@@ -87,6 +127,7 @@ fn unknown_name(context: &Context, bound: &BoundBlock, operand: &OperandFacts, n
     );
     if let Some(near) = did_you_mean::closest(&name.text, names.iter().copied()) {
         return found.help(format!("did you mean `{near}`?")).fix(
+            Applicability::Unsafe,
             format!("Replace with `{near}`"),
             bound.absolute(name.range),
             near,
@@ -96,6 +137,15 @@ fn unknown_name(context: &Context, bound: &BoundBlock, operand: &OperandFacts, n
         [] => found.help("it has no operands that are given by name"),
         names => found.help(format!("by name it takes {}", names.join(", "))),
     }
+}
+
+/// Whether an operand stands at the place that its name says, behind operands that are given by place.
+fn is_at_its_place(bound: &BoundBlock, operand: &OperandFacts, name: &Word) -> bool {
+    let operands = &bound.facts.operands;
+    let place = operands.iter().take_while(|other| other.name.is_none()).count();
+    let row = bound.instruction().and_then(|row| row.positional(place));
+    operands.get(place).is_some_and(|at| at.range == operand.range)
+        && row.is_some_and(|row| row.name.eq_ignore_ascii_case(&name.text))
 }
 
 pub(crate) fn wrong(range: TextRange, message: impl Into<String>) -> Diagnostic {
@@ -109,6 +159,35 @@ pub(crate) fn expression(range: TextRange) -> Diagnostic {
         "an expression stands in [CALC] only: a tag or a literal is expected here",
     )
     .help("compute it first: [CALC]( result, expression ), then use the result")
+}
+
+/// NEXT of a search in an array that has an element -1, or could have.
+pub(crate) fn next_below_zero(array: &str, first: i64, range: TextRange) -> Diagnostic {
+    wrong(
+        range,
+        format!("`{array}` begins at {first}: NEXT goes on behind the index in the result, where -1 says that nothing was found"),
+    )
+    .help("let the array begin at 0 or 1")
+}
+
+/// What begins like a direct address and is none.
+pub(crate) fn no_address(address: &str, range: TextRange) -> Diagnostic {
+    wrong(
+        range,
+        format!("`{address}` is no address: write one like %IX0.0, %QW1 or %MD2"),
+    )
+}
+
+/// `PI` where a tag is expected.
+pub(crate) fn pi(range: TextRange) -> Diagnostic {
+    wrong(range, "PI is a number for the expressions of [CALC], no tag")
+        .help("compute with it there: [CALC]( result, PI * radius ), then use the result")
+}
+
+/// An expression between the brackets of an index.
+pub(crate) fn expression_as_index(range: TextRange) -> Diagnostic {
+    wrong(range, "an index is one tag or one number, no expression")
+        .help("compute it first: [CALC]( i, expression ), then use i")
 }
 
 pub(crate) fn literal_as_target(range: TextRange) -> Diagnostic {
@@ -174,7 +253,23 @@ pub(crate) fn missing(place: OperandPlace, range: TextRange) -> Diagnostic {
 pub(crate) fn missing_comma(range: TextRange) -> Diagnostic {
     wrong(range, "a comma is missing before this operand")
         .help("operands are separated by commas")
-        .fix("Insert `,`", TextRange::empty(range.start()), ", ")
+        // One name may have been cut in two.
+        .fix(
+            Applicability::Unsafe,
+            "Insert `,`",
+            TextRange::empty(range.start()),
+            ", ",
+        )
+}
+
+/// The operands of a list behind the last one that is read.
+pub(crate) fn too_many(range: TextRange) -> Diagnostic {
+    let most = Many::Operands.most();
+    wrong(
+        range,
+        format!("a block takes at most {most} operands: these and what follows are not read"),
+    )
+    .help("do it in several blocks")
 }
 
 pub(crate) fn too_complex(range: TextRange) -> Diagnostic {

@@ -5,6 +5,24 @@ use ladder_syntax::TextRange;
 /// What is used, and where.
 pub(super) type Use = (usize, TextRange);
 
+/// Once the circles that are told have so many uses together, no more of them are told. A file can hold as many circles as
+/// it has uses, each as long as the file.
+const MOST_USES: usize = 100_000;
+
+/// So many names are said of the way around a circle.
+const MOST_NAMES: usize = 20;
+
+/// The names of a way around, the first of them if there are many.
+pub(super) fn way(names: impl ExactSizeIterator<Item = String>, between: &str) -> String {
+    let more = names.len().saturating_sub(MOST_NAMES);
+    let shown: Vec<String> = names.take(MOST_NAMES).collect();
+    let shown = shown.join(between);
+    match more {
+        0 => shown,
+        more => format!("{shown}{between}{more} more"),
+    }
+}
+
 /// The circles that a walk through all uses closes: each as the uses that lead around it, and the block that it
 /// begins with. Only those that go through one of the `own` first blocks: others are told where they stand.
 pub(super) fn circles(uses: &[Vec<Use>], own: usize) -> Vec<(usize, Vec<Use>)> {
@@ -15,7 +33,10 @@ pub(super) fn circles(uses: &[Vec<Use>], own: usize) -> Vec<(usize, Vec<Use>)> {
         Done,
     }
     let mut marks = vec![Mark::New; uses.len()];
+    // Where on the stack an open one stands.
+    let mut depths = vec![0; uses.len()];
     let mut circles = Vec::new();
+    let mut told = 0;
     for start in 0..own {
         if marks[start] != Mark::New {
             continue;
@@ -23,6 +44,7 @@ pub(super) fn circles(uses: &[Vec<Use>], own: usize) -> Vec<(usize, Vec<Use>)> {
         // A stack of its own: definitions may be nested as deeply as the file is long.
         let mut stack = vec![(start, 0)];
         marks[start] = Mark::Open;
+        depths[start] = 0;
         while let Some((block, next)) = stack.last_mut() {
             let Some(&(used, _)) = uses[*block].get(*next) else {
                 marks[*block] = Mark::Done;
@@ -33,10 +55,15 @@ pub(super) fn circles(uses: &[Vec<Use>], own: usize) -> Vec<(usize, Vec<Use>)> {
             match marks[used] {
                 Mark::New => {
                     marks[used] = Mark::Open;
+                    depths[used] = stack.len();
                     stack.push((used, 0));
                 }
                 Mark::Open => {
-                    let from = stack.iter().position(|(block, _)| *block == used).unwrap_or(0);
+                    if told > MOST_USES {
+                        continue;
+                    }
+                    let from = depths[used];
+                    told += stack.len() - from;
                     let mut around: Vec<Use> = stack[from..]
                         .iter()
                         .map(|&(block, next)| uses[block][next - 1])

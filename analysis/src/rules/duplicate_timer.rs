@@ -1,5 +1,6 @@
 //! `duplicate-timer` and `duplicate-counter`: a second block on the tag of a timer or counter.
 
+use crate::article::with_article;
 use crate::context::Context;
 use crate::diagnostic::Diagnostic;
 use crate::network::Formal;
@@ -54,7 +55,8 @@ fn in_another_file(
     Some(
         Diagnostic::new(rule, own.range, message)
             .help(format!(
-                "give one of the blocks a {kind} of its own; to use the {kind} elsewhere read `{name}.Q`"
+                "give one of the blocks {} of its own; to use the {kind} elsewhere read `{name}.Q`",
+                with_article(kind)
             ))
             .related_in(&file.file, at, "this is the other block"),
     )
@@ -79,7 +81,8 @@ fn second_block(rule: Rule, tag: &TagFacts, state: StateType, first: &Use, secon
         ),
     )
     .help(format!(
-        "give this block a {kind} of its own; to use the {kind} on another rung read `{name}.{output}`"
+        "give this block {} of its own; to use the {kind} on another rung read `{name}.{output}`",
+        with_article(kind)
     ))
     .related(first.range, format!("the {kind} `{name}` belongs to this block"))
 }

@@ -48,6 +48,11 @@ fn endless(flow: &Flow<'_>, exit: &Exit, to: usize, message: String) -> Diagnost
 /// What the condition of a jump back asks for, if it asks only for tags that nothing between the label and the
 /// jump writes.
 fn waits(flow: &Flow<'_>, exit: &Exit, to: usize) -> Option<String> {
+    // The exits stand in the order of their networks. This asked first, no network is looked at for two of them.
+    let before = |network: usize| flow.exits.partition_point(|other| other.from < network);
+    if exit.always || before(exit.from + 1) - before(to) != 1 {
+        return None;
+    }
     let steering = flow.steering(to..=exit.from);
     let unclear = Steering::CALL
         .with(Steering::USER_BLOCK)
@@ -56,12 +61,7 @@ fn waits(flow: &Flow<'_>, exit: &Exit, to: usize) -> Option<String> {
         .with(Steering::FOR)
         .with(Steering::RETURN)
         .with(Steering::END);
-    let leaves = flow
-        .exits
-        .iter()
-        .filter(|other| (to..=exit.from).contains(&other.from))
-        .count();
-    if steering.has(unclear) || leaves != 1 || exit.always {
+    if steering.has(unclear) {
         return None;
     }
     let context = flow.context;
@@ -77,8 +77,11 @@ fn waits(flow: &Flow<'_>, exit: &Exit, to: usize) -> Option<String> {
     let last = flow.networks[exit.from];
     let written = asked.iter().any(|&(scope, tag)| {
         let uses = &context.scopes[scope].tags[tag].uses;
-        uses.iter()
-            .any(|place| place.access.writes() && (first..=last).contains(&place.network))
+        let from = uses.partition_point(|place| place.network < first);
+        uses[from..]
+            .iter()
+            .take_while(|place| place.network <= last)
+            .any(|place| place.access.writes())
     });
     let &(scope, tag) = asked.first().filter(|_| !written)?;
     Some(if asked.len() == 1 {

@@ -36,10 +36,10 @@ pub(super) struct Flow<'c> {
     /// The blocks that leave, in the order of the networks and of evaluation; what stands behind one that always
     /// leaves is not among them.
     pub(super) exits: Vec<Exit>,
-    /// For each network where a scan can go on.
-    pub(super) next: Vec<Vec<usize>>,
+    /// For each network where a scan can go on; last of all the labels, for what may go to any of them.
+    next: Vec<Vec<usize>>,
     /// For each network whether the body can end there.
-    pub(super) ends: Vec<bool>,
+    ends: Vec<bool>,
 }
 
 /// Asks the rules about each body that holds jumps, returns or ends.
@@ -75,8 +75,8 @@ impl<'c> Flow<'c> {
             survey,
             networks,
             exits: Vec::new(),
-            next: vec![Vec::new(); count],
-            ends: vec![false; count],
+            next: vec![Vec::new(); count + 1],
+            ends: vec![false; count + 1],
         };
         let labelled: Vec<usize> = {
             let of_body = context
@@ -86,8 +86,10 @@ impl<'c> Flow<'c> {
             of_body.collect()
         };
         let rail_varies = flow.steering(0..count).has(Steering::MCR);
-        for at in 0..count {
-            flow.network(at, rail_varies, &labelled);
+        flow.next[count] = labelled;
+        let loop_ends = flow.loop_ends();
+        for (at, loop_end) in loop_ends.into_iter().enumerate() {
+            flow.network(at, rail_varies, loop_end);
         }
         flow
     }
@@ -107,7 +109,20 @@ impl<'c> Flow<'c> {
         &self.context.networks[self.networks[exit.from]].blocks[exit.block]
     }
 
-    fn network(&mut self, at: usize, rail_varies: bool, labelled: &[usize]) {
+    /// For each network the first one behind it that holds a `<NEXT>`.
+    fn loop_ends(&self) -> Vec<Option<usize>> {
+        let mut ends = vec![None; self.networks.len()];
+        let mut end = None;
+        for (at, &network) in self.networks.iter().enumerate().rev() {
+            ends[at] = end;
+            if self.survey.steering[network].has(Steering::NEXT) {
+                end = Some(at);
+            }
+        }
+        ends
+    }
+
+    fn network(&mut self, at: usize, rail_varies: bool, loop_end: Option<usize>) {
         let steering = self.survey.steering[self.networks[at]];
         let mut goes_on = true;
         if steering.has(Steering::JUMP.with(Steering::RETURN).with(Steering::END)) {
@@ -115,16 +130,14 @@ impl<'c> Flow<'c> {
         }
         if steering.has(Steering::FLOW_BLOCK) {
             // It may go to any label, or end the body.
-            self.next[at].extend(labelled);
+            self.next[at].push(self.networks.len());
             self.ends[at] = true;
         }
         if !goes_on {
             return;
         }
         if steering.has(Steering::FOR) {
-            let behind = (at + 1..self.networks.len())
-                .find(|&other| self.survey.steering[self.networks[other]].has(Steering::NEXT));
-            self.follow(at, behind.map_or(self.networks.len(), |next| next + 1));
+            self.follow(at, loop_end.map_or(self.networks.len(), |next| next + 1));
         }
         self.follow(at, at + 1);
     }
@@ -192,26 +205,27 @@ impl<'c> Flow<'c> {
 
     /// For each network whether a scan can come there.
     fn reached(&self) -> Vec<bool> {
-        let mut reached = vec![false; self.networks.len()];
+        let mut reached = vec![false; self.next.len()];
         let mut open = vec![0];
         while let Some(at) = open.pop() {
             if !std::mem::replace(&mut reached[at], true) {
                 open.extend(&self.next[at]);
             }
         }
+        reached.truncate(self.networks.len());
         reached
     }
 
     /// For each network whether the body's end can be reached from it.
     pub(super) fn can_end(&self) -> Vec<bool> {
-        let mut before: Vec<Vec<usize>> = vec![Vec::new(); self.networks.len()];
+        let mut before: Vec<Vec<usize>> = vec![Vec::new(); self.next.len()];
         for (at, next) in self.next.iter().enumerate() {
             for &next in next {
                 before[next].push(at);
             }
         }
-        let mut can_end = vec![false; self.networks.len()];
-        let mut open: Vec<usize> = (0..self.networks.len()).filter(|&at| self.ends[at]).collect();
+        let mut can_end = vec![false; self.next.len()];
+        let mut open: Vec<usize> = (0..self.next.len()).filter(|&at| self.ends[at]).collect();
         while let Some(at) = open.pop() {
             if !std::mem::replace(&mut can_end[at], true) {
                 open.extend(&before[at]);

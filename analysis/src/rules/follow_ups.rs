@@ -37,6 +37,8 @@ struct Doubt {
     declarations: bool,
     /// The first line of a block definition could not be read.
     block_header: bool,
+    /// Blocks that name a tag whose type is open, in their order.
+    mistyped: Vec<TextRange>,
     /// A label, or a function, has no name that can be read.
     nameless_label: bool,
     nameless_function: bool,
@@ -50,7 +52,13 @@ impl Doubt {
     fn new(context: &Context) -> Doubt {
         let mut doubt = Doubt::default();
         let parse = &*context.parse;
+        let foreign = context.foreign_comments();
         for (index, line) in parse.lines().iter().enumerate() {
+            if let Some(comment) = foreign.on_line(index) {
+                doubt.misread.insert(index);
+                doubt.declarations |= comment.ends_section;
+                continue;
+            }
             if line.errors.is_empty() && line.kind != LineKind::Stray {
                 continue;
             }
@@ -72,6 +80,7 @@ impl Doubt {
         for bound in context.networks.iter().flat_map(|network| &network.blocks) {
             doubt.block(bound);
         }
+        doubt.mistyped = mistyped(context);
         let definitions = parse.structure().blocks.iter();
         let open = definitions.filter(|block| !block.closed);
         doubt.open_blocks = open
@@ -117,6 +126,15 @@ impl Doubt {
         if !self.misread.is_empty() && on_misread_line() {
             return true;
         }
+        // A rung in a comment is none.
+        let comments = context.foreign_comments();
+        let mut elsewhere = found.related.iter().filter(|related| related.file.is_none());
+        if elsewhere.any(|related| comments.explain(parse, related.range.start())) {
+            return true;
+        }
+        if about_types(found.rule) && contains(&self.mistyped, at) {
+            return true;
+        }
         let is_in =
             |words: &FxHashSet<Name>, text: &str| !words.is_empty() && words.contains(&Name::new(text));
         match found.rule {
@@ -137,13 +155,51 @@ impl Doubt {
     }
 
     fn in_open_block(&self, range: TextRange) -> bool {
-        // In the order of the file, none inside another.
-        let next = self
-            .open_blocks
-            .partition_point(|block| block.start() <= range.start());
-        next.checked_sub(1)
-            .is_some_and(|block| self.open_blocks[block].contains_inclusive(range.start()))
+        contains(&self.open_blocks, range)
     }
+}
+
+/// Whether one of some places holds the start of another. They are in the order of the file, none inside another.
+fn contains(places: &[TextRange], range: TextRange) -> bool {
+    let next = places.partition_point(|place| place.start() <= range.start());
+    next.checked_sub(1)
+        .is_some_and(|place| places[place].contains_inclusive(range.start()))
+}
+
+/// The blocks that name a tag whose type is open.
+fn mistyped(context: &Context) -> Vec<TextRange> {
+    let tags = context.scopes.iter().flat_map(|scope| &scope.tags);
+    let uses = tags.filter(|tag| tag.mistyped).flat_map(|tag| &tag.uses);
+    let mut blocks: Vec<TextRange> = uses
+        .map(|place| context.networks[place.network].blocks[place.block].range())
+        .collect();
+    blocks.sort_unstable_by_key(|range| range.start());
+    blocks.dedup();
+    blocks
+}
+
+/// Whether what a rule finds at a block depends on how the tags are declared that it names.
+const fn about_types(rule: Rule) -> bool {
+    matches!(
+        rule,
+        Rule::TypeMismatch
+            | Rule::BadOperand
+            | Rule::LiteralOutOfRange
+            | Rule::ConstantWrite
+            | Rule::InputWritten
+            | Rule::UnknownMember
+            | Rule::DuplicateTimer
+            | Rule::DuplicateCounter
+            | Rule::RealEquality
+            | Rule::DivisionByZero
+            | Rule::ShortPreset
+            | Rule::DoubleCoil
+            | Rule::SetAndReset
+            | Rule::ConstantPower
+            | Rule::RedundantElement
+            | Rule::DuplicateBranch
+            | Rule::OrderSensitive
+    )
 }
 
 /// Whether an END_FUNCTION_BLOCK ends no definition.

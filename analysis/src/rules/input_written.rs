@@ -1,6 +1,7 @@
 //! `input-written`: a block writes a tag that is fed from outside.
 
 use super::tag_summary::Summary;
+use crate::article::with_article;
 use crate::diagnostic::Diagnostic;
 use crate::program::Role;
 use crate::rule::Rule;
@@ -29,7 +30,11 @@ pub(super) fn check(summary: &Summary<'_>, out: &mut Vec<Diagnostic>) {
     let mut found = Diagnostic::new(
         Rule::InputWritten,
         first.range,
-        format!("`{}` is an {what}, and is written here: {why}", tag.name),
+        format!(
+            "`{}` is {}, and is written here: {why}",
+            tag.name,
+            with_article(what)
+        ),
     )
     .help("write a tag of its own, and read that instead of the input where it is needed");
     for other in writers {

@@ -1,7 +1,7 @@
 //! `misleading-alignment`: two connectors stand in one column and belong to two pairs.
 
 use crate::context::Context;
-use crate::diagnostic::Diagnostic;
+use crate::diagnostic::{Applicability, Diagnostic};
 use crate::excerpt::{columns, nth};
 use crate::network::NetworkFacts;
 use crate::rule::Rule;
@@ -59,6 +59,11 @@ fn misleading(context: &Context, network: &NetworkFacts, points: &[Point]) -> Op
         .help("connectors pair in their order from left to right, whatever their columns")
         .related(place(upper + 1, points[pair].up), "this is its partner")
         // Laying the network out again puts every pair into one column.
-        .fix("Put pairs into one column", TextRange::empty(down.start()), ""),
+        .fix(
+            Applicability::Safe,
+            "Put pairs into one column",
+            TextRange::empty(down.start()),
+            "",
+        ),
     )
 }

@@ -1,7 +1,9 @@
 //! `misplaced-rail`: a `+` in the middle of a line, or a `|` in the middle of a wire.
 
+use super::unpaired_connector::completion;
 use crate::context::Context;
-use crate::diagnostic::Diagnostic;
+use crate::diagnostic::{Applicability, Diagnostic};
+use crate::excerpt::columns;
 use crate::network::{NetworkFacts, breaks_drawing};
 use crate::rule::Rule;
 use ladder_syntax::TextRange;
@@ -14,6 +16,9 @@ pub(crate) fn check(context: &Context, network: &NetworkFacts, out: &mut Vec<Dia
         if !drawing.parts.iter().any(is_stray) || line.errors.iter().any(breaks_drawing) {
             continue;
         }
+        let missing = completion::missing(&context.parse, network.line(rung));
+        let starts = drawing.parts.iter().map(|part| part.range.start());
+        let columns = columns(&context.parse, network.line(rung), starts);
         for (index, part) in drawing.parts.iter().enumerate() {
             let (message, help) = match part.kind {
                 PartKind::StrayRail => (
@@ -46,6 +51,7 @@ pub(crate) fn check(context: &Context, network: &NetworkFacts, out: &mut Vec<Dia
                     )
                     .help("each rung stands on a line of its own")
                     .fix(
+                        Applicability::Unsafe,
                         "Break the line",
                         TextRange::new(range.end(), next.start()),
                         "\n",
@@ -53,11 +59,13 @@ pub(crate) fn check(context: &Context, network: &NetworkFacts, out: &mut Vec<Dia
                 );
                 continue;
             }
-            out.push(
-                Diagnostic::new(Rule::MisplacedRail, range, message)
-                    .help(help)
-                    .fix("Replace with wire", range, "-"),
-            );
+            let mut found = Diagnostic::new(Rule::MisplacedRail, range, message).help(help);
+            // A connector may be meant.
+            if let Some(meant) = completion::nearest(&missing, columns[index]) {
+                let title = format!("Replace with `{meant}`");
+                found = found.fix(Applicability::Unsafe, title, range, meant);
+            }
+            out.push(found.fix(Applicability::Unsafe, "Replace with wire", range, "-"));
         }
     }
 }

@@ -1,7 +1,7 @@
 //! `missing-wire`: two blocks, or a block and a connector, touch without a `-` between them.
 
 use crate::context::Context;
-use crate::diagnostic::Diagnostic;
+use crate::diagnostic::{Applicability, Diagnostic};
 use crate::facts::Head;
 use crate::network::{NetworkFacts, breaks_drawing};
 use crate::rule::{Rule, Severity};
@@ -48,7 +48,8 @@ pub(crate) fn check(context: &Context, network: &NetworkFacts, out: &mut Vec<Dia
             out.push(
                 Diagnostic::new(Rule::MissingWire, around(seam), message(before.kind, part.kind))
                     .help("draw a `-` between them")
-                    .fix("Insert wire", seam, "--"),
+                    // Things that touch are connected already.
+                    .fix(Applicability::Safe, "Insert wire", seam, "--"),
             );
         }
     }
@@ -111,6 +112,7 @@ fn took_head(network: &NetworkFacts, index: usize) -> Diagnostic {
     found
         .help(format!("{head} has no operands: keep a `-` behind it"))
         .fix(
+            Applicability::Safe,
             format!("Insert wire behind {head}"),
             block.absolute(between),
             "--",

@@ -28,9 +28,11 @@ mod duplicate_timer;
 mod endless_jump;
 mod flow;
 mod follow_ups;
+mod foreign_comment;
 mod frame_keyword;
 mod input_written;
 mod latched_power;
+mod led_round;
 mod misleading_alignment;
 mod misplaced_rail;
 pub(crate) mod missing_wire;
@@ -81,7 +83,7 @@ mod wrong_shape;
 use crate::context::Context;
 use crate::diagnostic::Diagnostic;
 use crate::network::NetworkFacts;
-use crate::rule::Rule;
+use crate::rule::{Rule, Severity};
 use crate::rule_settings::RuleSettings;
 use survey::Survey;
 
@@ -135,13 +137,36 @@ const SURVEYED: &[SurveyedCheck] = &[
     unused_label::check,
 ];
 
+/// Once so much was found in a file, no more is looked for in single networks and lines: nobody reads it, and each
+/// finding takes a hundred times the memory of the character that it is about.
+const MOST_FINDINGS: usize = 50_000;
+
+/// Whether enough was found since there were `before` findings; then the last of them says so.
+fn is_enough(before: usize, out: &mut [Diagnostic]) -> bool {
+    if out.len() - before < MOST_FINDINGS {
+        return false;
+    }
+    if let Some(last) = out.last_mut() {
+        last.help = Some(format!(
+            "{MOST_FINDINGS} findings are enough: what stands behind this place is not checked"
+        ));
+        // What was not looked at may be wrong: such a program does not run.
+        last.severity = Severity::Error;
+    }
+    true
+}
+
 /// Looks at each network by itself, but for those that an earlier text had as well and nothing was found in.
 fn of_networks(context: &Context, out: &mut Vec<Diagnostic>) {
+    let before = out.len();
     for network in &context.networks {
         // Elsewhere the definition of a block, or what surrounds the network, has a say.
         let by_itself = network.names_tags_only && !network.broken && network.scope == 0;
         if by_itself && network.verdict.is_well_formed() {
             continue;
+        }
+        if is_enough(before, out) {
+            return;
         }
         let found = out.len();
         for check in OF_NETWORKS {
@@ -167,5 +192,6 @@ pub(crate) fn check(context: &Context, settings: &RuleSettings, out: &mut Vec<Di
         complex_network::check(context, out);
     }
     follow_ups::remove(context, out);
+    foreign_comment::check(context, out);
     syntax_errors::check(context, out);
 }

@@ -8,7 +8,7 @@ use crate::scope::{Origin, SectionKind};
 
 pub(super) fn check(summary: &Summary<'_>, out: &mut Vec<Diagnostic>) {
     let tag = summary.tag;
-    if summary.reads > 0 || (summary.writes > 0 && !summary.has_outputs) {
+    if summary.is_read() || (summary.is_written() && !summary.has_outputs) {
         return;
     }
     let name = &tag.name;
@@ -18,7 +18,17 @@ pub(super) fn check(summary: &Summary<'_>, out: &mut Vec<Diagnostic>) {
             "read it where it is meant to act, or remove its declaration",
         ),
         // What is retained, or lies at an address, may be read by a panel.
-        Origin::Declared(SectionKind::Var) if tag.retain || tag.address.is_some() => return,
+        Origin::Declared(SectionKind::Var | SectionKind::Global) if tag.retain || tag.address.is_some() => {
+            return;
+        }
+        Origin::Declared(SectionKind::Global) if !summary.is_written() => (
+            format!("the global `{name}` is declared, and no file of the workspace uses it"),
+            "use it, or remove its declaration",
+        ),
+        Origin::Declared(SectionKind::Global) => (
+            format!("the global `{name}` is written, and no file of the workspace reads it"),
+            "read it where it is meant to act, or remove it",
+        ),
         Origin::Declared(SectionKind::Var) if summary.writes == 0 => (
             format!("`{name}` is declared and never used"),
             "use it, or remove its declaration",

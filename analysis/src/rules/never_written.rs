@@ -9,7 +9,7 @@ use crate::types::{Scalar, Type};
 
 pub(super) fn check(summary: &Summary<'_>, out: &mut Vec<Diagnostic>) {
     let tag = summary.tag;
-    if summary.writes > 0 || tag.constant || tag.role == Role::Input || !tag.initial.is_empty() {
+    if summary.is_written() || tag.constant || tag.role == Role::Input || !tag.initial.is_empty() {
         return;
     }
     let name = &tag.name;
@@ -20,8 +20,8 @@ pub(super) fn check(summary: &Summary<'_>, out: &mut Vec<Diagnostic>) {
             "write it with a coil or another block, or remove its declaration",
         ),
         // never-read says that it is not used at all.
-        _ if summary.reads == 0 => return,
-        (Origin::Declared(SectionKind::Var), Some(Type::State(state))) => (
+        _ if !summary.is_read() => return,
+        (Origin::Declared(SectionKind::Var | SectionKind::Global), Some(Type::State(state))) => (
             format!(
                 "no [{}] block works on `{name}`: it stays as it is at the start",
                 state.name()
@@ -32,6 +32,10 @@ pub(super) fn check(summary: &Summary<'_>, out: &mut Vec<Diagnostic>) {
         (Origin::Declared(SectionKind::Var), _) if tag.address.is_none() => (
             format!("`{name}` is read, and nothing writes it: it stays {stays}"),
             "write it; declare it in VAR_INPUT if it comes from outside; or give it a value and declare it CONSTANT",
+        ),
+        (Origin::Declared(SectionKind::Global), _) if tag.address.is_none() => (
+            format!("the global `{name}` is read, and no file of the workspace writes it: it stays {stays}"),
+            "write it; or give it a value and declare it CONSTANT",
         ),
         (Origin::Form, _) if tag.address.is_none() => (
             format!("`{name}` is read, and nothing writes it: it stays {stays}"),

@@ -5,7 +5,7 @@
 
 use super::rung_not_powered;
 use crate::context::Context;
-use crate::diagnostic::{Diagnostic, Fix};
+use crate::diagnostic::{Applicability, Diagnostic, Fix};
 use crate::network::NetworkFacts;
 use crate::program::Step;
 use crate::rule::Rule;
@@ -185,15 +185,13 @@ impl<'c> Reach<'c> {
         .help(format!(
             "power runs to the right: begin the branch with `{meant}` and end it with `{written}`"
         ));
-        found.fixes.push(Fix {
-            title: "Swap `\\` and `/`".to_owned(),
-            edits: [(first, meant), (next, written)]
-                .map(|(part, text)| Edit {
-                    range: self.range(rung, part, part),
-                    text: text.to_owned(),
-                })
-                .into(),
+        let edits = [(first, meant), (next, written)].map(|(part, text)| Edit {
+            range: self.range(rung, part, part),
+            text: text.to_owned(),
         });
+        // Other lines may be drawn wrongly as well.
+        let fix = Fix::new(Applicability::Unsafe, "Swap `\\` and `/`", edits.into());
+        found.fixes.push(fix);
         Some(found)
     }
 
@@ -235,14 +233,19 @@ impl<'c> Reach<'c> {
             "the wire is cut here: no power can reach what stands behind",
         )
         .help("a blank or a `|` breaks a wire: draw it through with `-`");
-        found.fixes.push(Fix {
-            title: "Join the wire".to_owned(),
-            edits,
-        });
+        // A single blank in a wire is a slip. Where more is missing, a connector may have stood.
+        let starts_with_connector = matches!(self.part(rung, first).kind, PartKind::Down | PartKind::Up);
+        let is_slip = gap.len() == TextSize::new(1) && between.is_empty() && !starts_with_connector;
+        let applicability = if is_slip {
+            Applicability::Safe
+        } else {
+            Applicability::Unsafe
+        };
+        found.fixes.push(Fix::new(applicability, "Join the wire", edits));
         Some(found)
     }
 
-    /// Lets the line begin at the left rail.
+    /// Lets the line begin at the left rail. It may be meant to get its power through a connector, or none.
     fn with_rail(&self, rung: usize, found: Diagnostic) -> Diagnostic {
         let first = &self.network.wiring.rungs[rung].parts[self.segments(rung)[0].parts.start];
         let start = self.context.parse.line_start(self.network.line(rung));
@@ -251,10 +254,11 @@ impl<'c> Reach<'c> {
         if bar.kind == PartKind::Bar {
             let before = TextRange::new(bar.range.start(), first.range.start());
             let dashes = usize::from(before.len()).saturating_sub(1).max(1);
-            return found.fix(title, before + start, format!("+{}", "-".repeat(dashes)));
+            let text = format!("+{}", "-".repeat(dashes));
+            return found.fix(Applicability::Unsafe, title, before + start, text);
         }
         let at: TextSize = first.range.start() + start;
         let rail = if first.kind == PartKind::Wire { "+" } else { "+--" };
-        found.fix(title, TextRange::empty(at), rail)
+        found.fix(Applicability::Unsafe, title, TextRange::empty(at), rail)
     }
 }

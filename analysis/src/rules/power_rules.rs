@@ -9,9 +9,11 @@ use crate::diagnostic::Diagnostic;
 use crate::network::{BoundBlock, NetworkFacts};
 use crate::operand_value::{Number, number, scalar};
 use crate::program::Step;
+use crate::rule::Rule;
 use crate::scope::{Access, Use};
 use crate::types::Scalar;
 use ladder_instructions::{Op, Role};
+use ladder_syntax::TextSize;
 use rustc_hash::FxHashSet;
 
 /// A network and its table.
@@ -31,6 +33,13 @@ pub(super) struct Table<'c> {
 /// contact counts.
 pub(super) fn check(context: &Context, survey: &Survey, out: &mut Vec<Diagnostic>) {
     let rail_varies = survey.any.has(Steering::MCR);
+    // A wire round a contact is told already.
+    let mut led_round: Vec<TextSize> = out
+        .iter()
+        .filter(|found| matches!(found.rule, Rule::ShortedBranch | Rule::RedundantElement))
+        .map(|found| found.range.start())
+        .collect();
+    led_round.sort_unstable();
     for index in candidates(context) {
         let network = &context.networks[index];
         if !survey.sound[index] || network.blocks.iter().any(|bound| bound.faulty) {
@@ -43,8 +52,10 @@ pub(super) fn check(context: &Context, survey: &Survey, out: &mut Vec<Diagnostic
         let found = out.len();
         constant_power::check(&table, out);
         duplicate_branch::check(&table, out);
+        let next = led_round.partition_point(|&at| at < network.range.start());
+        let is_led_round = led_round.get(next).is_some_and(|&at| at < network.range.end());
         // What never or always conducts makes others redundant: it is told once.
-        if out.len() == found {
+        if out.len() == found && !is_led_round {
             redundant_element::check(&table, out);
         }
         order_sensitive::check(&table, out);

@@ -2,7 +2,7 @@
 //!
 //! Each use has a state of its own, so such a block would need state without end.
 
-use super::circles::{Use, circles};
+use super::circles::{Use, circles, way};
 use crate::context::{Body, Context};
 use crate::diagnostic::Diagnostic;
 use crate::exports::{ExportedBlock, Exports};
@@ -112,14 +112,11 @@ fn recursive(context: &Context, graph: &Graph, (first, around): (usize, Vec<Use>
     let message = match around.as_slice() {
         [_] => format!("the block `{}` uses itself", name(first)),
         _ => {
-            let way: Vec<String> = around
-                .iter()
-                .map(|&(block, _)| format!("`{}`", name(block)))
-                .collect();
+            let names = around.iter().map(|&(block, _)| format!("`{}`", name(block)));
             format!(
                 "the block `{}` uses itself: it uses {}",
                 name(first),
-                way.join(", which uses ")
+                way(names, ", which uses ")
             )
         }
     };

@@ -1,6 +1,6 @@
 //! `recursive-call`: a function that calls itself, directly or through others.
 
-use super::circles::{Use, circles};
+use super::circles::{Use, circles, way};
 use super::survey::{Steering, Survey};
 use crate::context::{Body, Context};
 use crate::diagnostic::Diagnostic;
@@ -62,8 +62,8 @@ fn recursive(context: &Context, first: usize, around: &[Use]) -> Diagnostic {
     let message = match around {
         [_] => format!("the function {} calls itself", name(first)),
         _ => {
-            let way: Vec<String> = around.iter().map(|&(used, _)| name(used)).collect();
-            format!("{} calls itself: by way of {}", name(first), way.join(", then "))
+            let way = way(around.iter().map(|&(used, _)| name(used)), ", then ");
+            format!("{} calls itself: by way of {way}", name(first))
         }
     };
     let at = around.first().map_or_else(Default::default, |&(_, at)| at);

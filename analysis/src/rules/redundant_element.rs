@@ -1,13 +1,52 @@
 //! `redundant-element`: a contact that changes nothing.
 
+use super::led_round::LedRound;
 use super::no_output::may_act;
 use super::power_rules::{Table, is_condition};
+use super::wiring_walk::Walk;
 use crate::boolean::power::{Powers, Question, Replacement};
 use crate::boolean::variables::Gate;
 use crate::boolean::written::written_block;
 use crate::diagnostic::Diagnostic;
 use crate::network::BoundBlock;
 use crate::rule::Rule;
+use rustc_hash::FxHashSet;
+
+/// Tells of the contacts round which a wire leads, together where it joins their lines at one place; but for those
+/// that shorted-branch told of.
+pub(super) fn led_round(
+    walk: &Walk<'_>,
+    contacts: &[LedRound],
+    told: &FxHashSet<usize>,
+    out: &mut Vec<Diagnostic>,
+) {
+    let mut contacts: Vec<&LedRound> = contacts
+        .iter()
+        .filter(|contact| !told.contains(&contact.block))
+        .collect();
+    contacts.sort_by_key(|contact| (contact.join, contact.block));
+    for together in contacts.chunk_by(|a, b| a.join == b.join) {
+        let first = walk.block(together[0].block);
+        let message = if together.len() == 1 {
+            let name = written_block(walk.context, walk.network.scope, first);
+            format!("{name} decides nothing: a wire leads round it")
+        } else {
+            "these contacts decide nothing: a wire leads round them".to_owned()
+        };
+        let mut found = Diagnostic::new(Rule::RedundantElement, first.range(), message)
+            .help("put a contact into the wire, or remove what it leads round");
+        for other in &together[1..] {
+            found = found.related(walk.block(other.block).range(), "this decides nothing either");
+        }
+        let mut elements = walk.network.order.elements.iter();
+        let connector = elements.find(|element| element.2 == together[0].join);
+        if let Some(&(rung, part, ..)) = connector {
+            let place = walk.network.part_range(&walk.context.parse, rung, part);
+            found = found.related(place, "the wire joins the line again here");
+        }
+        out.push(found);
+    }
+}
 
 pub(super) fn check(table: &Table<'_>, out: &mut Vec<Diagnostic>) {
     let mut asked = vec![0; table.power.gates.variables.len()];

@@ -1,7 +1,7 @@
 //! `result-arrow`: a result is taken with `:=` where `=>` shows that it comes out of the block.
 
 use crate::context::Context;
-use crate::diagnostic::Diagnostic;
+use crate::diagnostic::{Applicability, Diagnostic};
 use crate::network::{BoundBlock, Formal, Meaning};
 use crate::program::ParameterKind;
 use crate::rule::Rule;
@@ -33,7 +33,12 @@ pub(super) fn check(context: &Context, bound: &BoundBlock, out: &mut Vec<Diagnos
                 ),
             )
             .help("`:=` gives an operand, `=>` takes a result")
-            .fix("Replace `:=` with `=>`", bound.absolute(arrow), "=>"),
+            .fix(
+                Applicability::Safe,
+                "Replace `:=` with `=>`",
+                bound.absolute(arrow),
+                "=>",
+            ),
         );
     }
 }

@@ -67,18 +67,20 @@ fn otherwise(tag: &TagFacts, file: &Exports, global: &Global) -> Diagnostic {
         )
 }
 
-/// A tag that several other files declare: they must agree where this file uses it.
+/// A tag that several other files declare: they must agree where this file uses it. Gives whether they do.
 pub(crate) fn check_others(
     tag: &TagFacts,
     others: &Others,
     first: &Exports,
     global: &Global,
     out: &mut Vec<Diagnostic>,
-) {
+) -> bool {
     let differing = others
         .globals(&global.key)
         .find(|(_, other)| !global.agrees(other));
-    let Some((file, other)) = differing else { return };
+    let Some((file, other)) = differing else {
+        return true;
+    };
     let message = format!(
         "`{}` is declared in {} and in {}, and not alike",
         tag.name, first.file, file.file
@@ -94,10 +96,11 @@ pub(crate) fn check_others(
             )
             .related_in(&file.file, other.at, "and here"),
     );
+    false
 }
 
-/// A VAR_EXTERNAL declaration names a global, and agrees with it in type.
-pub(crate) fn check_external(tag: &TagFacts, global: Option<&TagFacts>, out: &mut Vec<Diagnostic>) {
+/// A VAR_EXTERNAL declaration names a global, and agrees with it in type. Gives whether it does.
+pub(crate) fn check_external(tag: &TagFacts, global: Option<&TagFacts>, out: &mut Vec<Diagnostic>) -> bool {
     let Some(global) = global else {
         let message = format!("no file of the workspace declares `{}` as VAR_GLOBAL", tag.name);
         out.push(
@@ -105,10 +108,10 @@ pub(crate) fn check_external(tag: &TagFacts, global: Option<&TagFacts>, out: &mu
                 "VAR_EXTERNAL names a global that is declared elsewhere: declare it, or correct the name",
             ),
         );
-        return;
+        return false;
     };
     if tag.mistyped || global.mistyped || tag.ty == global.ty {
-        return;
+        return true;
     }
     let message = format!(
         "`{}` is {} here, the global of this name is {}",
@@ -121,4 +124,5 @@ pub(crate) fn check_external(tag: &TagFacts, global: Option<&TagFacts>, out: &mu
         Some(_) => found,
         None => found.related(global.at, "the global is declared here"),
     });
+    false
 }

@@ -1,5 +1,6 @@
 //! `shorted-branch`: a bare wire beside contacts, which so decide nothing.
 
+use super::led_round::LedRound;
 use super::power_rules::is_condition;
 use super::wiring_walk::Walk;
 use crate::boolean::written::written_block;
@@ -7,20 +8,37 @@ use crate::diagnostic::Diagnostic;
 use crate::network::BoundBlock;
 use crate::program::Step;
 use crate::rule::Rule;
+use rustc_hash::FxHashSet;
 
 /// How far a branch is followed.
 const LONGEST: usize = 64;
 
-pub(super) fn check(walk: &Walk<'_>, out: &mut Vec<Diagnostic>) {
+/// `led_round` are the contacts that decide nothing, if that is known: one of a branch that leads elsewhere too does.
+/// Gives the blocks that were told.
+pub(super) fn check(
+    walk: &Walk<'_>,
+    led_round: Option<&[LedRound]>,
+    out: &mut Vec<Diagnostic>,
+) -> FxHashSet<usize> {
+    let mut told = FxHashSet::default();
+    if led_round.is_some_and(<[LedRound]>::is_empty) {
+        return told;
+    }
+    let decides_nothing = |block: &usize| {
+        led_round.is_none_or(|led_round| led_round.iter().any(|contact| contact.block == *block))
+    };
     for step in walk.steps() {
         let Step::Join { upper, lower } = *step else {
             continue;
         };
         // The wire comes from the earlier step, the branch is behind it.
         let (wire, branch) = (upper.min(lower), upper.max(lower));
-        let Some(contacts) = conditions_between(walk, wire, branch) else {
+        let Some(mut contacts) = conditions_between(walk, wire, branch) else {
             continue;
         };
+        contacts.retain(decides_nothing);
+        told.extend(&contacts);
+        let contacts: Vec<&BoundBlock> = contacts.iter().map(|&block| walk.block(block)).collect();
         let Some((first, rest)) = contacts.split_first() else {
             continue;
         };
@@ -39,11 +57,12 @@ pub(super) fn check(walk: &Walk<'_>, out: &mut Vec<Diagnostic>) {
         }
         out.push(found);
     }
+    told
 }
 
 /// The conditions of a branch that comes from a step and from nowhere else, from left to right. None if it is no
 /// such branch.
-fn conditions_between<'c>(walk: &Walk<'c>, wire: usize, branch: usize) -> Option<Vec<&'c BoundBlock>> {
+fn conditions_between(walk: &Walk<'_>, wire: usize, branch: usize) -> Option<Vec<usize>> {
     let mut found = Vec::new();
     let mut open = vec![branch];
     let mut seen = 0;
@@ -57,7 +76,7 @@ fn conditions_between<'c>(walk: &Walk<'c>, wire: usize, branch: usize) -> Option
         }
         match walk.steps()[step] {
             Step::Block { block, en } if is_condition(walk.block(block)) => {
-                found.push(walk.block(block));
+                found.push(block);
                 open.push(en);
             }
             Step::Join { upper, lower } => open.extend([upper, lower]),
@@ -65,7 +84,8 @@ fn conditions_between<'c>(walk: &Walk<'c>, wire: usize, branch: usize) -> Option
             _ => return None,
         }
     }
-    found.sort_by_key(|bound| bound.range().start());
-    found.dedup_by_key(|bound| bound.range());
+    // Blocks are numbered from left to right, top to bottom.
+    found.sort_unstable();
+    found.dedup();
     Some(found)
 }

@@ -4,14 +4,15 @@
 //! section that is not recognised leaves its END_VAR alone. What follows so from an earlier mistake is not told.
 
 use super::{
-    bad_declaration, bad_literal, bad_operand, frame_keyword, unclosed_block, unclosed_comment,
+    bad_declaration, bad_literal, bad_operand, frame_keyword, is_enough, unclosed_block, unclosed_comment,
     unexpected_character,
 };
 use crate::context::Context;
 use crate::diagnostic::Diagnostic;
-use crate::excerpt::{Excerpts, blanks_before_drawing};
+use crate::excerpt::{self, Excerpts, blanks_before_drawing};
+use crate::foreign_comment::ForeignComments;
 use ladder_syntax::{
-    DeclarationProblem, LineKind, Parse, Place, SyntaxError, SyntaxErrorKind, TextRange, TextSize,
+    DeclarationProblem, LineKind, Many, Parse, Place, SyntaxError, SyntaxErrorKind, TextRange, TextSize,
     is_identifier,
 };
 
@@ -22,11 +23,16 @@ pub(crate) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
         return;
     }
     let taken = taken_rests(parse, &errors);
-    let lost = LostFrames::new(parse);
+    let foreign = context.foreign_comments();
+    let lost = LostFrames::new(parse, foreign);
     let mut excerpts = Excerpts::new(parse);
     let mut line = Line::default();
     let mut number = None;
+    let told = out.len();
     for (index, (error, taken)) in errors.iter().zip(taken).enumerate() {
+        if is_enough(told, out) {
+            break;
+        }
         let range = error.range;
         let on_line = parse.line_at(range.start());
         if std::mem::replace(&mut number, on_line) != on_line {
@@ -45,7 +51,11 @@ pub(crate) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
             // The text or comment that took the rest of the line took the closing bracket as well.
             continue;
         }
-        if opens_text || line.explains(error, text, between) || lost.explain(parse, error) {
+        if opens_text
+            || foreign.explain(parse, range.start())
+            || line.explains(error, text, between)
+            || lost.explain(parse, error)
+        {
             continue;
         }
         line.met(error);
@@ -78,7 +88,8 @@ fn finding(parse: &Parse, error: &SyntaxError, text: &str, rest: &str) -> Diagno
     match error.kind {
         SyntaxErrorKind::UnclosedBlock { closing } => {
             let blanks = TextRange::at(range.end(), blanks_before_drawing(rest));
-            unclosed_block::missing(closing, text, range, blanks)
+            let of_list = text_before(parse, range).trim_end().ends_with([']', ')', '>']);
+            unclosed_block::missing(closing, text, range, blanks, of_list)
         }
         SyntaxErrorKind::WrongBracket { closing } => unclosed_block::wrong(closing, text, range),
         SyntaxErrorKind::UnclosedComment => unclosed_comment::unclosed(parse, range),
@@ -95,8 +106,20 @@ fn finding(parse: &Parse, error: &SyntaxError, text: &str, rest: &str) -> Diagno
         SyntaxErrorKind::MissingOperand { place } => bad_operand::missing(place, range),
         SyntaxErrorKind::MissingComma => bad_operand::missing_comma(range),
         SyntaxErrorKind::TooComplex => bad_operand::too_complex(range),
-        SyntaxErrorKind::BadDeclaration(problem) => bad_declaration::unreadable(problem, text, range),
+        SyntaxErrorKind::TooMany(Many::Operands) => bad_operand::too_many(range),
+        SyntaxErrorKind::TooMany(Many::Parts) => unexpected_character::too_many(range),
+        SyntaxErrorKind::BadDeclaration(problem) => {
+            // A text may have swallowed the `;`.
+            let has_text = text_before(parse, range).contains('\'');
+            bad_declaration::unreadable(problem, text, range, has_text)
+        }
     }
+}
+
+/// What stands before a place on its logical line.
+fn text_before(parse: &Parse, range: TextRange) -> String {
+    let line = parse.line_at(range.start()).unwrap_or_default();
+    excerpt::text(parse, TextRange::new(parse.line_start(line), range.start()))
 }
 
 /// For each mistake whether an unclosed text or comment stands behind it on its line.
@@ -177,7 +200,7 @@ struct LostFrames {
 }
 
 impl LostFrames {
-    fn new(parse: &Parse) -> LostFrames {
+    fn new(parse: &Parse, foreign: &ForeignComments) -> LostFrames {
         let mut lost = LostFrames {
             section: None,
             block: None,
@@ -187,6 +210,12 @@ impl LostFrames {
                 line.kind,
                 LineKind::SectionHeader | LineKind::SectionEnd | LineKind::BlockHeader | LineKind::BlockEnd
             );
+            if let Some(comment) = foreign.on_line(index) {
+                if comment.ends_section {
+                    lost.section.get_or_insert(index);
+                }
+                continue;
+            }
             if frame || (line.errors.is_empty() && line.kind != LineKind::Stray) {
                 continue;
             }

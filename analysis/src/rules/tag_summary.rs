@@ -4,10 +4,12 @@ use super::survey::Survey;
 use super::{input_written, never_read, never_written, set_without_reset};
 use crate::context::Context;
 use crate::diagnostic::Diagnostic;
+use crate::outward::TagUse;
 use crate::program::Role;
 use crate::scope::{Origin, SectionKind, TagFacts, Use};
 use crate::types::Type;
 use ladder_instructions::Op;
+use ladder_syntax::Name;
 
 /// How a tag is used, counted over all its places.
 pub(super) struct Summary<'c> {
@@ -17,10 +19,12 @@ pub(super) struct Summary<'c> {
     pub(super) scope: usize,
     /// The file has outputs. In one that has none, its internal tags are what people look at.
     pub(super) has_outputs: bool,
-    /// How many places read it.
+    /// How many places of the file read it.
     pub(super) reads: usize,
-    /// How many places write it.
+    /// How many places of the file write it.
     pub(super) writes: usize,
+    /// How the other files of the workspace use it, if it is a VAR_GLOBAL tag.
+    pub(super) elsewhere: TagUse,
     /// The places that only ever set, and only ever reset it, if it is written in no other way.
     pub(super) sets: usize,
     pub(super) resets: usize,
@@ -35,9 +39,13 @@ impl<'c> Summary<'c> {
             scope,
             reads: 0,
             writes: 0,
+            elsewhere: TagUse::default(),
             sets: 0,
             resets: 0,
         };
+        if summary.is_global() {
+            summary.elsewhere = context.others.tag_use(&Name::new(&tag.name));
+        }
         let can_be_set = !matches!(tag.ty, Some(Type::State(_)));
         for place in &tag.uses {
             summary.reads += usize::from(place.access.reads());
@@ -57,6 +65,21 @@ impl<'c> Summary<'c> {
 
     fn op(&self, place: &Use) -> Option<Op> {
         self.context.networks[place.network].blocks[place.block].op()
+    }
+
+    /// Whether something reads it, in whichever file.
+    pub(super) fn is_read(&self) -> bool {
+        self.reads > 0 || self.elsewhere.read
+    }
+
+    /// Whether something writes it, in whichever file.
+    pub(super) fn is_written(&self) -> bool {
+        self.writes > 0 || self.elsewhere.written
+    }
+
+    /// Whether it is a VAR_GLOBAL tag that this file declares.
+    pub(super) fn is_global(&self) -> bool {
+        self.tag.origin == Origin::Declared(SectionKind::Global)
     }
 
     /// Whether other files may use it as well, or it stands for another tag: what this file does with it is not
@@ -82,12 +105,23 @@ pub(super) fn check(context: &Context, survey: &Survey, out: &mut Vec<Diagnostic
         {
             let summary = Summary::new(context, scope, tag, has_outputs || scope > 0);
             input_written::check(&summary, out);
-            if survey.whole && !summary.is_shared() {
-                // A file of declarations only has just been begun.
-                if survey.names_known && !context.networks.is_empty() {
-                    never_read::check(&summary, out);
-                    never_written::check(&summary, out);
-                }
+            if !survey.whole {
+                continue;
+            }
+            // A global is told of in the first file that declares it.
+            let counts = if summary.is_global() {
+                !context.others.is_declared_before(&Name::new(&tag.name))
+            } else {
+                !summary.is_shared()
+            };
+            // A file of declarations only has just been begun, unless others use them.
+            let has_begun =
+                !context.networks.is_empty() || (summary.is_global() && context.others.have_files());
+            if counts && survey.names_known && has_begun {
+                never_read::check(&summary, out);
+                never_written::check(&summary, out);
+            }
+            if !summary.is_shared() {
                 set_without_reset::check(&summary, out);
             }
         }

@@ -1,6 +1,7 @@
 //! `type-mismatch`: a value does not pass to the type that its place asks for.
 
-use crate::diagnostic::Diagnostic;
+use crate::article::with_article;
+use crate::diagnostic::{Applicability, Diagnostic};
 use crate::rule::Rule;
 use crate::types::{Scalar, Type};
 use ladder_instructions::{Op, StateType, TypeClass};
@@ -22,6 +23,7 @@ pub(crate) fn two_answers(name: &str, first: (Type, TextRange), second: (Type, T
                 output(state)
             ))
             .fix(
+                Applicability::Unsafe,
                 format!("Use the output of `{name}`"),
                 TextRange::empty(second.1.end()),
                 format!(".{}", output(state)),
@@ -41,8 +43,8 @@ const fn output(state: StateType) -> &'static str {
 /// The tag of a timer stands where a value belongs.
 pub(crate) fn state_as_value(name: &str, state: StateType, range: TextRange) -> Diagnostic {
     let message = format!(
-        "`{name}` is the state of a {}, a value is expected here",
-        state.name()
+        "`{name}` is the state of {}, a value is expected here",
+        with_article(state.name())
     );
     let member = match state {
         StateType::Sr | StateType::Rs => format!("`{name}.Q1` is its output"),
@@ -63,7 +65,8 @@ pub(crate) fn does_not_pass(from: Scalar, to: Scalar, range: TextRange) -> Diagn
         return found.help("compare it ([NE]( tag, 0 )), or name one of its bits (tag.0)");
     }
     found.help(format!(
-        "convert it with [TYP]( result, value ) into a {to} first"
+        "convert it with [TYP]( result, value ) into {} first",
+        with_article(to)
     ))
 }
 
@@ -147,8 +150,8 @@ pub(crate) fn wrong_state(name: &str, found: Type, expected: StateType, range: T
     wrong(
         range,
         format!(
-            "`{name}` is {found}, this block keeps its state in a {}",
-            expected.name()
+            "`{name}` is {found}, this block keeps its state in {}",
+            with_article(expected.name())
         ),
     )
     .help(format!(

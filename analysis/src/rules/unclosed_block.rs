@@ -1,13 +1,20 @@
 //! `unclosed-block`: a bracket of a block has no partner on its line.
 
-use crate::diagnostic::Diagnostic;
+use crate::diagnostic::{Applicability, Diagnostic};
 use crate::excerpt::shortened;
 use crate::rule::Rule;
-use ladder_syntax::{SyntaxKind, TextRange};
+use ladder_syntax::{SyntaxKind, TextRange, TextSize};
 
 /// `text` is what stands from the opening bracket to the place where the closing one belongs, which is the
 /// range. The fix takes the `blanks` behind it away: the wire goes on at the bracket.
-pub(crate) fn missing(closing: SyntaxKind, text: &str, range: TextRange, blanks: TextRange) -> Diagnostic {
+/// `of_list`: the bracket is that of a list of operands, behind a block's first part.
+pub(crate) fn missing(
+    closing: SyntaxKind,
+    text: &str,
+    range: TextRange,
+    blanks: TextRange,
+    of_list: bool,
+) -> Diagnostic {
     let bracket = bracket(closing);
     let message = if text.is_empty() {
         format!("a `{bracket}` is missing here")
@@ -22,7 +29,34 @@ pub(crate) fn missing(closing: SyntaxKind, text: &str, range: TextRange, blanks:
     };
     Diagnostic::new(Rule::UnclosedBlock, range, message)
         .help("a block is closed on its own line")
-        .fix(format!("Insert `{bracket}`"), blanks, insertion)
+        .fix(
+            applicability(text, blanks, of_list),
+            format!("Insert `{bracket}`"),
+            blanks,
+            insertion,
+        )
+}
+
+/// Where the bracket belongs is certain in a block's first part, in an index that is one word, and in a list of
+/// operands without brackets in it. A wider gap behind it may be one between two segments.
+fn applicability(text: &str, blanks: TextRange, of_list: bool) -> Applicability {
+    let inside = text.trim_start_matches(['(', '[', '<']);
+    let one_bracket = text.len() - inside.len() == 1;
+    let (is_clear, most_blanks) = if of_list {
+        let nested = inside.contains(['(', '[', '<', ')', ']', '>', '\'']);
+        (!nested, u32::from(text.starts_with("( ")))
+    } else {
+        let is_word = inside.chars().all(|c| c.is_alphanumeric() || "_$/".contains(c));
+        (
+            is_word || inside.trim().is_empty(),
+            u32::from(inside.trim().is_empty()),
+        )
+    };
+    if one_bracket && is_clear && blanks.len() <= TextSize::new(most_blanks) {
+        Applicability::Safe
+    } else {
+        Applicability::Unsafe
+    }
 }
 
 /// `text` is the bracket of another shape that ends the first part, as in `[TON)`.
@@ -34,7 +68,13 @@ pub(crate) fn wrong(closing: SyntaxKind, text: &str, range: TextRange) -> Diagno
         format!("`{text}` stands where `{bracket}` closes the block"),
     )
     .help("a block ends with the partner of the bracket that it begins with")
-    .fix(format!("Replace `{text}` with `{bracket}`"), range, bracket)
+    // Either of the two brackets may be the wrong one.
+    .fix(
+        Applicability::Unsafe,
+        format!("Replace `{text}` with `{bracket}`"),
+        range,
+        bracket,
+    )
 }
 
 const fn bracket(closing: SyntaxKind) -> &'static str {

@@ -1,7 +1,7 @@
 //! `unconditional-end`: an `<END>` that every scan comes to, so that the program runs once.
 
 use super::flow::Flow;
-use crate::diagnostic::Diagnostic;
+use crate::diagnostic::{Applicability, Diagnostic};
 use crate::rule::Rule;
 use ladder_instructions::Op;
 
@@ -18,7 +18,13 @@ pub(super) fn check(flow: &Flow<'_>, out: &mut Vec<Diagnostic>) {
                 "<END> stops the program for good, and no condition stands before it: only one scan runs",
             )
             .help("a program needs no end; <RET> ends the scan, as END does in other controllers")
-            .fix("End the scan only: <RET>", bound.head_range(), "<RET>"),
+            // The program does something else then.
+            .fix(
+                Applicability::Unsafe,
+                "End the scan only: <RET>",
+                bound.head_range(),
+                "<RET>",
+            ),
         );
     }
 }

@@ -8,7 +8,7 @@ use super::did_you_mean;
 use super::near_names::NearNames;
 use crate::context::Context;
 use crate::declaration_fix::{Places, Undeclared};
-use crate::diagnostic::{Diagnostic, Fix};
+use crate::diagnostic::{Applicability, Diagnostic, Fix};
 use crate::facts::NodeKind;
 use crate::network::Formal;
 use crate::program::Role;
@@ -155,11 +155,12 @@ fn forgotten(context: &Context, places: &Places, tag: &TagFacts, range: TextRang
     let names = declared.map(|tag| tag.name.as_str());
     let near = look.then(|| did_you_mean::closest(name, names)).flatten();
     let found = match near {
-        Some(near) if tag.uses.len() == 1 => {
-            found
-                .help(format!("did you mean `{near}`?"))
-                .fix(format!("Replace with `{near}`"), range, near)
-        }
+        Some(near) if tag.uses.len() == 1 => found.help(format!("did you mean `{near}`?")).fix(
+            Applicability::Unsafe,
+            format!("Replace with `{near}`"),
+            range,
+            near,
+        ),
         _ => found.help("declare it, so that a typing mistake cannot make a new tag"),
     };
     found.with(declare(places, tag.role, tag))
@@ -229,7 +230,12 @@ fn slips(context: &Context, tags: &[TagFacts], out: &mut Vec<Diagnostic>) {
                 format!("`{}` stands here only, and looks like `{other}`", tag.name),
             )
             .help("a typing mistake makes a new tag: correct it, or declare the tags of the file")
-            .fix(format!("Replace with `{other}`"), tag.at, other),
+            .fix(
+                Applicability::Unsafe,
+                format!("Replace with `{other}`"),
+                tag.at,
+                other,
+            ),
         );
     }
 }

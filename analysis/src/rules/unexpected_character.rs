@@ -1,10 +1,10 @@
 //! `unexpected-character`: characters that mean nothing where they stand.
 
 use super::frame_keyword;
-use crate::diagnostic::Diagnostic;
+use crate::diagnostic::{Applicability, Diagnostic};
 use crate::excerpt::shortened;
 use crate::rule::Rule;
-use ladder_syntax::{Place, TextRange, is_identifier};
+use ladder_syntax::{Many, Place, TextRange, is_identifier};
 
 pub(crate) fn unexpected(place: Place, behind_comment: bool, text: &str, range: TextRange) -> Diagnostic {
     let shown = shortened(text, 30);
@@ -24,10 +24,16 @@ pub(crate) fn unexpected(place: Place, behind_comment: bool, text: &str, range: 
     if let Some(drawn) = drawn_with(text) {
         return found
             .help(format!("a drawing uses plain characters: write `{drawn}`"))
-            .fix(format!("Replace with `{drawn}`"), range, drawn);
+            .fix(
+                Applicability::Safe,
+                format!("Replace with `{drawn}`"),
+                range,
+                drawn,
+            );
     }
     if let Some(keyword) = frame_keyword::misspelt(text) {
         return found.help(format!("did you mean {keyword}?")).fix(
+            Applicability::Unsafe,
             format!("Replace with {keyword}"),
             range,
             keyword,
@@ -40,6 +46,17 @@ pub(crate) fn unexpected(place: Place, behind_comment: bool, text: &str, range: 
         Place::Rung => found.help("a rung is drawn with - + | \\ / and blocks; text stands in # comments #"),
         _ => found,
     }
+}
+
+/// What stands on a line behind the last part that is read.
+pub(crate) fn too_many(range: TextRange) -> Diagnostic {
+    let most = Many::Parts.most();
+    Diagnostic::new(
+        Rule::UnexpectedCharacter,
+        range,
+        format!("a line holds at most {most} wires, connectors and blocks: what follows is not read"),
+    )
+    .help("draw it on several lines, joined with \\ and /, or as several networks")
 }
 
 /// Whether all of the text can be drawn with plain characters.

@@ -2,7 +2,7 @@
 
 use super::did_you_mean;
 use crate::context::Context;
-use crate::diagnostic::Diagnostic;
+use crate::diagnostic::{Applicability, Diagnostic};
 use crate::network::{BoundBlock, Meaning, NetworkFacts};
 use crate::rule::Rule;
 use ladder_syntax::Name;
@@ -34,7 +34,8 @@ fn unknown(context: &Context, bound: &BoundBlock) -> Diagnostic {
         )
         .help("a block keeps the brackets of its definition")
         .related_at(definition.file(), definition.at, "it is defined here")
-        .fix(format!("Replace with {right}"), range, right);
+        // One name has one shape.
+        .fix(Applicability::Safe, format!("Replace with {right}"), range, right);
     }
     let found = Diagnostic::new(Rule::UnknownBlock, range, format!("there is no block {written}"));
     let others = context.others.all_blocks().map(|block| &block.facts);
@@ -46,9 +47,12 @@ fn unknown(context: &Context, bound: &BoundBlock) -> Diagnostic {
     match did_you_mean::closest(name, same_shape.map(|block| block.name.as_str())) {
         Some(near) => {
             let near = in_brackets(near);
-            found
-                .help(format!("did you mean {near}?"))
-                .fix(format!("Replace with {near}"), range, near)
+            found.help(format!("did you mean {near}?")).fix(
+                Applicability::Unsafe,
+                format!("Replace with {near}"),
+                range,
+                near,
+            )
         }
         None => found.help(format!(
             "define it: FUNCTION_BLOCK {written}, its declarations and rungs, END_FUNCTION_BLOCK"

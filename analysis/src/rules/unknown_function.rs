@@ -2,7 +2,7 @@
 
 use super::did_you_mean;
 use crate::context::Context;
-use crate::diagnostic::Diagnostic;
+use crate::diagnostic::{Applicability, Diagnostic};
 use crate::rule::Rule;
 use ladder_syntax::TextRange;
 
@@ -15,11 +15,12 @@ pub(crate) fn unknown(context: &Context, name: &str, range: TextRange) -> Diagno
     let own = context.functions.iter().map(|f| f.name.as_str());
     let names = own.chain(context.others.function_names());
     match did_you_mean::closest(name, names) {
-        Some(near) => {
-            found
-                .help(format!("did you mean `{near}`?"))
-                .fix(format!("Call `{near}`"), range, near)
-        }
+        Some(near) => found.help(format!("did you mean `{near}`?")).fix(
+            Applicability::Unsafe,
+            format!("Call `{near}`"),
+            range,
+            near,
+        ),
         None => found.help(format!(
             "a function begins with a network that holds <FUN>( {name} )"
         )),

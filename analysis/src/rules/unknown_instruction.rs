@@ -1,8 +1,9 @@
 //! `unknown-instruction`: no instruction has this name.
 
 use super::{missing_wire, wrong_shape};
+use crate::article::with_article;
 use crate::context::Context;
-use crate::diagnostic::Diagnostic;
+use crate::diagnostic::{Applicability, Diagnostic};
 use crate::excerpt::in_sentence;
 use crate::network::{BoundBlock, Meaning, NetworkFacts};
 use crate::rule::Rule;
@@ -47,8 +48,16 @@ fn unknown(context: &Context, network: &NetworkFacts, bound: &BoundBlock) -> Dia
         };
         let written = format!("{block}( {text} )");
         return found
-            .help(format!("a {kind} of the tag `{text}` is written {written}"))
-            .fix(format!("Write {written}"), bound.head_range(), written);
+            .help(format!(
+                "{} of the tag `{text}` is written {written}",
+                with_article(kind)
+            ))
+            .fix(
+                Applicability::Unsafe,
+                format!("Write {written}"),
+                bound.head_range(),
+                written,
+            );
     }
     match near {
         Some(row) => found
@@ -58,6 +67,7 @@ fn unknown(context: &Context, network: &NetworkFacts, bound: &BoundBlock) -> Dia
                 in_sentence(row.title)
             ))
             .fix(
+                Applicability::Unsafe,
                 format!("Replace with {}", row.block()),
                 bound.head_range(),
                 row.block(),

@@ -2,7 +2,7 @@
 
 use super::did_you_mean;
 use crate::context::{Body, Context};
-use crate::diagnostic::Diagnostic;
+use crate::diagnostic::{Applicability, Diagnostic};
 use crate::facts::NodeKind;
 use crate::network::Meaning;
 use crate::rule::Rule;
@@ -23,9 +23,12 @@ pub(crate) fn unknown(context: &Context, network: usize, name: &str, range: Text
         .iter()
         .filter(|label| context.bodies[label.network] == body);
     if let Some(near) = did_you_mean::closest(name, seen.map(|label| label.name.as_str())) {
-        return found
-            .help(format!("did you mean `{near}`?"))
-            .fix(format!("Jump to `{near}`"), range, near);
+        return found.help(format!("did you mean `{near}`?")).fix(
+            Applicability::Unsafe,
+            format!("Jump to `{near}`"),
+            range,
+            near,
+        );
     }
     let key = Name::new(name);
     match context.labels.iter().find(|label| label.key == key) {

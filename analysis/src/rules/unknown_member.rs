@@ -1,9 +1,11 @@
 //! `unknown-member`: the word or number behind a point names no part of the tag.
 
 use super::did_you_mean;
-use crate::diagnostic::Diagnostic;
+use crate::article::with_article;
+use crate::diagnostic::{Applicability, Diagnostic};
 use crate::rule::Rule;
 use crate::scope::Scope;
+use crate::system_tag::SystemTag;
 use crate::types::{Scalar, Type};
 use ladder_instructions::StateType;
 use ladder_syntax::TextRange;
@@ -14,7 +16,7 @@ fn unknown(range: TextRange, message: String) -> Diagnostic {
 
 pub(crate) fn system(word: &str, range: TextRange) -> Diagnostic {
     unknown(range, format!("there is no system tag SYS.{word}"))
-        .help("there are SYS.FIRST_SCAN, SYS.SCAN, SYS.TIME, SYS.SCAN_TIME, SYS.FAULT, SYS.ON and SYS.OFF")
+        .help(format!("the system tags are {}", SystemTag::list()))
 }
 
 pub(crate) fn of_state(name: &str, state: StateType, word: &str, range: TextRange) -> Diagnostic {
@@ -26,7 +28,10 @@ pub(crate) fn of_state(name: &str, state: StateType, word: &str, range: TextRang
     };
     unknown(
         range,
-        format!("`{name}` is a {} and has no member `{word}`", state.name()),
+        format!(
+            "`{name}` is {} and has no member `{word}`",
+            with_article(state.name())
+        ),
     )
     .help(format!("its members are {members}"))
 }
@@ -48,11 +53,12 @@ pub(crate) fn of_no_state(
         .iter()
         .filter(|tag| matches!(tag.ty, Some(Type::State(_))));
     match did_you_mean::closest(name, states.map(|tag| tag.name.as_str())) {
-        Some(near) => {
-            found
-                .help(format!("did you mean `{near}`?"))
-                .fix(format!("Replace with `{near}`"), base, near)
-        }
+        Some(near) => found.help(format!("did you mean `{near}`?")).fix(
+            Applicability::Unsafe,
+            format!("Replace with `{near}`"),
+            base,
+            near,
+        ),
         None => found.help(format!(
             "check the name, or write the block that it belongs to, such as [TON]( {name}, T#5s )"
         )),

@@ -1,15 +1,20 @@
 //! `unpaired-connector`: a `\` without its `/` on the rung below, or the other way round.
 
+pub(super) mod completion;
+
 use crate::context::{Context, rung_above, rung_below};
 use crate::diagnostic::Diagnostic;
 use crate::excerpt::{columns, nth, trimmed_line};
 use crate::network::{NetworkFacts, breaks_drawing};
 use crate::rule::Rule;
 use ladder_syntax::wiring::{self, PartKind, Rung};
-use ladder_syntax::{Parse, TextRange, TextSize};
+use ladder_syntax::{Parse, TextRange};
 
 /// How many connectors of one line are told: whoever draws more of them without partners knows.
 const MOST: usize = 10;
+
+/// With so many connectors on a line the columns are compared one by one.
+const MOST_COMPARED: usize = 64;
 
 pub(crate) fn check(context: &Context, network: &NetworkFacts, out: &mut Vec<Diagnostic>) {
     let wiring = &network.wiring;
@@ -63,8 +68,18 @@ fn unpaired(context: &Context, line: usize, kind: PartKind, out: &mut Vec<Diagno
         _ => rung_above(parse, line),
     };
     // A mistake in the text may have swallowed the partner.
-    let misread = |line: usize| parse.lines()[line].errors.iter().any(breaks_drawing);
-    if misread(line) || other_line.is_some_and(misread) {
+    let misread = |line: usize| {
+        let foreign = context.foreign_comments().on_line(line).is_some();
+        foreign || parse.lines()[line].errors.iter().any(breaks_drawing)
+    };
+    let lines = parse.lines();
+    let is_drawn = |line: &usize| !lines[*line].kind.is_decoration();
+    let neighbour = match kind {
+        PartKind::Down => (line + 1..lines.len()).find(is_drawn),
+        _ => (0..line).rev().find(is_drawn),
+    };
+    let in_comment = neighbour.is_some_and(|line| context.foreign_comments().on_line(line).is_some());
+    if in_comment || misread(line) || other_line.is_some_and(misread) {
         return;
     }
     let own = Side::new(parse, line, kind);
@@ -102,17 +117,48 @@ fn unpaired(context: &Context, line: usize, kind: PartKind, out: &mut Vec<Diagno
                 format!("its partner `{}` belongs onto this rung", symbol(partner(kind))),
             );
         }
-        out.push(with_fix(parse, &own, other.as_ref(), suspect, found));
+        found.fixes = completion::fixes(parse, &own, other.as_ref(), suspect);
+        out.push(found);
     }
 }
 
 /// The connectors that have nothing in their column on the other line, if exactly as many as there are too many
-/// have not.
+/// have not; else those that are left when every partner goes to a connector as near as can be.
 fn culprits(own: &Side, other: &Side) -> Option<Vec<usize>> {
     let alone: Vec<usize> = (0..own.parts.len())
         .filter(|&n| other.columns.binary_search(&own.columns[n]).is_err())
         .collect();
-    (alone.len() == own.parts.len() - other.parts.len()).then_some(alone)
+    if alone.len() == own.parts.len() - other.parts.len() {
+        return Some(alone);
+    }
+    (own.parts.len() <= MOST_COMPARED).then(|| left_over(&own.columns, &other.columns))
+}
+
+/// Which of some columns are left when each of the others, which are fewer, takes one of them in their order and all
+/// distances together are smallest.
+fn left_over(own: &[usize], other: &[usize]) -> Vec<usize> {
+    // The smallest sum for the first `o` of the others among the first `n`.
+    let mut sums = vec![vec![usize::MAX; other.len() + 1]; own.len() + 1];
+    sums[0][0] = 0;
+    for n in 1..=own.len() {
+        sums[n][0] = 0;
+        for o in 1..=other.len().min(n) {
+            let taken = sums[n - 1][o - 1].saturating_add(own[n - 1].abs_diff(other[o - 1]));
+            sums[n][o] = taken.min(sums[n - 1][o]);
+        }
+    }
+    let (mut n, mut o) = (own.len(), other.len());
+    let mut left = Vec::with_capacity(n - o);
+    while n > 0 {
+        if sums[n][o] == sums[n - 1][o] {
+            left.push(n - 1);
+        } else {
+            o -= 1;
+        }
+        n -= 1;
+    }
+    left.reverse();
+    left
 }
 
 fn message(context: &Context, own: &Side, other: Option<&Side>, ordinal: usize) -> String {
@@ -137,44 +183,6 @@ fn message(context: &Context, own: &Side, other: Option<&Side>, ordinal: usize) 
             own.parts.len(),
         ),
     }
-}
-
-/// Puts the partner onto the wire in the same column, or makes the connector a wire.
-fn with_fix(
-    parse: &Parse,
-    own: &Side,
-    other: Option<&Side>,
-    suspect: usize,
-    found: Diagnostic,
-) -> Diagnostic {
-    let wire = other.and_then(|other| {
-        let wires = || other.rung.parts.iter().filter(|part| part.kind == PartKind::Wire);
-        let firsts = columns(parse, other.line, wires().map(|part| part.range.start()));
-        wires().zip(firsts).find_map(|(part, first)| {
-            let within = own.columns[suspect].checked_sub(first)?;
-            let at = part.range.start() + TextSize::new(within as u32);
-            let start = parse.line_start(other.line);
-            (at < part.range.end()).then(|| TextRange::at(at + start, TextSize::new(1)))
-        })
-    });
-    if let (Some(at), Some(other)) = (wire, other) {
-        let partner = symbol(other.kind);
-        return found.fix(
-            format!("Join with `{partner}` {} it", beside(own.kind)),
-            at,
-            partner,
-        );
-    }
-    let part = own.parts[suspect];
-    let touches_behind = own.rung.parts.get(part + 1).is_some_and(|next| next.touches);
-    if own.rung.parts[part].touches && touches_behind {
-        return found.fix(
-            format!("Replace `{}` with wire", symbol(own.kind)),
-            own.range(parse, suspect),
-            "-",
-        );
-    }
-    found
 }
 
 const fn partner(kind: PartKind) -> PartKind {

@@ -12,7 +12,12 @@ pub(super) fn check(flow: &Flow<'_>, reached: &[bool], out: &mut Vec<Diagnostic>
     for exit in flow.exits.iter().filter(|exit| exit.always && reached[exit.from]) {
         out.extend(behind_in_network(flow, exit));
     }
+    let mut exits = flow.exits.iter().peekable();
+    let mut always = None;
     for at in 0..reached.len() {
+        while let Some(exit) = exits.next_if(|exit| exit.from < at) {
+            always = Some(exit).filter(|exit| exit.always).or(always);
+        }
         // The first of a row is enough.
         if reached[at] || at.checked_sub(1).is_some_and(|before| !reached[before]) {
             continue;
@@ -34,7 +39,7 @@ pub(super) fn check(flow: &Flow<'_>, reached: &[bool], out: &mut Vec<Diagnostic>
         );
         let mut found = Diagnostic::new(Rule::Unreachable, range, message)
             .help("put a condition before what leaves above it, mark it with a <LBL> that is jumped to, or remove it");
-        if let Some(exit) = flow.exits.iter().rfind(|exit| exit.from < at && exit.always) {
+        if let Some(exit) = always {
             found = found.related(flow.block(exit).range(), always_leaves(flow, exit));
         }
         out.push(found);

@@ -10,12 +10,8 @@ use ladder_syntax::Name;
 use rustc_hash::FxHashSet;
 
 pub(super) fn check(context: &Context, survey: &Survey, out: &mut Vec<Diagnostic>) {
-    // A file without a main program holds functions for others; so may one that does not stand alone.
-    if context.functions.is_empty()
-        || context.others.have_files()
-        || !survey.whole
-        || !context.bodies.contains(&Body::Main)
-    {
+    // A file without a main program holds functions for others, maybe of another workspace.
+    if context.functions.is_empty() || !survey.whole || !context.bodies.contains(&Body::Main) {
         return;
     }
     let mut called: FxHashSet<usize> = FxHashSet::default();
@@ -31,12 +27,18 @@ pub(super) fn check(context: &Context, survey: &Survey, out: &mut Vec<Diagnostic
     }
     for (index, function) in context.functions.iter().enumerate() {
         // A second one of the same name is another mistake.
-        if !called.contains(&index) && context.function(&function.key) == Some(index) {
+        let is_called = called.contains(&index) || context.others.call(&function.key);
+        if !is_called && context.function(&function.key) == Some(index) {
+            let place = if context.others.have_files() {
+                "no file of the workspace"
+            } else {
+                "nothing in this file"
+            };
             out.push(
                 Diagnostic::new(
                     Rule::UnusedFunction,
                     function.at,
-                    format!("nothing in this file calls the function `{}`", function.name),
+                    format!("{place} calls the function `{}`", function.name),
                 )
                 .help(format!("call it with <CALL>( {} ), or remove it", function.name)),
             );

@@ -1,7 +1,7 @@
 //! One walk over each network's steps, shared by the rules about what stands behind what on a wire.
 
 use super::survey::{Steering, Survey};
-use super::{contact_after_coil, dead_end, latched_power, shorted_branch};
+use super::{contact_after_coil, dead_end, latched_power, led_round, redundant_element, shorted_branch};
 use crate::context::Context;
 use crate::diagnostic::Diagnostic;
 use crate::network::{BoundBlock, NetworkFacts};
@@ -47,8 +47,10 @@ pub(super) fn check(context: &Context, survey: &Survey, out: &mut Vec<Diagnostic
         find_useful(network, &mut walk.useful);
         let found = out.len();
         dead_end::check(walk, out);
-        if network.wiring.points.len() > 1 {
-            shorted_branch::check(walk, out);
+        if !network.wiring.points.is_empty() {
+            let led_round = led_round::led_round(walk);
+            let shorted = shorted_branch::check(walk, led_round.as_deref(), out);
+            redundant_element::led_round(walk, &led_round.unwrap_or_default(), &shorted, out);
         }
         let coils = Steering::COIL.with(Steering::SET).with(Steering::RESET);
         if steering.has(coils) && network.blocks.len() > 1 {

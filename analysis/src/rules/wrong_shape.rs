@@ -1,7 +1,7 @@
 //! `wrong-shape`: an instruction in brackets that it does not have, as in `<TON>` or `[SET]( run )`.
 
 use crate::context::Context;
-use crate::diagnostic::Diagnostic;
+use crate::diagnostic::{Applicability, Diagnostic};
 use crate::excerpt;
 use crate::network::BoundBlock;
 use crate::rule::Rule;
@@ -17,6 +17,19 @@ pub(crate) fn elsewhere(bound: &BoundBlock) -> Option<&'static Instruction> {
 pub(crate) fn taking_operands(bound: &BoundBlock) -> Option<&'static Instruction> {
     let count = bound.positional_count();
     in_other_shape(bound.facts.shape, bound.facts.head.text()).find(|row| row.takes(count))
+}
+
+/// Only a word that is one instruction and no other, with the operands that it takes, can mean nothing else: one or
+/// two letters are one slip away from others.
+fn applicability(bound: &BoundBlock, row: &Instruction) -> Applicability {
+    let name = bound.facts.head.text();
+    let is_the_only_one = in_other_shape(bound.facts.shape, name).nth(1).is_none();
+    let fits = row.takes(bound.positional_count());
+    if bound.instruction().is_none() && is_the_only_one && fits && name.len() > 2 {
+        Applicability::Safe
+    } else {
+        Applicability::Unsafe
+    }
 }
 
 pub(crate) fn brackets(context: &Context, bound: &BoundBlock, row: &'static Instruction) -> Diagnostic {
@@ -46,6 +59,7 @@ pub(crate) fn brackets(context: &Context, bound: &BoundBlock, row: &'static Inst
     Diagnostic::new(Rule::WrongShape, bound.head_range(), message)
         .help(help)
         .fix(
+            applicability(bound, row),
             format!("Replace with {}", row.block()),
             bound.head_range(),
             row.block(),

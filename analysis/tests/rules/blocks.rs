@@ -95,7 +95,7 @@ fn wrong_brackets() {
             > +--[ ]( a )--[RESET]( run )--+
                            ^^^^^^^ error[wrong-shape]: there is no [RESET]: the reset coil is written (R)
                 help: to reset a bit write (R)( run )
-                fix: Replace with (R)
+                safe fix: Replace with (R)
                   +--[ ]( a )----------------(R)( run )--+
         "#]],
     );
@@ -105,7 +105,7 @@ fn wrong_brackets() {
             > +--[ ]( a )--<TON>( t, T#5s )--( )( y )--+
                            ^^^^^ error[wrong-shape]: there is no <TON>: the on-delay timer is written [TON]
                 help: write [TON]( t, T#5s )
-                fix: Replace with [TON]
+                safe fix: Replace with [TON]
                   +--[ ]( a )--------------------[TON]( t, T#5s )--( )( y )--+
         "#]],
     );
@@ -115,7 +115,7 @@ fn wrong_brackets() {
             > +--[ ]( a )--(MOV)( y, 5 )--+
                            ^^^^^ error[wrong-shape]: there is no (MOV): the move is written [MOV]
                 help: write [MOV]( y, 5 )
-                fix: Replace with [MOV]
+                safe fix: Replace with [MOV]
                   +--[ ]( a )-------------[MOV]( y, 5 )--+
         "#]],
     );

@@ -17,7 +17,7 @@ const ABOUT_WHOLE_PROGRAMS: [Rule; 6] = [
 ];
 
 /// Compares the findings, drawn under their lines, with what is expected. Each fix is shown by the lines that it
-/// changes; it must make its finding go away.
+/// changes, and whether it is safe; it must make its finding go away.
 pub(crate) fn check(text: &str, expected: Expect) {
     expected.assert_eq(&findings(text, &short_text()));
 }
@@ -47,6 +47,15 @@ fn short_text() -> RuleSettings {
 
 /// As [`check`], for the files of a workspace: each begins with a line `%% name.clad`.
 pub(crate) fn check_files(texts: &str, expected: Expect) {
+    check_files_with(texts, &short_text(), expected);
+}
+
+/// As `check_files`, with the rules about what a whole program lacks.
+pub(crate) fn check_workspace(texts: &str, expected: Expect) {
+    check_files_with(texts, &RuleSettings::default(), expected);
+}
+
+fn check_files_with(texts: &str, settings: &RuleSettings, expected: Expect) {
     let files = files(texts);
     let parsed: Vec<_> = files
         .iter()
@@ -58,7 +67,7 @@ pub(crate) fn check_files(texts: &str, expected: Expect) {
     let exported = Arc::new(Exported::new(summaries.collect()));
     let mut shown = String::new();
     for (name, text, parse) in &parsed {
-        let found = analyze_with(parse, name, &exported.others_of(name), &short_text()).diagnostics;
+        let found = analyze_with(parse, name, &exported.others_of(name), settings).diagnostics;
         if found.is_empty() {
             continue;
         }
@@ -139,7 +148,8 @@ fn show(text: &str, index: &LineIndex, found: &Diagnostic, out: &mut String) {
     }
     for fix in &found.fixes {
         let fixed = apply(text, &fix::aligned(text, fix, &Options::default()));
-        out.push_str(&format!("    fix: {}\n", fix.title));
+        let sure = if fix.is_safe() { "safe " } else { "" };
+        out.push_str(&format!("    {sure}fix: {}\n", fix.title));
         for (_, line) in changed_lines(text, &fixed) {
             out.push_str(format!("      {line}").trim_end());
             out.push('\n');

@@ -1,6 +1,6 @@
 //! One slip is told once, whatever it does to what stands behind it.
 
-use crate::check::check;
+use crate::check::{check, clean};
 use expect_test::expect;
 
 #[test]
@@ -24,12 +24,12 @@ fn on_its_line() {
     check(
         "+--[ ]( a )--[\\]( b )--( )( y )--+\n",
         expect![[r#"
-        > +--[ ]( a )--[\]( b )--( )( y )--+
-                       ^ error[unclosed-block]: `[` is not closed: `]` is missing
-            help: a block is closed on its own line
-            fix: Insert `]`
-              +--[ ]( a )--[]\]( b )--( )( y )--+
-    "#]],
+            > +--[ ]( a )--[\]( b )--( )( y )--+
+                           ^ error[unclosed-block]: `[` is not closed: `]` is missing
+                help: a block is closed on its own line
+                safe fix: Insert `]`
+                  +--[ ]( a )--[]\]( b )--( )( y )--+
+        "#]],
     );
     check(
         "+--[EQ]( n, 5 )--[CALC]( m, n * 3 + k ) )--( )( y )--+\n",
@@ -164,12 +164,12 @@ fn frames_of_blocks() {
     check(
         &format!("FUNCTION_BLOCK [$Pass\n{rest}"),
         expect![[r#"
-        > FUNCTION_BLOCK [$Pass
-                         ^^^^^^ error[unclosed-block]: `[$Pass` is not closed: `]` is missing
-            help: a block is closed on its own line
-            fix: Insert `]`
-              FUNCTION_BLOCK [$Pass]
-    "#]],
+            > FUNCTION_BLOCK [$Pass
+                             ^^^^^^ error[unclosed-block]: `[$Pass` is not closed: `]` is missing
+                help: a block is closed on its own line
+                safe fix: Insert `]`
+                  FUNCTION_BLOCK [$Pass]
+        "#]],
     );
     let text = format!("FUNCTION_BLOCK [$Pass]\n{rest}");
     check(
@@ -202,12 +202,12 @@ fn rails() {
     check(
         "-+--[ ]( a )--( )( y )--+\n",
         expect![[r#"
-        > -+--[ ]( a )--( )( y )--+
-           ^ error[misplaced-rail]: `+` stands in the middle of a line
-            help: `+` is where a line leaves the left rail or ends at the right rail; lines are joined with \ and /
-            fix: Replace with wire
-              ----[ ]( a )-----------------( )( y )--+
-    "#]],
+            > -+--[ ]( a )--( )( y )--+
+               ^ error[misplaced-rail]: `+` stands in the middle of a line
+                help: `+` is where a line leaves the left rail or ends at the right rail; lines are joined with \ and /
+                fix: Replace with wire
+                  --[ ]( a )-------------------( )( y )--+
+        "#]],
     );
     check(
         "+--\\[ ]( a )--( )( y )--+\n",
@@ -219,4 +219,152 @@ fn rails() {
               +--[ ]( a )------------------( )( y )--+
     "#]],
     );
+}
+
+#[test]
+fn names_that_differ_in_capitals_only() {
+    check(
+        "VAR_OUTPUT red, amber : BOOL; END_VAR\nVAR state : INT; END_VAR\nVAR CONSTANT RED : INT := 0; AMBER : INT := 1; END_VAR\n\
+         +--[EQ]( state, RED )--( )( red )--[MOV]( state, AMBER )--+\n+--[EQ]( AMBER, state )--( )( amber )--+\n",
+        expect![[r#"
+            > VAR CONSTANT RED : INT := 0; AMBER : INT := 1; END_VAR
+                           ^^^ error[duplicate-declaration]: `RED` is declared twice
+                help: remove one of the declarations, or give one tag another name; capitals do not tell names apart
+                at 1:12 `red`: `red` is first declared here
+            > VAR CONSTANT RED : INT := 0; AMBER : INT := 1; END_VAR
+                                           ^^^^^ error[duplicate-declaration]: `AMBER` is declared twice
+                help: remove one of the declarations, or give one tag another name; capitals do not tell names apart
+                at 1:17 `amber`: `amber` is first declared here
+        "#]],
+    );
+    check(
+        "VAR CONSTANT RED : INT := 0; END_VAR\nVAR_OUTPUT red : BOOL; END_VAR\nVAR state : INT; END_VAR\n\
+         +--[EQ]( state, RED )--( )( red )--+\n",
+        expect![[r#"
+            > VAR_OUTPUT red : BOOL; END_VAR
+                         ^^^ error[duplicate-declaration]: `red` is declared twice
+                help: remove one of the declarations, or give one tag another name; capitals do not tell names apart
+                at 1:14 `RED`: `RED` is first declared here
+        "#]],
+    );
+    check(
+        "VAR t : TON; END_VAR\nVAR_INPUT T : BOOL; END_VAR\nVAR_OUTPUT y : BOOL; END_VAR\n\
+         +--[ ]( T )--[TON]( t, T#5s )--[ ]( t.Q )--( )( y )--+\n",
+        expect![[r#"
+            > VAR_INPUT T : BOOL; END_VAR
+                        ^ error[duplicate-declaration]: `T` is declared twice
+                help: remove one of the declarations, or give one tag another name; capitals do not tell names apart
+                at 1:5 `t`: `t` is first declared here
+        "#]],
+    );
+}
+
+#[test]
+fn a_type_that_cannot_be_read() {
+    check(
+        "VAR x : BOLL; END_VAR\nVAR_OUTPUT y : BOOL; END_VAR\n+--[ ]( x )--[EQ]( x, 5 )--( )( y )--+\n",
+        expect![[r#"
+            > VAR x : BOLL; END_VAR
+                      ^^^^ error[bad-declaration]: there is no type `BOLL`: did you mean BOOL?
+        "#]],
+    );
+}
+
+#[test]
+fn comments_of_other_languages() {
+    check(
+        "// a note: wait T#5s\n+--[ ]( a )--( )( y )--+\n",
+        expect![[r#"
+        > // a note: wait T#5s
+          ^^^^^^^^^^^^^^^^^^^^ error[unexpected-character]: `//` begins no comment: a comment is written # .. #
+            help: write the text between two `#`; it cannot hold a `#` itself
+            safe fix: Write it as a comment
+              # a note: wait 5s #
+              +--[ ]( a )------------------( )( y )--+
+    "#]],
+    );
+    check(
+        "+--[ ]( a )--( )( y )--+\n(* two\n + lines *)\n",
+        expect![[r#"
+        > (* two
+          ^^^^^^ error[unexpected-character]: `(*` begins no comment: a comment is written # .. #
+            help: write the text between two `#`; it cannot hold a `#` itself
+            safe fix: Write it as a comment
+              # two
+               + lines #
+    "#]],
+    );
+    check(
+        "+--[ ]( a )--( )( y )--+  ; a note\n",
+        expect![[r#"
+        > +--[ ]( a )--( )( y )--+  ; a note
+                                    ^^^^^^^^ error[unexpected-character]: `;` begins no comment: a comment is written # .. #
+            help: write the text between two `#`; it cannot hold a `#` itself
+            safe fix: Write it as a comment
+              +--[ ]( a )------------------( )( y )--+  # a note #
+    "#]],
+    );
+    check(
+        "VAR_INPUT\n    a : BOOL;\n    // a note\n    b : BOOL; // another\nEND_VAR\n+--[ ]( a )--[ ]( b )--( )( Q1 )--+\n",
+        expect![[r#"
+            >     // a note
+                  ^^^^^^^^^ error[unexpected-character]: `//` begins no comment: a comment is written # .. #
+                help: write the text between two `#`; it cannot hold a `#` itself
+                safe fix: Write it as a comment
+                      # a note #
+        "#]],
+    );
+    for comment in [
+        "// a note: see +-- below",
+        "(* a note; with [TON]( t ) and a | b *)",
+        "; a note",
+        "/* a note, /--/ */",
+        "//",
+        "/// wait T#5s",
+        "// +--[ ]( old )--( )( y )--+",
+        "(* over\nseveral + lines\n+--[ ]( old )--( )( y )--+\n*)",
+    ] {
+        // On top, between networks, within a network, and at the end.
+        for program in [
+            format!("{comment}\n+--[ ]( a )--( )( y )--+\n"),
+            format!("+--[ ]( a )--( )( y )--+\n\n  {comment}\n+--[ ]( b )--( )( z )--+\n"),
+            format!("+--\\--[ ]( a )--\\--( )( y )--+\n{comment}\n|  /--[ ]( y )--/            |\n"),
+            format!("+--[ ]( a )--( )( y )--+\n{comment}"),
+        ] {
+            assert_eq!(found(&program), 1, "in:\n{program}");
+        }
+        // In a section, between declarations.
+        let program = format!(
+            "VAR_INPUT\n    a : BOOL;\n    {comment}\n    b : BOOL;\nEND_VAR\n+--[ ]( a )--[ ]( b )--( )( Q1 )--+\n"
+        );
+        assert_eq!(found(&program), 1, "in:\n{program}");
+    }
+    // Behind a rung, and behind a declaration.
+    for comment in ["// a note", "(* a note *)", "; a note", "/* a note */"] {
+        let program = format!("+--[ ]( a )--( )( y )--+  {comment}\n");
+        assert_eq!(found(&program), 1, "in:\n{program}");
+        let program = format!(
+            "VAR_INPUT\n    a : BOOL;  {comment}\n    b : BOOL;\nEND_VAR\n+--[ ]( a )--[ ]( b )--( )( Q1 )--+\n"
+        );
+        assert_eq!(found(&program), 1, "in:\n{program}");
+    }
+}
+
+#[test]
+fn what_is_no_comment() {
+    clean("+--\\--\\--( )( y )--+\n//--[ ]( a )--( )( z )--+\n");
+    assert_eq!(
+        found("VAR\n    a : BOOL\n    ; b : BOOL;\nEND_VAR\n+--[ ]( a )--( )( b )--+\n"),
+        0
+    );
+}
+
+/// How many findings there are that are errors or warnings.
+fn found(program: &str) -> usize {
+    let parse = std::sync::Arc::new(ladder_syntax::parse(program));
+    let found = ladder_analysis::analyze(&parse, "test.clad").diagnostics;
+    let serious = found
+        .iter()
+        .filter(|found| found.severity > ladder_analysis::Severity::Info);
+    serious.count()
 }

@@ -258,12 +258,12 @@ fn operands_by_name() {
     check(
         "+--[TON]( t, PT := T#5s )--( )( z )--+\n",
         expect![[r#"
-        > +--[TON]( t, PT := T#5s )--( )( z )--+
-                       ^^ error[bad-operand]: `PT` of [TON] is given by its place, without a name
-            help: the first operands stand in their order; only the optional ones are given by name
-            fix: Remove `PT :=`
-              +----------[TON]( t, T#5s )--( )( z )--+
-    "#]],
+            > +--[TON]( t, PT := T#5s )--( )( z )--+
+                           ^^ error[bad-operand]: `PT` of [TON] is given by its place, without a name
+                help: the first operands stand in their order; only the optional ones are given by name
+                safe fix: Remove `PT :=`
+                  +----------[TON]( t, T#5s )--( )( z )--+
+        "#]],
     );
     check(
         "+--[TON]( t, T#5s, R => y )--( )( z )--+\n",
@@ -297,12 +297,12 @@ fn operands_by_name() {
     check(
         "+--[ ]( tag := a )--( )( z )--+\n",
         expect![[r#"
-        > +--[ ]( tag := a )--( )( z )--+
-                  ^^^ error[bad-operand]: `tag` of [ ] is given by its place, without a name
-            help: the first operands stand in their order; only the optional ones are given by name
-            fix: Remove `tag :=`
-              +--[ ]( a )------------------( )( z )--+
-    "#]],
+            > +--[ ]( tag := a )--( )( z )--+
+                      ^^^ error[bad-operand]: `tag` of [ ] is given by its place, without a name
+                help: the first operands stand in their order; only the optional ones are given by name
+                safe fix: Remove `tag :=`
+                  +--[ ]( a )------------------( )( z )--+
+        "#]],
     );
 }
 

@@ -1,6 +1,7 @@
 //! Texts that consist of mistakes: each is read in a time that grows with its length. Where a rule compared
 //! everything with everything, this test would not come to an end.
 
+use ladder_analysis::diagnostic::MOST_RELATED;
 use ladder_analysis::{Rule, analyze};
 use ladder_syntax::parse;
 use std::fmt::Write as _;
@@ -12,6 +13,102 @@ fn findings(text: &str) -> usize {
 }
 
 const MANY: usize = 4_000;
+
+#[test]
+fn a_finding_names_a_bounded_number_of_places() {
+    for rung in [
+        "+--[ ]( a )--( )( y )--+\n",
+        "+--[ ]( a )--(S)( y )--+\n",
+        "+--[ ]( a )--(R)( y )--+\n",
+        "+--[ ]( a )--( )( start )--+\n",
+        "+--<LBL>( x )--[ ]( a )--<JMP>( x )--+\n",
+        "+--<FUN>( f )--( )( y )--<CALL>( f )--+\n",
+        "+--[TON]( t, 5s )--( )( y )--+\n",
+    ] {
+        let size = |count: usize| {
+            let text = format!("VAR_INPUT start : BOOL; END_VAR\n{}", rung.repeat(count));
+            let found = analyze(&Arc::new(parse(&text)), "test.clad").diagnostics;
+            let most = found.iter().map(|found| found.related.len()).max().unwrap_or(0);
+            assert!(most <= MOST_RELATED, "{rung}: {most}");
+            let all = found
+                .iter()
+                .map(|found| 1 + found.related.len() + found.fixes.len());
+            let hidden: Vec<_> = found.iter().filter(|found| found.more_related > 0).collect();
+            for found in &hidden {
+                let last = &found.related[MOST_RELATED - 1].message;
+                assert!(
+                    last.ends_with(&format!("; and {} more", found.more_related)),
+                    "{last}"
+                );
+            }
+            all.sum::<usize>()
+        };
+        // At most as much more is said as there is more to be said about.
+        let (small, large) = (size(50), size(500));
+        assert!(large <= 11 * small, "{rung}: {small}, then {large}");
+    }
+}
+
+#[test]
+fn after_very_many_findings_no_more_are_looked_for() {
+    let analysis = |rungs: usize| {
+        let rung = format!("+-{}-( )( y )-+\n", "[ ]( a )".repeat(2001));
+        let text = rung.repeat(rungs);
+        analyze(&Arc::new(parse(&text)), "test.clad")
+    };
+    let few = analysis(1);
+    assert!(few.diagnostics.len() >= 2000 && !few.has_errors());
+    let many = analysis(26);
+    let wires = many.diagnostics.iter();
+    let wires: Vec<_> = wires.filter(|found| found.rule == Rule::MissingWire).collect();
+    assert!(wires.len() < 52_000, "{}", wires.len());
+    // Nobody has looked at the rest: it does not run.
+    assert!(many.has_errors() && many.program().is_none());
+    let help = wires
+        .last()
+        .and_then(|last| last.help.as_deref())
+        .unwrap_or_default();
+    assert!(help.contains("not checked"), "{help}");
+}
+
+#[test]
+fn many_comments_that_switch_rules_off() {
+    let allow = "# ladder: allow(missing-wire): so it is #\n";
+    let rung = "+--[ ]( a )( )( y )--+\n";
+    for text in [
+        format!("{allow}{rung}").repeat(MANY),
+        format!("{}{}", allow.repeat(MANY), rung.repeat(MANY)),
+        format!(
+            "# ladder: allow({}missing-wire): so it is #\n{rung}",
+            "missing-wire, ".repeat(MANY)
+        ),
+    ] {
+        let found = analyze(&Arc::new(parse(&text)), "test.clad").diagnostics;
+        let first = found.iter().find(|found| found.rule == Rule::MissingWire);
+        let hidden = first.map_or(text.len(), |found| found.range.start().into());
+        assert!(hidden >= text.find('+').unwrap() + rung.len(), "{hidden}");
+    }
+}
+
+#[test]
+fn circles_of_calls() {
+    let size = |count: usize| {
+        let mut text = String::from("+--<CALL>( f0 )--+\n");
+        for n in 0..count {
+            let (a, b) = ((n * 7 + 1) % count, (n * 3 + 2) % count);
+            let _ = writeln!(
+                text,
+                "+--<FUN>( f{n} )--+\n+--[ ]( a )--<CALL>( f{a} )--<CALL>( f{b} )--+"
+            );
+        }
+        let found = analyze(&Arc::new(parse(&text)), "test.clad").diagnostics;
+        let circles = found.iter().filter(|found| found.rule == Rule::RecursiveCall);
+        assert!(circles.clone().count() > 0);
+        circles.map(|found| found.message.len()).max().unwrap()
+    };
+    // However long a circle is, a few names of it are said.
+    assert!(size(4000) < 2 * size(40), "{} {}", size(40), size(4000));
+}
 
 #[test]
 fn one_long_line() {

@@ -76,7 +76,7 @@ fn comparisons() {
         "+--[GT]( level, 80 )--[LT]( 20, level )--( )( y )--+\n",
         expect![[r#"
             > +--[GT]( level, 80 )--[LT]( 20, level )--( )( y )--+
-                                    ^^^^^^^^^^^^^^^^^ info[redundant-element]: [LT]( 20, level ) changes nothing here
+                                    ^^^^^^^^^^^^^^^^^ warning[redundant-element]: [LT]( 20, level ) changes nothing here
                 help: a wire in its place does the same: remove it, or correct the tag that was meant
         "#]],
     );
@@ -147,16 +147,16 @@ fn what_changes_nothing() {
     check(
         "+--[ ]( a )--[ ]( b )--[ ]( a )--( )( y )--+\n",
         expect![[r#"
-        > +--[ ]( a )--[ ]( b )--[ ]( a )--( )( y )--+
-             ^^^^^^^^ info[redundant-element]: [ ]( a ) changes nothing here
-            help: a wire in its place does the same: remove it, or correct the tag that was meant
-    "#]],
+            > +--[ ]( a )--[ ]( b )--[ ]( a )--( )( y )--+
+                 ^^^^^^^^ warning[redundant-element]: [ ]( a ) changes nothing here
+                help: a wire in its place does the same: remove it, or correct the tag that was meant
+        "#]],
     );
     check(
         "+--\\--[ ]( a )----------------\\--( )( y )--+\n|  /--[ ]( a )--[ ]( b )--/                |\n",
         expect![[r#"
             > |  /--[ ]( a )--[ ]( b )--/                |
-                    ^^^^^^^^ info[redundant-element]: [ ]( a ) changes nothing here
+                    ^^^^^^^^ warning[redundant-element]: [ ]( a ) changes nothing here
                 help: without its branch everything stays the same: remove it, or correct the tag that was meant
         "#]],
     );
@@ -164,7 +164,7 @@ fn what_changes_nothing() {
         "+--[GT]( n, 80 )--[GT]( n, 20 )--( )( y )--+\n",
         expect![[r#"
             > +--[GT]( n, 80 )--[GT]( n, 20 )--( )( y )--+
-                                ^^^^^^^^^^^^^ info[redundant-element]: [GT]( n, 20 ) changes nothing here
+                                ^^^^^^^^^^^^^ warning[redundant-element]: [GT]( n, 20 ) changes nothing here
                 help: a wire in its place does the same: remove it, or correct the tag that was meant
         "#]],
     );
@@ -244,7 +244,7 @@ fn order() {
         "+--[GT]( n, 5 )--\\--(S)( y )--+\n|                /--[ ]( y )--[ ]( b )--( )( z )--+\n",
         expect![[r#"
             > |                /--[ ]( y )--[ ]( b )--( )( z )--+
-                                  ^^^^^^^^ info[redundant-element]: [ ]( y ) changes nothing here
+                                  ^^^^^^^^ warning[redundant-element]: [ ]( y ) changes nothing here
                 help: a wire in its place does the same: remove it, or correct the tag that was meant
             > |                /--[ ]( y )--[ ]( b )--( )( z )--+
                                                       ^^^^^^^^ info[order-sensitive]: the order of this network matters: with n > 5, y = 0, b = 1: `z` becomes 1, but 0 if all contacts were read first
@@ -279,4 +279,124 @@ fn master_control() {
     clean(
         "+--[ ]( a )--<MCR>--+\n\n+--[ ]( b )--<JMP>( x )--( )( y )--+\n\n+--<JMP>( x )--+\n\n+--( )( z )--+\n\n+--<LBL>( x )--( )( q )--+\n\n+--<MCR>--+\n",
     );
+}
+
+#[test]
+fn a_wire_leads_round() {
+    // From the rail, by one connector.
+    check(
+        "+--------------\\--[ ]( start )--( )( run )--+\n+--[ ]( aux )--/                            |\n",
+        expect![[r#"
+            > +--[ ]( aux )--/                            |
+                 ^^^^^^^^^^ warning[redundant-element]: [ ]( aux ) decides nothing: a wire leads round it
+                help: put a contact into the wire, or remove what it leads round
+                at 1:16 `\`: the wire joins the line again here
+        "#]],
+    );
+    check(
+        "+--[ ]( aux )--\\--[ ]( start )--( )( run )--+\n+--------------/                            |\n",
+        expect![[r#"
+            > +--[ ]( aux )--\--[ ]( start )--( )( run )--+
+                 ^^^^^^^^^^ warning[redundant-element]: [ ]( aux ) decides nothing: a wire leads round it
+                help: put a contact into the wire, or remove what it leads round
+                at 1:16 `\`: the wire joins the line again here
+        "#]],
+    );
+    // The power of one contact may come along both lines: no wire leads round it.
+    check(
+        "+--[ ]( b )--\\-------\\--( )( y )--+\n+--[ ]( a )--/-------/            |\n",
+        expect![[r#""#]],
+    );
+    // Round two lines, with a contact on each.
+    check(
+        "+--------------------------\\--( )( run )--+\n+--[ ]( a )--\\--[ ]( b )--/              |\n+--[ ]( c )--/                           |\n",
+        expect![[r#"
+            > +--[ ]( a )--\--[ ]( b )--/              |
+                 ^^^^^^^^ warning[redundant-element]: these contacts decide nothing: a wire leads round them
+                help: put a contact into the wire, or remove what it leads round
+                at 2:17 `[ ]( b )`: this decides nothing either
+                at 3:4 `[ ]( c )`: this decides nothing either
+                at 1:28 `\`: the wire joins the line again here
+        "#]],
+    );
+    // Through the line between.
+    check(
+        "+--\\--[ ]( a )----------------\\--( )( y )--+\n|  /--\\--[ ]( b )--\\--------/            |\n|     /-----------/                      |\n",
+        expect![[r#"
+            > +--\--[ ]( a )----------------\--( )( y )--+
+                    ^^^^^^^^ warning[redundant-element]: [ ]( a ) decides nothing: a wire leads round it
+                help: put a contact into the wire, or remove what it leads round
+                at 1:31 `\`: the wire joins the line again here
+            > |  /--\--[ ]( b )--\--------/            |
+                       ^^^^^^^^ warning[shorted-branch]: a bare wire beside [ ]( b ) shorts it: it decides nothing
+                help: put a contact into the wire beside it, or remove the branch
+        "#]],
+    );
+    // Behind a coil there is the same power.
+    check(
+        "+--[ ]( a )--\\--( )( x )--\\--( )( y )--+\n|            /--[ ]( b )--/            |\n",
+        expect![[r#"
+            > |            /--[ ]( b )--/            |
+                              ^^^^^^^^ warning[redundant-element]: [ ]( b ) decides nothing: a wire leads round it
+                help: put a contact into the wire, or remove what it leads round
+                at 1:27 `\`: the wire joins the line again here
+        "#]],
+    );
+    // One of the two still decides: its power goes elsewhere as well.
+    check(
+        "+--\\----------------------------\\--( )( y )--+\n|  /--[ ]( a )--\\--[ ]( b )----/            |\n|               /------------------( )( z )--+\n",
+        expect![[r#"
+            > |  /--[ ]( a )--\--[ ]( b )----/            |
+                                 ^^^^^^^^ warning[shorted-branch]: a bare wire beside [ ]( b ) shorts it: it decides nothing
+                help: put a contact into the wire beside it, or remove the branch
+        "#]],
+    );
+    // Power also comes in between: only what the wire leads round is told.
+    check(
+        "+--[ ]( p )--\\-----------------------------\\--( )( y )--+\n|            /--[ ]( a )--\\--[ ]( b )------/            |\n+--[ ]( q )---------------/                             |\n",
+        expect![[r#"
+            > |            /--[ ]( a )--\--[ ]( b )------/            |
+                              ^^^^^^^^ warning[redundant-element]: [ ]( a ) decides nothing: a wire leads round it
+                help: put a contact into the wire, or remove what it leads round
+                at 1:44 `\`: the wire joins the line again here
+        "#]],
+    );
+    // Larger than any table.
+    check(
+        "+--------------------------------------------------------------------------------------------------------\\--( )( y )--+\n\
+         +--[ ]( a1 )--[ ]( a2 )--[ ]( a3 )--[ ]( a4 )--[ ]( a5 )--[ ]( a6 )--[ ]( a7 )--[ ]( a8 )--[ ]( a9 )--\\--/            |\n\
+         +--[ ]( b1 )--[ ]( b2 )--[ ]( b3 )--[ ]( b4 )--[ ]( b5 )--[ ]( b6 )--[ ]( b7 )--[ ]( b8 )--[ ]( b9 )--/               |\n",
+        expect![[r#"
+            > +--[ ]( a1 )--[ ]( a2 )--[ ]( a3 )--[ ]( a4 )--[ ]( a5 )--[ ]( a6 )--[ ]( a7 )--[ ]( a8 )--[ ]( a9 )--\--/            |
+                 ^^^^^^^^^ warning[redundant-element]: these contacts decide nothing: a wire leads round them
+                help: put a contact into the wire, or remove what it leads round
+                at 2:15 `[ ]( a2 )`: this decides nothing either
+                at 2:26 `[ ]( a3 )`: this decides nothing either
+                at 2:37 `[ ]( a4 )`: this decides nothing either
+                at 2:48 `[ ]( a5 )`: this decides nothing either
+                at 2:59 `[ ]( a6 )`: this decides nothing either
+                at 2:70 `[ ]( a7 )`: this decides nothing either
+                at 2:81 `[ ]( a8 )`: this decides nothing either
+                at 2:92 `[ ]( a9 )`: this decides nothing either
+                at 3:4 `[ ]( b1 )`: this decides nothing either
+                at 3:15 `[ ]( b2 )`: this decides nothing either
+                at 3:26 `[ ]( b3 )`: this decides nothing either
+                at 3:37 `[ ]( b4 )`: this decides nothing either
+                at 3:48 `[ ]( b5 )`: this decides nothing either
+                at 3:59 `[ ]( b6 )`: this decides nothing either
+                at 3:70 `[ ]( b7 )`: this decides nothing either
+                at 3:81 `[ ]( b8 )`: this decides nothing either
+                at 3:92 `[ ]( b9 )`: this decides nothing either
+                at 1:106 `\`: the wire joins the line again here
+        "#]],
+    );
+    // Nothing leads round these.
+    clean("+--\\--[ ]( a )--\\--( )( y )--+\n|  /--[ ]( b )--/            |\n");
+    clean("+--[ ]( a )--\\--( )( y )--+\n+--[ ]( b )--/            |\n");
+    clean(
+        "+--[ ]( a )--\\--[ ]( b )-----\\--( )( y )--+\n|            /--[/]( x )--\\--/            |\n+--[ ]( c )---------------/--[ ]( d )--( )( z )--+\n",
+    );
+    // What remembers or inverts power is another thing.
+    clean("+--\\----------------\\--( )( y )--+\n|  /--[ ]( a )--[NOT]--/        |\n");
+    clean("+--\\------------------------\\--( )( y )--+\n|  /--[TON]( t, T#5s )--/                 |\n");
 }

@@ -70,7 +70,7 @@ fn coils_that_do_not_meet() {
             > +--[ ]( b --( )( y )--+
                     ^^^^ error[unclosed-block]: `( b` is not closed: `)` is missing
                 help: a block is closed on its own line
-                fix: Insert `)`
+                safe fix: Insert `)`
                   +--[ ]( b )--( )( y )--+
         "#]],
     );
@@ -227,7 +227,7 @@ fn uses_of_blocks() {
                  ^^^^^^^^^^^ error[wrong-shape]: the block is drawn [$Debounce], not ($Debounce)
                 help: a block keeps the brackets of its definition
                 at 1:16 `[$Debounce]`: it is defined here
-                fix: Replace with [$Debounce]
+                safe fix: Replace with [$Debounce]
                   +----------------------------------------[$Debounce]( a, T#20ms, y )--+
         "#]],
     );

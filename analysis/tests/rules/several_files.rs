@@ -1,6 +1,6 @@
 //! What the files of a workspace see of each other (LANGUAGE §4, §5.7).
 
-use crate::check::check_files;
+use crate::check::{check_files, check_workspace};
 use expect_test::expect;
 
 #[test]
@@ -162,7 +162,7 @@ VAR a, b : INT; t : TIME; END_VAR
             == main.clad
             > +--[$Scale]( t, 3, b, 4 )--+
                            ^ error[type-mismatch]: this is TIME, INT is expected here
-                help: convert it with [TYP]( result, value ) into a INT first
+                help: convert it with [TYP]( result, value ) into an INT first
             > +--[$Scale]( t, 3, b, 4 )--+
                                     ^ error[bad-arity]: [$Scale] takes 3 operands, 4 are given
                 help: it is written [$Scale]( raw, factor, scaled )
@@ -443,6 +443,119 @@ VAR x, y : BOOL; END_VAR
                                   ^^ error[duplicate-timer]: the timer `t1` has another block in a.clad: both would work on one TON
                 help: give one of the blocks a timer of its own; to use the timer elsewhere read `t1.Q`
                 at a.clad:2:21 `t1`: this is the other block
+        "#]],
+    );
+}
+
+#[test]
+fn globals_are_counted_over_all_files() {
+    check_workspace(
+        "\
+%% globals.clad
+VAR_GLOBAL
+    used, only_read, only_written, never_used : BOOL;
+    preset : INT := 5;
+    shown : DINT;
+END_VAR
+%% main.clad
+VAR_INPUT go : BOOL; END_VAR
+VAR_OUTPUT lamp : BOOL; END_VAR
+VAR_GLOBAL of_main, kept : BOOL; END_VAR
++--[ ]( go )--[GT]( preset, 3 )--( )( used )--( )( only_written )--( )( of_main )--+
++--[ ]( only_read )--[ ]( kept )--[ADD]( shown, shown, 1 )--( )( lamp )--+
+%% second.clad
+VAR_EXTERNAL kept : BOOL; END_VAR
+VAR_OUTPUT y : BOOL; END_VAR
++--[ ]( used )--( )( y )--( )( kept )--+
+",
+        expect![[r#"
+            == globals.clad
+            >     used, only_read, only_written, never_used : BOOL;
+                        ^^^^^^^^^ info[never-written]: the global `only_read` is read, and no file of the workspace writes it: it stays off
+                help: write it; or give it a value and declare it CONSTANT
+            >     used, only_read, only_written, never_used : BOOL;
+                                                 ^^^^^^^^^^ info[never-read]: the global `never_used` is declared, and no file of the workspace uses it
+                help: use it, or remove its declaration
+            == main.clad
+            > VAR_GLOBAL of_main, kept : BOOL; END_VAR
+                         ^^^^^^^ info[never-read]: the global `of_main` is written, and no file of the workspace reads it
+                help: read it where it is meant to act, or remove it
+        "#]],
+    );
+}
+
+#[test]
+fn what_cannot_be_read_may_use_anything() {
+    check_workspace(
+        "\
+%% globals.clad
+VAR_GLOBAL a, b, c, d : BOOL; END_VAR
+%% main.clad
+VAR_INPUT go : BOOL; END_VAR
+VAR_OUTPUT lamp : BOOL; END_VAR
++--[ ]( go )--( )( lamp )--<CALL>( f )--+
++--<FUN>( f )--( )( lamp )--+
++--<FUN>( g )--( )( lamp )--+
+%% broken.clad
++--[ ]( a )--? b --[TOM]( c )--<CALL>( g )--[$Other]( d )--+
+",
+        expect![[r#"
+            == broken.clad
+            > +--[ ]( a )--? b --[TOM]( c )--<CALL>( g )--[$Other]( d )--+
+                           ^^^ error[unexpected-character]: `? b` means nothing on a rung
+                help: a rung is drawn with - + | \ / and blocks; text stands in # comments #
+        "#]],
+    );
+}
+
+#[test]
+fn functions_are_counted_over_all_files() {
+    check_workspace(
+        "\
+%% library.clad
+VAR_OUTPUT y : BOOL; END_VAR
++--( )( y )--<CALL>( own )--+
++--<FUN>( own )--(S)( y )--+
++--<FUN>( called )--(R)( y )--+
++--<FUN>( idle )--(R)( y )--+
++--<FUN>( hidden )--(R)( y )--+
+%% functions_only.clad
++--<FUN>( for_others )--<RET>--+
+%% main.clad
+VAR_OUTPUT z : BOOL; END_VAR
++--( )( z )--<CALL>( CALLED )--<CALL>( hidden )--+
++--<FUN>( hidden )--(S)( z )--+
+",
+        expect![[r#"
+            == library.clad
+            > +--<FUN>( idle )--(R)( y )--+
+                        ^^^^ info[unused-function]: no file of the workspace calls the function `idle`
+                help: call it with <CALL>( idle ), or remove it
+            > +--<FUN>( hidden )--(R)( y )--+
+                        ^^^^^^ info[unused-function]: no file of the workspace calls the function `hidden`
+                help: call it with <CALL>( hidden ), or remove it
+        "#]],
+    );
+}
+
+#[test]
+fn a_global_of_several_files_is_told_once() {
+    check_workspace(
+        "\
+%% a.clad
+VAR_GLOBAL x : BOOL; END_VAR
+VAR_OUTPUT y : BOOL; END_VAR
++--( )( y )--( )( x )--+
+%% b.clad
+VAR_GLOBAL x : BOOL; END_VAR
+VAR_OUTPUT z : BOOL; END_VAR
++--( )( z )--+
+",
+        expect![[r#"
+            == a.clad
+            > VAR_GLOBAL x : BOOL; END_VAR
+                         ^ info[never-read]: the global `x` is written, and no file of the workspace reads it
+                help: read it where it is meant to act, or remove it
         "#]],
     );
 }

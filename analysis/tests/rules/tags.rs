@@ -45,7 +45,7 @@ fn read_and_written() {
     "#]],
     );
     clean_program(
-        "VAR RETAIN\n    total : DINT;\nEND_VAR\nVAR\n    speed AT %MW2 : INT;\nEND_VAR\nVAR_GLOBAL\n    shared : BOOL;\nEND_VAR\nVAR CONSTANT\n    LIMIT : INT := 5;\nEND_VAR\nVAR\n    limit_2 : INT := 7;\nEND_VAR\n\n+--[ ]( I1 )--[MOV]( total, 5 )--[MOV]( speed, LIMIT )--[GT]( speed, limit_2 )--( )( Q1 )--+\n",
+        "VAR RETAIN\n    total : DINT;\nEND_VAR\nVAR\n    speed AT %MW2 : INT;\nEND_VAR\nVAR_GLOBAL RETAIN\n    shared : BOOL;\nEND_VAR\nVAR CONSTANT\n    LIMIT : INT := 5;\nEND_VAR\nVAR\n    limit_2 : INT := 7;\nEND_VAR\n\n+--[ ]( I1 )--[MOV]( total, 5 )--[MOV]( speed, LIMIT )--[GT]( speed, limit_2 )--( )( Q1 )--+\n",
     );
     // No outputs: what the tags hold is what the program is for.
     clean_program("VAR\n    n : INT;\nEND_VAR\n+--[MOV]( n, 5 )--+\n");

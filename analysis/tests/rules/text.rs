@@ -11,7 +11,7 @@ fn first_part_that_is_not_closed() {
             > +--[TON( t, T#5s )--( )( y )--+
                  ^^^^ error[unclosed-block]: `[TON` is not closed: `]` is missing
                 help: a block is closed on its own line
-                fix: Insert `]`
+                safe fix: Insert `]`
                   +----------[TON]( t, T#5s )--( )( y )--+
         "#]],
     );
@@ -21,7 +21,7 @@ fn first_part_that_is_not_closed() {
             > +--[ ]( a )--<JMP( there )--+
                            ^^^^ error[unclosed-block]: `<JMP` is not closed: `>` is missing
                 help: a block is closed on its own line
-                fix: Insert `>`
+                safe fix: Insert `>`
                   +--[ ]( a )--<JMP>( there )--+
         "#]],
     );
@@ -31,7 +31,7 @@ fn first_part_that_is_not_closed() {
             > +--[ ]( a )--( ( y )--+
                            ^ error[unclosed-block]: `(` is not closed: `)` is missing
                 help: a block is closed on its own line
-                fix: Insert `)`
+                safe fix: Insert `)`
                   +--[ ]( a )------------------( )( y )--+
         "#]],
     );
@@ -55,7 +55,7 @@ fn operand_list_that_is_not_closed() {
             > +--[ ]( start --( )( y )--+
                     ^^^^^^^^ error[unclosed-block]: `( start` is not closed: `)` is missing
                 help: a block is closed on its own line
-                fix: Insert `)`
+                safe fix: Insert `)`
                   +--[ ]( start )--------------( )( y )--+
         "#]],
     );
@@ -65,7 +65,7 @@ fn operand_list_that_is_not_closed() {
             > +--[TON]( warmup, T#5s--( )( y )--+
                       ^^^^^^^^^^^^^^ error[unclosed-block]: `( warmup, T#5s` is not closed: `)` is missing
                 help: a block is closed on its own line
-                fix: Insert `)`
+                safe fix: Insert `)`
                   +-----[TON]( warmup, T#5s )--( )( y )--+
         "#]],
     );
@@ -85,7 +85,7 @@ fn operand_list_that_is_not_closed() {
             > +--[ ]( a )--( )( y
                               ^^^ error[unclosed-block]: `( y` is not closed: `)` is missing
                 help: a block is closed on its own line
-                fix: Insert `)`
+                safe fix: Insert `)`
                   +--[ ]( a )--( )( y )
         "#]],
     );
@@ -99,7 +99,7 @@ fn unclosed_block_brings_nothing_else() {
             > +--\--[ ]( a --\--( )( y )--+
                        ^^^^ error[unclosed-block]: `( a` is not closed: `)` is missing
                 help: a block is closed on its own line
-                fix: Insert `)`
+                safe fix: Insert `)`
                   +--\--[ ]( a )--\------------( )( y )--+
                   |  /--[ ]( b )--/                      |
         "#]],
@@ -181,12 +181,12 @@ fn stray_characters() {
             > +──[ ]( a )──( )( y )--+
                ^^ error[unexpected-character]: `──` means nothing on a rung
                 help: a drawing uses plain characters: write `--`
-                fix: Replace with `--`
+                safe fix: Replace with `--`
                   +--[ ]( a )──( )( y )--+
             > +──[ ]( a )──( )( y )--+
                          ^^ error[unexpected-character]: `──` means nothing on a rung
                 help: a drawing uses plain characters: write `--`
-                fix: Replace with `--`
+                safe fix: Replace with `--`
                   +──[ ]( a )--( )( y )--+
         "#]],
     );
@@ -234,7 +234,7 @@ fn blocks_that_touch() {
             > +--[ ]( a )[ ]( b )--( )( y )--+
                         ^^ warning[missing-wire]: two blocks touch without a wire between them
                 help: draw a `-` between them
-                fix: Insert wire
+                safe fix: Insert wire
                   +--[ ]( a )--[ ]( b )--------( )( y )--+
         "#]],
     );
@@ -244,31 +244,31 @@ fn blocks_that_touch() {
             > +--\[ ]( a )\--( )( y )+
                  ^^ warning[missing-wire]: `\` and a block touch without a wire between them
                 help: draw a `-` between them
-                fix: Insert wire
+                safe fix: Insert wire
                   +--\--[ ]( a )--\------------( )( y )--+
                   |  /--[ ]( b )--/                      |
             > +--\[ ]( a )\--( )( y )+
                          ^^ warning[missing-wire]: a block and `\` touch without a wire between them
                 help: draw a `-` between them
-                fix: Insert wire
+                safe fix: Insert wire
                   +--\--[ ]( a )--\------------( )( y )--+
                   |  /--[ ]( b )--/                      |
             > +--\[ ]( a )\--( )( y )+
                                     ^^ warning[missing-wire]: a block and `+` touch without a wire between them
                 help: draw a `-` between them
-                fix: Insert wire
+                safe fix: Insert wire
                   +--\--[ ]( a )--\------------( )( y )--+
                   |  /--[ ]( b )--/                      |
             > |  /[ ]( b )/           |
                  ^^ warning[missing-wire]: `/` and a block touch without a wire between them
                 help: draw a `-` between them
-                fix: Insert wire
+                safe fix: Insert wire
                   +--\--[ ]( a )--\------------( )( y )--+
                   |  /--[ ]( b )--/                      |
             > |  /[ ]( b )/           |
                          ^^ warning[missing-wire]: a block and `/` touch without a wire between them
                 help: draw a `-` between them
-                fix: Insert wire
+                safe fix: Insert wire
                   +--\--[ ]( a )--\------------( )( y )--+
                   |  /--[ ]( b )--/                      |
         "#]],
@@ -279,7 +279,7 @@ fn blocks_that_touch() {
             > +--[ ]( a )--[OSR]( )( y )--+
                                 ^^^^^^^^ error[missing-wire]: [OSR] takes the next parentheses as its operands: the wire between them is missing
                 help: [OSR] has no operands: keep a `-` behind it
-                fix: Insert wire behind [OSR]
+                safe fix: Insert wire behind [OSR]
                   +--[ ]( a )--[OSR]-----------( )( y )--+
         "#]],
     );
@@ -289,7 +289,7 @@ fn blocks_that_touch() {
             > +--[ ]( a )--[NOT] (S)( y )--+
                                  ^^^^^^^^ error[missing-wire]: [NOT] takes the next parentheses as its operands: the wire between them is missing
                 help: [NOT] has no operands: keep a `-` behind it
-                fix: Insert wire behind [NOT]
+                safe fix: Insert wire behind [NOT]
                   +--[ ]( a )--[NOT]-----------(S)( y )--+
         "#]],
     );
@@ -314,7 +314,7 @@ fn declarations_that_cannot_be_read() {
             >     c : INT
                          ^ error[bad-declaration]: `;` is missing here
                 help: every declaration ends with `;`
-                fix: Insert `;`
+                safe fix: Insert `;`
                       c : INT;
         "#]],
     );

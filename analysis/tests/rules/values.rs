@@ -78,12 +78,12 @@ fn signs() {
             > +--[CALC]( y, -x ^ 2.0 + -3.0 ^ 2.0 - ( -x ) ^ 2.0 - x ^ 2.0 )--+
                             ^^^^^^^^ info[ambiguous-sign]: the sign is taken before the power: -2 ^ 2 is 4 here, and -4 in mathematics
                 help: show with parentheses what is meant: (-a) ^ b, or -(a ^ b)
-                fix: Put parentheses around what it means now
+                safe fix: Put parentheses around what it means now
                   +-----------------[CALC]( y, (-x) ^ 2.0 + -3.0 ^ 2.0 - (-x) ^ 2.0 - x ^ 2.0 )--+
             > +--[CALC]( y, -x ^ 2.0 + -3.0 ^ 2.0 - ( -x ) ^ 2.0 - x ^ 2.0 )--+
                                        ^^^^^^^^^^ info[ambiguous-sign]: the sign is taken before the power: -2 ^ 2 is 4 here, and -4 in mathematics
                 help: show with parentheses what is meant: (-a) ^ b, or -(a ^ b)
-                fix: Put parentheses around what it means now
+                safe fix: Put parentheses around what it means now
                   +-----------------[CALC]( y, -x ^ 2.0 + (-3.0) ^ 2.0 - (-x) ^ 2.0 - x ^ 2.0 )--+
         "#]],
     );
@@ -97,20 +97,20 @@ fn spellings() {
             > +--[GRT]( n, 5 )--[equ]( n, 7 )--[R_TRIG]--( )( y )--+
                  ^^^^^ info[alternative-mnemonic]: [GRT] is another spelling of [GT]
                 help: one spelling for one instruction makes a program easy to search
-                fix: Write [GT]
+                safe fix: Write [GT]
                   +--[GT]( n, 5 )--[EQU]( n, 7 )--[R_TRIG]---------( )( y )--+
             > +--[GRT]( n, 5 )--[equ]( n, 7 )--[R_TRIG]--( )( y )--+
-                 ^^^^^^^^^^^^^ info[redundant-element]: [GT]( n, 5 ) changes nothing here
+                 ^^^^^^^^^^^^^ warning[redundant-element]: [GT]( n, 5 ) changes nothing here
                 help: a wire in its place does the same: remove it, or correct the tag that was meant
             > +--[GRT]( n, 5 )--[equ]( n, 7 )--[R_TRIG]--( )( y )--+
                                 ^^^^^ info[alternative-mnemonic]: [equ] is another spelling of [EQ]
                 help: one spelling for one instruction makes a program easy to search
-                fix: Write [EQ]
+                safe fix: Write [EQ]
                   +--[GRT]( n, 5 )--[EQ]( n, 7 )--[R_TRIG]---------( )( y )--+
             > +--[GRT]( n, 5 )--[equ]( n, 7 )--[R_TRIG]--( )( y )--+
                                                ^^^^^^^^ info[alternative-mnemonic]: [R_TRIG] is another spelling of [OSR]
                 help: one spelling for one instruction makes a program easy to search
-                fix: Write [OSR]
+                safe fix: Write [OSR]
                   +--[GRT]( n, 5 )--[EQU]( n, 7 )--[OSR]-----------( )( y )--+
         "#]],
     );
@@ -121,7 +121,7 @@ fn spellings() {
             > +--[$B]( a := p, y := q )--( )( r )--+
                                  ^^ info[result-arrow]: `y` is a result of [$B]: it is taken with `=>`
                 help: `:=` gives an operand, `=>` takes a result
-                fix: Replace `:=` with `=>`
+                safe fix: Replace `:=` with `=>`
                   +----[$B]( a := p, y => q )--( )( r )--+
         "#]],
     );
@@ -216,5 +216,74 @@ fn complex() {
           ^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^ info[complex-network]: this network has 17 conditions, more than 16
             help: give parts of it tags of their own, each on a rung above, with names that say what they mean
     "#]],
+    );
+}
+
+#[test]
+fn the_next_of_a_search_needs_an_index_that_is_free() {
+    let search = |first: i64| {
+        format!(
+            "VAR r : ARRAY[{first}..3] OF REAL; y : INT; n : BOOL; END_VAR\n\
+             +--[SEARCH]( y, EQ, 1.0, r[1..3], NEXT := n )--+\n+--[SEARCH]( y, EQ, 1.0, r[1..3] )--+\n"
+        )
+    };
+    check(
+        &search(-1),
+        expect![[r#"
+        > +--[SEARCH]( y, EQ, 1.0, r[1..3], NEXT := n )--+
+                                            ^^^^^^^^^ error[bad-operand]: `r` begins at -1: NEXT goes on behind the index in the result, where -1 says that nothing was found
+            help: let the array begin at 0 or 1
+    "#]],
+    );
+    clean(&search(0));
+}
+
+#[test]
+fn pi_is_for_expressions() {
+    check(
+        "VAR r : LREAL; END_VAR\n+--[MOV]( r, PI )--[GT]( PI, r )--[CALC]( r, PI * 2.0 )--+\n+--[ ]( Pi )--(S)( pi )--+\n",
+        expect![[r#"
+            > +--[MOV]( r, PI )--[GT]( PI, r )--[CALC]( r, PI * 2.0 )--+
+                           ^^ error[bad-operand]: PI is a number for the expressions of [CALC], no tag
+                help: compute with it there: [CALC]( result, PI * radius ), then use the result
+            > +--[MOV]( r, PI )--[GT]( PI, r )--[CALC]( r, PI * 2.0 )--+
+                                       ^^ error[bad-operand]: PI is a number for the expressions of [CALC], no tag
+                help: compute with it there: [CALC]( result, PI * radius ), then use the result
+            > +--[ ]( Pi )--(S)( pi )--+
+                      ^^ error[bad-operand]: PI is a number for the expressions of [CALC], no tag
+                help: compute with it there: [CALC]( result, PI * radius ), then use the result
+            > +--[ ]( Pi )--(S)( pi )--+
+                                 ^^ error[bad-operand]: PI is a number for the expressions of [CALC], no tag
+                help: compute with it there: [CALC]( result, PI * radius ), then use the result
+        "#]],
+    );
+}
+
+#[test]
+fn the_time_base_belongs_to_another_profile() {
+    check(
+        "+--[TON]( t, 5s, R := r, B := T#1s )--( )( y )--+\n",
+        expect![[r#"
+            > +--[TON]( t, 5s, R := r, B := T#1s )--( )( y )--+
+                                       ^^^^^^^^^ error[bad-operand]: [TON] has no operand `B` in the profile `iec`
+                help: leave it out, or say above the first network whose arithmetic the program has: # ladder: profile iot #
+        "#]],
+    );
+}
+
+#[test]
+fn what_is_no_address() {
+    check(
+        "VAR a : BOOL; END_VAR\n+--[ ]( %ZX0.1 )--[ ]( %Q0.1 )--[GT]( %IW, 3 )--[ ]( %IX0.9 )--[ ]( a )--( )( %mx )--+\n",
+        expect![[r#"
+            > +--[ ]( %ZX0.1 )--[ ]( %Q0.1 )--[GT]( %IW, 3 )--[ ]( %IX0.9 )--[ ]( a )--( )( %mx )--+
+                      ^^^^^^ error[bad-operand]: `%ZX0.1` is no address: write one like %IX0.0, %QW1 or %MD2
+            > +--[ ]( %ZX0.1 )--[ ]( %Q0.1 )--[GT]( %IW, 3 )--[ ]( %IX0.9 )--[ ]( a )--( )( %mx )--+
+                                     ^^^^^ error[bad-operand]: `%Q0.1` is no address: write one like %IX0.0, %QW1 or %MD2
+            > +--[ ]( %ZX0.1 )--[ ]( %Q0.1 )--[GT]( %IW, 3 )--[ ]( %IX0.9 )--[ ]( a )--( )( %mx )--+
+                                                    ^^^ error[bad-operand]: `%IW` is no address: write one like %IX0.0, %QW1 or %MD2
+            > +--[ ]( %ZX0.1 )--[ ]( %Q0.1 )--[GT]( %IW, 3 )--[ ]( %IX0.9 )--[ ]( a )--( )( %mx )--+
+                                                                                            ^^^ error[bad-operand]: `%mx` is no address: write one like %IX0.0, %QW1 or %MD2
+        "#]],
     );
 }

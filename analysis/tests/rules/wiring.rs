@@ -38,12 +38,12 @@ fn blank_cuts_the_wire() {
     check(
         "+--[ ]( a )--( )( y ) +\n",
         expect![[r#"
-        > +--[ ]( a )--( )( y ) +
-                               ^ error[open-wire]: the wire is cut here: no power can reach what stands behind
-            help: a blank or a `|` breaks a wire: draw it through with `-`
-            fix: Join the wire
-              +--[ ]( a )------------------( )( y )--+
-    "#]],
+            > +--[ ]( a )--( )( y ) +
+                                   ^ error[open-wire]: the wire is cut here: no power can reach what stands behind
+                help: a blank or a `|` breaks a wire: draw it through with `-`
+                safe fix: Join the wire
+                  +--[ ]( a )------------------( )( y )--+
+        "#]],
     );
     check(
         "+--\\--[ ]( a )--\\-----( )( y )--+\n|  /-- [ ]( b )--/            |\n",
@@ -51,7 +51,7 @@ fn blank_cuts_the_wire() {
             > |  /-- [ ]( b )--/            |
                     ^ error[open-wire]: the wire is cut here: no power can reach what stands behind
                 help: a blank or a `|` breaks a wire: draw it through with `-`
-                fix: Join the wire
+                safe fix: Join the wire
                   +--\--[ ]( a )--\------------( )( y )--+
                   |  /--[ ]( b )--/                      |
         "#]],
@@ -284,7 +284,7 @@ fn columns_that_mislead() {
                               ^ info[misleading-alignment]: the 2nd `\` stands above the 1st `/`, but pairs with the 2nd
                 help: connectors pair in their order from left to right, whatever their columns
                 at 2:30 `/`: this is its partner
-                fix: Put pairs into one column
+                safe fix: Put pairs into one column
                   +--\--[ ]( a )--\--[ ]( c )--\-------------------( )( y )--+
                   |  /--[ ]( b )--/--[ ]( d )--/                             |
         "#]],

@@ -1,5 +1,7 @@
 //! `ladder lsp`: the language server.
 
+#[cfg(not(feature = "server"))]
+use crate::features::Feature;
 use clap::Args;
 use std::path::PathBuf;
 use std::process::ExitCode;
@@ -8,12 +10,13 @@ const EXAMPLES: &str = "\
 Examples:
   ladder lsp                                    what an editor starts
   ladder lsp --mirror session.rec               the same, recorded
-  ladder lsp --replay session.rec > said.jsonl  what the server said, to compare";
+  ladder lsp --replay session.rec > said.jsonl  what the server said, to compare
+
+Exit status: 0 the editor said goodbye before it left, 1 it did not, 2 the arguments or a file cannot be used.";
 
 /// Run the language server over stdin and stdout
 ///
-/// Editors start this; it speaks the Language Server Protocol. The exit status is 0 if the editor said goodbye
-/// before it left, else 1.
+/// Editors start this; it speaks the Language Server Protocol.
 #[derive(Debug, Args)]
 #[command(after_help = EXAMPLES)]
 pub(crate) struct Arguments {
@@ -37,11 +40,17 @@ pub(crate) struct Arguments {
     _stdio: bool,
 }
 
+#[cfg(feature = "server")]
 pub(crate) fn run(arguments: &Arguments) -> ExitCode {
     match &arguments.replay {
         Some(recorded) => ladder_server::run_replay(recorded, arguments.speed),
         None => ladder_server::run_stdio(arguments.mirror.as_deref()),
     }
+}
+
+#[cfg(not(feature = "server"))]
+pub(crate) fn run(_: &Arguments) -> ExitCode {
+    crate::outcome::exit(Err(Feature::Server.left_out()))
 }
 
 fn factor(text: &str) -> Result<f64, String> {

@@ -1,10 +1,16 @@
 //! One module a command.
 
 pub(crate) mod check;
+#[cfg(feature = "pages")]
+pub(crate) mod completions;
+pub(crate) mod convert;
 pub(crate) mod explain;
 pub(crate) mod fmt;
-#[cfg(feature = "server")]
 pub(crate) mod lsp;
+#[cfg(feature = "pages")]
+pub(crate) mod man;
+#[cfg(feature = "pages")]
+mod pages;
 pub(crate) mod render;
 pub(crate) mod sim;
 pub(crate) mod test;

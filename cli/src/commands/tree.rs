@@ -8,11 +8,19 @@ use ladder_syntax::{NodeOrToken, Parse, parse};
 use std::io::{self, Write};
 use std::path::PathBuf;
 
+const EXAMPLES: &str = "\
+Examples:
+  ladder tree motor.clad                  the whole tree
+  ladder tree motor.clad | grep error     what the parser found wrong
+
+Exit status: 0 fine, 2 the file cannot be read.";
+
 /// Print the syntax tree of a program
 ///
 /// One line for each node and token, with its range in bytes; the mistakes that the parser found stand behind
 /// the tree. Every text has a tree, so the exit status is 0 whatever the text holds.
 #[derive(Debug, Args)]
+#[command(after_help = EXAMPLES)]
 pub(crate) struct Arguments {
     /// The program
     file: PathBuf,

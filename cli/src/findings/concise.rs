@@ -2,17 +2,18 @@
 
 use super::source::Source;
 use ladder_analysis::Diagnostic;
+use ladder_workspace::shown;
 
 /// `motor.clad:3:12: error[double-coil] message`
 pub(crate) fn line(source: &Source, finding: &Diagnostic) -> String {
     let place = source.place(finding.range.start());
     format!(
         "{}:{}:{}: {}[{}] {}",
-        source.file,
+        shown::line(&source.file),
         place.line,
         place.column,
         finding.severity.name(),
         finding.rule,
-        finding.message.replace(['\r', '\n'], " ")
+        shown::line(&finding.message)
     )
 }

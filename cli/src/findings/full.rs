@@ -1,10 +1,11 @@
 //! Findings for people: the lines with the place marked, what has to do with it, and what to do.
 
 use super::source::{Lines, Source};
-use annotate_snippets::{Annotation, AnnotationKind, Group, Level, Patch, Renderer, Snippet};
+use annotate_snippets::{Annotation, AnnotationKind, Group, Level, Origin, Patch, Renderer, Snippet};
 use ladder_analysis::Severity;
 use ladder_analysis::{Diagnostic, Fix, Related, fix};
 use ladder_syntax::{TextRange, TextSize};
+use ladder_workspace::shown;
 use std::borrow::Cow;
 use std::ops::Range;
 
@@ -19,7 +20,7 @@ pub(crate) fn render(source: &Source, finding: &Diagnostic, renderer: &Renderer)
         Severity::Info => Level::INFO,
     };
     let title = level
-        .primary_title(finding.message.as_str())
+        .primary_title(shown::line(&finding.message))
         .id(finding.rule.name());
     let mut group = Group::with_title(title);
     let (near, far) = near_and_far(source, finding);
@@ -29,12 +30,21 @@ pub(crate) fn render(source: &Source, finding: &Diagnostic, renderer: &Renderer)
             lines.join(source.lines(place.range))
         }),
     );
-    group = group.element(
-        excerpt
-            .snippet(source)
-            .annotation(AnnotationKind::Primary.span(excerpt.span(finding.range)))
-            .annotations(near.iter().map(|place| excerpt.mark(place))),
-    );
+    if excerpt.is_readable() {
+        group = group.element(
+            excerpt
+                .snippet(source)
+                .annotation(AnnotationKind::Primary.span(excerpt.span(finding.range)))
+                .annotations(near.iter().map(|place| excerpt.mark(place))),
+        );
+    } else {
+        group = group.element(origin(source, finding.range));
+        for place in &near {
+            group = group
+                .element(Level::NOTE.message(shown::line(&place.message)))
+                .element(origin(source, place.range));
+        }
+    }
     let others: Vec<Option<Source>> = far
         .iter()
         .map(|place| source.other(place.file.as_ref()?))
@@ -47,10 +57,16 @@ pub(crate) fn render(source: &Source, finding: &Diagnostic, renderer: &Renderer)
             (None, Some(_)) => continue,
         };
         let excerpt = Excerpt::of(source, source.lines(place.range));
-        group = group.element(excerpt.snippet(source).annotation(excerpt.mark(place)));
+        group = if excerpt.is_readable() {
+            group.element(excerpt.snippet(source).annotation(excerpt.mark(place)))
+        } else {
+            group
+                .element(Level::NOTE.message(shown::line(&place.message)))
+                .element(origin(source, place.range))
+        };
     }
     if let Some(help) = &finding.help {
-        group = group.element(Level::HELP.message(help.as_str()));
+        group = group.element(Level::HELP.message(shown::line(help)));
     }
     let mut report = vec![group];
     // The first is the best; editors offer the others too.
@@ -66,12 +82,27 @@ fn near_and_far<'d>(source: &Source, finding: &'d Diagnostic) -> (Vec<&'d Relate
         .partition(|place| place.file.is_none() && source.lines(place.range).distance(own) <= NEAR)
 }
 
+/// A place without an excerpt.
+fn origin(source: &Source, range: TextRange) -> Origin<'_> {
+    let place = source.place(range.start());
+    Origin::path(shown::line(&source.file))
+        .line(place.line as usize)
+        .char_column(place.column as usize)
+}
+
 /// In texts up to this length a fix is shown with the drawing laid out again: that reads the whole text for each.
 const SHORT: usize = 64 << 10;
 
+/// So many bytes are read again for the fixes of all findings together.
+const MOST_READ: usize = 4 << 20;
+
+/// Excerpts that are longer are not shown: nobody could see the place in them, and each is read as a whole.
+const LONGEST_EXCERPT: usize = 16 << 10;
+
 /// The lines as they would be.
 fn suggestion<'a>(source: &'a Source, fix: &'a Fix) -> Option<Group<'a>> {
-    let edits = if source.text.len() <= SHORT {
+    let findings = source.analyze().diagnostics.len();
+    let edits = if source.text.len() <= SHORT && source.text.len() * findings <= MOST_READ {
         fix::aligned(&source.text, fix, &source.format_options())
     } else {
         fix.edits.clone()
@@ -80,9 +111,12 @@ fn suggestion<'a>(source: &'a Source, fix: &'a Fix) -> Option<Group<'a>> {
     let excerpt = Excerpt::of(source, source.lines(whole));
     let patches = edits
         .into_iter()
-        .map(|edit| Patch::new(excerpt.span(edit.range), edit.text));
-    let snippet = excerpt.snippet(source).patches(patches);
-    Some(Level::HELP.secondary_title(fix.title.as_str()).element(snippet))
+        .map(|edit| Patch::new(excerpt.span(edit.range), shown::text(&edit.text).into_owned()));
+    let title = Level::HELP.secondary_title(shown::line(&fix.title));
+    if !excerpt.is_readable() {
+        return Some(Group::with_title(title));
+    }
+    Some(title.element(excerpt.snippet(source).patches(patches)))
 }
 
 /// Some lines of the text. Only they are given to the renderer: it reads all it is given, for each finding.
@@ -90,46 +124,74 @@ pub(super) struct Excerpt<'a> {
     text: Cow<'a, str>,
     start: TextSize,
     first_line: usize,
+    /// How many bytes longer than the source the text has become, behind each character that is written out.
+    grown: Vec<(usize, usize)>,
 }
 
 impl<'a> Excerpt<'a> {
     pub(super) fn of(source: &'a Source, lines: Lines) -> Excerpt<'a> {
         let (text, start) = source.excerpt(lines);
+        let (text, grown) = written_out(text);
         Excerpt {
             text,
             start,
             first_line: lines.first + 1,
+            grown,
         }
+    }
+
+    fn is_readable(&self) -> bool {
+        self.text.len() <= LONGEST_EXCERPT
     }
 
     pub(super) fn snippet<T: Clone>(&self, source: &'a Source) -> Snippet<'a, T> {
         Snippet::source(self.text.clone())
-            .path(source.file.as_str())
+            .path(shown::line(&source.file))
             .line_start(self.first_line)
     }
 
     fn mark<'d>(&self, place: &'d Related) -> Annotation<'d> {
         AnnotationKind::Context
             .span(self.span(place.range))
-            .label(place.message.as_str())
+            .label(shown::line(&place.message))
     }
 
     pub(super) fn span(&self, range: TextRange) -> Range<usize> {
         let within = |offset: TextSize| {
-            offset
-                .checked_sub(self.start)
-                .map_or(0, usize::from)
-                .min(self.text.len())
+            let offset = offset.checked_sub(self.start).map_or(0, usize::from);
+            let before = self.grown.partition_point(|(at, _)| *at <= offset);
+            let more = before.checked_sub(1).map_or(0, |last| self.grown[last].1);
+            (offset + more).min(self.text.len())
         };
         within(range.start())..within(range.end())
     }
+}
+
+/// The text with what a terminal obeys written out, and how much longer that makes it.
+fn written_out(text: Cow<'_, str>) -> (Cow<'_, str>, Vec<(usize, usize)>) {
+    if !text.contains(shown::is_obeyed) {
+        return (text, Vec::new());
+    }
+    let mut out = String::with_capacity(text.len() + 16);
+    let mut grown = Vec::new();
+    let mut rest = text.char_indices();
+    while let Some((at, c)) = rest.next() {
+        if shown::is_obeyed_in_text(c, rest.clone().next().map(|(_, next)| next)) {
+            out.push_str(&shown::escape(c));
+            let behind = at + c.len_utf8();
+            grown.push((behind, out.len() - behind));
+        } else {
+            out.push(c);
+        }
+    }
+    (Cow::Owned(out), grown)
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
     use expect_test::{Expect, expect};
-    use ladder_analysis::Rule;
+    use ladder_analysis::{Applicability, Rule};
 
     /// A finding at the first `«..»`, related places at the others; the marks are taken out of the text. A fix
     /// replaces the first place by `fix`.
@@ -148,7 +210,9 @@ mod tests {
             finding = finding.related(*place, "this has to do with it");
         }
         if let Some(fix) = fix {
-            finding = finding.help("do this").fix("Do it", places[0], fix);
+            finding = finding
+                .help("do this")
+                .fix(Applicability::Safe, "Do it", places[0], fix);
         }
         let source = Source::new("a.clad".to_owned(), text);
         expected.assert_eq(&(render(&source, &finding, &Renderer::plain()) + "\n"));
@@ -302,6 +366,45 @@ mod tests {
             2 | +--+
               |   ^
         "#]],
+        );
+    }
+
+    #[test]
+    fn a_very_long_line_is_not_shown() {
+        let text = format!("# {} # +--[ ]( «温度» )--( )( «b» )--+\n", "ü".repeat(9000));
+        check(
+            &text,
+            Some("t"),
+            expect![[r#"
+                error[duplicate-timer]: something is wrong here
+                --> a.clad:1:9014
+                 = note: this has to do with it
+                ::: a.clad:1:9025
+                 = help: do this
+                help: Do it
+            "#]],
+        );
+    }
+
+    #[test]
+    fn what_a_terminal_would_obey() {
+        check(
+            "# \u{1b}]0;x\u{7} # +--[ ]( «\u{9b}2Ja\u{202e}» )--+ #\u{2028}#\n",
+            Some("b\u{1b}[1m"),
+            expect![[r#"
+                error[duplicate-timer]: something is wrong here
+                 --> a.clad:1:29
+                  |
+                1 | # \u{1b}]0;x\u{7} # +--[ ]( \u{9b}2Ja\u{202e} )--+ #\u{2028}#
+                  |                             ^^^^^^^^^^^^^^^^^
+                  |
+                  = help: do this
+                help: Do it
+                  |
+                1 - # \u{1b}]0;x\u{7} # +--[ ]( \u{9b}2Ja\u{202e} )--+ #\u{2028}#
+                1 + # \u{1b}]0;x\u{7} # +--[ ]( b\u{1b}[1m )--+ #\u{2028}#
+                  |
+            "#]],
         );
     }
 

@@ -2,6 +2,7 @@
 
 use super::source::Source;
 use ladder_analysis::{Diagnostic, Severity};
+use ladder_workspace::shown;
 use std::fmt::Write;
 
 /// `::error file=motor.clad,line=3,...::message`
@@ -35,9 +36,12 @@ pub(crate) fn line(source: &Source, finding: &Diagnostic) -> String {
 }
 
 pub(crate) fn data(text: &str) -> String {
-    text.replace('%', "%25").replace('\r', "%0D").replace('\n', "%0A")
+    shown::text(text)
+        .replace('%', "%25")
+        .replace('\r', "%0D")
+        .replace('\n', "%0A")
 }
 
 pub(crate) fn property(text: &str) -> String {
-    data(text).replace(':', "%3A").replace(',', "%2C")
+    data(&shown::line(text)).replace(':', "%3A").replace(',', "%2C")
 }

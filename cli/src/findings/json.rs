@@ -34,6 +34,7 @@ struct RelatedPlace<'a> {
 #[derive(Serialize)]
 struct Mend<'a> {
     title: &'a str,
+    applicability: &'static str,
     edits: Vec<Change<'a>>,
 }
 
@@ -82,6 +83,7 @@ fn related<'a>(source: &'a Source, other: &'a Related) -> RelatedPlace<'a> {
 fn mend<'a>(source: &Source, fix: &'a Fix) -> Mend<'a> {
     Mend {
         title: &fix.title,
+        applicability: fix.applicability.name(),
         edits: fix
             .edits
             .iter()

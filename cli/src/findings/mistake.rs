@@ -3,7 +3,7 @@
 use super::source::Source;
 use annotate_snippets::{AnnotationKind, Group, Level, Renderer};
 use ladder_simulator::scenario::Mistake;
-use ladder_workspace::SettingsError;
+use ladder_workspace::{SettingsError, shown};
 
 /// What stands where the name of a rule would.
 pub(crate) const NAME: &str = "bad-scenario";
@@ -38,13 +38,14 @@ pub(crate) fn render(source: &Source, mistake: &Mistake, renderer: &Renderer) ->
 
 fn render_as(name: &str, source: &Source, mistake: &Mistake, renderer: &Renderer) -> String {
     let excerpt = super::full::Excerpt::of(source, source.lines(mistake.range));
-    let mut group = Group::with_title(Level::ERROR.primary_title(mistake.message.as_str()).id(name)).element(
-        excerpt
-            .snippet(source)
-            .annotation(AnnotationKind::Primary.span(excerpt.span(mistake.range))),
-    );
+    let mut group = Group::with_title(Level::ERROR.primary_title(shown::line(&mistake.message)).id(name))
+        .element(
+            excerpt
+                .snippet(source)
+                .annotation(AnnotationKind::Primary.span(excerpt.span(mistake.range))),
+        );
     if let Some(help) = &mistake.help {
-        group = group.element(Level::HELP.message(help.as_str()));
+        group = group.element(Level::HELP.message(shown::line(help)));
     }
     renderer.render(&[group])
 }

@@ -13,5 +13,5 @@ mod workspaces;
 
 pub(crate) use mistake::render_settings;
 pub(crate) use problem::{Place, Problem, annotation};
-pub(crate) use source::Source;
+pub(crate) use source::{Source, with_line_feeds};
 pub(crate) use workspaces::Workspaces;

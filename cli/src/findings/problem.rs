@@ -7,6 +7,7 @@ use crate::outcome::Outcome;
 use annotate_snippets::Renderer;
 use ladder_simulator::scenario::Mistake;
 use ladder_syntax::TextRange;
+use ladder_workspace::shown;
 use serde::Serialize;
 use serde_json::{Value, json};
 use std::fmt::Display;
@@ -85,7 +86,7 @@ impl Problem {
             place,
             rule: mistake::NAME,
             severity: "error",
-            shown: format!("error: {message}"),
+            shown: format!("error: {}", shown::line(&message)),
             message,
             help: None,
             outcome: Outcome::Failed,
@@ -97,7 +98,7 @@ impl Problem {
         let Place {
             file, line, column, ..
         } = &self.place;
-        let message = self.message.replace(['\r', '\n'], " ");
+        let (file, message) = (shown::line(file), shown::line(&self.message));
         format!(
             "{file}:{line}:{column}: {}[{}] {message}",
             self.severity, self.rule

@@ -81,6 +81,7 @@ fn mend(source: &Source, fix: &Fix) -> Value {
     });
     json!({
         "description": { "text": fix.title },
+        "properties": { "applicability": fix.applicability.name() },
         "artifactChanges": [{
             "artifactLocation": { "uri": uri(&source.file) },
             "replacements": replacements.collect::<Value>(),

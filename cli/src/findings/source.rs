@@ -3,7 +3,7 @@
 use ladder_analysis::program::{Location, Program};
 use ladder_analysis::{Analysis, NotWhole};
 use ladder_syntax::{LineColumn, LineIndex, TextRange, TextSize};
-use ladder_workspace::Workspace;
+use ladder_workspace::{Workspace, shown};
 use std::borrow::Cow;
 use std::path::Path;
 use std::sync::{Arc, OnceLock};
@@ -110,7 +110,7 @@ impl Source {
         };
         let source = elsewhere.as_ref().unwrap_or(self);
         let place = source.place(location.range.start());
-        format!("{}:{}:{}", source.file, place.line, place.column)
+        format!("{}:{}:{}", shown::line(&source.file), place.line, place.column)
     }
 
     pub(crate) fn place(&self, offset: TextSize) -> LineColumn {
@@ -175,7 +175,7 @@ impl Lines {
 
 /// Terminals, and the drawing of excerpts, do not know a lone CR as a line end. One byte stands for one byte, so
 /// that ranges stay true.
-fn with_line_feeds(text: &str) -> Cow<'_, str> {
+pub(crate) fn with_line_feeds(text: &str) -> Cow<'_, str> {
     let bytes = text.as_bytes();
     let lone = |at: usize| bytes[at] == b'\r' && bytes.get(at + 1) != Some(&b'\n');
     if !(0..bytes.len()).any(lone) {

@@ -1,7 +1,7 @@
 //! The workspaces of many files, each loaded once.
 
 use crate::outcome::Failure;
-use ladder_workspace::{Root, Workspace};
+use ladder_workspace::{Root, Workspace, shown};
 use rayon::prelude::*;
 use std::collections::HashMap;
 use std::path::{Path, PathBuf};
@@ -21,7 +21,7 @@ impl Workspaces {
     pub(crate) fn of(&mut self, file: &Path) -> Result<Option<Arc<Workspace>>, Failure> {
         let folder = match Root::of(file) {
             Ok(root) => root.folder().to_owned(),
-            Err(error) => return Err(Failure::new(format!("{}: {error}", file.display()))),
+            Err(error) => return Err(Failure::new(format!("{}: {error}", shown::path(file)))),
         };
         if let Some(loaded) = self.loaded.get(&folder) {
             return Ok(loaded.clone());

@@ -7,14 +7,21 @@ mod stimulus;
 mod table;
 
 pub(crate) use inputs::Inputs;
-pub(crate) use program::{place, program};
-pub(crate) use retention::Retention;
+pub(crate) use program::{place, program, show_errors};
+pub(crate) use retention::{KeptIn, Retention};
 pub(crate) use stimulus::Stimulus;
 
 use crate::findings::Source;
-use crate::outcome::Failure;
+use crate::outcome::{Failure, Outcome};
 use crate::terminal;
-use ladder_simulator::{Fault, Simulation};
+use ladder_simulator::{Fault, Simulation, Status};
+use ladder_workspace::shown;
+
+/// How many scans to run, as it stands on the command line.
+pub(crate) fn number_of_scans(text: &str) -> Result<u64, String> {
+    text.parse()
+        .map_err(|_| "write a whole number, such as 100".to_owned())
+}
 
 /// A program on its way through a number of scans.
 pub(crate) struct Run<'s> {
@@ -45,6 +52,14 @@ impl Run<'_> {
         ran
     }
 
+    /// How the run has ended: a fault that stopped it is a finding.
+    pub(crate) fn outcome(&self) -> Outcome {
+        match self.simulation.status() {
+            Status::Faulted => Outcome::Findings,
+            Status::Ready | Status::Ended => Outcome::Fine,
+        }
+    }
+
     /// What is left to do behind the last scan.
     ///
     /// # Errors
@@ -61,7 +76,8 @@ impl Run<'_> {
         let place = place(self.source, fault.location);
         terminal::plain(&format_args!(
             "{place}: fault in scan {}: {}",
-            fault.scan, fault.message
+            fault.scan,
+            shown::line(&fault.message)
         ));
     }
 }

@@ -5,6 +5,7 @@ use crate::terminal::{self, stderr_has_colours};
 use annotate_snippets::Renderer;
 use ladder_analysis::NotWhole;
 use ladder_analysis::program::{Location, Program};
+use ladder_workspace::shown;
 use std::sync::Arc;
 
 /// `motor.clad:3:12`
@@ -20,27 +21,33 @@ pub(crate) fn program(source: &Source) -> Option<Arc<Program>> {
     };
     match not_whole {
         NotWhole::Missing(file) => terminal::error(&format_args!(
-            "{}: {file}, which this program uses, cannot be read any more",
-            source.file
+            "{}: {}, which this program uses, cannot be read any more",
+            shown::line(&source.file),
+            shown::line(&file)
         )),
         NotWhole::Errors(file) => match source.other(&file) {
             Some(other) if source.analyze().name != file => {
-                errors(&other);
+                show_errors(&other);
                 terminal::error(&format_args!(
-                    "{}: this program uses {file}; a program with errors is not run",
-                    source.file
+                    "{}: this program uses {}; a program with errors is not run",
+                    shown::line(&source.file),
+                    shown::line(&file)
                 ));
             }
             _ => {
-                errors(source);
-                terminal::error(&format_args!("{}: a program with errors is not run", source.file));
+                show_errors(source);
+                terminal::error(&format_args!(
+                    "{}: a program with errors is not run",
+                    shown::line(&source.file)
+                ));
             }
         },
     }
     None
 }
 
-fn errors(source: &Source) {
+/// The errors of a program, on stderr.
+pub(crate) fn show_errors(source: &Source) {
     let renderer = if stderr_has_colours() {
         Renderer::styled()
     } else {

@@ -3,8 +3,17 @@
 use crate::outcome::Failure;
 use crate::terminal;
 use ladder_simulator::Simulation;
-use ladder_workspace::RetentiveFile;
+use ladder_workspace::{Named, RetentiveFile, shown};
 use std::path::Path;
+
+/// Which file keeps what is retentive.
+#[derive(Debug, Clone, Copy)]
+pub(crate) enum KeptIn<'a> {
+    /// One that the person named.
+    File(&'a Path),
+    /// One that the workspace names.
+    OfWorkspace(&'a Named),
+}
 
 /// The retentive file of a run.
 pub(crate) struct Retention {
@@ -16,20 +25,24 @@ impl Retention {
     /// stderr.
     ///
     /// # Errors
-    /// The file cannot be read.
+    /// The file cannot be used.
     pub(crate) fn begin(
-        file: &Path,
+        file: KeptIn,
         program: &Path,
         simulation: &mut Simulation,
     ) -> Result<Retention, Failure> {
         let name = program.file_name().unwrap_or_default().to_string_lossy();
-        let (opened, found) = RetentiveFile::open(file, &name)?;
+        let (opened, found) = match file {
+            KeptIn::File(file) => RetentiveFile::open(file, &name)?,
+            KeptIn::OfWorkspace(file) => RetentiveFile::open_named(file, &name)?,
+        };
         for note in &found.notes {
             terminal::warning(&note);
         }
         if let Some(kept) = found.kept {
             for complaint in simulation.warm_start(&kept) {
-                terminal::warning(&format_args!("{}: {complaint}", file.display()));
+                let file = shown::path(opened.path());
+                terminal::warning(&format_args!("{file}: {}", shown::line(&complaint)));
             }
         }
         Ok(Retention { file: opened })

@@ -2,6 +2,7 @@
 
 use super::inputs::Inputs;
 use crate::outcome::Failure;
+use crate::output::Existing;
 use clap::Args;
 use ladder_analysis::types::Scalar;
 use ladder_analysis::value::Value;
@@ -24,12 +25,21 @@ pub(crate) struct Stimulus {
     #[arg(long, value_name = "TAG=VALUE")]
     set: Vec<String>,
 
-    /// Hold a tag at a value during the whole run; may be given again
-    #[arg(long, value_name = "TAG=VALUE")]
+    /// Hold a tag at a value during the whole run; may be given again. Alone, behind everything else: replace the output
+    /// file, whatever it is
+    #[arg(long, value_name = "TAG=VALUE", num_args = 0..=1, default_missing_value = "")]
     force: Vec<String>,
 }
 
 impl Stimulus {
+    /// Whether anything is said about a run.
+    pub(crate) fn is_given(&self) -> bool {
+        self.dt.is_some()
+            || self.inputs.is_some()
+            || !self.set.is_empty()
+            || self.force.iter().any(|text| !text.is_empty())
+    }
+
     /// How the program of a file is run: as its workspace has it, unless the command line says otherwise.
     ///
     /// # Errors
@@ -40,6 +50,11 @@ impl Stimulus {
             interval: self.dt.unwrap_or(settings.interval),
             ..settings
         })
+    }
+
+    /// What is to become of an output file that is there: `--force` alone says it.
+    pub(crate) fn existing(&self) -> Existing {
+        Existing::by(self.force.iter().any(String::is_empty))
     }
 
     /// Sets and forces what is asked for before the first scan, and reads what is given later.
@@ -57,7 +72,7 @@ impl Stimulus {
                 .set(&point, value)
                 .map_err(|refused| Failure::new(format!("--set {text}: {refused}")))?;
         }
-        for text in &self.force {
+        for text in self.force.iter().filter(|text| !text.is_empty()) {
             let (point, value) = assignment("--force", text, simulation)?;
             simulation
                 .force(&point, value)

@@ -3,7 +3,7 @@
 use super::plant::Plant;
 use crate::findings::Source;
 use crate::outcome::Failure;
-use crate::run::{self, Retention, Stimulus};
+use crate::run::{self, KeptIn, Retention, Stimulus};
 use ladder_analysis::NotWhole;
 use ladder_analysis::program::{Program, Role};
 use ladder_analysis::types::Scalar;
@@ -39,7 +39,8 @@ pub(super) fn first(request: &Request) -> Result<Option<Plant>, Failure> {
     };
     // A batch run keeps nothing unless it is told to; here a person sits.
     let of_workspace = Settings::of(request.file)?.simulate.retain;
-    let retain = request.retain.or(of_workspace.as_deref());
+    let retain = request.retain.map(KeptIn::File);
+    let retain = retain.or(of_workspace.as_ref().map(KeptIn::OfWorkspace));
     plant(request, &source, program, retain).map(Some)
 }
 
@@ -90,7 +91,7 @@ fn plant(
     request: &Request,
     source: &Source,
     program: Arc<Program>,
-    retain: Option<&Path>,
+    retain: Option<KeptIn>,
 ) -> Result<Plant, Failure> {
     let options = request.stimulus.options(request.file)?;
     let history = Settings::of(request.file)?.simulate.history;

@@ -11,12 +11,18 @@
 //! - `plant` is all that the screen knows of the simulator.
 //! - `sheet` is the program on paper: what stands where. It is made once, so that a frame costs what it shows and
 //!   not what the program is long.
+//! - `fold` makes wide networks as narrow as the screen, where they have nothing but wire; `bands` says which lines belong
+//!   together there.
 //! - `draw` reads view and plant and writes characters; what no colour tells is told by a heavier line or a sign.
 //! - `guard` and `signals` give the terminal back as it was, however the screen ends.
 
 mod app;
+mod bands;
 mod columns;
 mod draw;
+mod fold;
+#[cfg(test)]
+mod fold_tests;
 mod guard;
 mod inputs;
 mod keys;
@@ -46,12 +52,14 @@ use crate::outcome::{Failure, Outcome};
 use crate::terminal::raw_stdout;
 use app::{App, Next};
 use guard::Guard;
+use ladder_simulator::Brake;
 use ratatui::Terminal;
 use ratatui::backend::CrosstermBackend;
 use ratatui::crossterm::event;
 use ratatui::layout::Rect;
 use signals::Signals;
 use std::io::{self, BufWriter, Stdout};
+use std::sync::Mutex;
 use std::time::{Duration, Instant};
 use theme::Theme;
 
@@ -96,6 +104,7 @@ fn show(app: &mut App, mut guard: Guard, signals: &Signals) -> io::Result<()> {
     let mut looked = before;
     let mut drawn: Option<Instant> = None;
     let mut changed = true;
+    let brake = brake(signals);
     while signals.ending().is_none() {
         let mut wait = match drawn {
             _ if changed => Duration::ZERO,
@@ -119,6 +128,7 @@ fn show(app: &mut App, mut guard: Guard, signals: &Signals) -> io::Result<()> {
             wait = Duration::ZERO;
         }
         let now = Instant::now();
+        app.plant.obey(&brake);
         changed |= app.pass(now - before, ROOM);
         before = now;
         app.plant.keep();
@@ -134,6 +144,23 @@ fn show(app: &mut App, mut guard: Guard, signals: &Signals) -> io::Result<()> {
     }
     drop(guard);
     Ok(())
+}
+
+/// Stops a scan that takes long when a key was pressed, or a signal came.
+fn brake(signals: &Signals) -> Brake {
+    let ending = signals.clone();
+    let looked = Mutex::new(Instant::now());
+    Brake::new(move || {
+        // A look at the terminal takes longer than a thousand blocks.
+        let Ok(mut looked) = looked.lock() else {
+            return false;
+        };
+        if looked.elapsed() < FRAME {
+            return false;
+        }
+        *looked = Instant::now();
+        ending.ending().is_some() || event::poll(Duration::ZERO).unwrap_or(false)
+    })
 }
 
 fn terminal() -> io::Result<Terminal<CrosstermBackend<BufWriter<Stdout>>>> {

@@ -68,8 +68,9 @@ fn click_diagram(view: &mut View, pane: Rect, at: Position, plant: &Plant) -> Ve
     if line >= sheet.height() {
         return Vec::new();
     }
-    let column = view.left + usize::from(at.x - pane.x);
-    let Some(offset) = columns::offset(sheet.line(line), column) else {
+    let window = sheet.window(line, sheet.folding(pane.width.into()), view.left);
+    let column = window.drawn_at(usize::from(at.x - pane.x));
+    let Some(offset) = column.and_then(|column| columns::offset(sheet.line(line), column)) else {
         return Vec::new();
     };
     let Some(index) = sheet.block_at(sheet.line_start(line) + offset) else {

@@ -60,7 +60,8 @@ pub(super) fn shown(text: &str, block: &Block, simulation: &Simulation) -> Vec<S
     let mut shown = Vec::new();
     for bound in &block.arguments {
         if let Argument::State(tag) = bound.argument {
-            shown.extend(progress(program, tag, simulation));
+            let preset = block.arguments.get(1).map(|preset| &text[preset.range]);
+            shown.extend(progress(program, tag, preset, simulation));
             continue;
         }
         let of_state =
@@ -80,7 +81,7 @@ pub(super) fn shown(text: &str, block: &Block, simulation: &Simulation) -> Vec<S
     shown
 }
 
-fn progress(program: &Program, tag: TagId, simulation: &Simulation) -> Option<Shown> {
+fn progress(program: &Program, tag: TagId, preset: Option<&str>, simulation: &Simulation) -> Option<Shown> {
     let tag = &program.tags[tag.0 as usize];
     let Type::State(state) = tag.ty else { return None };
     if tag.block.is_some() {
@@ -96,6 +97,17 @@ fn progress(program: &Program, tag: TagId, simulation: &Simulation) -> Option<Sh
         name: tag.name.clone(),
         reached: member(reached)?,
         goal: member(goal)?,
+        goal_width: goal_width(preset),
+    })
+}
+
+/// How wide a preset is shown: that of a literal is known.
+fn goal_width(preset: Option<&str>) -> usize {
+    let literal =
+        preset.filter(|preset| preset.starts_with(|c: char| c.is_ascii_digit()) || preset.contains('#'));
+    literal.map_or(3, |literal| {
+        let digits = literal.rsplit_once('#').map_or(literal, |(_, digits)| digits);
+        digits.chars().filter(|c| *c != '_').count()
     })
 }
 

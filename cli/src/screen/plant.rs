@@ -7,7 +7,7 @@ use crate::outcome::Failure;
 use crate::run::{Inputs, Retention};
 use ladder_analysis::program::Role;
 use ladder_analysis::value::Value;
-use ladder_simulator::{Breakpoint, Fault, Hit, Point, Session, Simulation, Status, Stepped, Stop};
+use ladder_simulator::{Brake, Breakpoint, Fault, Hit, Point, Session, Simulation, Status, Stepped, Stop};
 
 /// So many scans of the past are looked up when a tag is added to the watch list.
 const PAST: usize = 10_000;
@@ -103,6 +103,11 @@ impl Plant {
     /// Whether a scan was begun and is not finished.
     pub(super) fn is_open(&self) -> bool {
         self.session.is_open()
+    }
+
+    /// Gives up a scan that takes long when this says so: it is as if it had not been begun.
+    pub(super) fn obey(&mut self, brake: &Brake) {
+        self.session.set_brake(Some(brake.clone()));
     }
 
     /// Runs one scan, or the rest of the one that is open; breakpoints stop it.

@@ -2,12 +2,13 @@
 //!
 //! All of it is found once, when the program is loaded; drawing a screen then costs what the screen shows.
 
-use super::operands;
+use super::fold::{Band, Folding, Window};
+use super::{bands, operands};
 use crate::findings::Source;
 use ladder_analysis::program::{ElementKind, Location, Network, Program};
 use ladder_instructions::Instruction;
 use ladder_simulator::{Point, Simulation};
-use ladder_syntax::{SyntaxKind, TextRange};
+use ladder_syntax::{Parse, SyntaxKind, TextRange};
 use std::collections::HashMap;
 use std::ops::Range;
 
@@ -23,6 +24,8 @@ pub(super) struct Sheet {
     marks: Vec<Mark>,
     /// Where comments stand in the text.
     comments: Vec<Range<usize>>,
+    /// The lines that are folded and scrolled together, from top to bottom.
+    bands: Vec<Band>,
     /// What the world outside gives to the program.
     pub(super) inputs: Vec<Point>,
     /// Where each tag's blocks stand: indices into `blocks`, by the point's name.
@@ -87,6 +90,8 @@ pub(super) enum Shown {
         name: String,
         reached: Point,
         goal: Point,
+        /// How many columns the goal probably takes.
+        goal_width: usize,
     },
     /// A number, time or text.
     Value(Point),
@@ -96,6 +101,7 @@ impl Sheet {
     /// Draws up a program that is about to run.
     pub(super) fn new(source: &Source, simulation: &Simulation) -> Sheet {
         let program = simulation.program();
+        let parse = ladder_syntax::parse(&source.text);
         let lines = source.line_ranges().map(|range| Line {
             text: without_line_end(&source.text, range),
             ..Line::default()
@@ -106,7 +112,8 @@ impl Sheet {
             lines: lines.collect(),
             blocks: Vec::new(),
             marks: marks(simulation),
-            comments: comments(&source.text),
+            comments: comments(&parse),
+            bands: Vec::new(),
             inputs: inputs(simulation),
             uses: HashMap::new(),
         };
@@ -138,6 +145,7 @@ impl Sheet {
                 }
             }
         }
+        sheet.bands = bands::of(&sheet, &parse);
         sheet
     }
 
@@ -163,6 +171,29 @@ impl Sheet {
             }
             line.marks = first..last;
         }
+    }
+
+    /// What a pane of so many columns asks of all lines.
+    pub(super) fn folding(&self, pane: usize) -> Folding {
+        Folding::new(&self.bands, pane)
+    }
+
+    /// What a line is folded and scrolled with.
+    pub(super) fn band(&self, line: usize) -> &Band {
+        let behind = self.bands.partition_point(|band| band.lines.start <= line);
+        // The bands cover all lines.
+        &self.bands[behind.saturating_sub(1)]
+    }
+
+    /// What is seen of a line in a pane that is scrolled by `left` columns.
+    pub(super) fn window(&self, line: usize, folding: Folding, left: usize) -> Window {
+        folding.window(self.band(line), left)
+    }
+
+    /// The line that a place in the text stands on.
+    pub(super) fn line_at(&self, offset: usize) -> usize {
+        let behind = self.lines.partition_point(|line| line.text.start <= offset);
+        behind.saturating_sub(1)
     }
 
     /// How many lines it has.
@@ -251,10 +282,7 @@ impl Sheet {
             return None;
         }
         let offset = usize::from(location.range.start());
-        let line = self
-            .lines
-            .partition_point(|line| line.text.start <= offset)
-            .checked_sub(1)?;
+        let line = self.line_at(offset);
         let before = self.text.get(self.lines[line].text.start..offset)?;
         Some((line, before.chars().count() + 1))
     }
@@ -282,8 +310,7 @@ fn marks(simulation: &Simulation) -> Vec<Mark> {
     marks
 }
 
-fn comments(text: &str) -> Vec<Range<usize>> {
-    let parse = ladder_syntax::parse(text);
+fn comments(parse: &Parse) -> Vec<Range<usize>> {
     let tokens = parse.syntax().descendants_with_tokens();
     tokens
         .filter(|token| token.kind() == SyntaxKind::COMMENT)

@@ -22,6 +22,7 @@ const ENDING: [i32; 2] = [SIGINT, SIGTERM];
 const PATIENCE: Duration = Duration::from_secs(1);
 
 /// The signal that came, if one did.
+#[derive(Clone)]
 pub(super) struct Signals(Arc<AtomicUsize>);
 
 impl Signals {

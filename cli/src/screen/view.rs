@@ -17,8 +17,9 @@ pub(super) struct View {
     pub(super) area: Rect,
     /// The selected block, by its number on the sheet.
     pub(super) selected: usize,
-    /// The first line and column that are shown.
+    /// The first line that is shown.
     pub(super) top: usize,
+    /// How far what is too wide is scrolled.
     pub(super) left: usize,
     pub(super) running: bool,
     pub(super) speed: Speed,
@@ -158,18 +159,9 @@ impl View {
         self.show_line(block.line, pane.height as usize, &plant.sheet);
         let line = plant.sheet.line(block.line);
         let start = plant.sheet.line_start(block.line);
-        let (first, last) = (
-            columns::column(line, block.start - start),
-            columns::column(line, block.end - start),
-        );
-        let width = (pane.width as usize).max(1);
-        if last <= width {
-            self.left = 0;
-        } else if first < self.left {
-            self.left = first.saturating_sub(4);
-        } else if last > self.left + width {
-            self.left = (last + 4).saturating_sub(width).min(first);
-        }
+        let columns = columns::column(line, block.start - start)..columns::column(line, block.end - start);
+        let folding = plant.sheet.folding(pane.width.into());
+        self.left = folding.left_for(plant.sheet.band(block.line), self.left, &columns);
     }
 
     /// Brings a line into sight, with a line or two around it.
@@ -212,8 +204,11 @@ impl View {
     pub(super) fn scroll_sideways(&mut self, columns: isize, plant: &Plant) {
         let pane = self.panes(plant).diagram;
         let shown = self.top..(self.top + pane.height as usize).min(plant.sheet.height());
-        let widest = shown.map(|line| columns::width(plant.sheet.line(line))).max();
-        let most = widest.unwrap_or(0).saturating_sub(pane.width as usize / 2);
+        let folding = plant.sheet.folding(pane.width.into());
+        let most = shown
+            .map(|line| plant.sheet.window(line, folding, 0).most_left())
+            .max();
+        let most = most.unwrap_or(0);
         self.left = self.left.saturating_add_signed(columns).min(most);
     }
 }

@@ -27,6 +27,43 @@ fn a_missing_file() {
 }
 
 #[test]
+fn standard_input_where_it_is_not_read() {
+    let folder = Folder::with(&[]);
+    for command in [&["sim", "--scans", "1"][..], &["test"], &["render"], &["tree"]] {
+        folder.ladder(&[command, &["-"]].concat()).refused_with(
+            "-: no such file or folder; of standard input only `ladder check -` and `ladder fmt -` read a program",
+        );
+    }
+}
+
+#[test]
+fn scenarios_where_a_program_is_needed() {
+    let folder = Folder::with(&[("a.ladder-test", "program a.clad\n")]);
+    folder
+        .ladder(&["sim", "a.ladder-test", "--scans", "1"])
+        .refused_with(
+            "a.ladder-test: this file has scenarios, no program; `ladder test a.ladder-test` runs them",
+        );
+}
+
+#[test]
+fn values_that_are_no_values() {
+    let folder = Folder::with(&[("a.clad", MOTOR), ("a.ladder-test", "program a.clad\n")]);
+    for scans in ["many", "1.5", "-1", "1e9"] {
+        let run = folder.ladder(&["sim", "a.clad", "--scans", scans]);
+        assert_eq!(run.status, Some(2), "{run}");
+        assert!(run.stderr.contains("write a whole number, such as 100"), "{run}");
+    }
+    folder
+        .ladder(&["sim", "a.clad", "--scans", "1", "--watch", "run,,stop"])
+        .refused_with("--watch: a name is missing; write the tags as in --watch run,warmup.ET");
+    folder
+        .ladder(&["test", "a.ladder-test", "--coverage-output", "-"])
+        .refused_with("--coverage-output needs a file: stdout has the results");
+    assert_eq!(folder.names(), ["a.clad", "a.ladder-test"]);
+}
+
+#[test]
 fn a_file_that_is_not_utf_8() {
     let folder = Folder::with(&[]);
     let text = b"+--( )( a )--+\n# \xDCberlauf #\n";

@@ -101,10 +101,10 @@ fn a_fix_in_the_middle_of_a_network() {
               | ------------------------------- its partner `/` belongs onto this rung
               |
               = help: every `\` needs a `/` on the rung below: together they join the two lines
-            help: Replace `\` with wire
+            help: Close the branch with `/`
               |
-            1 ~ +--\--[ ]( a )---------------( )( y )--+
-            2 ~ |  /--[ ]( b )                         |
+            1 ~ +--\--[ ]( a )--\------------( )( y )--+
+            2 ~ |  /--[ ]( b )--/                      |
               |
 
             Checked 1 file: 1 error.
@@ -147,7 +147,7 @@ fn json() {
         [
           {"file":"a.clad","rule":"unknown-label","severity":"error","message":"there is no label `done` to jump to","line":1,"column":17,"end_line":1,"end_column":21,"help":"mark the network with <LBL>( done )"},
           {"file":"b.clad","rule":"duplicate-declaration","severity":"error","message":"`A` is declared twice","line":2,"column":8,"end_line":2,"end_column":9,"help":"remove one of the declarations, or give one tag another name; capitals do not tell names apart","related":[{"file":"b.clad","message":"`a` is first declared here","line":1,"column":5,"end_line":1,"end_column":6}]},
-          {"file":"c.clad","rule":"unknown-label","severity":"error","message":"there is no label `finish` to jump to","line":1,"column":25,"end_line":1,"end_column":31,"help":"did you mean `finsh`?","fix":{"title":"Jump to `finsh`","edits":[{"line":1,"column":25,"end_line":1,"end_column":31,"text":"finsh"}]}}
+          {"file":"c.clad","rule":"unknown-label","severity":"error","message":"there is no label `finish` to jump to","line":1,"column":25,"end_line":1,"end_column":31,"help":"did you mean `finsh`?","fix":{"title":"Jump to `finsh`","applicability":"unsafe","edits":[{"line":1,"column":25,"end_line":1,"end_column":31,"text":"finsh"}]}}
         ]
     "#]].assert_eq(&folder.ladder(&["check", "--format", "json", "."]).to_string());
 }

@@ -93,6 +93,75 @@ fn an_unknown_name_is_refused_with_what_was_meant() {
     explain("XIC").refused_with("no rule or instruction is called `XIC`; did you mean `[ ]` (open contact)?");
     explain("duoble-coil")
         .refused_with("no rule or instruction is called `duoble-coil`; did you mean `double-coil`?");
-    explain("blubber").refused_with("no rule or instruction is called `blubber`");
-    explain("").refused_with("no rule or instruction is called ``");
+    explain("blubber").refused_with("no rule or instruction is called `blubber`; `ladder explain` lists all");
+    explain("").refused_with("no rule or instruction is called ``; `ladder explain` lists all");
+}
+
+#[test]
+fn a_word_leads_to_what_it_stands_for() {
+    let folder = Folder::with(&[]);
+    let explain = |name: &str| folder.ladder(&["explain", name]).stderr;
+    expect![[r#"
+        error: no rule or instruction is called `timer`; did you mean `[TON]` (on-delay timer), `[TOF]` (off-delay timer), `[TP]` (pulse timer), `[RTO]` (retentive on-delay timer), `[RTOF]` (retentive off-delay timer) or `(RES)` (reset timer or counter)?
+        error: no rule or instruction is called `coil`; did you mean `( )` (coil), `(/)` (negated coil), `(S)` (set coil), `(R)` (reset coil), `(P)` (rising-edge coil) or `(N)` (falling-edge coil)?
+        error: no rule or instruction is called `contact`; did you mean `[ ]` (open contact), `[/]` (closed contact), `[P]` (rising-edge contact), `[N]` (falling-edge contact) or `contact-after-coil`?
+        error: no rule or instruction is called `counter`; did you mean `[CTU]` (up counter), `[CTD]` (down counter), `[CTUD]` (up-down counter), `[CTC]` (circular counter), `(RES)` (reset timer or counter) or `duplicate-counter`?
+        error: no rule or instruction is called `Latched`; did you mean `latched-power`?
+        error: no rule or instruction is called `edge`; did you mean `[P]` (rising-edge contact), `[N]` (falling-edge contact), `(P)` (rising-edge coil) or `(N)` (falling-edge coil)?
+    "#]].assert_eq(
+        &["timer", "coil", "contact", "counter", "Latched", "edge"]
+            .map(explain)
+            .concat(),
+    );
+}
+
+#[test]
+fn without_a_name_all_are_listed() {
+    let folder = Folder::with(&[]);
+    let run = folder.ladder(&["explain"]);
+    assert_eq!((run.status, run.stderr.as_str()), (Some(0), ""));
+    for rule in ladder_analysis::Rule::ALL {
+        assert!(
+            run.stdout.contains(&format!("\n  {rule} ")),
+            "{rule} is not listed"
+        );
+    }
+    for row in ladder_instructions::TABLE {
+        assert!(
+            run.stdout.contains(&format!("\n  {} ", row.block())),
+            "{} is not listed",
+            row.block()
+        );
+    }
+    expect_test::expect_file!["explain_list.txt"].assert_eq(&run.stdout);
+}
+
+/// The widest line of a page on a terminal of so many columns, but for drawings.
+fn widest(arguments: &[&str], columns: &str) -> usize {
+    let run = Folder::with(&[]).run(
+        env!("CARGO_BIN_EXE_ladder"),
+        arguments,
+        b"",
+        &[("COLUMNS", columns)],
+    );
+    let (text, _) = run.stdout.split_once("\nExample\n").unwrap_or((&run.stdout, ""));
+    let filled = text.lines().filter(|line| !line.starts_with("    "));
+    filled.map(|line| line.chars().count()).max().unwrap_or(0)
+}
+
+#[test]
+fn pages_are_as_wide_as_the_terminal() {
+    for page in [
+        &["explain"][..],
+        &["explain", "double-coil"],
+        &["explain", "CTU"],
+        &["explain", "PID"],
+    ] {
+        for columns in [60, 80, 100] {
+            let widest = widest(page, &columns.to_string());
+            assert!(widest <= columns, "{page:?}: {widest} of {columns} columns");
+        }
+    }
+    // Wider lines are hard to read.
+    assert!(widest(&["explain", "double-coil"], "200") <= 100);
 }

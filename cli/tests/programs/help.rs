@@ -3,14 +3,26 @@
 use crate::harness::Folder;
 use expect_test::expect_file;
 
+/// Every command of `ladder`.
+const COMMANDS: [&str; 10] = [
+    "check",
+    "fmt",
+    "sim",
+    "test",
+    "render",
+    "explain",
+    "lsp",
+    "tree",
+    "completions",
+    "man",
+];
+
 /// One file with every help text, so that a change of one is seen.
 #[test]
 fn help_texts() {
     let folder = Folder::with(&[]);
     let mut pages = String::new();
-    for command in [
-        "", "check", "fmt", "sim", "test", "render", "explain", "lsp", "tree",
-    ] {
+    for command in [""].into_iter().chain(COMMANDS) {
         let arguments: Vec<&str> = [command, "--help"]
             .into_iter()
             .filter(|a| !a.is_empty())
@@ -21,6 +33,62 @@ fn help_texts() {
     }
     pages.push_str(&format!("$ ldfmt --help\n{}", folder.ldfmt(&["--help"]).stdout));
     expect_file!["help.txt"].assert_eq(&pages);
+}
+
+/// Every way to ask for help gives the same text, and the short one names the same things.
+#[test]
+fn help_in_all_its_forms() {
+    let folder = Folder::with(&[]);
+    for command in COMMANDS {
+        let long = folder.ladder(&[command, "--help"]);
+        assert_eq!(
+            folder.ladder(&["help", command]).to_string(),
+            long.to_string(),
+            "{command}"
+        );
+        let short = folder.ladder(&[command, "-h"]);
+        assert_eq!(short.status, Some(0), "{command}");
+        let words = |text: &str| -> Vec<String> {
+            let flags = text
+                .split([' ', ',', '\n', '[', ']', '.'])
+                .filter(|word| word.starts_with("--"));
+            let mut flags: Vec<String> = flags.map(str::to_owned).collect();
+            flags.sort();
+            flags.dedup();
+            flags
+        };
+        let below =
+            |text: &str| text[text.find("Examples:").unwrap_or_else(|| panic!("{command}"))..].to_owned();
+        assert_eq!(below(&short.stdout), below(&long.stdout), "{command}");
+        let options =
+            |text: &str| words(&text[text.find("Options:").unwrap()..text.find("Examples:").unwrap()]);
+        for option in options(&short.stdout) {
+            assert!(options(&long.stdout).contains(&option), "{command} {option}");
+        }
+        assert!(short.stdout.contains("Exit status:"), "{command}");
+    }
+    assert_eq!(
+        folder.ladder(&["help"]).to_string(),
+        folder.ladder(&["--help"]).to_string()
+    );
+}
+
+/// Examples that are broken over lines cannot be read.
+#[test]
+fn examples_fit_on_a_terminal() {
+    let folder = Folder::with(&[]);
+    for command in COMMANDS {
+        let run = folder.run(
+            env!("CARGO_BIN_EXE_ladder"),
+            &[command, "-h"],
+            b"",
+            &[("COLUMNS", "500")],
+        );
+        let (_, examples) = run.stdout.split_once("Examples:\n").unwrap();
+        for line in examples.lines().take_while(|line| !line.is_empty()) {
+            assert!(line.chars().count() <= 80, "{line}");
+        }
+    }
 }
 
 #[test]
@@ -35,7 +103,8 @@ fn bad_arguments_exit_with_2() {
         &["fmt"],
         &["fmt", "--range", "3", "a.clad"],
         &["sim", "a.clad", "--scans", "many"],
-        &["explain"],
+        &["help", "chekc"],
+        &["completions"],
     ] {
         let run = folder.ladder(arguments);
         assert_eq!(run.status, Some(2), "{arguments:?}");

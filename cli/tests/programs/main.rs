@@ -4,6 +4,10 @@
 mod bad_input;
 mod check;
 mod check_formats;
+mod check_stdin;
+mod check_watch;
+mod convert;
+mod escapes;
 mod explain;
 mod fmt;
 mod harness;
@@ -11,7 +15,12 @@ mod help;
 mod lsp;
 mod lsp_ending;
 mod lsp_recording;
+mod outside;
+mod pages;
 mod render;
+#[cfg(feature = "pdf")]
+mod render_pdf;
+mod replacing;
 mod retain;
 mod scenario_formats;
 mod scenarios;

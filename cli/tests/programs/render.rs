@@ -35,13 +35,122 @@ fn a_run_shows_power_and_values() {
     assert!(!at_rest.stdout.contains(r#"class="live""#));
 }
 
+/// The texts of a picture.
+fn texts(picture: &str) -> Vec<&str> {
+    let texts = picture.lines().filter(|line| line.starts_with("<text"));
+    texts
+        .filter_map(|line| line.strip_suffix("</text>")?.rsplit('>').next())
+        .collect()
+}
+
+#[test]
+fn a_run_shows_the_values_of_every_type() {
+    let program = "+--[ ]( a )--[/]( b )--[TON]( t, T#5s, R := b )--( )( y )--+\n\
+                   +--[ADD]( n, n, 1 )--[GT]( n, 2 )--[ ]( t.Q )--[ ]( bits[1..2] )--+\n";
+    let program =
+        format!("VAR a, b, y : BOOL; t : TON; n : INT; bits : ARRAY[1..2] OF BOOL; END_VAR\n{program}");
+    let folder = Folder::with(&[("values.clad", &program)]);
+    let run = folder.ladder(&["render", "values.clad", "--scans", "3", "--set", "a=1"]);
+    assert_eq!(run.status, Some(0), "{run}");
+    expect![[r#"
+        a
+        = 1
+        b
+        = 0
+        t
+        = T#20ms
+        TON
+        IN
+        Q
+        PT
+        T#5s
+        R
+        b
+        = 0
+        y
+        = 0
+        ADD
+        EN
+        ENO
+        y ←
+        n
+        = 3
+        a
+        n
+        = 3
+        b
+        1
+        &gt;
+        n
+        = 3
+        2
+        t.Q
+        = 0
+        bits[1..2]"#]]
+    .assert_eq(&texts(&run.stdout).join("\n"));
+}
+
+#[test]
+fn a_fault_that_stops_the_run_is_a_finding() {
+    let endless = "+--<LBL>( again )--[ ]( a )--( )( y )--+\n+--<JMP>( again )--+\n";
+    let folder = Folder::with(&[("endless.clad", endless)]);
+    let run = folder.ladder(&["render", "endless.clad", "--scans", "3", "-o", "endless.svg"]);
+    assert_eq!(run.status, Some(1), "{run}");
+    assert!(run.stderr.contains("fault in scan 0"), "{run}");
+    assert!(folder.read("endless.svg").starts_with("<svg "));
+}
+
+#[test]
+fn what_cannot_be_done_is_said_and_nothing_is_written() {
+    let folder = Folder::with(&[("motor.clad", MOTOR), ("there/x", "")]);
+    let said = |arguments: &[&str]| {
+        let run = folder.ladder(&[&["render"], arguments].concat());
+        assert_eq!((run.status, run.stdout.as_str()), (Some(2), ""), "{run}");
+        format!("{}\n", run.stderr.trim_end())
+    };
+    let all = [
+        said(&["missing.clad"]),
+        said(&["there"]),
+        said(&["motor.clad", "-o", "there", "--format", "svg"]),
+        said(&["motor.clad", "-o", "motor"]),
+        said(&["motor.clad", "-o", "motor.svg", "--scale", "3"]),
+        said(&["motor.clad", "-o", "motor.svg", "--paper", "a4"]),
+        said(&["motor.clad", "-o", "motor.png", "--landscape"]),
+        said(&["motor.clad", "-o", "motor.pdf", "--scale", "3"]),
+        said(&["motor.clad", "--set", "start=1"]),
+        said(&["motor.clad", "--scans", "1", "--set", "begin=1"]),
+        said(&["motor.clad", "--scans", "1", "--set", "start=maybe"]),
+        said(&["motor.clad", "--scans", "1", "--inputs", "missing.csv"]),
+    ];
+    expect![[r#"
+        error: missing.clad: no such file or folder
+        error: there: this is a folder; name a file in it
+        error: there: this is a folder; name a file in it
+        error: motor: the name does not say which picture it is; end it in .svg, .png or .pdf, or add --format
+        error: --scale is about the pixels of a PNG; other pictures are as large as they are shown
+        error: --paper, --landscape and --title are about the pages of a PDF; end the file's name in .pdf
+        error: --paper, --landscape and --title are about the pages of a PDF; end the file's name in .pdf
+        error: --scale is about the pixels of a PNG; other pictures are as large as they are shown
+        error: --dt, --inputs, --set and --force are about a run; add the number of scans, for example --scans 1
+        error: --set begin=1: there is no tag `begin` in this program
+        error: --set start=maybe: `maybe` is no value for a BOOL: write 0, 1, TRUE or FALSE
+        error: missing.csv: no such file or folder
+    "#]]
+    .assert_eq(&all.concat());
+    let nowhere = said(&["motor.clad", "-o", "missing/motor.svg"]);
+    assert!(
+        nowhere.starts_with("error: missing/motor.svg: cannot be written"),
+        "{nowhere}"
+    );
+}
+
 #[test]
 fn a_name_that_says_no_kind_of_picture() {
     let folder = Folder::with(&[("motor.clad", MOTOR)]);
     expect![[r#"
         exit status 2
         -- stderr
-        error: motor.jpg: the name does not say which picture it is; end it in .svg or .png, or add --format
+        error: motor.jpg: the name does not say which picture it is; end it in .svg, .png or .pdf, or add --format
     "#]]
     .assert_eq(
         &folder
@@ -54,8 +163,15 @@ fn a_name_that_says_no_kind_of_picture() {
 fn a_program_with_errors_is_drawn_but_not_run() {
     let folder = Folder::with(&[("wrong.clad", "+--[ ]( a --( )( b )--+\n")]);
     let drawn = folder.ladder(&["render", "wrong.clad"]);
-    assert_eq!(drawn.status, Some(0));
+    assert_eq!(drawn.status, Some(1));
     assert!(drawn.stdout.contains("+--[ ]( a --( )( b )--+"), "{drawn}");
+    assert!(drawn.stderr.contains("error[unclosed-block]"), "{drawn}");
+    assert!(
+        drawn
+            .stderr
+            .ends_with("error: wrong.clad: drawn as far as it goes; the program has errors\n"),
+        "{drawn}"
+    );
     let run = folder.ladder(&["render", "wrong.clad", "--scans", "1"]);
     assert_eq!(run.status, Some(1), "{run}");
     assert!(run.stdout.is_empty());

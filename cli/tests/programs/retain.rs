@@ -62,8 +62,8 @@ fn a_second_run_goes_on_where_the_first_ended() {
         ladder-retain 1
         program pump.clad
         starts	INT	2
-        hours	RTO	1	0	0	1	360000000000000	50000000	-10000000	0
-        end bb45b24a
+        hours	RTO	1	0	0	1	360000000000000	50000000	-10000000
+        end 0d20d807
     "#]]
     .assert_eq(&folder.read("pump.retain"));
     assert_eq!(folder.names(), ["pump.clad", "pump.retain"]);

@@ -98,6 +98,7 @@ fn a_failed_scenario_is_drawn() {
 #[test]
 fn folders_are_searched_and_gitignore_is_obeyed() {
     let folder = Folder::with(&[
+        ("plant/ladder.toml", ""),
         ("plant/motor.clad", MOTOR),
         ("plant/motor.ladder-test", PASSES),
         (

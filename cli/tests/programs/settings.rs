@@ -38,7 +38,7 @@ fn fixes_are_laid_out_as_the_workspace_asks() {
     let laid_out = "+-[ ]( a )-----[TON]( t, 5s )-( )( y )-+\n";
     let shown = folder.ladder(&["check", "sub/a.clad"]).stdout;
     assert!(shown.contains(laid_out), "{shown}");
-    folder.ladder(&["check", "--fix", "sub/a.clad"]);
+    folder.ladder(&["check", "--fix", "--unsafe-fixes", "sub/a.clad"]);
     assert_eq!(folder.read("sub/a.clad"), laid_out);
 }
 

@@ -169,7 +169,7 @@ fn a_diagram_shows_the_power_after_the_last_scan() {
 
 #[test]
 fn the_output_goes_to_a_file() {
-    let folder = Folder::with(&[("motor.clad", MOTOR), ("out.csv", "old")]);
+    let folder = Folder::with(&[("motor.clad", MOTOR), ("out.csv", "scan,time_ms\n9,90\n")]);
     let run = folder.ladder(&["sim", "motor.clad", "--scans", "1", "-o", "out.csv"]);
     assert_eq!(run.to_string(), "exit status 0\n");
     assert_eq!(folder.read("out.csv"), "scan,time_ms,run,start,stop\n0,0,0,0,0\n");
@@ -342,7 +342,7 @@ fn a_broken_csv_is_refused_with_row_and_column() {
         ),
         (
             "go,speed\n1,5\n0,fast\n",
-            "in.csv: row 1 (line 3), column `speed`: `fast` is no value for a INT: write a whole number as in 42 or 16#FF",
+            "in.csv: row 1 (line 3), column `speed`: `fast` is no value for an INT: write a whole number as in 42 or 16#FF",
         ),
         (
             "go,speed\n1,5\n\n0\n",

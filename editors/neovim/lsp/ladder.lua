@@ -1,6 +1,6 @@
 -- What `vim.lsp.enable('ladder')` starts. Change parts of it with `vim.lsp.config('ladder', { ... })`.
 return {
-  cmd = { 'ladder', 'lsp' },
+  cmd = { require('ladder.program').command('ladder'), 'lsp' },
   filetypes = { 'clad', 'laddertest', 'toml' },
   -- Of all files in TOML only ladder.toml is the server's. A program without a project gets a server too.
   root_dir = function(bufnr, attach)

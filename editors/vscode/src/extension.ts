@@ -29,6 +29,7 @@ export async function activate(context: vscode.ExtensionContext): Promise<Api> {
         showFaults(simulation),
         showStatus(simulation),
         showTags(simulation),
+        vscode.workspace.onDidGrantWorkspaceTrust(() => server?.start()),
         vscode.workspace.onDidChangeConfiguration((event) => {
             if (event.affectsConfiguration('ladder.server.path')) {
                 void server?.restart();

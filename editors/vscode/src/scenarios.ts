@@ -7,7 +7,15 @@ const NAME = 'Ladder Scenarios';
  * Saves a file of scenarios, that of the active editor if none is named, and runs `ladder test` on it. The shell is
  * passed by: nothing needs quotes.
  */
-export async function runScenarios(program: string, uri?: string): Promise<void> {
+export async function runScenarios(program: string | undefined, uri?: string): Promise<void> {
+    if (program === undefined) {
+        void vscode.window.showWarningMessage(
+            vscode.workspace.isTrusted
+                ? 'Ladder: there is no program "ladder"; the log says more ("Ladder: Show Log").'
+                : 'Ladder: nothing is run in a workspace that is not trusted.',
+        );
+        return;
+    }
     const document =
         uri === undefined
             ? vscode.window.activeTextEditor?.document
@@ -17,7 +25,7 @@ export async function runScenarios(program: string, uri?: string): Promise<void>
     }
     await document.save();
     const folder = vscode.workspace.getWorkspaceFolder(document.uri);
-    const execution = new vscode.ProcessExecution(program, ['test', document.uri.fsPath]);
+    const execution = new vscode.ProcessExecution(program, ['test', '--', document.uri.fsPath]);
     const task = new vscode.Task(
         { type: 'process' },
         folder ?? vscode.TaskScope.Workspace,

@@ -21,7 +21,7 @@ function isFile(path: string): boolean {
 /** @returns why the program does not run, or undefined if it does */
 async function whyNot(path: string): Promise<string | undefined> {
     try {
-        await execute(path, ['--version'], { timeout: 5000 });
+        await execute(path, ['--version'], { timeout: 5000, cwd: homedir() });
         return undefined;
     } catch (error) {
         return error instanceof Error ? error.message : String(error);
@@ -50,28 +50,37 @@ export class Server implements vscode.Disposable {
             extensionPath: this.#extensionPath,
             home: homedir(),
             platform: process.platform,
+            searchPath: process.env['PATH'] ?? '',
+            folders: (vscode.workspace.workspaceFolders ?? []).map(({ uri }) => uri.fsPath),
             isFile,
         });
     }
 
-    /** The program `ladder`. */
-    program(): string {
-        return this.#place().path;
+    /** The program `ladder`; none if there is none, or if nothing may be run here. */
+    program(): string | undefined {
+        return vscode.workspace.isTrusted ? this.#place().path : undefined;
     }
 
+    /** Starts the server. In a workspace that the user does not trust nothing is started, until that changes. */
     async start(): Promise<void> {
-        const place = this.#place();
-        const reason = await whyNot(place.path);
-        if (reason !== undefined) {
-            this.log.error(`${place.path}: ${reason}`);
-            void this.#tellMissing(place, reason);
+        if (!vscode.workspace.isTrusted) {
+            this.log.info('This workspace is not trusted: no program is started, and nothing is written.');
             return;
         }
-        this.log.info(`Starting ${place.path} (from the ${place.from})`);
+        const place = this.#place();
+        const path = place.path;
+        const reason = path === undefined ? 'there is no such program' : await whyNot(path);
+        if (path === undefined || reason !== undefined) {
+            this.log.error(`${path ?? 'ladder'}: ${reason}`);
+            void this.#tellMissing(place, reason ?? '');
+            return;
+        }
+        this.log.info(`Starting ${path} (from the ${place.from})`);
         const client = new LanguageClient(
             'ladder',
             'Ladder',
-            { command: place.path, args: ['lsp'] },
+            // Not in the folder that is open, where Windows would look for libraries.
+            { command: path, args: ['lsp'], options: { cwd: homedir() } },
             {
                 // Settings and files on disk the server asks for by itself.
                 documentSelector: [{ language: 'clad' }, { language: 'ladder-test' }, { pattern: '**/ladder.toml' }],
@@ -103,6 +112,9 @@ export class Server implements vscode.Disposable {
 
     readonly simulate: Send = async (name, argument) => {
         if (!this.#client) {
+            if (!vscode.workspace.isTrusted) {
+                throw new Error('nothing is run in a workspace that is not trusted.');
+            }
             throw new Error('the language server does not run; the log says why ("Ladder: Show Log").');
         }
         return this.#client.sendRequest('workspace/executeCommand', {

@@ -18,7 +18,7 @@ test('menus and the welcome text name commands that exist', () => {
     const menus = Object.values(manifest.contributes.menus as Record<string, { command: string }[]>).flat();
     const welcome = [...JSON.stringify(manifest.contributes.viewsWelcome).matchAll(/command:([.\w]+)/g)];
     for (const command of [...menus.map(({ command }) => command), ...welcome.map(([, command]) => command)]) {
-        assert.ok(declared.has(command), command);
+        assert.ok(declared.has(command) || command?.startsWith('workbench.'), command);
     }
 });
 
@@ -29,6 +29,25 @@ test('settings that the code reads are declared', () => {
     for (const name of manifest.capabilities.untrustedWorkspaces.restrictedConfigurations) {
         assert.ok(declared.includes(name), name);
     }
+});
+
+test('an untrusted workspace runs nothing', () => {
+    const { supported, restrictedConfigurations } = manifest.capabilities.untrustedWorkspaces;
+    assert.equal(supported, 'limited');
+    assert.ok(restrictedConfigurations.includes('ladder.server.path'));
+    // A workspace says which program is started as little as it starts one.
+    const { scope } = manifest.contributes.configuration[0].properties['ladder.server.path'];
+    assert.equal(scope, 'machine');
+    const start = /async start\(\)[^{]*\{\s*if \(!vscode\.workspace\.isTrusted\) \{[^}]*return;/;
+    assert.match(read('src/server.ts'), start);
+    const commands = manifest.contributes.commands as { command: string; enablement?: string }[];
+    for (const { command, enablement } of commands) {
+        if (command === 'ladder.simulation.start' || command === 'ladder.test') {
+            assert.match(enablement ?? '', /&& isWorkspaceTrusted$/);
+        }
+    }
+    // Every program is named by its whole path, and started from a folder that is nobody's workspace.
+    assert.doesNotMatch(read('src/server.ts'), /command: '/);
 });
 
 test('the server gets programs, scenarios and ladder.toml, and no other file in TOML', () => {

@@ -4,25 +4,62 @@ import { test } from 'node:test';
 import { cannotStart, findServer, type Surroundings } from '../src/serverPath.ts';
 
 function find(changes: Partial<Surroundings>) {
-    return findServer({ setting: '', extensionPath: '/ext', home: '/home/me', platform: 'linux', isFile: () => false, ...changes });
+    return findServer({
+        setting: '',
+        extensionPath: '/ext',
+        home: '/home/me',
+        platform: 'linux',
+        searchPath: '/usr/bin:/bin',
+        folders: ['/plant'],
+        isFile: () => false,
+        ...changes,
+    });
+}
+
+function among(...files: string[]) {
+    return (path: string) => files.includes(path);
 }
 
 test('the setting goes first, even if it names nothing', () => {
     assert.deepEqual(find({ setting: '/opt/ladder', isFile: () => true }), { path: '/opt/ladder', from: 'setting' });
     assert.deepEqual(find({ setting: ' ~/bin/ladder ' }), { path: '/home/me/bin/ladder', from: 'setting' });
+    const isFile = among('/bin/ladder-2');
+    assert.equal(find({ setting: 'ladder-2', isFile }).path, '/bin/ladder-2');
+});
+
+test('a setting that is seen from a folder is no program', () => {
+    for (const setting of ['./ladder', 'bin/ladder', '../ladder', 'bin\\ladder']) {
+        const place = find({ setting, isFile: () => true });
+        assert.deepEqual(place, { path: undefined, from: 'setting', setting });
+        assert.match(cannotStart(place, ''), /write the whole path/);
+    }
 });
 
 test('then the program that came with the extension', () => {
-    const isFile = (path: string) => path === '/ext/server/ladder';
+    const isFile = among('/ext/server/ladder', '/usr/bin/ladder');
     assert.deepEqual(find({ isFile }), { path: '/ext/server/ladder', from: 'extension' });
 });
 
 test('then the PATH', () => {
-    assert.deepEqual(find({}), { path: 'ladder', from: 'PATH' });
-    assert.deepEqual(find({ platform: 'win32' }), { path: 'ladder.exe', from: 'PATH' });
+    assert.deepEqual(find({}), { path: undefined, from: 'PATH' });
+    assert.deepEqual(find({ isFile: among('/bin/ladder') }), { path: '/bin/ladder', from: 'PATH' });
+    const windows = { platform: 'win32' as const, searchPath: 'C:\\Windows;"D:\\my tools"', folders: ['C:\\plant'] };
+    assert.equal(find({ ...windows, isFile: among('D:\\my tools\\ladder.exe') }).path, 'D:\\my tools\\ladder.exe');
+});
+
+test('no program is taken from the folder that is open, wherever the PATH leads', () => {
+    const notShipped = (path: string) => !path.startsWith('/ext');
+    for (const searchPath of ['', '.', ':', 'bin', './bin:', '/plant', '/plant/bin', '/other/../plant/bin']) {
+        assert.equal(find({ searchPath, isFile: notShipped }).path, undefined, searchPath);
+    }
+    assert.equal(find({ searchPath: '.:/plant-tools', isFile: notShipped }).path, '/plant-tools/ladder');
+    const windows = { platform: 'win32' as const, folders: ['C:\\Plant'], isFile: notShipped };
+    for (const searchPath of ['', '.', ';', 'bin', 'c:\\plant\\bin', 'C:bin']) {
+        assert.equal(find({ ...windows, searchPath }).path, undefined, searchPath);
+    }
 });
 
 test('the message says what to do', () => {
-    assert.match(cannotStart({ path: 'ladder', from: 'PATH' }, 'ENOENT'), /Install it, or name its place/);
+    assert.match(cannotStart({ path: undefined, from: 'PATH' }, ''), /Install it, or name its place/);
     assert.match(cannotStart({ path: '/x', from: 'setting' }, 'ENOENT'), /"ladder.server.path" names "\/x".*ENOENT/);
 });

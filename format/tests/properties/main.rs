@@ -1,133 +1,17 @@
 //! What holds for every text, checked on any strings, on soups of ladder pieces and on made programs.
 
+mod comments;
+mod meaning;
 mod programs;
 
-use ladder_format::{Options, apply, format, format_ranges, format_text};
-use ladder_syntax::wiring::{PartKind, wiring};
-use ladder_syntax::{NodeOrToken, Parse, SyntaxKind, TextRange, TextSize, parse};
+use ladder_format::{Options, apply, format_ranges};
+use ladder_syntax::{TextRange, TextSize, parse};
+use meaning::{check_with, drawing, mistakes, words};
 use proptest::prelude::*;
 
 /// Checks all that must hold for any text.
 fn check(text: &str) {
     check_with(text, &Options::default());
-}
-
-fn check_with(text: &str, options: &Options) {
-    let before = parse(text);
-    let new = format_text(text, options);
-    let edits = format(&before, options);
-    assert_eq!(apply(text, &edits), new, "edits and text differ");
-    for pair in edits.windows(2) {
-        assert!(pair[0].range.end() < pair[1].range.start(), "{pair:?}");
-    }
-    for edit in &edits {
-        assert_ne!(&text[edit.range], edit.text, "an edit that changes nothing");
-    }
-    let after = parse(&new);
-    assert_eq!(words(&before), words(&after), "words changed\n{text}\n=>\n{new}");
-    assert_eq!(
-        drawing(&before, text),
-        drawing(&after, &new),
-        "wiring changed\n{text}\n=>\n{new}"
-    );
-    assert_eq!(
-        mistakes(&before),
-        mistakes(&after),
-        "mistakes changed\n{text}\n=>\n{new}"
-    );
-    let again = format_text(&new, options);
-    assert_eq!(again, new, "a second time changes something\n{text}");
-    assert!(
-        !new.contains(" \n") || text.contains(" \n"),
-        "blanks at a line end"
-    );
-}
-
-/// All that may not change: every token but white space, wires and `|`, in capitals where letters may change.
-fn words(parse: &Parse) -> Vec<(SyntaxKind, String)> {
-    parse
-        .syntax()
-        .descendants_with_tokens()
-        .filter_map(NodeOrToken::into_token)
-        .filter(|token| {
-            !matches!(
-                token.kind(),
-                SyntaxKind::WHITESPACE | SyntaxKind::NEWLINE | SyntaxKind::WIRE | SyntaxKind::RAIL
-            )
-        })
-        .map(|token| {
-            let may_change = matches!(
-                token.kind(),
-                SyntaxKind::KEYWORD
-                    | SyntaxKind::MNEMONIC
-                    | SyntaxKind::WORD_OPERATOR
-                    | SyntaxKind::IDENT
-                    | SyntaxKind::LITERAL
-            );
-            let word = if may_change {
-                token.text().to_ascii_uppercase()
-            } else {
-                token.text().to_owned()
-            };
-            (token.kind(), word)
-        })
-        .collect()
-}
-
-/// The wiring: for each network its rungs as segments, and the pairs.
-fn drawing(parse: &Parse, text: &str) -> Vec<String> {
-    let mut networks = Vec::new();
-    for network in &parse.structure().networks {
-        let wiring = wiring(parse, network);
-        let mut out = format!("block {:?}; {} unpaired;", network.block, wiring.unpaired.len());
-        for (offset, rung) in wiring.line_offsets.iter().zip(&wiring.rungs) {
-            let line = network.lines.start + offset;
-            let start = usize::from(parse.line_start(line));
-            let mut segment = None;
-            for (index, part) in rung.parts.iter().enumerate() {
-                if part.kind == PartKind::Bar || (part.kind == PartKind::Comment && part.segment.is_none()) {
-                    continue;
-                }
-                if part.segment != segment || part.segment.is_none() {
-                    segment = part.segment;
-                    let powered = segment.is_some_and(|n| rung.segments[n as usize].powered);
-                    out.push_str(if powered { "\n  powered:" } else { "\n  segment:" });
-                }
-                // A wire counts only where it ends at nothing; between two things it may have been missing.
-                let edge = segment.is_some_and(|n| {
-                    let parts = &rung.segments[n as usize].parts;
-                    rung.parts[parts.start].range == part.range
-                        || rung.parts[parts.end - 1].range == part.range
-                });
-                let at_bar = [index.wrapping_sub(1), index + 1]
-                    .iter()
-                    .any(|&n| rung.parts.get(n).is_some_and(|p| p.kind == PartKind::StrayBar));
-                if part.kind == PartKind::Wire && (!edge || at_bar) {
-                    continue;
-                }
-                let range = std::ops::Range::<usize>::from(part.range);
-                let word = &text[start + range.start..start + range.end];
-                let word: String = word.chars().filter(|c| !c.is_whitespace()).collect();
-                let word = if part.kind == PartKind::Wire { "-" } else { &word };
-                out.push_str(&format!(" {:?} {}", part.kind, word.to_ascii_uppercase()));
-            }
-            out.push_str("\n rung;");
-        }
-        // Pairs by their ordinals on both rungs, which part numbers are not.
-        for point in &wiring.points {
-            out.push_str(&format!(" {}:{}", point.upper, point.ordinal));
-        }
-        networks.push(out);
-    }
-    networks
-}
-
-fn mistakes(parse: &Parse) -> Vec<String> {
-    parse
-        .errors()
-        .iter()
-        .map(|error| format!("{:?}", error.kind))
-        .collect()
 }
 
 /// Pieces of every kind, in any order.
@@ -249,6 +133,11 @@ proptest! {
     #[test]
     fn mutated_programs(text in mutated()) {
         check(&text);
+    }
+
+    #[test]
+    fn commented_programs(text in program(), places in prop::collection::vec((any::<prop::sample::Index>(), 0..comments::COMMENTS.len()), 1..4)) {
+        check(&comments::insert(text, &places));
     }
 
     #[test]

@@ -6,7 +6,7 @@ use super::proposals::Proposals;
 use crate::typing::{Head, Operand, Typing};
 use crate::wanted::Called;
 use ladder_analysis::user_block::UserBlockFacts;
-use ladder_instructions::{Accepts, Instruction, Op, Presence, Shape, TABLE};
+use ladder_instructions::{Accepts, Instruction, Op, Presence, Profile, Shape, TABLE};
 use rustc_hash::FxHashSet;
 use std::ops::Range;
 
@@ -16,7 +16,7 @@ pub(super) fn in_head(typing: &Typing<'_>, head: &Head, out: &mut Proposals<'_>)
     if !user_only {
         for row in TABLE
             .iter()
-            .filter(|row| row.shape == head.shape && is_offered(row))
+            .filter(|row| row.shape == head.shape && is_offered(row, typing.context.profile))
         {
             propose_row(typing, row, Around::Head(head), out);
         }
@@ -30,7 +30,7 @@ pub(super) fn in_head(typing: &Typing<'_>, head: &Head, out: &mut Proposals<'_>)
 
 /// On a rung outside of blocks: each block with its brackets.
 pub(super) fn on_wire(typing: &Typing<'_>, out: &mut Proposals<'_>) {
-    for row in TABLE.iter().filter(|row| is_offered(row)) {
+    for row in TABLE.iter().filter(|row| is_offered(row, typing.context.profile)) {
         propose_row(typing, row, Around::Wire, out);
     }
     each_user_block(typing, |block| propose_user(typing, block, Around::Wire, out));
@@ -43,12 +43,9 @@ enum Around<'h> {
     Head(&'h Head),
 }
 
-/// Of two rows with one spelling the one with operands, which can be reduced to the other, comes second.
-fn is_offered(row: &Instruction) -> bool {
-    row.operands
-        .iter()
-        .all(|operand| operand.only_in_profile().is_none())
-        || !row.operands.is_empty()
+/// Whether the profile has it.
+fn is_offered(row: &Instruction, profile: Profile) -> bool {
+    row.profiles.contain(profile)
 }
 
 fn each_user_block(typing: &Typing<'_>, mut give: impl FnMut(&UserBlockFacts)) {

@@ -2,7 +2,6 @@
 
 use super::item::{CompletionKind, Topic};
 use super::proposals::Proposals;
-use super::tags::SYSTEM_TAGS;
 use crate::typing::{Operand, Typing};
 use crate::wanted::{Wanted, scalar_rank, wanted, whole_type};
 use ladder_analysis::program::SystemTag;
@@ -60,17 +59,15 @@ fn fits(wanted: Option<&Wanted>, ty: Scalar) -> u8 {
 }
 
 fn system(wanted: Option<&Wanted>, out: &mut Proposals<'_>) {
-    for (name, doc) in SYSTEM_TAGS {
-        if let Some(tag) = SystemTag::from_name(name) {
-            let order = (fits(wanted, tag.ty()), 0);
-            out.word(
-                order,
-                CompletionKind::Constant,
-                name,
-                tag.ty().name(),
-                Topic::Words(doc),
-            );
-        }
+    for tag in SystemTag::ALL {
+        let order = (fits(wanted, tag.ty()), 0);
+        out.word(
+            order,
+            CompletionKind::Constant,
+            tag.name(),
+            tag.ty().name(),
+            Topic::Words(tag.about()),
+        );
     }
 }
 

@@ -20,7 +20,7 @@ pub(super) fn propose(
         match called {
             Called::Row(row) if index >= row.required() => {
                 let named = row.operands.iter().filter(|o| o.presence == Presence::Named);
-                for formal in named.filter(|o| !given(o.name) && o.only_in_profile().is_none()) {
+                for formal in named.filter(|o| !given(o.name) && o.profiles.contain(typing.context.profile)) {
                     let arrow = if formal.direction == Direction::Out {
                         "=>"
                     } else {

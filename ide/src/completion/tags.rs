@@ -144,34 +144,21 @@ fn globals(typing: &Typing<'_>, wanted: &Wanted, out: &mut Proposals<'_>) {
     }
 }
 
-/// The system tags and what they hold.
-pub(super) const SYSTEM_TAGS: [(&str, &str); 7] = [
-    ("FIRST_SCAN", "High in the first scan."),
-    ("SCAN", "The number of this scan, from 0."),
-    ("TIME", "The time since the start."),
-    ("SCAN_TIME", "The interval before this scan; 0 in the first."),
-    ("FAULT", "A fault was recorded in the previous scan."),
-    ("ON", "Always high."),
-    ("OFF", "Always low."),
-];
-
 fn system(wanted: &Wanted, out: &mut Proposals<'_>) {
-    for (name, doc) in SYSTEM_TAGS {
-        let Some(ty) = SystemTag::from_name(name).map(SystemTag::ty) else {
-            continue;
-        };
+    for tag in SystemTag::ALL {
+        let ty = tag.ty();
         let fits = match wanted.kind {
             Kind::Duration => ty == Scalar::Time,
             _ => rank(wanted, Type::Scalar(ty)).is_some_and(|fits| fits < 2),
         };
         if fits {
-            let label = format!("SYS.{name}");
+            let label = format!("SYS.{}", tag.name());
             out.word(
                 (SYSTEM, 0),
                 CompletionKind::Constant,
                 &label,
                 ty.name(),
-                Topic::Words(doc),
+                Topic::Words(tag.about()),
             );
         }
     }

@@ -55,8 +55,8 @@ fn tags() {
     check(
         "VAR lamp AT %QX0.1 : BOOL; END_VAR\n+--[ ]( a )--( )( %Q$0X0.1 )--+\n",
         expect![[r#"
-            definition: main.clad:1:5 lamp
-            declaration: main.clad:1:5 lamp
+            definition: main.clad:1:5 lamp in main.clad:1:5 lamp AT %QX0.1 : BOOL;
+            declaration: main.clad:1:5 lamp in main.clad:1:5 lamp AT %QX0.1 : BOOL;
             implementation: main.clad:2:19 %QX0.1
         "#]],
     );

@@ -5,12 +5,12 @@ use ladder_analysis::context::Context;
 use ladder_analysis::network::{BoundBlock, Meaning};
 use ladder_analysis::program::ParameterKind;
 use ladder_analysis::user_block::UserBlockFacts;
-use ladder_instructions::{Direction, Instruction, Presence};
+use ladder_instructions::{Direction, Instruction, Presence, Profile};
 use std::fmt::Write;
 
 pub(super) fn hover(context: &Context, block: &BoundBlock) -> Option<Hover> {
     let markdown = match block.meaning {
-        Meaning::Instruction(row) => instruction(row),
+        Meaning::Instruction(row) => instruction(row, context.profile),
         Meaning::User(index) => user_block_card(&context.user_blocks[index]),
         Meaning::UnknownUser | Meaning::Unknown => return None,
     };
@@ -20,18 +20,18 @@ pub(super) fn hover(context: &Context, block: &BoundBlock) -> Option<Hover> {
     })
 }
 
-/// An instruction's card: signature, what it does, operands, an example.
-pub(crate) fn instruction(row: &Instruction) -> String {
+/// An instruction's card in a profile: signature, what it does, operands, an example.
+pub(crate) fn instruction(row: &Instruction, profile: Profile) -> String {
     let mut card = format!(
         "```clad\n{}\n```\n**{}**\n\n{}\n",
-        row.signature(),
+        row.signature_in(profile),
         row.title,
         row.doc.trim()
     );
     let operands: Vec<_> = row
         .operands
         .iter()
-        .filter(|operand| operand.only_in_profile().is_none())
+        .filter(|operand| operand.profiles.contain(profile))
         .collect();
     if !operands.is_empty() {
         card.push('\n');
@@ -48,6 +48,13 @@ pub(crate) fn instruction(row: &Instruction) -> String {
             ""
         };
         let _ = writeln!(card, "- `{}`{way}{optional}: {}", operand.name, operand.doc);
+    }
+    let differs = row
+        .differs
+        .iter()
+        .filter(|(in_profile, _)| *in_profile == profile);
+    for (profile, text) in differs {
+        let _ = write!(card, "\nIn profile `{profile}`: {text}\n");
     }
     let _ = write!(
         card,

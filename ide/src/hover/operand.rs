@@ -7,7 +7,7 @@ use ladder_analysis::constant::natural_literal;
 use ladder_analysis::context::{Callee, Context};
 use ladder_analysis::facts::{Node, NodeKind};
 use ladder_analysis::network::{BoundBlock, Formal};
-use ladder_analysis::program::Role;
+use ladder_analysis::program::{Role, SystemTag};
 use ladder_analysis::scope::{Origin, TagFacts};
 use ladder_instructions::Accepts;
 use ladder_syntax::{Name, TextSize};
@@ -102,10 +102,12 @@ fn describe(
                 return None;
             };
             if name.eq_ignore_ascii_case("SYS") {
+                let tag = SystemTag::from_name(&word.text)?;
                 return Some(format!(
-                    "```clad\nSYS.{}\n```\n{}",
-                    word.text.to_ascii_uppercase(),
-                    system(&word.text)?
+                    "```clad\nSYS.{}\n```\n{}. {}",
+                    tag.name(),
+                    tag.ty(),
+                    tag.about()
                 ));
             }
             let tag = &scope.tags[scope.find(&Name::new(name))?];
@@ -118,20 +120,6 @@ fn describe(
         NodeKind::Literal(Ok(literal)) => Some(natural_literal(literal)),
         _ => None,
     }
-}
-
-/// What the controller keeps in a system tag.
-fn system(word: &str) -> Option<&'static str> {
-    Some(match word.to_ascii_uppercase().as_str() {
-        "FIRST_SCAN" => "BOOL: high in the first scan",
-        "SCAN" => "DINT: the number of this scan, from 0",
-        "TIME" => "TIME: since the start",
-        "SCAN_TIME" => "TIME: the interval before this scan; 0 in the first",
-        "FAULT" => "BOOL: a fault was recorded in the previous scan",
-        "ON" => "BOOL: always high",
-        "OFF" => "BOOL: always low",
-        _ => return None,
-    })
 }
 
 /// A tag: its declaration in one line, where it comes from, and who writes and reads it. `here` is where somebody

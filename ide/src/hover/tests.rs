@@ -132,17 +132,17 @@ fn tag_with_uses() {
     check(
         "+--[ ]( SYS.FIRST$0_SCAN )--( )( y )--+\n",
         expect![[r#"
-        SYS.FIRST_SCAN
+            SYS.FIRST_SCAN
 
-        ```clad
-        SYS.FIRST_SCAN
-        ```
-        BOOL: high in the first scan
+            ```clad
+            SYS.FIRST_SCAN
+            ```
+            BOOL. High in the first scan.
 
-        ---
+            ---
 
-        `tag` of [ ]: The bit that is asked; of a range, every bit.
-    "#]],
+            `tag` of [ ]: The bit that is asked; of a range, every bit.
+        "#]],
     );
     check(
         "+--[ ]( a )--<JMP>( do$0ne )--+\n+--<LBL>( done )--+\n",

@@ -32,7 +32,7 @@ mod wrap_branch;
 
 pub use fixes::{fix_all, quick_fixes};
 
-use ladder_analysis::{Analysis, Fix, fix};
+use ladder_analysis::{Analysis, Applicability, Fix, fix};
 use ladder_format::{Edit, Options};
 use ladder_syntax::TextRange;
 use place::Place;
@@ -42,7 +42,7 @@ use place::Place;
 pub enum ActionKind {
     /// It mends one finding.
     QuickFix,
-    /// It mends all that can be mended without asking.
+    /// It mends all that can be mended safely.
     FixAll,
     /// It makes a function or block of a part.
     Extract,
@@ -57,8 +57,8 @@ pub enum ActionKind {
 enum Work {
     /// Edits, sorted and disjoint.
     Edits(Vec<Edit>),
-    /// The first fix of every finding. They are gathered when they are wanted: a file may have many.
-    AllFixes,
+    /// The safe fixes of all findings. They are gathered when they are wanted: a file may have many.
+    SafeFixes,
     /// Declarations of all undeclared tags of a scope, likewise.
     Declarations(usize),
 }
@@ -75,7 +75,7 @@ pub struct Action {
     pub disabled: Option<String>,
     /// The finding that it mends, as an index into the analysis' diagnostics.
     pub finding: Option<usize>,
-    /// It is the best of those that mend the finding.
+    /// It is the best of those that mend the finding, and safe.
     pub preferred: bool,
 }
 
@@ -85,7 +85,7 @@ impl Action {
         edits.sort_by_key(|edit| (edit.range.start(), edit.range.end()));
         Action {
             work: Work::Edits(edits),
-            ..Action::later(kind, title, Work::AllFixes)
+            ..Action::later(kind, title, Work::SafeFixes)
         }
     }
 
@@ -111,7 +111,7 @@ impl Action {
     pub fn edits(&self, analysis: &Analysis) -> Vec<Edit> {
         match &self.work {
             Work::Edits(edits) => edits.clone(),
-            Work::AllFixes => fixes::first_fixes(&analysis.diagnostics),
+            Work::SafeFixes => fixes::safe_fixes(&analysis.diagnostics),
             Work::Declarations(scope) => declare_tags::edits(&analysis.context, *scope),
         }
     }
@@ -119,10 +119,7 @@ impl Action {
     /// The edits of the text that was analysed, with the drawing around them put straight: sorted, none touching another,
     /// none where nothing changes.
     pub fn aligned(&self, analysis: &Analysis, text: &str, options: &Options) -> Vec<Edit> {
-        let fix = Fix {
-            title: String::new(),
-            edits: self.edits(analysis),
-        };
+        let fix = Fix::new(Applicability::Safe, "", self.edits(analysis));
         fix::aligned(text, &fix, options)
     }
 }

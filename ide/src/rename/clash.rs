@@ -3,8 +3,8 @@
 use super::Refused;
 use crate::neighbour::{File, Workspace};
 use crate::symbol::{Symbol, Usage, declared_names, occurrences, tag_of};
-use ladder_analysis::Analysis;
 use ladder_analysis::scope::{Origin, SectionKind};
+use ladder_analysis::{Analysis, with_article};
 use ladder_syntax::{Name, TextRange};
 use std::sync::Arc;
 
@@ -156,7 +156,8 @@ fn taken(file: File<'_>, foreign: Option<&str>, new: &str, at: TextRange, what: 
         None => format!("on {}", place_of(file, at)),
     };
     Refused(format!(
-        "there is a {what} `{new}` {place} already: both would become one"
+        "there is {} `{new}` {place} already: both would become one",
+        with_article(what)
     ))
 }
 

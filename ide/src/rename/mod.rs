@@ -13,9 +13,9 @@ mod spelling;
 use crate::neighbour::{File, Neighbour, Workspace};
 use crate::outline::text_of;
 use crate::symbol::{Found, Occurrence, Symbol, files_of, find, occurrences, tag_of};
-use ladder_analysis::Analysis;
 use ladder_analysis::context::{Context, context};
 use ladder_analysis::scope::Origin;
+use ladder_analysis::{Analysis, with_article};
 use ladder_format::{Edit, Options, apply};
 use ladder_syntax::{Name, TextRange, TextSize, parse};
 use std::sync::Arc;
@@ -58,6 +58,7 @@ pub fn prepare_rename(analysis: &Analysis, offset: TextSize) -> Result<Option<Re
         return Ok(None);
     };
     fixed(own, &symbol)?;
+    no_address(analysis, range)?;
     Ok(Some(Renamable {
         range,
         name: text_of(&analysis.context.parse, range),
@@ -77,10 +78,11 @@ pub fn rename(
     options: &Options,
 ) -> Result<Vec<Renamed>, Refused> {
     let own = File::own(analysis);
-    let Some(Found { symbol, .. }) = find(own, offset) else {
+    let Some(Found { symbol, range }) = find(own, offset) else {
         return Err(Refused("there is nothing to rename here".to_owned()));
     };
     fixed(own, &symbol)?;
+    no_address(analysis, range)?;
     let new = spelling::checked(&symbol, new)?;
     // All places of all that must go by one name.
     let symbols = labels::together(own, &symbol, workspace);
@@ -104,9 +106,12 @@ pub fn rename(
             range: place.range,
             text: new.clone(),
         });
-        // What is written so already stays.
+        // What is written so already stays, and so does the tag's address where that is written in its stead.
         let edits: Vec<Edit> = edits
-            .filter(|edit| text_of(&file.context.parse, edit.range) != edit.text)
+            .filter(|edit| {
+                let written = text_of(&file.context.parse, edit.range);
+                written != edit.text && !written.starts_with('%')
+            })
             .collect();
         if edits.is_empty() {
             continue;
@@ -166,10 +171,7 @@ fn fixed(file: File<'_>, symbol: &Symbol) -> Result<(), Refused> {
         Symbol::Global(_) | Symbol::Label { .. } | Symbol::Function { .. } | Symbol::Block { .. } => {
             return Ok(());
         }
-        Symbol::Address(name) => format!(
-            "`{}` is a direct address: it says where the signal is. Declare a tag with AT to give it a name",
-            name.as_str().to_uppercase()
-        ),
+        Symbol::Address(name) => is_address(name.as_str()),
         Symbol::Member { .. } => {
             "the members of a timer, counter or bistable, and the bits of a tag, keep their names".to_owned()
         }
@@ -177,6 +179,22 @@ fn fixed(file: File<'_>, symbol: &Symbol) -> Result<(), Refused> {
         Symbol::Instruction(_) => "instructions keep their names".to_owned(),
     };
     Err(Refused(why))
+}
+
+/// A tag that is declared at an address has the name of its declaration, not the address.
+fn no_address(analysis: &Analysis, range: TextRange) -> Result<(), Refused> {
+    let written = text_of(&analysis.context.parse, range);
+    if written.starts_with('%') {
+        return Err(Refused(is_address(&written)));
+    }
+    Ok(())
+}
+
+fn is_address(written: &str) -> String {
+    format!(
+        "`{}` is a direct address: it says where the signal is. Declare a tag with AT to give it a name",
+        written.to_uppercase()
+    )
 }
 
 /// The type of an undeclared tag may follow from its name, and must not become another one.
@@ -209,10 +227,10 @@ fn same_type(file: File<'_>, symbol: &Symbol, text: &str, edits: &[Edit], new: &
         format!("{role} of type {ty}")
     };
     Err(Refused(format!(
-        "`{}` is not declared, and is an {}; the name `{new}` would make it an {}: declare it first",
+        "`{}` is not declared, and is {}; the name `{new}` would make it {}: declare it first",
         before.name,
-        what(&before),
-        what(&after)
+        with_article(what(&before)),
+        with_article(what(&after))
     )))
 }
 

@@ -554,3 +554,23 @@ fn what_keeps_its_name() {
     "#]],
     );
 }
+
+#[test]
+fn an_address_stays_where_it_is_written() {
+    let text = "VAR lamp AT %QX0.1 : BOOL; END_VAR\n+--[ ]( lamp )--[ ]( %QX0.1 )--( )( y )--+\n";
+    check(
+        &text.replacen("lamp", "la$0mp", 1),
+        "light",
+        expect![[r#"
+        VAR light AT %QX0.1 : BOOL; END_VAR
+        +--[ ]( light )--[ ]( %QX0.1 )-------------------( )( y )--+
+    "#]],
+    );
+    check(
+        &text.replacen("( %QX", "( %Q$0X", 1),
+        "light",
+        expect![[r#"
+        refused: `%QX0.1` is a direct address: it says where the signal is. Declare a tag with AT to give it a name
+    "#]],
+    );
+}

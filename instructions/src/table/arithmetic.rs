@@ -1,6 +1,6 @@
 //! The six operations of arithmetic (LANGUAGE §5.2).
 
-use crate::{Accepts, Acts, Group, Instruction, Op, Operand, Role, Shape, TypeClass};
+use crate::{Accepts, Acts, Group, Instruction, Op, Operand, Profiles, Role, Shape, TypeClass};
 
 /// What the rows of this section share.
 const BASE: Instruction = Instruction {
@@ -13,6 +13,8 @@ const BASE: Instruction = Instruction {
     acts: Acts::WhenPowered,
     group: Group::Data,
     operands: &[],
+    profiles: Profiles::ALL,
+    differs: &[],
     eno: "EN, low on a fault",
     title: "",
     doc: "",

@@ -1,6 +1,6 @@
 //! Bistables (LANGUAGE §5.3).
 
-use crate::{Accepts, Acts, Group, Instruction, Op, Operand, Role, Shape, StateType};
+use crate::{Accepts, Acts, Group, Instruction, Op, Operand, Profiles, Role, Shape, StateType};
 
 /// What the rows of this section share.
 const BASE: Instruction = Instruction {
@@ -13,6 +13,8 @@ const BASE: Instruction = Instruction {
     acts: Acts::Always,
     group: Group::State,
     operands: &[],
+    profiles: Profiles::ALL,
+    differs: &[],
     eno: "Q1",
     title: "",
     doc: "",

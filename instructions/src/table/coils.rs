@@ -1,6 +1,6 @@
 //! Coils (LANGUAGE §5.4).
 
-use crate::{Accepts, Acts, Group, Instruction, Op, Operand, Role, Shape};
+use crate::{Accepts, Acts, Group, Instruction, Op, Operand, Profiles, Role, Shape};
 
 /// What the rows of this section share.
 const BASE: Instruction = Instruction {
@@ -13,6 +13,8 @@ const BASE: Instruction = Instruction {
     acts: Acts::Always,
     group: Group::Coil,
     operands: &[],
+    profiles: Profiles::ALL,
+    differs: &[],
     eno: "EN",
     title: "",
     doc: "",

@@ -1,6 +1,6 @@
 //! Comparisons (LANGUAGE §5.1).
 
-use crate::{Accepts, Acts, Group, Instruction, Op, Operand, Role, Shape};
+use crate::{Accepts, Acts, Group, Instruction, Op, Operand, Profiles, Role, Shape};
 
 /// What the rows of this section share.
 const BASE: Instruction = Instruction {
@@ -13,6 +13,8 @@ const BASE: Instruction = Instruction {
     acts: Acts::WhenPowered,
     group: Group::Condition,
     operands: &[],
+    profiles: Profiles::ALL,
+    differs: &[],
     eno: "EN and the comparison holds",
     title: "",
     doc: "",

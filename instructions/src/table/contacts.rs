@@ -1,6 +1,6 @@
 //! Contacts, edges and the inverter (LANGUAGE §5.1).
 
-use crate::{Accepts, Acts, Group, Instruction, Op, Operand, Role, Shape};
+use crate::{Accepts, Acts, Group, Instruction, Op, Operand, Profiles, Role, Shape};
 
 /// What the rows of this section share.
 const BASE: Instruction = Instruction {
@@ -13,6 +13,8 @@ const BASE: Instruction = Instruction {
     acts: Acts::WhenPowered,
     group: Group::Condition,
     operands: &[],
+    profiles: Profiles::ALL,
+    differs: &[],
     eno: "EN and tag",
     title: "",
     doc: "",
@@ -93,8 +95,8 @@ END_VAR
   evaluation, also while EN is low. A rise that happens while EN is low is therefore missed, not kept for
   later.
 - A tag that is already high at the first evaluation counts as having risen.
-- Where the block is jumped over, it compares with the last evaluation that took place. Reached a second
-  time in the same scan, it sees no edge.
+- It compares with its last evaluation, in this scan or an earlier one: jumped over, it misses what happened
+  meanwhile; in a loop, it sees each change from turn to turn.
 
 To watch the power of the wire instead of a tag, use `[OSR]`. IEC 61131-3: positive transition-sensing
 contact.",
@@ -125,8 +127,8 @@ END_VAR
   evaluation, also while EN is low. A fall that happens while EN is low is therefore missed, not kept for
   later.
 - The first evaluation never reports a fall.
-- Where the block is jumped over, it compares with the last evaluation that took place. Reached a second
-  time in the same scan, it sees no edge.
+- It compares with its last evaluation, in this scan or an earlier one: jumped over, it misses what happened
+  meanwhile; in a loop, it sees each change from turn to turn.
 
 To watch the power of the wire instead of a tag, use `[OSF]`. IEC 61131-3: negative transition-sensing
 contact.",
@@ -173,8 +175,8 @@ END_VAR
 
 - The memory belongs to this place in the program.
 - Power that is already there at the first evaluation counts as having risen.
-- Where the block is jumped over, it compares with the last evaluation that took place. Reached a second
-  time in the same scan, it sees no edge.
+- It compares with its last evaluation, in this scan or an earlier one: jumped over, it misses what happened
+  meanwhile; in a loop, it sees each change from turn to turn.
 
 To watch a tag instead of the wire, use `[P]`. IEC 61131-3: R_TRIG.",
         example: "VAR_INPUT
@@ -199,8 +201,8 @@ END_VAR
 - The memory belongs to this place in the program.
 - The first evaluation never reports a fall. (The F_TRIG of IEC 61131-3 reports one at its first call if its
   input is low.)
-- Where the block is jumped over, it compares with the last evaluation that took place. Reached a second
-  time in the same scan, it sees no edge.
+- It compares with its last evaluation, in this scan or an earlier one: jumped over, it misses what happened
+  meanwhile; in a loop, it sees each change from turn to turn.
 
 To watch a tag instead of the wire, use `[N]`. IEC 61131-3: F_TRIG.",
         example: "VAR_INPUT

@@ -1,6 +1,6 @@
 //! Program flow (LANGUAGE §5.5).
 
-use crate::{Accepts, Acts, Group, Instruction, Op, Operand, Role, Shape};
+use crate::{Accepts, Acts, Group, Instruction, Op, Operand, Profiles, Role, Shape};
 
 /// What the rows of this section share.
 const BASE: Instruction = Instruction {
@@ -13,6 +13,8 @@ const BASE: Instruction = Instruction {
     acts: Acts::WhenPowered,
     group: Group::Flow,
     operands: &[],
+    profiles: Profiles::ALL,
+    differs: &[],
     eno: "EN",
     title: "",
     doc: "",
@@ -190,8 +192,8 @@ END_VAR
 - n is read once. With EN low, or n of 0 or less, the networks are skipped.
 - A jump out of the loop, a jump right of `<FOR>` in its own network, or a `<RET>` ends it. Loops do not
   nest, but a function that is called from one may hold its own.
-- All turns happen within one scan and see the same clock; edges are seen in the first only. The watchdog
-  stops a loop that is too long.",
+- All turns happen within one scan and see the same clock. An edge is a difference from the turn before. The
+  watchdog stops a loop that is too long.",
         example: "VAR
     a   : ARRAY[1..10] OF INT;
     i   : INT;

@@ -1,6 +1,6 @@
 //! Ports to the world outside (LANGUAGE §5.6).
 
-use crate::{Accepts, Acts, Group, Instruction, Op, Operand, Role, Shape, TypeClass};
+use crate::{Accepts, Acts, Group, Instruction, Op, Operand, Profiles, Role, Shape, TypeClass};
 
 /// What the rows of this section share.
 const BASE: Instruction = Instruction {
@@ -13,6 +13,8 @@ const BASE: Instruction = Instruction {
     acts: Acts::WhenPowered,
     group: Group::Port,
     operands: &[],
+    profiles: Profiles::ALL,
+    differs: &[],
     eno: "EN",
     title: "",
     doc: "",

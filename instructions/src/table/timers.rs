@@ -1,6 +1,6 @@
 //! Timers (LANGUAGE §5.3).
 
-use crate::{Accepts, Acts, Group, Instruction, Op, Operand, Role, Shape, StateType};
+use crate::{Accepts, Acts, Group, Instruction, Op, Operand, Profile, Profiles, Role, Shape, StateType};
 
 /// What the rows of this section share.
 const BASE: Instruction = Instruction {
@@ -13,6 +13,8 @@ const BASE: Instruction = Instruction {
     acts: Acts::Always,
     group: Group::State,
     operands: &[],
+    profiles: Profiles::ALL,
+    differs: &[],
     eno: "Q",
     title: "",
     doc: "",
@@ -30,7 +32,8 @@ const BASE_TIME: Operand = Operand::input(
     Accepts::Time,
     "The time base that PT and ET count, in profile `iot` only.",
 )
-.named();
+.named()
+.known_to(Profiles::only(Profile::Iot));
 
 pub(super) const ROWS: &[Instruction] = &[
     Instruction {

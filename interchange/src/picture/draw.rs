@@ -1,31 +1,39 @@
 //! A network on paper.
 
-use super::paper::{Anchor, Paper};
-use super::place::{Drawn, Figure, x};
-use super::style::{HALF, LINE, MARGIN, UNIT};
-use super::symbol::{Label, Mark, NAME, ROWS, Symbol, row_name_width, width};
+use super::columns::Layout;
+use super::figure::{Drawn, Figure};
+use super::glyph::{self, Place};
+use super::grid::{Kind, Slot};
+use super::nodes::point_of;
+use super::paper::Paper;
+use super::scene::{Anchor, Element};
+use super::style::{LINE, Look, MARGIN, UNIT};
+use super::symbol::width;
 use ladder_analysis::network::NetworkFacts;
-use ladder_format::Layout;
 use ladder_syntax::{Parse, TextRange};
 use std::collections::HashMap;
 
 /// Pixels between two rungs.
 const BETWEEN: i32 = 6;
-/// The middle of a rail or connector in its column.
+/// The middle of a rail or vertical line in its column.
 const MIDDLE: i32 = UNIT / 2;
 
 /// A network with its columns, and where it is drawn.
 pub(super) struct Drawing<'d> {
     pub(super) parse: &'d Parse,
+    /// The network's index, and what is known of it.
+    pub(super) index: usize,
     pub(super) network: &'d NetworkFacts,
     pub(super) figure: &'d Figure,
     pub(super) layout: &'d Layout,
+    /// The column of the right rail, where the network ends at one.
+    pub(super) rail: Option<u32>,
     pub(super) power: Option<&'d HashMap<TextRange, bool>>,
 }
 
-/// What a part's lines look like.
+/// What is known of the power in a part.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum Flow {
+pub(super) enum Flow {
     /// Nothing is said about power.
     Unknown,
     Dead,
@@ -33,19 +41,19 @@ enum Flow {
 }
 
 impl Flow {
-    const fn line(self) -> &'static str {
+    pub(super) const fn line(self) -> Look {
         match self {
-            Flow::Unknown => "line",
-            Flow::Dead => "dead",
-            Flow::Live => "live",
+            Flow::Unknown => Look::Line,
+            Flow::Dead => Look::Dead,
+            Flow::Live => Look::Live,
         }
     }
 
-    const fn dot(self) -> &'static str {
+    const fn dot(self) -> Look {
         match self {
-            Flow::Unknown => "dot",
-            Flow::Dead => "dot-dead",
-            Flow::Live => "dot-live",
+            Flow::Unknown => Look::Dot,
+            Flow::Dead => Look::DotDead,
+            Flow::Live => Look::DotLive,
         }
     }
 }
@@ -60,10 +68,12 @@ impl Drawing<'_> {
             y += room.over + room.under + BETWEEN;
         }
         let bottom = y - BETWEEN;
-        self.verticals(paper, &wires);
-        for rung in 0..wires.len() {
-            self.rung(paper, rung, &wires);
+        let flows = self.flows_of_lines();
+        self.verticals(paper, &wires, &flows);
+        for (rung, &y) in wires.iter().enumerate() {
+            self.rung(paper, rung, y, &flows);
         }
+        paper.of(None);
         self.rails(paper, top, bottom);
         bottom
     }
@@ -78,247 +88,174 @@ impl Drawing<'_> {
         }
     }
 
+    const fn element(&self, rung: usize, part: usize) -> Element {
+        let network = self.index;
+        Element { network, rung, part }
+    }
+
+    /// The power of each vertical line: that of its points, which is the same for all but where branches come together.
+    fn flows_of_lines(&self) -> Vec<Flow> {
+        let flow_of = |thing: &super::grid::Thing| {
+            let mut flow = Flow::Unknown;
+            for &(rung, slot) in &thing.slots {
+                for item in self.layout.grid.rungs[rung][slot].items.clone() {
+                    match self.flow(rung, self.figure.rungs[rung][item].part) {
+                        Flow::Live => return Flow::Live,
+                        other => flow = other,
+                    }
+                }
+            }
+            flow
+        };
+        let things = self.layout.grid.things.iter();
+        things
+            .map(|thing| match thing.kind {
+                Kind::Node => flow_of(thing),
+                _ => Flow::Unknown,
+            })
+            .collect()
+    }
+
     fn rails(&self, paper: &mut Paper, top: i32, bottom: i32) {
-        let rungs = &self.network.wiring.rungs;
-        if rungs.iter().any(ladder_syntax::wiring::Rung::has_left_rail) {
+        let mut things = self.layout.grid.things.iter();
+        if things.any(|thing| thing.kind == Kind::LeftRail) {
             let left = MARGIN + MIDDLE;
-            paper.line("rail", (left, top), (left, bottom));
+            paper.rail((left, top), (left, bottom));
         }
-        if let Some(column) = self.layout.right_rail() {
+        if let Some(column) = self.rail {
             let right = MARGIN + column as i32 * UNIT + MIDDLE;
-            paper.line("rail", (right, top), (right, bottom));
+            paper.rail((right, top), (right, bottom));
         }
     }
 
-    /// The lines between paired connectors.
-    fn verticals(&self, paper: &mut Paper, wires: &[i32]) {
-        for point in &self.network.wiring.points {
-            let Some(element) = self.element(point.upper, point.down) else {
-                continue;
-            };
-            let at = x(self.layout, element) + MIDDLE;
-            let class = self.flow(point.upper, point.down).line();
-            paper.line(class, (at, wires[point.upper]), (at, wires[point.upper + 1]));
+    /// The lines from rung to rung, one for each two rungs that a node joins.
+    fn verticals(&self, paper: &mut Paper, wires: &[i32], flows: &[Flow]) {
+        for (rung, slots) in self.layout.grid.rungs.iter().enumerate() {
+            for slot in slots {
+                let Some(part) = self.leads_down(rung, slot) else {
+                    continue;
+                };
+                let (at, _) = self.ends(slot);
+                paper.of(Some(self.element(rung, part)));
+                let look = flows[slot.thing].line();
+                paper.node(look, (at, wires[rung]), (at, wires[rung + 1]));
+            }
         }
     }
 
-    /// The element of a part.
-    fn element(&self, rung: usize, part: usize) -> Option<usize> {
-        let elements = self.layout.sketch().rungs().get(rung)?.clone();
-        let (start, end) = (elements.start as usize, elements.end as usize);
-        let items = &self.figure.items[start..end];
-        items
-            .binary_search_by_key(&part, |item| item.part)
-            .ok()
-            .map(|at| start + at)
+    /// The part of the first `\` of a line on this rung.
+    fn leads_down(&self, rung: usize, slot: &Slot) -> Option<usize> {
+        let mut items = self.figure.rungs[rung][slot.items.clone()].iter();
+        let leads_down = |item: &&super::figure::Item| {
+            point_of(item).is_some_and(|point| self.network.wiring.points[point].upper == rung)
+        };
+        items.find(leads_down).map(|item| item.part)
     }
 
-    /// Where the wire comes to an element, and where it leaves it.
-    fn ends(&self, element: usize) -> (i32, i32) {
-        let left = x(self.layout, element);
-        match self.figure.items[element].drawn {
-            Drawn::Rail | Drawn::Connector => (left + MIDDLE, left + MIDDLE),
-            _ => (
-                left,
-                left + self.layout.sketch().elements()[element].width as i32 * UNIT,
-            ),
+    /// Where the wire comes to something, and where it leaves it.
+    fn ends(&self, slot: &Slot) -> (i32, i32) {
+        let thing = &self.layout.grid.things[slot.thing];
+        let left = MARGIN + self.layout.columns[slot.thing] as i32 * UNIT;
+        match thing.kind {
+            Kind::LeftRail | Kind::RightRail | Kind::Node => (left + MIDDLE, left + MIDDLE),
+            _ => (left, left + thing.columns as i32 * UNIT),
         }
     }
 
-    fn rung(&self, paper: &mut Paper, rung: usize, wires: &[i32]) {
-        let y = wires[rung];
-        let above = &self.figure.above[rung];
-        for (line, comment) in above.iter().enumerate() {
-            let base = y - self.figure.rooms[rung].over + (line as i32 + 1) * LINE - 4;
+    fn rung(&self, paper: &mut Paper, rung: usize, y: i32, flows: &[Flow]) {
+        let room = self.figure.rooms[rung];
+        paper.of(None);
+        for (line, comment) in self.figure.above[rung].iter().enumerate() {
+            let base = y - room.over + (line as i32 + 1) * LINE - 4;
             let at = (MARGIN + 3 * UNIT, base);
-            paper.text("comment", at, Anchor::Start, width(comment), comment);
+            paper.text(Look::Comment, at, Anchor::Start, width(comment), comment);
         }
-        let elements = self.layout.sketch().rungs()[rung].clone();
-        let elements = elements.start as usize..elements.end as usize;
+        let slots = &self.layout.grid.rungs[rung];
         let mut arriving = Flow::Unknown;
-        for element in elements.clone() {
-            let item = &self.figure.items[element];
-            let kind = self.layout.sketch().elements()[element];
-            let (left, right) = self.ends(element);
-            let own = self.flow(rung, item.part);
-            if kind.joined && element > elements.start {
-                let flow = item.wire.map_or(arriving, |wire| self.flow(rung, wire));
-                let from = self.ends(element - 1).1;
-                paper.line(flow.line(), (from, y), (left, y));
-                arriving = flow;
+        let mut from = 0;
+        for (index, slot) in slots.iter().enumerate() {
+            let item = &self.figure.rungs[rung][slot.items.start];
+            let (left, right) = self.ends(slot);
+            let own = match item.drawn {
+                Drawn::Connector(_) => flows[slot.thing],
+                _ => self.flow(rung, item.part),
+            };
+            if slot.joined && index > 0 {
+                if let Some(wire) = item.wire {
+                    arriving = self.flow(rung, wire);
+                }
+                paper.of(Some(self.element(rung, item.wire.unwrap_or(item.part))));
+                paper.wire(arriving.line(), (from, y), (left, y));
             } else {
                 arriving = match own {
                     Flow::Unknown => Flow::Unknown,
                     _ => Flow::Dead,
                 };
             }
-            match &item.drawn {
-                Drawn::Rail => {}
-                Drawn::Connector => {
-                    let goes_on = elements.contains(&(element + 1))
-                        && self.layout.sketch().elements()[element + 1].joined;
-                    if kind.joined && goes_on {
-                        paper.dot(own.dot(), (left, y));
-                    }
-                }
-                Drawn::Stub => paper.line(own.line(), (left, y), (right, y)),
-                Drawn::Comment(text) => {
-                    if kind.joined {
-                        paper.line(own.line(), (left, y), (right, y));
-                    }
-                    let at = (i32::midpoint(left, right), y - 6);
-                    paper.text("comment", at, Anchor::Middle, width(text), text);
-                }
-                Drawn::Symbol(symbol) => {
-                    let place = Place { left, right, y };
-                    draw_symbol(paper, symbol, place, arriving, own);
-                }
-            }
+            paper.of(Some(self.element(rung, item.part)));
+            let goes_on = slots.get(index + 1).is_some_and(|next| next.joined);
+            self.draw_slot(
+                paper,
+                rung,
+                slot,
+                Place { left, right, y },
+                (arriving, own),
+                goes_on,
+            );
             arriving = own;
+            from = right;
         }
-        self.behind(paper, rung, y, elements.end);
-    }
-
-    /// The comment behind a rung.
-    fn behind(&self, paper: &mut Paper, rung: usize, y: i32, end: usize) {
+        paper.of(None);
         let comment = &self.figure.behind[rung];
-        let right = match self.layout.right_rail() {
+        let right = match self.rail {
             Some(column) => MARGIN + (column as i32 + 1) * UNIT,
-            None => end.checked_sub(1).map_or(MARGIN, |last| self.ends(last).1),
+            None => slots.last().map_or(MARGIN, |last| self.ends(last).1),
         };
         let at = (right + 2 * UNIT, y + 4);
-        paper.text("comment", at, Anchor::Start, width(comment), comment);
+        paper.text(Look::Comment, at, Anchor::Start, width(comment), comment);
     }
-}
 
-/// Where a symbol stands: its ends on the wire.
-#[derive(Clone, Copy)]
-struct Place {
-    left: i32,
-    right: i32,
-    y: i32,
-}
-
-impl Place {
-    const fn middle(self) -> i32 {
-        i32::midpoint(self.left, self.right)
-    }
-}
-
-/// Draws a block: power `arriving` at its left, and `own` leaving it.
-fn draw_symbol(paper: &mut Paper, symbol: &Symbol, place: Place, arriving: Flow, own: Flow) {
-    let Place { left, right, y } = place;
-    let middle = place.middle();
-    match symbol {
-        Symbol::Contact { mark, over, under } => {
-            let half = mark.width() as i32 * UNIT / 2;
-            paper.line(arriving.line(), (left, y), (middle - half, y));
-            paper.line(own.line(), (middle + half, y), (right, y));
-            for bar in [middle - half, middle + half] {
-                paper.line("line", (bar, y - HALF), (bar, y + HALF));
-            }
-            draw_mark(paper, mark, middle, y);
-            draw_label(paper, over, middle, y - HALF - 5);
-            draw_label(paper, under, middle, y + HALF + LINE - 4);
-        }
-        Symbol::Coil { mark, over } => {
-            let half = mark.width() as i32 * UNIT / 2;
-            paper.line(arriving.line(), (left, y), (middle - half - 3, y));
-            paper.line(own.line(), (middle + half + 3, y), (right, y));
-            for (end, bow) in [(middle - half, -6), (middle + half, 6)] {
-                let (upper, lower) = (y - HALF, y + HALF);
-                let bowed = end + bow;
-                paper.path("line", &format!("M {end} {upper} Q {bowed} {y} {end} {lower}"));
-            }
-            draw_mark(paper, mark, middle, y);
-            draw_label(paper, over, middle, y - HALF - 5);
-        }
-        Symbol::Box {
-            over,
-            name,
-            pins,
-            rows,
-        } => {
-            let height = symbol.room().under + NAME;
-            paper.rect("box", (left, y - NAME), right - left, height);
-            draw_label(paper, over, middle, y - NAME - 5);
-            let base = y - NAME + LINE - 3;
-            paper.text("name", (middle, base), Anchor::Middle, width(name), name);
-            if let Some((into, out)) = pins {
-                paper.text("pin", (left + 4, y + 4), Anchor::Start, width(into), into);
-                paper.text("pin", (right - 4, y + 4), Anchor::End, width(out), out);
-            }
-            let names = row_name_width(rows) as i32 * UNIT;
-            for (row, (name, label)) in rows.iter().enumerate() {
-                let base = y + ROWS + (row as i32 + 1) * LINE - 4;
-                paper.text("pin", (left + UNIT / 2, base), Anchor::Start, width(name), name);
-                let at = if names == 0 {
-                    left + UNIT
-                } else {
-                    left + names + UNIT + UNIT / 2
-                };
-                paper.text("", (at, base), Anchor::Start, width(&label.text), &label.text);
-                if let Some(value) = &label.value {
-                    let at = (at + width(&label.text) + UNIT, base);
-                    paper.text("value", at, Anchor::Start, width(value), value);
+    /// Draws what stands in a slot. `flow` is the power that arrives at it, and that leaves it.
+    fn draw_slot(
+        &self,
+        paper: &mut Paper,
+        rung: usize,
+        slot: &Slot,
+        place: Place,
+        flow: (Flow, Flow),
+        goes_on: bool,
+    ) {
+        let Place { left, right, y } = place;
+        let (arriving, own) = flow;
+        let rows = |over: i32, under: i32| (y - over, y + under);
+        match &self.figure.rungs[rung][slot.items.start].drawn {
+            Drawn::LeftRail | Drawn::RightRail => {}
+            Drawn::Connector(_) => {
+                let up = slot.items.clone().any(|item| {
+                    let point = point_of(&self.figure.rungs[rung][item]);
+                    point.is_some_and(|point| self.network.wiring.points[point].upper < rung)
+                });
+                let down = self.leads_down(rung, slot).is_some();
+                let arms = [slot.joined, goes_on, up, down];
+                if arms.iter().filter(|there| **there).count() > 2 {
+                    paper.dot(own.dot(), (left, y));
                 }
             }
-        }
-        Symbol::Jump(name) => {
-            for step in [0, UNIT] {
-                let at = left + step;
-                let (upper, lower) = (y - 6, y + 6);
-                let tip = at + 7;
-                paper.path(
-                    arriving.line(),
-                    &format!("M {at} {upper} L {tip} {y} L {at} {lower}"),
-                );
+            Drawn::Stub => {
+                paper.wire(own.line(), (left, y), (right, y));
             }
-            paper.line(arriving.line(), (left, y), (left + 7, y));
-            let at = (left + 2 * UNIT + 4, y + 4);
-            paper.text("name", at, Anchor::Start, width(name), name);
-        }
-        Symbol::Flow(word) => {
-            let (upper, lower) = (y - HALF - 2, y + HALF + 2);
-            let (inner_left, inner_right) = (left + UNIT, right - UNIT);
-            paper.path(
-                "box",
-                &format!(
-                    "M {left} {y} L {inner_left} {upper} H {inner_right} L {right} {y} L {inner_right} {lower} H {inner_left} Z"
-                ),
-            );
-            paper.text("name", (middle, y + 4), Anchor::Middle, width(word), word);
-        }
-        Symbol::Target(name) => {
-            paper.rect("box", (left, y - HALF - 2), right - left, 2 * HALF + 4);
-            paper.text("name", (middle, y + 4), Anchor::Middle, width(name), name);
+            Drawn::Comment(text) => {
+                if slot.joined || goes_on {
+                    paper.wire(own.line(), (left, y), (right, y));
+                }
+                let at = (i32::midpoint(left, right), y - 6);
+                paper.text(Look::Comment, at, Anchor::Middle, width(text), text);
+            }
+            Drawn::Symbol { symbol, .. } => {
+                glyph::draw(paper, symbol, place, arriving, own);
+                let room = symbol.room();
+                paper.place((left, right), y, rows(room.over, room.under));
+            }
         }
     }
-}
-
-fn draw_mark(paper: &mut Paper, mark: &Mark, middle: i32, y: i32) {
-    match mark {
-        Mark::Nothing => {}
-        Mark::Stroke => paper.line("line", (middle - 8, y + HALF), (middle + 8, y - HALF)),
-        Mark::Word(word) => paper.text("name", (middle, y + 4), Anchor::Middle, width(word), word),
-    }
-}
-
-/// A tag, with its value behind it.
-fn draw_label(paper: &mut Paper, label: &Label, middle: i32, base: i32) {
-    let Some(value) = &label.value else {
-        paper.text(
-            "",
-            (middle, base),
-            Anchor::Middle,
-            width(&label.text),
-            &label.text,
-        );
-        return;
-    };
-    let whole = width(&label.text) + UNIT + width(value);
-    let left = middle - whole / 2;
-    paper.text("", (left, base), Anchor::Start, width(&label.text), &label.text);
-    let at = (left + width(&label.text) + UNIT, base);
-    paper.text("value", at, Anchor::Start, width(value), value);
 }

@@ -1,24 +1,37 @@
 //! The diagram as a picture.
 //!
 //! ```text
-//! block --symbol--> what is drawn, and how much room it takes
-//!       --place---> rows and columns of a network: the formatter's own layout, in other units
-//!       --draw----> lines, arcs and texts on Paper
-//!                       --svg--> the document
+//! network --figure--> the elements of its rungs, each with its symbol and the room that it takes
+//!         --nodes---> which connectors are one vertical line: points that only bare wire joins
+//!         --grid----> things on rungs, a vertical line as one thing
+//!         --columns-> where each thing stands
+//!         --draw----> shapes on Paper, each knowing which part of the program it shows: a Scene
+//!                         --svg---> a document for screens
+//!                         --sheet-> pages for a printer, still as shapes
 //! ```
 //!
-//! Columns come from the writer that aligns ladder text, so branches nest in the picture as they do there. One
-//! unit is the width of a letter; what is drawn has its own width, not that of its text.
+//! A [`Scene`] is all that a writer of documents needs to know: the same drawing is written as SVG, as pixels and as
+//! PDF, and can be shown live. One unit of a column is the width of a letter.
 
+mod columns;
 mod comment;
 mod draw;
+mod figure;
+mod glyph;
+mod grid;
+mod measure;
+mod nodes;
 mod page;
 mod paper;
-mod place;
-mod style;
+pub mod scene;
+pub mod sheet;
+pub mod style;
+mod svg;
 mod symbol;
 
+pub use scene::Scene;
 pub use style::Theme;
+pub use svg::svg;
 
 use ladder_analysis::context::Context;
 use ladder_syntax::TextRange;
@@ -27,8 +40,6 @@ use std::collections::HashMap;
 /// What is shown beside the program itself.
 #[derive(Default)]
 pub struct Options<'o> {
-    /// The colours.
-    pub theme: Theme,
     /// For each part of the drawing, by its place in the text, whether power leaves it. Without it the picture
     /// shows the program at rest, in one weight of line.
     pub power: Option<HashMap<TextRange, bool>>,
@@ -39,8 +50,7 @@ pub struct Options<'o> {
 /// The value of an operand by its text; none if it is not shown.
 pub type Values<'v> = dyn Fn(&str) -> Option<String> + 'v;
 
-/// A file's networks with their comments, as an SVG document. A network with a mistake in its drawing is shown as
-/// text.
-pub fn svg(context: &Context, options: &Options<'_>) -> String {
+/// Draws a file's networks with their comments. A network with a mistake in its drawing is shown as text.
+pub fn scene(context: &Context, options: &Options<'_>) -> Scene {
     page::draw(context, options)
 }

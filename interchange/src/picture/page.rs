@@ -1,94 +1,117 @@
 //! The networks of a file, one below the other, with the comments between them.
 
 use super::Options;
+use super::columns::{Layout, layout};
 use super::draw::Drawing;
-use super::paper::{Anchor, Paper};
-use super::place::{Figure, figure};
-use super::style::{LINE, MARGIN, UNIT, sheet};
+use super::figure::{Figure, figure};
+use super::paper::Paper;
+use super::scene::{Anchor, BlockKind, Scene};
+use super::style::{LINE, Look, MARGIN, UNIT};
 use super::symbol::{Words, width};
 use ladder_analysis::context::Context;
-use ladder_format::Layout;
 use ladder_syntax::{Item, LineKind};
 
 /// Pixels between a network and what stands above it.
 const APART: i32 = 14;
+/// A network whose right rail would be further right than this column has one of its own.
+const WIDEST: u32 = 100;
+/// The right rail is never further left.
+const LEAST: u32 = 40;
 
 /// One thing on the page.
 enum Part {
     Comment(Vec<String>),
     Heading(String),
     /// The index of a network, and what it looks like.
-    Network(usize, Box<Figure>),
+    Network(usize, Box<(Figure, Layout)>),
     /// The text of a network that cannot be drawn.
-    Text(Vec<String>),
+    Text(usize, Vec<String>),
+    /// A section of declarations, and whether a comment stands right above it.
+    Section(usize, bool),
 }
 
 /// Draws the page.
-pub(super) fn draw(context: &Context, options: &Options<'_>) -> String {
+pub(super) fn draw(context: &Context, options: &Options<'_>) -> Scene {
     let text = context.parse.to_string();
     let words = Words {
         context,
         text: &text,
         value: options.value,
     };
-    let parts = parts(context, &words);
-    let layout_options = ladder_format::Options::default();
-    let place = |figure: &Figure, rail| figure.sketch.clone().lay_out(&layout_options, rail);
+    let mut parts = parts(context, &words);
     // As in the text: one right rail for all networks but those that are wider than a page.
-    let rail = parts
-        .iter()
-        .filter_map(|part| match part {
-            Part::Network(_, figure) => place(figure, None).right_rail(),
-            _ => None,
-        })
-        .filter(|&rail| rail <= layout_options.width)
-        .max();
+    let least_rails = parts.iter().filter_map(|part| match part {
+        Part::Network(_, drawn) => drawn.1.least_rail,
+        _ => None,
+    });
+    let rail = least_rails.filter(|&rail| rail <= WIDEST).max();
+    let rail = rail.unwrap_or(0).max(LEAST);
     let mut paper = Paper::default();
     let mut y = MARGIN;
     let mut close = true;
-    for part in &parts {
-        if !close || matches!(part, Part::Comment(_)) {
-            y += APART;
+    for part in &mut parts {
+        if !matches!(part, Part::Section(..)) {
+            if !close || matches!(part, Part::Comment(_)) {
+                y += APART;
+            }
+            close = matches!(part, Part::Comment(_) | Part::Heading(_));
         }
-        close = matches!(part, Part::Comment(_) | Part::Heading(_));
-        match part {
-            Part::Comment(lines) => y = comment(&mut paper, lines, y),
+        let top = y;
+        let kind = match part {
+            Part::Comment(lines) => {
+                y = texts(&mut paper, Look::Comment, lines, y);
+                BlockKind::Comment(std::mem::take(lines))
+            }
             Part::Heading(heading) => {
                 y += LINE + 4;
                 let at = (MARGIN, y - 4);
-                paper.text("name", at, Anchor::Start, width(heading), heading);
+                paper.text(Look::Name, at, Anchor::Start, width(heading), heading);
+                BlockKind::Heading
             }
-            Part::Network(index, figure) => {
+            Part::Network(index, drawn) => {
                 y += 4;
-                let layout: Layout = place(figure, rail);
+                let (figure, layout) = &mut **drawn;
+                let rail = layout.least_rail.map(|least| least.max(rail));
+                if let Some(rail) = rail {
+                    layout.move_right(rail);
+                }
                 let drawing = Drawing {
                     parse: &context.parse,
+                    index: *index,
                     network: &context.networks[*index],
                     figure,
-                    layout: &layout,
+                    layout,
+                    rail,
                     power: options.power.as_ref(),
                 };
-                let line = context.line_number(context.networks[*index].range.start());
-                paper.begin_group(&format!("Line {line}"));
                 y = drawing.draw(&mut paper, y);
-                paper.end_group();
+                network(context, *index)
             }
-            Part::Text(lines) => {
-                for line in lines {
-                    y += LINE;
-                    paper.text("", (MARGIN, y - 4), Anchor::Start, width(line), line);
-                }
+            Part::Text(index, lines) => {
+                y = texts(&mut paper, Look::Text, lines, y);
+                network(context, *index)
             }
-        }
+            Part::Section(section, noted) => {
+                let (section, noted) = (*section, *noted);
+                BlockKind::Declarations { section, noted }
+            }
+        };
+        paper.end_block(kind, top, y);
     }
-    let right = paper.width + MARGIN;
-    paper.document(right.max(20 * UNIT), y + MARGIN, &sheet(options.theme))
+    paper.finish(y, MARGIN, 20 * UNIT)
 }
 
-fn comment(paper: &mut Paper, lines: &[String], mut y: i32) -> i32 {
+fn network(context: &Context, index: usize) -> BlockKind {
+    BlockKind::Network {
+        index,
+        line: context.line_number(context.networks[index].range.start()),
+    }
+}
+
+fn texts(paper: &mut Paper, look: Look, lines: &[String], mut y: i32) -> i32 {
     for line in lines {
         y += LINE;
-        paper.text("comment", (MARGIN, y - 4), Anchor::Start, width(line), line);
+        paper.text(look, (MARGIN, y - 4), Anchor::Start, width(line), line);
     }
     y
 }
@@ -104,11 +127,12 @@ fn parts(context: &Context, words: &Words<'_>) -> Vec<Part> {
             Item::Network(index) if context.networks[index].broken => {
                 let range = context.networks[index].range;
                 let lines = words.text_of(range).lines().map(str::to_owned);
-                parts.push(Part::Text(lines.collect()));
+                parts.push(Part::Text(index, lines.collect()));
             }
             Item::Network(index) => {
                 let figure = figure(&context.networks[index], words);
-                parts.push(Part::Network(index, Box::new(figure)));
+                let layout = layout(&figure);
+                parts.push(Part::Network(index, Box::new((figure, layout))));
             }
             Item::BlockHeader(block) => {
                 let name = context
@@ -127,7 +151,11 @@ fn parts(context: &Context, words: &Words<'_>) -> Vec<Part> {
                     _ => parts.push(Part::Comment(lines)),
                 }
             }
-            Item::Decoration(_) | Item::Section(_) | Item::Stray(_) => {}
+            Item::Section(section) => {
+                let noted = follows && matches!(parts.last(), Some(Part::Comment(_)));
+                parts.push(Part::Section(section, noted));
+            }
+            Item::Decoration(_) | Item::Stray(_) => {}
         }
     }
     parts

@@ -1,114 +1,119 @@
-//! The sheet that is drawn on: lines, arcs and texts as SVG elements.
+//! The sheet that is drawn on: gathers shapes into a scene.
 
-use std::fmt::{Display, Write};
+use super::scene::{Anchor, At, Block, BlockKind, Element, Form, Placed, Role, Scene, Shape, Step};
+use super::style::Look;
 
-/// Where a text stands relative to its point.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Anchor {
-    Start,
-    Middle,
-    End,
-}
-
-/// The elements drawn so far.
+/// A scene that is being drawn.
 #[derive(Debug, Default)]
 pub(super) struct Paper {
-    out: String,
-    /// The right end of the widest thing drawn.
-    pub(super) width: i32,
+    scene: Scene,
+    /// The part of the program that is drawn at present.
+    element: Option<Element>,
+    /// The right end of what the present block draws.
+    right: i32,
+    /// The first shape of the present block.
+    first: usize,
 }
 
 impl Paper {
-    pub(super) fn line(&mut self, class: &str, (x1, y1): (i32, i32), (x2, y2): (i32, i32)) {
-        self.reach(x1.max(x2));
-        self.element(format_args!(
-            r#"<line class="{class}" x1="{x1}" y1="{y1}" x2="{x2}" y2="{y2}"/>"#
-        ));
+    /// What is drawn from now on shows this part of the program.
+    pub(super) fn of(&mut self, element: Option<Element>) {
+        self.element = element;
     }
 
-    pub(super) fn path(&mut self, class: &str, commands: &str) {
-        self.element(format_args!(r#"<path class="{class}" d="{commands}"/>"#));
+    /// The present element takes this place.
+    pub(super) fn place(&mut self, columns: (i32, i32), wire: i32, rows: (i32, i32)) {
+        if let Some(element) = self.element {
+            self.scene.placed.push(Placed {
+                element,
+                columns,
+                wire,
+                rows,
+            });
+        }
     }
 
-    pub(super) fn rect(&mut self, class: &str, (x, y): (i32, i32), width: i32, height: i32) {
-        self.reach(x + width);
-        self.element(format_args!(
-            r#"<rect class="{class}" x="{x}" y="{y}" width="{width}" height="{height}" rx="2"/>"#
-        ));
+    pub(super) fn line(&mut self, look: Look, from: At, to: At) {
+        self.shape(look, Role::Symbol, Form::Line(from, to));
     }
 
-    pub(super) fn dot(&mut self, class: &str, (x, y): (i32, i32)) {
-        self.element(format_args!(
-            r#"<circle class="{class}" cx="{x}" cy="{y}" r="3"/>"#
-        ));
+    /// A wire to the right. One without length is none.
+    pub(super) fn wire(&mut self, look: Look, from: At, to: At) {
+        if from != to {
+            self.shape(look, Role::Wire, Form::Line(from, to));
+        }
+    }
+
+    /// A wire down to the next rung.
+    pub(super) fn node(&mut self, look: Look, from: At, to: At) {
+        self.shape(look, Role::Node, Form::Line(from, to));
+    }
+
+    pub(super) fn rail(&mut self, from: At, to: At) {
+        self.shape(Look::Rail, Role::Rail, Form::Line(from, to));
+    }
+
+    pub(super) fn path(&mut self, look: Look, steps: impl Into<Vec<Step>>) {
+        self.shape(look, Role::Symbol, Form::Path(steps.into()));
+    }
+
+    pub(super) fn rect(&mut self, look: Look, at: At, width: i32, height: i32) {
+        self.shape(look, Role::Symbol, Form::Rect { at, width, height });
+    }
+
+    pub(super) fn dot(&mut self, look: Look, at: At) {
+        self.shape(look, Role::Symbol, Form::Dot(at));
     }
 
     /// A text on one line; `width` is what it takes, in pixels.
-    pub(super) fn text(&mut self, class: &str, (x, y): (i32, i32), anchor: Anchor, width: i32, text: &str) {
+    pub(super) fn text(&mut self, look: Look, at: At, anchor: Anchor, width: i32, text: &str) {
         if text.is_empty() {
             return;
         }
-        let class = if class.is_empty() {
-            String::new()
-        } else {
-            format!(r#" class="{class}""#)
+        let text = text.to_owned();
+        let form = Form::Text {
+            at,
+            anchor,
+            width,
+            text,
         };
-        let (anchor, right) = match anchor {
-            Anchor::Start => ("", x + width),
-            Anchor::Middle => (r#" text-anchor="middle""#, x + width / 2),
-            Anchor::End => (r#" text-anchor="end""#, x),
+        self.shape(look, Role::Symbol, form);
+    }
+
+    fn shape(&mut self, look: Look, role: Role, form: Form) {
+        let shape = Shape {
+            look,
+            role,
+            element: self.element,
+            form,
         };
-        self.reach(right);
-        self.element(format_args!(
-            r#"<text{class} x="{x}" y="{y}"{anchor}>{}</text>"#,
-            Escaped(text)
-        ));
+        self.right = self.right.max(shape.extent().right);
+        self.scene.shapes.push(shape);
     }
 
-    /// A group with a name that a reader hears: what follows belongs to it until [`Self::end_group`].
-    pub(super) fn begin_group(&mut self, title: &str) {
-        self.element(format_args!("<g><title>{}</title>", Escaped(title)));
+    /// Ends a network, comment or heading: all shapes since the one before.
+    pub(super) fn end_block(&mut self, kind: BlockKind, top: i32, bottom: i32) {
+        let shapes = self.first..self.scene.shapes.len();
+        self.scene.blocks.push(Block {
+            kind,
+            shapes,
+            rows: top..bottom,
+            right: self.right,
+        });
+        self.first = self.scene.shapes.len();
+        self.scene.width = self.scene.width.max(self.right);
+        self.right = 0;
     }
 
-    pub(super) fn end_group(&mut self) {
-        self.element(format_args!("</g>"));
+    /// What has been drawn, by itself.
+    pub(super) fn into_shapes(self) -> Vec<Shape> {
+        self.scene.shapes
     }
 
-    fn reach(&mut self, x: i32) {
-        self.width = self.width.max(x);
-    }
-
-    fn element(&mut self, element: impl Display) {
-        // Writing to a String does not fail.
-        let _ = writeln!(self.out, "{element}");
-    }
-
-    /// The document: a sheet of this size, its style, and what was drawn.
-    pub(super) fn document(self, width: i32, height: i32, style: &str) -> String {
-        format!(
-            "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{width}\" height=\"{height}\" \
-             viewBox=\"0 0 {width} {height}\" role=\"img\">\n<style>\n{style}</style>\n\
-             <rect class=\"paper\" width=\"{width}\" height=\"{height}\"/>\n{}</svg>\n",
-            self.out
-        )
-    }
-}
-
-/// A text as XML takes it. Characters that XML 1.0 cannot hold become U+FFFD.
-struct Escaped<'t>(&'t str);
-
-impl Display for Escaped<'_> {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        for c in self.0.chars() {
-            match c {
-                '&' => f.write_str("&amp;")?,
-                '<' => f.write_str("&lt;")?,
-                '>' => f.write_str("&gt;")?,
-                '\t' => f.write_char(' ')?,
-                '\0'..='\u{1f}' | '\u{fffe}' | '\u{ffff}' => f.write_char('\u{fffd}')?,
-                _ => f.write_char(c)?,
-            }
-        }
-        Ok(())
+    /// The scene, with a border to the right of and below it.
+    pub(super) fn finish(mut self, bottom: i32, margin: i32, least_width: i32) -> Scene {
+        self.scene.width = (self.scene.width + margin).max(least_width);
+        self.scene.height = bottom + margin;
+        self.scene
     }
 }

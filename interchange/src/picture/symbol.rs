@@ -3,12 +3,12 @@
 //! Contacts, coils, timers and counters stand as IEC 61131-3 draws them: the tag above, the inputs in a box. A
 //! comparison of two values is a contact with the comparison in it, which keeps a rung on one line.
 
+use super::measure::columns;
 use super::style::{HALF, LINE, UNIT};
 use super::{Values, comment};
 use ladder_analysis::context::Context;
 use ladder_analysis::facts::OperandFacts;
 use ladder_analysis::network::{BoundBlock, Formal, Meaning};
-use ladder_format::display_width;
 use ladder_instructions::{Direction, Group, Instruction, Op, Shape};
 use ladder_syntax::TextRange;
 
@@ -21,8 +21,8 @@ pub(super) struct Label {
 
 impl Label {
     fn width(&self) -> u32 {
-        let value = self.value.as_deref().map_or(0, |value| display_width(value) + 1);
-        display_width(&self.text) + value
+        let value = self.value.as_deref().map_or(0, |value| columns(value) + 1);
+        columns(&self.text) + value
     }
 }
 
@@ -39,6 +39,8 @@ pub(super) enum Symbol {
         name: String,
         pins: Option<(&'static str, &'static str)>,
         rows: Vec<(String, Label)>,
+        /// The columns that the names of the rows take.
+        names: u32,
     },
     /// `>>name`: power that goes on at a label.
     Jump(String),
@@ -62,7 +64,7 @@ impl Mark {
     pub(super) fn width(&self) -> u32 {
         match self {
             Mark::Nothing | Mark::Stroke => 2,
-            Mark::Word(word) => (display_width(word) + 1).max(2),
+            Mark::Word(word) => (columns(word) + 1).max(2),
         }
     }
 }
@@ -99,31 +101,32 @@ impl Symbol {
                 name,
                 pins,
                 rows,
+                names,
             } => {
                 let pins = pins.map_or(0, |(left, right)| left.len() + right.len() + 2) as u32;
                 let widest = rows
                     .iter()
-                    .map(|(name, label)| row_name_width(rows) + label.width() + u32::from(!name.is_empty()))
+                    .map(|(name, label)| names + label.width() + u32::from(!name.is_empty()))
                     .max()
                     .unwrap_or(0);
                 Room {
-                    columns: (display_width(name).max(pins).max(widest) + 2).max(over.width()),
+                    columns: (columns(name).max(pins).max(widest) + 2).max(over.width()),
                     over: NAME + text(over),
                     under: ROWS + rows.len() as i32 * LINE + if rows.is_empty() { 0 } else { 4 },
                 }
             }
             Symbol::Jump(name) => Room {
-                columns: display_width(name) + 3,
+                columns: columns(name) + 3,
                 over: HALF,
                 under: HALF,
             },
             Symbol::Flow(word) => Room {
-                columns: display_width(word) + 4,
+                columns: columns(word) + 4,
                 over: HALF + 2,
                 under: HALF + 2,
             },
             Symbol::Target(name) => Room {
-                columns: display_width(name) + 3,
+                columns: columns(name) + 3,
                 over: HALF + 2,
                 under: HALF + 2,
             },
@@ -131,20 +134,13 @@ impl Symbol {
     }
 }
 
-/// The columns that the names of a box's rows take.
-pub(super) fn row_name_width(rows: &[(String, Label)]) -> u32 {
-    rows.iter()
-        .map(|(name, _)| display_width(name))
-        .max()
-        .unwrap_or(0)
-}
-
 /// What a text takes, in pixels.
 pub(super) fn width(text: &str) -> i32 {
-    display_width(text) as i32 * UNIT
+    columns(text) as i32 * UNIT
 }
 
 /// What a block's texts are made of.
+#[derive(Clone, Copy)]
 pub(super) struct Words<'c> {
     pub(super) context: &'c Context,
     pub(super) text: &'c str,
@@ -176,21 +172,34 @@ impl<'c> Words<'c> {
         text.split_whitespace().collect::<Vec<_>>().join(" ")
     }
 
-    fn label(&self, bound: &BoundBlock, index: usize, with_value: bool) -> Label {
+    /// An operand with its value, if it has one.
+    fn label(&self, bound: &BoundBlock, index: usize) -> Label {
         let Some(operand) = bound.facts.operands.get(index) else {
             return Label::default();
         };
         let text = self.operand(bound, operand);
-        let value = self
-            .value
-            .filter(|_| with_value)
-            .and_then(|value| value(&text))
-            .map(|value| format!("= {value}"));
+        let value = self.value.and_then(|value| value(&text));
+        let value = value.map(|value| format!("= {value}"));
         Label { text, value }
     }
 
-    /// The symbol of a block.
-    pub(super) fn symbol(&self, bound: &BoundBlock) -> Symbol {
+    /// The name of a label or function.
+    fn target(&self, bound: &BoundBlock) -> String {
+        let operand = bound.facts.operands.first();
+        operand.map_or_else(String::new, |operand| self.operand(bound, operand))
+    }
+
+    /// The symbol of a block of a scope: 0 the file's, else that of the body of a user-defined block. The tags of a
+    /// body have as many values as the block has places, so none is shown there.
+    pub(super) fn symbol(&self, bound: &BoundBlock, scope: usize) -> Symbol {
+        let words = Words {
+            value: self.value.filter(|_| scope == 0),
+            ..*self
+        };
+        words.symbol_of(bound)
+    }
+
+    fn symbol_of(&self, bound: &BoundBlock) -> Symbol {
         match bound.meaning {
             Meaning::Instruction(row) => self.instruction(bound, row),
             Meaning::User(_) | Meaning::UnknownUser | Meaning::Unknown => {
@@ -207,12 +216,12 @@ impl<'c> Words<'c> {
         let operands = bound.facts.operands.len();
         let contact = |mark| Symbol::Contact {
             mark,
-            over: self.label(bound, 0, false),
+            over: self.label(bound, 0),
             under: Label::default(),
         };
         let coil = |mark| Symbol::Coil {
             mark,
-            over: self.label(bound, 0, false),
+            over: self.label(bound, 0),
         };
         let word = |word: &str| Mark::Word(word.to_owned());
         match row.op {
@@ -225,17 +234,17 @@ impl<'c> Words<'c> {
             | Op::OneShotFalling => contact(word(row.mnemonic)),
             Op::Eq | Op::Ne | Op::Gt | Op::Ge | Op::Lt | Op::Le if operands == 2 => Symbol::Contact {
                 mark: word(sign(row.op)),
-                over: self.label(bound, 0, true),
-                under: self.label(bound, 1, true),
+                over: self.label(bound, 0),
+                under: self.label(bound, 1),
             },
             Op::Coil => coil(Mark::Nothing),
             Op::NegatedCoil => coil(Mark::Stroke),
             _ if row.group == Group::Coil => coil(word(row.mnemonic)),
-            Op::Jmp => Symbol::Jump(self.label(bound, 0, false).text),
-            Op::Lbl => Symbol::Target(format!("{}:", self.label(bound, 0, false).text)),
+            Op::Jmp => Symbol::Jump(self.target(bound)),
+            Op::Lbl => Symbol::Target(format!("{}:", self.target(bound))),
             Op::Ret => Symbol::Flow("RETURN".to_owned()),
             _ if row.group == Group::Flow => {
-                let name = self.label(bound, 0, false).text;
+                let name = self.target(bound);
                 let words = format!("{} {name}", row.mnemonic);
                 Symbol::Flow(words.trim_end().to_owned())
             }
@@ -256,18 +265,20 @@ impl<'c> Words<'c> {
         pins: Option<(&'static str, &'static str)>,
         over: usize,
     ) -> Symbol {
-        let rows = (over..bound.facts.operands.len())
-            .map(|index| (self.row_name(bound, index), self.label(bound, index, true)))
+        let rows: Vec<_> = (over..bound.facts.operands.len())
+            .map(|index| (self.row_name(bound, index), self.label(bound, index)))
             .collect();
+        let names = rows.iter().map(|(name, _)| columns(name)).max();
         Symbol::Box {
             over: if over > 0 {
-                self.label(bound, 0, true)
+                self.label(bound, 0)
             } else {
                 Label::default()
             },
             name: name.to_owned(),
             pins,
             rows,
+            names: names.unwrap_or(0),
         }
     }
 

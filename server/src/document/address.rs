@@ -8,7 +8,12 @@ pub(crate) fn path_of(uri: &str) -> Option<PathBuf> {
     // A host may stand before the path; only this one's files can be read.
     let rest = rest.strip_prefix("localhost").unwrap_or(rest);
     let path = String::from_utf8(decoded(rest)?).ok()?;
-    if !path.starts_with('/') || path.contains('\0') {
+    // Two slashes of either kind name another machine on Windows, and to look there tells it who is asking.
+    let elsewhere = path
+        .as_bytes()
+        .get(1)
+        .is_some_and(|second| matches!(second, b'/' | b'\\'));
+    if !path.starts_with('/') || elsewhere || path.contains('\0') {
         return None;
     }
     let drive = path.as_bytes().get(2) == Some(&b':');
@@ -73,6 +78,9 @@ mod tests {
         for uri in [
             "untitled:Untitled-1",
             "file://host/a.clad",
+            "file:////host/share/a.clad",
+            "file:///%5C%5Chost/share/a.clad",
+            "file:///%5Chost/share/a.clad",
             "file:///a%2",
             "file:///a%ZZ",
             "",

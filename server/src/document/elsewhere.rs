@@ -9,6 +9,7 @@ use std::sync::{Arc, OnceLock};
 use ladder_analysis::Exported;
 use ladder_ide::{Neighbour, ScenarioFile, Workspace, mentions};
 use ladder_syntax::{Name, TextRange};
+use ladder_workspace::Named;
 use ropey::Rope;
 
 use super::neighbours::OnDisk;
@@ -137,7 +138,7 @@ impl Elsewhere {
             };
             let suite = ladder_simulator::scenario::parse(&text);
             let program = suite.program.and_then(|(program, _)| {
-                let beside = path.parent()?.join(program).canonicalize().ok()?;
+                let beside = Named::in_file(&path, &program).locate().ok()?;
                 Some(place.neighbours.view(&beside).0)
             });
             let (name, _) = place.neighbours.view(&path);

@@ -94,8 +94,8 @@ impl Neighbours {
         let exports = Arc::new(Exports::of(&analysis.context, &analysis.name));
         let mut state = self.lock();
         let (_, folder) = state.folder(path);
-        let changed = match folder.shown(path) {
-            Some(before) => !before.says_the_same(&exports),
+        let changed = match folder.shown(path).cloned() {
+            Some(before) => folder.exported().concerns(&before, &exports),
             None => true,
         };
         let open = Open {
@@ -216,7 +216,7 @@ impl Neighbours {
         let parse = match known {
             Some(parse) => parse,
             // Excluded from the workspace, but a program all the same.
-            None => Arc::new(ladder_syntax::parse(&ladder_workspace::read(path)?)),
+            None => Arc::new(ladder_syntax::parse(&ladder_workspace::read_own(path)?)),
         };
         Ok(Arc::new(analyze_with(&parse, &name, &others, &rules)))
     }
@@ -413,7 +413,7 @@ impl Folder {
     /// Takes a file as it is on disk now.
     fn reread(&mut self, root: &Path, path: &Path) {
         let stamp = Stamp::of(path);
-        let text = ladder_workspace::read(path).ok();
+        let text = ladder_workspace::read_own(path).ok();
         match text.filter(|_| self.settings.files.contain(path)) {
             Some(text) => {
                 let name = name_in(root, path);

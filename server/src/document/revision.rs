@@ -6,7 +6,7 @@ use std::sync::{Arc, Mutex, MutexGuard, OnceLock, PoisonError};
 use ladder_analysis::program::Program;
 use ladder_analysis::{NotWhole, Others, RuleSettings, link};
 use ladder_format::{Edit, Options};
-use ladder_syntax::{MAX_FILE_BYTES, TextRange, TextSize};
+use ladder_syntax::{MAX_OPEN_BYTES, MAX_OPEN_LINES, TextRange, TextSize};
 use ropey::Rope;
 
 use super::neighbours::Place;
@@ -84,11 +84,10 @@ impl Revision {
     }
 
     /// What the language has to say about the text, computed at the first call, or `None` for a text over
-    /// [`MAX_FILE_BYTES`]. Takes milliseconds on a large file: for a blocking thread.
+    /// [`MAX_OPEN_BYTES`] or [`MAX_OPEN_LINES`]. Takes milliseconds on a large file: for a blocking thread.
     pub(crate) fn analysis(&self) -> Option<&Analysis> {
         // Offsets of the inner crates are 32 bits wide; they read slices, not ropes.
-        let fits = self.len() <= MAX_FILE_BYTES;
-        fits.then(|| {
+        self.fits().then(|| {
             self.analysis.get_or_init(|| {
                 let text = self.rope.to_string();
                 let before = self.latest().clone();
@@ -108,6 +107,11 @@ impl Revision {
                 analysis
             })
         })
+    }
+
+    /// Whether the text is small enough to be read.
+    pub(crate) fn fits(&self) -> bool {
+        self.len() <= MAX_OPEN_BYTES && self.rope.len_lines() <= MAX_OPEN_LINES
     }
 
     /// Throws away what was known of the text before: when its successor has been told, and nobody waits.

@@ -22,7 +22,7 @@ impl SettingsFile {
     /// Reads it, as far as it can be read.
     pub(super) fn read(path: PathBuf) -> (Settings, SettingsFile) {
         let stamp = Stamp::of(&path);
-        let (text, settings, mistakes) = match ladder_workspace::read(&path) {
+        let (text, settings, mistakes) = match Settings::own_text(&path) {
             Ok(text) => {
                 let (settings, mistakes) = Settings::examine(&path, &text);
                 (text, settings, mistakes)
@@ -61,7 +61,9 @@ impl Seen {
     pub(super) fn changed(&self, root: &Path) -> Vec<PathBuf> {
         let settings_file = root.join(SETTINGS_FILE);
         let now = Stamp::of(&settings_file);
-        if now.exists() != self.settings_file.is_some() || self.settings_file.is_some_and(|it| it != now) {
+        // A link that leads nowhere is there, too: whoever reads it says so.
+        let is_there = settings_file.symlink_metadata().is_ok();
+        if is_there != self.settings_file.is_some() || self.settings_file.is_some_and(|it| it != now) {
             return vec![settings_file];
         }
         let found = match self.settings_file {

@@ -7,7 +7,7 @@ use ladder_analysis::{Diagnostic as Finding, Severity};
 use ladder_simulator::Simulation;
 use ladder_simulator::scenario::{self, Mistake};
 use ladder_syntax::TextRange;
-use ladder_workspace::{SETTINGS_FILE, Settings, is_program, is_scenario};
+use ladder_workspace::{Named, SETTINGS_FILE, Settings, is_program, is_scenario};
 use tower_lsp::ls_types::{Diagnostic, DiagnosticSeverity, NumberOrString};
 
 use super::blocking::blocking;
@@ -100,7 +100,7 @@ pub(super) fn closed(shared: &Arc<Shared>, uri: &str) {
 
 /// What is wrong in an open text that is no program. For a blocking thread.
 pub(super) fn diagnostics_of(shared: &Shared, revision: &Revision) -> Vec<Diagnostic> {
-    if revision.len() > ladder_syntax::MAX_FILE_BYTES {
+    if !revision.fits() {
         return vec![diagnostics::too_large(revision)];
     }
     match Kind::of(&revision.uri, "") {
@@ -124,8 +124,11 @@ fn scenarios(shared: &Shared, revision: &Revision) -> Vec<Diagnostic> {
     let mut mistakes = suite.mistakes.clone();
     let mut found = Vec::new();
     if let (Some((name, range)), Some(path)) = (&suite.program, address::path_of(&revision.uri)) {
-        let program = path.parent().unwrap_or(Path::new("")).join(name);
-        match compiled(shared, &program, suite.interval.map(|(interval, _)| interval)) {
+        let program = Named::in_file(&path, name).locate();
+        let program = program.map_err(|error| NotReady::Missing(error.to_string()));
+        match program
+            .and_then(|program| compiled(shared, &program, suite.interval.map(|(interval, _)| interval)))
+        {
             Ok(simulation) => mistakes.extend(scenario::bind(&suite, &simulation).1),
             Err(NotReady::Missing(message)) => {
                 let help = "a program is named as it is seen from the folder of the scenario file";

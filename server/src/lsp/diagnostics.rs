@@ -6,7 +6,7 @@
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-use ladder_syntax::MAX_FILE_BYTES;
+use ladder_syntax::{MAX_OPEN_BYTES, MAX_OPEN_LINES};
 use ladder_workspace::SETTINGS_FILE;
 use tower_lsp::ls_types::{Diagnostic, DiagnosticSeverity, NumberOrString, Range};
 
@@ -150,10 +150,10 @@ pub(super) fn too_large(revision: &Revision) -> Diagnostic {
         code: Some(NumberOrString::String("file-too-large".into())),
         source: Some("ladder".into()),
         message: format!(
-            "this file has {} bytes; files over {} MiB are not checked, formatted or simulated. Split the \
-             program, or open the right file",
+            "this file has {} bytes; files over {} MiB, or of more than {MAX_OPEN_LINES} lines, are not checked, \
+             formatted or simulated. Split the program, or open the right file",
             revision.len(),
-            MAX_FILE_BYTES >> 20
+            MAX_OPEN_BYTES >> 20
         ),
         ..Diagnostic::default()
     }

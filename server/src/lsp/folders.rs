@@ -7,7 +7,7 @@
 use std::path::{Path, PathBuf};
 use std::sync::{Arc, PoisonError};
 
-use ladder_workspace::{SETTINGS_FILE, Survey, survey};
+use ladder_workspace::{SETTINGS_FILE, Survey, shown, survey};
 use tower_lsp::ls_types::{DidChangeWorkspaceFoldersParams, InitializeParams, WorkspaceFolder};
 
 use super::progress::Progress;
@@ -86,12 +86,16 @@ pub(super) fn read(shared: &Shared, progress: &Progress, stop: &dyn Fn() -> bool
             programs,
             settings_files,
             whole,
+            refused,
         } = survey(&folder, MOST, stop);
         if !whole && !stop() {
             shared.outbox.log(format!(
                 "{}: this folder holds more than {MOST} files; programs that lie deep in it count when they are opened",
-                folder.display()
+                shown::path(&folder)
             ));
+        }
+        for error in refused {
+            shared.outbox.log(error.to_string());
         }
         // A settings file says what its folder is, also where there is no program yet; the one above may lie outside.
         let above = folder.join(SETTINGS_FILE);

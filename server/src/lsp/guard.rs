@@ -5,6 +5,7 @@
 //!   does not wait (a script, a replayed session) loses nothing.
 //! - `shutdown` and `exit` are recorded: [`Life`] tells how the process is to end, also while the client keeps
 //!   the input open.
+//! - A request for a method of the protocol itself (`$/..`) is answered with -32601.
 //! - A message that could not be decoded is answered (see [`inlet`](super::inlet)), and so is a notification
 //!   with parameters that make no sense: the client is told, instead of silence.
 
@@ -105,6 +106,13 @@ where
         {
             self.outbox.log(problem);
             return futures::future::ready(Ok(None)).boxed();
+        }
+        // The framework leaves such a request without an answer; LSP wants this one.
+        if let Some(id) = &id
+            && request.method().starts_with("$/")
+        {
+            let answer = Response::from_error(id.clone(), Error::method_not_found());
+            return futures::future::ready(Ok(Some(answer))).boxed();
         }
         let step = match request.method() {
             MALFORMED => return futures::future::ready(Ok(Some(malformed(request)))).boxed(),

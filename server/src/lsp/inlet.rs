@@ -1,36 +1,44 @@
 //! What comes in: the client's bytes, made safe for the framework.
 //!
 //! The framework stops reading for good at the first message that it cannot decode: broken JSON, a header in
-//! small letters, a `Content-Type` without a charset, bytes that are not UTF-8. One bad message would end the
-//! session. So the client's bytes are split into messages here, each is checked, and one that cannot be
+//! small letters, a `Content-Type` without a charset, bytes that are not UTF-8, a number or a nesting that its reader
+//! of JSON refuses. One bad message would end the session. So the client's bytes are split into messages
+//! ([`frames`](super::frames)), each is checked here, and one that cannot be
 //! understood is replaced by a request for the method [`MALFORMED`], which the [`Guard`](super::guard) answers
 //! with the error that belongs to it. What the framework reads is always well formed.
-
-use std::io;
 
 use serde::Deserialize;
 use serde::de::IgnoredAny;
 use serde_json::json;
-use tokio::io::{
-    AsyncBufRead, AsyncBufReadExt, AsyncRead, AsyncReadExt, AsyncWrite, AsyncWriteExt, BufReader,
-};
+use tokio::io::{AsyncRead, AsyncWrite, AsyncWriteExt};
 use tower_lsp::jsonrpc::{ErrorCode, Id, Response};
+
+use super::decodable::{Decodable, replace_lone_surrogates};
+use super::frames::{Frame, Frames, LONGEST_MESSAGE};
 
 /// The method that stands for a message that could not be understood. Its parameters are the `code` and
 /// `message` of the answer.
 pub(super) const MALFORMED: &str = "$malformed";
 
-/// No message is longer than this, in bytes: a text of 64 MiB with every character escaped in JSON.
-const LONGEST_MESSAGE: usize = 400 << 20;
-
-/// No header line is longer than this, in bytes.
-const LONGEST_HEADER: u64 = 4096;
-
 /// Copies messages from the client to the framework until either side ends.
-pub(super) async fn feed(input: impl AsyncRead + Unpin, mut framework: impl AsyncWrite + Unpin) {
-    let mut input = BufReader::new(input);
-    while let Ok(Some(frame)) = next_frame(&mut input).await {
-        let body = checked(frame);
+pub(crate) async fn feed(input: impl AsyncRead + Unpin, mut framework: impl AsyncWrite + Unpin) {
+    let mut frames = Frames::of(input);
+    while let Ok(Some(frame)) = frames.next().await {
+        let body = match frame {
+            Frame::Body(body) => message(body, &mut frames),
+            Frame::TooLong(length) => stand_in(Mistake {
+                code: ErrorCode::InvalidRequest,
+                message: format!(
+                    "a message of {length} bytes is longer than the server accepts ({LONGEST_MESSAGE}); it was skipped"
+                ),
+                id: Id::Null,
+            }),
+            Frame::Stray => stand_in(Mistake {
+                code: ErrorCode::ParseError,
+                message: "a message header has no Content-Length that is a number, or there is none; what followed was skipped up to the next one".into(),
+                id: Id::Null,
+            }),
+        };
         let header = format!("Content-Length: {}\r\n\r\n", body.len());
         let sent = async {
             framework.write_all(header.as_bytes()).await?;
@@ -43,90 +51,23 @@ pub(super) async fn feed(input: impl AsyncRead + Unpin, mut framework: impl Asyn
     }
 }
 
-/// What stands between two headers.
-enum Frame {
-    Body(Vec<u8>),
-    TooLong(usize),
-    NoLength,
-}
-
-/// The next message, or `None` at the end of the input.
-async fn next_frame(input: &mut (impl AsyncBufRead + Unpin)) -> io::Result<Option<Frame>> {
-    let mut length = None;
-    let mut lines = 0;
-    loop {
-        let mut line = Vec::new();
-        if (&mut *input)
-            .take(LONGEST_HEADER)
-            .read_until(b'\n', &mut line)
-            .await?
-            == 0
-        {
-            return Ok(None);
-        }
-        let line = line.trim_ascii();
-        if line.is_empty() {
-            if let Some(length) = length {
-                return read_body(input, length).await.map(Some);
-            }
-            // A blank line between messages is nothing; a header without a length is a mistake, told once.
-            if lines > 0 {
-                return Ok(Some(Frame::NoLength));
-            }
-            continue;
-        }
-        lines += 1;
-        length = content_length(line).or(length);
-    }
-}
-
-fn content_length(line: &[u8]) -> Option<usize> {
-    let line = std::str::from_utf8(line).ok()?;
-    let (name, value) = line.split_once(':')?;
-    // Behind garbage without a line end the name is only the end of the line.
-    let name = name.trim_end();
-    let known = "content-length";
-    let start = name.len().checked_sub(known.len())?;
-    name.get(start..)?
-        .eq_ignore_ascii_case(known)
-        .then(|| value.trim().parse().ok())?
-}
-
-async fn read_body(input: &mut (impl AsyncBufRead + Unpin), length: usize) -> io::Result<Frame> {
-    if length > LONGEST_MESSAGE {
-        tokio::io::copy(&mut input.take(length as u64), &mut tokio::io::sink()).await?;
-        return Ok(Frame::TooLong(length));
-    }
-    let mut body = Vec::new();
-    // Read as it comes: a length is only a promise, and nothing is allocated for a promise.
-    if (&mut *input).take(length as u64).read_to_end(&mut body).await? < length {
-        return Err(io::ErrorKind::UnexpectedEof.into());
-    }
-    Ok(Frame::Body(body))
-}
-
 /// The message itself, or the request that stands for one that cannot be understood.
-fn checked(frame: Frame) -> Vec<u8> {
-    let (code, message, id) = match frame {
-        Frame::Body(body) => match check(&body) {
-            Ok(()) => return body,
-            Err(Mistake { code, message, id }) => (code, message, id),
-        },
-        Frame::TooLong(length) => (
-            ErrorCode::InvalidRequest,
-            format!(
-                "a message of {length} bytes is longer than the server accepts ({LONGEST_MESSAGE}); it was skipped"
-            ),
-            Id::Null,
-        ),
-        Frame::NoLength => (
-            ErrorCode::ParseError,
-            "a message header has no Content-Length; it was skipped".into(),
-            Id::Null,
-        ),
-    };
-    let params = json!({ "code": code.code(), "message": message });
-    json!({ "jsonrpc": "2.0", "id": id, "method": MALFORMED, "params": params })
+fn message<R: AsyncRead + Unpin>(mut body: Vec<u8>, frames: &mut Frames<R>) -> Vec<u8> {
+    replace_lone_surrogates(&mut body);
+    match check(&body) {
+        Ok(()) => body,
+        Err(_) if frames.end_at_header(&mut body) && check(&body).is_ok() => body,
+        Err(mistake) => {
+            frames.skip_quietly();
+            stand_in(mistake)
+        }
+    }
+}
+
+/// The request that stands for a message that cannot be understood.
+fn stand_in(mistake: Mistake) -> Vec<u8> {
+    let params = json!({ "code": mistake.code.code(), "message": mistake.message });
+    json!({ "jsonrpc": "2.0", "id": mistake.id, "method": MALFORMED, "params": params })
         .to_string()
         .into_bytes()
 }
@@ -168,13 +109,38 @@ fn check(body: &[u8]) -> Result<(), Mistake> {
         id: Id::Null,
     };
     let text = std::str::from_utf8(body).map_err(|_| not_json("the message is not UTF-8".into()))?;
-    if serde_json::from_str::<Envelope>(text).is_ok_and(|envelope| envelope.jsonrpc == "2.0") {
+    let decodable = serde_json::from_str::<Decodable>(text);
+    // A list would be read as the fields in their order.
+    let is_object = text.trim_ascii_start().starts_with('{');
+    if is_object
+        && decodable.is_ok()
+        && serde_json::from_str::<Envelope>(text).is_ok_and(|envelope| envelope.jsonrpc == "2.0")
+    {
         return Ok(());
     }
     if let Err(error) = serde_json::from_str::<IgnoredAny>(text) {
         return Err(not_json(format!("the message is not JSON: {error}")));
     }
+    if !is_object {
+        return Err(Mistake {
+            code: ErrorCode::InvalidRequest,
+            message: "a message is an object; several at once are not read, send one after the other".into(),
+            id: Id::Null,
+        });
+    }
     let loose = serde_json::from_str::<Loose>(text).unwrap_or_default();
+    let id = || {
+        let id = loose.id.clone();
+        id.and_then(|id| serde_json::from_value(id).ok())
+            .unwrap_or(Id::Null)
+    };
+    if let Err(error) = decodable {
+        return Err(Mistake {
+            code: ErrorCode::InvalidRequest,
+            message: format!("the message holds what the server does not read: {error}"),
+            id: id(),
+        });
+    }
     if loose.method.is_none() && serde_json::from_str::<Response>(text).is_ok() {
         return Ok(());
     }
@@ -185,14 +151,10 @@ fn check(body: &[u8]) -> Result<(), Mistake> {
     } else {
         "the method is not text, or the id is neither a whole number nor text"
     };
-    let id = loose
-        .id
-        .and_then(|id| serde_json::from_value(id).ok())
-        .unwrap_or(Id::Null);
     Err(Mistake {
         code: ErrorCode::InvalidRequest,
         message: message.into(),
-        id,
+        id: id(),
     })
 }
 
@@ -262,6 +224,8 @@ mod tests {
             (r#"{"jsonrpc":"2.0","id":5}"#, "5", -32600),
             (r#"{"jsonrpc":"2.0","id":1.5,"method":"x"}"#, "null", -32600),
             ("[]", "null", -32600),
+            (r#"["2.0","x",1]"#, "null", -32600),
+            (r#"[4,"x","2.0"]"#, "null", -32600),
             ("not json", "null", -32700),
         ] {
             let fed = fed(frame(body).as_bytes());
@@ -300,9 +264,25 @@ mod tests {
             Just(r#"{"jsonrpc":2.0,"method":"a"}"#.to_owned()),
             Just(r#"[{"jsonrpc":"2.0","method":"a"}]"#.to_owned()),
             Just("[".repeat(500)),
+            Just(r#"{"jsonrpc":"2.0","method":"a","params":["\ud800\"\\\udfff"]}"#.to_owned()),
+            Just(r#"{"jsonrpc":"2.0","id":1,"result":"\udc00\ud83d\ude00"}"#.to_owned()),
+            Just(r#"{"jsonrpc":"2.0","id":1,"method":"a","other":1e400}"#.to_owned()),
+            Just(r#"{"jsonrpc":"2.0","id":1,"result":-1e400}"#.to_owned()),
+            (120usize..132).prop_map(|depth| {
+                let (open, close) = ("[".repeat(depth), "]".repeat(depth));
+                format!(r#"{{"jsonrpc":"2.0","id":1,"method":"a","params":{open}{close}}}"#)
+            }),
+            (120usize..132).prop_map(|depth| {
+                let (open, close) = ("{\"a\":".repeat(depth), "}".repeat(depth));
+                format!(r#"{{"jsonrpc":"2.0","id":1,"result":{open}1{close}}}"#)
+            }),
             "[{}:,\"0-9a-z]{0,30}",
         ];
+        let wrong_length = (body.clone(), 0usize..200);
+        let wrong_length =
+            wrong_length.prop_map(|(body, length)| format!("Content-Length: {length}\r\n\r\n{body}"));
         let piece = prop_oneof![
+            2 => wrong_length.prop_map(String::into_bytes),
             6 => body.prop_map(|body| frame(&body).into_bytes()),
             1 => prop::collection::vec(any::<u8>(), 0..40),
             1 => "(Content-Length|X): ?[0-9]{0,3}\r?\n{0,2}".prop_map(String::into_bytes),

@@ -1,6 +1,5 @@
 //! `textDocument/documentLink`: what comments name on the web, and the files beside the document that there are.
 
-use std::path::Path;
 use std::sync::Arc;
 
 use tower_lsp::jsonrpc::Result;
@@ -11,6 +10,7 @@ use super::convert;
 use super::shared::Shared;
 use crate::document::address;
 use ladder_ide::{LinkTarget, links};
+use ladder_workspace::Named;
 
 pub(super) async fn document_links(
     shared: &Arc<Shared>,
@@ -18,13 +18,12 @@ pub(super) async fn document_links(
 ) -> Result<Option<Vec<DocumentLink>>> {
     about(shared, &params.text_document.uri, |asked| {
         let path = asked.revision.place().map(|place| place.path.clone());
-        let folder = path.as_deref().and_then(Path::parent);
         let found = links(&asked.analysis).into_iter().filter_map(|link| {
             let address = match &link.to {
                 LinkTarget::Web(address) => address.clone(),
                 LinkTarget::File(name) => {
-                    let file = folder?.join(name);
-                    file.is_file().then(|| address::uri_of(&plain(&file)))?
+                    let file = Named::in_file(path.as_deref()?, name).locate().ok()?;
+                    file.is_file().then(|| address::uri_of(&file))?
                 }
             };
             Some(DocumentLink {
@@ -37,9 +36,4 @@ pub(super) async fn document_links(
         Some(found.collect())
     })
     .await
-}
-
-/// A path without `.` and `..`, which not every editor follows.
-fn plain(path: &Path) -> std::path::PathBuf {
-    path.canonicalize().unwrap_or_else(|_| path.to_owned())
 }

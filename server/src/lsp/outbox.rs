@@ -6,6 +6,7 @@
 
 use std::sync::Arc;
 
+use ladder_workspace::shown;
 use tokio::sync::mpsc;
 use tower_lsp::Client;
 use tower_lsp::ls_types::{Diagnostic, MessageType};
@@ -59,18 +60,23 @@ impl Outbox {
 
     /// A line for the client's log.
     pub(super) fn log(&self, message: impl Into<String>) {
-        self.note(Note::Log(MessageType::WARNING, message.into()));
+        self.note(Note::Log(MessageType::WARNING, written_out(message)));
     }
 
     /// A message for the person at the screen.
     pub(super) fn show(&self, message: impl Into<String>) {
-        self.note(Note::Show(MessageType::WARNING, message.into()));
+        self.note(Note::Show(MessageType::WARNING, written_out(message)));
     }
 
     fn note(&self, note: Note) {
         // The task is gone only when the session is.
         let _ = self.notes.send((note, self.busy.begin()));
     }
+}
+
+/// A log may end on a terminal, and so may what others wrote in the message.
+fn written_out(message: impl Into<String>) -> String {
+    shown::text(&message.into()).into_owned()
 }
 
 async fn send(client: Client, mut inbox: mpsc::UnboundedReceiver<(Note, Work)>) {

@@ -4,6 +4,7 @@ use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use std::sync::{Arc, Mutex, PoisonError};
 
+use ladder_workspace::shown;
 use ropey::Rope;
 use tower_lsp::ls_types::{Diagnostic, DiagnosticSeverity, NumberOrString};
 
@@ -127,10 +128,10 @@ fn sentence(path: &Path, diagnostics: &[Diagnostic]) -> String {
         let start = it.range.start;
         format!(
             "{}:{}:{}: {}",
-            path.display(),
+            shown::path(path),
             start.line + 1,
             start.character + 1,
-            it.message
+            shown::line(&it.message)
         )
     });
     lines.collect::<Vec<_>>().join("\n")

@@ -6,7 +6,7 @@ use std::time::Duration;
 use ladder_analysis::program::{Location, Role};
 use ladder_analysis::value::Value;
 use ladder_analysis::{Analysis, NotWhole};
-use ladder_simulator::{Breakpoint, HistoryLimits, Point, Session, Simulation, Status, Stop};
+use ladder_simulator::{Brake, Breakpoint, HistoryLimits, Point, Session, Simulation, Status, Stop};
 use ladder_syntax::TextRange;
 use serde_json::Value as Json;
 
@@ -73,7 +73,7 @@ impl Engine {
         let places = power(session.simulation())
             .map(|(place, _)| revision.range(place))
             .collect();
-        let (retention, notes) = Retention::begin(settings.retain.as_deref(), revision.name(), &mut session);
+        let (retention, notes) = Retention::begin(settings.retain.as_ref(), revision.name(), &mut session);
         let mut engine = Engine {
             revision,
             session,
@@ -88,6 +88,11 @@ impl Engine {
     /// The text that runs.
     pub(super) fn revision(&self) -> &Revision {
         &self.revision
+    }
+
+    /// Gives up a scan that takes long when this says so: it is as if it had not been begun.
+    pub(super) fn obey(&mut self, brake: Brake) {
+        self.session.set_brake(Some(brake));
     }
 
     /// Runs one scan, unless the program has come to its end; gives the breakpoint that stops it.

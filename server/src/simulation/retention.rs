@@ -1,9 +1,25 @@
 //! Retentive tags of a simulation, where the workspace names a file for them.
 
-use std::path::Path;
+use std::time::{Duration, Instant};
 
 use ladder_simulator::Session;
-use ladder_workspace::RetentiveFile;
+use ladder_workspace::{FileError, Found, Named, Problem, RetentiveFile};
+
+/// A simulation that was told to stop lets go of its file in this time.
+const PATIENCE: Duration = Duration::from_secs(1);
+
+/// Opens the file. An editor that starts a simulation anew may not wait until the one before has ended.
+fn patiently(file: &Named, program: &str) -> Result<(RetentiveFile, Found), FileError> {
+    let begun = Instant::now();
+    loop {
+        match RetentiveFile::open_named(file, program) {
+            Err(error) if matches!(error.problem, Problem::InUse) && begun.elapsed() < PATIENCE => {
+                std::thread::sleep(Duration::from_millis(20));
+            }
+            opened => return opened,
+        }
+    }
+}
 
 /// The file, while a simulation runs.
 #[derive(Debug)]
@@ -12,17 +28,17 @@ pub(super) struct Retention {
 }
 
 impl Retention {
-    /// Reads the file and begins with what it kept. Without a file, or with one that cannot be read, the simulation
+    /// Reads the file and begins with what it kept. Without a file, or with one that cannot be used, the simulation
     /// keeps nothing; the sentences are for the person.
     pub(super) fn begin(
-        file: Option<&Path>,
+        file: Option<&Named>,
         program: &str,
         session: &mut Session,
     ) -> (Option<Retention>, Vec<String>) {
-        let Some(path) = file else {
+        let Some(file) = file else {
             return (None, Vec::new());
         };
-        match RetentiveFile::open(path, program) {
+        match patiently(file, program) {
             Ok((file, found)) => {
                 let mut notes = found.notes;
                 let complaints = found.kept.map(|kept| session.warm_start(&kept));

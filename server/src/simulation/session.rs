@@ -5,6 +5,7 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::mpsc::{Receiver, RecvTimeoutError, Sender, TryRecvError, channel};
 use std::time::{Duration, Instant};
 
+use ladder_simulator::Brake;
 use serde::Serialize;
 use serde_json::Value;
 use tokio::sync::{oneshot, watch};
@@ -118,7 +119,8 @@ impl Session {
         let (commands, inbox) = channel();
         let urgent = Arc::<AtomicUsize>::default();
         let uri = revision.uri.clone();
-        let (engine, notes) = Engine::start(revision, options)?;
+        let (mut engine, notes) = Engine::start(revision, options)?;
+        engine.obey(brake(&urgent, &Cancel::default()));
         let mut simulation = Simulation {
             id: id.clone(),
             engine,
@@ -163,6 +165,12 @@ impl Session {
         });
         answer
     }
+}
+
+/// Stops a scan that takes long, so that the session can serve an urgent command.
+fn brake(urgent: &Arc<AtomicUsize>, cancel: &Cancel) -> Brake {
+    let (urgent, cancel) = (urgent.clone(), cancel.clone());
+    Brake::new(move || urgent.load(Ordering::SeqCst) > 0 || cancel.is_cancelled())
 }
 
 /// A run that goes on between commands.
@@ -374,6 +382,7 @@ impl Runner {
             return;
         }
         self.simulation.status = Status::Running;
+        self.simulation.engine.obey(brake(&self.urgent, cancel));
         let mut reported = Instant::now();
         for _ in 0..scans {
             let interrupted = cancel.is_cancelled() || self.urgent.load(Ordering::SeqCst) > 0;
@@ -386,6 +395,8 @@ impl Runner {
                 self.publish();
             }
         }
+        let nobody = Cancel::default();
+        self.simulation.engine.obey(brake(&self.urgent, &nobody));
         self.pause();
     }
 

@@ -2,6 +2,7 @@
 
 use ladder_analysis::types::Scalar;
 use ladder_analysis::value::Value;
+use ladder_analysis::with_article;
 use ladder_simulator::value_text;
 use serde_json::{Number, Value as Json};
 
@@ -56,7 +57,7 @@ pub(super) fn from_json(json: &Json, ty: Scalar) -> Result<Value, String> {
                 _ => value_text::parse(&number.to_string(), ty),
             }
         }
-        _ => Err(format!("{json} is no value for a {ty}")),
+        _ => Err(format!("{json} is no value for {}", with_article(ty))),
     }
 }
 

@@ -119,6 +119,13 @@ impl Client {
         id
     }
 
+    /// The number of a request that is then sent as bytes.
+    pub(crate) fn next_id(&mut self) -> i64 {
+        self.asked += 1;
+        self.outstanding.insert(self.asked);
+        self.asked
+    }
+
     /// Sends a request that has its number already.
     pub(crate) async fn ask_as(&mut self, id: i64, message: &Value) {
         self.outstanding.insert(id);

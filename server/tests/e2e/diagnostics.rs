@@ -100,14 +100,14 @@ async fn closing_clears_them_for_good() {
 }
 
 #[tokio::test]
-async fn a_file_over_64_mib_gets_one_clear_message() {
+async fn a_file_over_24_mib_gets_one_clear_message() {
     let mut client = Client::new().await;
     client
-        .open(&"+--[ ]( a )--( )( y )--+\n".repeat((64 << 20) / 25 + 1))
+        .open(&"+--[ ]( a )--( )( y )--+\n".repeat((24 << 20) / 24 + 1))
         .await;
     let found = client.diagnostics(1).await;
     assert_eq!(codes(&found), ["file-too-large"]);
-    assert!(found[0]["message"].as_str().unwrap().contains("64 MiB"));
+    assert!(found[0]["message"].as_str().unwrap().contains("24 MiB"));
     assert_eq!(client.hover(0, 4).await, Ok(Value::Null));
     let error = client.simulate("start", json!({"uri": URI})).await.unwrap_err();
     assert_eq!(error.0, -32803);

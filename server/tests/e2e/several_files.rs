@@ -203,3 +203,31 @@ async fn a_hover_tells_of_the_other_files() {
     );
     client.finish().await;
 }
+
+/// What one file does with the tags and functions of another is told where these are declared, as it is now.
+#[tokio::test]
+async fn what_nobody_uses_follows_the_files_that_could() {
+    const SHARED: &str = "VAR_GLOBAL total : DINT; END_VAR\nVAR_OUTPUT y : BOOL; END_VAR\n\
+        +--[ADD]( total, total, 1 )--( )( y )--+\n+--<FUN>( count )--( )( y )--+\n";
+    let plant = Plant::with(&[("main.clad", "+--( )( z )--+\n")]);
+    let mut client = Client::new().await;
+    let (main, shared) = (plant.uri("main.clad"), plant.uri("shared.clad"));
+    client.open_as(&shared, 1, SHARED).await;
+    assert_eq!(published(&mut client, &shared).await, ["unused-function"]);
+    client.open_as(&main, 1, "+--( )( z )--+\n").await;
+    assert_eq!(published(&mut client, &main).await, NONE);
+    replace(&mut client, &main, 2, "+--( )( z )--<CALL>( count )--+\n").await;
+    assert_eq!(published(&mut client, &shared).await, NONE);
+    // Half typed: the word may still mean it.
+    replace(&mut client, &main, 3, "+--( )( z )--<CALL>( count\n").await;
+    replace(&mut client, &main, 4, "+--( )( z )--+\n").await;
+    assert_eq!(published(&mut client, &shared).await, ["unused-function"]);
+    // Closed without being saved, then changed on disk.
+    client
+        .notify("textDocument/didClose", json!({"textDocument": {"uri": main}}))
+        .await;
+    plant.write("main.clad", "+--( )( z )--<CALL>( count )--+\n");
+    watched(&mut client, &main).await;
+    assert_eq!(published(&mut client, &shared).await, NONE);
+    client.finish().await;
+}

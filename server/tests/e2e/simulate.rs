@@ -409,6 +409,32 @@ async fn a_long_step_gives_way_to_stop() {
 }
 
 #[tokio::test]
+async fn a_scan_without_end_gives_way_to_pause_and_stop() {
+    let endless = "+--<LBL>( again )--[ ]( go )--<JMP>( again )--+\n";
+    let mut client = Client::new().await;
+    client.open(endless).await;
+    let options = json!({"watchdog": u64::MAX >> 1, "inputs": {"go": true}});
+    let params = json!({"uri": URI, "options": options});
+    let session = client.simulate("start", params).await.unwrap();
+    let s = session["session"].as_str().unwrap().to_owned();
+    for _ in 0..3 {
+        let params = json!({"command": "ladder.simulate.step", "arguments": [{"session": s, "scans": 5}]});
+        let step = client.ask("workspace/executeCommand", params).await;
+        let state = client.simulate("pause", json!({"session": s})).await.unwrap();
+        assert_eq!((&state["status"], &state["scan"]), (&json!("paused"), &json!(0)));
+        let state = client.answer(step).await.unwrap();
+        assert_eq!(state["status"], "paused");
+        client.simulate("run", json!({"session": s})).await.unwrap();
+        let state = client.simulate("pause", json!({"session": s})).await.unwrap();
+        assert_eq!((&state["status"], &state["scan"]), (&json!("paused"), &json!(0)));
+        assert_eq!(state["faults"], json!([]));
+    }
+    client.simulate("run", json!({"session": s})).await.unwrap();
+    client.simulate("stop", json!({"session": s})).await.unwrap();
+    client.finish().await;
+}
+
+#[tokio::test]
 async fn an_end_and_a_fault_stop_the_program_for_good() {
     let (mut client, s, _) = started("+--[ ]( a )--<END>--+\n").await;
     set(&mut client, &s, "a", json!(true)).await.unwrap();

@@ -42,22 +42,19 @@ pub(crate) enum Instr {
     Rail {
         out: Bit,
     },
-    /// EN and tag is high and was low; `stamp` where the block can be reached twice in a scan, else
-    /// [`NO_STAMP`].
+    /// EN and tag is high and was low at the last evaluation.
     Rising {
         out: Bit,
         en: Bit,
         tag: Bit,
         before: Bit,
-        stamp: Word,
     },
-    /// EN and tag is low and was high.
+    /// EN and tag is low and was high at the last evaluation.
     Falling {
         out: Bit,
         en: Bit,
         tag: Bit,
         before: Bit,
-        stamp: Word,
     },
 
     // Comparisons: EN and a op b.
@@ -561,9 +558,6 @@ impl Instr {
 
 /// For a call that cannot come back to its own network.
 pub(crate) const NOTHING_SAVED: u32 = u32::MAX;
-
-/// For a block that cannot be reached twice in one scan.
-pub(crate) const NO_STAMP: Word = Word(u32::MAX);
 
 #[cfg(test)]
 mod tests {

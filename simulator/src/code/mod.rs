@@ -3,7 +3,7 @@
 
 mod instr;
 
-pub(crate) use instr::{Instr, NO_STAMP, NOTHING_SAVED};
+pub(crate) use instr::{Instr, NOTHING_SAVED};
 
 use crate::memory::Bit;
 use ladder_analysis::program::{ElementKind, Location};
@@ -22,8 +22,9 @@ pub(crate) struct Record {
 pub(crate) struct Code {
     pub(crate) instrs: Vec<Instr>,
     pub(crate) records: Vec<Record>,
-    /// For each instruction how many blocks begin at it or before it. Not kept up behind jumps: it counts text.
-    pub(crate) blocks_through: Vec<u32>,
+    /// For each instruction what the blocks count that begin at it or before it: one each, and more for one of very
+    /// many instructions. Not kept up behind jumps: it counts text.
+    pub(crate) work_through: Vec<u32>,
     /// The blocks in the order of the code.
     pub(crate) blocks: Vec<BlockPlace>,
     /// Where each network begins, in the order of the code: its first instruction and its number.
@@ -105,6 +106,8 @@ pub(crate) struct BlockPlace {
     pub(crate) start: u32,
     /// The one behind it.
     pub(crate) end: u32,
+    /// What the watchdog counts for it and the blocks before it.
+    pub(crate) work_through: u32,
     /// The power that leaves it: low if it faults.
     pub(crate) out: Bit,
     /// Where it is drawn.

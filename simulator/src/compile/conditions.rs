@@ -3,7 +3,7 @@
 use super::arguments::Arguments;
 use super::place::Slot;
 use super::{Compiler, Result};
-use crate::code::{Instr, NO_STAMP};
+use crate::code::Instr;
 use crate::memory::Bit;
 use crate::operation::{Test, Width};
 use ladder_analysis::program::{Argument, Expr};
@@ -47,27 +47,10 @@ impl Compiler<'_> {
     /// EN and an edge of a bit. The memory belongs to this place in the text.
     pub(super) fn edge(&mut self, en: Bit, tag: Bit, rising: bool) -> Bit {
         let (out, before) = (self.layout.bit(), self.layout.bit());
-        let stamp = if self.repeats {
-            self.layout.word()
-        } else {
-            NO_STAMP
-        };
         self.emit(if rising {
-            Instr::Rising {
-                out,
-                en,
-                tag,
-                before,
-                stamp,
-            }
+            Instr::Rising { out, en, tag, before }
         } else {
-            Instr::Falling {
-                out,
-                en,
-                tag,
-                before,
-                stamp,
-            }
+            Instr::Falling { out, en, tag, before }
         });
         out
     }

@@ -2,10 +2,11 @@
 
 use super::arguments::Arguments;
 use super::call_graph::Cycles;
+use super::user_block::Output;
 use super::{Compiler, Result};
 use crate::code::{Instr, NOTHING_SAVED};
 use crate::memory::Bit;
-use ladder_analysis::program::{Argument, Block, BlockKind, Network, Program};
+use ladder_analysis::program::{Argument, BlockKind, Network, Program};
 use ladder_instructions::{Op, Shape};
 use ladder_syntax::Name;
 use std::ops::Range;
@@ -38,10 +39,8 @@ pub(super) enum Kind {
 /// What is left to do where a body is left from within.
 #[derive(Debug, Clone)]
 pub(super) struct BodyExit {
-    /// The block where it stands.
-    pub(super) block: Block,
-    /// Which user-defined block it is.
-    pub(super) user: usize,
+    /// What its outputs are copied to.
+    pub(super) outputs: Vec<Output>,
     /// Whether it has a frame of its own.
     pub(super) framed: bool,
     /// `<$B>`: what it does not do itself acts where the block stands.
@@ -65,32 +64,6 @@ pub(super) fn holds(network: &Network, op: Op) -> bool {
 /// Whether a block is this instruction.
 pub(super) fn is(kind: &BlockKind, op: Op) -> bool {
     matches!(kind, BlockKind::Instruction(row) if row.op == op)
-}
-
-/// Whether any block of the program may be reached twice in one scan.
-pub(super) fn may_repeat(program: &Program) -> bool {
-    let mut called = vec![false; program.functions.len()];
-    for (index, network) in program.networks.iter().enumerate() {
-        for block in &network.blocks {
-            let repeats = match &block.kind {
-                BlockKind::Instruction(row) => {
-                    match (row.op, block.arguments.first().map(|bound| &bound.argument)) {
-                        (Op::For, _) => true,
-                        (Op::Jmp, Some(Argument::Label(Some(target)))) => *target <= index,
-                        (Op::Call, Some(Argument::Function(function))) => {
-                            std::mem::replace(&mut called[*function], true)
-                        }
-                        _ => false,
-                    }
-                }
-                BlockKind::User(_) => false,
-            };
-            if repeats {
-                return true;
-            }
-        }
-    }
-    false
 }
 
 /// Notes which networks of the main program some scans may not reach, or not in one go: what jumps pass over or go back
@@ -343,7 +316,7 @@ impl Compiler<'_> {
                 continue;
             };
             let exit = exit.clone();
-            self.copy_out(exit.user, &exit.block)?;
+            self.copy_out(&exit.outputs)?;
             if exit.framed {
                 self.emit(Instr::LeaveBody);
             }

@@ -27,10 +27,11 @@ use crate::fuse::{Fused, fuse};
 use crate::layout::{Home, Layout};
 use crate::memory::{Bit, Memory, Word};
 use crate::retain::{Retained, kept_tags, retained};
+use crate::work;
 use arguments::Arguments;
 use call_graph::Cycles;
 use flow::Region;
-use ladder_analysis::program::{Block, BlockKind, Location, Network, Program, Step, TagId};
+use ladder_analysis::program::{Block, BlockKind, Location, Program, Step, TagId};
 use ladder_instructions::{Instruction, Op};
 pub(crate) use ports::{CHANNELS, Ports};
 use std::collections::HashMap;
@@ -113,7 +114,6 @@ pub(crate) fn compile(program: &Program) -> Result<Compiled> {
         calls: Vec::new(),
         powers: Vec::new(),
         step: 0,
-        repeats: flow::may_repeat(program),
         cycles: Cycles::default(),
         ports: Ports::default(),
         block_tags,
@@ -146,8 +146,6 @@ struct Compiler<'p> {
     powers: Vec<Bit>,
     /// The step that is being compiled.
     step: usize,
-    /// Whether any block may be reached twice in a scan.
-    repeats: bool,
     /// Which functions call each other.
     cycles: Cycles,
     ports: Ports,
@@ -170,20 +168,7 @@ impl Compiler<'_> {
                 *to = self.functions[function];
             }
         }
-        let mut blocks = 0;
-        self.code.blocks_through = (0..self.code.instrs.len())
-            .map(|at| {
-                while self
-                    .code
-                    .blocks
-                    .get(blocks)
-                    .is_some_and(|block| block.start as usize <= at)
-                {
-                    blocks += 1;
-                }
-                blocks as u32
-            })
-            .collect();
+        self.count_work();
         self.code.note_stops();
         let Layout {
             mut memory,
@@ -202,6 +187,27 @@ impl Compiler<'_> {
             skippable: self.skippable,
             stretches: self.stretches,
         }
+    }
+
+    /// Notes what blocks count for the watchdog: one each, and more for one of very many instructions.
+    fn count_work(&mut self) {
+        let Code {
+            instrs,
+            blocks,
+            work_through,
+            ..
+        } = &mut self.code;
+        let mut work = 0;
+        for block in 0..blocks.len() {
+            let end = blocks
+                .get(block + 1)
+                .map_or(instrs.len(), |next| next.start as usize);
+            // Instructions before the first block count for none.
+            work_through.resize(blocks[block].start as usize, work);
+            work += 1 + work::blocks(end - blocks[block].start as usize);
+            blocks[block].work_through = work;
+        }
+        work_through.resize(instrs.len(), work);
     }
 
     fn emit(&mut self, instr: Instr) {
@@ -235,13 +241,14 @@ impl Compiler<'_> {
             let network = self.noted(self.regions.len() - 1);
             self.emit(Instr::Network { network });
         }
+        let lights_itself = flow::holds(network, Op::Mcr);
         let outer = std::mem::take(&mut self.powers);
         let mut ends = Vec::with_capacity(network.steps.len());
         for (number, &step) in network.steps.iter().enumerate() {
             self.step = number;
             let power = match step {
                 Step::Start { rail: false } => Bit::LOW,
-                Step::Start { rail: true } => self.rail(network),
+                Step::Start { rail: true } => self.rail(lights_itself),
                 Step::Join { upper, lower } => self.join(self.powers[upper], self.powers[lower]),
                 Step::Block { block, en } => self.block(&network.blocks[block], self.powers[en])?,
             };
@@ -275,8 +282,9 @@ impl Compiler<'_> {
         Ok(())
     }
 
-    fn rail(&mut self, network: &Network) -> Bit {
-        if !self.region().has_mcr || flow::holds(network, Op::Mcr) {
+    /// The left rail of a network. One that holds an `<MCR>` always has a live rail.
+    fn rail(&mut self, lights_itself: bool) -> Bit {
+        if !self.region().has_mcr || lights_itself {
             return Bit::HIGH;
         }
         let out = self.layout.bit();
@@ -303,6 +311,7 @@ impl Compiler<'_> {
         self.code.blocks.push(BlockPlace {
             start: self.here(),
             end: self.here(),
+            work_through: 0,
             out: en,
             location: block.location,
         });

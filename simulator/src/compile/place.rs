@@ -5,7 +5,8 @@ use crate::code::{ArrayPlace, Instr};
 use crate::layout::{self, Home, MemberSlot};
 use crate::memory::{Bit, TextSlot, Word};
 use crate::operation::Width;
-use ladder_analysis::program::{Expr, ExprKind, Place, SystemTag, TagId};
+use crate::system::{self, SystemSlot};
+use ladder_analysis::program::{Expr, ExprKind, Place, TagId};
 use ladder_analysis::types::Scalar;
 use ladder_analysis::value::Value;
 
@@ -95,14 +96,9 @@ impl Compiler<'_> {
                 },
                 other => other,
             },
-            Place::System(tag) => match tag {
-                SystemTag::FirstScan => Spot::Bit(Bit::FIRST_SCAN),
-                SystemTag::Fault => Spot::Bit(Bit::FAULT),
-                SystemTag::On => Spot::Bit(Bit::HIGH),
-                SystemTag::Off => Spot::Bit(Bit::LOW),
-                SystemTag::Scan => Spot::Word(Word::SCAN),
-                SystemTag::Time => Spot::Word(Word::TIME),
-                SystemTag::ScanTime => Spot::Word(Word::SCAN_TIME),
+            Place::System(tag) => match system::slot(*tag) {
+                SystemSlot::Bit(bit) => Spot::Bit(bit),
+                SystemSlot::Word(word) => Spot::Word(word),
             },
         })
     }

@@ -76,15 +76,18 @@ impl Compiler<'_> {
         let base = self.channels(self.ports.pulse, 2 * CHANNELS);
         self.ports.pulse = Some(base);
         let (out, start) = self.begin_powered(en);
-        for (n, base) in [base, base.offset(CHANNELS)].into_iter().enumerate() {
-            let from = self.count(arguments.value(n)?)?;
-            match arguments.named_value("CH")? {
-                Some(number) => {
-                    let at = self.channel(base, number)?;
-                    self.emit(Instr::StoreWord { at, from });
-                }
-                None => self.emit(Instr::Move { to: base, from }),
+        let [duty, frequency] = [self.count(arguments.value(0)?)?, self.count(arguments.value(1)?)?];
+        let bases = [base, base.offset(CHANNELS)];
+        let writes = match arguments.named_value("CH")? {
+            Some(number) => {
+                let [duty_at, frequency_at] =
+                    [self.channel(bases[0], number)?, self.channel(bases[1], number)?];
+                [(duty_at, duty), (frequency_at, frequency)].map(|(at, from)| Instr::StoreWord { at, from })
             }
+            None => [(bases[0], duty), (bases[1], frequency)].map(|(to, from)| Instr::Move { to, from }),
+        };
+        for write in writes {
+            self.emit(write);
         }
         self.end_powered(start);
         Ok(out)

@@ -20,11 +20,24 @@ impl Compiler<'_> {
         }
     }
 
-    /// Copies a named operand into a member. A block without it leaves the member low.
-    fn input(&mut self, arguments: Arguments, name: &str, member: Bit) -> Result<()> {
-        if let Some(value) = arguments.named_value(name)? {
-            let from = self.bit(value)?;
-            self.emit(Instr::MoveBit { to: member, from });
+    /// Copies named operands into members, once all of them are read. A block without one leaves its member low.
+    fn inputs(&mut self, arguments: Arguments, inputs: &[(&str, Bit)]) -> Result<()> {
+        let mut moves = Vec::new();
+        for &(name, member) in inputs {
+            if let Some(value) = arguments.named_value(name)? {
+                moves.push((member, self.bit(value)?));
+            }
+        }
+        for n in 1..moves.len() {
+            // It reads a member that is written before.
+            if moves[..n].iter().any(|&(member, _)| member == moves[n].1) {
+                let to = self.layout.bit();
+                self.emit(Instr::MoveBit { to, from: moves[n].1 });
+                moves[n].1 = to;
+            }
+        }
+        for (to, from) in moves {
+            self.emit(Instr::MoveBit { to, from });
         }
         Ok(())
     }
@@ -33,7 +46,7 @@ impl Compiler<'_> {
         let (bits, words) = self.home_of(arguments)?;
         let out = self.layout.bit();
         let pt = self.preset(arguments.value(1)?)?;
-        self.input(arguments, "R", bits.offset(timer::R))?;
+        self.inputs(arguments, &[("R", bits.offset(timer::R))])?;
         self.emit(match op {
             Op::Tof => Instr::Tof {
                 out,
@@ -93,9 +106,11 @@ impl Compiler<'_> {
         let (bits, words) = self.home_of(arguments)?;
         let out = self.layout.bit();
         let pv = self.word(arguments.value(1)?)?;
-        for (name, member) in [("CD", counter::CD), ("R", counter::R), ("LD", counter::LD)] {
-            self.input(arguments, name, bits.offset(member))?;
-        }
+        let inputs = [("CD", counter::CD), ("R", counter::R), ("LD", counter::LD)];
+        self.inputs(
+            arguments,
+            &inputs.map(|(name, member)| (name, bits.offset(member))),
+        )?;
         self.emit(match op {
             Op::Ctd => Instr::Ctd {
                 out,

@@ -49,10 +49,15 @@ impl Compiler<'_> {
             }
         }
         self.own_tags(index)?;
+        let mut inputs = Vec::new();
         for (number, &(tag, kind)) in user.parameters.iter().enumerate() {
             if kind == ParameterKind::Input {
-                self.copy_in(tag, given(number), arguments)?;
+                inputs.push((tag, self.input(tag, given(number), arguments)?));
             }
+        }
+        let outputs = self.outputs(index, block)?;
+        for (tag, value) in inputs {
+            self.write_tag(tag, value)?;
         }
         self.write_tag(user.en, Slot::Bit(en))?;
         self.write_tag(user.eno, Slot::Bit(en))?;
@@ -68,8 +73,7 @@ impl Compiler<'_> {
         let (step, powers) = (self.step, std::mem::take(&mut self.powers));
         self.outer_powers.push(powers);
         let kind = Kind::Body(BodyExit {
-            block: block.clone(),
-            user: index,
+            outputs: outputs.clone(),
             framed,
             passes_on: user.shape == Shape::Function,
             hidden: shown,
@@ -85,7 +89,7 @@ impl Compiler<'_> {
         if framed {
             self.emit(Instr::LeaveBody);
         }
-        self.copy_out(index, block)?;
+        self.copy_out(&outputs)?;
         let Slot::Bit(eno) = self.tag_value(user.eno)? else {
             return Err(arguments.mistaken());
         };
@@ -128,9 +132,9 @@ impl Compiler<'_> {
     }
 
     /// An input that is left out has its default in every run.
-    fn copy_in(&mut self, tag: TagId, given: Option<&Bound>, arguments: Arguments) -> Result<()> {
-        let value = match given {
-            Some(bound) => self.expression(arguments.as_value(&bound.argument)?)?,
+    fn input(&mut self, tag: TagId, given: Option<&Bound>, arguments: Arguments) -> Result<Slot> {
+        match given {
+            Some(bound) => self.expression(arguments.as_value(&bound.argument)?),
             None => {
                 let declared = &self.program.tags[tag.0 as usize];
                 let Type::Scalar(ty) = declared.ty else {
@@ -141,10 +145,9 @@ impl Compiler<'_> {
                     .first()
                     .cloned()
                     .unwrap_or_else(|| Value::zero(ty));
-                self.literal(&default)
+                Ok(self.literal(&default))
             }
-        };
-        self.write_tag(tag, value)
+        }
     }
 
     fn write_tag(&mut self, tag: TagId, value: Slot) -> Result<()> {
@@ -158,10 +161,12 @@ impl Compiler<'_> {
         Ok(self.load(spot))
     }
 
-    /// Copies the outputs to what they are given for.
-    pub(super) fn copy_out(&mut self, index: usize, block: &Block) -> Result<()> {
+    /// What the outputs are given for. Like all operands that is found before the body runs, and by what its indices
+    /// are then.
+    fn outputs(&mut self, index: usize, block: &Block) -> Result<Vec<Output>> {
         let program = self.program;
         let user = &program.blocks[index];
+        let mut outputs = Vec::new();
         for bound in &block.arguments {
             let Some(&(tag, ParameterKind::Output)) = bound.parameter.and_then(|n| user.parameters.get(n))
             else {
@@ -170,12 +175,29 @@ impl Compiler<'_> {
             let (place, to) = Arguments::of(block).as_place(&bound.argument)?;
             let from = program.tags[tag.0 as usize].ty.scalar().unwrap_or(to);
             let spot = self.spot(place)?;
-            let value = self.tag_value(tag)?;
-            let value = self.pass(value, from, to);
-            self.write_result(spot, value);
+            outputs.push(Output { tag, from, spot, to });
+        }
+        Ok(outputs)
+    }
+
+    /// Copies the outputs to what they are given for.
+    pub(super) fn copy_out(&mut self, outputs: &[Output]) -> Result<()> {
+        for output in outputs {
+            let value = self.tag_value(output.tag)?;
+            let value = self.pass(value, output.from, output.to);
+            self.store(output.spot, value);
         }
         Ok(())
     }
+}
+
+/// An output of a block, and what it is copied to.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Output {
+    tag: TagId,
+    from: Scalar,
+    spot: Spot,
+    to: Scalar,
 }
 
 /// A place as the home of a tag.

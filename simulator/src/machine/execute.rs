@@ -1,12 +1,13 @@
 //! The instructions that code runs straight through.
 
-use crate::code::{Code, Instr, NO_STAMP, Record};
+use crate::code::{Code, Instr, Record};
 use crate::counters::{self, Counter};
 use crate::fault::Trouble;
 use crate::memory::{Bit, Memory, TextSlot, Word};
 use crate::operation::{convert, integer, real, real_function};
 use crate::routine;
 use crate::timers::{Clock, Timer};
+use crate::work;
 use ladder_instructions::StateType;
 use std::cmp::Ordering;
 
@@ -17,6 +18,8 @@ pub(super) enum Step {
     Next,
     /// A later one of the same block.
     Skip(u32),
+    /// The next one; what was done counts for so many further blocks.
+    Work(u32),
     /// [`Machine::flow`](super::Machine::flow) tells.
     Flow,
 }
@@ -89,30 +92,16 @@ pub(super) fn execute<const FORCED: bool>(
             let power = memory.bit(en);
             memory.set_bit(out, power);
         }
-        Instr::Rising {
-            out,
-            en,
-            tag,
-            before,
-            stamp,
-        } => {
+        Instr::Rising { out, en, tag, before } => {
             let (high, was) = (memory.bit(tag), memory.bit(before));
-            let again = stamp != NO_STAMP && again(memory, stamp, clock);
             memory.set_bit(before, high);
-            let power = memory.bit(en) && high && !was && !again;
+            let power = memory.bit(en) && high && !was;
             memory.set_bit(out, power);
         }
-        Instr::Falling {
-            out,
-            en,
-            tag,
-            before,
-            stamp,
-        } => {
+        Instr::Falling { out, en, tag, before } => {
             let (high, was) = (memory.bit(tag), memory.bit(before));
-            let again = stamp != NO_STAMP && again(memory, stamp, clock);
             memory.set_bit(before, high);
-            let power = memory.bit(en) && !high && was && !again;
+            let power = memory.bit(en) && !high && was;
             memory.set_bit(out, power);
         }
 
@@ -159,6 +148,7 @@ pub(super) fn execute<const FORCED: bool>(
             let order = memory.text(a).cmp(memory.text(b));
             let power = memory.bit(en) & test.holds(order);
             memory.set_bit(out, power);
+            return Ok(length(memory, a));
         }
 
         Instr::Coil { en, tag } => {
@@ -285,7 +275,10 @@ pub(super) fn execute<const FORCED: bool>(
             let value = i64::from(memory.bit(from));
             memory.put_word::<FORCED>(to, value);
         }
-        Instr::MoveText { to, from } => memory.copy_text::<FORCED>(to, from),
+        Instr::MoveText { to, from } => {
+            memory.copy_text::<FORCED>(to, from);
+            return Ok(length(memory, from));
+        }
 
         Instr::Index { to, index, array } => {
             let place = &code.arrays[array as usize];
@@ -318,10 +311,12 @@ pub(super) fn execute<const FORCED: bool>(
         Instr::LoadText { to, at } => {
             let from = TextSlot(memory.word(at) as u32);
             memory.copy_text::<false>(to, from);
+            return Ok(length(memory, from));
         }
         Instr::StoreText { at, from } => {
             let to = TextSlot(memory.word(at) as u32);
             memory.copy_text::<FORCED>(to, from);
+            return Ok(length(memory, from));
         }
 
         Instr::Ton {
@@ -387,7 +382,7 @@ pub(super) fn execute<const FORCED: bool>(
             words,
         } => {
             let (input, pv) = (memory.bit(en), memory.word(pv));
-            let q = Counter { bits, words }.ctu::<FORCED>(memory, input, pv, clock);
+            let q = Counter { bits, words }.ctu::<FORCED>(memory, input, pv);
             memory.set_bit(out, q);
         }
         Instr::Ctd {
@@ -398,7 +393,7 @@ pub(super) fn execute<const FORCED: bool>(
             words,
         } => {
             let (input, pv) = (memory.bit(en), memory.word(pv));
-            let q = Counter { bits, words }.ctd::<FORCED>(memory, input, pv, clock);
+            let q = Counter { bits, words }.ctd::<FORCED>(memory, input, pv);
             memory.set_bit(out, q);
         }
         Instr::Ctud {
@@ -409,7 +404,7 @@ pub(super) fn execute<const FORCED: bool>(
             words,
         } => {
             let (input, pv) = (memory.bit(en), memory.word(pv));
-            let q = Counter { bits, words }.ctud::<FORCED>(memory, input, pv, clock);
+            let q = Counter { bits, words }.ctud::<FORCED>(memory, input, pv);
             memory.set_bit(out, q);
         }
         Instr::Ctc {
@@ -420,7 +415,7 @@ pub(super) fn execute<const FORCED: bool>(
             words,
         } => {
             let (input, pv) = (memory.bit(en), memory.word(pv));
-            let q = Counter { bits, words }.ctc::<FORCED>(memory, input, pv, clock);
+            let q = Counter { bits, words }.ctc::<FORCED>(memory, input, pv);
             memory.set_bit(out, q);
         }
         Instr::Sr { out, en, reset, bits } => {
@@ -446,10 +441,17 @@ pub(super) fn execute<const FORCED: bool>(
 
         Instr::Routine { routine, operands } => {
             let operands = &code.operands[operands as usize..];
-            routine::run::<FORCED>(routine, memory, operands, clock)?;
+            return Ok(Step::Work(routine::run::<FORCED>(
+                routine, memory, operands, clock,
+            )?));
         }
     }
     Ok(Step::Next)
+}
+
+/// What going through a text counts for.
+fn length(memory: &Memory, text: TextSlot) -> Step {
+    Step::Work(work::blocks(memory.text(text).len()))
 }
 
 /// Looks up the result of a record and notes the row.
@@ -466,13 +468,6 @@ fn look_up(memory: &mut Memory, record: &Record, row: &mut u8) {
     let index = bits[slot(a)] | bits[slot(b)] << 1 | bits[slot(c)] << 2;
     *row = index;
     bits[slot(record.out)] = record.truth >> (index & 7) & 1;
-}
-
-/// Notes an evaluation; whether it is not the first in this scan.
-#[inline]
-fn again(memory: &mut Memory, stamp: Word, clock: Clock) -> bool {
-    let stamp = &mut memory.words[stamp.0 as usize];
-    std::mem::replace(stamp, clock.scan) == clock.scan
 }
 
 fn clear<const FORCED: bool>(memory: &mut Memory, state: StateType, bits: Bit, words: Word) {

@@ -9,6 +9,7 @@ use crate::code::{Code, Instr};
 use crate::fault::Trouble;
 use crate::memory::{Bit, Memory};
 use crate::timers::Clock;
+use crate::work::{Brake, UNBRAKED};
 use execute::{Step, execute};
 use flow::{Flow, Frame};
 use position::Position;
@@ -50,6 +51,10 @@ pub(crate) struct Machine {
     pub(crate) scan: i64,
     /// Blocks that a scan may evaluate.
     pub(crate) watchdog: u64,
+    /// What may stop a scan that takes long.
+    pub(crate) brake: Option<Brake>,
+    /// What all scans have done so far, in blocks.
+    pub(crate) worked: u64,
     /// Faults, at most as many as there is room for.
     pub(crate) faults: Vec<FaultRecord>,
     /// How many were not kept for want of room.
@@ -80,6 +85,8 @@ impl Machine {
             now: 0,
             scan: 0,
             watchdog,
+            brake: None,
+            worked: 0,
             faults: Vec::with_capacity(FAULTS),
             faults_lost: 0,
             faulted: false,
@@ -118,6 +125,7 @@ impl Machine {
     /// Ends a scan that ran to an end of its own.
     pub(crate) fn finish(&mut self, interval: i64) {
         self.faulted = self.fault_now;
+        self.worked += self.watchdog - self.position.budget;
         self.scan += 1;
         self.now = self.now.saturating_add(interval);
     }
@@ -135,13 +143,14 @@ impl Machine {
         let (mut entered, mut instrs) = stretch(code, pc, self.position.budget);
         loop {
             let Some(instr) = instrs.get(pc) else {
-                let block = entered + self.position.budget;
-                self.record(Trouble::Watchdog(self.watchdog), block as u32, clock.scan);
+                let block = first_beyond(code, entered + self.position.budget);
+                self.record(Trouble::Watchdog(self.watchdog), block, clock.scan);
+                self.position.budget = 0;
                 return Halt::Stopped;
             };
             if PLAIN {
                 if until.halts(code, pc, passed) {
-                    self.position.pay(blocks_before(code, pc) - entered);
+                    self.position.pay(work_before(code, pc) - entered);
                     self.position.pc = pc;
                     self.position.passed = until.passed();
                     return Halt::Halted;
@@ -155,15 +164,51 @@ impl Machine {
                     Flow::Next => pc += 1,
                     Flow::Go(to) => {
                         // Straight-line code ends here: its blocks are paid for.
-                        self.position.pay(u64::from(code.blocks_through[pc]) - entered);
+                        self.position.pay(work_before(code, pc + 1) - entered);
+                        if self.is_braked() {
+                            self.record(Trouble::Braked, block_at(code, pc), clock.scan);
+                            return Halt::Stopped;
+                        }
                         pc = to as usize;
                         (entered, instrs) = stretch(code, pc, self.position.budget);
                     }
-                    Flow::Halt(halt) => return halt,
+                    Flow::Halt(halt) => {
+                        self.position.pay(work_before(code, pc + 1) - entered);
+                        return halt;
+                    }
                 },
+                Ok(Step::Work(0)) => pc += 1,
+                Ok(Step::Work(blocks)) => {
+                    pc += 1;
+                    self.position.pay(work_before(code, pc) - entered);
+                    if let Err(trouble) = self.pay_for_elements(blocks) {
+                        self.record(trouble, block_at(code, pc - 1), clock.scan);
+                        return Halt::Stopped;
+                    }
+                    (entered, instrs) = stretch(code, pc, self.position.budget);
+                }
                 Err(trouble) => pc = self.fault(code, pc, trouble, clock),
             }
         }
+    }
+
+    /// A block did something to many elements.
+    fn pay_for_elements(&mut self, blocks: u32) -> Result<(), Trouble> {
+        let blocks = u64::from(blocks);
+        if blocks > self.position.budget {
+            self.position.budget = 0;
+            return Err(Trouble::Elements(self.watchdog));
+        }
+        self.position.pay(blocks);
+        if self.is_braked() {
+            return Err(Trouble::Braked);
+        }
+        Ok(())
+    }
+
+    /// Whether this scan takes long, and somebody wants it to stop.
+    fn is_braked(&self) -> bool {
+        self.watchdog - self.position.budget >= UNBRAKED && self.brake.as_ref().is_some_and(Brake::is_on)
     }
 
     /// A fault that the scan survives: the block has no power, and the code behind it goes on.
@@ -178,7 +223,7 @@ impl Machine {
         place.end as usize
     }
 
-    fn record(&mut self, trouble: Trouble, block: u32, scan: i64) {
+    pub(crate) fn record(&mut self, trouble: Trouble, block: u32, scan: i64) {
         self.fault_now = true;
         // A fault that stops the simulation is always kept: it is why nothing moves any more.
         if self.faults.len() == self.faults.capacity() {
@@ -196,27 +241,31 @@ impl Machine {
     }
 }
 
-/// The code that may run on from an instruction before the watchdog must be asked, and the number of blocks that
-/// stand before it.
+/// The code that may run on from an instruction before the watchdog must be asked, and the work of what stands before
+/// it.
 fn stretch(code: &Code, pc: usize, budget: u64) -> (u64, &[Instr]) {
-    let before = blocks_before(code, pc);
+    let before = work_before(code, pc);
     let most = before.saturating_add(budget);
-    let all = code.blocks_through.last().map_or(0, |&blocks| u64::from(blocks));
+    let all = code.work_through.last().map_or(0, |&work| u64::from(work));
     if most >= all {
         return (before, &code.instrs);
     }
-    let end = code
-        .blocks_through
-        .partition_point(|&blocks| u64::from(blocks) <= most);
+    let end = code.work_through.partition_point(|&work| u64::from(work) <= most);
     (before, &code.instrs[..end])
 }
 
-/// How many blocks begin before an instruction.
-fn blocks_before(code: &Code, pc: usize) -> u64 {
+/// What the blocks count that begin before an instruction.
+fn work_before(code: &Code, pc: usize) -> u64 {
     match pc {
         0 => 0,
-        _ => u64::from(code.blocks_through[pc - 1]),
+        _ => u64::from(code.work_through[pc - 1]),
     }
+}
+
+/// The first block that is too much, if blocks may count so much from the beginning of the code.
+fn first_beyond(code: &Code, most: u64) -> u32 {
+    code.blocks
+        .partition_point(|block| u64::from(block.work_through) <= most) as u32
 }
 
 /// The innermost block that an instruction belongs to.

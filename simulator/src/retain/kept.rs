@@ -1,12 +1,13 @@
 //! Retentive tags as texts, for a file: out of memory and into it, perhaps of a program that was changed since.
 
 use super::Retained;
-use crate::layout::{Home, counter, state_size, timer};
+use crate::layout::{Home, state_size, timer};
 use crate::memory::{Bit, Memory, TextSlot, Word};
 use crate::value_text;
 use ladder_analysis::program::Program;
 use ladder_analysis::types::{Scalar, Type};
 use ladder_analysis::value::Value;
+use ladder_analysis::with_article;
 use ladder_instructions::StateType;
 use ladder_syntax::Name;
 use std::collections::HashMap;
@@ -59,7 +60,6 @@ fn values(home: Home, memory: &Memory, now: i64) -> Vec<String> {
             let (bit_count, word_count) = state_size(state);
             let bits = (0..bit_count).map(|n| i64::from(memory.bits[bits.offset(n).0 as usize]));
             let words = (0..word_count).map(|n| match part(state, n) {
-                Part::Stamp => 0,
                 Part::Instant => memory.word(words.offset(n)).saturating_sub(now),
                 Part::Time | Part::Count => memory.word(words.offset(n)),
             });
@@ -71,8 +71,6 @@ fn values(home: Home, memory: &Memory, now: i64) -> Vec<String> {
 
 /// What a word of a state is.
 enum Part {
-    /// The scan of the last evaluation: means nothing behind a restart.
-    Stamp,
     /// A moment of the clock: kept as how long ago it was, for the clock begins anew.
     Instant,
     Time,
@@ -81,10 +79,8 @@ enum Part {
 
 fn part(state: StateType, word: u32) -> Part {
     match word {
-        timer::STAMP if state.is_timer() => Part::Stamp,
         timer::SINCE if state.is_timer() => Part::Instant,
         _ if state.is_timer() => Part::Time,
-        counter::STAMP => Part::Stamp,
         _ => Part::Count,
     }
 }
@@ -179,14 +175,13 @@ fn put_state(
     let is_count =
         |(n, &number): (u32, &i64)| !matches!(part(state, n), Part::Count) || i32::try_from(number).is_ok();
     if !(0..).zip(bit_numbers).all(is_possible) || !(0..).zip(word_numbers).all(is_count) {
-        return Err(format!("this is no state of a {}", state.name()));
+        return Err(format!("this is no state of {}", with_article(state.name())));
     }
     for (n, &number) in (0..).zip(bit_numbers) {
         memory.bits[bits.offset(n).0 as usize] = number as u8;
     }
     for (n, &number) in (0..).zip(word_numbers) {
         memory.words[words.offset(n).0 as usize] = match part(state, n) {
-            Part::Stamp => 0,
             Part::Instant | Part::Time | Part::Count => number,
         };
     }

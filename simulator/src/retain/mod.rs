@@ -54,10 +54,6 @@ impl Retained {
                 if state.is_timer() {
                     let since = &mut memory.words[first_word.offset(timer::SINCE).0 as usize];
                     *since = since.saturating_sub(then);
-                    memory.words[first_word.offset(timer::STAMP).0 as usize] = 0;
-                }
-                if state.is_counter() {
-                    memory.words[first_word.offset(crate::layout::counter::STAMP).0 as usize] = 0;
                 }
             }
             Home::Element { .. } | Home::BitOf { .. } | Home::BitOfAt { .. } | Home::Unbound => {}

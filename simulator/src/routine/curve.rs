@@ -6,10 +6,11 @@ use crate::memory::{Memory, Word};
 use crate::operation::{Width, finite};
 use ladder_analysis::types::Scalar;
 
-pub(super) fn point(memory: &mut Memory, mut with: Operands) -> Result<(), Trouble> {
+pub(super) fn point(memory: &mut Memory, with: &mut Operands) -> Result<(), Trouble> {
     let (to, ty) = (with.word(), with.ty());
     let x = with.value(memory);
     let list = with.list();
+    with.count(list.len());
     let value = |slot: u32| memory.word(Word(slot));
     let points = list.chunks_exact(2).map(|pair| (value(pair[0]), value(pair[1])));
     memory.words[to.0 as usize] = if ty.is_real() {

@@ -18,7 +18,7 @@ fn value(word: i64, ty: Scalar) -> Value {
 }
 
 /// A number as a trace writes it, a time as the language does.
-pub(super) fn format(memory: &mut Memory, mut with: Operands) {
+pub(super) fn format(memory: &mut Memory, with: &mut Operands) {
     let (to, word, ty) = (with.text(), with.value(memory), with.ty());
     write(memory, to, |text| {
         let value = value(word, ty);
@@ -30,7 +30,7 @@ pub(super) fn format(memory: &mut Memory, mut with: Operands) {
     });
 }
 
-pub(super) fn format_bit(memory: &mut Memory, mut with: Operands) {
+pub(super) fn format_bit(memory: &mut Memory, with: &mut Operands) {
     let (to, value) = (with.text(), memory.bit(with.bit()));
     write(memory, to, |text| {
         text.write_str(if value { "TRUE" } else { "FALSE" })
@@ -44,9 +44,11 @@ fn write(memory: &mut Memory, to: TextSlot, with: impl FnOnce(&mut dyn std::fmt:
     let _ = with(text);
 }
 
-pub(super) fn parse(memory: &mut Memory, mut with: Operands) -> Result<(), Trouble> {
+pub(super) fn parse(memory: &mut Memory, with: &mut Operands) -> Result<(), Trouble> {
     let (to, ty) = (with.word(), with.ty());
-    let text = trimmed(memory.text(with.text()))?;
+    let text = memory.text(with.text());
+    with.count(text.len());
+    let text = trimmed(text)?;
     memory.words[to.0 as usize] = match ty {
         Scalar::Time => time(text)?,
         Scalar::Real | Scalar::Lreal => {
@@ -63,9 +65,11 @@ pub(super) fn parse(memory: &mut Memory, mut with: Operands) -> Result<(), Troub
     Ok(())
 }
 
-pub(super) fn parse_bit(memory: &mut Memory, mut with: Operands) -> Result<(), Trouble> {
+pub(super) fn parse_bit(memory: &mut Memory, with: &mut Operands) -> Result<(), Trouble> {
     let to = with.bit();
-    let text = trimmed(memory.text(with.text()))?;
+    let text = memory.text(with.text());
+    with.count(text.len());
+    let text = trimmed(text)?;
     let value = match text {
         "1" => true,
         "0" => false,

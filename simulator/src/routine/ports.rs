@@ -31,12 +31,12 @@ impl Line<'_> {
 }
 
 /// The lowest eight bits.
-pub(super) fn send(memory: &mut Memory, mut with: Operands) {
+pub(super) fn send(memory: &mut Memory, with: &mut Operands) {
     let byte = with.value(memory) as u8;
     Line(&mut memory.sent).push(&[byte]);
 }
 
-pub(super) fn receive(memory: &mut Memory, mut with: Operands) {
+pub(super) fn receive(memory: &mut Memory, with: &mut Operands) {
     let (to, came) = (with.word(), with.bit());
     let byte = memory.received.pop_front();
     memory.set_bit(came, byte.is_some());
@@ -46,17 +46,19 @@ pub(super) fn receive(memory: &mut Memory, mut with: Operands) {
 }
 
 /// Each `%d` is the next number; one too many stays as it is.
-pub(super) fn send_text(memory: &mut Memory, mut with: Operands) {
+pub(super) fn send_text(memory: &mut Memory, with: &mut Operands) {
     let mut sent = std::mem::take(&mut memory.sent);
     let mut line = Line(&mut sent);
     let text = memory.text(with.text());
-    let mut values = with.list().chunks_exact(2);
+    let list = with.list();
+    with.count(text.len() + list.len());
+    let mut values = list.chunks_exact(2);
     let mut rest = text;
     while let Some(at) = rest.windows(2).position(|pair| pair == b"%d") {
         line.push(&rest[..at]);
         match values.next() {
             Some(value) => {
-                let mut value = Operands { rest: value.iter() };
+                let mut value = Operands::of(value);
                 let number = Value::Int(value.value(memory));
                 // A line never refuses.
                 let _ = value_text::write_cell(&mut line, &number, value.ty());
@@ -70,7 +72,7 @@ pub(super) fn send_text(memory: &mut Memory, mut with: Operands) {
 }
 
 /// The length of the last scan in milliseconds, once a second.
-pub(super) fn send_scan_time(memory: &mut Memory, mut with: Operands, clock: Clock) {
+pub(super) fn send_scan_time(memory: &mut Memory, with: &mut Operands, clock: Clock) {
     let last = with.word();
     let second = clock.now.div_euclid(1_000_000_000);
     if std::mem::replace(&mut memory.words[last.0 as usize], second) == second {

@@ -7,7 +7,7 @@ use crate::operation::{IntegerOp, RealOp, Width, integer, real};
 use std::ops::Range;
 
 /// A range whose ends are known only now.
-pub(super) fn find(memory: &mut Memory, mut with: Operands) -> Result<(), Trouble> {
+pub(super) fn find(memory: &mut Memory, with: &mut Operands) -> Result<(), Trouble> {
     let (from, to) = (with.value(memory), with.value(memory));
     let base = with.number();
     let (first, last) = (with.value(memory), with.value(memory));
@@ -26,7 +26,7 @@ pub(super) fn find(memory: &mut Memory, mut with: Operands) -> Result<(), Troubl
 }
 
 /// A range that begins at an index and is as long as another.
-pub(super) fn find_from(memory: &mut Memory, mut with: Operands) -> Result<(), Trouble> {
+pub(super) fn find_from(memory: &mut Memory, with: &mut Operands) -> Result<(), Trouble> {
     let (from, count) = (with.value(memory), with.value(memory));
     let base = with.number();
     let (first, last) = (with.value(memory), with.value(memory));
@@ -41,20 +41,20 @@ pub(super) fn find_from(memory: &mut Memory, mut with: Operands) -> Result<(), T
 }
 
 /// Whether all bits of a range are the same as `value`.
-pub(super) fn all(memory: &mut Memory, mut with: Operands, value: u8) {
+pub(super) fn all(memory: &mut Memory, with: &mut Operands, value: u8) {
     let to = with.bit();
     let range = with.range(memory);
     let all = memory.bits[range].iter().all(|&bit| bit == value);
     memory.set_bit(to, all);
 }
 
-pub(super) fn fill_bits<const FORCED: bool>(memory: &mut Memory, mut with: Operands) {
+pub(super) fn fill_bits<const FORCED: bool>(memory: &mut Memory, with: &mut Operands) {
     let range = with.range(memory);
     let value = memory.bit(with.bit());
     write_bits::<FORCED>(memory, range, value);
 }
 
-pub(super) fn fill_words<const FORCED: bool>(memory: &mut Memory, mut with: Operands) {
+pub(super) fn fill_words<const FORCED: bool>(memory: &mut Memory, with: &mut Operands) {
     let range = with.range(memory);
     let value = with.value(memory);
     for slot in range {
@@ -62,15 +62,16 @@ pub(super) fn fill_words<const FORCED: bool>(memory: &mut Memory, mut with: Oper
     }
 }
 
-pub(super) fn fill_texts<const FORCED: bool>(memory: &mut Memory, mut with: Operands) {
+pub(super) fn fill_texts<const FORCED: bool>(memory: &mut Memory, with: &mut Operands) {
     let range = with.range(memory);
     let from = with.text();
+    with.count(range.len().saturating_mul(memory.text(from).len()));
     for slot in range {
         memory.copy_text::<FORCED>(TextSlot(slot as u32), from);
     }
 }
 
-pub(super) fn write_bits_when<const FORCED: bool>(memory: &mut Memory, mut with: Operands, value: bool) {
+pub(super) fn write_bits_when<const FORCED: bool>(memory: &mut Memory, with: &mut Operands, value: bool) {
     if memory.bit(with.bit()) {
         let range = with.range(memory);
         write_bits::<FORCED>(memory, range, value);
@@ -105,8 +106,8 @@ fn pairs(to: Range<usize>, from: Range<usize>) -> impl Iterator<Item = (usize, u
     })
 }
 
-pub(super) fn copy_bits<const FORCED: bool>(memory: &mut Memory, mut with: Operands) -> Result<(), Trouble> {
-    let (to, from) = two(memory, &mut with)?;
+pub(super) fn copy_bits<const FORCED: bool>(memory: &mut Memory, with: &mut Operands) -> Result<(), Trouble> {
+    let (to, from) = two(memory, with)?;
     for (to, from) in pairs(to, from) {
         let value = memory.bits[from] != 0;
         memory.put_bit::<FORCED>(Bit(to as u32), value);
@@ -114,8 +115,11 @@ pub(super) fn copy_bits<const FORCED: bool>(memory: &mut Memory, mut with: Opera
     Ok(())
 }
 
-pub(super) fn copy_words<const FORCED: bool>(memory: &mut Memory, mut with: Operands) -> Result<(), Trouble> {
-    let (to, from) = two(memory, &mut with)?;
+pub(super) fn copy_words<const FORCED: bool>(
+    memory: &mut Memory,
+    with: &mut Operands,
+) -> Result<(), Trouble> {
+    let (to, from) = two(memory, with)?;
     for (to, from) in pairs(to, from) {
         let value = memory.words[from];
         memory.put_word::<FORCED>(Word(to as u32), value);
@@ -123,15 +127,19 @@ pub(super) fn copy_words<const FORCED: bool>(memory: &mut Memory, mut with: Oper
     Ok(())
 }
 
-pub(super) fn copy_texts<const FORCED: bool>(memory: &mut Memory, mut with: Operands) -> Result<(), Trouble> {
-    let (to, from) = two(memory, &mut with)?;
+pub(super) fn copy_texts<const FORCED: bool>(
+    memory: &mut Memory,
+    with: &mut Operands,
+) -> Result<(), Trouble> {
+    let (to, from) = two(memory, with)?;
     for (to, from) in pairs(to, from) {
+        with.count(memory.texts[from].bytes().len());
         memory.copy_text::<FORCED>(TextSlot(to as u32), TextSlot(from as u32));
     }
     Ok(())
 }
 
-pub(super) fn shift_bits<const FORCED: bool>(memory: &mut Memory, mut with: Operands) {
+pub(super) fn shift_bits<const FORCED: bool>(memory: &mut Memory, with: &mut Operands) {
     let range = with.range(memory);
     let entering = memory.bit(with.bit());
     for (to, from) in pairs(range.start + 1..range.end, range.start..range.end - 1) {
@@ -141,7 +149,7 @@ pub(super) fn shift_bits<const FORCED: bool>(memory: &mut Memory, mut with: Oper
     memory.put_bit::<FORCED>(Bit(range.start as u32), entering);
 }
 
-pub(super) fn shift_words<const FORCED: bool>(memory: &mut Memory, mut with: Operands) {
+pub(super) fn shift_words<const FORCED: bool>(memory: &mut Memory, with: &mut Operands) {
     let range = with.range(memory);
     let entering = with.value(memory);
     for (to, from) in pairs(range.start + 1..range.end, range.start..range.end - 1) {
@@ -152,17 +160,18 @@ pub(super) fn shift_words<const FORCED: bool>(memory: &mut Memory, mut with: Ope
 }
 
 /// What enters is in a slot outside the range.
-pub(super) fn shift_texts<const FORCED: bool>(memory: &mut Memory, mut with: Operands) {
+pub(super) fn shift_texts<const FORCED: bool>(memory: &mut Memory, with: &mut Operands) {
     let range = with.range(memory);
     let entering = with.text();
     for (to, from) in pairs(range.start + 1..range.end, range.start..range.end - 1) {
+        with.count(memory.texts[from].bytes().len());
         memory.copy_text::<FORCED>(TextSlot(to as u32), TextSlot(from as u32));
     }
     memory.copy_text::<FORCED>(TextSlot(range.start as u32), entering);
 }
 
 /// Bits into a word, the first as bit 0.
-pub(super) fn pack_bits<const FORCED: bool>(memory: &mut Memory, mut with: Operands) -> Result<(), Trouble> {
+pub(super) fn pack_bits<const FORCED: bool>(memory: &mut Memory, with: &mut Operands) -> Result<(), Trouble> {
     let (to, width) = (with.word(), Width::of(with.ty()));
     let range = with.range(memory);
     if range.len() > width.bits() as usize {
@@ -178,7 +187,10 @@ pub(super) fn pack_bits<const FORCED: bool>(memory: &mut Memory, mut with: Opera
 }
 
 /// Words into a wider one, the first as the lowest part.
-pub(super) fn pack_words<const FORCED: bool>(memory: &mut Memory, mut with: Operands) -> Result<(), Trouble> {
+pub(super) fn pack_words<const FORCED: bool>(
+    memory: &mut Memory,
+    with: &mut Operands,
+) -> Result<(), Trouble> {
     let (to, width) = (with.word(), Width::of(with.ty()));
     let range = with.range(memory);
     let part = Width::of(with.ty()).bits();
@@ -199,7 +211,7 @@ pub(super) fn pack_words<const FORCED: bool>(memory: &mut Memory, mut with: Oper
 }
 
 /// Elements past the width of the value are cleared.
-pub(super) fn unpack_bits<const FORCED: bool>(memory: &mut Memory, mut with: Operands) {
+pub(super) fn unpack_bits<const FORCED: bool>(memory: &mut Memory, with: &mut Operands) {
     let range = with.range(memory);
     let (value, width) = (with.value(memory), Width::of(with.ty()).bits());
     for (n, slot) in range.enumerate() {
@@ -208,7 +220,7 @@ pub(super) fn unpack_bits<const FORCED: bool>(memory: &mut Memory, mut with: Ope
     }
 }
 
-pub(super) fn unpack_words<const FORCED: bool>(memory: &mut Memory, mut with: Operands) {
+pub(super) fn unpack_words<const FORCED: bool>(memory: &mut Memory, with: &mut Operands) {
     let range = with.range(memory);
     let part = Width::of(with.ty());
     let (value, width) = (with.value(memory), Width::of(with.ty()).bits());
@@ -224,7 +236,7 @@ pub(super) fn unpack_words<const FORCED: bool>(memory: &mut Memory, mut with: Op
 }
 
 /// Adds up a range, each step in the type of the result.
-pub(super) fn sum(memory: &mut Memory, mut with: Operands) -> Result<(), Trouble> {
+pub(super) fn sum(memory: &mut Memory, with: &mut Operands) -> Result<(), Trouble> {
     let (to, ty) = (with.word(), with.ty());
     let range = with.range(memory);
     let element = with.ty();

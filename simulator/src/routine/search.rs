@@ -7,13 +7,16 @@ use ladder_analysis::types::Scalar;
 use std::cmp::Ordering;
 
 /// Looks for the first element that compares with a as asked, behind index y if NEXT is high.
-pub(super) fn search<const FORCED: bool>(memory: &mut Memory, mut with: Operands) {
+pub(super) fn search<const FORCED: bool>(memory: &mut Memory, with: &mut Operands) {
     let (y, width) = (with.word(), Width::of(with.ty()));
     let first = with.value(memory);
     let test = with.test();
     let (a, a_type) = (with.number(), with.ty());
     let range = with.range(memory);
     let element = with.ty();
+    if element.is_string() {
+        with.count(range.len().saturating_mul(memory.text(TextSlot(a)).len()));
+    }
     let base = with.number() as usize;
     let (next, found) = (with.bit(), with.bit());
 

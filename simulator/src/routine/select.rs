@@ -15,22 +15,23 @@ fn chosen(memory: &Memory, with: &mut Operands) -> Result<u32, Trouble> {
     })
 }
 
-pub(super) fn bit(memory: &mut Memory, mut with: Operands) -> Result<(), Trouble> {
+pub(super) fn bit(memory: &mut Memory, with: &mut Operands) -> Result<(), Trouble> {
     let to = with.bit();
-    let value = memory.bit(Bit(chosen(memory, &mut with)?));
+    let value = memory.bit(Bit(chosen(memory, with)?));
     memory.set_bit(to, value);
     Ok(())
 }
 
-pub(super) fn word(memory: &mut Memory, mut with: Operands) -> Result<(), Trouble> {
+pub(super) fn word(memory: &mut Memory, with: &mut Operands) -> Result<(), Trouble> {
     let to = with.word();
-    memory.words[to.0 as usize] = memory.word(Word(chosen(memory, &mut with)?));
+    memory.words[to.0 as usize] = memory.word(Word(chosen(memory, with)?));
     Ok(())
 }
 
-pub(super) fn text(memory: &mut Memory, mut with: Operands) -> Result<(), Trouble> {
+pub(super) fn text(memory: &mut Memory, with: &mut Operands) -> Result<(), Trouble> {
     let to = with.text();
-    let from = TextSlot(chosen(memory, &mut with)?);
+    let from = TextSlot(chosen(memory, with)?);
+    with.count(memory.text(from).len());
     memory.copy_text::<false>(to, from);
     Ok(())
 }

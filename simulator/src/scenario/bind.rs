@@ -7,6 +7,7 @@ use crate::tags::Point;
 use crate::value_text;
 use ladder_analysis::types::Scalar;
 use ladder_analysis::value::Value;
+use ladder_analysis::with_article;
 use ladder_syntax::TextRange;
 use std::collections::HashSet;
 
@@ -62,6 +63,9 @@ impl Target {
     }
 }
 
+/// A scenario runs at most so many scans: 27 hours at 10 ms.
+const MOST_SCANS: u64 = 10_000_000;
+
 /// Binds all scenarios of a file. With mistakes, those of the file itself included, none of them is to be run.
 pub fn bind(suite: &Suite, simulation: &Simulation) -> (Vec<Case>, Vec<Mistake>) {
     let mut mistakes = Vec::new();
@@ -69,7 +73,7 @@ pub fn bind(suite: &Suite, simulation: &Simulation) -> (Vec<Case>, Vec<Mistake>)
         mistakes.push(mistake);
         1
     });
-    let cases = suite
+    let cases: Vec<Case> = suite
         .scenarios
         .iter()
         .map(|scenario| {
@@ -82,6 +86,7 @@ pub fn bind(suite: &Suite, simulation: &Simulation) -> (Vec<Case>, Vec<Mistake>)
             .scenario(scenario, scans)
         })
         .collect();
+    mistakes.extend(too_long(suite, &cases));
     mistakes.sort_by_key(|mistake| mistake.range.start());
     (cases, mistakes)
 }
@@ -110,6 +115,22 @@ fn scans_of_a_step(suite: &Suite, interval: i64) -> Result<u64, Mistake> {
             "write `step {}`, or give another scan interval, as in: interval 1ms",
             time(near)
         ),
+    ))
+}
+
+/// The first scenario that would take too long.
+fn too_long(suite: &Suite, cases: &[Case]) -> Option<Mistake> {
+    let scans = |case: &Case| case.scans.saturating_mul(case.steps as u64);
+    let case = cases.iter().find(|case| scans(case) > MOST_SCANS)?;
+    let range = suite.step.map_or(case.range, |(_, range)| range);
+    Some(Mistake::new(
+        range,
+        format!(
+            "\"{}\" would take {} scans, and a scenario has at most {MOST_SCANS}",
+            case.name,
+            scans(case)
+        ),
+        "shorten the step, or take a longer scan interval, as in: interval 1s",
     ))
 }
 
@@ -219,7 +240,10 @@ impl Binder<'_> {
                     if value.is_none() && !std::mem::replace(&mut complained, true) {
                         self.mistake(
                             *range,
-                            format!("{name} is a {}: _ and - are the levels of a BOOL", ty.name()),
+                            format!(
+                                "{name} is {}: _ and - are the levels of a BOOL",
+                                with_article(ty.name())
+                            ),
                             "give a value for each step, with blanks between them, as in: 0 1 2",
                         );
                     }
@@ -253,8 +277,8 @@ impl Binder<'_> {
         }
         if !Tolerance::is_for(ty) {
             let problem = format!(
-                "values of a {} are equal or not: they have no tolerance",
-                ty.name()
+                "values of {} are equal or not: they have no tolerance",
+                with_article(ty.name())
             );
             self.mistake(*range, problem, "take the ± away");
             return None;

@@ -6,6 +6,9 @@ use crate::simulation::{Simulation, Status};
 use ladder_analysis::value::Value;
 use ladder_syntax::TextRange;
 
+/// A scenario may do the work of so many blocks.
+const MOST_BLOCKS: u64 = 10_000_000_000;
+
 /// What came of a scenario.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Ran {
@@ -43,7 +46,17 @@ pub struct Difference {
 }
 
 /// Runs a scenario from a cold start. `observe` sees the simulation after each scan.
-pub fn run(case: &Case, simulation: &mut Simulation, mut observe: impl FnMut(&Simulation)) -> Ran {
+pub fn run(case: &Case, simulation: &mut Simulation, observe: impl FnMut(&Simulation)) -> Ran {
+    run_within(MOST_BLOCKS, case, simulation, observe)
+}
+
+/// Runs a scenario that may do the work of so many blocks.
+pub(super) fn run_within(
+    most: u64,
+    case: &Case,
+    simulation: &mut Simulation,
+    mut observe: impl FnMut(&Simulation),
+) -> Ran {
     simulation.unforce_all();
     simulation.reset();
     simulation.take_faults();
@@ -55,6 +68,7 @@ pub fn run(case: &Case, simulation: &mut Simulation, mut observe: impl FnMut(&Si
         scans: 0,
         stopped: None,
     };
+    let begun = simulation.work();
     for step in 0..case.steps {
         give(case, step, simulation);
         for _ in 0..case.scans {
@@ -62,6 +76,10 @@ pub fn run(case: &Case, simulation: &mut Simulation, mut observe: impl FnMut(&Si
                 break;
             }
             observe(simulation);
+            if simulation.work() - begun > most {
+                simulation.exhaust(most);
+                break;
+            }
         }
         ran.faults.extend(simulation.take_faults());
         let stopped = simulation.status() == Status::Faulted;

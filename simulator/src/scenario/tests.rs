@@ -329,7 +329,7 @@ text => 12 'a' b
             11:1-8: list[9] does not exist: the array goes from 1 to 3
             12:14-19: 99999 does not fit
                 INT holds -32768 to 32767
-            12:20-21: `x` is no value for a INT
+            12:20-21: `x` is no value for an INT
                 write a whole number as in 42 or 16#FF
             13:1-7: warmup is a TON: name one of its members, as in warmup.Q
             14:19-20: `x` is no value for a TIME
@@ -476,6 +476,36 @@ SYS.FAULT => __--
         ok expected, 2 scans
         fault in scan 2: this scan has evaluated more than 1000000 blocks, so the watchdog stopped the simulation here; look for a jump or loop that does not end
     "#]].assert_eq(&told(ENDLESS, text, 80));
+}
+
+#[test]
+fn a_scenario_has_a_bounded_number_of_scans() {
+    let text = "program motor.clad\nstep 100000h\nscenario \"long\"\nstart _-_\n";
+    let (_, mistakes) = bind(&parse(text), &simulation(MOTOR, None));
+    expect![[r#"
+        "long" would take 108000000000 scans, and a scenario has at most 10000000
+        shorten the step, or take a longer scan interval, as in: interval 1s"#]]
+    .assert_eq(&format!(
+        "{}\n{}",
+        mistakes[0].message,
+        mistakes[0].help.as_deref().unwrap_or_default()
+    ));
+    assert_eq!(&text[mistakes[0].range], "100000h");
+    // The most that is allowed.
+    let text = "program motor.clad\nstep 100000s\nscenario \"long\"\nstart -\n";
+    assert_eq!(bind(&parse(text), &simulation(MOTOR, None)).1, []);
+}
+
+#[test]
+fn a_scenario_does_a_bounded_amount_of_work() {
+    let mut simulation = simulation(MOTOR, None);
+    let text = "program motor.clad\nstep 1000s\nscenario \"long\"\nstart _-_\nrun => _--\n";
+    let (cases, mistakes) = bind(&parse(text), &simulation);
+    assert_eq!(mistakes, []);
+    let ran = super::run::run_within(5000, &cases[0], &mut simulation, |_| ());
+    assert_eq!(ran.stopped, Some(0));
+    assert!(ran.scans < 5000, "{}", ran.scans);
+    expect!["all scans together have done the work of more than 5000 blocks; run fewer scans, or make the program do less in each"].assert_eq(&ran.faults[0].message);
 }
 
 /// Whatever a file says, it is read to its end, and every mistake lies in it.

@@ -42,13 +42,15 @@ pub(super) fn lines(text: &str) -> impl Iterator<Item = (usize, &str)> {
 pub(super) fn words(line: &str, start: usize) -> Vec<Word<'_>> {
     let mut words = Vec::new();
     let mut at = 0;
+    let last_closing = line.rfind(']');
     while let Some(next) = line[at..].find(|c: char| !c.is_whitespace()) {
         at += next;
         let rest = &line[at..];
         if rest.starts_with('#') {
             break;
         }
-        let (length, unclosed) = length(rest);
+        let closing = last_closing.and_then(|closing| closing.checked_sub(at));
+        let (length, unclosed) = length(rest, closing);
         words.push(Word {
             text: &rest[..length],
             start: start + at,
@@ -59,8 +61,8 @@ pub(super) fn words(line: &str, start: usize) -> Vec<Word<'_>> {
     words
 }
 
-/// The length of the word that a rest begins with.
-fn length(rest: &str) -> (usize, bool) {
+/// The length of the word that a rest begins with, in which the last `]` stands at `closing`.
+fn length(rest: &str, closing: Option<usize>) -> (usize, bool) {
     if rest.starts_with("=>") {
         return (2, false);
     }
@@ -79,7 +81,9 @@ fn length(rest: &str) -> (usize, bool) {
             '\'' if at > 0 && !rest[..at].ends_with('#') => return (at, false),
             '=' if rest[at..].starts_with("=>") => return (at, false),
             // `a[ 3 ]` is one name.
-            c if c.is_whitespace() && (brackets == 0 || !rest[at..].contains(']')) => return (at, false),
+            c if c.is_whitespace() && (brackets == 0 || closing.is_none_or(|closing| closing < at)) => {
+                return (at, false);
+            }
             _ => {}
         }
         before = c;

@@ -134,7 +134,9 @@ impl Session {
     fn why_not(&self) -> Stop {
         match self.simulation.status() {
             Status::Ended => Stop::Ended,
-            _ => Stop::Faulted,
+            Status::Faulted => Stop::Faulted,
+            // A brake stopped the scan, and it was taken back.
+            Status::Ready => Stop::Cancelled,
         }
     }
 

@@ -20,6 +20,7 @@ use crate::machine::FaultRecord;
 use crate::retain::Kept;
 use crate::simulation::{Options, Refused, Simulation, Status};
 use crate::tags::Point;
+use crate::work::Brake;
 pub use breakpoints::{Breakpoint, Hit};
 use history::History;
 pub use history::HistoryLimits;
@@ -90,6 +91,12 @@ impl Session {
             breakpoints: Vec::new(),
             unseen_network: false,
         }
+    }
+
+    /// Sets what may stop a scan that takes long. Such a scan is taken back: the session stands before it, with what
+    /// was given for it. Without a history that cannot be done, and it is a fault that stops the simulation.
+    pub fn set_brake(&mut self, brake: Option<Brake>) {
+        self.simulation.set_brake(brake);
     }
 
     /// The simulation, to be looked at: values, power, forces, names.

@@ -1,6 +1,7 @@
 //! One scan in parts: whole, by network, by block.
 
 use super::{Session, collect_faults};
+use crate::fault::Trouble;
 use crate::machine::Until;
 use crate::simulation::{Status, Stepped};
 
@@ -21,7 +22,11 @@ impl Session {
         }
         self.begin();
         let ran = self.simulation.scan();
-        self.finish();
+        if self.was_braked() {
+            self.give_up_scan();
+        } else {
+            self.finish();
+        }
         ran
     }
 
@@ -55,6 +60,10 @@ impl Session {
                 collect_faults(&mut self.simulation, &mut self.faults);
             }
             self.simulation.pending = waiting;
+            return stepped;
+        }
+        if self.was_braked() {
+            self.give_up_scan();
             return stepped;
         }
         if self.repeats {
@@ -105,6 +114,12 @@ impl Session {
             self.changed = self.history.give_up(&mut self.simulation);
             self.forget_faults_ahead();
         }
+    }
+
+    /// Whether the scan that was run was stopped by its brake, and can be taken back.
+    fn was_braked(&self) -> bool {
+        let last = self.simulation.machine.faults.last();
+        last.is_some_and(|fault| fault.trouble == Trouble::Braked) && self.history.is_on()
     }
 
     fn begin(&mut self) {

@@ -5,6 +5,7 @@ use crate::tags::{Point, PointSlot};
 use ladder_analysis::program::Role;
 use ladder_analysis::types::Scalar;
 use ladder_analysis::value::Value;
+use ladder_analysis::with_article;
 use std::collections::BTreeMap;
 
 impl Simulation {
@@ -205,7 +206,11 @@ fn check(point: &Point, value: &Value) -> Result<(), Refused> {
         return Ok(());
     }
     Err(Refused {
-        message: format!("{} is a {} and cannot hold this value", point.name, point.ty),
+        message: format!(
+            "{} is {} and cannot hold this value",
+            point.name,
+            with_article(point.ty)
+        ),
     })
 }
 

@@ -7,10 +7,11 @@ mod scan;
 mod state;
 
 use crate::compile::{CompileError, Compiled, compile};
-use crate::fault::Fault;
+use crate::fault::{Fault, Trouble};
 use crate::machine::{FaultRecord, Machine};
 use crate::memory::SERIAL_ROOM;
 use crate::tags::{self, Names, Point, UnknownTag};
+use crate::work::Brake;
 use ladder_analysis::program::{Location, Program};
 use ladder_analysis::value::Value;
 use std::collections::BTreeMap;
@@ -26,7 +27,8 @@ pub use state::State;
 pub struct Options {
     /// The time from one scan to the next, in nanoseconds.
     pub interval: i64,
-    /// How many blocks a scan may evaluate before the watchdog stops the simulation.
+    /// How many blocks a scan may evaluate before the watchdog stops the simulation. 100 elements of arrays or
+    /// characters of texts that a block goes through count as a further block.
     pub watchdog: u64,
 }
 
@@ -47,7 +49,7 @@ pub enum Status {
     Ready,
     /// The program stopped itself with `<END>`.
     Ended,
-    /// The watchdog, or calls nested too deep, stopped it in the middle of a scan.
+    /// The watchdog, calls nested too deep, or a brake stopped it in the middle of a scan.
     Faulted,
 }
 
@@ -130,6 +132,24 @@ impl Simulation {
     /// How it runs.
     pub fn options(&self) -> Options {
         self.options
+    }
+
+    /// Sets what may stop a scan that takes long; none lets every scan come to its end. A scan that was stopped so is
+    /// a fault that stops the simulation; a [`Session`](crate::Session) takes it back instead.
+    pub fn set_brake(&mut self, brake: Option<Brake>) {
+        self.machine.brake = brake;
+    }
+
+    /// What all scans have done so far, in blocks, as the watchdog counts them.
+    pub fn work(&self) -> u64 {
+        self.machine.worked
+    }
+
+    /// Stops the program with a fault: it has done all that it may.
+    pub(crate) fn exhaust(&mut self, limit: u64) {
+        self.machine
+            .record(Trouble::Exhausted(limit), 0, self.machine.scan);
+        self.status = Status::Faulted;
     }
 
     /// Whether it can go on.

@@ -2,7 +2,7 @@
 
 use super::{Simulation, Status};
 use crate::machine::{Halt, Until};
-use crate::memory::{Bit, Word};
+use crate::system::{self, Moment};
 use ladder_analysis::program::Location;
 use std::sync::atomic::{AtomicBool, Ordering};
 
@@ -126,12 +126,13 @@ impl Simulation {
     fn start(&mut self) {
         let interval = self.options.interval;
         let machine = &mut self.machine;
-        machine.memory.set_bit(Bit::FIRST_SCAN, machine.scan == 0);
-        machine.memory.set_bit(Bit::FAULT, machine.faulted);
-        // SYS.SCAN is a DINT and wraps.
-        machine.memory.words[Word::SCAN.0 as usize] = i64::from(machine.scan as i32);
-        machine.memory.words[Word::TIME.0 as usize] = machine.now;
-        machine.memory.words[Word::SCAN_TIME.0 as usize] = if machine.scan == 0 { 0 } else { interval };
+        let moment = Moment {
+            scan: machine.scan,
+            now: machine.now,
+            interval,
+            faulted: machine.faulted,
+        };
+        system::set(&mut machine.memory, moment);
         machine.begin();
     }
 

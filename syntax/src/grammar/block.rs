@@ -6,7 +6,7 @@
 use super::{Parser, expression, plain, recovery};
 use crate::builder::Builder;
 use crate::lexer;
-use crate::{OperandPlace, Place, SyntaxErrorKind, SyntaxKind};
+use crate::{Many, OperandPlace, Place, SyntaxErrorKind, SyntaxKind};
 use std::ops::Range;
 
 /// The block that begins with the bracket `open`.
@@ -187,6 +187,7 @@ fn operand_list<B: Builder>(p: &mut Parser<'_, '_, B>) {
         place: OperandPlace::List,
     };
     let mut before = Before::Opening;
+    let mut operands = 0;
     loop {
         match p.next() {
             SyntaxKind::R_PAREN => {
@@ -207,7 +208,12 @@ fn operand_list<B: Builder>(p: &mut Parser<'_, '_, B>) {
                 if before == Before::Operand && !expression::names(kind) {
                     p.error_ahead(SyntaxErrorKind::MissingComma);
                 }
-                expression::operand(p);
+                operands += 1;
+                if operands > Many::Operands.most() {
+                    expression::rest_of_operands(p);
+                } else {
+                    expression::operand(p);
+                }
                 before = Before::Operand;
             }
             _ if p.drawing_goes_on() => {

@@ -9,7 +9,7 @@
 use super::{MAX_DEPTH, MAX_TERMS, Parser, recovery};
 use crate::builder::Builder;
 use crate::lexer;
-use crate::{OperandPlace, Place, SyntaxErrorKind, SyntaxKind};
+use crate::{Many, OperandPlace, Place, SyntaxErrorKind, SyntaxKind};
 
 /// Whether a token can begin an operand. Operators and `:=` count: what they lack before them is named then.
 pub(super) const fn begins_operand(kind: SyntaxKind) -> bool {
@@ -366,6 +366,27 @@ pub(super) fn junk<B: Builder>(p: &mut Parser<'_, '_, B>, closing: SyntaxKind) {
         }
     }
     p.unexpected(Place::Operands, from, p.last_end);
+}
+
+/// Takes the rest of a list that holds too many operands, as one mistake. Iterative on purpose.
+pub(super) fn rest_of_operands<B: Builder>(p: &mut Parser<'_, '_, B>) {
+    p.space();
+    let from = p.at;
+    let mut open = 0u32;
+    p.start_node(SyntaxKind::ERROR_NODE);
+    loop {
+        match p.next() {
+            SyntaxKind::EOF | SyntaxKind::NEWLINE => break,
+            SyntaxKind::L_PAREN => open += 1,
+            SyntaxKind::R_PAREN if open == 0 => break,
+            SyntaxKind::R_PAREN => open -= 1,
+            _ if p.drawing_goes_on() => break,
+            _ => {}
+        }
+        p.bump();
+    }
+    p.finish_node();
+    p.error(SyntaxErrorKind::TooMany(Many::Operands), from, p.last_end);
 }
 
 /// Takes the rest of an operand that is too deep or too long, as one mistake. Iterative on purpose.

@@ -6,7 +6,7 @@ use crate::builder::Builder;
 use crate::lexer;
 use crate::line::{Line, LineKind, Mode};
 use crate::line_index::line_ends;
-use crate::{DeclarationProblem, Place, SyntaxErrorKind, SyntaxKind};
+use crate::{DeclarationProblem, Many, Place, SyntaxErrorKind, SyntaxKind};
 use rowan::TextSize;
 
 /// What a line's parse depends on besides its text.
@@ -131,8 +131,20 @@ fn empty_line(marks: &Marks) -> LineKind {
 
 /// The drawing on a line, up to its line end.
 fn rung<B: Builder>(p: &mut Parser<'_, '_, B>, marks: &mut Marks) -> LineKind {
+    let mut parts = 0;
     loop {
         let token = lexer::on_rung(p.text, p.at);
+        if !matches!(
+            token.0,
+            SyntaxKind::EOF | SyntaxKind::NEWLINE | SyntaxKind::WHITESPACE
+        ) {
+            parts += 1;
+            if parts > Many::Parts.most() {
+                marks.mistake = true;
+                rest_of_line(p);
+                continue;
+            }
+        }
         match token.0 {
             SyntaxKind::EOF => break,
             SyntaxKind::NEWLINE => {
@@ -184,4 +196,13 @@ fn rung<B: Builder>(p: &mut Parser<'_, '_, B>, marks: &mut Marks) -> LineKind {
     } else {
         empty_line(marks)
     }
+}
+
+/// Takes what is left of a line that holds too many parts, as one mistake.
+fn rest_of_line<B: Builder>(p: &mut Parser<'_, '_, B>) {
+    let from = p.at;
+    let end = memchr::memchr2(b'\n', b'\r', &p.text.as_bytes()[from..]);
+    let end = end.map_or(p.text.len(), |end| from + end);
+    p.token((SyntaxKind::ERROR, end));
+    p.error(SyntaxErrorKind::TooMany(Many::Parts), from, end);
 }

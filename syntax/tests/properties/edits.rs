@@ -1,9 +1,9 @@
 //! Parsing again after an edit gives what parsing from scratch gives.
 
-use crate::invariants::check;
+use crate::invariants::check_same;
 use crate::mutated::{mutate, mutation};
 use crate::programs::PROGRAMS;
-use ladder_syntax::{Parse, TextRange, TextSize, dump, parse};
+use ladder_syntax::{TextRange, TextSize, parse};
 use proptest::prelude::*;
 use std::cell::Cell;
 
@@ -29,25 +29,6 @@ fn edit(old: &str, new: &str, more: usize) -> (TextRange, TextSize) {
         TextRange::new(size(start), size(old.len() - behind)),
         size(new.len() - behind - start),
     )
-}
-
-/// Checks an edited parse against one from scratch.
-fn check_same(edited: &Parse, text: &str) {
-    let fresh = check(text);
-    assert_eq!(edited.to_string(), text);
-    assert_eq!(dump(edited), dump(&fresh), "{text:?}");
-    assert_eq!(edited.structure(), fresh.structure(), "{text:?}");
-    assert_eq!(edited.unclosed_comment(), fresh.unclosed_comment(), "{text:?}");
-    assert_eq!(edited.lines().len(), fresh.lines().len(), "{text:?}");
-    for (index, (a, b)) in edited.lines().iter().zip(fresh.lines()).enumerate() {
-        assert_eq!(edited.line_range(index), fresh.line_range(index), "{text:?}");
-        assert_eq!(a.green(), b.green(), "{text:?}");
-        assert_eq!(a.errors, b.errors, "{text:?}");
-        assert_eq!(
-            (a.kind, a.mode_after, a.downs, a.ups, a.len),
-            (b.kind, b.mode_after, b.downs, b.ups, b.len)
-        );
-    }
 }
 
 proptest! {

@@ -1,6 +1,6 @@
 //! What must hold for the parse of any text.
 
-use ladder_syntax::{Parse, SyntaxNode, parse, wiring};
+use ladder_syntax::{Parse, SyntaxNode, dump, parse, rowan, wiring};
 use std::ops::Range;
 
 /// Parses a text and checks everything that must hold: the tree gives the text back, lines and errors lie where
@@ -20,6 +20,25 @@ pub(crate) fn check(text: &str) -> Parse {
     assert!(depth(&parse.syntax()) < 2000);
     networks(text, &parse);
     parse
+}
+
+/// Checks an edited parse against one from scratch.
+pub(crate) fn check_same(edited: &Parse, text: &str) {
+    let fresh = check(text);
+    assert_eq!(edited.to_string(), text);
+    assert_eq!(dump(edited), dump(&fresh), "{text:?}");
+    assert_eq!(edited.structure(), fresh.structure(), "{text:?}");
+    assert_eq!(edited.unclosed_comment(), fresh.unclosed_comment(), "{text:?}");
+    assert_eq!(edited.lines().len(), fresh.lines().len(), "{text:?}");
+    for (index, (a, b)) in edited.lines().iter().zip(fresh.lines()).enumerate() {
+        assert_eq!(edited.line_range(index), fresh.line_range(index), "{text:?}");
+        assert_eq!(a.green(), b.green(), "{text:?}");
+        assert_eq!(a.errors, b.errors, "{text:?}");
+        assert_eq!(
+            (a.kind, a.mode_after, a.downs, a.ups, a.len),
+            (b.kind, b.mode_after, b.downs, b.ups, b.len)
+        );
+    }
 }
 
 fn lines(text: &str, parse: &Parse) {

@@ -2,6 +2,7 @@
 
 use crate::show::check_mistakes;
 use expect_test::expect;
+use ladder_syntax::{Many, SyntaxErrorKind};
 
 #[test]
 fn first_part_not_closed() {
@@ -460,6 +461,41 @@ fn stray_characters_on_a_rung() {
 
         "#]],
     );
+}
+
+#[test]
+fn too_many() {
+    let errors = |text: &str| {
+        let parse = ladder_syntax::parse(text);
+        assert_eq!(parse.syntax().to_string(), text);
+        let errors = parse.errors().into_iter();
+        errors
+            .map(|error| (error.kind, text[error.range].to_owned()))
+            .collect::<Vec<_>>()
+    };
+    let parts = Many::Parts.most() as usize;
+    let line = "- ".repeat(parts) + "\n";
+    assert_eq!(errors(&line), []);
+    // The next line is read again, also where a comment begins in what was not read.
+    let line = "- ".repeat(parts) + "(S)( y )--+ # open\r\n+--( )( y )--+";
+    let rest = (
+        SyntaxErrorKind::TooMany(Many::Parts),
+        "(S)( y )--+ # open".to_owned(),
+    );
+    assert_eq!(errors(&line), [rest]);
+    let operands = Many::Operands.most() as usize;
+    let block = |count: usize, behind: &str| {
+        format!("+--[ADD]( y{}{behind} )--( )( z )--+\n", ", a".repeat(count - 1))
+    };
+    assert_eq!(errors(&block(operands, "")), []);
+    let rest = (
+        SyntaxErrorKind::TooMany(Many::Operands),
+        "b, (c + d), R := e".to_owned(),
+    );
+    assert_eq!(errors(&block(operands, ", b, (c + d), R := e")), [rest]);
+    let blocks = ladder_syntax::parse(&block(operands, ", b")).syntax();
+    let blocks = blocks.descendants().filter(|node| node.kind().is_block()).count();
+    assert_eq!(blocks, 2, "the coil behind it is still a block");
 }
 
 #[test]

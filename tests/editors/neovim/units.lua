@@ -19,6 +19,30 @@ return function(t)
     end)
   end
 
+  t.step('no program is taken from the folder that is open', function()
+    local program = require('ladder.program')
+    local function find(path, windows, here, there)
+      return program.find('ladder', {
+        path = path,
+        windows = windows,
+        here = here,
+        is_program = function(file)
+          return not there or file == there
+        end,
+      })
+    end
+    t.equal('the first that is there', '/b/ladder', find('/a:/b:/c', false, '/plant', '/b/ladder'))
+    for _, path in ipairs({ '', '.', ':', 'bin', './bin', '/plant', '/plant/bin/', '/other/../plant/bin' }) do
+      t.equal(path, nil, find(path, false, '/plant', nil))
+    end
+    t.equal('a folder of a similar name', '/plant-2/ladder', find('.:/plant-2', false, '/plant', nil))
+    t.equal('the folder of everything', '/bin/ladder', find('/bin', false, '/', nil))
+    t.equal('Windows', 'D:\\tools/ladder.exe', find('C:\\Plant;D:\\tools\\', true, 'c:\\plant', nil))
+    for _, path in ipairs({ '', '.', ';', 'bin', 'C:bin', 'c:/PLANT/bin', 'C:\\plant' }) do
+      t.equal(path, nil, find(path, true, 'C:\\plant', nil))
+    end
+  end)
+
   local cases = read('values.json')
 
   t.step('times read as they are written in a program', function()

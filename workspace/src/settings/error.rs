@@ -1,7 +1,7 @@
 //! What can be wrong with a settings file.
 
-use crate::FileError;
 use crate::programs::from_here;
+use crate::{FileError, shown};
 use ladder_syntax::{LineColumn, TextRange};
 use std::fmt;
 use std::path::PathBuf;
@@ -41,8 +41,12 @@ impl fmt::Display for SettingsError {
         for (index, mistake) in mistakes.iter().enumerate() {
             let line_end = if index > 0 { "\n" } else { "" };
             let LineColumn { line, column } = mistake.place;
-            let file = from_here(file).display();
-            write!(f, "{line_end}{file}:{line}:{column}: {}", mistake.message)?;
+            let file = shown::path(from_here(file));
+            write!(
+                f,
+                "{line_end}{file}:{line}:{column}: {}",
+                shown::line(&mistake.message)
+            )?;
         }
         Ok(())
     }

@@ -43,7 +43,14 @@ pub(super) fn read(mut table: Table, folder: &Path, reader: &mut Reader) -> File
 pub(super) fn patterns(given: &Given, example: &str, folder: &Path, reader: &mut Reader) -> Gitignore {
     let mut builder = GitignoreBuilder::new(folder);
     for (range, pattern) in reader.texts(given, example) {
-        if let Err(error) = builder.add_line(None, &pattern) {
+        if pattern.split('/').any(|part| part == "..") {
+            reader.wrong(
+                range,
+                format!(
+                    "`{pattern}` leads out of the workspace: patterns are seen from the folder of ladder.toml"
+                ),
+            );
+        } else if let Err(error) = builder.add_line(None, &pattern) {
             reader.wrong(
                 range,
                 format!("`{pattern}` is no pattern as in .gitignore: {}", plain(&error)),

@@ -19,7 +19,7 @@ pub use given::Tree;
 pub use lint::{Levels, Lint};
 pub use simulate::Simulate;
 
-use crate::Root;
+use crate::{FileError, Named, Root};
 use ladder_analysis::RuleSettings;
 use ladder_syntax::{LineIndex, TextRange, TextSize};
 use reader::{Reader, Source, Table};
@@ -48,7 +48,7 @@ impl Settings {
     /// There is a settings file that cannot be read, or something in it is wrong.
     pub fn of(program: &Path) -> Result<Settings, SettingsError> {
         match Root::of(program).ok().and_then(|root| root.settings_file()) {
-            Some(file) => Settings::read(&file),
+            Some(file) => Settings::read_own(&file),
             None => Ok(Settings::default()),
         }
     }
@@ -72,6 +72,25 @@ impl Settings {
     pub fn read(file: &Path) -> Result<Settings, SettingsError> {
         let text = crate::read(file).map_err(SettingsError::File)?;
         Settings::parse(file, &text)
+    }
+
+    /// As [`Settings::read`], for the settings file that was found in a workspace, which lies inside of that.
+    ///
+    /// # Errors
+    /// It lies outside, cannot be read, or something in it is wrong.
+    pub fn read_own(file: &Path) -> Result<Settings, SettingsError> {
+        let text = Settings::own_text(file).map_err(SettingsError::File)?;
+        Settings::parse(file, &text)
+    }
+
+    /// The text of a settings file that was found in a workspace.
+    ///
+    /// # Errors
+    /// It lies outside, or cannot be read.
+    pub fn own_text(file: &Path) -> Result<String, FileError> {
+        let folder = file.parent().unwrap_or(Path::new(""));
+        let name = file.file_name().unwrap_or_default().to_string_lossy();
+        Named::in_settings(folder, &name).read()
     }
 
     /// As [`Settings::read`], from its text. `file` names it in messages and says where its paths start.

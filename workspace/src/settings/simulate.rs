@@ -2,8 +2,9 @@
 
 use super::reader::{Reader, Table};
 use super::table::{HISTORY, INTERVAL, RETAIN, WATCHDOG};
+use crate::Named;
 use ladder_simulator::Options;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
 /// How programs are run. What is absent is left to whoever runs them.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
@@ -14,8 +15,8 @@ pub struct Simulate {
     pub watchdog: Option<u64>,
     /// How many scans can be stepped back.
     pub history: Option<u64>,
-    /// The file that keeps retentive tags, seen from the settings file's folder.
-    pub retain: Option<PathBuf>,
+    /// The file that keeps retentive tags.
+    pub retain: Option<Named>,
 }
 
 impl Simulate {
@@ -39,10 +40,13 @@ pub(super) fn read(mut table: Table, folder: &Path, reader: &mut Reader) -> Simu
     if let Some(given) = reader.take(&mut table, &RETAIN)
         && let Some(file) = reader.text(&given, RETAIN.example)
     {
+        let named = Named::in_settings(folder, &file);
         if file.is_empty() {
             reader.wrong(given.range, "name a file, or leave `retain` out");
+        } else if let Some(problem) = named.mistake() {
+            reader.wrong(given.range, format!("`retain` cannot be used: {problem}"));
         } else {
-            simulate.retain = Some(folder.join(file));
+            simulate.retain = Some(named);
         }
     }
     table.finish(reader);

@@ -134,7 +134,7 @@ pub(super) const WATCHDOG: Setting = Setting {
     place: Place::FileOrEditor,
     default: Some("1000000"),
     example: "1000000",
-    about: "How many blocks a scan may evaluate. One that needs more is stopped with a fault.",
+    about: "How many blocks a scan may evaluate; 100 elements or characters that a block goes through count as one more. A scan that needs more is stopped with a fault.",
 };
 
 pub(super) const HISTORY: Setting = Setting {

@@ -2,44 +2,91 @@
 
 use super::Checked;
 use crate::findings::Source;
-use ladder_analysis::{Diagnostic, Fix, Severity, fix};
+use ladder_analysis::{Applicability, Diagnostic, Rule, Severity, fix};
 use ladder_format::apply;
-use ladder_syntax::TextSize;
-use ladder_workspace::FileError;
-use std::path::Path;
+use ladder_syntax::LineColumn;
+use ladder_workspace::shown;
+use std::fmt;
 
 /// A fix may bring out what another mistake hid; so many rounds are enough for all that was seen.
 const ROUNDS: usize = 16;
 
-/// Mends a file. It is written once, at the end, and only if something was mended.
-pub(super) fn mend(mut source: Source) -> Result<Checked, FileError> {
+/// What is mended.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Task {
+    /// Only safe fixes, or guesses as well.
+    pub(super) most: Applicability,
+    /// Whether the file is written; else what would change is shown.
+    pub(super) writes: bool,
+}
+
+/// A fix that was made, with its place in the text that it was made in.
+#[derive(Debug)]
+pub(super) struct Applied {
+    file: String,
+    place: LineColumn,
+    rule: Rule,
+    title: String,
+}
+
+impl fmt::Display for Applied {
+    /// `motor.clad:3:12 missing-wire: Insert wire`
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let (line, column) = (self.place.line, self.place.column);
+        let (file, title) = (shown::line(&self.file), shown::line(&self.title));
+        write!(f, "{file}:{line}:{column} {}: {title}", self.rule)
+    }
+}
+
+/// What came of mending a file.
+#[derive(Debug, Default)]
+pub(super) struct Mended {
+    /// The fixes in the order in which they were made.
+    pub(super) fixes: Vec<Applied>,
+    /// The text as it was, where only what would change is shown.
+    pub(super) before: Option<String>,
+}
+
+/// Mends a text. Where it came from is not written.
+pub(super) fn mend(mut source: Source, task: Task) -> Checked {
     let options = source.format_options();
     let mut findings = source.analyze().diagnostics.clone();
-    let mut mended = 0;
+    let mut mended = Mended {
+        fixes: Vec::new(),
+        before: (!task.writes).then(|| source.text.clone()),
+    };
+    let mut most = task.most;
     for _ in 0..ROUNDS {
-        let (fixes, count) = together(&findings);
-        if count == 0 {
+        let fixes = fix::together(&findings, most);
+        if fixes.is_empty() {
             break;
         }
-        let edits = fix::aligned(&source.text, &fixes, &options);
+        let whole = fix::combined(fixes.iter().map(|(_, fix)| *fix));
+        let edits = fix::aligned(&source.text, &whole, &options);
         let next = source.with_text(apply(&source.text, &edits));
         let left = next.analyze().diagnostics.clone();
         // A fix that brings new errors is none.
         if errors(&left) > errors(&findings) {
-            break;
+            if most == Applicability::Safe {
+                break;
+            }
+            most = Applicability::Safe;
+            continue;
         }
+        mended.fixes.extend(fixes.iter().map(|(finding, fix)| Applied {
+            file: source.file.clone(),
+            place: source.place(finding.range.start()),
+            rule: finding.rule,
+            title: fix.title.clone(),
+        }));
         (source, findings) = (next, left);
-        mended += count;
     }
-    if mended > 0 {
-        ladder_workspace::write(Path::new(&source.file), source.text.as_bytes())?;
-    }
-    Ok(Checked {
+    Checked {
         source,
         findings,
         problems: Vec::new(),
         mended,
-    })
+    }
 }
 
 fn errors(findings: &[Diagnostic]) -> usize {
@@ -47,31 +94,4 @@ fn errors(findings: &[Diagnostic]) -> usize {
         .iter()
         .filter(|finding| finding.severity == Severity::Error)
         .count()
-}
-
-/// The fixes that can be made together, as one, and how many they are. Where there is more than one way, a person
-/// must choose.
-fn together(findings: &[Diagnostic]) -> (Fix, usize) {
-    let mut edits = Vec::new();
-    let mut count = 0;
-    let mut free_from = TextSize::new(0);
-    let mut first = true;
-    for finding in findings {
-        let [fix] = finding.fixes.as_slice() else {
-            continue;
-        };
-        let (Some(start), Some(end)) = (fix.edits.first(), fix.edits.last()) else {
-            continue;
-        };
-        // Edits that touch might mean the same place.
-        if !first && start.range.start() <= free_from {
-            continue;
-        }
-        first = false;
-        free_from = end.range.end();
-        edits.extend(fix.edits.iter().cloned());
-        count += 1;
-    }
-    let title = String::new();
-    (Fix { title, edits }, count)
 }

@@ -2,7 +2,9 @@
 
 mod mend;
 mod report;
+mod stdin;
 mod tally;
+mod watch;
 
 use super::test;
 use crate::findings::{Problem, Source, Workspaces};
@@ -10,19 +12,25 @@ use crate::outcome::{Failure, Outcome};
 use crate::terminal;
 use annotate_snippets::Renderer;
 use clap::{Args, ValueEnum};
-use ladder_analysis::Diagnostic;
+use ladder_analysis::{Applicability, Diagnostic};
 use ladder_workspace::FileError;
+use mend::Mended;
 use rayon::prelude::*;
-use report::Report;
+use report::{Report, Target};
 use std::path::{Path, PathBuf};
+use tally::Tally;
 
 const EXAMPLES: &str = "\
 Examples:
-  ladder check motor.clad                 one program
-  ladder check .                          all programs in this folder
-  ladder check --deny warnings .          a warning, too, makes the exit status 1
-  ladder check --fix motor.clad           mend what can be mended in one way only
+  ladder check motor.clad             one program
+  ladder check .                      all programs in this folder
+  ladder check --deny warnings .      a warning, too, makes the exit status 1
+  ladder check --watch .              again and again, whenever a file changes
+  ladder check --fix motor.clad       mend what can be mended safely
+  ladder check --fix --diff .         only show what would be mended
   ladder check --format sarif . > out.sarif
+  ladder check --stdin-filename motor.clad - < draft
+                                      a text that is not saved yet
 
 Exit status: 0 no errors, 1 errors (with --deny warnings: errors or warnings), 2 a file (or ladder.toml) cannot be read.";
 
@@ -34,7 +42,7 @@ Exit status: 0 no errors, 1 errors (with --deny warnings: errors or warnings), 2
 #[derive(Debug, Args)]
 #[command(after_help = EXAMPLES)]
 pub(crate) struct Arguments {
-    /// Programs, or folders to search for them
+    /// Programs, or folders to search for them; `-` reads a text from stdin
     #[arg(value_name = "PATH", required = true)]
     paths: Vec<PathBuf>,
 
@@ -46,13 +54,38 @@ pub(crate) struct Arguments {
     #[arg(long, value_enum)]
     deny: Option<Deny>,
 
-    /// Mend what can be mended in one way only, keep the drawing aligned, and show what is left
+    /// Mend what can be mended safely, keep the drawing aligned, and show what is left
+    ///
+    /// With `-` the mended text goes to stdout, and what is left to stderr.
     #[arg(long)]
     fix: bool,
+
+    /// With --fix: make the fixes that are guesses as well; look at what they did
+    #[arg(long, requires = "fix")]
+    unsafe_fixes: bool,
+
+    /// With --fix: write nothing; show what would change, and exit with 1 if anything does
+    #[arg(long, requires = "fix")]
+    diff: bool,
 
     /// Show at the end how often each rule found something
     #[arg(long)]
     statistics: bool,
+
+    /// Check again whenever a program or ladder.toml changes, until Ctrl-C
+    #[arg(long, conflicts_with = "fix")]
+    watch: bool,
+
+    /// The file that the text from stdin stands for; it need not exist
+    ///
+    /// Messages have its name, its ladder.toml holds, and the other programs of its workspace are known. Without it the
+    /// text stands alone, under the settings of the current folder.
+    #[arg(long, value_name = "PATH")]
+    stdin_filename: Option<PathBuf>,
+
+    /// Pass over what ladder.toml or an ignore file excludes, even if it is named (for hooks and editors)
+    #[arg(long)]
+    force_exclude: bool,
 }
 
 /// How the findings are written.
@@ -77,8 +110,49 @@ enum Deny {
     Warnings,
 }
 
+impl Arguments {
+    /// What is mended, if anything is.
+    fn task(&self) -> Option<mend::Task> {
+        self.fix.then_some(mend::Task {
+            most: if self.unsafe_fixes {
+                Applicability::Unsafe
+            } else {
+                Applicability::Safe
+            },
+            writes: !self.diff,
+        })
+    }
+}
+
 pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
-    let (files, errors) = ladder_workspace::find_programs(&arguments.paths);
+    if arguments.diff && !matches!(arguments.format, Format::Full | Format::Concise) {
+        return Err(Failure::new(
+            "--diff shows a unified diff for people: leave --format out, or name full or concise",
+        ));
+    }
+    let from_stdin = crate::stdin::is_meant(&arguments.paths, arguments.stdin_filename.as_deref())?;
+    match (from_stdin, arguments.watch) {
+        (true, true) => Err(Failure::new(
+            "`-` (stdin) cannot be watched; name a file or folder",
+        )),
+        (true, false) => stdin::run(arguments),
+        (false, true) => watch::run(arguments),
+        (false, false) => check_files(arguments).map(|round| round.outcome),
+    }
+}
+
+/// What came of a check of the files.
+struct Round {
+    outcome: Outcome,
+    nobody_reads: bool,
+}
+
+/// Checks the files once.
+fn check_files(arguments: &Arguments) -> Result<Round, Failure> {
+    let (mut files, errors) = ladder_workspace::find_programs(&arguments.paths);
+    if arguments.force_exclude {
+        files.retain(|file| !ladder_workspace::is_excluded(file));
+    }
     for error in &errors {
         terminal::error(error);
     }
@@ -87,7 +161,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     } else {
         Outcome::Failed
     };
-    let mut report = Report::new(arguments.format, arguments.statistics);
+    let mut report = Report::new(arguments.format, arguments.statistics, Target::Stdout);
     let renderer = report.renderer().clone();
     let mut workspaces = Workspaces::default();
     for files in files.chunks(AT_ONCE) {
@@ -104,13 +178,12 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
         }
         let sources = sources.into_par_iter();
         let checked: Vec<_> = sources
-            .map(|source| check(source, arguments.fix, &renderer))
+            .map(|source| check_file(source, arguments.task(), &renderer))
             .collect();
         for checked in checked {
             match checked {
                 Ok(checked) => {
-                    let problems = checked.problems.iter().map(|problem| problem.outcome);
-                    outcome = problems.fold(outcome, Outcome::max);
+                    outcome = outcome.max(checked.outcome());
                     report.add(&checked)?;
                 }
                 Err(error) => {
@@ -120,12 +193,22 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
             }
         }
     }
-    let tally = report.finish()?;
+    let (tally, nobody_reads) = report.finish()?;
+    Ok(Round {
+        outcome: outcome.max(exit_of(&tally, arguments)),
+        nobody_reads,
+    })
+}
+
+/// What all that was found means for the exit status.
+fn exit_of(tally: &Tally, arguments: &Arguments) -> Outcome {
+    let would_change = arguments.diff && tally.mended > 0;
     let denied = arguments.deny == Some(Deny::Warnings) && tally.warnings > 0;
-    if tally.errors > 0 || denied {
-        outcome = outcome.max(Outcome::Findings);
+    if tally.errors > 0 || denied || would_change {
+        Outcome::Findings
+    } else {
+        Outcome::Fine
     }
-    Ok(outcome)
 }
 
 /// So many files are checked at once: what is found in them is kept until their turn comes.
@@ -137,30 +220,47 @@ struct Checked {
     findings: Vec<Diagnostic>,
     /// What is wrong in a file of scenarios.
     problems: Vec<Problem>,
-    /// How many findings were mended.
-    mended: usize,
+    /// What was mended.
+    mended: Mended,
 }
 
-fn check(source: Source, fix: bool, renderer: &Renderer) -> Result<Checked, FileError> {
+impl Checked {
+    /// What its problems mean for the exit status.
+    fn outcome(&self) -> Outcome {
+        let problems = self.problems.iter().map(|problem| problem.outcome);
+        problems.fold(Outcome::Fine, Outcome::max)
+    }
+}
+
+/// Checks a file. It is written once, at the end, and only if something was mended.
+fn check_file(source: Source, task: Option<mend::Task>, renderer: &Renderer) -> Result<Checked, FileError> {
+    let checked = check(source, task, renderer);
+    if !checked.mended.fixes.is_empty() && checked.mended.before.is_none() {
+        ladder_workspace::write(Path::new(&checked.source.file), checked.source.text.as_bytes())?;
+    }
+    Ok(checked)
+}
+
+fn check(source: Source, task: Option<mend::Task>, renderer: &Renderer) -> Checked {
     let path = Path::new(&source.file);
     if ladder_workspace::is_scenario(path) {
-        return Ok(Checked {
+        return Checked {
             problems: test::mistakes(path, &source, renderer),
             source,
             findings: Vec::new(),
-            mended: 0,
-        });
+            mended: Mended::default(),
+        };
     }
-    if fix {
-        return mend::mend(source);
+    if let Some(task) = task {
+        return mend::mend(source, task);
     }
     let findings = source.analyze().diagnostics.clone();
-    Ok(Checked {
+    Checked {
         source,
         findings,
         problems: Vec::new(),
-        mended: 0,
-    })
+        mended: Mended::default(),
+    }
 }
 
 /// A file among the others of its workspace. None: that cannot be used, and it has been said why.

@@ -1,18 +1,58 @@
 //! What is written while files are checked, in the chosen form.
 
+use super::mend::Mended;
 use super::tally::Tally;
 use super::{Checked, Format};
+use crate::diff;
 use crate::findings::{concise, full, github, json, sarif};
-use crate::terminal::{Stdout, stdout_has_colours};
+use crate::json::{to_writer, to_writer_pretty};
+use crate::terminal::{self, Stdout, stderr_has_colours, stdout_has_colours};
 use annotate_snippets::Renderer;
 use serde::Serialize;
 use serde_json::Value;
-use std::io::{self, Write};
+use std::io::{self, BufWriter, Stderr, Write};
+use std::path::Path;
+
+/// Where a report goes to.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Target {
+    Stdout,
+    /// Stdout has something else.
+    Stderr,
+}
+
+/// An open target.
+enum Out {
+    Stdout(Stdout),
+    Stderr(BufWriter<Stderr>),
+}
+
+impl Out {
+    fn is_closed(&self) -> bool {
+        matches!(self, Out::Stdout(out) if out.is_closed())
+    }
+}
+
+impl Write for Out {
+    fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
+        match self {
+            Out::Stdout(out) => out.write(bytes),
+            Out::Stderr(out) => out.write(bytes),
+        }
+    }
+
+    fn flush(&mut self) -> io::Result<()> {
+        match self {
+            Out::Stdout(out) => out.flush(),
+            Out::Stderr(out) => out.flush(),
+        }
+    }
+}
 
 /// The report, written as the files come: none is kept in memory (but for SARIF).
 pub(super) struct Report {
     format: Format,
-    out: Stdout,
+    out: Out,
     renderer: Renderer,
     tally: Tally,
     statistics: bool,
@@ -21,15 +61,19 @@ pub(super) struct Report {
 }
 
 impl Report {
-    pub(super) fn new(format: Format, statistics: bool) -> Report {
-        let renderer = if stdout_has_colours() {
+    pub(super) fn new(format: Format, statistics: bool, target: Target) -> Report {
+        let (out, has_colours) = match target {
+            Target::Stdout => (Out::Stdout(Stdout::new()), stdout_has_colours()),
+            Target::Stderr => (Out::Stderr(terminal::stderr()), stderr_has_colours()),
+        };
+        let renderer = if has_colours {
             Renderer::styled()
         } else {
             Renderer::plain()
         };
         Report {
             format,
-            out: Stdout::new(),
+            out,
             renderer,
             tally: Tally::default(),
             statistics,
@@ -45,6 +89,13 @@ impl Report {
     /// Writes what was found in a file.
     pub(super) fn add(&mut self, checked: &Checked) -> io::Result<()> {
         let source = &checked.source;
+        self.mended(checked)?;
+        if checked.mended.before.is_some() {
+            // What is left is for a check of its own.
+            let fixes = checked.mended.fixes.len();
+            self.tally.file_to_mend(&checked.findings, fixes);
+            return Ok(());
+        }
         for finding in &checked.findings {
             match self.format {
                 Format::Full => {
@@ -67,8 +118,30 @@ impl Report {
             }
             self.tally.errors += 1;
         }
-        self.tally.file(checked.mended);
+        self.tally.file(checked.mended.fixes.len());
         Ok(())
+    }
+
+    /// Lists the fixes that were made, and shows what would change.
+    fn mended(&mut self, checked: &Checked) -> io::Result<()> {
+        let Mended { fixes, before } = &checked.mended;
+        let verb = if before.is_some() { "would fix" } else { "fixed" };
+        for fix in fixes {
+            match self.format {
+                Format::Full | Format::Concise => writeln!(self.out, "{verb} {fix}")?,
+                // Standard output belongs to the machine that reads it.
+                Format::Json | Format::Sarif | Format::Github => {
+                    terminal::plain(&format!("{verb} {fix}"));
+                }
+            }
+        }
+        match before {
+            Some(before) if !fixes.is_empty() => {
+                let (file, now) = (Path::new(&checked.source.file), &checked.source.text);
+                diff::print(file, before, now, &mut self.out)
+            }
+            _ => Ok(()),
+        }
     }
 
     /// One more element of the array.
@@ -79,12 +152,12 @@ impl Report {
             ",\n  "
         };
         self.out.write_all(before.as_bytes())?;
-        serde_json::to_writer(&mut self.out, finding)?;
-        Ok(())
+        to_writer(&mut self.out, finding)
     }
 
-    /// Writes what stands at the end. Where no file could be checked, nothing is written at all.
-    pub(super) fn finish(mut self) -> io::Result<Tally> {
+    /// Writes what stands at the end. Where no file could be checked, nothing is written at all. Also says whether
+    /// the reader has gone away.
+    pub(super) fn finish(mut self) -> io::Result<(Tally, bool)> {
         let for_people = matches!(self.format, Format::Full | Format::Concise);
         match self.format {
             _ if self.tally.is_empty() => {}
@@ -95,7 +168,7 @@ impl Report {
             Format::Json => writeln!(self.out, "\n]")?,
             Format::Sarif => {
                 let document = sarif::document(std::mem::take(&mut self.results));
-                serde_json::to_writer_pretty(&mut self.out, &document)?;
+                to_writer_pretty(&mut self.out, &document)?;
                 writeln!(self.out)?;
             }
             Format::Full | Format::Concise | Format::Github => {}
@@ -104,6 +177,6 @@ impl Report {
             writeln!(self.out, "{}", self.tally)?;
         }
         self.out.flush()?;
-        Ok(self.tally)
+        Ok((self.tally, self.out.is_closed()))
     }
 }

@@ -1,6 +1,6 @@
 //! How much was found.
 
-use ladder_analysis::{Diagnostic, Rule, Severity};
+use ladder_analysis::{Diagnostic, Fix, Rule, Severity};
 use std::collections::BTreeMap;
 use std::fmt;
 
@@ -11,7 +11,9 @@ pub(super) struct Tally {
     pub(super) errors: usize,
     pub(super) warnings: usize,
     infos: usize,
-    mended: usize,
+    pub(super) mended: usize,
+    /// Nothing was written: what was mended is what would be.
+    only_shown: bool,
     rules: BTreeMap<Rule, Found>,
 }
 
@@ -19,7 +21,7 @@ pub(super) struct Tally {
 #[derive(Debug, Clone, Copy, Default)]
 struct Found {
     times: usize,
-    /// How many of them have a fix.
+    /// How many of them have a safe fix.
     fixes: usize,
 }
 
@@ -28,7 +30,7 @@ impl Tally {
     pub(super) fn count(&mut self, finding: &Diagnostic) {
         let found = self.rules.entry(finding.rule).or_default();
         found.times += 1;
-        found.fixes += usize::from(!finding.fixes.is_empty());
+        found.fixes += usize::from(finding.fixes.iter().any(Fix::is_safe));
         match finding.severity {
             Severity::Error => self.errors += 1,
             Severity::Warning => self.warnings += 1,
@@ -42,6 +44,15 @@ impl Tally {
         self.mended += mended;
     }
 
+    /// Counts a file of which only what would be mended was shown, with what would be left.
+    pub(super) fn file_to_mend(&mut self, left: &[Diagnostic], mended: usize) {
+        self.file(mended);
+        self.only_shown = true;
+        for finding in left {
+            self.count(finding);
+        }
+    }
+
     /// Whether no file was checked.
     pub(super) fn is_empty(&self) -> bool {
         self.files == 0
@@ -52,7 +63,8 @@ impl Tally {
         self.errors + self.warnings + self.infos
     }
 
-    /// A line for each rule, the most frequent first. A `*` marks those of which some can be mended.
+    /// A line for each rule, the most frequent first. A `*` marks those of which some can be mended
+    /// safely.
     pub(super) fn statistics(&self) -> String {
         let mut rules: Vec<(&Rule, &Found)> = self.rules.iter().collect();
         rules.sort_by_key(|(rule, found)| (std::cmp::Reverse(found.times), *rule));
@@ -85,6 +97,7 @@ impl fmt::Display for Tally {
         write!(f, "Checked {}: {found}.", counted(self.files, "file"))?;
         match self.mended {
             0 => Ok(()),
+            mended if self.only_shown => write!(f, " {} would be mended.", counted(mended, "finding")),
             mended => write!(f, " Mended {}.", counted(mended, "finding")),
         }
     }

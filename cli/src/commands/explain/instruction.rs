@@ -2,7 +2,8 @@
 
 use super::look::Look;
 use super::markdown;
-use ladder_instructions::{Acts, Direction, Instruction, Presence, Shape, lookup};
+use super::wrap::wrap;
+use ladder_instructions::{Acts, Direction, Instruction, Presence, Shape, TABLE, lookup};
 use std::io::{self, Write};
 
 /// All rows that go by the name; brackets around it narrow them down.
@@ -18,6 +19,17 @@ pub(super) fn find(name: &str) -> Vec<&'static Instruction> {
     }
 }
 
+/// The rows whose title has this word in it: `timer` stands in "On-delay timer".
+pub(super) fn with_word(word: &str) -> impl Iterator<Item = &'static Instruction> {
+    let word = word.trim().to_lowercase();
+    TABLE.iter().filter(move |row| {
+        let title = row.title.to_lowercase();
+        title
+            .split(|c: char| !c.is_alphanumeric())
+            .any(|part| part == word)
+    })
+}
+
 /// `[TON]` and `[ ]( tag )` name their brackets too.
 pub(super) fn bracketed(name: &str) -> Option<(Shape, &str)> {
     let name = name.trim();
@@ -30,7 +42,11 @@ pub(super) fn bracketed(name: &str) -> Option<(Shape, &str)> {
 
 /// Writes the page.
 pub(super) fn print(row: &Instruction, look: &Look, out: &mut impl Write) -> io::Result<()> {
-    let Look { heading, code } = look;
+    let Look {
+        heading,
+        code,
+        columns,
+    } = look;
     writeln!(
         out,
         "{code}{}{code:#}  {heading}{}{heading:#}",
@@ -59,14 +75,20 @@ pub(super) fn print(row: &Instruction, look: &Look, out: &mut impl Write) -> io:
                 Presence::Trailing => " May be left out.",
                 Presence::Named => " Given by name; may be left out.",
             };
-            writeln!(
-                out,
-                "  {code}{:width$}{code:#}  {direction:6}  {}{presence}",
-                operand.name, operand.doc
-            )?;
+            // Filled without its colours, which take no columns.
+            let name = format!("{:width$}", operand.name);
+            let first = format!("  {name}  {direction:6}  ");
+            let rest = " ".repeat(first.len());
+            let text = wrap(&format!("{}{presence}", operand.doc), &first, &rest, *columns);
+            let behind = &text[2 + name.len()..];
+            write!(out, "  {code}{name}{code:#}{behind}")?;
         }
     }
-    writeln!(out, "\n{heading}Power out{heading:#}\n  {}", row.eno)?;
+    write!(
+        out,
+        "\n{heading}Power out{heading:#}\n{}",
+        wrap(row.eno, "  ", "  ", *columns)
+    )?;
     let acts = match row.acts {
         Acts::Always => "at every evaluation, powered or not",
         Acts::WhenPowered => "only while power enters it",
@@ -74,7 +96,8 @@ pub(super) fn print(row: &Instruction, look: &Look, out: &mut impl Write) -> io:
     writeln!(out, "\n{heading}Acts{heading:#}\n  {acts}")?;
     let others: Vec<&str> = row.synonyms.iter().chain(row.aliases).copied().collect();
     if !others.is_empty() {
-        writeln!(out, "\n{heading}Also written{heading:#}\n  {}", others.join(" "))?;
+        let others = wrap(&others.join(" "), "  ", "  ", *columns);
+        write!(out, "\n{heading}Also written{heading:#}\n{others}")?;
     }
     writeln!(out, "\n{heading}Example{heading:#}")?;
     for line in row.example.trim_end().lines() {

@@ -1,26 +1,126 @@
 //! The reference's Markdown, as a terminal shows it.
 
 use super::look::Look;
+use super::wrap::{width, wrap};
 use std::io::{self, Write};
 
-/// Writes it: headings without their `#`, fenced blocks set in and without their fences, links as their text.
+/// Writes it: headings without their `#`, fenced blocks set in and without their fences, links as their text,
+/// paragraphs and lists filled to the width of the terminal.
 pub(super) fn print(markdown: &str, look: &Look, out: &mut impl Write) -> io::Result<()> {
-    let Look { heading, code } = look;
-    let mut fenced = false;
-    for line in markdown.lines() {
-        if line.starts_with("```") {
-            fenced = !fenced;
-        } else if line.is_empty() {
-            writeln!(out)?;
-        } else if fenced {
-            writeln!(out, "    {code}{line}{code:#}")?;
-        } else if let Some(title) = heading_of(line) {
-            writeln!(out, "{heading}{}{heading:#}", title.replace('`', ""))?;
-        } else {
-            writeln!(out, "{}", without_links(&line.replace("**", "")))?;
+    let Look {
+        heading,
+        code,
+        columns,
+    } = look;
+    for part in parts(markdown) {
+        match part {
+            Part::Blank => writeln!(out)?,
+            Part::Heading(title) => writeln!(out, "{heading}{title}{heading:#}")?,
+            Part::Text { marker, text } => {
+                let rest = " ".repeat(width(&marker));
+                out.write_all(wrap(&text, &marker, &rest, *columns).as_bytes())?;
+            }
+            Part::Code("") => writeln!(out)?,
+            Part::Code(line) => writeln!(out, "    {code}{line}{code:#}")?,
+            Part::Table(rows) => print_table(&rows, *columns, out)?,
         }
     }
     Ok(())
+}
+
+/// A list of names and what they mean, of which the second column is filled.
+pub(super) fn print_table(rows: &[(String, String)], columns: usize, out: &mut impl Write) -> io::Result<()> {
+    // One long name does not push all the others' texts to the edge.
+    let most = columns / 2;
+    let names = rows
+        .iter()
+        .map(|(name, _)| width(name))
+        .filter(|name| *name <= most);
+    let edge = 2 + names.max().unwrap_or(0) + 2;
+    let rest = " ".repeat(edge);
+    for (name, text) in rows {
+        let blanks = edge.saturating_sub(2 + width(name)).max(2);
+        let first = format!("  {name}{}", " ".repeat(blanks));
+        out.write_all(wrap(text, &first, &rest, columns).as_bytes())?;
+    }
+    Ok(())
+}
+
+/// A piece of a page.
+enum Part<'m> {
+    Blank,
+    Heading(String),
+    /// A paragraph, or a point of a list with its marker.
+    Text {
+        marker: String,
+        text: String,
+    },
+    /// A line of a fenced block.
+    Code(&'m str),
+    /// The rows of a table without its head: what stands first, and what stands behind it.
+    Table(Vec<(String, String)>),
+}
+
+fn parts(markdown: &str) -> Vec<Part<'_>> {
+    let mut parts = Vec::new();
+    let mut fenced = false;
+    // Whether the line before was text that this one may go on with.
+    let mut goes_on = false;
+    for line in markdown.lines() {
+        let text_before = std::mem::replace(&mut goes_on, false);
+        if line.starts_with("```") {
+            fenced = !fenced;
+        } else if fenced {
+            parts.push(Part::Code(line));
+        } else if line.trim().is_empty() {
+            parts.push(Part::Blank);
+        } else if let Some(title) = heading_of(line) {
+            parts.push(Part::Heading(title.replace('`', "")));
+        } else if line.starts_with('|') {
+            add_row(line, &mut parts);
+        } else {
+            goes_on = true;
+            let (marker, text) = split_marker(line);
+            match parts.last_mut() {
+                Some(Part::Text { text: before, .. }) if text_before && marker.is_empty() => {
+                    before.push(' ');
+                    before.push_str(text);
+                }
+                _ => parts.push(Part::Text {
+                    marker: marker.to_owned(),
+                    text: text.to_owned(),
+                }),
+            }
+        }
+    }
+    for part in &mut parts {
+        if let Part::Text { text, .. } = part {
+            *text = plain(text);
+        }
+    }
+    parts
+}
+
+/// The head of a table says nothing that its rows do not, and the line below it is not for people.
+fn add_row(line: &str, parts: &mut Vec<Part>) {
+    let Some(Part::Table(rows)) = parts.last_mut() else {
+        parts.push(Part::Table(Vec::new()));
+        return;
+    };
+    // A bar that belongs to the text is written `\|`.
+    let line = line.replace("\\|", "\0");
+    let cells: Vec<String> = line
+        .trim_matches(['|', ' '])
+        .split('|')
+        .map(|cell| plain(cell.trim()).replace('\0', "|"))
+        .collect();
+    if cells.iter().all(|cell| cell.chars().all(|c| c == '-')) {
+        return;
+    }
+    let (first, others) = cells
+        .split_first()
+        .map_or(("", &[][..]), |(first, rest)| (first, rest));
+    rows.push((first.to_owned(), others.join("  ")));
 }
 
 fn heading_of(line: &str) -> Option<&str> {
@@ -28,6 +128,24 @@ fn heading_of(line: &str) -> Option<&str> {
     (title.len() < line.len())
         .then(|| title.strip_prefix(' '))
         .flatten()
+}
+
+/// `- ` or `1. ` before the text, with the blanks before it.
+fn split_marker(line: &str) -> (&str, &str) {
+    let text = line.trim_start();
+    let indent = line.len() - text.len();
+    let digits = text.len() - text.trim_start_matches(|c: char| c.is_ascii_digit()).len();
+    let marker = match text {
+        _ if text.starts_with("- ") => 2,
+        _ if digits > 0 && text[digits..].starts_with(". ") => digits + 2,
+        _ => return ("", text),
+    };
+    line.split_at(indent + marker)
+}
+
+/// Text without what Markdown says about its look.
+fn plain(text: &str) -> String {
+    without_links(&text.replace("**", ""))
 }
 
 /// `[wrong-shape](wrong-shape.md)` becomes `wrong-shape`. Only pages are linked to; what else looks like a link
@@ -61,27 +179,69 @@ fn next_link(line: &str) -> Option<(&str, &str, &str)> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use expect_test::expect;
+    use expect_test::{Expect, expect};
 
-    #[test]
-    fn what_a_terminal_shows() {
-        let page = "# `a-rule`\n\nSee [`b`](b.md) and [c](../c.md#d); **not** `[ ]( x )`.\n\n## Wrong\n\n```clad wrong\n+--+\n\n```\n";
+    fn check(page: &str, columns: usize, expected: Expect) {
         let look = Look {
             heading: anstyle::Style::new(),
             code: anstyle::Style::new(),
+            columns,
         };
         let mut out = Vec::new();
         print(page, &look, &mut out).unwrap();
-        expect![[r#"
-            a-rule
+        expected.assert_eq(&String::from_utf8(out).unwrap());
+    }
 
-            See `b` and c; not `[ ]( x )`.
+    #[test]
+    fn what_a_terminal_shows() {
+        check(
+            "# `a-rule`\n\nSee [`b`](b.md) and [c](../c.md#d); **not** `[ ]( x )`.\n\n## Wrong\n\n```clad wrong\n+--+\n\n```\n",
+            100,
+            expect![[r#"
+                a-rule
 
-            Wrong
+                See `b` and c; not `[ ]( x )`.
 
-                +--+
+                Wrong
 
-        "#]]
-        .assert_eq(&String::from_utf8(out).unwrap());
+                    +--+
+
+            "#]],
+        );
+    }
+
+    #[test]
+    fn paragraphs_and_lists_are_filled() {
+        check(
+            "Counts one up each\ntime EN rises.\n\n- CV goes on counting past PV,\n  up to the largest DINT.\n- PV is read\n\n10. `+--[ ]( a )--( )( y )--+` is drawn\n    again\n",
+            24,
+            expect![[r#"
+                Counts one up each time
+                EN rises.
+
+                - CV goes on counting
+                  past PV, up to the
+                  largest DINT.
+                - PV is read
+
+                10. `+--[ ]( a )--( )( y )--+`
+                    is drawn again
+            "#]],
+        );
+    }
+
+    #[test]
+    fn tables() {
+        check(
+            "So:\n\n| operators | meaning |\n| --- | --- |\n| `OR`, then `AND` | logical on BOOL, bitwise otherwise |\n| `a \\| b` | [sum](x.md) |\n",
+            40,
+            expect![[r#"
+                So:
+
+                  `OR`, then `AND`  logical on BOOL,
+                                    bitwise otherwise
+                  `a | b`           sum
+            "#]],
+        );
     }
 }

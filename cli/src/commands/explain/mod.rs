@@ -1,40 +1,51 @@
 //! `ladder explain`: the reference page of a rule or an instruction.
 
 mod instruction;
+mod list;
 mod look;
 mod markdown;
+mod names;
 mod rule;
+mod wrap;
 
 use crate::outcome::{Failure, Outcome};
 use crate::terminal::Stdout;
 use clap::Args;
-use ladder_instructions::{Shape, closest};
+use ladder_instructions::{Instruction, Shape, closest};
 use look::Look;
+use names::Names;
 use std::io::Write;
 
 const EXAMPLES: &str = "\
 Examples:
-  ladder explain TON
-  ladder explain '[/]'              the quotes keep the shell from reading the brackets
-  ladder explain '( S )'            the coil, where a name alone has several meanings
-  ladder explain double-coil        the name that a finding shows in brackets";
+  ladder explain                    all instructions and rules, a line each
+  ladder explain TON                an instruction
+  ladder explain double-coil        a rule: a finding shows its name in brackets
+  ladder explain '[/]'              the quotes keep the shell from the brackets
+  ladder explain '( S )'            the coil, where a name means several things
+
+Exit status: 0 fine, 2 nothing has this name.";
 
 /// Show what a rule is about, or how an instruction works
 ///
 /// Of a rule: what is wrong, a rung that has it and one that does not, and what to do. Of an instruction: its
-/// operands, what it does, what power leaves it, and a rung that shows it.
+/// operands, what it does, what power leaves it, and a rung that shows it. Without a name: what there is.
 #[derive(Debug, Args)]
 #[command(after_help = EXAMPLES)]
 pub(crate) struct Arguments {
     /// The name of a rule, or of an instruction, with its brackets or without
-    #[arg(value_name = "RULE-OR-INSTRUCTION")]
-    name: String,
+    #[arg(value_name = "RULE-OR-INSTRUCTION", value_parser = Names, hide_possible_values = true)]
+    name: Option<String>,
 }
 
 pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
-    let name = &arguments.name;
     let look = Look::of_stdout();
     let mut out = Stdout::new();
+    let Some(name) = &arguments.name else {
+        list::print(&look, &mut out)?;
+        out.flush()?;
+        return Ok(Outcome::Fine);
+    };
     if let Some(rule) = rule::find(name) {
         rule::print(rule, &look, &mut out)?;
         out.flush()?;
@@ -55,11 +66,32 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
 }
 
 fn unknown(name: &str) -> Failure {
-    let (shape, mnemonic) = instruction::bracketed(name).unwrap_or((Shape::Logical, name));
-    let help = match (rule::closest(name), closest(shape, mnemonic)) {
-        (Some(rule), _) => format!("; did you mean `{rule}`?"),
-        (_, Some(row)) => format!("; did you mean `{}` ({})?", row.block(), row.title.to_lowercase()),
-        (None, None) => String::new(),
+    let meant = meant(name);
+    let help = match meant.split_last() {
+        Some((only, [])) => format!("did you mean {only}?"),
+        Some((last, others)) => format!("did you mean {} or {last}?", others.join(", ")),
+        None => "`ladder explain` lists all".to_owned(),
     };
-    Failure::new(format!("no rule or instruction is called `{name}`{help}"))
+    Failure::new(format!("no rule or instruction is called `{name}`; {help}"))
+}
+
+/// More than these are not offered.
+const MOST: usize = 6;
+
+/// What a person may have meant: a rule that is spelt almost so, what has this word in its name, or an instruction that is
+/// spelt almost so (last, for most words are near to some short name).
+fn meant(name: &str) -> Vec<String> {
+    let (shape, mnemonic) = instruction::bracketed(name).unwrap_or((Shape::Logical, name));
+    let named = |row: &Instruction| format!("`{}` ({})", row.block(), row.title.to_lowercase());
+    let quoted = |rule: &str| format!("`{rule}`");
+    if let Some(rule) = rule::closest(name) {
+        return vec![quoted(rule)];
+    }
+    let rows = instruction::with_word(name).map(named);
+    let by_word: Vec<String> = rows.chain(rule::with_word(name).map(quoted)).take(MOST).collect();
+    if by_word.is_empty() {
+        closest(shape, mnemonic).map(named).into_iter().collect()
+    } else {
+        by_word
+    }
 }

@@ -12,6 +12,26 @@ pub(super) fn find(name: &str) -> Option<Rule> {
     Rule::from_name(&name.trim().to_lowercase().replace(['_', ' '], "-"))
 }
 
+/// The first sentence of its page.
+pub(super) fn summary(rule: Rule) -> String {
+    let parts = page(rule).unwrap_or_default().split("\n\n");
+    let first = parts
+        .map(str::trim)
+        .find(|part| !part.is_empty() && !part.starts_with('#'));
+    let paragraph = first.unwrap_or_default().replace(['\n', '\r'], " ");
+    match paragraph.split_once(". ") {
+        Some((sentence, _)) => format!("{sentence}."),
+        None => paragraph,
+    }
+}
+
+/// The rules whose name has this word in it, as `coil` stands in `double-coil`.
+pub(super) fn with_word(word: &str) -> impl Iterator<Item = &'static str> {
+    let word = word.trim().to_lowercase();
+    let names = Rule::ALL.iter().map(|rule| rule.name());
+    names.filter(move |name| name.split('-').any(|part| part == word))
+}
+
 /// The name of a rule that is spelt almost like this.
 pub(super) fn closest(name: &str) -> Option<&'static str> {
     Rule::ALL

@@ -1,16 +1,17 @@
 //! `ladder fmt` and `ldfmt`: the canonical layout.
 
-mod diff;
 mod files;
 mod layout;
 mod selection;
 
+use crate::diff;
 use crate::outcome::{Failure, Outcome};
+use crate::stdin;
 use crate::terminal::{self, Stdout};
 use clap::Args;
-use ladder_workspace::{FileError, MAX_FILE_BYTES, Settings};
+use ladder_workspace::{Settings, shown};
 use selection::Selection;
-use std::io::{Read, Write};
+use std::io::Write;
 use std::path::{Path, PathBuf};
 
 const EXAMPLES: &str = "\
@@ -21,7 +22,7 @@ Examples:
   ldfmt --diff motor.clad           show what would change
   ldfmt - < motor.clad              from stdin to stdout
   ldfmt --range 12-20 motor.clad    only the networks on lines 12 to 20
-  ldfmt --force-exclude FILE...     in a hook: what is excluded stays, even if it is named
+  ldfmt --force-exclude FILE...     in a hook: what is excluded stays as it is
 
 Exit status: 0 fine, 1 a file would change (--check, --diff), 2 a file cannot be read or written, or ladder.toml is wrong.";
 
@@ -90,29 +91,15 @@ impl Arguments {
 }
 
 pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
-    let stdin = Path::new("-");
-    if arguments.paths.iter().any(|path| path == stdin) {
-        if arguments.paths.len() > 1 {
-            return Err(Failure::new(
-                "`-` (stdin) cannot be given together with other paths",
-            ));
-        }
+    if stdin::is_meant(&arguments.paths, arguments.stdin_filename.as_deref())? {
         return format_stdin(arguments);
-    }
-    if arguments.stdin_filename.is_some() {
-        return Err(Failure::new(
-            "--stdin-filename needs `-` as the path, which reads stdin",
-        ));
     }
     files::format(arguments)
 }
 
 fn format_stdin(arguments: &Arguments) -> Result<Outcome, Failure> {
-    let name = arguments
-        .stdin_filename
-        .as_deref()
-        .unwrap_or(Path::new("<stdin>"));
-    let text = read_stdin(name)?;
+    let name = stdin::name_or_default(arguments.stdin_filename.as_deref());
+    let text = stdin::read(name)?;
     let settings = match arguments.config()? {
         Some(config) => config,
         None => Settings::of(name)?,
@@ -146,20 +133,6 @@ fn format_stdin(arguments: &Arguments) -> Result<Outcome, Failure> {
     Ok(outcome)
 }
 
-fn read_stdin(name: &Path) -> Result<String, FileError> {
-    let mut bytes = Vec::new();
-    std::io::stdin()
-        .lock()
-        // One byte past the limit is enough to see that the text is too large.
-        .take(MAX_FILE_BYTES as u64 + 1)
-        .read_to_end(&mut bytes)
-        .map_err(|error| FileError {
-            path: name.to_owned(),
-            problem: ladder_workspace::Problem::Read(error),
-        })?;
-    ladder_workspace::decode(name, bytes)
-}
-
 fn would_change(file: &Path) {
-    terminal::note(&format_args!("would change: {}", file.display()));
+    terminal::note(&format_args!("would change: {}", shown::path(file)));
 }

@@ -1,39 +1,52 @@
 //! `ladder render`: the diagram as a picture.
 
+#[cfg(feature = "pdf")]
+mod pdf;
+#[cfg(feature = "png")]
 mod raster;
 
+#[cfg(not(all(feature = "pdf", feature = "png")))]
+use crate::features::Feature;
 use crate::findings::Source;
 use crate::outcome::{Failure, Outcome};
-use crate::run::{Run, Stimulus, place, program};
-use crate::terminal::Stdout;
+use crate::output::may_write;
+use crate::run::{Run, Stimulus, number_of_scans, place, program, show_errors};
+use crate::terminal::{self, Stdout};
 use clap::{Args, ValueEnum};
 use ladder_analysis::types::Scalar;
-use ladder_interchange::picture::{self, Options, Theme};
+#[cfg(feature = "pdf")]
+use ladder_interchange::picture::sheet;
+use ladder_interchange::picture::{self, Options, Scene, Theme};
 use ladder_simulator::{Simulation, value_text};
+use ladder_workspace::shown;
 use std::io::{IsTerminal, Write};
 use std::path::{Path, PathBuf};
 
 const EXAMPLES: &str = "\
 Examples:
-  ladder render motor.clad -o motor.svg            the diagram, in the reader's own light or dark colours
+  ladder render motor.clad -o motor.svg            light or dark, as one reads
   ladder render motor.clad -o motor.png --scale 2  the same as pixels
+  ladder render motor.clad -o motor.pdf            pages, with a table of tags
+  ladder render motor.clad -o motor.pdf --paper letter --landscape --title Pumps
   ladder render motor.clad --theme dark > motor.svg
   ladder render motor.clad -o motor.svg --scans 3 --set start=1
-                                                   with the power and the values after three scans
+                                                   with power, after 3 scans
 
-Exit status: 0 fine, 1 the program has errors, 2 a file or an argument cannot be used.";
+Exit status: 0 fine, 1 the program has errors (it is drawn as far as it goes, but not run) or a fault stopped it,
+2 a file or an argument cannot be used.";
 
 /// Draw a program as a picture
 ///
-/// Networks are drawn with the symbols of IEC 61131-3. In an SVG file text stays text: it can be searched and
-/// copied.
+/// Networks are drawn with the symbols of IEC 61131-3. In SVG and PDF files text stays text: it can be searched and
+/// copied. A PDF has the declarations as a table and numbered networks, and its pages break between networks.
 #[derive(Debug, Args)]
 #[command(after_help = EXAMPLES)]
 pub(crate) struct Arguments {
     /// The program
     file: PathBuf,
 
-    /// Write to this file instead of stdout; its name ends in .svg or .png
+    /// Write to this file instead of stdout; its name ends in .svg, .png or .pdf. A program, or a file that this command
+    /// did not make, is replaced only with --force
     #[arg(short, long, value_name = "FILE")]
     output: Option<PathBuf>,
 
@@ -45,12 +58,24 @@ pub(crate) struct Arguments {
     #[arg(long, value_enum, default_value_t = Colours::Auto)]
     theme: Colours,
 
-    /// Pixels of a PNG for each unit of the drawing
-    #[arg(long, value_name = "FACTOR", default_value = "2", value_parser = scale)]
-    scale: f32,
+    /// Pixels of a PNG for each unit of the drawing [default: 2]
+    #[arg(long, value_name = "FACTOR", value_parser = scale)]
+    scale: Option<f32>,
+
+    /// The paper of a PDF [default: a4]
+    #[arg(long, value_enum)]
+    paper: Option<Paper>,
+
+    /// Turn the pages of a PDF: wider than high
+    #[arg(long)]
+    landscape: bool,
+
+    /// What stands at the head of each page of a PDF [default: the program's name]
+    #[arg(long, value_name = "TEXT")]
+    title: Option<String>,
 
     /// Run so many scans first, and show the power and the values after the last
-    #[arg(long, value_name = "N")]
+    #[arg(long, value_name = "N", value_parser = number_of_scans, allow_negative_numbers = true)]
     scans: Option<u64>,
 
     #[command(flatten)]
@@ -64,11 +89,21 @@ enum Format {
     Svg,
     /// Pixels
     Png,
+    /// Pages for a printer
+    Pdf,
+}
+
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+enum Paper {
+    /// 210 mm by 297 mm
+    A4,
+    /// 8.5 by 11 inches
+    Letter,
 }
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
 enum Colours {
-    /// As the reader's screen has it (a PNG: light)
+    /// As the reader's screen has it (a PNG or PDF: light)
     Auto,
     /// Dark on white
     Light,
@@ -78,49 +113,135 @@ enum Colours {
 
 pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     let format = format(arguments)?;
+    check(arguments, format)?;
+    if let Some(file) = target(arguments) {
+        may_write(file, arguments.stimulus.existing())?;
+    }
     let text = ladder_workspace::read(&arguments.file)?;
     let source = Source::new(arguments.file.display().to_string(), text);
     let theme = match (arguments.theme, format) {
         (Colours::Auto, Format::Svg) => Theme::Auto,
-        (Colours::Auto, Format::Png) | (Colours::Light, _) => Theme::Light,
+        (Colours::Auto, Format::Png | Format::Pdf) | (Colours::Light, _) => Theme::Light,
         (Colours::Dark, _) => Theme::Dark,
     };
-    let svg = match arguments.scans {
-        None => picture::svg(
-            &source.analyze().context,
-            &Options {
-                theme,
-                ..Options::default()
-            },
-        ),
-        Some(scans) => match running(arguments, &source, scans, theme)? {
-            Some(svg) => svg,
+    let (scene, outcome) = match arguments.scans {
+        None => at_rest(&source),
+        Some(scans) => match running(arguments, &source, scans)? {
+            Some(drawn) => drawn,
             None => return Ok(Outcome::Findings),
         },
     };
     let bytes = match format {
-        Format::Svg => svg.into_bytes(),
-        Format::Png => raster::png(&svg, arguments.scale)
-            .map_err(|problem| Failure::new(format!("{}: {problem}", source.file)))?,
+        Format::Svg => picture::svg(&scene, theme).into_bytes(),
+        #[cfg(not(feature = "png"))]
+        Format::Png => return Err(Feature::Png.left_out()),
+        #[cfg(feature = "png")]
+        Format::Png => raster::png(&picture::svg(&scene, theme), arguments.scale.unwrap_or(2.0))
+            .map_err(|problem| Failure::new(format!("{}: {problem}", shown::line(&source.file))))?,
+        Format::Pdf => pages(arguments, &source, &scene, theme)?,
     };
     match target(arguments) {
         Some(file) => ladder_workspace::write(file, &bytes)?,
         None => {
             let mut out = Stdout::new();
-            out.write_all(&bytes)?;
+            match format {
+                Format::Svg => out.write_all(shown::text(&String::from_utf8_lossy(&bytes)).as_bytes())?,
+                Format::Png | Format::Pdf => out.write_all(&bytes)?,
+            }
             out.flush()?;
         }
     }
-    Ok(Outcome::Fine)
+    Ok(outcome)
+}
+
+/// Refuses what has no effect on the picture that is asked for: it was meant to have one.
+fn check(arguments: &Arguments, format: Format) -> Result<(), Failure> {
+    if arguments.scale.is_some() && format != Format::Png {
+        return Err(Failure::new(
+            "--scale is about the pixels of a PNG; other pictures are as large as they are shown",
+        ));
+    }
+    let pages = arguments.paper.is_some() || arguments.landscape || arguments.title.is_some();
+    if pages && format != Format::Pdf {
+        return Err(Failure::new(
+            "--paper, --landscape and --title are about the pages of a PDF; end the file's name in .pdf",
+        ));
+    }
+    if arguments.scans.is_none() && arguments.stimulus.is_given() {
+        return Err(Failure::new(
+            "--dt, --inputs, --set and --force are about a run; add the number of scans, for example --scans 1",
+        ));
+    }
+    Ok(())
+}
+
+/// The picture as pages of a PDF.
+#[cfg(feature = "pdf")]
+fn pages(arguments: &Arguments, source: &Source, scene: &Scene, theme: Theme) -> Result<Vec<u8>, Failure> {
+    let stem = arguments.file.file_stem().map(|stem| stem.to_string_lossy());
+    let title = match (&arguments.title, &stem) {
+        (Some(title), _) => title,
+        (None, Some(stem)) => &**stem,
+        (None, None) => "",
+    };
+    let note = match arguments.scans {
+        None => String::new(),
+        Some(1) => "after 1 scan".to_owned(),
+        Some(scans) => format!("after {scans} scans"),
+    };
+    let options = sheet::Options {
+        size: match arguments.paper {
+            None | Some(Paper::A4) => sheet::Size::A4,
+            Some(Paper::Letter) => sheet::Size::Letter,
+        },
+        orientation: if arguments.landscape {
+            sheet::Orientation::Landscape
+        } else {
+            sheet::Orientation::Portrait
+        },
+        title,
+        note: &note,
+    };
+    let sheets = sheet::sheets(&source.analyze().context, scene, &options);
+    let document = pdf::document(&sheets, title, theme)
+        .map_err(|problem| Failure::new(format!("{}: {problem}", source.file)))?;
+    if !document.missing.is_empty() {
+        let letters: String = document
+            .missing
+            .iter()
+            .take(20)
+            .filter(|c| !c.is_control())
+            .collect();
+        terminal::warning(&format_args!(
+            "{}: the built-in font has no letters for {letters}: a PDF shows a mark in their place, an SVG \
+             has them from its reader's fonts",
+            source.file
+        ));
+    }
+    Ok(document.bytes)
+}
+
+#[cfg(not(feature = "pdf"))]
+fn pages(_: &Arguments, _: &Source, _: &Scene, _: Theme) -> Result<Vec<u8>, Failure> {
+    Err(Feature::Pdf.left_out())
+}
+
+/// The picture of the program as it is written. One with errors is drawn as well, and stderr shows them.
+fn at_rest(source: &Source) -> (Scene, Outcome) {
+    let scene = picture::scene(&source.analyze().context, &Options::default());
+    if source.analyze().errors().next().is_none() {
+        return (scene, Outcome::Fine);
+    }
+    show_errors(source);
+    terminal::error(&format_args!(
+        "{}: drawn as far as it goes; the program has errors",
+        shown::line(&source.file)
+    ));
+    (scene, Outcome::Findings)
 }
 
 /// The picture of the program after so many scans; none if it has errors, which stderr then shows.
-fn running(
-    arguments: &Arguments,
-    source: &Source,
-    scans: u64,
-    theme: Theme,
-) -> Result<Option<String>, Failure> {
+fn running(arguments: &Arguments, source: &Source, scans: u64) -> Result<Option<(Scene, Outcome)>, Failure> {
     let options = arguments.stimulus.options(&arguments.file)?;
     let Some(program) = program(source) else {
         return Ok(None);
@@ -144,15 +265,14 @@ fn running(
         .collect();
     let value = |operand: &str| value_of(simulation, operand);
     let options = Options {
-        theme,
         power: Some(power),
         value: Some(&value),
     };
-    Ok(Some(picture::svg(&source.analyze().context, &options)))
+    let scene = picture::scene(&source.analyze().context, &options);
+    Ok(Some((scene, run.outcome())))
 }
 
-/// The value of an operand that is worth showing: how far a timer or counter is, or a number. That of a BOOL is
-/// seen by its power, that of a literal by itself.
+/// The value of an operand: of a timer or counter how far it is, of a BOOL 0 or 1. That of a literal is seen by itself.
 fn value_of(simulation: &Simulation, operand: &str) -> Option<String> {
     if operand.starts_with(|first: char| first.is_ascii_digit() || matches!(first, '-' | '\'')) {
         return None;
@@ -160,7 +280,11 @@ fn value_of(simulation: &Simulation, operand: &str) -> Option<String> {
     let point = ["", ".ET", ".CV"]
         .iter()
         .find_map(|member| simulation.resolve(&format!("{operand}{member}")).ok())?;
-    (point.ty != Scalar::Bool).then(|| value_text::display(&simulation.value(&point), point.ty))
+    let value = simulation.value(&point);
+    Some(match point.ty {
+        Scalar::Bool => value_text::cell(&value, point.ty),
+        _ => value_text::display(&value, point.ty),
+    })
 }
 
 /// The file to write; none for stdout.
@@ -174,10 +298,16 @@ fn format(arguments: &Arguments) -> Result<Format, Failure> {
         (None, None) => Format::Svg,
         (None, Some(file)) => by_name(file)?,
     };
-    if format == Format::Png && target(arguments).is_none() && std::io::stdout().is_terminal() {
-        return Err(Failure::new(
-            "a PNG is not for a terminal; name a file with -o, for example -o motor.png",
-        ));
+    let not_text = match format {
+        Format::Svg => None,
+        Format::Png => Some("a PNG is not for a terminal; name a file with -o, for example -o motor.png"),
+        Format::Pdf => Some("a PDF is not for a terminal; name a file with -o, for example -o motor.pdf"),
+    };
+    if let Some(why) = not_text
+        && target(arguments).is_none()
+        && std::io::stdout().is_terminal()
+    {
+        return Err(Failure::new(why));
     }
     Ok(format)
 }
@@ -189,8 +319,9 @@ fn by_name(file: &Path) -> Result<Format, Failure> {
     match ending.as_deref() {
         Some("svg") => Ok(Format::Svg),
         Some("png") => Ok(Format::Png),
+        Some("pdf") => Ok(Format::Pdf),
         _ => Err(Failure::new(format!(
-            "{}: the name does not say which picture it is; end it in .svg or .png, or add --format",
+            "{}: the name does not say which picture it is; end it in .svg, .png or .pdf, or add --format",
             file.display()
         ))),
     }

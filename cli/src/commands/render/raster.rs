@@ -3,6 +3,7 @@
 //! Letters come from a font that is built in: a picture looks the same on every machine, also on one without
 //! fonts.
 
+use crate::output::SOFTWARE;
 use resvg::tiny_skia::{Pixmap, Transform};
 use resvg::usvg::{Options, Tree, fontdb};
 use std::sync::Arc;
@@ -39,5 +40,21 @@ pub(super) fn png(svg: &str, scale: f32) -> Result<Vec<u8>, String> {
     resvg::render(&tree, Transform::from_scale(scale, scale), &mut pixels.as_mut());
     pixels
         .encode_png()
+        .map(signed)
         .map_err(|error| format!("the picture cannot be written as PNG: {error}"))
+}
+
+/// So many bytes a PNG begins with: its signature and its header.
+const HEAD: usize = 8 + 25;
+
+/// The picture with the name of the program that made it, as PNG has a place for it.
+fn signed(mut png: Vec<u8>) -> Vec<u8> {
+    let content = SOFTWARE;
+    let mut chunk = ((content.len() - 4) as u32).to_be_bytes().to_vec();
+    chunk.extend_from_slice(content);
+    chunk.extend_from_slice(&crc32fast::hash(content).to_be_bytes());
+    if png.len() >= HEAD {
+        png.splice(HEAD..HEAD, chunk);
+    }
+    png
 }

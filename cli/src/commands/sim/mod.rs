@@ -2,28 +2,33 @@
 
 mod trace;
 
-use crate::findings::Source;
+#[cfg(not(feature = "screen"))]
+use crate::features::Feature;
+use crate::findings::{Source, with_line_feeds};
 use crate::outcome::{Failure, Outcome};
-use crate::output::Output;
-use crate::run::{Retention, Run, Stimulus, place, program};
+use crate::output::{DRAWN_BY, Output};
+use crate::run::{KeptIn, Retention, Run, Stimulus, number_of_scans, place, program};
 #[cfg(feature = "screen")]
-use crate::{screen, terminal};
+use crate::screen;
+use crate::terminal;
 use clap::{Args, ValueEnum};
 use ladder_analysis::types::Type;
-use ladder_simulator::{Point, Simulation, Status, diagram, diagram_of};
-use std::io::Write;
+use ladder_simulator::{Point, Simulation, diagram, diagram_of};
+use ladder_workspace::shown;
 use std::path::PathBuf;
 
 const EXAMPLES: &str = "\
 Examples:
-  ladder sim motor.clad                                  the diagram, live, on this terminal
-  ladder sim motor.clad --scans 100                      100 scans, all tags as CSV
-  ladder sim motor.clad --scans 100 --set start=1        with `start` high from the first scan on
+  ladder sim motor.clad               the diagram, live, on this terminal
+  ladder sim motor.clad --scans 100   100 scans, all tags as CSV
+  ladder sim motor.clad --scans 100 --set start=1
+                                      `start` is high from the first scan on
   ladder sim motor.clad --scans 3 --set start=1 --format diagram
-                                                         the program with its power after three scans
-  ladder sim motor.clad --scans 50 --inputs in.csv --watch run,warmup.ET -o out.csv
+                                      the program with its power after 3 scans
+  ladder sim motor.clad --scans 50 --inputs in.csv --watch run,warmup.ET
+                                      these two tags; the inputs from a file
   ladder sim motor.clad --scans 90 --inputs in.csv --format svg -o motor.svg
-                                                         a timing diagram
+                                      a timing diagram
 
 A row of the file for --inputs is given to the program before one scan; its header names the tags:
 
@@ -51,7 +56,7 @@ pub(crate) struct Arguments {
     file: PathBuf,
 
     /// How many scans to run; without it, on a terminal, the program is shown running
-    #[arg(long, value_name = "N")]
+    #[arg(long, value_name = "N", value_parser = number_of_scans, allow_negative_numbers = true)]
     scans: Option<u64>,
 
     #[command(flatten)]
@@ -69,7 +74,8 @@ pub(crate) struct Arguments {
     #[arg(long, value_enum, default_value_t = Format::Csv)]
     format: Format,
 
-    /// Write to this file instead of stdout; `-` is stdout
+    /// Write to this file instead of stdout; `-` is stdout. A program, or a file that this command did not make, is
+    /// replaced only with --force
     #[arg(short, long, value_name = "FILE")]
     output: Option<PathBuf>,
 }
@@ -89,7 +95,6 @@ enum Format {
     Diagram,
 }
 
-#[cfg(feature = "screen")]
 impl Arguments {
     /// Nothing is said that only a batch can do.
     fn asks_for_the_screen(&self) -> bool {
@@ -98,8 +103,16 @@ impl Arguments {
 }
 
 pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
-    #[cfg(feature = "screen")]
+    if ladder_workspace::is_scenario(&arguments.file) {
+        let file = arguments.file.display();
+        return Err(Failure::new(format!(
+            "{file}: this file has scenarios, no program; `ladder test {file}` runs them"
+        )));
+    }
     if arguments.asks_for_the_screen() && terminal::is_interactive() {
+        #[cfg(not(feature = "screen"))]
+        return Err(Feature::Screen.left_out());
+        #[cfg(feature = "screen")]
         return screen::run(&screen::Request {
             file: &arguments.file,
             stimulus: &arguments.stimulus,
@@ -122,12 +135,16 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     // All that can be wrong with the arguments is found before anything is written.
     let watched = watched(&simulation, &arguments.watch)?;
     let retention = match &arguments.retain {
-        Some(file) => Some(Retention::begin(file, &arguments.file, &mut simulation)?),
+        Some(file) => Some(Retention::begin(
+            KeptIn::File(file),
+            &arguments.file,
+            &mut simulation,
+        )?),
         None => None,
     };
     let inputs = arguments.stimulus.give(&mut simulation)?;
 
-    let mut out = Output::open(arguments.output.as_deref())?;
+    let mut out = Output::open(arguments.output.as_deref(), arguments.stimulus.existing())?;
     let mut run = Run {
         simulation,
         inputs,
@@ -143,19 +160,19 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
         Format::Diagram => {
             while run.scan() {}
             diagrams(&source, &run.simulation, &mut out)?;
+            if out.is_file() {
+                out.write_text(&format!("\n{DRAWN_BY} #\n"))?;
+            }
         }
     }
     out.finish()?;
     run.finish()?;
-    Ok(match run.simulation.status() {
-        Status::Faulted => Outcome::Findings,
-        Status::Ready | Status::Ended => Outcome::Fine,
-    })
+    Ok(run.outcome())
 }
 
 /// The program with its power, and below it the other files that it uses, each under its name.
 fn diagrams(source: &Source, simulation: &Simulation, out: &mut Output) -> Result<(), Failure> {
-    out.write_all(diagram(&source.text, simulation).as_bytes())?;
+    out.write_text(&with_line_feeds(&diagram(&source.text, simulation)))?;
     let program = simulation.program();
     for (index, name) in program.files.iter().enumerate().skip(1) {
         let file = index as u32;
@@ -166,11 +183,12 @@ fn diagrams(source: &Source, simulation: &Simulation, out: &mut Output) -> Resul
         let Some(other) = source.other(name).filter(|_| runs) else {
             continue;
         };
-        write!(
-            out,
-            "\n# {name} #\n\n{}",
-            diagram_of(file, &other.text, simulation)
-        )?;
+        let drawn = diagram_of(file, &other.text, simulation);
+        out.write_text(&format!(
+            "\n# {} #\n\n{}",
+            shown::line(name),
+            with_line_feeds(&drawn)
+        ))?;
     }
     Ok(())
 }
@@ -178,6 +196,11 @@ fn diagrams(source: &Source, simulation: &Simulation, out: &mut Output) -> Resul
 /// The tags to write: those asked for, by the names they were asked for with, or every elementary tag of the
 /// program but constants, sorted by name.
 fn watched(simulation: &Simulation, names: &[String]) -> Result<Vec<(String, Point)>, Failure> {
+    if names.iter().any(|name| name.trim().is_empty()) {
+        return Err(Failure::new(
+            "--watch: a name is missing; write the tags as in --watch run,warmup.ET",
+        ));
+    }
     if !names.is_empty() {
         return names
             .iter()

@@ -1,5 +1,6 @@
 //! What a run writes: scan by scan, in the chosen form.
 
+use crate::json;
 use crate::output::Output;
 use crate::run::Run;
 use ladder_simulator::Point;
@@ -22,10 +23,18 @@ pub(super) fn write(
     while !out.is_closed() && run.scan() {
         trace.row(&run.simulation, &mut text);
         if text.len() >= CHUNK {
-            out.write_all(text.as_bytes())?;
+            put(format, &text, out)?;
             text.clear();
         }
     }
     trace.end(&mut text);
-    out.write_all(text.as_bytes())
+    put(format, &text, out)
+}
+
+/// Strings of a program may hold anything; what is shown on stdout is written out, what goes into a file is not.
+fn put(format: Format, text: &str, out: &mut Output) -> io::Result<()> {
+    match format {
+        Format::Json => out.write_all(json::safe(text).as_bytes()),
+        Format::Csv | Format::Vcd | Format::Svg => out.write_text(text),
+    }
 }

@@ -4,6 +4,7 @@
 use super::report::FileReport;
 use crate::findings::{Place, Source};
 use ladder_simulator::coverage::{Coverage, NetworkScans, Part, PartKind};
+use ladder_workspace::shown;
 use serde::Serialize;
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
@@ -152,7 +153,7 @@ pub(super) fn table(covered: &Covered) -> String {
     let mut rows: Vec<[String; 4]> = vec![["networks", "contacts", "coils", ""].map(str::to_owned)];
     for (name, file) in &covered.files {
         let [networks, contacts, coils] = counts(file).map(Count::shown);
-        rows.push([networks, contacts, coils, name.clone()]);
+        rows.push([networks, contacts, coils, shown::line(name).into_owned()]);
     }
     let width = |column: usize| rows.iter().map(|row| row[column].len()).max().unwrap_or(0);
     let widths = [width(0), width(1), width(2)];
@@ -236,15 +237,28 @@ fn excerpt(source: &Source, place: &Place, what: &str) -> Missed {
         .chars()
         .take(end.max(before))
         .enumerate()
-        .map(|(at, c)| match (at < before, c) {
-            (true, '\t') => '\t',
-            (true, _) => ' ',
-            (false, _) => '^',
+        .map(|(at, c)| {
+            // As long as it is shown.
+            let length = if shown::is_obeyed(c) {
+                shown::escape(c).len()
+            } else {
+                1
+            };
+            match (at < before, c) {
+                (true, '\t') => "\t".to_owned(),
+                (true, _) => " ".repeat(length),
+                (false, _) => "^".repeat(length),
+            }
         })
         .collect();
     Missed {
-        title: format!("{}:{}:{}: {what}", place.file, place.line, place.column),
-        rung: rung.to_owned(),
+        title: format!(
+            "{}:{}:{}: {what}",
+            shown::line(&place.file),
+            place.line,
+            place.column
+        ),
+        rung: shown::text(rung).into_owned(),
         marks,
     }
 }

@@ -4,6 +4,7 @@ use super::coverage;
 use super::report::{CaseReport, DifferenceReport, FaultReport, FileReport};
 use super::{All, Writer};
 use crate::findings::Problem;
+use crate::json::to_writer;
 use serde::Serialize;
 use std::io::{self, Write};
 
@@ -18,13 +19,13 @@ impl Writer for Json {
         let before = if self.begun { ",\n" } else { "{\"files\": [\n" };
         self.begun = true;
         out.write_all(before.as_bytes())?;
-        serde_json::to_writer(out, &Suite::new(report)).map_err(io::Error::from)
+        to_writer(out, &Suite::new(report))
     }
 
     fn end(&mut self, all: &All, out: &mut dyn Write) -> io::Result<()> {
         write!(out, "\n],\n\"summary\": ")?;
-        serde_json::to_writer(
-            &mut *out,
+        to_writer(
+            out,
             &Summary {
                 files: all.tally.files,
                 passed: all.tally.passed,
@@ -35,7 +36,7 @@ impl Writer for Json {
         )?;
         if let Some(covered) = all.covered {
             write!(out, ",\n\"coverage\": ")?;
-            serde_json::to_writer(&mut *out, &coverage::json(covered))?;
+            to_writer(out, &coverage::json(covered))?;
         }
         writeln!(out, "}}")
     }

@@ -2,6 +2,7 @@
 
 use super::report::FileReport;
 use super::{All, Writer};
+use ladder_workspace::shown;
 use std::fmt::Write as _;
 use std::io::{self, Write};
 
@@ -48,7 +49,7 @@ impl Junit {
         errors: usize,
     ) -> std::fmt::Result {
         let out = &mut self.suites;
-        let file = escaped(&report.file);
+        let file = attribute(&report.file);
         writeln!(
             out,
             "  <testsuite name=\"{file}\" tests=\"{tests}\" failures=\"{failures}\" errors=\"{errors}\" \
@@ -60,16 +61,16 @@ impl Junit {
             writeln!(
                 out,
                 "    <testcase name=\"{}:{}:{}\" classname=\"{file}\" time=\"0\" file=\"{}\" line=\"{}\">",
-                escaped(&place.file),
+                attribute(&place.file),
                 place.line,
                 place.column,
-                escaped(&place.file),
+                attribute(&place.file),
                 place.line
             )?;
             writeln!(
                 out,
                 "      <error message=\"{}\" type=\"{}\">{}</error>\n    </testcase>",
-                escaped(&problem.message),
+                attribute(&problem.message),
                 problem.rule,
                 escaped(&problem.shown)
             )?;
@@ -78,7 +79,7 @@ impl Junit {
             write!(
                 out,
                 "    <testcase name=\"{}\" classname=\"{file}\" time=\"{:.6}\" file=\"{file}\" line=\"{}\"",
-                escaped(&case.name),
+                attribute(&case.name),
                 case.seconds,
                 case.place.line
             )?;
@@ -91,7 +92,7 @@ impl Junit {
                 writeln!(
                     out,
                     "      <failure message=\"{}\" type=\"scenario\">{}</failure>",
-                    escaped(&case.sentences().join("; ")),
+                    attribute(&case.sentences().join("; ")),
                     escaped(&case.drawn())
                 )?;
             }
@@ -109,17 +110,22 @@ impl Junit {
     }
 }
 
-/// Text inside of XML, in attributes too. Control characters are no part of XML.
+/// A text in an attribute, on one line.
+fn attribute(text: &str) -> String {
+    escaped(&shown::line(text))
+}
+
+/// Text inside of XML. What a terminal obeys, the control characters that are no part of XML among it,
+/// is written out.
 fn escaped(text: &str) -> String {
     let mut out = String::with_capacity(text.len());
-    for c in text.chars() {
+    for c in shown::text(text).chars() {
         match c {
             '&' => out.push_str("&amp;"),
             '<' => out.push_str("&lt;"),
             '>' => out.push_str("&gt;"),
             '"' => out.push_str("&quot;"),
-            '\n' | '\t' => out.push(c),
-            c if c.is_control() || c == '\u{fffe}' || c == '\u{ffff}' => out.push('\u{fffd}'),
+            c if c == '\u{fffe}' || c == '\u{ffff}' => out.push('\u{fffd}'),
             c => out.push(c),
         }
     }

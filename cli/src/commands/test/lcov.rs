@@ -2,6 +2,7 @@
 
 use super::coverage::{Covered, CoveredFile};
 use ladder_simulator::coverage::PartKind;
+use ladder_workspace::shown;
 use std::collections::BTreeMap;
 
 pub(super) fn text(covered: &Covered) -> String {
@@ -13,7 +14,7 @@ pub(super) fn text(covered: &Covered) -> String {
 }
 
 fn record(name: &str, file: &CoveredFile) -> String {
-    let mut out = format!("TN:\nSF:{name}\n");
+    let mut out = format!("TN:\nSF:{}\n", shown::line(name));
     let mut lines: BTreeMap<u32, u64> = BTreeMap::new();
     for network in file.networks.values() {
         for &line in &network.lines {

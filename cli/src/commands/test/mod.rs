@@ -11,10 +11,12 @@ mod suite;
 
 use crate::findings::{Problem, Source};
 use crate::outcome::{Failure, Outcome};
+use crate::output::{Existing, may_write};
 use crate::terminal::{self, Stdout, stdout_has_colours};
 use annotate_snippets::Renderer;
 use clap::{Args, ValueEnum};
 use coverage::Covered;
+use ladder_workspace::shown;
 use report::{FileReport, Tally};
 use std::collections::BTreeMap;
 use std::io::{self, Write};
@@ -27,9 +29,9 @@ use suite::Wishes;
 const EXAMPLES: &str = "\
 Examples:
   ladder test .                                all scenarios in this folder
-  ladder test motor.ladder-test --filter stop  only scenarios with \"stop\" in their name
+  ladder test motor.ladder-test --filter stop  those with \"stop\" in their name
   ladder test . --format junit > report.xml    for a build server
-  ladder test . --coverage                     and which contacts and coils were never exercised
+  ladder test . --coverage                     and what was never exercised
 
 A file of scenarios, motor.ladder-test, says what goes into a program and what must come out of it:
 
@@ -73,6 +75,10 @@ pub(crate) struct Arguments {
     /// Write what was exercised to this file, in the form of LCOV
     #[arg(long, value_name = "FILE")]
     coverage_output: Option<PathBuf>,
+
+    /// Replace the file for --coverage-output even if this command did not make it
+    #[arg(long, requires = "coverage_output")]
+    force: bool,
 }
 
 /// How the results are written.
@@ -111,11 +117,14 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     {
         return Err(Failure::new(format!(
             "{}: this is a program; name the file with its scenarios, for example {}",
-            program.display(),
-            program
-                .with_extension(ladder_workspace::SCENARIO_EXTENSION)
-                .display()
+            shown::path(program),
+            shown::path(&program.with_extension(ladder_workspace::SCENARIO_EXTENSION))
         )));
+    }
+    if arguments.coverage_output.as_deref() == Some(Path::new("-")) {
+        return Err(Failure::new(
+            "--coverage-output needs a file: stdout has the results",
+        ));
     }
     let (files, errors) = ladder_workspace::find_scenarios(&arguments.paths);
     for error in &errors {
@@ -126,6 +135,9 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     } else {
         Outcome::Failed
     };
+    if let Some(file) = &arguments.coverage_output {
+        may_write(file, Existing::by(arguments.force))?;
+    }
     let for_people = arguments.format == Format::Full;
     let colours = for_people && stdout_has_colours();
     let wishes = Wishes {

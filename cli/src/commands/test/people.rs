@@ -5,6 +5,7 @@ use super::report::{CaseReport, FileReport, counted};
 use super::{All, Writer};
 use anstyle::{AnsiColor, Style};
 use ladder_simulator::scenario::LineKind;
+use ladder_workspace::shown;
 use std::io::{self, Write};
 
 /// What stands before a drawing.
@@ -40,7 +41,7 @@ impl People {
         } else {
             self.paint(BAD, "FAIL")
         };
-        writeln!(out, "  {word}  {}", case.name)?;
+        writeln!(out, "  {word}  {}", shown::line(&case.name))?;
         for line in &case.drawing {
             let style = match line.kind {
                 LineKind::Given => FAINT,
@@ -49,7 +50,7 @@ impl People {
                 LineKind::Marks => BAD,
                 LineKind::Sentence => Style::new(),
             };
-            writeln!(out, "{INDENT}{}", self.paint(style, &line.text))?;
+            writeln!(out, "{INDENT}{}", self.paint(style, &shown::line(&line.text)))?;
         }
         if let Some(step) = case.stopped {
             writeln!(out, "{INDENT}the simulation stopped in step {step}")?;
@@ -59,7 +60,7 @@ impl People {
         }
         if !case.passed {
             let place = case.first_place();
-            let place = format!("{}:{}:{}", place.file, place.line, place.column);
+            let place = format!("{}:{}:{}", shown::line(&place.file), place.line, place.column);
             writeln!(out, "{INDENT}{}", self.paint(FAINT, &format!("at {place}")))?;
         }
         Ok(())
@@ -95,7 +96,11 @@ impl Writer for People {
             return Ok(());
         }
         self.separated = false;
-        writeln!(out, "{}", self.paint(Style::new().bold(), &report.file))?;
+        writeln!(
+            out,
+            "{}",
+            self.paint(Style::new().bold(), &shown::line(&report.file))
+        )?;
         report.cases.iter().try_for_each(|case| self.case(case, out))
     }
 

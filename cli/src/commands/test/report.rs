@@ -4,6 +4,7 @@ use crate::findings::{Place, Problem, Source};
 use crate::outcome::Outcome;
 use ladder_simulator::coverage::Coverage;
 use ladder_simulator::scenario::Line;
+use ladder_workspace::shown;
 use std::sync::Arc;
 
 /// What came of one scenario file.
@@ -101,8 +102,10 @@ impl FaultReport {
             file, line, column, ..
         } = &self.place;
         format!(
-            "{file}:{line}:{column}: fault in scan {}: {}",
-            self.scan, self.message
+            "{}:{line}:{column}: fault in scan {}: {}",
+            shown::line(file),
+            self.scan,
+            shown::line(&self.message)
         )
     }
 }

@@ -10,7 +10,7 @@ use ladder_simulator::coverage::Coverage;
 use ladder_simulator::scenario::{self, Case, Mistake, Suite};
 use ladder_simulator::{Options, Simulation};
 use ladder_syntax::TextRange;
-use ladder_workspace::{FileError, Settings};
+use ladder_workspace::{FileError, Named, Settings};
 use std::path::Path;
 use std::sync::{Arc, Mutex};
 use std::time::Instant;
@@ -112,8 +112,9 @@ impl Ready {
         let Some((name, range)) = &suite.program else {
             return Err((mistakes(&[]), None));
         };
-        let program = path.parent().unwrap_or(Path::new("")).join(name);
-        let text = ladder_workspace::read(&program).map_err(|error| {
+        let named = Named::in_file(path, name);
+        let program = named.path();
+        let text = named.read().map_err(|error| {
             let mut problems = mistakes(&[]);
             problems.insert(0, missing_program(source, *range, &error, &wishes.renderer));
             (problems, None)

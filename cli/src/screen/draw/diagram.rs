@@ -1,7 +1,8 @@
 //! The program with its power: live wires are double and bold, what is high has a dot, what is forced an `F`.
 
-use super::{Scene, put, tail};
-use crate::screen::columns;
+use super::{Scene, put};
+use crate::screen::columns::{self, Cell};
+use crate::screen::fold::{Folding, Place};
 use crate::screen::sheet::{Block, Mark, Shown};
 use crate::screen::theme::{heading as heading_style, quiet};
 use crate::screen::values;
@@ -22,6 +23,7 @@ pub(super) fn draw(buffer: &mut Buffer, gutter: Rect, pane: Rect, scene: Scene) 
     let next_line = next.and_then(|location| Some(sheet.place(location)?.0));
     let breakpoints = breakpoint_lines(scene);
     let numbers = gutter.width > 3;
+    let folding = sheet.folding(pane.width.into());
     for row in 0..pane.height {
         let line = view.top + row as usize;
         if line >= sheet.height() {
@@ -58,7 +60,7 @@ pub(super) fn draw(buffer: &mut Buffer, gutter: Rect, pane: Rect, scene: Scene) 
                 heading_style(),
             );
         }
-        draw_line(buffer, pane, row, line, scene);
+        draw_line(buffer, pane, row, line, folding, scene);
     }
 }
 
@@ -79,16 +81,37 @@ fn breakpoint_lines(scene: Scene) -> Vec<usize> {
 }
 
 /// How one character is drawn.
-#[derive(Clone, Copy)]
-pub(super) struct Look {
-    pub(super) style: Style,
+#[derive(Debug, Clone, Copy)]
+struct Look {
+    style: Style,
     /// Another character in its place.
-    pub(super) instead: Option<char>,
+    instead: Option<char>,
 }
 
-fn draw_line(buffer: &mut Buffer, pane: Rect, row: u16, line: usize, scene: Scene) {
-    let Scene { view, plant, .. } = scene;
+/// What of a line is not seen between its left part and its right-hand blocks.
+#[derive(Debug, Clone, Copy)]
+enum Hidden {
+    Nothing,
+    /// Only wire, which looks so.
+    Wire(Look),
+    More,
+}
+
+impl Hidden {
+    fn add(&mut self, cell: Cell, in_block: bool, look: Look) {
+        *self = match (cell.shown, *self) {
+            (_, Hidden::More) => Hidden::More,
+            ("-", _) if !in_block => Hidden::Wire(look),
+            (" ", hidden) if !in_block => hidden,
+            _ => Hidden::More,
+        };
+    }
+}
+
+fn draw_line(buffer: &mut Buffer, pane: Rect, row: u16, line: usize, folding: Folding, scene: Scene) {
+    let Scene { view, plant, theme } = scene;
     let sheet = &plant.sheet;
+    let window = sheet.window(line, folding, view.left);
     let text = sheet.line(line);
     let start = sheet.line_start(line);
     let first = sheet.blocks_of(line).start;
@@ -99,26 +122,35 @@ fn draw_line(buffer: &mut Buffer, pane: Rect, row: u16, line: usize, scene: Scen
         .collect();
     let marks = sheet.marks(line);
     let mut mark = 0;
-    let mut end = 0;
+    // Where the next character would stand, and where the rail ends.
+    let (mut end, mut rail) = (0, 0);
+    let mut between = Hidden::Nothing;
+    let mut hides_a_block = false;
     for cell in columns::cells(text) {
-        end = cell.column + cell.width;
-        if end <= view.left || cell.column >= view.left + pane.width as usize {
-            if cell.column >= view.left + pane.width as usize {
-                break;
-            }
-            continue;
-        }
+        let place = window.place(cell.column);
         let offset = start + cell.offset;
         while mark < marks.len() && marks[mark].end <= offset {
             mark += 1;
         }
         let under = marks.get(mark).filter(|mark| mark.start <= offset);
+        let column = match place {
+            Place::Seen(column) if column + cell.width <= pane.width as usize => column as u16,
+            Place::Seen(_) | Place::Behind => {
+                hides_a_block = blocks.last().is_some_and(|(last, _)| last.end > offset);
+                break;
+            }
+            Place::Between => {
+                let in_block = sheet.block_at(offset).is_some();
+                between.add(
+                    cell,
+                    in_block,
+                    look(offset, &text[cell.offset..], under, &blocks, scene),
+                );
+                continue;
+            }
+            Place::Before | Place::Folded => continue,
+        };
         let look = look(offset, &text[cell.offset..], under, &blocks, scene);
-        if cell.column < view.left {
-            // The right half of a wide character.
-            continue;
-        }
-        let column = (cell.column - view.left) as u16;
         let mut letter = [0; 4];
         let shown = match look.instead {
             Some(instead) => instead.encode_utf8(&mut letter),
@@ -129,21 +161,45 @@ fn draw_line(buffer: &mut Buffer, pane: Rect, row: u16, line: usize, scene: Scen
             put(buffer, pane, column + blank as u16, row, " ", look.style);
         }
         put(buffer, pane, column, row, shown, look.style);
+        end = column + cell.width as u16;
+        if !sheet.is_comment(offset) && cell.shown != " " {
+            rail = end;
+        }
     }
-    if columns::width(text) > view.left + pane.width as usize {
-        tail::draw(buffer, pane, row, line, &blocks, scene);
-    } else if end >= view.left {
-        draw_values(buffer, pane, row, (end - view.left) as u16 + 2, line, scene);
+    if let Some(split) = window.split() {
+        draw_gap(buffer, pane, row, split.at as u16, between, scene);
+    }
+    if hides_a_block {
+        put(
+            buffer,
+            pane,
+            pane.width.saturating_sub(1),
+            row,
+            theme.more(),
+            theme.note(),
+        );
+    } else {
+        let needed = values_width(line, scene);
+        let column = if end + 2 + needed <= pane.width { end } else { rail };
+        draw_values(buffer, pane, row, column + 2, line, scene);
     }
 }
 
-pub(super) fn look(
-    offset: usize,
-    rest: &str,
-    mark: Option<&Mark>,
-    blocks: &[(&Block, bool)],
-    scene: Scene,
-) -> Look {
+/// The column between the left part of a wide line and its right-hand blocks.
+fn draw_gap(buffer: &mut Buffer, pane: Rect, row: u16, column: u16, hidden: Hidden, scene: Scene) {
+    match hidden {
+        Hidden::Nothing => {}
+        Hidden::Wire(look) => {
+            let shown = look.instead.unwrap_or('-').to_string();
+            put(buffer, pane, column, row, &shown, look.style);
+        }
+        Hidden::More => {
+            put(buffer, pane, column, row, scene.theme.more(), scene.theme.note());
+        }
+    }
+}
+
+fn look(offset: usize, rest: &str, mark: Option<&Mark>, blocks: &[(&Block, bool)], scene: Scene) -> Look {
     let Scene { plant, theme, .. } = scene;
     let live = mark.is_some_and(|mark| plant.simulation().is_live(mark.element));
     let power = if live { theme.live() } else { Style::new() };
@@ -216,11 +272,27 @@ fn plain(style: Style) -> Look {
     Look { style, instead: None }
 }
 
-/// The values behind the end of a line.
-pub(super) fn draw_values(buffer: &mut Buffer, pane: Rect, row: u16, column: u16, line: usize, scene: Scene) {
+/// How many columns the values of a line take now.
+fn values_width(line: usize, scene: Scene) -> u16 {
+    let texts = scene
+        .plant
+        .sheet
+        .shown(line)
+        .map(|shown| value_text(shown, scene));
+    let widths = texts.map(|text| ladder_format::display_width(&text) as u16);
+    widths
+        .reduce(|all, next| all.saturating_add(2).saturating_add(next))
+        .unwrap_or(0)
+}
+
+/// The values behind the end of a line. What stands there is a comment, and gives way.
+fn draw_values(buffer: &mut Buffer, pane: Rect, row: u16, column: u16, line: usize, scene: Scene) {
     let Scene { plant, theme, .. } = scene;
     let mut column = column;
     for shown in plant.sheet.shown(line) {
+        for blank in column.saturating_sub(2)..pane.width {
+            put(buffer, pane, blank, row, " ", Style::new());
+        }
         let forced = match shown {
             Shown::Progress { reached, .. } => plant.is_forced(reached),
             Shown::Value(point) => plant.is_forced(point),
@@ -232,15 +304,11 @@ pub(super) fn draw_values(buffer: &mut Buffer, pane: Rect, row: u16, column: u16
         }
         let width = ladder_format::display_width(&text) as u16;
         if column + width > pane.width {
-            // Half a number is another number.
-            put(
-                buffer,
-                pane,
-                pane.width.saturating_sub(1),
-                row,
-                theme.more(),
-                theme.note(),
-            );
+            // Half a number is another number. The rail is not written over.
+            let edge = pane.width.saturating_sub(1);
+            if edge + 2 >= column {
+                put(buffer, pane, edge, row, theme.more(), theme.note());
+            }
             return;
         }
         column = put(buffer, pane, column, row, &text, style) + 2;
@@ -251,7 +319,9 @@ pub(super) fn draw_values(buffer: &mut Buffer, pane: Rect, row: u16, column: u16
 pub(super) fn value_text(shown: &Shown, scene: Scene) -> String {
     let plant = scene.plant;
     match shown {
-        Shown::Progress { name, reached, goal } => format!(
+        Shown::Progress {
+            name, reached, goal, ..
+        } => format!(
             "{name} {}/{}",
             values::short(&plant.value(reached), reached.ty),
             values::goal(&plant.value(goal), goal.ty),

@@ -8,7 +8,6 @@ pub(super) mod hints;
 mod info;
 mod inputs_bar;
 mod menu;
-mod tail;
 mod watch_list;
 mod why;
 

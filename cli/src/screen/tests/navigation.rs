@@ -138,21 +138,21 @@ fn long_lines_follow_the_selection() {
         "right right",
         1..2,
         expect![[r#"
-            | > t_with_a_long_name )──[ ]( contact_with_a_long_name )──[»
+            | > g_name )──[ ]( contact_with_a_long_name )──[ »( )( y )──+
         "#]],
     );
     bench.check_lines(
         "right right right right right right",
         1..2,
         expect![[r#"
-            | > _long_name )──[ ]( contact_with_a_long_name )( )( y )──+
+            | > +──[ ]( contact_with_a_long_name )──[ ]( cont»( )( y )──+
         "#]],
     );
     bench.check_lines(
         "right right right left left left left",
         1..2,
         expect![[r#"
-            | > +──[ ]( contact_with_a_long_name )──[ ]( contact_with_a_»
+            | > +──[ ]( contact_with_a_long_name )──[ ]( cont»( )( y )──+
         "#]],
     );
 }

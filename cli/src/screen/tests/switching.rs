@@ -138,7 +138,7 @@ fn numbers_are_asked_for() {
         "space 'many' enter esc s",
         4..6,
         expect![[r#"
-            | > +══[GT]( level, limit )──[TON]( t, wait )───────────────────────( )( alarm )»
+            | > +══[GT]( level, limit )──[TON]( t, wait )──( )( alarm )──+  level=0  limit=80
             |   +══[ ]( open )──[MUL]( scaled, level, 2 )──+  scaled=0  level=0
         "#]],
     );
@@ -146,7 +146,7 @@ fn numbers_are_asked_for() {
         "1 '95' enter 3 '20ms' enter s s s",
         4..6,
         expect![[r#"
-            | > +══[GT]( level, limit )══[TON](●t, wait )═══════════════════════( )(●alarm )»
+            | > +══[GT]( level, limit )══[TON](●t, wait )══( )(●alarm )══+  level=95        »
             |   +══[ ]( open )──[MUL]( scaled, level, 2 )──+  scaled=0  level=95
         "#]],
     );
@@ -257,7 +257,7 @@ fn forces() {
         "f '99' enter s",
         4..5,
         expect![[r#"
-            | > +══[GT]( level, limit )══[TON](●t, wait )═══════════════════════( )(●alarm )»
+            | > +══[GT]( level, limit )══[TON](●t, wait )══( )(●alarm )══+  level=99 F      »
         "#]],
     );
 }

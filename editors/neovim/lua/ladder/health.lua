@@ -39,7 +39,7 @@ local function check_server()
 end
 
 local function check_formatter()
-  local version = version_of('ldfmt')
+  local version = version_of(require('ladder.program').command('ldfmt'))
   if version then
     health.ok('Formatter for the command line: ' .. version)
   else

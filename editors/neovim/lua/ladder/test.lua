@@ -53,9 +53,9 @@ function M.run(bufnr)
     end)
   end
   local program = (vim.lsp.config.ladder or {}).cmd
-  program = type(program) == 'table' and program[1] or 'ladder'
+  program = type(program) == 'table' and program[1] or require('ladder.program').command('ladder')
   local folder = vim.fn.getcwd()
-  local command = vim.list_extend({ program, 'test', '--format', 'json' }, paths)
+  local command = vim.list_extend({ program, 'test', '--format', 'json', '--' }, paths)
   vim.system(command, { text = true, cwd = folder }, vim.schedule_wrap(function(done)
     local read, report = pcall(vim.json.decode, done.stdout)
     if not read then

@@ -294,26 +294,38 @@ fn user_defined_blocks() {
     check(
         &with("+--[$Hold]( $0 )--+"),
         expect![[r#"
-        raw :=         BOOL
-        wait :=        TIME
-        clean =>       BOOL
-        SYS.FIRST_SCAN BOOL
-        SYS.FAULT      BOOL
-        SYS.ON         BOOL
-        SYS.OFF        BOOL
-    "#]],
+            raw :=         BOOL
+            wait :=        TIME
+            clean =>       BOOL
+            SYS.FIRST_SCAN BOOL
+            SYS.FAULT      BOOL
+            SYS.ON         BOOL
+            SYS.OFF        BOOL
+            SYS.CLOCK_10MS BOOL
+            SYS.CLOCK_100MS BOOL
+            SYS.CLOCK_500MS BOOL
+            SYS.CLOCK_1S   BOOL
+            SYS.CLOCK_1M   BOOL
+            SYS.CLOCK_1H   BOOL
+        "#]],
     );
     check(
         &with("+--[$Hold]( raw := a, $0 )--+"),
         expect![[r#"
-        a              DINT
-        wait :=        TIME
-        clean =>       BOOL
-        SYS.FIRST_SCAN BOOL
-        SYS.FAULT      BOOL
-        SYS.ON         BOOL
-        SYS.OFF        BOOL
-    "#]],
+            a              DINT
+            wait :=        TIME
+            clean =>       BOOL
+            SYS.FIRST_SCAN BOOL
+            SYS.FAULT      BOOL
+            SYS.ON         BOOL
+            SYS.OFF        BOOL
+            SYS.CLOCK_10MS BOOL
+            SYS.CLOCK_100MS BOOL
+            SYS.CLOCK_500MS BOOL
+            SYS.CLOCK_1S   BOOL
+            SYS.CLOCK_1M   BOOL
+            SYS.CLOCK_1H   BOOL
+        "#]],
     );
     check(
         &with("+--[$Hold]( a, $0 )--+"),

@@ -8,22 +8,22 @@ fn tags_by_type_and_direction() {
     check(
         &in_plant("+--[ ]( $0"),
         expect![[r#"
-        on             BOOL, VAR CONSTANT
-        run            BOOL, VAR_OUTPUT
-        start          BOOL, VAR_INPUT
-        stop           BOOL, VAR_INPUT
-        row            ARRAY[1..8] OF BOOL, VAR
-        parts          CTU, VAR
-        warmup         TON, VAR
-        flags          WORD, VAR
-        level          INT, VAR_INPUT
-        limit          INT, VAR CONSTANT
-        total          DINT, VAR
-        SYS.FIRST_SCAN BOOL
-        SYS.FAULT      BOOL
-        SYS.ON         BOOL
-        ... 15 in all
-    "#]],
+            on             BOOL, VAR CONSTANT
+            run            BOOL, VAR_OUTPUT
+            start          BOOL, VAR_INPUT
+            stop           BOOL, VAR_INPUT
+            row            ARRAY[1..8] OF BOOL, VAR
+            parts          CTU, VAR
+            warmup         TON, VAR
+            flags          WORD, VAR
+            level          INT, VAR_INPUT
+            limit          INT, VAR CONSTANT
+            total          DINT, VAR
+            SYS.FIRST_SCAN BOOL
+            SYS.FAULT      BOOL
+            SYS.ON         BOOL
+            ... 21 in all
+        "#]],
     );
     check(
         &in_plant("+--[ ]( start )--( )( $0 )--+"),
@@ -145,14 +145,20 @@ fn what_is_being_written_is_not_proposed() {
     check(
         "+--[ ]( a )--( )( y )--+\n+--[ ]( $0a )--( )( z )--+\n",
         expect![[r#"
-        a              BOOL
-        y              BOOL
-        z              BOOL
-        SYS.FIRST_SCAN BOOL
-        SYS.FAULT      BOOL
-        SYS.ON         BOOL
-        SYS.OFF        BOOL
-    "#]],
+            a              BOOL
+            y              BOOL
+            z              BOOL
+            SYS.FIRST_SCAN BOOL
+            SYS.FAULT      BOOL
+            SYS.ON         BOOL
+            SYS.OFF        BOOL
+            SYS.CLOCK_10MS BOOL
+            SYS.CLOCK_100MS BOOL
+            SYS.CLOCK_500MS BOOL
+            SYS.CLOCK_1S   BOOL
+            SYS.CLOCK_1M   BOOL
+            SYS.CLOCK_1H   BOOL
+        "#]],
     );
 }
 
@@ -295,14 +301,20 @@ fn members() {
     check(
         &in_plant("+--[ ]( SYS.$0 )--+"),
         expect![[r#"
-        FIRST_SCAN     BOOL
-        FAULT          BOOL
-        ON             BOOL
-        OFF            BOOL
-        SCAN           DINT
-        TIME           TIME
-        SCAN_TIME      TIME
-    "#]],
+            FIRST_SCAN     BOOL
+            FAULT          BOOL
+            ON             BOOL
+            OFF            BOOL
+            CLOCK_10MS     BOOL
+            CLOCK_100MS    BOOL
+            CLOCK_500MS    BOOL
+            CLOCK_1S       BOOL
+            CLOCK_1M       BOOL
+            CLOCK_1H       BOOL
+            SCAN           DINT
+            TIME           TIME
+            SCAN_TIME      TIME
+        "#]],
     );
     check(
         &in_plant("+--[ ]( flags.1$0 )--+"),
@@ -381,22 +393,22 @@ fn named_operands() {
     check(
         &in_plant("+--[TON]( warmup, wait, R := $0 )--+"),
         expect![[r#"
-        on             BOOL, VAR CONSTANT
-        run            BOOL, VAR_OUTPUT
-        start          BOOL, VAR_INPUT
-        stop           BOOL, VAR_INPUT
-        row            ARRAY[1..8] OF BOOL, VAR
-        parts          CTU, VAR
-        warmup         TON, VAR
-        flags          WORD, VAR
-        level          INT, VAR_INPUT
-        limit          INT, VAR CONSTANT
-        total          DINT, VAR
-        SYS.FIRST_SCAN BOOL
-        SYS.FAULT      BOOL
-        SYS.ON         BOOL
-        ... 15 in all
-    "#]],
+            on             BOOL, VAR CONSTANT
+            run            BOOL, VAR_OUTPUT
+            start          BOOL, VAR_INPUT
+            stop           BOOL, VAR_INPUT
+            row            ARRAY[1..8] OF BOOL, VAR
+            parts          CTU, VAR
+            warmup         TON, VAR
+            flags          WORD, VAR
+            level          INT, VAR_INPUT
+            limit          INT, VAR CONSTANT
+            total          DINT, VAR
+            SYS.FIRST_SCAN BOOL
+            SYS.FAULT      BOOL
+            SYS.ON         BOOL
+            ... 21 in all
+        "#]],
     );
     accept(
         &in_plant("+--[TON]( warmup, wait, $0 )--+"),

@@ -115,6 +115,8 @@ impl Session {
     pub fn why(&mut self, point: &Point) -> Why {
         let state = self.simulation.state();
         let faults = self.simulation.machine.faults.len();
+        // The scans that are run again here came to their end before.
+        let brake = self.simulation.machine.brake.take();
         let mut inquiry = Inquiry {
             session: self,
             now: &state,
@@ -124,6 +126,7 @@ impl Session {
         let why = inquiry.why(point, when, DEEPEST, &mut Vec::new());
         self.simulation.restore(&state);
         self.simulation.machine.faults.truncate(faults);
+        self.simulation.machine.brake = brake;
         why
     }
 }

@@ -5,7 +5,7 @@ use crate::memory::{Bit, TextSlot, Word};
 use crate::simulation::Simulation;
 use crate::tags::{Point, PointSlot};
 use ladder_analysis::program::{
-    Argument, Block, BlockKind, Expr, ExprKind, Member, Place, RangeRef, Step, SystemTag, TagId,
+    Argument, Block, BlockKind, Expr, ExprKind, Member, Place, RangeRef, Step, TagId,
 };
 use ladder_analysis::value::Value;
 use ladder_instructions::Group;
@@ -73,7 +73,7 @@ fn name(simulation: &Simulation, place: &Place) -> Option<String> {
         Place::Member(it, member) => format!("{}.{}", tag(it), member_name(*member)),
         Place::Element(it, index) => format!("{}[{}]", tag(it), number(simulation, index)?),
         Place::Bit(word, _, bit) => format!("{}.{bit}", name(simulation, word)?),
-        Place::System(system) => format!("SYS.{}", system_name(*system)),
+        Place::System(system) => format!("SYS.{}", system.name()),
     })
 }
 
@@ -91,18 +91,6 @@ fn number(simulation: &Simulation, index: &Expr) -> Option<i64> {
     match value {
         Value::Int(number) => Some(number),
         _ => None,
-    }
-}
-
-const fn system_name(tag: SystemTag) -> &'static str {
-    match tag {
-        SystemTag::FirstScan => "FIRST_SCAN",
-        SystemTag::Scan => "SCAN",
-        SystemTag::Time => "TIME",
-        SystemTag::ScanTime => "SCAN_TIME",
-        SystemTag::Fault => "FAULT",
-        SystemTag::On => "ON",
-        SystemTag::Off => "OFF",
     }
 }
 

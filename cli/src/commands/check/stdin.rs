@@ -1,0 +1,61 @@
+//! `ladder check -`: one text from stdin, as an editor or another program gives it.
+
+use super::report::{Report, Target};
+use super::{Arguments, check, exit_of};
+use crate::findings::Source;
+use crate::outcome::{Failure, Outcome};
+use crate::stdin;
+use crate::terminal::Stdout;
+use ladder_workspace::{Workspace, is_scenario};
+use std::io::Write;
+use std::path::Path;
+use std::sync::Arc;
+
+/// Checks the text. With `--fix` stdout has the mended text, whether anything was mended or not, and the findings that
+/// are left go to stderr; with `--diff` it has what would change.
+pub(super) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
+    let given = arguments.stdin_filename.as_deref();
+    let name = stdin::name_or_default(given);
+    let text = stdin::read(name)?;
+    let gives_text = arguments.fix && !arguments.diff;
+    let target = if gives_text {
+        Target::Stderr
+    } else {
+        Target::Stdout
+    };
+    let mut report = Report::new(arguments.format, arguments.statistics, target);
+    if arguments.force_exclude && given.is_some_and(ladder_workspace::is_excluded) {
+        if gives_text {
+            print(&text)?;
+        }
+        report.finish()?;
+        return Ok(Outcome::Fine);
+    }
+    let checked = check(source(given, text)?, arguments.task(), report.renderer());
+    if gives_text {
+        print(&checked.source.text)?;
+    }
+    report.add(&checked)?;
+    let (tally, _) = report.finish()?;
+    Ok(checked.outcome().max(exit_of(&tally, arguments)))
+}
+
+/// A text with a name is a file of its workspace, as if it had been saved there. One without a name stands alone, for
+/// it may be one of the files around, and would then be there twice; only the settings of the current folder hold.
+fn source(given: Option<&Path>, text: String) -> Result<Source, Failure> {
+    let name = stdin::name_or_default(given);
+    let file = name.display().to_string();
+    let workspace = match given {
+        Some(name) if is_scenario(name) => return Ok(Source::new(file, text)),
+        Some(name) => Workspace::of(name)?,
+        None => Workspace::without_programs(name)?,
+    };
+    Ok(Source::within(Arc::new(workspace), file, text))
+}
+
+fn print(text: &str) -> Result<(), Failure> {
+    let mut out = Stdout::new();
+    out.write_all(text.as_bytes())?;
+    out.flush()?;
+    Ok(())
+}

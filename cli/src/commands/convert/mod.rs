@@ -1,0 +1,155 @@
+//! `ladder convert`: programs from and to the notations of other systems.
+
+mod form;
+mod report;
+mod target;
+
+use crate::findings::Source;
+use crate::outcome::{Failure, Outcome};
+use crate::output::{Existing, Output};
+use clap::{Args, ValueEnum};
+use form::Form;
+use ladder_interchange::notation::{self, Converted, Notation};
+use ladder_workspace::shown;
+use report::{Account, Side};
+use std::io::Write;
+use std::path::PathBuf;
+use target::{Job, jobs};
+
+const EXAMPLES: &str = "\
+Examples:
+  ladder convert rung.txt                     show a program as ladder text
+  ladder convert old.cplc -o motor.clad       write it to a file
+  ladder convert motor.clad --to textbook     the other way round
+  ladder convert plant/ -o converted/         all programs of a folder
+  ladder convert old.cplc --report json -o motor.clad
+                                              what became of each element
+
+The notation of a file is found by its content; --from names it where that is
+not enough. Nothing is dropped silently: what has no counterpart stays as a
+comment at its place, and stderr says so.
+
+Exit status: 0 fine, 1 something has no counterpart or the program has errors,
+2 a file cannot be read or written.";
+
+/// Translate programs from and to other notations
+///
+/// Programs of other systems become ladder text with their names, comments and arithmetic kept, and the other way
+/// round.
+#[derive(Debug, Args)]
+#[command(after_help = EXAMPLES)]
+pub(crate) struct Arguments {
+    /// Programs, or folders to search for them
+    #[arg(value_name = "IN", required = true)]
+    inputs: Vec<PathBuf>,
+
+    /// Write to this file, or into this folder if there are several programs; without it to stdout
+    #[arg(short, long, value_name = "OUT")]
+    output: Option<PathBuf>,
+
+    /// The notation of the programs; without it their content decides
+    #[arg(long, value_name = "NOTATION", value_parser = form::names())]
+    from: Option<String>,
+
+    /// The notation to write; without it the name of the output decides, else ladder text is written
+    #[arg(long, value_name = "NOTATION", value_parser = form::names())]
+    to: Option<String>,
+
+    /// Say what became of each element, in this form, on stderr
+    #[arg(long, value_enum, value_name = "FORM")]
+    report: Option<ReportForm>,
+
+    /// Replace files that no command of ladder made
+    #[arg(long)]
+    force: bool,
+}
+
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+enum ReportForm {
+    /// One JSON array of objects
+    Json,
+}
+
+pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
+    let from = arguments.from.as_deref().map(Form::named);
+    let to = arguments.to.as_deref().map(Form::named);
+    let (jobs, mut outcome) = jobs(&arguments.inputs, arguments.output.as_deref(), from, to)?;
+    let mut accounts = Vec::new();
+    for job in &jobs {
+        match convert(job, Existing::by(arguments.force)) {
+            Ok((account, found)) => {
+                outcome = outcome.max(found);
+                accounts.push(account);
+            }
+            Err(failure) => {
+                failure.show();
+                outcome = outcome.max(Outcome::Failed);
+            }
+        }
+    }
+    match arguments.report {
+        Some(ReportForm::Json) => report::json(&accounts)?,
+        None => report::people(&accounts),
+    }
+    Ok(outcome)
+}
+
+/// Translates one program, and writes it.
+fn convert(job: &Job, existing: Existing) -> Result<(Account, Outcome), Failure> {
+    let name = shown::path(&job.input);
+    let mut account = Account::new(name.clone());
+    let ladder = match job.from {
+        Form::Ladder => {
+            let text = ladder_workspace::decode(&job.input, job.bytes.clone())?;
+            Source::new(job.input.display().to_string(), text)
+        }
+        Form::Foreign(notation) => {
+            let converted = read(notation, job)?;
+            account.add(Side::Source, &converted.report, &converted.findings);
+            Source::new(job.input.display().to_string(), converted.written.text)
+        }
+    };
+    let bytes = match job.to {
+        Form::Ladder => ladder.text.into_bytes(),
+        Form::Foreign(notation) => {
+            let writing = notation.write(&ladder.analyze()).map_err(|error| {
+                Failure::new(format!(
+                    "{name}: this cannot be written as {}: {error}",
+                    notation.title()
+                ))
+            })?;
+            let side = match job.from {
+                Form::Ladder => Side::Source,
+                Form::Foreign(_) => Side::Between,
+            };
+            account.add(side, &writing.report, &[]);
+            writing.bytes
+        }
+    };
+    let mut output = Output::open(job.output.as_deref(), existing)?;
+    match std::str::from_utf8(&bytes) {
+        Ok(text) => output.write_text(text)?,
+        Err(_) => output.write_all(&bytes)?,
+    }
+    output.finish()?;
+    let outcome = account.outcome();
+    Ok((account, outcome))
+}
+
+fn read(notation: &'static dyn Notation, job: &Job) -> Result<Converted, Failure> {
+    let stem = job
+        .input
+        .file_stem()
+        .map(|stem| stem.to_string_lossy())
+        .unwrap_or_default();
+    let source = notation::Source {
+        name: &stem,
+        bytes: &job.bytes,
+    };
+    let options = ladder_format::Options::default();
+    notation::convert(notation, &source, &options).map_err(|error| {
+        let place = error.place.map(|place| format!(":{place}")).unwrap_or_default();
+        let message = shown::line(&error.message).into_owned();
+        Failure::new(format!("{}{place}: {message}", shown::path(&job.input)))
+    })
+}

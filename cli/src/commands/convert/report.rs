@@ -1,0 +1,156 @@
+//! What became of the elements, for people and for machines.
+
+use crate::outcome::{Failure, Outcome};
+use crate::terminal;
+use ladder_analysis::Severity;
+use ladder_interchange::notation::{self, Finding, Report, Tally};
+use ladder_workspace::shown;
+use serde::Serialize;
+use std::io::Write;
+
+/// Whose places a report has.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Side {
+    /// Those of the file that was named.
+    Source,
+    /// Those of the ladder text between two foreign notations, which nobody sees.
+    Between,
+}
+
+/// What became of one program.
+pub(super) struct Account {
+    file: String,
+    entries: Vec<Entry>,
+    tally: Tally,
+    has_errors: bool,
+}
+
+/// One element, or a finding. The names of the members are documented; nothing may be renamed.
+#[derive(Serialize)]
+struct Entry {
+    file: String,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    line: Option<u32>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    column: Option<u32>,
+    outcome: &'static str,
+    element: String,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    reason: Option<String>,
+}
+
+impl Account {
+    pub(super) fn new(file: String) -> Account {
+        Account {
+            file,
+            entries: Vec::new(),
+            tally: Tally::default(),
+            has_errors: false,
+        }
+    }
+
+    pub(super) fn add(&mut self, side: Side, report: &Report, findings: &[Finding]) {
+        for entry in &report.entries {
+            let (outcome, reason) = match &entry.outcome {
+                notation::Outcome::Translated => ("translated", None),
+                notation::Outcome::Approximated(why) => ("approximated", Some(why.clone())),
+                notation::Outcome::Refused(why) => ("refused", Some(why.clone())),
+            };
+            self.push(side, entry.place, outcome, entry.element.clone(), reason);
+        }
+        for found in findings {
+            self.has_errors |= found.severity == Severity::Error;
+            let is_said = |entry: &notation::Entry| {
+                entry.place == found.place && matches!(entry.outcome, notation::Outcome::Refused(_))
+            };
+            if report.entries.iter().any(is_said) {
+                continue;
+            }
+            let severity = found.severity.name();
+            self.push(
+                side,
+                found.place,
+                severity,
+                found.check.to_owned(),
+                Some(found.message.clone()),
+            );
+        }
+        self.entries.sort_by_key(|entry| (entry.line, entry.column));
+        let tally = report.tally();
+        self.tally.translated += tally.translated;
+        self.tally.approximated += tally.approximated;
+        self.tally.refused += tally.refused;
+    }
+
+    fn push(
+        &mut self,
+        side: Side,
+        place: notation::Place,
+        outcome: &'static str,
+        element: String,
+        reason: Option<String>,
+    ) {
+        let place = (side == Side::Source).then_some(place);
+        self.entries.push(Entry {
+            file: self.file.clone(),
+            line: place.map(|place| place.line),
+            column: place.map(|place| place.column),
+            outcome,
+            element,
+            reason,
+        });
+    }
+
+    /// What was refused, and errors in the program, are findings.
+    pub(super) fn outcome(&self) -> Outcome {
+        if self.tally.refused > 0 || self.has_errors {
+            Outcome::Findings
+        } else {
+            Outcome::Fine
+        }
+    }
+}
+
+/// A line for each remark, and one for each program.
+pub(super) fn people(accounts: &[Account]) {
+    let mut out = String::new();
+    for account in accounts {
+        for entry in &account.entries {
+            let Some(reason) = &entry.reason else { continue };
+            let place = match (entry.line, entry.column) {
+                (Some(line), Some(column)) => format!(":{line}:{column}"),
+                _ => String::new(),
+            };
+            out.push_str(&format!(
+                "{}{place}: {}: {}: {}\n",
+                account.file,
+                entry.outcome,
+                shown::line(&entry.element),
+                shown::line(reason)
+            ));
+        }
+        let Tally {
+            translated,
+            approximated,
+            refused,
+        } = account.tally;
+        out.push_str(&format!(
+            "{}: {translated} translated, {approximated} approximated, {refused} refused\n",
+            account.file
+        ));
+    }
+    if !out.is_empty() {
+        terminal::plain(&out.trim_end());
+    }
+}
+
+/// One array of objects, on stderr: stdout may be the program.
+pub(super) fn json(accounts: &[Account]) -> Result<(), Failure> {
+    let entries: Vec<&Entry> = accounts.iter().flat_map(|account| &account.entries).collect();
+    let mut err = terminal::stderr();
+    serde_json::to_writer_pretty(&mut err, &entries)
+        .map_err(|error| Failure::new(format!("the report cannot be written: {error}")))?;
+    writeln!(err)?;
+    err.flush()?;
+    Ok(())
+}

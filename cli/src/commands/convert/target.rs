@@ -1,0 +1,140 @@
+//! Which programs are meant, and where each of them goes.
+
+use super::form::Form;
+use crate::outcome::{Failure, Outcome};
+use ladder_interchange::notation::{NOTATIONS, has_extension};
+use ladder_workspace::{find_files, is_program, read_bytes, shown};
+use std::collections::HashMap;
+use std::path::{Path, PathBuf};
+
+/// One program to translate.
+pub(super) struct Job {
+    pub(super) input: PathBuf,
+    pub(super) bytes: Vec<u8>,
+    pub(super) from: Form,
+    pub(super) to: Form,
+    /// None: stdout.
+    pub(super) output: Option<PathBuf>,
+}
+
+/// The programs that the inputs stand for. What is wrong with single ones has been said, and is in the outcome.
+pub(super) fn jobs(
+    inputs: &[PathBuf],
+    output: Option<&Path>,
+    from: Option<Form>,
+    to: Option<Form>,
+) -> Result<(Vec<Job>, Outcome), Failure> {
+    let ladder_wanted =
+        from.is_some_and(Form::is_ladder) || (from.is_none() && to.is_some_and(|to| !to.is_ladder()));
+    let (files, errors) = find_files(inputs, &|path| match from {
+        Some(form) => ends_like(path, form),
+        None if ladder_wanted => is_program(path),
+        None => NOTATIONS
+            .iter()
+            .any(|notation| ends_like(path, Form::Foreign(*notation))),
+    });
+    let mut outcome = Outcome::Fine;
+    for error in errors {
+        Failure::from(error).show();
+        outcome = Outcome::Failed;
+    }
+    let several = inputs.len() > 1 || inputs.iter().any(|input| input.is_dir());
+    if several && output.is_none_or(|output| output == Path::new("-")) && files.len() > 1 {
+        return Err(Failure::new(
+            "several programs need a folder to be written into: name it with -o",
+        ));
+    }
+    if several && output.is_some_and(Path::is_file) {
+        return Err(Failure::new(format!(
+            "{}: this is a file; several programs need a folder to be written into",
+            shown::path(output.unwrap_or(Path::new("")))
+        )));
+    }
+    let mut jobs = Vec::new();
+    let mut taken: HashMap<PathBuf, PathBuf> = HashMap::new();
+    for input in files {
+        match job(&input, output, several, from, to) {
+            Ok(job) => {
+                if let Some(output) = &job.output
+                    && let Some(other) = taken.insert(output.clone(), input.clone())
+                {
+                    return Err(Failure::new(format!(
+                        "{} and {} would both be written to {}: convert them one by one",
+                        shown::path(&other),
+                        shown::path(&input),
+                        shown::path(output)
+                    )));
+                }
+                jobs.push(job);
+            }
+            Err(failure) => {
+                failure.show();
+                outcome = Outcome::Failed;
+            }
+        }
+    }
+    if jobs.is_empty() && outcome == Outcome::Fine {
+        return Err(Failure::new(
+            "there is no program to convert; name a file, or its notation with --from",
+        ));
+    }
+    if several && let Some(folder) = output.filter(|_| !jobs.is_empty()) {
+        std::fs::create_dir_all(folder).map_err(|error| {
+            Failure::new(format!(
+                "{}: the folder cannot be made: {error}",
+                shown::path(folder)
+            ))
+        })?;
+    }
+    Ok((jobs, outcome))
+}
+
+fn job(
+    input: &Path,
+    output: Option<&Path>,
+    several: bool,
+    from: Option<Form>,
+    to: Option<Form>,
+) -> Result<Job, Failure> {
+    let bytes = read_bytes(input)?;
+    let Some(from) = from.or_else(|| Form::of(input, &bytes)) else {
+        return Err(Failure::new(format!(
+            "{}: this is in no notation that is known; if it is, name it with --from",
+            shown::path(input)
+        )));
+    };
+    let by_name = || output.filter(|_| !several).and_then(Form::by_extension);
+    let Some(to) = to
+        .or_else(by_name)
+        .or((!from.is_ladder()).then_some(Form::Ladder))
+    else {
+        return Err(Failure::new(format!(
+            "{}: this is ladder text already; name the notation to write with --to",
+            shown::path(input)
+        )));
+    };
+    let output = output.filter(|output| *output != Path::new("-")).map(|output| {
+        if !several && !output.is_dir() {
+            return output.to_owned();
+        }
+        let stem = input.file_stem().unwrap_or_default();
+        output.join(stem).with_extension(to.extension())
+    });
+    Ok(Job {
+        input: input.to_owned(),
+        bytes,
+        from,
+        to,
+        output,
+    })
+}
+
+fn ends_like(path: &Path, form: Form) -> bool {
+    let Some(extension) = path.extension().and_then(|extension| extension.to_str()) else {
+        return false;
+    };
+    match form {
+        Form::Ladder => is_program(path),
+        Form::Foreign(notation) => has_extension(notation, extension),
+    }
+}

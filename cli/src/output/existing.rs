@@ -1,0 +1,60 @@
+//! What becomes of a file that is there already: a slip of the finger must not cost a program.
+
+use super::made;
+use crate::outcome::Failure;
+use ladder_workspace::{SETTINGS_FILE, is_program, is_scenario, shown};
+use std::ffi::OsStr;
+use std::io;
+use std::path::Path;
+
+/// What may become of it.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Existing {
+    /// It is replaced if one of the commands made it; else it stays.
+    Kept,
+    /// It is replaced, whatever it is.
+    Replaced,
+}
+
+impl Existing {
+    /// As `--force` has it.
+    pub(crate) fn by(force: bool) -> Existing {
+        if force { Existing::Replaced } else { Existing::Kept }
+    }
+}
+
+/// Looks whether an output file may be written.
+///
+/// # Errors
+/// It is there, and is a program or something else that no command made.
+pub(crate) fn may_write(file: &Path, existing: Existing) -> Result<(), Failure> {
+    let failure = |problem: &str| Err(Failure::new(format!("{}: {problem}", shown::path(file))));
+    let metadata = match file.metadata() {
+        Ok(metadata) => metadata,
+        Err(error) if error.kind() == io::ErrorKind::NotFound => return Ok(()),
+        // Said by whoever writes it.
+        Err(_) => return Ok(()),
+    };
+    // What is no file (a device, a pipe) is written to as it is, and an empty one holds nothing to lose.
+    if existing == Existing::Replaced || !metadata.is_file() {
+        return Ok(());
+    }
+    // By any of its names.
+    let own = file.canonicalize().unwrap_or_else(|_| file.to_owned());
+    for name in [file, &own] {
+        if is_program(name) {
+            return failure(
+                "this is a program, and it stays as it is; name another file, or end with --force",
+            );
+        }
+        if is_scenario(name) || name.file_name() == Some(OsStr::new(SETTINGS_FILE)) {
+            return failure(
+                "this belongs to a program, and it stays as it is; name another file, or end with --force",
+            );
+        }
+    }
+    if metadata.len() == 0 || made::by_a_command(file) {
+        return Ok(());
+    }
+    failure("this file is there, and no command of ladder made it; name another file, or end with --force")
+}

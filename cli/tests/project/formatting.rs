@@ -1,0 +1,75 @@
+//! Formatting changes no finding but those about looks, and no program.
+
+#[path = "../../../format/tests/properties/programs.rs"]
+mod programs;
+
+use ladder_analysis::{Rule, analyze};
+use ladder_format::{Options, format_text};
+use ladder_syntax::parse;
+use ladder_tests::project;
+use proptest::prelude::*;
+use std::path::Path;
+use std::process::Command;
+use std::sync::Arc;
+
+/// The findings of a text, without those that formatting takes away. Their places move. Where a `|` cuts a wire,
+/// formatting gives each half at least some of it, and what is said about the dead half depends on that.
+fn findings(text: &str) -> Vec<(Rule, String)> {
+    let analysis = analyze(&Arc::new(parse(text)), "main");
+    let cut = analysis.diagnostics.iter().any(|d| d.rule == Rule::MisplacedRail);
+    let mut findings: Vec<_> = analysis
+        .diagnostics
+        .into_iter()
+        .filter(|d| !matches!(d.rule, Rule::MissingWire | Rule::MisleadingAlignment))
+        .filter(|d| !(cut && d.rule == Rule::OpenWire))
+        // A message may name a line, and lines come and go.
+        .map(|d| (d.rule, d.message.replace(|c: char| c.is_ascii_digit(), "")))
+        .collect();
+    findings.sort();
+    findings
+}
+
+fn program() -> impl Strategy<Value = String> {
+    prop::collection::vec(any::<u8>(), 0..300)
+        .prop_map(|bytes| programs::file(&mut programs::Choices::new(&bytes)))
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { cases: 500, failure_persistence: None, ..ProptestConfig::default() })]
+
+    #[test]
+    fn findings_stay(text in program()) {
+        let new = format_text(&text, &Options::default());
+        prop_assert_eq!(findings(&text), findings(&new), "{}\n=>\n{}", text, new);
+    }
+}
+
+/// What a program does, run as the files beside it say; empty if it does not run.
+fn run(program: &Path, beside: &Path) -> String {
+    let mut command = Command::new(env!("CARGO_BIN_EXE_ladder"));
+    command.arg("sim").arg(program);
+    let inputs = beside.with_extension("in.csv");
+    if inputs.exists() {
+        command.arg("--inputs").arg(inputs);
+    }
+    let arguments = project::read(&beside.with_extension("args"));
+    let output = command.args(arguments.split_whitespace()).output().unwrap();
+    String::from_utf8(output.stdout).unwrap()
+}
+
+#[test]
+fn programs_do_the_same() {
+    let folder = tempfile::tempdir().unwrap();
+    let formatted = folder.path().join("formatted.clad");
+    let mut count = 0;
+    for folder in ["examples", "tests/corpus/semantics"] {
+        for program in project::files(&project::root().join(folder), "clad") {
+            let text = format_text(&project::read(&program), &Options::default());
+            std::fs::write(&formatted, text).unwrap();
+            let trace = run(&program, &program);
+            count += usize::from(!trace.is_empty());
+            assert_eq!(run(&formatted, &program), trace, "{}", program.display());
+        }
+    }
+    assert!(count > 20, "only {count} programs ran");
+}

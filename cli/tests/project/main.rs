@@ -1,0 +1,11 @@
+//! What needs the program `ladder`: the book's sessions and pictures, the examples, git, and generated programs.
+
+mod book_pictures;
+#[cfg(unix)]
+mod book_sessions;
+mod examples;
+mod formatting;
+mod generated;
+mod git;
+mod options;
+mod traces;

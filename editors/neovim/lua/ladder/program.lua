@@ -1,0 +1,72 @@
+--- Finds a program on the PATH, by its whole path.
+---
+--- A bare name would be looked for by the system, and Windows looks in the current folder first: a folder that somebody
+--- opened must not bring a program of its own. Folders of the PATH that are not given whole, or lie in the current
+--- folder, do not count for the same reason.
+local M = {}
+
+--- @class ladder.Surroundings
+--- @field path string the variable PATH
+--- @field windows boolean
+--- @field here string the current folder
+--- @field is_program fun(path: string): boolean
+
+--- @return ladder.Surroundings
+local function surroundings()
+  return {
+    path = vim.env.PATH or '',
+    windows = vim.fn.has('win32') == 1,
+    here = vim.uv.cwd() or '',
+    is_program = function(path)
+      return vim.fn.isdirectory(path) == 0 and vim.fn.executable(path) == 1
+    end,
+  }
+end
+
+--- Folders as they can be compared: with slashes, without one at the end, and on Windows in small letters.
+--- @param folder string
+--- @param it ladder.Surroundings
+--- @return string
+local function plain(folder, it)
+  if it.windows then
+    folder = vim.fn.tolower((folder:gsub('\\', '/')))
+  end
+  return (folder:gsub('/+$', ''))
+end
+
+--- @param folder string
+--- @param it ladder.Surroundings
+local function counts(folder, it)
+  local way = plain(folder, it)
+  local whole = vim.startswith(folder, '/')
+  if it.windows then
+    whole = way:match('^%a:/') ~= nil or way:match('^%a:$') ~= nil or vim.startswith(way, '//')
+  end
+  local here = plain(it.here, it)
+  local climbs = ('/' .. way .. '/'):find('/../', 1, true) ~= nil
+  return whole and not climbs and way ~= here and (here == '' or not vim.startswith(way, here .. '/'))
+end
+
+--- @param name string without an ending
+--- @param given ladder.Surroundings|nil
+--- @return string|nil path
+function M.find(name, given)
+  local it = given or surroundings()
+  for _, folder in ipairs(vim.split(it.path, it.windows and ';' or ':', { plain = true })) do
+    if counts(folder, it) then
+      local path = folder:gsub('[/\\]+$', '') .. '/' .. name .. (it.windows and '.exe' or '')
+      if it.is_program(path) then
+        return path
+      end
+    end
+  end
+end
+
+--- What starts a program: its path; where there is none, a path that leads nowhere and says why.
+--- @param name string
+--- @return string
+function M.command(name)
+  return M.find(name) or ('/not-on-the-PATH/' .. name)
+end
+
+return M

@@ -1,0 +1,213 @@
+//! A whole program without columns: what is declared, what is drawn, and what is said about it. Importers of other
+//! notations make one; [`ProgramSketch::write`] gives its text.
+
+mod write;
+
+use crate::Circuit;
+pub use write::WrittenProgram;
+
+/// A number of the importer's that says what a written place was made from. It comes back beside the place in the
+/// text, see [`WrittenProgram`].
+pub type Origin = u32;
+
+/// A program, from top to bottom.
+#[derive(Debug, Clone, Default, PartialEq, Eq)]
+pub struct ProgramSketch {
+    /// Its parts in their order.
+    pub items: Vec<Item>,
+}
+
+/// A part of a program.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum Item {
+    /// A comment on lines of its own. It may have several lines; see [`comment_text`] for what it cannot hold.
+    Comment(String),
+    /// A comment that speaks to the tools: `profile ldmicro`, `allow-file(never-read): reason`.
+    Directive(String),
+    /// A blank line.
+    Blank,
+    /// `VAR` .. `END_VAR`
+    Section(Section),
+    /// A network.
+    Network(Network),
+    /// `FUNCTION_BLOCK` .. `END_FUNCTION_BLOCK`
+    Block {
+        /// As in a header: `[$Debounce]`.
+        header: String,
+        /// What stands between header and end.
+        items: Vec<Item>,
+    },
+}
+
+/// A section of declarations. One without declarations is not written.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Section {
+    /// What its tags are for.
+    pub kind: SectionKind,
+    /// What else is said of all of them.
+    pub qualifier: Option<Qualifier>,
+    /// Its declarations in their order.
+    pub declarations: Vec<Declaration>,
+}
+
+impl Section {
+    /// An empty section without a qualifier.
+    pub const fn new(kind: SectionKind) -> Section {
+        Section {
+            kind,
+            qualifier: None,
+            declarations: Vec::new(),
+        }
+    }
+}
+
+/// The keyword that a section begins with.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
+#[allow(missing_docs, reason = "they are the keywords themselves")]
+pub enum SectionKind {
+    Var,
+    VarInput,
+    VarOutput,
+    VarInOut,
+    VarGlobal,
+    VarExternal,
+}
+
+impl SectionKind {
+    /// As it is written.
+    pub const fn keyword(self) -> &'static str {
+        match self {
+            SectionKind::Var => "VAR",
+            SectionKind::VarInput => "VAR_INPUT",
+            SectionKind::VarOutput => "VAR_OUTPUT",
+            SectionKind::VarInOut => "VAR_IN_OUT",
+            SectionKind::VarGlobal => "VAR_GLOBAL",
+            SectionKind::VarExternal => "VAR_EXTERNAL",
+        }
+    }
+}
+
+/// What the header of a section adds.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum Qualifier {
+    /// The tags keep their values over a warm restart.
+    Retain,
+    /// The tags are never written.
+    Constant,
+}
+
+impl Qualifier {
+    /// As it is written.
+    pub const fn keyword(self) -> &'static str {
+        match self {
+            Qualifier::Retain => "RETAIN",
+            Qualifier::Constant => "CONSTANT",
+        }
+    }
+}
+
+/// One tag, or several of one kind.
+#[derive(Debug, Clone, Default, PartialEq, Eq)]
+pub struct Declaration {
+    /// The names; at least one.
+    pub names: Vec<String>,
+    /// A direct address, with its `%`.
+    pub address: Option<String>,
+    /// The type, as it is written.
+    pub ty: String,
+    /// The initial value, as it is written.
+    pub initial: Option<String>,
+    /// What is said about it.
+    pub comment: Option<String>,
+    /// What it was made from.
+    pub origin: Option<Origin>,
+}
+
+impl Declaration {
+    /// A tag and its type.
+    pub fn new(name: impl Into<String>, ty: impl Into<String>) -> Declaration {
+        Declaration {
+            names: vec![name.into()],
+            ty: ty.into(),
+            ..Declaration::default()
+        }
+    }
+}
+
+/// A network, with the comments that stand above it.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Network {
+    /// Each on a line of its own, or more.
+    pub comments: Vec<String>,
+    /// What is drawn.
+    pub drawing: Drawing,
+}
+
+/// How a network is given.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum Drawing {
+    /// From the left rail to the right one, as what stands in series and in parallel.
+    Circuit(Circuit<Element>),
+    /// Rung by rung, with its connectors: for what series and parallel cannot say. The k-th [`RungPiece::Down`] of a
+    /// rung and the k-th [`RungPiece::Up`] of the next are one point.
+    Rungs(Vec<Vec<RungPiece>>),
+}
+
+/// One thing on a rung of [`Drawing::Rungs`]. Wire joins each to the one before it, unless a
+/// [`RungPiece::Gap`] stands between them.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum RungPiece {
+    /// `+` at either end
+    Rail,
+    /// `\`
+    Down,
+    /// `/`
+    Up,
+    /// Blanks.
+    Gap,
+    /// A block, or a comment in the wire.
+    Element(Element),
+}
+
+/// A block, or a comment in a wire.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Element {
+    /// As it is written: `[TON]( t, T#5s )`.
+    pub text: String,
+    /// What it was made from.
+    pub origin: Option<Origin>,
+}
+
+impl Element {
+    /// A block with its operand list, as it is written.
+    pub fn block(text: impl Into<String>, origin: Option<Origin>) -> Element {
+        Element {
+            text: text.into(),
+            origin,
+        }
+    }
+
+    /// A piece of wire that says something: `# relay in the door #`.
+    pub fn comment(text: &str, origin: Option<Origin>) -> Element {
+        let text = format!("# {} #", comment_text(text).replace('\n', " "));
+        Element { text, origin }
+    }
+}
+
+/// A text as it can stand in a comment: a comment cannot hold `#`, so it becomes `\x23`. Lone carriage returns and
+/// other control characters become `\x..` too, and what would speak to the tools (`ladder: ..`) does not.
+pub fn comment_text(text: &str) -> String {
+    let mut out = String::with_capacity(text.len());
+    if text.trim_start().starts_with("ladder:") {
+        out.push_str("text: ");
+    }
+    for c in text.replace("\r\n", "\n").chars() {
+        match c {
+            '\n' | '\t' => out.push(c),
+            '#' => out.push_str("\\x23"),
+            c if c.is_control() => out.push_str(&format!("\\x{:02x}", u32::from(c))),
+            c => out.push(c),
+        }
+    }
+    out
+}

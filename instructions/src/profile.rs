@@ -1,0 +1,91 @@
+//! Profiles: whose arithmetic and timing a program has (LANGUAGE §5.8).
+
+/// The system that a program behaves as on.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord, Default)]
+pub enum Profile {
+    /// IEC 61131-3, as the language describes it.
+    #[default]
+    Iec,
+    /// LDmicro 2.2.
+    Ldmicro,
+    /// Click controllers.
+    Click,
+    /// iot-ladder-editor.
+    Iot,
+}
+
+impl Profile {
+    /// All of them.
+    pub const ALL: [Profile; 4] = [Profile::Iec, Profile::Ldmicro, Profile::Click, Profile::Iot];
+
+    /// As `# ladder: profile .. #` names it.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Profile::Iec => "iec",
+            Profile::Ldmicro => "ldmicro",
+            Profile::Click => "click",
+            Profile::Iot => "iot",
+        }
+    }
+
+    /// The profile with this name.
+    pub fn from_name(name: &str) -> Option<Profile> {
+        Profile::ALL.into_iter().find(|profile| profile.name() == name)
+    }
+}
+
+impl std::fmt::Display for Profile {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.write_str(self.name())
+    }
+}
+
+/// Some of the profiles: those that have an instruction, or know an operand.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Profiles(u8);
+
+impl Profiles {
+    /// All of them.
+    pub const ALL: Profiles = Profiles(u8::MAX);
+
+    /// One alone.
+    pub const fn only(profile: Profile) -> Profiles {
+        Profiles(1 << profile as u8)
+    }
+
+    /// These and one more.
+    #[must_use]
+    pub const fn and(self, profile: Profile) -> Profiles {
+        Profiles(self.0 | 1 << profile as u8)
+    }
+
+    /// Whether it is one of them.
+    pub const fn contain(self, profile: Profile) -> bool {
+        self.0 & (1 << profile as u8) != 0
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn sets_hold_what_they_were_made_of() {
+        let some = Profiles::only(Profile::Iot).and(Profile::Click);
+        let held: Vec<Profile> = Profile::ALL.into_iter().filter(|p| some.contain(*p)).collect();
+        assert_eq!(held, [Profile::Click, Profile::Iot]);
+        assert!(
+            Profile::ALL
+                .into_iter()
+                .all(|profile| Profiles::ALL.contain(profile))
+        );
+    }
+
+    #[test]
+    fn names_lead_back() {
+        for profile in Profile::ALL {
+            assert_eq!(Profile::from_name(profile.name()), Some(profile));
+        }
+        assert_eq!(Profile::from_name("IEC"), None);
+    }
+}

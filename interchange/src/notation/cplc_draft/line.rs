@@ -1,0 +1,134 @@
+//! One line of a drawing in the draft.
+
+use super::super::{Place, ReadError};
+
+/// One thing on a line.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub(super) enum Piece {
+    /// `+`
+    Rail,
+    /// `\`
+    Down,
+    /// `/`
+    Up,
+    /// Blanks, or a `|`.
+    Gap,
+    /// `# .. #`
+    Comment(String),
+    Block(Block),
+}
+
+/// `[TON]<name><reset><time><preset>`
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub(super) struct Block {
+    /// The bracket it begins with: `[`, `(` or `<`.
+    pub(super) bracket: char,
+    /// What is in it, without blanks and in capitals.
+    pub(super) head: String,
+    pub(super) operands: Vec<String>,
+    pub(super) place: Place,
+    /// As it is written.
+    pub(super) text: String,
+}
+
+/// Reads a line; its number is for the places.
+pub(super) fn pieces(line: &str, number: u32) -> Result<Vec<Piece>, ReadError> {
+    let mut pieces = Vec::new();
+    let mut rest = line;
+    let mut column = 1;
+    while let Some(c) = rest.chars().next() {
+        let place = Place { line: number, column };
+        let length = match c {
+            '-' => rest.len() - rest.trim_start_matches('-').len(),
+            '+' | '\\' | '/' => {
+                pieces.push(match c {
+                    '+' => Piece::Rail,
+                    '\\' => Piece::Down,
+                    _ => Piece::Up,
+                });
+                1
+            }
+            '|' => {
+                pieces.push(Piece::Gap);
+                1
+            }
+            c if c.is_whitespace() => {
+                pieces.push(Piece::Gap);
+                c.len_utf8()
+            }
+            '#' => {
+                let length = rest[1..].find('#').map(|at| at + 2);
+                let length = length
+                    .ok_or_else(|| ReadError::at(place, "this comment has no second `#` on its line"))?;
+                pieces.push(Piece::Comment(rest[1..length - 1].trim().to_owned()));
+                length
+            }
+            '[' | '(' | '<' => {
+                let (block, length) = block(rest, place)?;
+                pieces.push(Piece::Block(block));
+                length
+            }
+            c => {
+                return Err(ReadError::at(
+                    place,
+                    format!("`{}` is nothing that a rung is drawn with", c.escape_debug()),
+                ));
+            }
+        };
+        column += rest[..length].chars().count() as u32;
+        rest = &rest[length..];
+    }
+    pieces.dedup_by(|later, before| *later == Piece::Gap && *before == Piece::Gap);
+    Ok(pieces)
+}
+
+/// The block that a text begins with, and its length.
+fn block(text: &str, place: Place) -> Result<(Block, usize), ReadError> {
+    let bracket = text.chars().next().unwrap_or('[');
+    let (head, mut end) = bracketed(text, place)?;
+    let mut operands = Vec::new();
+    loop {
+        let behind = text[end..].trim_start_matches([' ', '\t']);
+        // The standard has one list in parentheses, the draft one pair of brackets for each operand.
+        let start = text.len() - behind.len();
+        match behind.chars().next() {
+            Some('<') => {
+                let (operand, length) = bracketed(behind, place)?;
+                operands.push(operand.trim().to_owned());
+                end = start + length;
+            }
+            Some('(') if operands.is_empty() => {
+                let (list, length) = bracketed(behind, place)?;
+                operands.extend(list.split(',').map(|operand| operand.trim().to_owned()));
+                end = start + length;
+                break;
+            }
+            _ => break,
+        }
+    }
+    operands.retain(|operand| !operand.is_empty());
+    let block = Block {
+        bracket,
+        head: head.split_whitespace().collect::<String>().to_ascii_uppercase(),
+        operands,
+        place,
+        text: text[..end].to_owned(),
+    };
+    Ok((block, end))
+}
+
+/// What stands between the bracket that a text begins with and its partner, and the length of it all.
+fn bracketed(text: &str, place: Place) -> Result<(&str, usize), ReadError> {
+    let close = match text.chars().next() {
+        Some('[') => ']',
+        Some('(') => ')',
+        _ => '>',
+    };
+    match text.find(close) {
+        Some(at) => Ok((&text[1..at], at + 1)),
+        None => Err(ReadError::at(
+            place,
+            format!("the `{close}` of this block is missing on its line"),
+        )),
+    }
+}

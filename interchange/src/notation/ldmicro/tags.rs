@@ -1,0 +1,242 @@
+//! What the names of an LDmicro program become: bits, variables, timers, counters, places of shift registers.
+
+use super::super::names::Names;
+use super::element::{self, Form, Slot};
+use super::model::{File, Leaf, leaves};
+use ladder_instructions::{Op, by_op};
+use std::collections::{BTreeMap, HashMap, HashSet};
+
+/// The tags of a program. LDmicro keeps bits and variables apart, so one name can be two tags.
+#[derive(Debug, Default)]
+pub(super) struct Tags {
+    names: Names,
+    /// LDmicro's names in the order in which they were met, with the tag of each.
+    pub(super) bits: Vec<(String, String)>,
+    pub(super) variables: Vec<(String, String)>,
+    bit: HashMap<String, String>,
+    variable: HashMap<String, String>,
+    /// The block types of timers and counters.
+    states: HashMap<String, Op>,
+    /// Variables that are as wide as a counter.
+    wide: HashSet<String>,
+    /// Shift registers: the tag and how many stages it has.
+    pub(super) registers: BTreeMap<String, (String, u32)>,
+}
+
+/// A shift register with more stages is not made.
+pub(super) const MOST_STAGES: u32 = 10_000;
+
+impl Tags {
+    pub(super) fn of(file: &File) -> Tags {
+        let all: Vec<&Leaf> = file.rungs.iter().flat_map(|rung| leaves(&rung.parts)).collect();
+        let mut tags = Tags::default();
+        for leaf in &all {
+            tags.kinds(leaf);
+        }
+        for (_, entry) in &file.io {
+            let name = entry.split(' ').next().unwrap_or_default();
+            match name.chars().next() {
+                Some('X' | 'Y') => tags.meet_bit(name),
+                Some('A') => tags.meet_variable(name),
+                _ => {}
+            }
+        }
+        let mut flows: HashMap<&str, Vec<&str>> = HashMap::new();
+        for leaf in &all {
+            tags.meet(leaf, &mut flows);
+        }
+        tags.widen(&flows);
+        let registers: Vec<String> = tags.registers.keys().cloned().collect();
+        for name in registers {
+            let tag = if tags.bit.contains_key(&name) || tags.variable.contains_key(&name) {
+                tags.names.fresh(&name)
+            } else {
+                tags.names.spell(&name).to_owned()
+            };
+            if let Some((there, _)) = tags.registers.get_mut(&name) {
+                *there = tag;
+            }
+        }
+        tags
+    }
+
+    /// Notes what an element says about the kind of its name.
+    fn kinds(&mut self, leaf: &Leaf) {
+        let Some(row) = element::row_of(&leaf.text) else {
+            return;
+        };
+        let fields = element::fields(&leaf.text);
+        match row.form {
+            Form::Timer(op) | Form::Counter(op) => {
+                self.states.entry(fields[0].to_owned()).or_insert(op);
+            }
+            Form::Shift => {
+                let stages = fields[1].parse().unwrap_or(0).min(MOST_STAGES);
+                let there = self.registers.entry(fields[0].to_owned()).or_default();
+                there.1 = there.1.max(stages);
+            }
+            _ => {}
+        }
+    }
+
+    /// Notes the names of an element, and which variable's value goes into which.
+    fn meet<'l>(&mut self, leaf: &'l Leaf, flows: &mut HashMap<&'l str, Vec<&'l str>>) {
+        let Some(row) = element::row_of(&leaf.text) else {
+            return;
+        };
+        let fields = element::fields(&leaf.text);
+        match row.form {
+            Form::Contact | Form::Coil => self.meet_bit(fields[0]),
+            Form::Timer(_) | Form::Counter(_) | Form::Reset | Form::Adc => self.meet_variable(fields[0]),
+            Form::Values(_, slots) => {
+                for (field, slot) in fields.iter().zip(slots) {
+                    if *slot != Slot::Number {
+                        self.meet_variable(field);
+                    }
+                }
+                if let Some((Slot::Place, to)) = slots.first().zip(fields.first()) {
+                    fields[1..]
+                        .iter()
+                        .for_each(|from| flows.entry(from).or_default().push(to));
+                }
+            }
+            Form::Table | Form::Curve => {
+                fields[..2].iter().for_each(|name| self.meet_variable(name));
+                if row.form == Form::Curve {
+                    flows.entry(fields[1]).or_default().push(fields[0]);
+                }
+            }
+            Form::Text if fields[0] != "(none)" => self.meet_variable(fields[0]),
+            _ => {}
+        }
+    }
+
+    fn meet_bit(&mut self, name: &str) {
+        if !self.bit.contains_key(name) {
+            let tag = if self.variable.contains_key(name) {
+                self.names.fresh(name)
+            } else {
+                self.names.spell(name).to_owned()
+            };
+            self.bit.insert(name.to_owned(), tag.clone());
+            self.bits.push((name.to_owned(), tag));
+        }
+    }
+
+    fn meet_variable(&mut self, name: &str) {
+        if element::is_literal(name) || self.variable.contains_key(name) || self.stage(name).is_some() {
+            return;
+        }
+        let tag = if self.bit.contains_key(name) {
+            self.names.fresh(name)
+        } else {
+            self.names.spell(name).to_owned()
+        };
+        self.variable.insert(name.to_owned(), tag.clone());
+        self.variables.push((name.to_owned(), tag));
+    }
+
+    /// Counters are DINT, and what takes a counter's value must be as wide.
+    fn widen(&mut self, flows: &HashMap<&str, Vec<&str>>) {
+        let mut waiting: Vec<&str> = flows
+            .keys()
+            .copied()
+            .filter(|name| self.is_counter(name))
+            .collect();
+        while let Some(from) = waiting.pop() {
+            for to in flows.get(from).into_iter().flatten() {
+                let can_widen = !self.states.contains_key(*to) && self.stage(to).is_none();
+                if can_widen && self.wide.insert((*to).to_owned()) {
+                    waiting.push(to);
+                }
+            }
+        }
+    }
+
+    fn is_counter(&self, name: &str) -> bool {
+        matches!(self.states.get(name), Some(Op::Ctu | Op::Ctd | Op::Ctc))
+    }
+
+    /// The shift register and the index that a name such as `reg3` means.
+    fn stage(&self, name: &str) -> Option<(&str, u32)> {
+        let digits = name.len() - name.trim_end_matches(|c: char| c.is_ascii_digit()).len();
+        // `r12` can be stage 12 of `r` or stage 2 of `r1`.
+        (1..=digits.min(9)).find_map(|length| {
+            let (base, index) = name.split_at(name.len() - length);
+            if index.len() > 1 && index.starts_with('0') {
+                return None;
+            }
+            let (tag, stages) = self.registers.get(base)?;
+            let index: u32 = index.parse().ok()?;
+            (index < *stages).then_some((tag.as_str(), index))
+        })
+    }
+
+    /// The tag of a name in the I/O list.
+    pub(super) fn listed(&self, name: &str) -> Option<&str> {
+        let tag = match name.chars().next()? {
+            'X' | 'Y' => self.bit.get(name),
+            'A' => self.variable.get(name),
+            _ => None,
+        };
+        tag.map(String::as_str)
+    }
+
+    pub(super) fn bit(&self, name: &str) -> &str {
+        self.bit.get(name).map_or("_", String::as_str)
+    }
+
+    /// The type that a variable is declared with.
+    pub(super) fn ty(&self, name: &str) -> String {
+        match self.states.get(name) {
+            Some(op) => by_op(*op).mnemonic.to_owned(),
+            None if self.wide.contains(name) => "DINT".to_owned(),
+            None => "INT".to_owned(),
+        }
+    }
+
+    /// Whether a variable had to be made wider than LDmicro's 16 bits.
+    pub(super) fn is_wide(&self, name: &str) -> bool {
+        self.wide.contains(name)
+    }
+
+    /// The tag of a timer or counter, if the name is one of this kind.
+    pub(super) fn state(&self, name: &str, op: Op) -> Option<&str> {
+        (self.states.get(name) == Some(&op)).then(|| self.variable.get(name).map_or("_", String::as_str))
+    }
+
+    /// The tag of any timer or counter.
+    pub(super) fn any_state(&self, name: &str) -> Option<&str> {
+        let _ = self.states.get(name)?;
+        self.variable.get(name).map(String::as_str)
+    }
+
+    /// A variable where a number is read or written.
+    pub(super) fn variable(&self, name: &str) -> Result<String, String> {
+        if let Some((tag, index)) = self.stage(name) {
+            return Ok(format!("{tag}[{index}]"));
+        }
+        let tag = self.variable.get(name).map_or("_", String::as_str);
+        match self.states.get(name) {
+            None => Ok(tag.to_owned()),
+            Some(_) if self.is_counter(name) => Ok(format!("{tag}.CV")),
+            Some(_) => Err(format!(
+                "`{name}` is a timer; its value in cycles has no counterpart"
+            )),
+        }
+    }
+
+    /// The names that had to change, as the tag and LDmicro's name.
+    pub(super) fn renamed(&self) -> Vec<(&str, &str)> {
+        let registers = self.registers.iter().map(|(name, (tag, _))| (name, tag));
+        let all = self
+            .bits
+            .iter()
+            .chain(&self.variables)
+            .map(|(name, tag)| (name, tag));
+        all.chain(registers)
+            .filter(|(name, tag)| name != tag)
+            .map(|(name, tag)| (tag.as_str(), name.as_str()))
+            .collect()
+    }
+}

@@ -1,0 +1,71 @@
+//! Lines and columns of a foreign file.
+
+use std::fmt;
+
+/// A place in a text: both count from 1, columns in characters.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct Place {
+    /// The line.
+    pub line: u32,
+    /// The character on it.
+    pub column: u32,
+}
+
+impl Place {
+    /// Where a text begins.
+    pub const START: Place = Place { line: 1, column: 1 };
+
+    /// The beginning of a line, from 1.
+    pub const fn line(line: u32) -> Place {
+        Place { line, column: 1 }
+    }
+}
+
+impl fmt::Display for Place {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{}:{}", self.line, self.column)
+    }
+}
+
+/// Where the lines of a text begin.
+#[derive(Debug, Clone)]
+pub struct Lines {
+    starts: Vec<usize>,
+}
+
+impl Lines {
+    /// Those of a text; LF ends a line.
+    pub fn of(text: &str) -> Lines {
+        let behind = text.bytes().enumerate().filter(|(_, byte)| *byte == b'\n');
+        Lines {
+            starts: std::iter::once(0).chain(behind.map(|(at, _)| at + 1)).collect(),
+        }
+    }
+
+    /// The place of an offset in bytes, in the text that the lines are of.
+    pub fn place(&self, text: &str, offset: usize) -> Place {
+        let line = self.starts.partition_point(|start| *start <= offset).max(1) - 1;
+        let start = self.starts[line];
+        let column = text.get(start..offset).map_or(0, |before| before.chars().count());
+        Place {
+            line: line as u32 + 1,
+            column: column as u32 + 1,
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn places_count_characters_from_one() {
+        let text = "ä b\r\nc\n";
+        let lines = Lines::of(text);
+        let place = |offset| lines.place(text, offset).to_string();
+        assert_eq!(place(0), "1:1");
+        assert_eq!(place(text.find('b').unwrap()), "1:3");
+        assert_eq!(place(text.find('c').unwrap()), "2:1");
+        assert_eq!(place(text.len()), "3:1");
+    }
+}

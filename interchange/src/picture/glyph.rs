@@ -1,0 +1,165 @@
+//! The symbols of blocks: contacts, coils, boxes.
+
+use super::draw::Flow;
+use super::paper::Paper;
+use super::scene::{Anchor, Step};
+use super::style::{HALF, LINE, Look, UNIT};
+use super::symbol::{Label, Mark, NAME, ROWS, Symbol, width};
+
+/// Where a symbol stands: its ends on the wire.
+#[derive(Clone, Copy)]
+pub(super) struct Place {
+    pub(super) left: i32,
+    pub(super) right: i32,
+    pub(super) y: i32,
+}
+
+impl Place {
+    const fn middle(self) -> i32 {
+        i32::midpoint(self.left, self.right)
+    }
+}
+
+/// Draws a block: power `arriving` at its left, and `own` leaving it.
+pub(super) fn draw(paper: &mut Paper, symbol: &Symbol, place: Place, arriving: Flow, own: Flow) {
+    let Place { left, right, y } = place;
+    let middle = place.middle();
+    match symbol {
+        Symbol::Contact { mark, over, under } => {
+            let half = mark.width() as i32 * UNIT / 2;
+            paper.line(arriving.line(), (left, y), (middle - half, y));
+            paper.line(own.line(), (middle + half, y), (right, y));
+            for bar in [middle - half, middle + half] {
+                paper.line(Look::Line, (bar, y - HALF), (bar, y + HALF));
+            }
+            draw_mark(paper, mark, middle, y);
+            draw_label(paper, over, middle, y - HALF - 5);
+            draw_label(paper, under, middle, y + HALF + LINE - 4);
+        }
+        Symbol::Coil { mark, over } => {
+            let half = mark.width() as i32 * UNIT / 2;
+            paper.line(arriving.line(), (left, y), (middle - half - 3, y));
+            paper.line(own.line(), (middle + half + 3, y), (right, y));
+            for (end, bow) in [(middle - half, -6), (middle + half, 6)] {
+                let (upper, lower) = (y - HALF, y + HALF);
+                let bowed = end + bow;
+                let bow = Step::Bow((bowed, y), (end, lower));
+                paper.path(Look::Line, [Step::Move((end, upper)), bow]);
+            }
+            draw_mark(paper, mark, middle, y);
+            draw_label(paper, over, middle, y - HALF - 5);
+        }
+        Symbol::Box {
+            over,
+            name,
+            pins,
+            rows,
+            names,
+        } => {
+            let height = symbol.room().under + NAME;
+            paper.rect(Look::Box, (left, y - NAME), right - left, height);
+            draw_label(paper, over, middle, y - NAME - 5);
+            let base = y - NAME + LINE - 3;
+            paper.text(Look::Name, (middle, base), Anchor::Middle, width(name), name);
+            if let Some((into, out)) = pins {
+                paper.text(Look::Pin, (left + 4, y + 4), Anchor::Start, width(into), into);
+                paper.text(Look::Pin, (right - 4, y + 4), Anchor::End, width(out), out);
+            }
+            let names = *names as i32 * UNIT;
+            for (row, (name, label)) in rows.iter().enumerate() {
+                let base = y + ROWS + (row as i32 + 1) * LINE - 4;
+                paper.text(
+                    Look::Pin,
+                    (left + UNIT / 2, base),
+                    Anchor::Start,
+                    width(name),
+                    name,
+                );
+                let at = if names == 0 {
+                    left + UNIT
+                } else {
+                    left + names + UNIT + UNIT / 2
+                };
+                paper.text(
+                    Look::Text,
+                    (at, base),
+                    Anchor::Start,
+                    width(&label.text),
+                    &label.text,
+                );
+                if let Some(value) = &label.value {
+                    let at = (at + width(&label.text) + UNIT, base);
+                    paper.text(Look::Value, at, Anchor::Start, width(value), value);
+                }
+            }
+        }
+        Symbol::Jump(name) => {
+            for step in [0, UNIT] {
+                let at = left + step;
+                let (upper, lower) = (y - 6, y + 6);
+                let tip = at + 7;
+                let steps = [
+                    Step::Move((at, upper)),
+                    Step::Line((tip, y)),
+                    Step::Line((at, lower)),
+                ];
+                paper.path(arriving.line(), steps);
+            }
+            paper.line(arriving.line(), (left, y), (left + 7, y));
+            let at = (left + 2 * UNIT + 4, y + 4);
+            paper.text(Look::Name, at, Anchor::Start, width(name), name);
+        }
+        Symbol::Flow(word) => {
+            let (upper, lower) = (y - HALF - 2, y + HALF + 2);
+            let (inner_left, inner_right) = (left + UNIT, right - UNIT);
+            let steps = [
+                Step::Move((left, y)),
+                Step::Line((inner_left, upper)),
+                Step::Line((inner_right, upper)),
+                Step::Line((right, y)),
+                Step::Line((inner_right, lower)),
+                Step::Line((inner_left, lower)),
+                Step::Close,
+            ];
+            paper.path(Look::Box, steps);
+            paper.text(Look::Name, (middle, y + 4), Anchor::Middle, width(word), word);
+        }
+        Symbol::Target(name) => {
+            paper.rect(Look::Box, (left, y - HALF - 2), right - left, 2 * HALF + 4);
+            paper.text(Look::Name, (middle, y + 4), Anchor::Middle, width(name), name);
+        }
+    }
+}
+
+fn draw_mark(paper: &mut Paper, mark: &Mark, middle: i32, y: i32) {
+    match mark {
+        Mark::Nothing => {}
+        Mark::Stroke => paper.line(Look::Line, (middle - 8, y + HALF), (middle + 8, y - HALF)),
+        Mark::Word(word) => paper.text(Look::Name, (middle, y + 4), Anchor::Middle, width(word), word),
+    }
+}
+
+/// A tag, with its value behind it.
+fn draw_label(paper: &mut Paper, label: &Label, middle: i32, base: i32) {
+    let Some(value) = &label.value else {
+        paper.text(
+            Look::Text,
+            (middle, base),
+            Anchor::Middle,
+            width(&label.text),
+            &label.text,
+        );
+        return;
+    };
+    let whole = width(&label.text) + UNIT + width(value);
+    let left = middle - whole / 2;
+    paper.text(
+        Look::Text,
+        (left, base),
+        Anchor::Start,
+        width(&label.text),
+        &label.text,
+    );
+    let at = (left + width(&label.text) + UNIT, base);
+    paper.text(Look::Value, at, Anchor::Start, width(value), value);
+}

@@ -1,0 +1,111 @@
+//! A scene as an SVG document.
+
+use super::scene::{Anchor, BlockKind, Form, Scene, Shape, Step};
+use super::style::{DOT, Look, Theme, sheet};
+use std::fmt::{Display, Write};
+
+/// Writes the document. Text stays text; each network is a group with a name that a reader hears.
+pub fn svg(scene: &Scene, theme: Theme) -> String {
+    let Scene { width, height, .. } = scene;
+    let mut out = format!(
+        "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{width}\" height=\"{height}\" \
+         viewBox=\"0 0 {width} {height}\" role=\"img\">\n<style>\n{}</style>\n\
+         <rect class=\"paper\" width=\"{width}\" height=\"{height}\"/>\n",
+        sheet(theme)
+    );
+    for block in &scene.blocks {
+        let shapes = &scene.shapes[block.shapes.clone()];
+        let network = match block.kind {
+            BlockKind::Network { line, .. } => Some(line),
+            _ => None,
+        };
+        if let Some(line) = network {
+            out.push_str(&format!("<g><title>Line {line}</title>\n"));
+        }
+        for shape in shapes {
+            write(shape, &mut out);
+        }
+        if network.is_some() {
+            out.push_str("</g>\n");
+        }
+    }
+    out.push_str("</svg>\n");
+    out
+}
+
+fn write(shape: &Shape, out: &mut String) {
+    let class = shape.look.class();
+    // Writing to a String does not fail.
+    let _ = match &shape.form {
+        Form::Line((x1, y1), (x2, y2)) => {
+            writeln!(
+                out,
+                r#"<line class="{class}" x1="{x1}" y1="{y1}" x2="{x2}" y2="{y2}"/>"#
+            )
+        }
+        Form::Path(steps) => {
+            let steps: Vec<String> = steps.iter().map(|&step| command(step)).collect();
+            writeln!(out, r#"<path class="{class}" d="{}"/>"#, steps.join(" "))
+        }
+        Form::Rect {
+            at: (x, y),
+            width,
+            height,
+        } => writeln!(
+            out,
+            r#"<rect class="{class}" x="{x}" y="{y}" width="{width}" height="{height}" rx="2"/>"#
+        ),
+        Form::Dot((x, y)) => writeln!(out, r#"<circle class="{class}" cx="{x}" cy="{y}" r="{DOT}"/>"#),
+        Form::Text {
+            at: (x, y),
+            anchor,
+            text,
+            ..
+        } => {
+            let class = match shape.look {
+                Look::Text => String::new(),
+                _ => format!(r#" class="{class}""#),
+            };
+            let anchor = match anchor {
+                Anchor::Start => "",
+                Anchor::Middle => r#" text-anchor="middle""#,
+                Anchor::End => r#" text-anchor="end""#,
+            };
+            writeln!(
+                out,
+                r#"<text{class} x="{x}" y="{y}"{anchor}>{}</text>"#,
+                Escaped(text)
+            )
+        }
+    };
+}
+
+fn command(step: Step) -> String {
+    match step {
+        Step::Move((x, y)) => format!("M {x} {y}"),
+        Step::Line((x, y)) => format!("L {x} {y}"),
+        Step::Bow((by_x, by_y), (x, y)) => format!("Q {by_x} {by_y} {x} {y}"),
+        Step::Close => "Z".to_owned(),
+    }
+}
+
+/// A text as XML takes it. Characters that XML 1.0 cannot hold, and those that would steer a terminal, become U+FFFD.
+struct Escaped<'t>(&'t str);
+
+impl Display for Escaped<'_> {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        for c in self.0.chars() {
+            match c {
+                '&' => f.write_str("&amp;")?,
+                '<' => f.write_str("&lt;")?,
+                '>' => f.write_str("&gt;")?,
+                '\t' => f.write_char(' ')?,
+                '\0'..='\u{1f}' | '\u{7f}'..='\u{9f}' | '\u{fffe}' | '\u{ffff}' => {
+                    f.write_char('\u{fffd}')?;
+                }
+                _ => f.write_char(c)?,
+            }
+        }
+        Ok(())
+    }
+}

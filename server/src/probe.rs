@@ -1,0 +1,90 @@
+//! The inside of the server, as the tests of other packages see it. No part of the interface.
+
+use std::io::Cursor;
+use std::sync::Arc;
+
+use ladder_analysis::Diagnostic;
+
+use crate::document::edit::Change;
+use crate::document::position::Encoding;
+use crate::document::{Documents, Revision};
+use crate::lsp::inlet;
+use crate::{Position, Range};
+
+const URI: &str = "untitled:main.clad";
+
+/// The unit in which positions count.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Unit {
+    /// Bytes.
+    Utf8,
+    /// UTF-16 code units.
+    Utf16,
+    /// Unicode scalar values.
+    Utf32,
+}
+
+/// An open document.
+#[derive(Debug)]
+pub struct Document {
+    documents: Documents,
+    revision: Arc<Revision>,
+}
+
+impl Document {
+    /// Opens it.
+    pub fn open(text: &str, unit: Unit) -> Document {
+        let encoding = match unit {
+            Unit::Utf8 => Encoding::Utf8,
+            Unit::Utf16 => Encoding::Utf16,
+            Unit::Utf32 => Encoding::Utf32,
+        };
+        let documents = Documents::default();
+        let revision = documents.open_at(URI, 0, encoding, text, None);
+        Document { documents, revision }
+    }
+
+    /// Changes a stretch, or the whole text, as an editor does.
+    ///
+    /// # Panics
+    /// The document refuses the change, though its version is newer.
+    pub fn change(&mut self, range: Option<Range>, text: &str) {
+        let text = text.to_owned();
+        let change = match range {
+            Some(range) => Change::Part { range, text },
+            None => Change::Whole(text),
+        };
+        let version = self.revision.version + 1;
+        self.revision = self
+            .documents
+            .change(URI, version, &[change])
+            .unwrap_or_else(|refused| panic!("{refused}"));
+    }
+
+    /// What it says now.
+    pub fn text(&self) -> String {
+        self.revision.text()
+    }
+
+    /// What is found in it, with the places as the editor is told them.
+    pub fn findings(&self) -> Vec<(Range, Diagnostic)> {
+        let analysis = self.revision.analysis();
+        let found = analysis.map_or(&[][..], |analysis| analysis.diagnostics());
+        let placed = found
+            .iter()
+            .map(|found| (self.revision.range(found.range), found.clone()));
+        placed.collect()
+    }
+
+    /// The byte of a position.
+    pub fn offset(&self, position: Position) -> usize {
+        self.revision.offset(position).into()
+    }
+}
+
+/// What the protocol's framework is given to read when the client sends these bytes.
+pub async fn admitted(bytes: &[u8]) -> Vec<u8> {
+    let mut out = Vec::new();
+    inlet::feed(Cursor::new(bytes), &mut out).await;
+    out
+}

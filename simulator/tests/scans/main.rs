@@ -1,0 +1,29 @@
+//! Programs that run: instructions, faults, stepping, and what a session remembers.
+
+mod calc;
+mod conditions;
+mod counters;
+mod data;
+mod engine;
+mod evaluations;
+mod examples;
+mod faults;
+mod flow;
+mod forces;
+mod golden_trace;
+mod literals_and_types;
+mod order;
+mod retain;
+mod semantics;
+mod session;
+mod shown_power;
+mod stepping;
+mod steps;
+mod support;
+mod system_tags;
+mod timers;
+mod type_table;
+mod user_block_rules;
+mod user_blocks;
+mod why;
+mod work;

@@ -1,0 +1,351 @@
+//! Why a tag holds what it holds.
+
+use crate::support::{simulation, stimulus};
+use expect_test::{Expect, expect};
+use ladder_simulator::value_text::parse;
+use ladder_simulator::{HistoryLimits, Session};
+
+/// Runs a program and asks about tags.
+#[track_caller]
+fn check(text: &str, inputs: &str, tags: &str, expected: Expect) {
+    let mut session = Session::of(simulation(text), HistoryLimits::default());
+    run(&mut session, inputs);
+    expected.assert_eq(&ask(&mut session, text, tags));
+}
+
+fn run(session: &mut Session, inputs: &str) {
+    let (scans, rows) = stimulus(inputs);
+    for scan in 0..scans {
+        for (tag, cells) in &rows {
+            if let Some(value) = cells.get(scan).filter(|cell| *cell != ".") {
+                set(session, tag, value);
+            }
+        }
+        session.scan();
+    }
+}
+
+fn set(session: &mut Session, tag: &str, value: &str) {
+    let point = session.simulation().resolve(tag).unwrap();
+    let value = parse(value, point.ty).unwrap();
+    session.set(&point, value).unwrap();
+}
+
+fn ask(session: &mut Session, text: &str, tags: &str) -> String {
+    let mut told = String::new();
+    for tag in tags.split_whitespace() {
+        let point = session
+            .simulation()
+            .resolve(tag)
+            .unwrap_or_else(|error| panic!("{error}"));
+        told.push_str(&session.why(&point).text(&[text]));
+        told.push('\n');
+    }
+    told
+}
+
+const MOTOR: &str = "\
++--\\--[ ]( start )--\\--[/]( stop )-------------( )( run )--+
+|  /--[ ]( run )----/                                      |
+";
+
+#[test]
+fn what_is_off_is_blocked() {
+    check(
+        MOTOR,
+        "start _--____\nstop  ____-__",
+        "run",
+        expect![[r#"
+            run is 0 since scan 4 (40 ms): line 1, ( )( run ) wrote it; blocked by [/]( stop ) (line 1, column 24): stop is 1; now, in scan 6, it is blocked by [ ]( start ) (line 1, column 7): start is 0; or else by [ ]( run ) (line 2, column 7): run is 0
+              stop is 1 since scan 4 (40 ms): it was given from outside
+              start is 0 since scan 3 (30 ms): it was given from outside
+        "#]],
+    );
+    check(
+        MOTOR,
+        "start _--____\nstop  ____--_",
+        "run",
+        expect![[r#"
+            run is 0 since scan 4 (40 ms): line 1, ( )( run ) wrote it; blocked by [/]( stop ) (line 1, column 24): stop is 1; now, in scan 6, it is blocked by [ ]( start ) (line 1, column 7): start is 0; or else by [ ]( run ) (line 2, column 7): run is 0
+              stop is 1 since scan 4 (40 ms): it was given from outside
+              start is 0 since scan 3 (30 ms): it was given from outside
+        "#]],
+    );
+    check(
+        MOTOR,
+        "start __\nstop  --",
+        "run",
+        expect![[r#"
+        run is 0 since the start: line 1, ( )( run ) wrote it; blocked by [ ]( start ) (line 1, column 7): start is 0 and by [/]( stop ) (line 1, column 24): stop is 1; or else by [/]( stop ) (line 1, column 24): stop is 1 and by [ ]( run ) (line 2, column 7): run is 0
+          start is 0 since the start: nothing else was given
+          stop is 1 since scan 0 (0 ms): it was given from outside
+    "#]],
+    );
+    check(
+        MOTOR,
+        "3",
+        "run start",
+        expect![[r#"
+        run is 0 since the start: line 1, ( )( run ) wrote it; blocked by [ ]( start ) (line 1, column 7): start is 0; or else by [ ]( run ) (line 2, column 7): run is 0
+          start is 0 since the start: nothing else was given
+        start is 0 since the start: nothing else was given
+    "#]],
+    );
+}
+
+#[test]
+fn what_is_on_was_made_so() {
+    check(
+        MOTOR,
+        "start _-___\nstop  _____",
+        "run start",
+        expect![[r#"
+        run is 1 since scan 1 (10 ms): line 1, ( )( run ) wrote it; power came through [ ]( start ) (line 1, column 7): start is 1, [/]( stop ) (line 1, column 24): stop is 0
+          start is 1 since scan 1 (10 ms): it was given from outside
+          stop is 0 since the start: nothing else was given
+        start is 0 since scan 2 (20 ms): it was given from outside
+    "#]],
+    );
+}
+
+#[test]
+fn what_is_not_kept_is_not_known() {
+    let limits = HistoryLimits::of_scans(3);
+    let mut session = Session::of(simulation(MOTOR), limits);
+    run(&mut session, "start _-_______");
+    expect![[r#"
+        run is 1 since before the scans that are kept: line 1, ( )( run ) wrote it; power came through [ ]( run ) (line 2, column 7): run is 1, [/]( stop ) (line 1, column 24): stop is 0
+          stop is 0 since before the scans that are kept: it was given from outside
+        stop is 0 since before the scans that are kept: it was given from outside
+    "#]].assert_eq(&ask(&mut session, MOTOR, "run stop"));
+    let mut session = Session::of(simulation(MOTOR), HistoryLimits::of_scans(0));
+    run(&mut session, "start _-_______");
+    expect![[r#"
+        run is 1 since before the scans that are kept: what wrote it is not known
+    "#]]
+    .assert_eq(&ask(&mut session, MOTOR, "run"));
+}
+
+#[test]
+fn every_way_in_which_power_could_come() {
+    // Two in a row, beside one; a bridge; an input that is on already.
+    check(
+        "+--\\--[ ]( a )--[ ]( b )--\\--[ ]( on )--( )( y )--+\n|  /--[ ]( c )-----------/                        |\n",
+        "on ---",
+        "y",
+        expect![[r#"
+            y is 0 since the start: line 1, ( )( y ) wrote it; blocked by [ ]( c ) (line 2, column 7): c is 0; or else by [ ]( a ) (line 1, column 7): a is 0 and by [ ]( b ) (line 1, column 17): b is 0
+              c is 0 since the start: nothing else was given
+              a is 0 since the start: nothing else was given
+              b is 0 since the start: nothing else was given
+        "#]],
+    );
+    check(
+        "+--[ ]( a )--\\--[ ]( b )--\\--( )( y )--+\n+--[ ]( c )--/--[ ]( d )--/            |\n",
+        "a _--\nd ___",
+        "y",
+        expect![[r#"
+            y is 0 since the start: line 1, ( )( y ) wrote it; blocked by [ ]( b ) (line 1, column 17): b is 0; or else by [ ]( d ) (line 2, column 17): d is 0
+              b is 0 since the start: nothing else was given
+              d is 0 since the start: nothing else was given
+        "#]],
+    );
+    // A contact twice in the same way counts once as a tag, but both must close.
+    check(
+        "+--[ ]( a )--[ ]( b )--[ ]( a )--( )( y )--+\n",
+        "b --",
+        "y",
+        expect![[r#"
+            y is 0 since the start: line 1, ( )( y ) wrote it; blocked by [ ]( a ) (line 1, column 4): a is 0 and by [ ]( a ) (line 1, column 24): a is 0
+              a is 0 since the start: nothing else was given
+        "#]],
+    );
+}
+
+#[test]
+fn inverters_comparisons_and_timers_in_the_way() {
+    let text = "VAR_INPUT x : BOOL; n : INT; END_VAR\nVAR t : TON; END_VAR\n\
+                +--[ ]( x )--[NOT]--( )( y )--+\n\
+                +--[GT]( n, 5 )--( )( z )--+\n\
+                +--[ ]( x )--[TON]( t, T#50ms )--( )( late )--+\n";
+    check(
+        text,
+        "x _---\nn 1 2 3 4",
+        "y z late t.Q t.ET",
+        expect![[r#"
+            y is 0 since scan 1 (10 ms): line 3, ( )( y ) wrote it; blocked by [NOT] (line 3, column 14): x is 1
+              x is 1 since scan 1 (10 ms): it was given from outside
+            z is 0 since the start: line 4, ( )( z ) wrote it; blocked by [GT]( n, 5 ) (line 4, column 4): n is 4
+              n is 4 since scan 3 (30 ms): it was given from outside
+            late is 0 since the start: line 5, ( )( late ) wrote it; blocked by [TON]( t, T#50ms ) (line 5, column 14): t.ET is T#10ms
+              t.ET is T#10ms since scan 2 (20 ms): line 5, [TON]( t, T#50ms ) wrote it; power came through [ ]( x ) (line 5, column 4): x is 1
+                x is 1 since scan 1 (10 ms): it was given from outside
+            t.Q is 0 since the start: line 5, [TON]( t, T#50ms ) wrote it; power came through [ ]( x ) (line 5, column 4): x is 1
+              x is 1 since scan 1 (10 ms): it was given from outside
+            t.ET is T#20ms since scan 3 (30 ms): line 5, [TON]( t, T#50ms ) wrote it; power came through [ ]( x ) (line 5, column 4): x is 1
+              x is 1 since scan 1 (10 ms): it was given from outside
+        "#]],
+    );
+    check(
+        text,
+        "x _------\nn 1 2 9 9 9 9 9",
+        "z late t.Q",
+        expect![[r#"
+            z is 1 since scan 2 (20 ms): line 4, ( )( z ) wrote it; power came through [GT]( n, 5 ) (line 4, column 4): n is 9
+              n is 9 since scan 2 (20 ms): it was given from outside
+            late is 1 since scan 6 (60 ms): line 5, ( )( late ) wrote it; power came through [ ]( x ) (line 5, column 4): x is 1, [TON]( t, T#50ms ) (line 5, column 14): t.ET is T#40ms
+              x is 1 since scan 1 (10 ms): it was given from outside
+              t.ET is T#40ms since scan 5 (50 ms): line 5, [TON]( t, T#50ms ) wrote it; power came through [ ]( x ) (line 5, column 4): x is 1
+            t.Q is 1 since scan 6 (60 ms): line 5, [TON]( t, T#50ms ) wrote it; power came through [ ]( x ) (line 5, column 4): x is 1
+              x is 1 since scan 1 (10 ms): it was given from outside
+        "#]],
+    );
+    check(
+        text,
+        "x -_",
+        "late",
+        expect![[r#"
+        late is 0 since the start: line 5, ( )( late ) wrote it; blocked by [ ]( x ) (line 5, column 4): x is 0 and by [TON]( t, T#50ms ) (line 5, column 14): t.ET is T#0s
+          x is 0 since scan 1 (10 ms): it was given from outside
+          t.ET is T#0s since the start: line 5, [TON]( t, T#50ms ) wrote it; power came through [ ]( x ) (line 5, column 4): x is 1
+            x is 1 since scan 0 (0 ms): it was given from outside
+    "#]],
+    );
+}
+
+#[test]
+fn latches_moves_and_counters() {
+    let text = "VAR_INPUT on, off : BOOL; END_VAR\nVAR n, m : INT; c : CTU; END_VAR\n\
+                +--[ ]( on )--(S)( lamp )--[MOV]( n, 7 )--[CTU]( c, 3 )--+\n\
+                +--[ ]( off )--(R)( lamp )--+\n\
+                +--[ADD]( m, n, 1 )--+\n";
+    check(
+        text,
+        "on  _-____\noff ______",
+        "lamp n m c.CV",
+        expect![[r#"
+            lamp is 1 since scan 1 (10 ms): line 3, (S)( lamp ) wrote it; power came through [ ]( on ) (line 3, column 4): on is 1
+              on is 1 since scan 1 (10 ms): it was given from outside
+            n is 7 since scan 1 (10 ms): line 3, [MOV]( n, 7 ) wrote it; power came through [ ]( on ) (line 3, column 4): on is 1, (S)( lamp ) (line 3, column 15)
+              on is 1 since scan 1 (10 ms): it was given from outside
+            m is 8 since scan 1 (10 ms): line 5, [ADD]( m, n, 1 ) wrote it (n is 7); power came straight from the rail
+              n is 7 since scan 1 (10 ms): line 3, [MOV]( n, 7 ) wrote it; power came through [ ]( on ) (line 3, column 4): on is 1, (S)( lamp ) (line 3, column 15)
+                on is 1 since scan 1 (10 ms): it was given from outside
+            c.CV is 1 since scan 1 (10 ms): line 3, [CTU]( c, 3 ) wrote it; power came through [ ]( on ) (line 3, column 4): on is 1, (S)( lamp ) (line 3, column 15), [MOV]( n, 7 ) (line 3, column 28)
+              on is 1 since scan 1 (10 ms): it was given from outside
+        "#]],
+    );
+    check(
+        text,
+        "on  _-____\noff ___-__",
+        "lamp",
+        expect![[r#"
+        lamp is 0 since scan 3 (30 ms): line 4, (R)( lamp ) wrote it; power came through [ ]( off ) (line 4, column 4): off is 1
+          off is 1 since scan 3 (30 ms): it was given from outside
+    "#]],
+    );
+    check(
+        text,
+        "2",
+        "lamp n",
+        expect![[r#"
+        lamp is 0 since the start: nothing has written it
+        n is 0 since the start: nothing has written it
+    "#]],
+    );
+}
+
+#[test]
+fn the_rail_may_be_off_and_the_rung_may_be_passed_by() {
+    let text = "VAR_INPUT live, skip : BOOL; END_VAR\n\
+                +--[ ]( live )--<MCR>--+\n+--[ ]( SYS.ON )--( )( y )--+\n+--<MCR>--+\n\
+                +--[ ]( skip )--<JMP>( end )--+\n+--[ ]( live )--( )( z )--+\n+--<LBL>( end )--( )( w )--+\n";
+    check(
+        text,
+        "live _-_\nskip __-",
+        "y z w",
+        expect![[r#"
+            y is 0 since scan 2 (20 ms): line 3, ( )( y ) wrote it; blocked by the left rail (line 3): an <MCR> has switched it off
+            z is 1 since scan 1 (10 ms): line 6, ( )( z ) wrote it; power came through [ ]( live ) (line 6, column 4): live is 1
+              live is 1 since scan 1 (10 ms): it was given from outside
+            w is 1 since scan 0 (0 ms): line 7, ( )( w ) wrote it; power came through <LBL>( end ) (line 7, column 4)
+        "#]],
+    );
+}
+
+#[test]
+fn forces_system_tags_blocks_and_arrays() {
+    let text = "FUNCTION_BLOCK [$Copy]\nVAR_INPUT a : BOOL; END_VAR\nVAR_OUTPUT b : BOOL; END_VAR\n\
+                +--[ ]( a )--( )( b )--+\nEND_FUNCTION_BLOCK\n\
+                VAR_INPUT x : BOOL; i : INT; END_VAR\nVAR y : BOOL; f : ARRAY[1..3] OF INT; w : WORD; END_VAR\n\
+                +--[$Copy]( x, y )--+\n+--[ ]( x )--[MOV]( f[i], 5 )--[MOV]( f[3], 6 )--( )( w.2 )--+\n";
+    let mut session = Session::of(simulation(text), HistoryLimits::default());
+    set(&mut session, "i", "2");
+    run(&mut session, "x _--");
+    let before = session.step_back(0);
+    assert_eq!(before, 0);
+    expect![[r#"
+        y is 1 since scan 1 (10 ms): line 8, [$Copy]( x, y ) wrote it (x is 1); power came straight from the rail
+          x is 1 since scan 1 (10 ms): it was given from outside
+        f[1] is 0 since the start: nothing has written it
+        f[2] is 5 since scan 1 (10 ms): line 9, [MOV]( f[i], 5 ) wrote it; power came through [ ]( x ) (line 9, column 4): x is 1
+          x is 1 since scan 1 (10 ms): it was given from outside
+        f[3] is 6 since scan 1 (10 ms): line 9, [MOV]( f[3], 6 ) wrote it; power came through [ ]( x ) (line 9, column 4): x is 1, [MOV]( f[i], 5 ) (line 9, column 14)
+          x is 1 since scan 1 (10 ms): it was given from outside
+        w.2 is 1 since scan 1 (10 ms): line 9, ( )( w.2 ) wrote it; power came through [ ]( x ) (line 9, column 4): x is 1, [MOV]( f[i], 5 ) (line 9, column 14), [MOV]( f[3], 6 ) (line 9, column 32)
+          x is 1 since scan 1 (10 ms): it was given from outside
+        w.3 is 0 since the start: nothing has written it
+        SYS.SCAN is 2 since scan 2 (20 ms): the simulation keeps it
+    "#]].assert_eq(&ask(&mut session, text, "y f[1] f[2] f[3] w.2 w.3 SYS.SCAN"));
+    let y = session.simulation().resolve("y").unwrap();
+    session.force(&y, parse("0", y.ty).unwrap()).unwrap();
+    expect![[r#"
+        y is 0 since scan 3 (30 ms): it is forced
+    "#]]
+    .assert_eq(&ask(&mut session, text, "y"));
+}
+
+#[test]
+fn in_the_midst_of_a_scan_and_in_the_past() {
+    let text = "+--[ ]( a )--( )( x )--+\n+--[ ]( x )--( )( y )--+\n+--[/]( a )--( )( x )--+\n";
+    let mut session = Session::of(simulation(text), HistoryLimits::default());
+    run(&mut session, "a _-");
+    set(&mut session, "a", "0");
+    expect![[r#"
+        x is 0 since scan 1 (10 ms): line 3, ( )( x ) wrote it; blocked by [/]( a ) (line 3, column 4): a is 1
+          a is 1 since scan 1 (10 ms): it was given from outside
+        y is 1 since scan 1 (10 ms): line 2, ( )( y ) wrote it; power came through [ ]( x ) (line 2, column 4): x is 1
+          x is 1 since scan 0 (0 ms): line 3, ( )( x ) wrote it; power came through [/]( a ) (line 3, column 4): a is 0
+            a is 0 since the start: nothing else was given
+        a is 0 since scan 2 (20 ms): it was given from outside
+    "#]].assert_eq(&ask(&mut session, text, "x y a"));
+    session.step_network();
+    session.step_network();
+    expect![[r#"
+        x is 0 since scan 1 (10 ms): line 3, ( )( x ) wrote it; blocked by [/]( a ) (line 3, column 4): a is 1; now, in scan 2, it is blocked by [ ]( a ) (line 1, column 4): a is 0
+          a is 1 since scan 1 (10 ms): it was given from outside
+          a is 0 since scan 2 (20 ms): it was given from outside
+        y is 1 since scan 1 (10 ms): line 2, ( )( y ) wrote it; power came through [ ]( x ) (line 2, column 4): x is 1
+          x is 1 since scan 0 (0 ms): line 3, ( )( x ) wrote it; power came through [/]( a ) (line 3, column 4): a is 0
+            a is 0 since the start: nothing else was given
+    "#]].assert_eq(&ask(&mut session, text, "x y"));
+    // Asking changes nothing.
+    session.scan();
+    run(&mut session, "2");
+    expect![[r#"
+        x is 1 since scan 2 (20 ms): line 3, ( )( x ) wrote it; power came through [/]( a ) (line 3, column 4): a is 0
+          a is 0 since scan 2 (20 ms): it was given from outside
+        y is 0 since scan 2 (20 ms): line 2, ( )( y ) wrote it; blocked by [ ]( x ) (line 2, column 4): x is 0
+          x is 0 since scan 1 (10 ms): line 3, ( )( x ) wrote it; blocked by [/]( a ) (line 3, column 4): a is 1
+            a is 1 since scan 1 (10 ms): it was given from outside
+    "#]].assert_eq(&ask(&mut session, text, "x y"));
+    session.step_back(3);
+    expect![[r#"
+        x is 0 since scan 1 (10 ms): line 3, ( )( x ) wrote it; blocked by [/]( a ) (line 3, column 4): a is 1
+          a is 1 since scan 1 (10 ms): it was given from outside
+        y is 1 since scan 1 (10 ms): line 2, ( )( y ) wrote it; power came through [ ]( x ) (line 2, column 4): x is 1
+          x is 1 since scan 0 (0 ms): line 3, ( )( x ) wrote it; power came through [/]( a ) (line 3, column 4): a is 0
+            a is 0 since the start: nothing else was given
+    "#]].assert_eq(&ask(&mut session, text, "x y"));
+    assert_eq!(session.scans_ahead(), 3);
+}

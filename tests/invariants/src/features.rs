@@ -1,0 +1,123 @@
+//! What an editor asks of a text, at a place and as a whole.
+
+use ladder_analysis::Analysis;
+use ladder_format::{Edit, Options};
+use ladder_ide::{
+    Alone, TRIGGERS, callers_at, completions, declaration, definition, documentation, fix_all, folds,
+    highlights, hover, implementation, incoming_calls, inlays, lenses, links, on_type, outgoing_calls,
+    outline, prepare_rename, quick_fixes, refactorings, references, rename, selections, semantic_tokens,
+    signature_help, type_definition, workspace_symbols,
+};
+use ladder_syntax::{TextRange, TextSize};
+
+/// Asks at an offset; `end` is the end of the text.
+pub type Ask = fn(&Analysis, TextSize, TextSize);
+
+/// All features that are asked at a place.
+pub const FEATURES: [(&str, Ask); 19] = [
+    ("hover", |it, at, _| drop(hover(it, at))),
+    ("completion", |it, at, end| {
+        for item in completions(it, at, None).items {
+            assert!(item.range.contains_inclusive(at) && item.range.end() <= end);
+            drop(item.text.snippet());
+        }
+        drop(completions(it, at, Some('.')));
+    }),
+    ("documentation", |it, at, _| {
+        for item in completions(it, at, None).items.iter().take(5) {
+            drop(documentation(it, &item.topic));
+        }
+    }),
+    ("signature help", |it, at, _| drop(signature_help(it, at))),
+    ("definition", |it, at, _| drop(definition(it, at, &Alone))),
+    ("declaration", |it, at, _| drop(declaration(it, at, &Alone))),
+    ("type definition", |it, at, _| {
+        drop(type_definition(it, at, &Alone));
+    }),
+    ("implementation", |it, at, _| drop(implementation(it, at, &Alone))),
+    ("references", |it, at, _| drop(references(it, at, &Alone))),
+    ("highlights", |it, at, end| {
+        for highlight in highlights(it, at) {
+            assert!(highlight.range.end() <= end);
+        }
+    }),
+    ("selections", |it, at, end| {
+        let ranges = selections(it, at);
+        assert!(!ranges.is_empty());
+        assert!(ranges[0].contains_inclusive(at), "{ranges:?} around {at:?}");
+        for pair in ranges.windows(2) {
+            assert!(
+                pair[1].contains_range(pair[0]) && pair[1] != pair[0],
+                "{ranges:?}"
+            );
+        }
+        assert_eq!(ranges.last(), Some(&TextRange::up_to(end)));
+    }),
+    ("calls", |it, at, _| {
+        for caller in callers_at(it, at, &Alone) {
+            drop(incoming_calls(it, &caller, &Alone));
+            drop(outgoing_calls(it, &caller, &Alone));
+        }
+    }),
+    ("prepare rename", |it, at, _| drop(prepare_rename(it, at))),
+    ("rename", |it, at, end| {
+        if let Ok(files) = rename(it, at, "a_new_name", &Alone, &Options::default()) {
+            for file in files {
+                apart(&file.edits, end);
+            }
+        }
+    }),
+    ("while typing", |it, at, end| {
+        for typed in TRIGGERS {
+            let edits = on_type(it, at, typed, &Options::default());
+            apart(&edits, end);
+            nothing_is_lost(it, &edits);
+        }
+    }),
+    ("fixes", |it, at, _| drop(quick_fixes(it, TextRange::empty(at)))),
+    ("refactorings", |it, at, end| {
+        let here = refactorings(it, TextRange::empty(at));
+        for action in here.iter().chain(&refactorings(it, TextRange::new(at, end))) {
+            apart(&action.edits(it), end);
+        }
+    }),
+    ("hints from there on", |it, at, end| {
+        drop(inlays(it, TextRange::new(at, end)));
+    }),
+    ("tokens from there on", |it, at, end| {
+        drop(semantic_tokens(it, Some(TextRange::new(at, end))));
+    }),
+];
+
+/// Those that are asked once for a text.
+pub fn whole(analysis: &Analysis) {
+    drop(folds(analysis));
+    drop(outline(analysis));
+    drop(links(analysis));
+    drop(lenses(analysis));
+    drop(semantic_tokens(analysis, None));
+    drop(fix_all(analysis));
+    drop(workspace_symbols("a", analysis, &Alone));
+}
+
+/// Checks that edits are sorted and disjoint, and end within the text.
+pub(crate) fn apart(edits: &[Edit], end: TextSize) {
+    for pair in edits.windows(2) {
+        assert!(pair[0].range.end() <= pair[1].range.start(), "{pair:?}");
+    }
+    assert!(edits.iter().all(|edit| edit.range.end() <= end), "{edits:?}");
+}
+
+/// While a person types only blanks, wires and rails may come and go.
+fn nothing_is_lost(analysis: &Analysis, edits: &[Edit]) {
+    let text = analysis.context.parse.to_string();
+    let solid = |text: &str| -> String {
+        text.chars()
+            .filter(|c| !matches!(c, ' ' | '\t' | '-' | '|' | '\n' | '\r'))
+            .flat_map(char::to_uppercase)
+            .collect()
+    };
+    for edit in edits {
+        assert_eq!(solid(&text[edit.range]), solid(&edit.text), "{edit:?}");
+    }
+}

@@ -1,0 +1,18 @@
+//! The book against the code, and what crosses crates.
+
+mod book_links;
+mod book_programs;
+mod book_refactorings;
+mod every_feature;
+mod incremental;
+mod instruction_reference;
+mod pictures_wiring;
+mod power;
+mod refactorings;
+mod rename;
+mod rule_index;
+mod safe_fixes;
+mod scenarios;
+mod settings_reference;
+mod texts;
+mod timing_diagrams;

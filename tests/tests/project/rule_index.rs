@@ -1,0 +1,34 @@
+//! The book lists every rule.
+//!
+//! After a rule was added or its page changed, `UPDATE_EXPECT=1 cargo test -p ladder-tests` writes the list anew.
+
+use expect_test::expect_file;
+use ladder_analysis::Rule;
+use ladder_interchange::notation::by_name;
+use ladder_tests::book::{pages, source};
+use ladder_tests::rule_index;
+
+#[test]
+fn the_list_is_up_to_date() {
+    expect_file![source().join("rules/index.md")].assert_eq(&rule_index::text());
+}
+
+/// What is written like a rule's name is one, or that of a notation.
+#[test]
+fn rules_that_the_book_names_exist() {
+    let looks_like_a_rule = |code: &str| {
+        code.contains('-')
+            && code.chars().all(|c| c.is_ascii_lowercase() || c == '-')
+            && !code.starts_with('-')
+    };
+    // The protocol has words of its own.
+    for page in pages().iter().filter(|page| !page.path.ends_with("protocol.md")) {
+        for code in page.content.codes.iter().filter(|code| looks_like_a_rule(code)) {
+            assert!(
+                Rule::from_name(code).is_some() || by_name(code).is_some(),
+                "{}: there is no rule `{code}`",
+                page.path.display()
+            );
+        }
+    }
+}

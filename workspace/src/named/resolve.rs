@@ -1,0 +1,101 @@
+//! Following a name, link by link, without touching what lies outside.
+
+use super::name::Part;
+use crate::Problem;
+use std::collections::VecDeque;
+use std::ffi::OsString;
+use std::io;
+use std::path::{Component, Path, PathBuf};
+
+/// More links than these go round in a circle.
+const LINKS: usize = 40;
+
+/// Where the parts of a name lead, seen from a folder of the workspace. No link is left in the path below `root`, and the
+/// last part need not be there.
+pub(super) fn inside(root: &Path, folder: &Path, parts: Vec<Part>) -> Result<PathBuf, Problem> {
+    let root = &whole(root)?;
+    let folder = whole(folder)?;
+    let mut pending: VecDeque<Part> = below(root, &folder).ok_or(Problem::Outside)?.into();
+    pending.extend(parts);
+    let mut here: Vec<OsString> = Vec::new();
+    let mut links = 0;
+    while let Some(part) = pending.pop_front() {
+        let name = match part {
+            Part::Up if here.pop().is_none() => return Err(Problem::Outside),
+            Part::Up => continue,
+            Part::Name(name) => name,
+        };
+        let mut at = root.clone();
+        at.extend(&here);
+        at.push(&name);
+        match at.symlink_metadata() {
+            Ok(metadata) if metadata.is_symlink() => {
+                links += 1;
+                if links > LINKS {
+                    return Err(Problem::Read(io::Error::other("too many links lead on from it")));
+                }
+                let target = at.read_link().map_err(Problem::Read)?;
+                let on = if target.has_root() || target.is_absolute() {
+                    here.clear();
+                    absolute_link(root, &target).ok_or(Problem::Outside)?
+                } else {
+                    parts_of(&target).ok_or(Problem::Outside)?
+                };
+                for part in on.into_iter().rev() {
+                    pending.push_front(part);
+                }
+            }
+            Ok(_) => here.push(name),
+            // What is not there is no link.
+            Err(error)
+                if matches!(
+                    error.kind(),
+                    io::ErrorKind::NotFound | io::ErrorKind::NotADirectory
+                ) =>
+            {
+                here.push(name);
+            }
+            Err(error) => return Err(Problem::Read(error)),
+        }
+    }
+    if here.is_empty() {
+        return Err(Problem::Directory);
+    }
+    let mut path = root.clone();
+    path.extend(&here);
+    Ok(path)
+}
+
+/// The path from the top of the disk on; none at all is the current folder.
+fn whole(path: &Path) -> Result<PathBuf, Problem> {
+    let path = if path.as_os_str().is_empty() {
+        Path::new(".")
+    } else {
+        path
+    };
+    std::path::absolute(path).map_err(Problem::Read)
+}
+
+/// A link that names its target from the top of the disk: inside if it begins with the workspace's folder, by any of its
+/// names.
+fn absolute_link(root: &Path, target: &Path) -> Option<Vec<Part>> {
+    below(root, target).or_else(|| below(&root.canonicalize().ok()?, target))
+}
+
+/// The way from a folder down to a path below it.
+fn below(folder: &Path, path: &Path) -> Option<Vec<Part>> {
+    parts_of(path.strip_prefix(folder).ok()?)
+}
+
+fn parts_of(path: &Path) -> Option<Vec<Part>> {
+    let mut parts = Vec::new();
+    for component in path.components() {
+        match component {
+            Component::CurDir => {}
+            Component::ParentDir => parts.push(Part::Up),
+            Component::Normal(name) => parts.push(Part::Name(name.to_owned())),
+            Component::Prefix(_) | Component::RootDir => return None,
+        }
+    }
+    Some(parts)
+}

@@ -1,0 +1,158 @@
+//! Putting a new text in a file's place in one step.
+//!
+//! ```text
+//! a file of its own, or a new one     a new file without a name, then the name     beside
+//! one of several names, or of another
+//! owner, or in a folder that takes
+//! no new file                         a backup, then over the old bytes            in_place
+//! a device, a pipe                    straight through
+//! ```
+
+mod beside;
+mod in_place;
+mod temporary;
+
+use crate::{FileError, Problem};
+use beside::Beside;
+use in_place::InPlace;
+use std::fs::{self, File, Metadata};
+use std::io::{self, Write};
+use std::path::{Path, PathBuf};
+
+/// Writes a file, all of it or nothing: see [`Replacement`].
+///
+/// # Errors
+/// As for a [`Replacement`].
+pub fn write(path: &Path, content: &[u8]) -> Result<(), FileError> {
+    let mut replacement = Replacement::of(path)?;
+    replacement
+        .write_all(content)
+        .map_err(|error| FileError::writing(path, error))?;
+    replacement.commit()
+}
+
+/// A new content for a file. The old one is there until [`commit`](Replacement::commit), and stays if that is
+/// never called; then the new one is on the disk, not only on its way there. An existing file keeps its mode, its owner
+/// and its other names (hard links), and a link is followed to the file that it means. What is no file (a pipe,
+/// `/dev/stdout`) is written to as it is.
+#[derive(Debug)]
+pub struct Replacement {
+    path: PathBuf,
+    sink: Sink,
+}
+
+#[derive(Debug)]
+enum Sink {
+    /// A new file, which takes the name at the end.
+    Beside(Beside),
+    /// The file must stay the one that it is.
+    InPlace(InPlace),
+    /// To replace a device or a pipe by a file would break what stands behind it.
+    Through(File),
+}
+
+impl Replacement {
+    /// Begins to write.
+    ///
+    /// # Errors
+    /// The file is write-protected, is a folder, or the operating system refuses.
+    pub fn of(path: &Path) -> Result<Replacement, FileError> {
+        let there = match fs::metadata(path) {
+            Ok(metadata) => Some(metadata),
+            Err(error) if error.kind() == io::ErrorKind::NotFound => None,
+            Err(error) => return Err(FileError::writing(path, error)),
+        };
+        let sink = match there.as_ref() {
+            Some(there) if there.is_dir() => return Err(FileError::new(path, Problem::Directory)),
+            Some(there) if !there.is_file() => File::options().write(true).open(path).map(Sink::Through),
+            // Replacing needs leave to write the folder only; the mark on the file is to be respected all the same.
+            Some(there) if there.permissions().readonly() => {
+                return Err(FileError::new(path, Problem::ReadOnly));
+            }
+            there => target(path).and_then(|target| sink(target, there)),
+        };
+        let sink = sink.map_err(|error| FileError::writing(path, error))?;
+        Ok(Replacement {
+            path: path.to_owned(),
+            sink,
+        })
+    }
+
+    /// Puts what was written in the file's place.
+    ///
+    /// # Errors
+    /// The operating system refuses. The old content is then untouched; where it could only be written over in its
+    /// place, the error may say where it is kept.
+    pub fn commit(self) -> Result<(), FileError> {
+        let path = self.path;
+        match self.sink {
+            Sink::Beside(new) => new.commit().map_err(|error| FileError::writing(&path, error)),
+            Sink::InPlace(new) => new.commit().map_err(|problem| FileError::new(&path, problem)),
+            Sink::Through(_) => Ok(()),
+        }
+    }
+}
+
+impl Write for Replacement {
+    fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
+        match &mut self.sink {
+            Sink::Beside(new) => new.file().write(bytes),
+            Sink::InPlace(new) => new.spool().write(bytes),
+            Sink::Through(file) => file.write(bytes),
+        }
+    }
+
+    fn flush(&mut self) -> io::Result<()> {
+        match &mut self.sink {
+            Sink::Beside(new) => new.file().flush(),
+            Sink::InPlace(new) => new.spool().flush(),
+            Sink::Through(file) => file.flush(),
+        }
+    }
+}
+
+fn sink(target: PathBuf, there: Option<&Metadata>) -> io::Result<Sink> {
+    if there.is_some_and(has_other_names) {
+        return InPlace::of(target).map(Sink::InPlace);
+    }
+    let new = match (Beside::of(&target, there), there) {
+        (Ok(new), _) => new,
+        (Err(error), None) => return Err(error),
+        // A folder that takes no new file may hold one that can be written all the same.
+        (Err(error), Some(_)) => return InPlace::of(target).map(Sink::InPlace).map_err(|_| error),
+    };
+    match there {
+        Some(there) if !new.belongs_to_the_owner_of(there) => InPlace::of(target).map(Sink::InPlace),
+        _ => Ok(Sink::Beside(new)),
+    }
+}
+
+/// A file of several names has them all as long as it stays the file that it is.
+fn has_other_names(there: &Metadata) -> bool {
+    #[cfg(unix)]
+    return std::os::unix::fs::MetadataExt::nlink(there) > 1;
+    #[cfg(not(unix))]
+    {
+        let _ = there;
+        false
+    }
+}
+
+/// The file that a path means in the end. A link that leads nowhere yet means the file that it names.
+fn target(path: &Path) -> io::Result<PathBuf> {
+    match path.canonicalize() {
+        Ok(target) => Ok(target),
+        Err(error) if error.kind() == io::ErrorKind::NotFound => Ok(match fs::read_link(path) {
+            Ok(link) => folder_of(path).join(link),
+            Err(_) => path.to_owned(),
+        }),
+        Err(error) => Err(error),
+    }
+}
+
+fn folder_of(path: &Path) -> &Path {
+    match path.parent() {
+        Some(folder) if folder != Path::new("") => folder,
+        _ => Path::new("."),
+    }
+}

@@ -1,0 +1,6 @@
+//! Files and settings on a disk.
+
+mod disk;
+mod editor_settings;
+mod retentive;
+mod settings;
