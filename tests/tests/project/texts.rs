@@ -25,7 +25,9 @@ fn texts_name_no_place_outside_the_project() {
         .iter()
         .flat_map(|extension| project::files(&root, extension))
         .collect();
-    files.extend(["test", "try", ".ci/run", "tests/setup"].map(|script| root.join(script)));
+    // Continuous integration alone may say where the machine that runs it keeps foreign programs: `.ci/run` is not
+    // among these.
+    files.extend(["test", "try", "tests/setup", "fuzz/run"].map(|script| root.join(script)));
     let mut problems = Vec::new();
     for file in files.iter().filter(|file| file.exists()) {
         // What is not text is not looked at.
