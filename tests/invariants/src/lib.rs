@@ -20,6 +20,7 @@ pub mod generator;
 mod input;
 mod messages;
 mod model;
+mod notations;
 mod parse;
 pub mod reference;
 mod scenarios;
@@ -37,7 +38,7 @@ pub struct Target {
 }
 
 /// All of them.
-pub const TARGETS: [Target; 9] = [
+pub const TARGETS: [Target; 10] = [
     Target {
         name: "parse",
         check: parse::check,
@@ -61,6 +62,10 @@ pub const TARGETS: [Target; 9] = [
     Target {
         name: "messages",
         check: messages::check,
+    },
+    Target {
+        name: "notations",
+        check: notations::check,
     },
     Target {
         name: "scenarios",

@@ -74,7 +74,7 @@ macro_rules! targets {
     };
 }
 
-targets! { parse format check editor edits messages scenarios settings simulation }
+targets! { parse format check editor edits messages notations scenarios settings simulation }
 
 #[test]
 fn the_kept_inputs_are_few_and_small() {
