@@ -150,6 +150,7 @@ fn broken(error: &csv::Error) -> String {
 mod tests {
     use super::*;
     use expect_test::{Expect, expect};
+    use proptest::prelude::*;
 
     fn check(text: &str, expected: Expect) {
         let shown = match Table::parse("in.csv", text) {
@@ -230,5 +231,42 @@ mod tests {
             in.csv: row 0 (line 2): column 3 has no name in the header; the row has 3 of 2 cells
         "#]],
         );
+    }
+
+    /// Pieces of which files of inputs are made, right and wrong.
+    fn files() -> impl Strategy<Value = String> {
+        let piece = prop_oneof![
+            Just(","),
+            Just("\n"),
+            Just("\r\n"),
+            Just("\r"),
+            Just("\""),
+            Just("\"\""),
+            Just(" "),
+            Just("\u{feff}"),
+            Just("a"),
+            Just("b"),
+            Just("A"),
+            Just("1"),
+            Just("-1.5"),
+            Just("ä"),
+            Just("\0"),
+            Just("\t"),
+        ];
+        proptest::collection::vec(piece, 0..40).prop_map(|pieces| pieces.concat())
+    }
+
+    proptest! {
+        #[test]
+        fn any_file_is_a_table_of_full_rows_or_says_why_not(text in files()) {
+            match Table::parse("in.csv", &text) {
+                Ok(table) => for row in 0..table.rows.len() {
+                    prop_assert_eq!(table.cells(row).count(), table.names.len());
+                    let lines = text.split(['\n', '\r']).count() as u64;
+                    prop_assert!((2..=lines).contains(&table.rows[row].line));
+                },
+                Err(failure) => prop_assert!(failure.to_string().starts_with("in.csv: ")),
+            }
+        }
     }
 }

@@ -49,7 +49,10 @@ fn read(notation: &dyn Notation, data: &[u8]) -> Option<Converted> {
         notation.name()
     );
     for (range, origin) in &converted.written.places {
-        assert!(text.get(Range::<usize>::from(*range)).is_some(), "{range:?} in:\n{text}");
+        assert!(
+            text.get(Range::<usize>::from(*range)).is_some(),
+            "{range:?} in:\n{text}"
+        );
         lies_in(data, converted.places[*origin as usize]);
     }
     for found in &converted.findings {
@@ -66,10 +69,16 @@ fn read(notation: &dyn Notation, data: &[u8]) -> Option<Converted> {
 fn back(notation: &dyn Notation, converted: &Converted) {
     let text = &converted.written.text;
     let analysis = analyze(&Arc::new(parse(text)), "main.clad");
-    if analysis.diagnostics.iter().any(|found| found.severity == Severity::Error) {
+    if analysis
+        .diagnostics
+        .iter()
+        .any(|found| found.severity == Severity::Error)
+    {
         return;
     }
-    let Ok(written) = notation.write(&analysis) else { return };
+    let Ok(written) = notation.write(&analysis) else {
+        return;
+    };
     assert!(
         read(notation, &written.bytes).is_some(),
         "{} cannot read what it wrote:\n{}\nof\n{text}",
