@@ -10,6 +10,8 @@
 //! dropped silently: the [`Report`] says of each element what became of it.
 
 pub mod circuit;
+#[allow(dead_code, reason = "what reads and writes these programs comes next")]
+mod click;
 mod cplc_draft;
 mod finding;
 pub mod ldmicro;
