@@ -19,10 +19,14 @@ pub(crate) enum Change {
 }
 
 /// Applies one change. Places outside of the text are clamped, and a range whose ends are swapped is turned
-/// round: an editor that is wrong about a position must not bring the server down.
-pub(crate) fn apply(text: &mut Rope, encoding: Encoding, change: &Change) {
+/// round: an editor that is wrong about a position must not bring the server down. Gives where the change begins, in
+/// bytes.
+pub(crate) fn apply(text: &mut Rope, encoding: Encoding, change: &Change) -> usize {
     match change {
-        Change::Whole(new) => *text = Rope::from_str(new),
+        Change::Whole(new) => {
+            *text = Rope::from_str(new);
+            0
+        }
         Change::Part { range, text: new } => {
             let (a, b) = (
                 char_index(text, encoding, range.start),
@@ -31,6 +35,7 @@ pub(crate) fn apply(text: &mut Rope, encoding: Encoding, change: &Change) {
             let (start, end) = (a.min(b), a.max(b));
             text.remove(start..end);
             text.insert(start, new);
+            text.char_to_byte(start)
         }
     }
 }

@@ -4,6 +4,7 @@
 //! keeps the open documents, each as a chain of [`Revision`]s, [`neighbours`] the files beside them. Nothing here knows the protocol's types.
 
 pub(crate) mod address;
+mod beside;
 pub(crate) mod edit;
 pub(crate) mod elsewhere;
 pub(crate) mod neighbours;
@@ -13,6 +14,7 @@ mod seen;
 mod store;
 pub(crate) mod sweep;
 
+pub(crate) use beside::Beside;
 pub(crate) use revision::Revision;
 pub(crate) use seen::SettingsFile;
 pub(crate) use store::{Documents, Refused};

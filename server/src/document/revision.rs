@@ -28,6 +28,8 @@ pub(crate) struct Revision {
     serial: u64,
     encoding: Encoding,
     rope: Rope,
+    /// Where the text was changed last, in bytes; its beginning if it never was.
+    edited: usize,
     /// Where the file lies, if it is one.
     place: Option<Place>,
     analysis: OnceLock<Analysis>,
@@ -54,6 +56,7 @@ impl Revision {
             serial: SERIAL.fetch_add(1, Ordering::Relaxed),
             encoding,
             rope,
+            edited: 0,
             place,
             analysis: OnceLock::new(),
             latest: Arc::default(),
@@ -61,10 +64,11 @@ impl Revision {
         }
     }
 
-    /// The document with another text, or to be analysed anew.
-    pub(super) fn followed_by(&self, version: i32, rope: Rope) -> Self {
+    /// The document with another text, that was changed last at `edited`, or to be analysed anew.
+    pub(super) fn followed_by(&self, version: i32, rope: Rope, edited: usize) -> Self {
         let place = self.place.as_ref().map(Place::anew);
         Revision {
+            edited,
             latest: Arc::clone(&self.latest),
             ..Revision::new(
                 self.uri.clone(),
@@ -194,15 +198,11 @@ impl Revision {
         position::range(&self.rope, self.encoding, range.into())
     }
 
-    /// A range in another file of the workspace, by the name that findings and programs know it by: the file's
-    /// address, and the range.
-    pub(crate) fn range_elsewhere(&self, file: &str, range: TextRange) -> Option<(String, Range)> {
+    /// Address and text of another file of the workspace, by the name that findings and programs know it by.
+    pub(super) fn text_beside(&self, file: &str) -> Option<(String, String)> {
         let place = self.place.as_ref()?;
         let (path, text) = place.neighbours.text_of(&place.path, file)?;
-        let end = usize::from(range.end()).min(text.len());
-        let range = usize::from(range.start()).min(end)..end;
-        let place = position::range(&Rope::from_str(&text), self.encoding, range);
-        Some((super::address::uri_of(&path), place))
+        Some((super::address::uri_of(&path), text))
     }
 
     /// Where a line begins, counted from 0; past the last one the end of the text.
@@ -214,8 +214,7 @@ impl Revision {
     /// The texts of a program's files, this one's own first.
     pub(crate) fn texts(&self, files: &[String]) -> Vec<String> {
         let others = files.iter().skip(1).map(|name| {
-            let place = self.place.as_ref();
-            let found = place.and_then(|place| place.neighbours.text_of(&place.path, name));
+            let found = self.text_beside(name);
             found.map_or_else(String::new, |(_, text)| text)
         });
         std::iter::once(self.rope.to_string()).chain(others).collect()
@@ -229,6 +228,11 @@ impl Revision {
     /// A stretch of the text.
     pub(crate) fn stretch(&self, bytes: std::ops::Range<usize>) -> String {
         self.rope.byte_slice(bytes).to_string()
+    }
+
+    /// Where the person works: where the text was changed last, in bytes.
+    pub(crate) fn edited(&self) -> TextSize {
+        TextSize::try_from(self.edited).unwrap_or_default()
     }
 
     /// The unit of positions.

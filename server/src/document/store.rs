@@ -120,10 +120,11 @@ impl Documents {
             });
         }
         let mut rope = old.rope().clone();
+        let mut edited = usize::from(old.edited());
         for change in changes {
-            apply(&mut rope, old.encoding(), change);
+            edited = apply(&mut rope, old.encoding(), change);
         }
-        document.revision = Arc::new(old.followed_by(version, rope));
+        document.revision = Arc::new(old.followed_by(version, rope, edited));
         Ok(document.revision.clone())
     }
 
@@ -134,7 +135,7 @@ impl Documents {
             return false;
         };
         let old = &document.revision;
-        document.revision = Arc::new(old.followed_by(old.version, old.rope().clone()));
+        document.revision = Arc::new(old.followed_by(old.version, old.rope().clone(), old.edited().into()));
         true
     }
 

@@ -132,7 +132,7 @@ fn offer(
     CodeActionOrCommand::CodeAction(CodeAction {
         title: action.title.clone(),
         kind: Some(name(action.kind)),
-        diagnostics: finding.map(|finding| vec![convert::diagnostic(agreed, revision, finding)]),
+        diagnostics: finding.map(|finding| convert::diagnostics(agreed, revision, [finding])),
         edit: now.then(|| edit(agreed, revision, analysis, action)).flatten(),
         is_preferred: finding.map(|_| action.preferred),
         disabled: action

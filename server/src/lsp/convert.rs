@@ -11,7 +11,7 @@ use tower_lsp::ls_types::{
 };
 
 use super::capabilities::Agreed;
-use crate::document::{self, Revision};
+use crate::document::{self, Beside, Revision};
 use ladder_analysis::Severity;
 use ladder_format::Edit;
 use ladder_syntax::TextRange;
@@ -96,9 +96,23 @@ pub(super) fn workspace_edit(
     })
 }
 
-pub(super) fn diagnostic(
+/// Findings of a file.
+pub(super) fn diagnostics<'f>(
     agreed: Agreed,
     revision: &Revision,
+    found: impl IntoIterator<Item = &'f ladder_analysis::Diagnostic>,
+) -> Vec<Diagnostic> {
+    let mut beside = Beside::new(revision);
+    let found = found.into_iter();
+    found
+        .map(|found| diagnostic(agreed, revision, &mut beside, found))
+        .collect()
+}
+
+fn diagnostic(
+    agreed: Agreed,
+    revision: &Revision,
+    beside: &mut Beside<'_>,
     found: &ladder_analysis::Diagnostic,
 ) -> Diagnostic {
     let mut message = found.message.clone();
@@ -115,7 +129,7 @@ pub(super) fn diagnostic(
                     range: range_in(revision, related.range),
                 },
                 Some(file) => {
-                    let (address, place) = revision.range_elsewhere(file, related.range)?;
+                    let (address, place) = beside.range(file, related.range)?;
                     Location {
                         uri: uri(&address)?,
                         range: range(place),
@@ -134,7 +148,7 @@ pub(super) fn diagnostic(
             let (file, place) = match &related.file {
                 None => ("", Some(revision.range(related.range))),
                 Some(file) => {
-                    let place = revision.range_elsewhere(file, related.range);
+                    let place = beside.range(file, related.range);
                     (&**file, place.map(|(_, place)| place))
                 }
             };

@@ -13,7 +13,7 @@ use tower_lsp::ls_types::{Diagnostic, DiagnosticSeverity, NumberOrString, Range}
 use super::blocking::blocking;
 use super::capabilities::Agreed;
 use super::shared::Shared;
-use super::{companions, convert, folders, pull, settings_file};
+use super::{companions, convert, folders, pull, settings_file, shown};
 use crate::busy::Work;
 use crate::document::Revision;
 
@@ -134,11 +134,12 @@ pub(super) fn look_at_everything_again(shared: &Arc<Shared>) {
 /// What is found in a text. For a blocking thread.
 pub(super) fn diagnostics_of(agreed: Agreed, revision: &Revision) -> Vec<Diagnostic> {
     match revision.analysis() {
-        Some(analysis) => analysis
-            .diagnostics()
-            .iter()
-            .map(|problem| convert::diagnostic(agreed, revision, problem))
-            .collect(),
+        Some(analysis) => {
+            let (shown, left_out) = shown::shown(analysis.diagnostics(), revision.edited());
+            let mut items = convert::diagnostics(agreed, revision, shown);
+            items.extend(shown::rest(left_out));
+            items
+        }
         None => vec![too_large(revision)],
     }
 }

@@ -50,6 +50,7 @@ mod semantic_tokens;
 mod serve;
 mod settings_file;
 mod shared;
+mod shown;
 mod signature;
 mod simulate;
 mod symbols;

@@ -14,8 +14,8 @@ use super::messages;
 use super::request::Failure;
 use super::retention::Retention;
 use super::value::{from_json, to_json};
-use crate::document::Revision;
 use crate::document::position::Range;
+use crate::document::{Beside, Revision};
 
 /// So many faults are reported: those that happened last.
 const FAULTS: usize = 100;
@@ -292,7 +292,7 @@ impl Engine {
             0 => None,
             file => {
                 let name = &self.session.simulation().program().files[file as usize];
-                self.revision.range_elsewhere(name, location.range)
+                Beside::new(&self.revision).range(name, location.range)
             }
         };
         match elsewhere {

@@ -113,3 +113,28 @@ async fn a_file_over_24_mib_gets_one_clear_message() {
     assert_eq!(error.0, -32803);
     client.finish().await;
 }
+
+#[tokio::test]
+async fn of_very_many_findings_those_near_the_last_change_are_sent() {
+    let mut client = Client::new().await;
+    let mut text = "+--[ ]( a )--[/]( a )--( )( y )--+\n\n".repeat(3_000);
+    text.push_str("+--[ ]( \n");
+    client.open(&text).await;
+    let found = client.diagnostics(1).await;
+    assert_eq!(found.len(), 1_001);
+    let rest = found.last().expect("one more");
+    assert_eq!(rest["code"], "more-findings");
+    assert!(codes(&found).contains(&"unclosed-block"), "errors come first");
+    // A blank far down.
+    client.change(2, &[([4_001, 0, 4_001, 0], " ")]).await;
+    let found = client.diagnostics(2).await;
+    let lines: Vec<u64> = found[..1_000]
+        .iter()
+        .map(|it| it["range"]["start"]["line"].as_u64().unwrap())
+        .collect();
+    assert!(
+        lines[..999].iter().all(|line| line.abs_diff(4_000) <= 1_001),
+        "{lines:?}"
+    );
+    client.finish().await;
+}

@@ -1,0 +1,42 @@
+//! Places in the other files of a document's workspace, by the names that findings and programs know the files by.
+
+use std::collections::HashMap;
+
+use ladder_syntax::TextRange;
+use ropey::Rope;
+
+use super::Revision;
+use super::position::{self, Range};
+
+/// The files beside a document whose places were asked for: each is read once.
+pub(crate) struct Beside<'r> {
+    revision: &'r Revision,
+    /// Address and text.
+    files: HashMap<String, Option<(String, Rope)>>,
+}
+
+impl<'r> Beside<'r> {
+    /// Those beside this one. None was asked for yet.
+    pub(crate) fn new(revision: &'r Revision) -> Self {
+        Beside {
+            revision,
+            files: HashMap::new(),
+        }
+    }
+
+    /// A range in one of them: the file's address, and the range.
+    pub(crate) fn range(&mut self, file: &str, range: TextRange) -> Option<(String, Range)> {
+        if !self.files.contains_key(file) {
+            let found = self.revision.text_beside(file);
+            let found = found.map(|(address, text)| (address, Rope::from_str(&text)));
+            self.files.insert(file.to_owned(), found);
+        }
+        let (address, text) = self.files.get(file)?.as_ref()?;
+        let end = usize::from(range.end()).min(text.len_bytes());
+        let bytes = usize::from(range.start()).min(end)..end;
+        Some((
+            address.clone(),
+            position::range(text, self.revision.encoding(), bytes),
+        ))
+    }
+}
