@@ -235,13 +235,13 @@ fn what_cannot_be_read_is_not_written() {
         (
             &["convert", "motor.clad", "--to", "word"],
             expect![[r#"
-            exit status 2
-            -- stderr
-            error: invalid value 'word' for '--to <NOTATION>'
-              [possible values: clad, textbook, cplc-draft, ldmicro]
+                exit status 2
+                -- stderr
+                error: invalid value 'word' for '--to <NOTATION>'
+                  [possible values: clad, textbook, cplc-draft, ldmicro, iot]
 
-            For more information, try '--help'.
-        "#]],
+                For more information, try '--help'.
+            "#]],
         ),
     ] {
         expected.assert_eq(&folder.ladder(arguments).to_string());

@@ -1,6 +1,6 @@
 //! Counters (LANGUAGE §5.3).
 
-use crate::{Accepts, Acts, Group, Instruction, Op, Operand, Profiles, Role, Shape, StateType};
+use crate::{Accepts, Acts, Group, Instruction, Op, Operand, Profile, Profiles, Role, Shape, StateType};
 
 /// What the rows of this section share.
 const BASE: Instruction = Instruction {
@@ -24,6 +24,13 @@ const BASE: Instruction = Instruction {
 const PV: Operand = Operand::input("PV", Accepts::Count, "The preset value.");
 const RESET: Operand = Operand::input("R", Accepts::Bool, "The reset to 0, while it is high.").named();
 const LOAD: Operand = Operand::input("LD", Accepts::Bool, "Loads PV, while it is high.").named();
+const COUNT_AT_FIRST: Operand = Operand::input(
+    "AC",
+    Accepts::Count,
+    "What it counts from, at first and after a reset, in profile `iot` only.",
+)
+.named()
+.known_to(Profiles::only(Profile::Iot));
 const COUNT_DOWN: Operand = Operand::input("CD", Accepts::Bool, "Counts down when it rises.").named();
 
 pub(super) const ROWS: &[Instruction] = &[
@@ -39,6 +46,7 @@ pub(super) const ROWS: &[Instruction] = &[
             ),
             PV,
             RESET,
+            COUNT_AT_FIRST,
         ],
         doc: "Counts one up each time EN rises; Q is high while the count has reached PV.
 
@@ -76,6 +84,7 @@ END_VAR
             PV,
             LOAD,
             RESET,
+            COUNT_AT_FIRST,
         ],
         doc: "Counts one down each time EN rises; Q is high while the count is 0 or below.
 

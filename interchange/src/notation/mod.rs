@@ -14,6 +14,7 @@ pub mod circuit;
 mod click;
 mod cplc_draft;
 mod finding;
+mod iot;
 pub mod ldmicro;
 pub mod names;
 mod place;
@@ -21,6 +22,7 @@ mod report;
 mod textbook;
 
 pub use finding::Finding;
+pub use names::Names;
 pub use place::{Lines, Place};
 pub use report::{Entry, Outcome, Report, Tally};
 
@@ -30,7 +32,12 @@ use ladder_syntax::TextSize;
 use std::fmt;
 
 /// All of them, in the order in which they are asked whether a text is theirs.
-pub const NOTATIONS: &[&dyn Notation] = &[&textbook::Textbook, &cplc_draft::CplcDraft, &ldmicro::Ldmicro];
+pub const NOTATIONS: &[&dyn Notation] = &[
+    &textbook::Textbook,
+    &cplc_draft::CplcDraft,
+    &ldmicro::Ldmicro,
+    &iot::Iot,
+];
 
 /// The name of this project's own notation, beside those of [`NOTATIONS`].
 pub const LADDER: &str = "clad";

@@ -1,0 +1,71 @@
+//! Programs of iot-ladder-editor in a small notation: one line a rung.
+//!
+//! ```text
+//! file     = { line }
+//! line     = rung | "#" comment | "=" title | ">" stimulus
+//! rung     = parallel { ";" parallel }          (in series, from the left rail)
+//! parallel = one { "|" one }                    (branches, from top to bottom)
+//! one      = element | "(" [ rung ] ")"
+//! element  = word { operand }                   NO I1, TON T1 3 100, ADD MI01 MI01 1, EQ T1:AC 3
+//! ```
+//!
+//! The editor itself has no text: its projects (`.ld`) are Java objects, which are told from texts and refused. The
+//! words are those of [`word::ROWS`]; parentheses are for branches of several elements, which nobody else writes yet.
+//!
+//! A variable of the editor is a number of some width. One that only contacts, coils and bitwise words use between bits
+//! becomes BOOL here; other inputs and outputs have eight bits (USINT), `MI` is DINT, `MF` LREAL. Where C converts a
+//! number on its way, a tag for the step between is declared (`[TYP]( I1_int, I1 )`); what is written back leaves it out.
+
+mod calculate;
+mod kinds;
+mod model;
+mod parse;
+mod rules;
+mod sketch;
+mod word;
+
+use super::{Notation, ReadError, Reading, Source, WriteError, Writing};
+use ladder_analysis::Analysis;
+
+/// See the module.
+#[derive(Debug)]
+pub(super) struct Iot;
+
+/// How every file begins that Java has stored objects in.
+const JAVA_OBJECTS: &[u8] = &[0xAC, 0xED, 0x00, 0x05];
+
+impl Notation for Iot {
+    fn name(&self) -> &'static str {
+        "iot"
+    }
+
+    fn title(&self) -> &'static str {
+        "program of the IoT ladder language"
+    }
+
+    fn extensions(&self) -> &'static [&'static str] {
+        &["iot"]
+    }
+
+    fn recognises(&self, bytes: &[u8]) -> bool {
+        bytes.starts_with(JAVA_OBJECTS) || parse::begins(bytes)
+    }
+
+    fn read(&self, source: &Source<'_>) -> Result<Reading, ReadError> {
+        if source.bytes.starts_with(JAVA_OBJECTS) {
+            return Err(ReadError::whole(
+                "this is a project of iot-ladder-editor, which Java stored as objects that only the editor can read; open it \
+                 there, and write its rungs into a text file, one a line: `NO I1 ; TON T1 3 100 ; OUT Q1`",
+            ));
+        }
+        let file = parse::parse(source)?;
+        let mut reading = sketch::sketch(&file);
+        reading.findings.extend(rules::findings(&file));
+        reading.findings.sort_by_key(|finding| finding.place);
+        Ok(reading)
+    }
+
+    fn write(&self, _analysis: &Analysis) -> Result<Writing, WriteError> {
+        Err(WriteError::new("this notation is only read"))
+    }
+}
