@@ -13,7 +13,8 @@
 //!
 //! - `outcome` has the exit status: 0 fine, 1 findings, 2 the command could not do its work.
 //! - `features` has what a command says whose part was left out of the build.
-//! - `findings` shows what is wrong in a program.
+//! - `findings` shows what is wrong in a program. Programs come in there, those of other systems too.
+//! - `form` is what a program is written in.
 //! - `json` writes what machines read.
 //! - `settings` has what the `ladder.toml` of a program's workspace asks for.
 //! - `run` is a program on its way through its scans, with what the world outside gives to it.
@@ -43,6 +44,7 @@ mod diff;
 ))]
 mod features;
 mod findings;
+mod form;
 mod json;
 mod outcome;
 mod output;

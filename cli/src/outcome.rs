@@ -3,8 +3,10 @@
 use crate::findings::render_settings;
 use crate::terminal;
 use annotate_snippets::Renderer;
+use ladder_interchange::notation::ReadError;
 use ladder_workspace::{FileError, SettingsError, shown};
 use std::fmt;
+use std::path::Path;
 use std::process::ExitCode;
 
 /// What a command has found. The worse of two is the larger.
@@ -54,6 +56,12 @@ impl Failure {
             message: shown::line(message.as_ref()).into_owned(),
             excerpt: None,
         }
+    }
+
+    /// A file of another system that cannot be read: `motor.rung:1:7: ...`.
+    pub(crate) fn broken(file: &Path, error: &ReadError) -> Failure {
+        let place = error.place.map(|place| format!(":{place}")).unwrap_or_default();
+        Failure::new(format!("{}{place}: {}", shown::path(file), error.message))
     }
 
     /// Says it as a command does that shows findings: with the lines that it is about, if there are any.

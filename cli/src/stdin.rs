@@ -37,6 +37,14 @@ pub(crate) fn name_or_default(name: Option<&Path>) -> &Path {
 /// # Errors
 /// As for a file: it is too large, is not UTF-8, or the operating system refuses.
 pub(crate) fn read(name: &Path) -> Result<String, FileError> {
+    ladder_workspace::decode(name, read_bytes(name)?)
+}
+
+/// Reads what need not be text. One byte too many is kept, for whoever takes it for a text to complain of.
+///
+/// # Errors
+/// The operating system refuses.
+pub(crate) fn read_bytes(name: &Path) -> Result<Vec<u8>, FileError> {
     let mut bytes = Vec::new();
     std::io::stdin()
         .lock()
@@ -47,5 +55,5 @@ pub(crate) fn read(name: &Path) -> Result<String, FileError> {
             path: name.to_owned(),
             problem: Problem::Read(error),
         })?;
-    ladder_workspace::decode(name, bytes)
+    Ok(bytes)
 }

@@ -20,14 +20,19 @@ pub fn read(path: &Path) -> Result<String, FileError> {
 /// # Errors
 /// As for [`read`], but for what is not UTF-8.
 pub fn read_bytes(path: &Path) -> Result<Vec<u8>, FileError> {
-    let bytes = bytes(regular::open(path)?, path)?;
+    bytes_from(regular::open(path)?, path)
+}
+
+/// Reads what was opened; `path` names it in errors.
+pub(crate) fn bytes_from(opened: (File, Metadata), path: &Path) -> Result<Vec<u8>, FileError> {
+    let bytes = bytes(opened, path)?;
     if bytes.len() > MAX_FILE_BYTES {
         return Err(FileError::new(path, Problem::TooLarge));
     }
     Ok(bytes)
 }
 
-/// Reads what was opened; `path` names it in errors.
+/// As [`bytes_from`], for a text.
 pub(crate) fn read_from(opened: (File, Metadata), path: &Path) -> Result<String, FileError> {
     decode(path, bytes(opened, path)?)
 }

@@ -1,5 +1,6 @@
 //! Findings for people: the lines with the place marked, what has to do with it, and what to do.
 
+use super::foreign::Remark;
 use super::source::{Lines, Source};
 use annotate_snippets::{Annotation, AnnotationKind, Group, Level, Origin, Patch, Renderer, Snippet};
 use ladder_analysis::Severity;
@@ -14,12 +15,7 @@ const NEAR: usize = 8;
 
 /// A finding with its excerpt, without a line end behind it.
 pub(crate) fn render(source: &Source, finding: &Diagnostic, renderer: &Renderer) -> String {
-    let level = match finding.severity {
-        Severity::Error => Level::ERROR,
-        Severity::Warning => Level::WARNING,
-        Severity::Info => Level::INFO,
-    };
-    let title = level
+    let title = level(finding.severity)
         .primary_title(shown::line(&finding.message))
         .id(finding.rule.name());
     let mut group = Group::with_title(title);
@@ -80,6 +76,30 @@ fn near_and_far<'d>(source: &Source, finding: &'d Diagnostic) -> (Vec<&'d Relate
         .related
         .iter()
         .partition(|place| place.file.is_none() && source.lines(place.range).distance(own) <= NEAR)
+}
+
+/// A remark on a program of another system, with its excerpt.
+pub(super) fn remark(source: &Source, remark: &Remark, renderer: &Renderer) -> String {
+    let title = level(remark.severity)
+        .primary_title(shown::line(&remark.message))
+        .id(remark.check);
+    let excerpt = Excerpt::of(source, source.lines(remark.range));
+    let group = Group::with_title(title);
+    let group = if excerpt.is_readable() {
+        let place = AnnotationKind::Primary.span(excerpt.span(remark.range));
+        group.element(excerpt.snippet(source).annotation(place))
+    } else {
+        group.element(origin(source, remark.range))
+    };
+    renderer.render(&[group])
+}
+
+fn level(severity: Severity) -> Level<'static> {
+    match severity {
+        Severity::Error => Level::ERROR,
+        Severity::Warning => Level::WARNING,
+        Severity::Info => Level::INFO,
+    }
 }
 
 /// A place without an excerpt.

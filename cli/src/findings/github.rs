@@ -7,11 +7,7 @@ use std::fmt::Write;
 
 /// `::error file=motor.clad,line=3,...::message`
 pub(crate) fn line(source: &Source, finding: &Diagnostic) -> String {
-    let command = match finding.severity {
-        Severity::Error => "error",
-        Severity::Warning => "warning",
-        Severity::Info => "notice",
-    };
+    let command = command(finding.severity);
     let (start, end) = (
         source.place(finding.range.start()),
         source.place(finding.range.end()),
@@ -33,6 +29,15 @@ pub(crate) fn line(source: &Source, finding: &Diagnostic) -> String {
         data(&message)
     );
     line
+}
+
+/// The workflow command for a severity.
+pub(super) fn command(severity: Severity) -> &'static str {
+    match severity {
+        Severity::Error => "error",
+        Severity::Warning => "warning",
+        Severity::Info => "notice",
+    }
 }
 
 pub(crate) fn data(text: &str) -> String {

@@ -1,6 +1,7 @@
 //! What is wrong in a program, as people and as machines read it.
 
 pub(crate) mod concise;
+mod foreign;
 pub(crate) mod full;
 pub(crate) mod github;
 pub(crate) mod json;
@@ -11,7 +12,8 @@ pub(crate) mod sarif;
 mod source;
 mod workspaces;
 
+pub(crate) use foreign::Foreign;
 pub(crate) use mistake::render_settings;
 pub(crate) use problem::{Place, Problem, annotation};
-pub(crate) use source::{Source, with_line_feeds};
+pub(crate) use source::{NotRead, Source, with_line_feeds};
 pub(crate) use workspaces::Workspaces;

@@ -1,10 +1,13 @@
-//! Why the scenarios of a file do not run: a mistake in it, or in its program, or a file that cannot be read.
+//! What is wrong beside the findings of the rules: a mistake in a file of scenarios, a remark on a program of another
+//! system, or a file that cannot be read.
 
-use super::github::{data, property};
+use super::foreign::Remark;
+use super::github::{self, data, property};
 use super::source::Source;
-use super::{mistake, sarif};
+use super::{full, mistake, sarif};
 use crate::outcome::Outcome;
 use annotate_snippets::Renderer;
+use ladder_analysis::Severity;
 use ladder_simulator::scenario::Mistake;
 use ladder_syntax::TextRange;
 use ladder_workspace::shown;
@@ -46,14 +49,15 @@ impl Place {
     }
 }
 
-/// Why the scenarios of a file do not run. As JSON it has the members of a finding.
+/// What is wrong beside the findings of the rules. As JSON it has the members of a finding.
 #[derive(Serialize)]
 pub(crate) struct Problem {
     #[serde(flatten)]
     pub(crate) place: Place,
     /// The rule, or what stands for one.
     pub(crate) rule: &'static str,
-    pub(crate) severity: &'static str,
+    #[serde(serialize_with = "by_name")]
+    pub(crate) severity: Severity,
     pub(crate) message: String,
     #[serde(skip_serializing_if = "Option::is_none")]
     pub(crate) help: Option<String>,
@@ -71,11 +75,27 @@ impl Problem {
         Problem {
             place: Place::of(source, found.range),
             rule: mistake::NAME,
-            severity: "error",
+            severity: Severity::Error,
             message: found.message.clone(),
             help: found.help.clone(),
             shown: mistake::render(source, found, renderer),
             outcome: Outcome::Findings,
+        }
+    }
+
+    /// What there is to say about a program of another system.
+    pub(crate) fn remark(source: &Source, remark: Remark, renderer: &Renderer) -> Problem {
+        Problem {
+            place: Place::of(source, remark.range),
+            rule: remark.check,
+            severity: remark.severity,
+            shown: full::remark(source, &remark, renderer),
+            message: remark.message,
+            help: None,
+            outcome: match remark.severity {
+                Severity::Error => Outcome::Findings,
+                Severity::Warning | Severity::Info => Outcome::Fine,
+            },
         }
     }
 
@@ -85,7 +105,7 @@ impl Problem {
         Problem {
             place,
             rule: mistake::NAME,
-            severity: "error",
+            severity: Severity::Error,
             shown: format!("error: {}", shown::line(&message)),
             message,
             help: None,
@@ -101,13 +121,19 @@ impl Problem {
         let (file, message) = (shown::line(file), shown::line(&self.message));
         format!(
             "{file}:{line}:{column}: {}[{}] {message}",
-            self.severity, self.rule
+            self.severity.name(),
+            self.rule
         )
     }
 
     /// A workflow command of GitHub Actions.
     pub(crate) fn github(&self) -> String {
-        annotation("error", &self.place, self.rule, &self.text())
+        annotation(
+            github::command(self.severity),
+            &self.place,
+            self.rule,
+            &self.text(),
+        )
     }
 
     /// A result of SARIF.
@@ -115,7 +141,7 @@ impl Problem {
         let place = &self.place;
         json!({
             "ruleId": self.rule,
-            "level": "error",
+            "level": sarif::level(self.severity),
             "message": { "text": self.text() },
             "locations": [{ "physicalLocation": {
                 "artifactLocation": { "uri": sarif::uri(&place.file) },
@@ -134,6 +160,10 @@ impl Problem {
         let help = self.help.as_ref().map(|help| format!("\n{help}"));
         self.message.clone() + &help.unwrap_or_default()
     }
+}
+
+fn by_name<S: serde::Serializer>(severity: &Severity, serializer: S) -> Result<S::Ok, S::Error> {
+    serializer.serialize_str(severity.name())
 }
 
 /// A workflow command of GitHub Actions, which shows a message at a place in a change.

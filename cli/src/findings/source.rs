@@ -1,7 +1,15 @@
 //! A program's text, and the places in it as people count them.
+//!
+//! Every file that a command takes for a program comes in here. One of another system has two texts: that of the file,
+//! which is shown and which findings have their places in, and the ladder text that it becomes, which is analysed and
+//! run.
 
+use super::foreign::{Foreign, Remark};
+use crate::form::Form;
+use crate::outcome::Failure;
 use ladder_analysis::program::{Location, Program};
-use ladder_analysis::{Analysis, NotWhole};
+use ladder_analysis::{Analysis, Diagnostic, NotWhole};
+use ladder_interchange::notation::{Place, ReadError};
 use ladder_syntax::{LineColumn, LineIndex, TextRange, TextSize};
 use ladder_workspace::{Workspace, shown};
 use std::borrow::Cow;
@@ -12,8 +20,11 @@ use std::sync::{Arc, OnceLock};
 pub(crate) struct Source {
     /// The file as it was named.
     pub(crate) file: String,
-    /// The text, byte for byte where the program has its own.
+    /// The ladder text: that of the file byte for byte, or what a program of another system becomes.
     pub(crate) text: String,
+    /// The file, if it is of another system.
+    foreign: Option<Arc<Foreign>>,
+    /// The lines of the file.
     index: LineIndex,
     /// The workspace around the file, once it is needed. None: there is none that can be used.
     workspace: OnceLock<Option<Arc<Workspace>>>,
@@ -27,6 +38,7 @@ impl Source {
         Source {
             file,
             text,
+            foreign: None,
             index,
             workspace: OnceLock::new(),
             analysis: OnceLock::new(),
@@ -34,11 +46,43 @@ impl Source {
         }
     }
 
+    /// Reads a file that a person named. `from` is what it is written in; without that its content decides.
+    ///
+    /// # Errors
+    /// The file cannot be read, or is broken.
+    pub(crate) fn read(file: &Path, from: Option<Form>) -> Result<Source, Failure> {
+        let bytes = ladder_workspace::read_bytes(file)?;
+        Source::of_bytes(file, bytes, from).map_err(Failure::from)
+    }
+
+    /// As [`Source::read`], of a file that was read already.
+    ///
+    /// # Errors
+    /// The content is not text, or is broken.
+    pub(crate) fn of_bytes(file: &Path, bytes: Vec<u8>, from: Option<Form>) -> Result<Source, NotRead> {
+        let name = file.display().to_string();
+        let form = match from {
+            Some(form) => form,
+            None => Form::of_program(file, &bytes)?,
+        };
+        let Form::Foreign(notation) = form else {
+            let text = ladder_workspace::decode(file, bytes).map_err(Failure::from)?;
+            return Ok(Source::new(name, text));
+        };
+        let stem = file.file_stem().map(|stem| stem.to_string_lossy());
+        let foreign = Foreign::read(notation, &stem.unwrap_or_default(), &bytes)
+            .map_err(|error| NotRead::broken(file, &error))?;
+        let mut source = Source::new(name, foreign.ladder().to_owned());
+        source.index = LineIndex::new(foreign.text());
+        source.foreign = Some(Arc::new(foreign));
+        Ok(source)
+    }
+
     /// In a workspace that is loaded already.
-    pub(crate) fn within(workspace: Arc<Workspace>, file: String, text: String) -> Source {
-        let source = Source::new(file, text);
-        let _ = source.workspace.set(Some(workspace));
-        source
+    #[must_use]
+    pub(crate) fn within(self, workspace: Arc<Workspace>) -> Source {
+        let _ = self.workspace.set(Some(workspace));
+        self
     }
 
     /// The same file with another text.
@@ -67,10 +111,67 @@ impl Source {
         Arc::clone(analysis)
     }
 
+    /// The program of another system that the file is, if it is one.
+    pub(crate) fn foreign(&self) -> Option<&Arc<Foreign>> {
+        self.foreign.as_ref()
+    }
+
+    /// What there is to say about a program of another system before it is ladder text.
+    pub(crate) fn remarks(&self) -> Vec<Remark> {
+        self.foreign
+            .as_ref()
+            .map_or_else(Vec::new, |foreign| foreign.remarks())
+    }
+
+    /// What is found in the program, with its places in the file. Of a program of another system the fixes are left out:
+    /// they would change a text that is nowhere.
+    pub(crate) fn findings(&self) -> Vec<Diagnostic> {
+        self.in_file(self.analyze().diagnostics.clone())
+    }
+
+    /// What keeps the program from being run, beside the remarks, with its places in the file.
+    pub(crate) fn errors(&self) -> Vec<Diagnostic> {
+        self.in_file(self.analyze().errors().cloned().collect())
+    }
+
+    /// Whether anything keeps the program from being run.
+    pub(crate) fn has_errors(&self) -> bool {
+        self.foreign.as_ref().is_some_and(|foreign| foreign.has_errors()) || self.analyze().has_errors()
+    }
+
+    fn in_file(&self, mut findings: Vec<Diagnostic>) -> Vec<Diagnostic> {
+        let Some(foreign) = &self.foreign else {
+            return findings;
+        };
+        for finding in &mut findings {
+            finding.range = foreign.range(finding.range);
+            finding.fixes.clear();
+            let own = finding.related.iter_mut().filter(|place| place.file.is_none());
+            own.for_each(|place| place.range = foreign.range(place.range));
+            // Other systems declare what they use where they use it.
+            let range = finding.range;
+            finding
+                .related
+                .retain(|place| place.file.is_some() || place.range != range);
+        }
+        findings.sort_by_key(|finding| finding.range.start());
+        findings
+    }
+
+    /// Where a part of the ladder text is in the file.
+    pub(crate) fn range_in_file(&self, range: TextRange) -> TextRange {
+        self.foreign
+            .as_ref()
+            .map_or(range, |foreign| foreign.range(range))
+    }
+
     /// What runs: the program with what it uses of other files.
     pub(crate) fn program(&self) -> Result<Arc<Program>, NotWhole> {
         let program = self.program.get_or_init(|| {
             let analysis = self.analyze();
+            if self.has_errors() {
+                return Err(NotWhole::Errors(Arc::clone(&analysis.name)));
+            }
             match self.workspace() {
                 Some(workspace) => workspace.link(&analysis),
                 None => ladder_analysis::link(&analysis, &|_| None),
@@ -89,11 +190,8 @@ impl Source {
     pub(crate) fn other(&self, name: &str) -> Option<Source> {
         let workspace = self.workspace()?;
         let program = workspace.program_named(name)?;
-        Some(Source::within(
-            Arc::clone(workspace),
-            name.to_owned(),
-            program.text.clone(),
-        ))
+        let other = Source::new(name.to_owned(), program.text.clone());
+        Some(other.within(Arc::clone(workspace)))
     }
 
     /// The workspace around the file. Settings that cannot be used are told by the commands, which read them first.
@@ -109,21 +207,31 @@ impl Source {
             _ => None,
         };
         let source = elsewhere.as_ref().unwrap_or(self);
-        let place = source.place(location.range.start());
+        let place = source.place(source.range_in_file(location.range).start());
         format!("{}:{}:{}", shown::line(&source.file), place.line, place.column)
     }
 
-    pub(crate) fn place(&self, offset: TextSize) -> LineColumn {
-        self.index.line_column(&self.text, offset)
+    /// The text of the file.
+    pub(crate) fn file_text(&self) -> &str {
+        self.foreign.as_ref().map_or(&self.text, |foreign| foreign.text())
     }
 
-    /// Every line with its line end, from first to last.
+    /// Line and column of an offset in the file.
+    pub(crate) fn place(&self, offset: TextSize) -> LineColumn {
+        self.index.line_column(self.file_text(), offset)
+    }
+
+    /// Every line of the ladder text with its line end, from first to last.
     #[cfg(feature = "screen")]
     pub(crate) fn line_ranges(&self) -> impl Iterator<Item = TextRange> + '_ {
-        (0..self.index.line_count()).map(|line| self.index.range(line))
+        let index = match &self.foreign {
+            None => Cow::Borrowed(&self.index),
+            Some(_) => Cow::Owned(LineIndex::new(&self.text)),
+        };
+        (0..index.line_count()).map(move |line| index.range(line))
     }
 
-    /// The whole lines that a range touches, and the number of the first, from 1. A range that ends with a line
+    /// The whole lines of the file that a range touches, and the number of the first, from 1. A range that ends with a line
     /// end does not touch the line behind it.
     pub(crate) fn lines(&self, range: TextRange) -> Lines {
         let first = self.index.line(range.start());
@@ -140,13 +248,43 @@ impl Source {
         let mut start = self.index.range(lines.first).start();
         let end = self.index.range(lines.last).end();
         // The byte order mark is no character of the first line.
-        if start == TextSize::new(0) && self.text.starts_with('\u{feff}') {
+        let text = self.file_text();
+        if start == TextSize::new(0) && text.starts_with('\u{feff}') {
             start = TextSize::of('\u{feff}');
         }
         (
-            with_line_feeds(&self.text[TextRange::new(start, end.max(start))]),
+            with_line_feeds(&text[TextRange::new(start, end.max(start))]),
             start,
         )
+    }
+}
+
+/// Why a file that was there cannot be taken for a program.
+pub(crate) struct NotRead {
+    /// Where it is broken, if it is at one place.
+    pub(crate) place: Option<Place>,
+    /// What is wrong, with the name of the file.
+    pub(crate) failure: Failure,
+}
+
+impl NotRead {
+    fn broken(file: &Path, error: &ReadError) -> NotRead {
+        NotRead {
+            place: error.place,
+            failure: Failure::broken(file, error),
+        }
+    }
+}
+
+impl From<Failure> for NotRead {
+    fn from(failure: Failure) -> NotRead {
+        NotRead { place: None, failure }
+    }
+}
+
+impl From<NotRead> for Failure {
+    fn from(not_read: NotRead) -> Failure {
+        not_read.failure
     }
 }
 

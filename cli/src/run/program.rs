@@ -1,10 +1,10 @@
 //! The program of a file, if it can run.
 
-use crate::findings::{Source, full};
+use crate::findings::{Problem, Source, full};
 use crate::terminal::{self, stderr_has_colours};
 use annotate_snippets::Renderer;
-use ladder_analysis::NotWhole;
 use ladder_analysis::program::{Location, Program};
+use ladder_analysis::{NotWhole, Severity};
 use ladder_workspace::shown;
 use std::sync::Arc;
 
@@ -46,15 +46,19 @@ pub(crate) fn program(source: &Source) -> Option<Arc<Program>> {
     None
 }
 
-/// The errors of a program, on stderr.
+/// The errors of a program, on stderr. What is wrong with a program of another system comes first.
 pub(crate) fn show_errors(source: &Source) {
     let renderer = if stderr_has_colours() {
         Renderer::styled()
     } else {
         Renderer::plain()
     };
-    let analysis = source.analyze();
-    for error in analysis.errors() {
-        terminal::plain(&format_args!("{}\n", full::render(source, error, &renderer)));
+    let remarks = source.remarks().into_iter();
+    for remark in remarks.filter(|remark| remark.severity == Severity::Error) {
+        let problem = Problem::remark(source, remark, &renderer);
+        terminal::plain(&format_args!("{}\n", problem.shown));
+    }
+    for error in source.errors() {
+        terminal::plain(&format_args!("{}\n", full::render(source, &error, &renderer)));
     }
 }

@@ -2,11 +2,12 @@
 
 use super::plant::Plant;
 use crate::findings::Source;
+use crate::form::Form;
 use crate::outcome::Failure;
 use crate::run::{self, KeptIn, Retention, Stimulus};
-use ladder_analysis::NotWhole;
 use ladder_analysis::program::{Program, Role};
 use ladder_analysis::types::Scalar;
+use ladder_analysis::{NotWhole, Severity};
 use ladder_simulator::{HistoryLimits, Point, Session, Simulation};
 use ladder_workspace::{Settings, Stamp};
 use std::path::Path;
@@ -18,6 +19,8 @@ const WATCHED: usize = 4;
 /// What is to be run.
 pub(crate) struct Request<'a> {
     pub(crate) file: &'a Path,
+    /// What it is written in; none: its content decides.
+    pub(crate) from: Option<Form>,
     pub(crate) stimulus: &'a Stimulus,
     /// The file that keeps retentive tags.
     pub(crate) retain: Option<&'a Path>,
@@ -67,14 +70,14 @@ fn problem(source: &Source, not_whole: &NotWhole) -> String {
 }
 
 fn first_error(source: &Source) -> String {
-    let analysis = source.analyze();
-    let mut errors = analysis.errors();
-    let first = errors.next().map_or(String::new(), |error| {
-        let place = source.place(error.range.start());
-        format!(
-            "{}:{}:{}: {}",
-            source.file, place.line, place.column, error.message
-        )
+    let remarks = source.remarks().into_iter();
+    let remarks = remarks.filter(|remark| remark.severity == Severity::Error);
+    let remarks = remarks.map(|remark| (remark.range, remark.message));
+    let found = source.errors().into_iter();
+    let mut errors = remarks.chain(found.map(|error| (error.range, error.message)));
+    let first = errors.next().map_or(String::new(), |(range, message)| {
+        let place = source.place(range.start());
+        format!("{}:{}:{}: {message}", source.file, place.line, place.column)
     });
     match errors.count() {
         0 => first,
@@ -83,8 +86,7 @@ fn first_error(source: &Source) -> String {
 }
 
 fn source(request: &Request) -> Result<Source, Failure> {
-    let text = ladder_workspace::read(request.file)?;
-    Ok(Source::new(request.file.display().to_string(), text))
+    Source::read(request.file, request.from)
 }
 
 fn plant(
@@ -163,6 +165,7 @@ mod tests {
         let stimulus = Stimulus::default();
         let request = Request {
             file: &file,
+            from: None,
             stimulus: &stimulus,
             retain: None,
             watch: &[],

@@ -4,19 +4,22 @@
 
 use super::fold::{Band, Folding, Window};
 use super::{bands, operands};
-use crate::findings::Source;
+use crate::findings::{Foreign, Source};
 use ladder_analysis::program::{ElementKind, Location, Network, Program};
 use ladder_instructions::Instruction;
 use ladder_simulator::{Point, Simulation};
 use ladder_syntax::{Parse, SyntaxKind, TextRange};
 use std::collections::HashMap;
 use std::ops::Range;
+use std::sync::Arc;
 
 /// A program on paper.
 #[derive(Debug)]
 pub(super) struct Sheet {
     /// The file as it was named.
     pub(super) file: String,
+    /// The file, if it is of another system.
+    foreign: Option<Arc<Foreign>>,
     text: String,
     lines: Vec<Line>,
     /// Every block of the drawing, in the order in which one reads.
@@ -108,6 +111,7 @@ impl Sheet {
         });
         let mut sheet = Sheet {
             file: source.file.clone(),
+            foreign: source.foreign().cloned(),
             text: source.text.clone(),
             lines: lines.collect(),
             blocks: Vec::new(),
@@ -285,6 +289,15 @@ impl Sheet {
         let line = self.line_at(offset);
         let before = self.text.get(self.lines[line].text.start..offset)?;
         Some((line, before.chars().count() + 1))
+    }
+
+    /// A place in the program's own file as messages have it: `motor.clad:3:12`.
+    pub(super) fn place_name(&self, location: Location) -> Option<String> {
+        let (line, column) = self.place(location)?;
+        Some(match &self.foreign {
+            Some(foreign) => format!("{}:{}", self.file, foreign.place(location.range)),
+            None => format!("{}:{}:{column}", self.file, line + 1),
+        })
     }
 }
 

@@ -10,6 +10,7 @@ mod convert;
 mod escapes;
 mod explain;
 mod fmt;
+mod foreign;
 mod harness;
 mod help;
 mod lsp;

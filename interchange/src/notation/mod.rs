@@ -56,6 +56,11 @@ pub trait Notation: Sync {
     /// Whether a file is in this notation, from its content alone. No more than the first lines are looked at.
     fn recognises(&self, bytes: &[u8]) -> bool;
 
+    /// Whether a run of such a program is about its coils, and nothing else is shown of it unless asked for.
+    fn shows_coils(&self) -> bool {
+        false
+    }
+
     /// Reads a program.
     ///
     /// # Errors

@@ -52,6 +52,18 @@ impl Lines {
             column: column as u32 + 1,
         }
     }
+
+    /// The other way: the offset in bytes of a place, brought back into the text if it lies outside.
+    pub fn offset(&self, text: &str, place: Place) -> usize {
+        let line = (place.line.max(1) as usize - 1).min(self.starts.len() - 1);
+        let start = self.starts[line].min(text.len());
+        let line = text[start..].split('\n').next().unwrap_or_default();
+        let mut characters = line.char_indices().map(|(at, _)| at);
+        start
+            + characters
+                .nth(place.column.max(1) as usize - 1)
+                .unwrap_or(line.len())
+    }
 }
 
 #[cfg(test)]
@@ -67,5 +79,16 @@ mod tests {
         assert_eq!(place(text.find('b').unwrap()), "1:3");
         assert_eq!(place(text.find('c').unwrap()), "2:1");
         assert_eq!(place(text.len()), "3:1");
+    }
+
+    #[test]
+    fn places_lead_back_to_offsets() {
+        let text = "ä b\r\nc\n";
+        let lines = Lines::of(text);
+        for at in [0, 3, 4, 6, 7, 8] {
+            assert_eq!(lines.offset(text, lines.place(text, at)), at);
+        }
+        let outside = |line, column| lines.offset(text, Place { line, column });
+        assert_eq!((outside(0, 0), outside(9, 9), outside(2, 9)), (0, 8, 7));
     }
 }

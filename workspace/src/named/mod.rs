@@ -9,7 +9,7 @@ mod name;
 mod resolve;
 
 use crate::{FileError, Problem, Root, regular, text};
-use std::fs::File;
+use std::fs::{File, Metadata};
 use std::path::{Path, PathBuf};
 
 /// A file that a workspace names. The file itself was not looked at yet.
@@ -73,10 +73,21 @@ impl Named {
     /// As for [`Named::locate`]; or the file is missing, is not a regular one, is too large, is not UTF-8, or the
     /// operating system refuses.
     pub fn read(&self) -> Result<String, FileError> {
+        text::read_from(self.open()?, &self.path())
+    }
+
+    /// As [`Named::read`], for a file that may be in another notation, which need not be text.
+    ///
+    /// # Errors
+    /// As for [`Named::read`], but for what is not UTF-8.
+    pub fn read_bytes(&self) -> Result<Vec<u8>, FileError> {
+        text::bytes_from(self.open()?, &self.path())
+    }
+
+    fn open(&self) -> Result<(File, Metadata), FileError> {
         let path = self.locate()?;
         let renamed = |error: FileError| FileError::new(&self.path(), error.problem);
-        let opened = regular::open_plain(&path, File::options().read(true)).map_err(renamed)?;
-        text::read_from(opened, &self.path())
+        regular::open_plain(&path, File::options().read(true)).map_err(renamed)
     }
 }
 

@@ -50,7 +50,7 @@ pub(super) struct Mended {
 /// Mends a text. Where it came from is not written.
 pub(super) fn mend(mut source: Source, task: Task) -> Checked {
     let options = source.format_options();
-    let mut findings = source.analyze().diagnostics.clone();
+    let mut findings = source.findings();
     let mut mended = Mended {
         fixes: Vec::new(),
         before: (!task.writes).then(|| source.text.clone()),
@@ -64,7 +64,7 @@ pub(super) fn mend(mut source: Source, task: Task) -> Checked {
         let whole = fix::combined(fixes.iter().map(|(_, fix)| *fix));
         let edits = fix::aligned(&source.text, &whole, &options);
         let next = source.with_text(apply(&source.text, &edits));
-        let left = next.analyze().diagnostics.clone();
+        let left = next.findings();
         // A fix that brings new errors is none.
         if errors(&left) > errors(&findings) {
             if most == Applicability::Safe {

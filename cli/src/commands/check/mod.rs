@@ -8,6 +8,7 @@ mod watch;
 
 use super::test;
 use crate::findings::{Problem, Source, Workspaces};
+use crate::form::{self, Form};
 use crate::outcome::{Failure, Outcome};
 use crate::terminal;
 use annotate_snippets::Renderer;
@@ -29,6 +30,7 @@ Examples:
   ladder check --fix motor.clad       mend what can be mended safely
   ladder check --fix --diff .         only show what would be mended
   ladder check --format sarif . > out.sarif
+  ladder check plant.ld               a program of another system
   ladder check --stdin-filename motor.clad - < draft
                                       a text that is not saved yet
 
@@ -83,6 +85,10 @@ pub(crate) struct Arguments {
     #[arg(long, value_name = "PATH")]
     stdin_filename: Option<PathBuf>,
 
+    /// The notation of the programs; without it their content decides. Findings have their places in the file that is named
+    #[arg(long, value_name = "NOTATION", value_parser = form::names())]
+    from: Option<String>,
+
     /// Pass over what ladder.toml or an ignore file excludes, even if it is named (for hooks and editors)
     #[arg(long)]
     force_exclude: bool,
@@ -111,6 +117,11 @@ enum Deny {
 }
 
 impl Arguments {
+    /// What the programs are written in, if that is said.
+    fn form(&self) -> Option<Form> {
+        self.from.as_deref().map(Form::named)
+    }
+
     /// What is mended, if anything is.
     fn task(&self) -> Option<mend::Task> {
         self.fix.then_some(mend::Task {
@@ -167,7 +178,7 @@ fn check_files(arguments: &Arguments) -> Result<Round, Failure> {
     for files in files.chunks(AT_ONCE) {
         let mut sources = Vec::with_capacity(files.len());
         for file in files {
-            match source(file, &mut workspaces) {
+            match source(file, arguments, &mut workspaces) {
                 Ok(source) => sources.extend(source),
                 // One file that is bad does not keep the others from being checked.
                 Err(failure) => {
@@ -254,21 +265,41 @@ fn check(source: Source, task: Option<mend::Task>, renderer: &Renderer) -> Check
     if let Some(task) = task {
         return mend::mend(source, task);
     }
-    let findings = source.analyze().diagnostics.clone();
+    let remarks = source.remarks().into_iter();
     Checked {
+        problems: remarks
+            .map(|remark| Problem::remark(&source, remark, renderer))
+            .collect(),
+        findings: source.findings(),
         source,
-        findings,
-        problems: Vec::new(),
         mended: Mended::default(),
     }
 }
 
 /// A file among the others of its workspace. None: that cannot be used, and it has been said why.
-fn source(file: &Path, workspaces: &mut Workspaces) -> Result<Option<Source>, Failure> {
-    let text = ladder_workspace::read(file)?;
+fn source(
+    file: &Path,
+    arguments: &Arguments,
+    workspaces: &mut Workspaces,
+) -> Result<Option<Source>, Failure> {
     if ladder_workspace::is_scenario(file) {
-        return Ok(Some(Source::new(file.display().to_string(), text)));
+        return Source::read(file, Some(Form::Ladder)).map(Some);
     }
+    let source = Source::read(file, arguments.form())?;
+    may_be_mended(&source, arguments)?;
     let workspace = workspaces.of(file)?;
-    Ok(workspace.map(|workspace| Source::within(workspace, file.display().to_string(), text)))
+    Ok(workspace.map(|workspace| source.within(workspace)))
+}
+
+/// Refuses to mend what is no ladder text: its fixes are about a text that is nowhere.
+fn may_be_mended(source: &Source, arguments: &Arguments) -> Result<(), Failure> {
+    match source.foreign() {
+        Some(foreign) if arguments.fix => Err(Failure::new(format!(
+            "{}: --fix mends only ladder text, and this file is in the notation `{}`; `ladder convert {0} -o FILE.clad` \
+             writes it as ladder text",
+            source.file,
+            foreign.notation()
+        ))),
+        _ => Ok(()),
+    }
 }

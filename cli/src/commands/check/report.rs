@@ -96,6 +96,16 @@ impl Report {
             self.tally.file_to_mend(&checked.findings, fixes);
             return Ok(());
         }
+        for problem in &checked.problems {
+            match self.format {
+                Format::Full => writeln!(self.out, "{}\n", problem.shown)?,
+                Format::Concise => writeln!(self.out, "{}", problem.concise())?,
+                Format::Github => writeln!(self.out, "{}", problem.github())?,
+                Format::Sarif => self.results.push(problem.sarif()),
+                Format::Json => self.object(problem)?,
+            }
+            self.tally.count_severity(problem.severity);
+        }
         for finding in &checked.findings {
             match self.format {
                 Format::Full => {
@@ -107,16 +117,6 @@ impl Report {
                 Format::Json => self.object(&json::Finding::new(source, finding))?,
             }
             self.tally.count(finding);
-        }
-        for problem in &checked.problems {
-            match self.format {
-                Format::Full => writeln!(self.out, "{}\n", problem.shown)?,
-                Format::Concise => writeln!(self.out, "{}", problem.concise())?,
-                Format::Github => writeln!(self.out, "{}", problem.github())?,
-                Format::Sarif => self.results.push(problem.sarif()),
-                Format::Json => self.object(problem)?,
-            }
-            self.tally.errors += 1;
         }
         self.tally.file(checked.mended.fixes.len());
         Ok(())

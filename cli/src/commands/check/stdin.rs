@@ -1,8 +1,9 @@
 //! `ladder check -`: one text from stdin, as an editor or another program gives it.
 
 use super::report::{Report, Target};
-use super::{Arguments, check, exit_of};
+use super::{Arguments, check, exit_of, may_be_mended};
 use crate::findings::Source;
+use crate::form::Form;
 use crate::outcome::{Failure, Outcome};
 use crate::stdin;
 use crate::terminal::Stdout;
@@ -16,7 +17,7 @@ use std::sync::Arc;
 pub(super) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     let given = arguments.stdin_filename.as_deref();
     let name = stdin::name_or_default(given);
-    let text = stdin::read(name)?;
+    let bytes = stdin::read_bytes(name)?;
     let gives_text = arguments.fix && !arguments.diff;
     let target = if gives_text {
         Target::Stderr
@@ -26,14 +27,16 @@ pub(super) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     let mut report = Report::new(arguments.format, arguments.statistics, target);
     if arguments.force_exclude && given.is_some_and(ladder_workspace::is_excluded) {
         if gives_text {
-            print(&text)?;
+            print(&bytes)?;
         }
         report.finish()?;
         return Ok(Outcome::Fine);
     }
-    let checked = check(source(given, text)?, arguments.task(), report.renderer());
+    let source = source(given, bytes, arguments)?;
+    may_be_mended(&source, arguments)?;
+    let checked = check(source, arguments.task(), report.renderer());
     if gives_text {
-        print(&checked.source.text)?;
+        print(checked.source.text.as_bytes())?;
     }
     report.add(&checked)?;
     let (tally, _) = report.finish()?;
@@ -42,20 +45,19 @@ pub(super) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
 
 /// A text with a name is a file of its workspace, as if it had been saved there. One without a name stands alone, for
 /// it may be one of the files around, and would then be there twice; only the settings of the current folder hold.
-fn source(given: Option<&Path>, text: String) -> Result<Source, Failure> {
+fn source(given: Option<&Path>, bytes: Vec<u8>, arguments: &Arguments) -> Result<Source, Failure> {
     let name = stdin::name_or_default(given);
-    let file = name.display().to_string();
     let workspace = match given {
-        Some(name) if is_scenario(name) => return Ok(Source::new(file, text)),
+        Some(name) if is_scenario(name) => return Ok(Source::of_bytes(name, bytes, Some(Form::Ladder))?),
         Some(name) => Workspace::of(name)?,
         None => Workspace::without_programs(name)?,
     };
-    Ok(Source::within(Arc::new(workspace), file, text))
+    Ok(Source::of_bytes(name, bytes, arguments.form())?.within(Arc::new(workspace)))
 }
 
-fn print(text: &str) -> Result<(), Failure> {
+fn print(text: &[u8]) -> Result<(), Failure> {
     let mut out = Stdout::new();
-    out.write_all(text.as_bytes())?;
+    out.write_all(text)?;
     out.flush()?;
     Ok(())
 }

@@ -31,7 +31,12 @@ impl Tally {
         let found = self.rules.entry(finding.rule).or_default();
         found.times += 1;
         found.fixes += usize::from(finding.fixes.iter().any(Fix::is_safe));
-        match finding.severity {
+        self.count_severity(finding.severity);
+    }
+
+    /// Counts what no rule found.
+    pub(super) fn count_severity(&mut self, severity: Severity) {
+        match severity {
             Severity::Error => self.errors += 1,
             Severity::Warning => self.warnings += 1,
             Severity::Info => self.infos += 1,

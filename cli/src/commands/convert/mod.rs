@@ -1,14 +1,13 @@
 //! `ladder convert`: programs from and to the notations of other systems.
 
-mod form;
 mod report;
 mod target;
 
 use crate::findings::Source;
+use crate::form::{self, Form};
 use crate::outcome::{Failure, Outcome};
 use crate::output::{Existing, Output};
 use clap::{Args, ValueEnum};
-use form::Form;
 use ladder_interchange::notation::{self, Converted, Notation};
 use ladder_workspace::shown;
 use report::{Account, Side};
@@ -147,9 +146,5 @@ fn read(notation: &'static dyn Notation, job: &Job) -> Result<Converted, Failure
         bytes: &job.bytes,
     };
     let options = ladder_format::Options::default();
-    notation::convert(notation, &source, &options).map_err(|error| {
-        let place = error.place.map(|place| format!(":{place}")).unwrap_or_default();
-        let message = shown::line(&error.message).into_owned();
-        Failure::new(format!("{}{place}: {message}", shown::path(&job.input)))
-    })
+    notation::convert(notation, &source, &options).map_err(|error| Failure::broken(&job.input, &error))
 }

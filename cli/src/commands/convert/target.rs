@@ -1,6 +1,6 @@
 //! Which programs are meant, and where each of them goes.
 
-use super::form::Form;
+use crate::form::Form;
 use crate::outcome::{Failure, Outcome};
 use ladder_interchange::notation::{NOTATIONS, has_extension};
 use ladder_workspace::{find_files, is_program, read_bytes, shown};

@@ -1,11 +1,12 @@
 //! Files: which are meant, and aligning them all at once. What is said of them comes in their order.
 
 use super::{Arguments, Task, diff, layout, would_change};
+use crate::form::Form;
 use crate::outcome::{Failure, Outcome};
 use crate::settings::SettingsFiles;
 use crate::terminal::{self, Stdout};
 use ladder_format::Options;
-use ladder_workspace::Settings;
+use ladder_workspace::{Settings, shown};
 use rayon::prelude::*;
 use std::io::Write;
 use std::path::{Path, PathBuf};
@@ -111,7 +112,15 @@ impl Job {
 }
 
 fn run(file: &Path, options: &Options, arguments: &Arguments) -> Result<Done, Failure> {
-    let text = ladder_workspace::read(file)?;
+    let bytes = ladder_workspace::read_bytes(file)?;
+    if let Form::Foreign(notation) = Form::of_program(file, &bytes)? {
+        return Err(Failure::new(format!(
+            "{}: only ladder text is aligned, and this file is in the notation `{}`",
+            shown::path(file),
+            notation.name()
+        )));
+    }
+    let text = ladder_workspace::decode(file, bytes)?;
     let Some(formatted) = layout::formatted(&text, options, arguments.range) else {
         return Ok(Done::Nothing);
     };

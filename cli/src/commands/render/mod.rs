@@ -8,6 +8,7 @@ mod raster;
 #[cfg(not(all(feature = "pdf", feature = "png")))]
 use crate::features::Feature;
 use crate::findings::Source;
+use crate::form::{self, Form};
 use crate::outcome::{Failure, Outcome};
 use crate::output::may_write;
 use crate::run::{Run, Stimulus, number_of_scans, place, program, show_errors};
@@ -49,6 +50,10 @@ pub(crate) struct Arguments {
     /// did not make, is replaced only with --force
     #[arg(short, long, value_name = "FILE")]
     output: Option<PathBuf>,
+
+    /// The notation of the program; without it its content decides
+    #[arg(long, value_name = "NOTATION", value_parser = form::names())]
+    from: Option<String>,
 
     /// What is written; without it the file's name decides
     #[arg(long, value_enum)]
@@ -117,8 +122,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     if let Some(file) = target(arguments) {
         may_write(file, arguments.stimulus.existing())?;
     }
-    let text = ladder_workspace::read(&arguments.file)?;
-    let source = Source::new(arguments.file.display().to_string(), text);
+    let source = Source::read(&arguments.file, arguments.from.as_deref().map(Form::named))?;
     let theme = match (arguments.theme, format) {
         (Colours::Auto, Format::Svg) => Theme::Auto,
         (Colours::Auto, Format::Png | Format::Pdf) | (Colours::Light, _) => Theme::Light,
@@ -229,7 +233,7 @@ fn pages(_: &Arguments, _: &Source, _: &Scene, _: Theme) -> Result<Vec<u8>, Fail
 /// The picture of the program as it is written. One with errors is drawn as well, and stderr shows them.
 fn at_rest(source: &Source) -> (Scene, Outcome) {
     let scene = picture::scene(&source.analyze().context, &Options::default());
-    if source.analyze().errors().next().is_none() {
+    if !source.has_errors() {
         return (scene, Outcome::Fine);
     }
     show_errors(source);

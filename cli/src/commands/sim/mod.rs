@@ -5,6 +5,7 @@ mod trace;
 #[cfg(not(feature = "screen"))]
 use crate::features::Feature;
 use crate::findings::{Source, with_line_feeds};
+use crate::form::{self, Form};
 use crate::outcome::{Failure, Outcome};
 use crate::output::{DRAWN_BY, Output};
 use crate::run::{KeptIn, Retention, Run, Stimulus, number_of_scans, place, program};
@@ -12,9 +13,11 @@ use crate::run::{KeptIn, Retention, Run, Stimulus, number_of_scans, place, progr
 use crate::screen;
 use crate::terminal;
 use clap::{Args, ValueEnum};
+use ladder_analysis::program::{Argument, Place, Program, TagId};
 use ladder_analysis::types::Type;
 use ladder_simulator::{Point, Simulation, diagram, diagram_of};
 use ladder_workspace::shown;
+use std::collections::HashSet;
 use std::path::PathBuf;
 
 const EXAMPLES: &str = "\
@@ -54,6 +57,10 @@ Exit status: 0 fine, 1 the program has errors, 2 a file or an argument cannot be
 pub(crate) struct Arguments {
     /// The program
     file: PathBuf,
+
+    /// The notation of the program; without it its content decides
+    #[arg(long, value_name = "NOTATION", value_parser = form::names())]
+    from: Option<String>,
 
     /// How many scans to run; without it, on a terminal, the program is shown running
     #[arg(long, value_name = "N", value_parser = number_of_scans, allow_negative_numbers = true)]
@@ -109,23 +116,24 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
             "{file}: this file has scenarios, no program; `ladder test {file}` runs them"
         )));
     }
+    let from = arguments.from.as_deref().map(Form::named);
     if arguments.asks_for_the_screen() && terminal::is_interactive() {
         #[cfg(not(feature = "screen"))]
         return Err(Feature::Screen.left_out());
         #[cfg(feature = "screen")]
         return screen::run(&screen::Request {
             file: &arguments.file,
+            from,
             stimulus: &arguments.stimulus,
             retain: arguments.retain.as_deref(),
             watch: &arguments.watch,
         });
     }
-    let text = ladder_workspace::read(&arguments.file)?;
+    let source = Source::read(&arguments.file, from)?;
     let options = arguments.stimulus.options(&arguments.file)?;
     let scans = arguments.scans.ok_or_else(|| {
         Failure::new("say how many scans to run, for example --scans 100; `ladder sim --help` shows more")
     })?;
-    let source = Source::new(arguments.file.display().to_string(), text);
     let Some(program) = program(&source) else {
         return Ok(Outcome::Findings);
     };
@@ -133,7 +141,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
         .map_err(|error| Failure::new(format!("{}: {}", place(&source, error.location), error.message)))?;
 
     // All that can be wrong with the arguments is found before anything is written.
-    let watched = watched(&simulation, &arguments.watch)?;
+    let watched = watched(&simulation, &arguments.watch, &source)?;
     let retention = match &arguments.retain {
         Some(file) => Some(Retention::begin(
             KeptIn::File(file),
@@ -194,8 +202,12 @@ fn diagrams(source: &Source, simulation: &Simulation, out: &mut Output) -> Resul
 }
 
 /// The tags to write: those asked for, by the names they were asked for with, or every elementary tag of the
-/// program but constants, sorted by name.
-fn watched(simulation: &Simulation, names: &[String]) -> Result<Vec<(String, Point)>, Failure> {
+/// program but constants, sorted by name. Where a run is about the coils, only the tags that blocks write.
+fn watched(
+    simulation: &Simulation,
+    names: &[String],
+    source: &Source,
+) -> Result<Vec<(String, Point)>, Failure> {
     if names.iter().any(|name| name.trim().is_empty()) {
         return Err(Failure::new(
             "--watch: a name is missing; write the tags as in --watch run,warmup.ET",
@@ -210,12 +222,17 @@ fn watched(simulation: &Simulation, names: &[String]) -> Result<Vec<(String, Poi
             })
             .collect();
     }
-    let mut names: Vec<&str> = simulation
-        .program()
-        .tags
-        .iter()
-        .filter(|tag| tag.block.is_none() && !tag.constant && matches!(tag.ty, Type::Scalar(_)))
-        .map(|tag| tag.name.as_str())
+    let program = simulation.program();
+    let written = source
+        .foreign()
+        .filter(|foreign| foreign.shows_coils())
+        .map(|_| written_tags(program));
+    let mut names: Vec<&str> = (0..)
+        .map(TagId)
+        .zip(&program.tags)
+        .filter(|(_, tag)| tag.block.is_none() && !tag.constant && matches!(tag.ty, Type::Scalar(_)))
+        .filter(|(id, _)| written.as_ref().is_none_or(|written| written.contains(id)))
+        .map(|(_, tag)| tag.name.as_str())
         .collect();
     names.sort_by_cached_key(|name| ladder_syntax::Name::new(name));
     // A tag that the simulation does not know by its name is shadowed by another of that name.
@@ -223,4 +240,16 @@ fn watched(simulation: &Simulation, names: &[String]) -> Result<Vec<(String, Poi
         .into_iter()
         .filter_map(|name| Some((name.to_owned(), simulation.resolve(name).ok()?)))
         .collect())
+}
+
+/// The tags that a block writes as a whole.
+fn written_tags(program: &Program) -> HashSet<TagId> {
+    let blocks = program.networks.iter().flat_map(|network| &network.blocks);
+    let arguments = blocks.flat_map(|block| &block.arguments);
+    arguments
+        .filter_map(|bound| match &bound.argument {
+            Argument::Place(Place::Tag(id), _) => Some(*id),
+            _ => None,
+        })
+        .collect()
 }

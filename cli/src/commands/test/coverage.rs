@@ -89,11 +89,11 @@ impl CoveredFile {
             .networks
             .entry(network.location.range.start().into())
             .or_insert_with(|| CoveredNetwork {
-                place: Place::of(source, network.location.range),
+                place: Place::of(source, source.range_in_file(network.location.range)),
                 lines: network
                     .elements
                     .iter()
-                    .map(|element| source.place(element.range.start()).line)
+                    .map(|element| source.place(source.range_in_file(element.range).start()).line)
                     .collect(),
                 scans: 0,
             });
@@ -107,7 +107,7 @@ impl CoveredFile {
             .entry(part.location.range.start().into())
             .or_insert_with(|| CoveredPart {
                 kind: part.kind,
-                place: Place::of(source, part.location.range),
+                place: Place::of(source, source.range_in_file(part.location.range)),
                 on: false,
                 off: false,
                 reached: false,
@@ -220,7 +220,7 @@ fn what_is_missing(part: &CoveredPart) -> String {
 
 fn excerpt(source: &Source, place: &Place, what: &str) -> Missed {
     let line = source
-        .text
+        .file_text()
         .lines()
         .nth(place.line as usize - 1)
         .unwrap_or_default();

@@ -1,11 +1,11 @@
 //! One scenario file: its program is read, and its scenarios are run.
 
 use super::report::{CaseReport, DifferenceReport, FaultReport, FileReport};
-use crate::findings::{Place, Problem, Source, Workspaces, full};
+use crate::findings::{NotRead, Place, Problem, Source, Workspaces, full};
 use crate::outcome::Outcome;
 use annotate_snippets::Renderer;
-use ladder_analysis::NotWhole;
 use ladder_analysis::program::Location;
+use ladder_analysis::{NotWhole, Severity};
 use ladder_simulator::coverage::Coverage;
 use ladder_simulator::scenario::{self, Case, Mistake, Suite};
 use ladder_simulator::{Options, Simulation};
@@ -30,17 +30,17 @@ pub(super) struct Wishes {
 
 impl Wishes {
     /// A program among the others of its workspace, which many files of scenarios share.
-    fn source(&self, program: &Path, text: String) -> Source {
-        let file = program.display().to_string();
+    fn source(&self, program: &Path, bytes: Vec<u8>) -> Result<Source, NotRead> {
+        let source = Source::of_bytes(program, bytes, None)?;
         // Settings that cannot be used are told where they are read.
         let workspace = match self.workspaces.lock() {
             Ok(mut workspaces) => workspaces.of(program).ok().flatten(),
             Err(_) => None,
         };
-        match workspace {
-            Some(workspace) => Source::within(workspace, file, text),
-            None => Source::new(file, text),
-        }
+        Ok(match workspace {
+            Some(workspace) => source.within(workspace),
+            None => source,
+        })
     }
 }
 
@@ -114,12 +114,18 @@ impl Ready {
         };
         let named = Named::in_file(path, name);
         let program = named.path();
-        let text = named.read().map_err(|error| {
+        let with_mistakes = |problem: Problem| {
             let mut problems = mistakes(&[]);
-            problems.insert(0, missing_program(source, *range, &error, &wishes.renderer));
+            problems.insert(0, problem);
             (problems, None)
-        })?;
-        let program_source = Arc::new(wishes.source(&program, text));
+        };
+        let bytes = named
+            .read_bytes()
+            .map_err(|error| with_mistakes(missing_program(source, *range, &error, &wishes.renderer)))?;
+        let program_source = wishes.source(&program, bytes);
+        let program_source =
+            program_source.map_err(|error| with_mistakes(broken_program(&program, &error)))?;
+        let program_source = Arc::new(program_source);
         let mut simulation =
             compile(&program, &program_source, &suite, &wishes.renderer).map_err(|problems| {
                 let mut all = mistakes(&[]);
@@ -232,7 +238,7 @@ fn compile(
     }
     Simulation::new(program, options).map_err(|error| {
         let found = Mistake {
-            range: error.location.range,
+            range: source.range_in_file(error.location.range),
             message: error.message,
             help: None,
         };
@@ -242,19 +248,19 @@ fn compile(
 
 /// The errors in a program.
 fn errors(source: &Source, renderer: &Renderer) -> Vec<Problem> {
-    let analysis = source.analyze();
-    analysis
-        .errors()
-        .map(|error| Problem {
-            place: Place::of(source, error.range),
-            rule: error.rule.name(),
-            severity: error.severity.name(),
-            message: error.message.clone(),
-            help: error.help.clone(),
-            shown: full::render(source, error, renderer),
-            outcome: Outcome::Findings,
-        })
-        .collect()
+    let remarks = source.remarks().into_iter();
+    let remarks = remarks.filter(|remark| remark.severity == Severity::Error);
+    let remarks = remarks.map(|remark| Problem::remark(source, remark, renderer));
+    let found = source.errors().into_iter().map(|error| Problem {
+        place: Place::of(source, error.range),
+        rule: error.rule.name(),
+        severity: error.severity,
+        shown: full::render(source, &error, renderer),
+        message: error.message,
+        help: error.help,
+        outcome: Outcome::Findings,
+    });
+    remarks.chain(found).collect()
 }
 
 /// A place of a program, in whichever file it lies.
@@ -263,7 +269,21 @@ fn place_of(source: &Source, files: &[String], location: Location) -> Place {
         0 => None,
         file => source.other(&files[file as usize]),
     };
-    Place::of(other.as_ref().unwrap_or(source), location.range)
+    let source = other.as_ref().unwrap_or(source);
+    Place::of(source, source.range_in_file(location.range))
+}
+
+/// The program that a file names is in another system's notation, and broken.
+fn broken_program(program: &Path, error: &NotRead) -> Problem {
+    let file = program.display().to_string();
+    let place = error.place.map(|place| Place {
+        file: file.clone(),
+        line: place.line,
+        column: place.column,
+        end_line: place.line,
+        end_column: place.column,
+    });
+    Problem::unusable(place.unwrap_or_else(|| Place::start(&file)), &error.failure)
 }
 
 /// The program that a file names cannot be read: told where it is named.

@@ -41,8 +41,8 @@ pub(super) fn draw(buffer: &mut Buffer, pane: Rect, scene: Scene) {
 
 fn text(plant: &Plant) -> Option<String> {
     let (fault, times) = plant.last_fault()?;
-    let place = match plant.sheet.place(fault.location) {
-        Some((line, column)) => format!("{}:{}:{column}", plant.sheet.file, line + 1),
+    let place = match plant.sheet.place_name(fault.location) {
+        Some(place) => place,
         None => {
             let files = &plant.simulation().program().files;
             files.get(fault.location.file as usize)?.clone()

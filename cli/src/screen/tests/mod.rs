@@ -101,6 +101,7 @@ impl Bench {
         std::fs::write(&file, &self.text).unwrap();
         let stimulus = Stimulus::default();
         let request = Request {
+            from: None,
             file: &file,
             stimulus: &stimulus,
             retain: None,

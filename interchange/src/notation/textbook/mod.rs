@@ -57,6 +57,10 @@ impl Notation for Textbook {
         })
     }
 
+    fn shows_coils(&self) -> bool {
+        true
+    }
+
     fn read(&self, source: &Source<'_>) -> Result<Reading, ReadError> {
         read::read(source.text()?)
     }

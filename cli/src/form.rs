@@ -1,13 +1,14 @@
 //! What a program is written in: ladder text, or the notation of another system.
 
+use crate::outcome::Failure;
 use clap::builder::{PossibleValue, PossibleValuesParser};
 use ladder_interchange::notation::{LADDER, NOTATIONS, Notation, by_extension, by_name, recognise};
-use ladder_workspace::is_program;
+use ladder_workspace::{is_program, shown};
 use std::path::Path;
 
 /// What a program is written in.
 #[derive(Clone, Copy)]
-pub(super) enum Form {
+pub(crate) enum Form {
     /// This project's own text.
     Ladder,
     /// The notation of another system.
@@ -16,20 +17,39 @@ pub(super) enum Form {
 
 impl Form {
     /// One of [`names`].
-    pub(super) fn named(name: &str) -> Form {
+    pub(crate) fn named(name: &str) -> Form {
         by_name(name).map_or(Form::Ladder, Form::Foreign)
     }
 
     /// What a file is written in: by its content, since other systems share their file names; else by the name of ours.
-    pub(super) fn of(path: &Path, bytes: &[u8]) -> Option<Form> {
+    pub(crate) fn of(path: &Path, bytes: &[u8]) -> Option<Form> {
         match recognise(bytes) {
             Some(notation) => Some(Form::Foreign(notation)),
             None => is_program(path).then_some(Form::Ladder),
         }
     }
 
+    /// What a file is written in that a command takes for a program. One whose name ends like ours is ladder text; a
+    /// finding tells where it is not. Any other name may be ladder text too, but for those that belong to other systems.
+    ///
+    /// # Errors
+    /// The name is another system's, and the content is in no notation that is known.
+    pub(crate) fn of_program(path: &Path, bytes: &[u8]) -> Result<Form, Failure> {
+        if is_program(path) {
+            return Ok(Form::Ladder);
+        }
+        match recognise(bytes) {
+            Some(notation) => Ok(Form::Foreign(notation)),
+            None if is_foreign_name(path) => Err(Failure::new(format!(
+                "{}: this is in no notation that is known; if it is, `ladder convert --from` takes it",
+                shown::path(path)
+            ))),
+            None => Ok(Form::Ladder),
+        }
+    }
+
     /// What the name of an output asks for.
-    pub(super) fn by_extension(path: &Path) -> Option<Form> {
+    pub(crate) fn by_extension(path: &Path) -> Option<Form> {
         if is_program(path) {
             return Some(Form::Ladder);
         }
@@ -37,20 +57,27 @@ impl Form {
     }
 
     /// How the names of its files end.
-    pub(super) fn extension(self) -> &'static str {
+    pub(crate) fn extension(self) -> &'static str {
         match self {
             Form::Ladder => ladder_workspace::EXTENSION,
             Form::Foreign(notation) => notation.extensions().first().copied().unwrap_or("txt"),
         }
     }
 
-    pub(super) fn is_ladder(self) -> bool {
+    pub(crate) fn is_ladder(self) -> bool {
         matches!(self, Form::Ladder)
     }
 }
 
+/// Any text may end in `.txt`.
+fn is_foreign_name(path: &Path) -> bool {
+    let extension = path.extension().and_then(|extension| extension.to_str());
+    extension
+        .is_some_and(|extension| !extension.eq_ignore_ascii_case("txt") && by_extension(extension).is_some())
+}
+
 /// The names that `--from` and `--to` take.
-pub(super) fn names() -> PossibleValuesParser {
+pub(crate) fn names() -> PossibleValuesParser {
     let own = PossibleValue::new(LADDER).help("Ladder text");
     let others = NOTATIONS
         .iter()

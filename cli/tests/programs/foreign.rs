@@ -1,0 +1,450 @@
+//! Programs of other systems, named where a command takes a program.
+
+use crate::harness::{Folder, MOTOR};
+use expect_test::expect;
+use std::path::{Path, PathBuf};
+
+const RUNG: &str = "\
+start (open contact I0.1 V open contact Q0) & closed contact I1.0 & active coil Q0 end
+start open contact I0.1 V open contact I2.0 & inactive coil Q1 end
+";
+
+const DRAFT: &str = "\
+// a lamp
+IN = {DI go}
+OUT = {DO lamp}
+
++---[ ]<go>---[PID]<x>---()<lamp>---+
+";
+
+/// Divides by what nobody gives.
+const FAULTY: &str = "\
+IN = {AI a, AI b}
+OUT = {AO c}
+
++---[DIV]<share><a><b><c>---+
+";
+
+#[test]
+fn findings_stand_in_the_file_that_was_named() {
+    let folder = Folder::with(&[("motor.rung", RUNG), ("lamp.cplc", DRAFT)]);
+    expect![[r#"
+        exit status 1
+        -- stdout
+        warning[textbook-precedence]: the paper does not say whether `&` or `V` binds more tightly; `&` does here, put parentheses round what belongs together
+         --> motor.rung:2:7
+          |
+        2 | start open contact I0.1 V open contact I2.0 & inactive coil Q1 end
+          |       ^^^^^^^^^^^^^^^^^
+
+        warning[dead-end]: the power of [ ]( I0 ) goes nowhere: nothing that acts is behind it
+         --> motor.rung:2:7
+          |
+        2 | start open contact I0.1 V open contact I2.0 & inactive coil Q1 end
+          |       ^^^^^^^^^^^^^^^^^
+          |
+          = help: put a coil or another block behind it, join the line to another with \ and /, or remove it
+
+        error[cplc-draft-block]: `[PID]<x>` stays as a comment: the draft has no such block
+         --> lamp.cplc:5:15
+          |
+        5 | +---[ ]<go>---[PID]<x>---()<lamp>---+
+          |               ^^^^^^^^
+
+        Checked 2 files: 1 error, 2 warnings.
+    "#]].assert_eq(&folder.ladder(&["check", "motor.rung", "lamp.cplc"]).to_string());
+    for (format, expected) in [
+        (
+            "concise",
+            expect![[r#"
+            exit status 1
+            -- stdout
+            motor.rung:2:7: warning[textbook-precedence] the paper does not say whether `&` or `V` binds more tightly; `&` does here, put parentheses round what belongs together
+            motor.rung:2:7: warning[dead-end] the power of [ ]( I0 ) goes nowhere: nothing that acts is behind it
+            lamp.cplc:5:15: error[cplc-draft-block] `[PID]<x>` stays as a comment: the draft has no such block
+            Checked 2 files: 1 error, 2 warnings.
+        "#]],
+        ),
+        (
+            "json",
+            expect![[r#"
+            exit status 1
+            -- stdout
+            [
+              {"file":"motor.rung","line":2,"column":7,"end_line":2,"end_column":24,"rule":"textbook-precedence","severity":"warning","message":"the paper does not say whether `&` or `V` binds more tightly; `&` does here, put parentheses round what belongs together"},
+              {"file":"motor.rung","rule":"dead-end","severity":"warning","message":"the power of [ ]( I0 ) goes nowhere: nothing that acts is behind it","line":2,"column":7,"end_line":2,"end_column":24,"help":"put a coil or another block behind it, join the line to another with \\ and /, or remove it"},
+              {"file":"lamp.cplc","line":5,"column":15,"end_line":5,"end_column":23,"rule":"cplc-draft-block","severity":"error","message":"`[PID]<x>` stays as a comment: the draft has no such block"}
+            ]
+        "#]],
+        ),
+        (
+            "github",
+            expect![[r#"
+            exit status 1
+            -- stdout
+            ::warning file=motor.rung,line=2,col=7,endColumn=24,title=textbook-precedence::the paper does not say whether `&` or `V` binds more tightly; `&` does here, put parentheses round what belongs together
+            ::warning file=motor.rung,line=2,col=7,endColumn=24,title=dead-end::the power of [ ]( I0 ) goes nowhere: nothing that acts is behind it%0Aput a coil or another block behind it, join the line to another with \ and /, or remove it
+            ::error file=lamp.cplc,line=5,col=15,endColumn=23,title=cplc-draft-block::`[PID]<x>` stays as a comment: the draft has no such block
+        "#]],
+        ),
+    ] {
+        let run = folder.ladder(&["check", "--format", format, "motor.rung", "lamp.cplc"]);
+        expected.assert_eq(&run.to_string());
+    }
+}
+
+#[test]
+fn findings_for_code_scanning() {
+    let folder = Folder::with(&[("lamp.cplc", DRAFT), ("motor.rung", RUNG)]);
+    let run = folder.ladder(&["check", "--format", "sarif", "motor.rung", "lamp.cplc"]);
+    let document: serde_json::Value = serde_json::from_str(&run.stdout).unwrap();
+    let results = document["runs"][0]["results"].as_array().unwrap();
+    let places: Vec<String> = results
+        .iter()
+        .map(|result| {
+            let place = &result["locations"][0]["physicalLocation"];
+            let region = &place["region"];
+            format!(
+                "{} {} {}:{}-{}",
+                result["ruleId"],
+                place["artifactLocation"]["uri"],
+                region["startLine"],
+                region["startColumn"],
+                region["endColumn"]
+            )
+        })
+        .collect();
+    expect![[r#"
+        "textbook-precedence" "motor.rung" 2:7-24
+        "dead-end" "motor.rung" 2:7-24
+        "cplc-draft-block" "lamp.cplc" 5:15-23"#]]
+    .assert_eq(&places.join("\n"));
+}
+
+#[test]
+fn a_run_shows_the_coils() {
+    let folder = Folder::with(&[("motor.rung", RUNG)]);
+    expect![[r#"
+        exit status 0
+        -- stdout
+        scan,time_ms,Q0,Q1
+        0,0,1,1
+    "#]]
+    .assert_eq(&folder.ladder(&["sim", "motor.rung", "--scans", "1"]).to_string());
+    let run = folder.ladder(&[
+        "sim",
+        "motor.rung",
+        "--scans",
+        "1",
+        "--set",
+        "I1=1",
+        "--watch",
+        "I1,Q0",
+    ]);
+    expect![[r#"
+        exit status 0
+        -- stdout
+        scan,time_ms,I1,Q0
+        0,0,1,0
+    "#]]
+    .assert_eq(&run.to_string());
+    let run = folder.ladder(&["sim", "motor.rung", "--scans", "1", "--format", "diagram"]);
+    expect![[r#"
+        exit status 0
+        -- stdout
+        VAR_INPUT
+            I0 : BOOL := TRUE;
+            I1 : BOOL;
+            I2 : BOOL;
+        END_VAR
+        VAR_OUTPUT
+            Q0 : BOOL;
+            Q1 : BOOL;
+        END_VAR
+
+        +==\==[ ]( I0 )==\==[/]( I1 )===================( )( Q0 )==+
+        |  /==[ ]( Q0 )--/                                         |
+
+        +==\==[ ]( I0 )=========================================\==+
+        |  /==[ ]( I2 )------------------------------(/)( Q1 )--/  |
+    "#]]
+    .assert_eq(&run.to_string());
+}
+
+#[test]
+fn faults_stand_in_the_file_that_was_named() {
+    let folder = Folder::with(&[("share.cplc", FAULTY)]);
+    let run = folder.ladder(&["sim", "share.cplc", "--scans", "1"]);
+    expect![[r#"
+        exit status 0
+        -- stdout
+        scan,time_ms,a,b,c
+        0,0,0.0,0.0,0.0
+        -- stderr
+        share.cplc:4:5: fault in scan 0: division by zero: nothing was written; check the divisor before this block
+    "#]].assert_eq(&run.to_string());
+}
+
+#[test]
+fn what_has_no_counterpart_is_not_run() {
+    let folder = Folder::with(&[("lamp.cplc", DRAFT)]);
+    expect![[r#"
+        exit status 1
+        -- stderr
+        error[cplc-draft-block]: `[PID]<x>` stays as a comment: the draft has no such block
+         --> lamp.cplc:5:15
+          |
+        5 | +---[ ]<go>---[PID]<x>---()<lamp>---+
+          |               ^^^^^^^^
+
+        error: lamp.cplc: a program with errors is not run
+    "#]]
+    .assert_eq(&folder.ladder(&["sim", "lamp.cplc", "--scans", "1"]).to_string());
+    let run = folder.ladder(&["render", "lamp.cplc", "-o", "lamp.svg"]);
+    expect![[r#"
+        exit status 1
+        -- stderr
+        error[cplc-draft-block]: `[PID]<x>` stays as a comment: the draft has no such block
+         --> lamp.cplc:5:15
+          |
+        5 | +---[ ]<go>---[PID]<x>---()<lamp>---+
+          |               ^^^^^^^^
+
+        error: lamp.cplc: drawn as far as it goes; the program has errors
+    "#]]
+    .assert_eq(&run.to_string());
+    assert!(folder.read("lamp.svg").contains("lamp"));
+}
+
+#[test]
+fn scenarios_of_a_foreign_program() {
+    let scenarios = "\
+program motor.rung
+step 10ms
+
+scenario \"start and stop\"
+I0 _-___
+I1 ___-_
+Q0 => _--__
+Q1 => -____
+";
+    let folder = Folder::with(&[("motor.rung", RUNG), ("motor.ladder-test", scenarios)]);
+    let run = folder.ladder(&["test", "motor.ladder-test", "--coverage"]);
+    let shown = run.to_string();
+    let shown = shown.split(", in ").next().unwrap();
+    expect![[r#"
+        exit status 1
+        -- stdout
+        motor.ladder-test
+          FAIL  start and stop
+                I0            _-___
+                I1            ___-_
+                Q1  expected  -____
+                    got       -----
+                               ^^^^
+                Q1 is TRUE in step 1 (at 10ms), FALSE was expected; 4 of 5 steps differ
+                at motor.ladder-test:8:8
+
+        Coverage
+          networks  contacts  coils
+               2/2       4/5    1/2  motor.rung
+
+        Never exercised
+          motor.rung:2:27: this contact was never closed while power came to it
+            start open contact I0.1 V open contact I2.0 & inactive coil Q1 end
+                                      ^^^^^^^^^^^^^^^^^
+          motor.rung:2:47: this coil never had power
+            start open contact I0.1 V open contact I2.0 & inactive coil Q1 end
+                                                          ^^^^^^^^^^^^^^^^
+
+        1 scenario in 1 file: 0 passed, 1 failed"#]]
+    .assert_eq(shown);
+    folder.write("motor.rung", b"start open I0.1 end\n");
+    let run = folder.ladder(&["test", "motor.ladder-test", "--format", "github"]);
+    expect![[r#"
+        exit status 2
+        -- stdout
+        ::error file=motor.rung,line=1,col=7,endColumn=7,title=bad-scenario::motor.rung:1:7: `open` is followed by `contact`
+        0 scenarios in 1 file: 0 passed, 0 failed, 1 file not run for mistakes
+    "#]].assert_eq(&run.to_string());
+    expect![[r#"
+        exit status 2
+        -- stdout
+        error: motor.rung:1:7: `open` is followed by `contact`
+
+        Checked 1 file: 1 error.
+    "#]]
+    .assert_eq(&folder.ladder(&["check", "motor.ladder-test"]).to_string());
+}
+
+#[test]
+fn what_is_broken_is_told_with_its_place() {
+    let folder = Folder::with(&[
+        ("broken.rung", "start open contact I0.1 & active coil end\n"),
+        ("unknown.ld", "what is this\n"),
+        ("any.txt", MOTOR),
+    ]);
+    let broken = "broken.rung:1:27: a name such as `I0.1`, `M2` or `Q3` is missing here";
+    for arguments in [
+        &["check", "broken.rung"][..],
+        &["sim", "broken.rung", "--scans", "1", "-o", "out.csv"],
+        &["render", "broken.rung", "-o", "out.svg"],
+    ] {
+        folder.ladder(arguments).refused_with(broken);
+    }
+    folder.ladder(&["check", "unknown.ld"]).refused_with(
+        "unknown.ld: this is in no notation that is known; if it is, `ladder convert --from` takes it",
+    );
+    // Ladder text may have any name that is not another system's.
+    assert_eq!(folder.ladder(&["check", "any.txt"]).status, Some(0));
+    assert_eq!(folder.names(), ["any.txt", "broken.rung", "unknown.ld"]);
+}
+
+#[test]
+fn the_notation_can_be_named() {
+    let folder = Folder::with(&[(
+        "lamp.clad",
+        "IN = {DI go}\nOUT = {DO lamp}\n+--[ ]<go>--()<lamp>--+\n",
+    )]);
+    for command in [
+        &["check", "--from", "cplc-draft", "lamp.clad"][..],
+        &["sim", "--from", "cplc-draft", "lamp.clad", "--scans", "1"],
+        &["render", "--from", "cplc-draft", "lamp.clad", "-o", "lamp.svg"],
+    ] {
+        let run = folder.ladder(command);
+        assert_eq!((run.status, run.stderr.as_str()), (Some(0), ""));
+    }
+    let run = folder.ladder(&["check", "--from", "ldmicro", "lamp.clad"]);
+    run.refused_with("lamp.clad:1:1: the first line of an LDmicro program is `LDmicro0.1` or `LDmicro0.2`");
+}
+
+#[test]
+fn a_foreign_program_is_not_mended() {
+    let folder = Folder::with(&[("motor.rung", RUNG), ("motor.clad", MOTOR)]);
+    let run = folder.ladder(&["check", "--fix", "motor.rung", "motor.clad"]);
+    expect![[r#"
+        exit status 2
+        -- stdout
+        Checked 1 file: no mistakes found.
+        -- stderr
+        error: motor.rung: --fix mends only ladder text, and this file is in the notation `textbook`; `ladder convert motor.rung -o FILE.clad` writes it as ladder text
+    "#]].assert_eq(&run.to_string());
+    assert_eq!(folder.read("motor.rung"), RUNG);
+}
+
+#[test]
+fn a_foreign_program_is_not_aligned() {
+    let folder = Folder::with(&[("motor.rung", RUNG), ("motor.clad", MOTOR)]);
+    let run = folder.ladder(&["fmt", "motor.rung", "motor.clad"]);
+    expect![[r#"
+        exit status 2
+        -- stderr
+        error: motor.rung: only ladder text is aligned, and this file is in the notation `textbook`
+    "#]]
+    .assert_eq(&run.to_string());
+    assert_eq!(folder.read("motor.rung"), RUNG);
+}
+
+#[test]
+fn only_named_files_are_foreign() {
+    let folder = Folder::with(&[
+        ("a/motor.clad", MOTOR),
+        ("a/motor.rung", RUNG),
+        ("b/motor.rung", RUNG),
+    ]);
+    expect![[r#"
+        exit status 0
+        -- stdout
+        Checked 1 file: no mistakes found.
+    "#]]
+    .assert_eq(&folder.ladder(&["check", "a"]).to_string());
+    expect![[r#"
+        exit status 2
+        -- stderr
+        error: b: no program (a file ending in .clad) is in this folder
+    "#]]
+    .assert_eq(&folder.ladder(&["check", "b"]).to_string());
+}
+
+#[test]
+fn a_text_from_stdin_may_be_foreign() {
+    let folder = Folder::with(&[]);
+    let ladder = env!("CARGO_BIN_EXE_ladder");
+    let run = folder.run(
+        ladder,
+        &["check", "--format", "concise", "-"],
+        DRAFT.as_bytes(),
+        &[],
+    );
+    expect![[r#"
+        exit status 1
+        -- stdout
+        <stdin>:5:15: error[cplc-draft-block] `[PID]<x>` stays as a comment: the draft has no such block
+        Checked 1 file: 1 error.
+    "#]]
+    .assert_eq(&run.to_string());
+    let named = ["check", "--fix", "--stdin-filename", "motor.rung", "-"];
+    let run = folder.run(ladder, &named, RUNG.as_bytes(), &[]);
+    expect![[r#"
+        exit status 2
+        -- stderr
+        error: motor.rung: --fix mends only ladder text, and this file is in the notation `textbook`; `ladder convert motor.rung -o FILE.clad` writes it as ladder text
+    "#]].assert_eq(&run.to_string());
+}
+
+#[test]
+fn the_settings_of_the_workspace_hold() {
+    let folder = Folder::with(&[
+        ("ladder.toml", "[lint]\nnever-read = \"off\"\n"),
+        ("motor.rung", "start open contact I0.1 & active coil M0 end\n"),
+    ]);
+    expect![[r#"
+        exit status 0
+        -- stdout
+        Checked 1 file: no mistakes found.
+    "#]]
+    .assert_eq(&folder.ladder(&["check", "motor.rung"]).to_string());
+}
+
+/// Whatever is in the programs of other systems, the commands say what they can and end.
+#[test]
+fn every_foreign_program_that_is_at_hand() {
+    let own = Path::new(env!("CARGO_MANIFEST_DIR")).join("../tests/corpus");
+    let more = std::env::var_os("LADDER_CORPUS").map(PathBuf::from);
+    if more.is_none() {
+        eprintln!("LADDER_CORPUS names no folder: the programs of other people are not looked at");
+    }
+    let folder = Folder::with(&[]);
+    let mut files = Vec::new();
+    for corpus in std::iter::once(own).chain(more) {
+        for below in ["ldmicro/elements", "ldmicro/programs"] {
+            let Ok(entries) = std::fs::read_dir(corpus.join(below)) else {
+                continue;
+            };
+            let paths = entries.map(|entry| entry.unwrap().path());
+            files.extend(paths.filter(|path| path.extension().is_some_and(|ending| ending == "ld")));
+        }
+        for list in ["textbook/constructed-examples.txt", "textbook/examples.txt"] {
+            files.extend(Some(corpus.join(list)).filter(|list| list.exists()));
+        }
+    }
+    folder.write("lamp.cplc", DRAFT.as_bytes());
+    folder.write("share.cplc", FAULTY.as_bytes());
+    files.extend([folder.path("lamp.cplc"), folder.path("share.cplc")]);
+    assert!(files.len() > 20, "{files:?}");
+    let mut problems = Vec::new();
+    for file in &files {
+        let file = file.to_str().unwrap();
+        for arguments in [
+            &["check", file][..],
+            &["render", file, "-o", "out.svg"],
+            &["sim", file, "--scans", "3"],
+        ] {
+            let run = folder.ladder(arguments);
+            if !matches!(run.status, Some(0 | 1)) || run.stderr.contains("panicked") {
+                problems.push(format!("{arguments:?}\n{run}"));
+            }
+        }
+    }
+    assert!(problems.is_empty(), "{}", problems.join("\n"));
+}
