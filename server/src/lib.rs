@@ -1,13 +1,13 @@
 //! The language server for ladder text: what `ladder lsp` runs.
 //!
 //! ```text
-//! client's bytes -> lsp::inlet -> tower-lsp -> lsp::guard -> lsp::backend -> one file for each feature
+//! client's bytes -> lsp::transport -> tower-lsp -> lsp::backend -> lsp::features, a file for each
 //!                                                                                |
 //!                       document: open texts, revisions, positions <-------------+
 //!                       language: asks the inner crates about a text <----------+
 //!                       simulation: sessions, each on a thread of its own <------+
 //!                                                                                |
-//! client <- tower-lsp <- answers, and lsp::outbox: what is said without being asked
+//! client <- tower-lsp <- answers, and what lsp::documents says without being asked
 //! ```
 //!
 //! - `document` holds the editor's texts in ropes. A change makes a new `Revision`, which never changes again:

@@ -8,7 +8,7 @@ use ladder_analysis::Diagnostic;
 use crate::document::edit::Change;
 use crate::document::position::Encoding;
 use crate::document::{Documents, Revision};
-use crate::lsp::inlet;
+use crate::lsp::transport::inlet;
 use crate::{Position, Range};
 
 const URI: &str = "untitled:main.clad";

@@ -40,41 +40,44 @@ use tower_lsp::ls_types::{
 use tower_lsp::ls_types::{SignatureHelp, SignatureHelpParams};
 use tower_lsp::{Client, LanguageServer};
 
-use super::capabilities::{self, Agreed};
-use super::completion;
-use super::file_operations;
-use super::formatting::DocumentRangesFormattingParams;
-use super::shared::Shared;
-use super::{call_hierarchy, folding, goto, links, references, rename, symbols};
-use super::{code_action, configuration, folders, formatting, hover, parent, pull, simulate, sync, watch};
-use super::{code_lens, inlay_hint, semantic_tokens, signature};
 use crate::busy::Busy;
+use crate::lsp::documents::{configuration, file_operations, folders, pull, sync, watch};
+use crate::lsp::features::{
+    call_hierarchy, code_action, code_lens, completion, folding,
+    formatting::{self, DocumentRangesFormattingParams},
+    goto, hover, inlay_hint, links, references, rename, semantic_tokens, signature, simulate, symbols,
+};
+use crate::lsp::transport::parent;
+use crate::lsp::{
+    capabilities::{self, Agreed},
+    shared::Shared,
+};
 
 /// The server as the framework sees it.
 #[derive(Debug)]
-pub(super) struct Backend {
+pub(crate) struct Backend {
     shared: Arc<Shared>,
 }
 
 impl Backend {
     #[cfg(test)]
-    pub(super) fn new(client: Client) -> Self {
+    pub(crate) fn new(client: Client) -> Self {
         Backend::counting(client, Busy::default())
     }
 
     /// A server that tells whether work is under way.
-    pub(super) fn counting(client: Client, busy: Busy) -> Self {
+    pub(crate) fn counting(client: Client, busy: Busy) -> Self {
         Backend {
             shared: Shared::new(client, busy),
         }
     }
 
-    pub(super) fn shared(&self) -> Arc<Shared> {
+    pub(crate) fn shared(&self) -> Arc<Shared> {
         self.shared.clone()
     }
 
     /// `textDocument/rangesFormatting`, which the framework does not know yet.
-    pub(super) async fn ranges_formatting(
+    pub(crate) async fn ranges_formatting(
         &self,
         params: DocumentRangesFormattingParams,
     ) -> Result<Option<Vec<TextEdit>>> {

@@ -16,85 +16,83 @@ use tower_lsp::ls_types::{
     TextDocumentClientCapabilities, WorkDoneProgressOptions,
 };
 
-use super::code_action::KINDS;
-use super::completion;
-use super::{code_lens, semantic_tokens, signature};
-use super::{file_operations, pull};
 use crate::document::position::Encoding;
+use crate::lsp::documents::{file_operations, pull};
+use crate::lsp::features::{code_action::KINDS, code_lens, completion, semantic_tokens, signature};
 use crate::simulation::COMMANDS;
 use ladder_ide::TRIGGERS;
 
 /// The kind of the action that applies every sure fix of a file.
-pub(super) const FIX_ALL: CodeActionKind = CodeActionKind::new("source.fixAll.ladder");
+pub(crate) const FIX_ALL: CodeActionKind = CodeActionKind::new("source.fixAll.ladder");
 
 /// What the client can take, as plain answers to the questions that the handlers ask.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
-pub(super) struct Agreed {
+pub(crate) struct Agreed {
     /// The unit of positions.
-    pub(super) encoding: Encoding,
+    pub(crate) encoding: Encoding,
     /// Diagnostics may link other places.
-    pub(super) related_information: bool,
+    pub(crate) related_information: bool,
     /// Diagnostics may be tagged, so that text without effect is shown faded.
-    pub(super) unnecessary_tag: bool,
+    pub(crate) unnecessary_tag: bool,
     /// Diagnostics may carry data.
-    pub(super) diagnostic_data: bool,
+    pub(crate) diagnostic_data: bool,
     /// Edits may name the version of the document that they are for.
-    pub(super) versioned_edits: bool,
+    pub(crate) versioned_edits: bool,
     /// The edits of a code action may be asked for later.
-    pub(super) resolves_edits: bool,
+    pub(crate) resolves_edits: bool,
     /// Code actions may be shown that cannot be done, with the reason.
-    pub(super) disabled_actions: bool,
+    pub(crate) disabled_actions: bool,
     /// Hovers may be Markdown.
-    pub(super) markdown: bool,
+    pub(crate) markdown: bool,
     /// A place that an editor is sent to may say how far it reaches.
-    pub(super) links: Links,
+    pub(crate) links: Links,
     /// The client asks what would be renamed before it asks for a new name.
-    pub(super) prepares_rename: bool,
+    pub(crate) prepares_rename: bool,
     /// Completions may have tab stops.
-    pub(super) snippets: bool,
+    pub(crate) snippets: bool,
     /// The documentation of completions may be Markdown.
-    pub(super) completion_markdown: bool,
+    pub(crate) completion_markdown: bool,
     /// Symbols of a document may hold others.
-    pub(super) nested_symbols: bool,
+    pub(crate) nested_symbols: bool,
     /// How many stretches of a document the client wants to fold.
-    pub(super) fold_limit: Option<u32>,
+    pub(crate) fold_limit: Option<u32>,
     /// The commands of lenses that the client can run.
-    pub(super) lens_commands: code_lens::Commands,
+    pub(crate) lens_commands: code_lens::Commands,
     /// A semantic token may span lines.
-    pub(super) multiline_tokens: bool,
+    pub(crate) multiline_tokens: bool,
     /// Parameters of signatures may be told by their place in the label.
-    pub(super) label_offsets: bool,
+    pub(crate) label_offsets: bool,
     /// The documentation of signatures may be Markdown.
-    pub(super) signature_markdown: bool,
+    pub(crate) signature_markdown: bool,
     /// The client can be asked to tell of changed files.
-    pub(super) watches_files: bool,
+    pub(crate) watches_files: bool,
     /// The operations on files that the client tells of.
-    pub(super) file_operations: file_operations::Told,
+    pub(crate) file_operations: file_operations::Told,
     /// The client asks for diagnostics, so none are published.
-    pub(super) pulls_diagnostics: bool,
+    pub(crate) pulls_diagnostics: bool,
     /// The client takes diagnostics of other files beside those that it asks for.
-    pub(super) related_documents: bool,
+    pub(crate) related_documents: bool,
     /// The client can be told that diagnostics are other ones now.
-    pub(super) refreshes_diagnostics: bool,
+    pub(crate) refreshes_diagnostics: bool,
     /// The client shows progress that the server begins.
-    pub(super) progress: bool,
+    pub(crate) progress: bool,
     /// The client can be asked for its settings.
-    pub(super) configuration: bool,
+    pub(crate) configuration: bool,
     /// The client wants to be asked to tell of changed settings.
-    pub(super) registers_configuration: bool,
+    pub(crate) registers_configuration: bool,
     /// The client can be told that inlay hints are other ones now.
-    pub(super) refreshes_inlay_hints: bool,
+    pub(crate) refreshes_inlay_hints: bool,
     /// The client can be told that code lenses are other ones now.
-    pub(super) refreshes_code_lenses: bool,
+    pub(crate) refreshes_code_lenses: bool,
 }
 
 /// To which of the questions where a thing is the answer may say how far it reaches.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
-pub(super) struct Links {
-    pub(super) definition: bool,
-    pub(super) declaration: bool,
-    pub(super) type_definition: bool,
-    pub(super) implementation: bool,
+pub(crate) struct Links {
+    pub(crate) definition: bool,
+    pub(crate) declaration: bool,
+    pub(crate) type_definition: bool,
+    pub(crate) implementation: bool,
 }
 
 impl Links {
@@ -115,7 +113,7 @@ impl Links {
 impl Agreed {
     /// What follows from the client's capabilities. Bytes are the cheapest unit for the server, scalar values
     /// the next; UTF-16 is what a client has that names nothing.
-    pub(super) fn with(client: &ClientCapabilities) -> Self {
+    pub(crate) fn with(client: &ClientCapabilities) -> Self {
         let document = client.text_document.as_ref();
         let pull = document.and_then(|document| document.diagnostic.as_ref());
         let push = document.and_then(|document| document.publish_diagnostics.as_ref());
@@ -238,7 +236,7 @@ fn takes_unnecessary(tags: &ClientDiagnosticsTagOptions) -> bool {
 }
 
 /// What the server offers to such a client.
-pub(super) fn offered(agreed: Agreed) -> ServerCapabilities {
+pub(crate) fn offered(agreed: Agreed) -> ServerCapabilities {
     ServerCapabilities {
         position_encoding: Some(match agreed.encoding {
             Encoding::Utf8 => PositionEncodingKind::UTF8,
@@ -316,7 +314,7 @@ fn on_type_formatting() -> DocumentOnTypeFormattingOptions {
 
 /// Adds to the answer of `initialize` what the framework's types do not know yet: several ranges can be formatted at
 /// once (3.18).
-pub(super) fn since_3_18(answer: &mut Value) {
+pub(crate) fn since_3_18(answer: &mut Value) {
     if let Some(provider) = answer.pointer_mut("/capabilities/documentRangeFormattingProvider") {
         *provider = json!({ "rangesSupport": true });
     }

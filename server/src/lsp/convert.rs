@@ -10,8 +10,8 @@ use tower_lsp::ls_types::{
     TextEdit, Uri, WorkspaceEdit,
 };
 
-use super::capabilities::Agreed;
 use crate::document::{self, Beside, Revision};
+use crate::lsp::capabilities::Agreed;
 use ladder_analysis::Severity;
 use ladder_format::Edit;
 use ladder_syntax::TextRange;
@@ -19,28 +19,28 @@ use ladder_syntax::TextRange;
 /// The rules that mark text without effect: editors show it faded.
 const UNNECESSARY: [&str; 3] = ["unreachable", "unused-function", "unused-label"];
 
-pub(super) fn position(position: document::position::Position) -> Position {
+pub(crate) fn position(position: document::position::Position) -> Position {
     Position {
         line: position.line,
         character: position.character,
     }
 }
 
-pub(super) fn range(range: document::position::Range) -> Range {
+pub(crate) fn range(range: document::position::Range) -> Range {
     Range {
         start: position(range.start),
         end: position(range.end),
     }
 }
 
-pub(super) fn our_position(position: Position) -> document::position::Position {
+pub(crate) fn our_position(position: Position) -> document::position::Position {
     document::position::Position {
         line: position.line,
         character: position.character,
     }
 }
 
-pub(super) fn our_range(range: Range) -> document::position::Range {
+pub(crate) fn our_range(range: Range) -> document::position::Range {
     document::position::Range {
         start: our_position(range.start),
         end: our_position(range.end),
@@ -48,15 +48,15 @@ pub(super) fn our_range(range: Range) -> document::position::Range {
 }
 
 /// An address that came from the protocol goes back unchanged, so it always reads.
-pub(super) fn uri(uri: &str) -> Option<Uri> {
+pub(crate) fn uri(uri: &str) -> Option<Uri> {
     Uri::from_str(uri).ok()
 }
 
-pub(super) fn range_in(revision: &Revision, place: TextRange) -> Range {
+pub(crate) fn range_in(revision: &Revision, place: TextRange) -> Range {
     range(revision.range(place))
 }
 
-pub(super) fn edits(revision: &Revision, edits: &[Edit]) -> Vec<TextEdit> {
+pub(crate) fn edits(revision: &Revision, edits: &[Edit]) -> Vec<TextEdit> {
     edits
         .iter()
         .map(|edit| TextEdit {
@@ -68,7 +68,7 @@ pub(super) fn edits(revision: &Revision, edits: &[Edit]) -> Vec<TextEdit> {
 
 /// The edits as a change of the workspace, bound to the version that they are for where the client can check
 /// that.
-pub(super) fn workspace_edit(
+pub(crate) fn workspace_edit(
     agreed: Agreed,
     revision: &Revision,
     our_edits: &[Edit],
@@ -97,7 +97,7 @@ pub(super) fn workspace_edit(
 }
 
 /// Findings of a file.
-pub(super) fn diagnostics<'f>(
+pub(crate) fn diagnostics<'f>(
     agreed: Agreed,
     revision: &Revision,
     found: impl IntoIterator<Item = &'f ladder_analysis::Diagnostic>,

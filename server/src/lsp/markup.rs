@@ -3,7 +3,7 @@
 use tower_lsp::ls_types::{Documentation, MarkupContent, MarkupKind};
 
 /// Markdown, or the words of it.
-pub(super) fn content(markdown: bool, text: String) -> MarkupContent {
+pub(crate) fn content(markdown: bool, text: String) -> MarkupContent {
     if markdown {
         MarkupContent {
             kind: MarkupKind::Markdown,
@@ -18,7 +18,7 @@ pub(super) fn content(markdown: bool, text: String) -> MarkupContent {
 }
 
 /// The same, where the protocol wants documentation. A client that lists no formats takes nothing but a text.
-pub(super) fn documentation(markdown: bool, text: String) -> Documentation {
+pub(crate) fn documentation(markdown: bool, text: String) -> Documentation {
     if markdown {
         Documentation::MarkupContent(content(markdown, text))
     } else {
@@ -27,7 +27,7 @@ pub(super) fn documentation(markdown: bool, text: String) -> Documentation {
 }
 
 /// The links to lines of a document lead there.
-pub(super) fn linked(text: String, uri: &str) -> String {
+pub(crate) fn linked(text: String, uri: &str) -> String {
     if text.contains("](#L") {
         text.replace("](#L", &format!("]({uri}#L"))
     } else {

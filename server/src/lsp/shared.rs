@@ -8,20 +8,19 @@ use std::time::Instant;
 use tokio::sync::Notify;
 use tower_lsp::Client;
 
-use super::capabilities::Agreed;
-use super::outbox::Outbox;
-use super::pull::Found;
-use super::semantic_tokens::TokensTold;
-use super::settings_file::Told;
 use crate::busy::Busy;
 use crate::document::Documents;
 use crate::document::neighbours::Neighbours;
+use crate::lsp::capabilities::Agreed;
+use crate::lsp::documents::{pull::Found, settings_file::Told};
+use crate::lsp::features::semantic_tokens::TokensTold;
+use crate::lsp::transport::outbox::Outbox;
 use crate::simulation::Sessions;
 use ladder_workspace::EditorSettings;
 
 /// The state of one session with one client.
 #[derive(Debug)]
-pub(super) struct Shared {
+pub(crate) struct Shared {
     agreed: OnceLock<Agreed>,
     /// What the editor's own settings say.
     editor: RwLock<Arc<EditorSettings>>,
@@ -30,35 +29,35 @@ pub(super) struct Shared {
     /// What was said last about mistakes in them.
     settings_complaint: Mutex<String>,
     /// What was said of settings files that are not open.
-    pub(super) settings_files: Told,
+    pub(crate) settings_files: Told,
     /// What was found in files that are not open.
-    pub(super) found: Found,
+    pub(crate) found: Found,
     /// Whether the client is about to be told that diagnostics are other ones now.
-    pub(super) refresh_due: AtomicBool,
+    pub(crate) refresh_due: AtomicBool,
     /// When the files on disk were last looked at for a client that does not tell of changes.
-    pub(super) looked_around: Mutex<Option<Instant>>,
+    pub(crate) looked_around: Mutex<Option<Instant>>,
     /// The folders that the client has open.
-    pub(super) folders: Mutex<Vec<PathBuf>>,
-    pub(super) client: Client,
+    pub(crate) folders: Mutex<Vec<PathBuf>>,
+    pub(crate) client: Client,
     /// Whether work is under way that nobody asked for.
-    pub(super) busy: Busy,
+    pub(crate) busy: Busy,
     /// The open programs.
-    pub(super) documents: Arc<Documents>,
+    pub(crate) documents: Arc<Documents>,
     /// The open texts that are no programs: settings files, scenarios, and what the client sends besides. They are
     /// apart, so that nobody takes one for a program.
-    pub(super) companions: Arc<Documents>,
+    pub(crate) companions: Arc<Documents>,
     /// The files beside them.
-    pub(super) neighbours: Arc<Neighbours>,
-    pub(super) sessions: Sessions,
-    pub(super) outbox: Outbox,
+    pub(crate) neighbours: Arc<Neighbours>,
+    pub(crate) sessions: Sessions,
+    pub(crate) outbox: Outbox,
     /// The semantic tokens that the client has.
-    pub(super) tokens_told: TokensTold,
+    pub(crate) tokens_told: TokensTold,
     /// Told when the process that started the server is gone.
-    pub(super) orphaned: Notify,
+    pub(crate) orphaned: Notify,
 }
 
 impl Shared {
-    pub(super) fn new(client: Client, busy: Busy) -> Arc<Self> {
+    pub(crate) fn new(client: Client, busy: Busy) -> Arc<Self> {
         Arc::new(Shared {
             agreed: OnceLock::new(),
             editor: RwLock::default(),
@@ -82,38 +81,38 @@ impl Shared {
     }
 
     /// Records what was agreed. The framework lets only one `initialize` through.
-    pub(super) fn agree(&self, agreed: Agreed) {
+    pub(crate) fn agree(&self, agreed: Agreed) {
         let _ = self.agreed.set(agreed);
     }
 
     /// What was agreed with the client; before that, the protocol's defaults.
-    pub(super) fn agreed(&self) -> Agreed {
+    pub(crate) fn agreed(&self) -> Agreed {
         self.agreed.get().copied().unwrap_or_default()
     }
 
     /// What the editor's own settings say now.
-    pub(super) fn editor(&self) -> Arc<EditorSettings> {
+    pub(crate) fn editor(&self) -> Arc<EditorSettings> {
         self.editor.read().unwrap_or_else(PoisonError::into_inner).clone()
     }
 
     /// Takes the editor's settings.
-    pub(super) fn set_editor(&self, settings: EditorSettings) {
+    pub(crate) fn set_editor(&self, settings: EditorSettings) {
         self.neighbours.set_defaults(settings.project.clone());
         *self.editor.write().unwrap_or_else(PoisonError::into_inner) = Arc::new(settings);
     }
 
     /// The client is about to be asked for its settings, or has told them: the number of the occasion.
-    pub(super) fn editor_settings_asked(&self) -> u64 {
+    pub(crate) fn editor_settings_asked(&self) -> u64 {
         self.editor_asked.fetch_add(1, Ordering::Relaxed) + 1
     }
 
     /// Whether there was no later occasion.
-    pub(super) fn editor_settings_asked_last(&self, occasion: u64) -> bool {
+    pub(crate) fn editor_settings_asked_last(&self, occasion: u64) -> bool {
         self.editor_asked.load(Ordering::Relaxed) == occasion
     }
 
     /// Says what is wrong with the editor's settings, unless that was said last.
-    pub(super) fn tell_once_of_settings(&self, complaint: String) {
+    pub(crate) fn tell_once_of_settings(&self, complaint: String) {
         let mut last = self
             .settings_complaint
             .lock()
@@ -126,7 +125,7 @@ impl Shared {
     }
 
     /// Does something on a thread that may read the disk. Nobody waits for it.
-    pub(super) fn in_background(self: &Arc<Self>, job: impl FnOnce(&Arc<Shared>) + Send + 'static) {
+    pub(crate) fn in_background(self: &Arc<Self>, job: impl FnOnce(&Arc<Shared>) + Send + 'static) {
         let (shared, work) = (self.clone(), self.busy.begin());
         tokio::task::spawn_blocking(move || {
             job(&shared);
@@ -135,12 +134,12 @@ impl Shared {
     }
 
     /// The text of a document is another one now: simulations of it say so.
-    pub(super) fn text_moved(&self, uri: &str) {
+    pub(crate) fn text_moved(&self, uri: &str) {
         self.sessions.mark_stale(uri);
     }
 
     /// The document is gone from the editor, and with it the drawing that its simulations would show.
-    pub(super) fn document_closed(&self, uri: &str) {
+    pub(crate) fn document_closed(&self, uri: &str) {
         self.sessions.stop_all_of(uri);
         self.tokens_told.forget(uri);
     }

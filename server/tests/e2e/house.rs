@@ -37,7 +37,7 @@ fn only_the_folder_lsp_names_the_framework() {
 fn notifications_change_documents_before_they_wait() {
     // A handler that awaits first lets a later change overtake it; the functions that change documents
     // are therefore not async, and the handlers do nothing but call them.
-    let sync = include_str!("../../src/lsp/sync.rs");
+    let sync = include_str!("../../src/lsp/documents/sync.rs");
     assert!(!sync.contains("async fn") && !sync.contains(".await"));
     let backend = include_str!("../../src/lsp/backend.rs");
     for handler in ["did_open", "did_change", "did_close"] {

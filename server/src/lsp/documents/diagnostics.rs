@@ -1,0 +1,160 @@
+//! Diagnostics after every change.
+//!
+//! One task at a time analyses a document. It takes the newest revision, so a burst of changes costs two or
+//! three analyses instead of one each, and nobody waits for a revision that is no longer shown.
+
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+
+use ladder_syntax::{MAX_OPEN_BYTES, MAX_OPEN_LINES};
+use ladder_workspace::SETTINGS_FILE;
+use tower_lsp::ls_types::{Diagnostic, DiagnosticSeverity, NumberOrString, Range};
+
+use super::{companions, folders, pull, settings_file, shown};
+use crate::busy::Work;
+use crate::document::Revision;
+use crate::lsp::transport::blocking::blocking;
+use crate::lsp::{capabilities::Agreed, convert, shared::Shared};
+
+/// Sees to it that the newest text of the document gets its diagnostics.
+pub(crate) fn refresh(shared: &Arc<Shared>, uri: &str) {
+    if let Some(revision) = shared.documents.begin_analysis(uri) {
+        tokio::spawn(analyse(shared.clone(), revision, shared.busy.begin()));
+    }
+}
+
+async fn analyse(shared: Arc<Shared>, first: Arc<Revision>, _work: Work) {
+    let mut next = Some(first);
+    while let Some(revision) = next {
+        if shared.documents.is_current(&revision) {
+            let (agreed, job) = (shared.agreed(), revision.clone());
+            let beside = shared.clone();
+            // All on one thread, the person first: what was allocated there is freed there.
+            let looked = blocking(move |_| {
+                let diagnostics = diagnostics_of(agreed, &job);
+                if !agreed.pulls_diagnostics {
+                    beside
+                        .outbox
+                        .diagnostics(&beside.documents, job.clone(), diagnostics);
+                }
+                tell_others(&beside, &job);
+                job.forget_superseded();
+            });
+            if let Err(error) = looked.await {
+                let message = format!("no diagnostics for {}: {}", revision.uri, error.message);
+                shared.outbox.log(message);
+            }
+        }
+        next = shared.documents.analysed(&revision);
+    }
+}
+
+/// The diagnostics of a program. The other open files of its workspace are looked at again if they see something
+/// else in it than before. For a blocking thread.
+pub(crate) fn look_at(shared: &Arc<Shared>, revision: &Revision) -> Vec<Diagnostic> {
+    let diagnostics = diagnostics_of(shared.agreed(), revision);
+    tell_others(shared, revision);
+    diagnostics
+}
+
+/// Has the other open files of a program's workspace looked at again if they see something else in it than before.
+fn tell_others(shared: &Arc<Shared>, revision: &Revision) {
+    if let Some(place) = revision.place().filter(|_| shared.documents.is_current(revision)) {
+        if revision.tell_neighbours() {
+            refresh_others(shared, &place.path, Some(&revision.uri));
+        }
+        settings_file::tell(shared);
+        companions::refresh_scenarios(shared);
+    }
+}
+
+/// Looks once more at the open documents of a file's workspace, but for one.
+fn refresh_others(shared: &Arc<Shared>, path: &Path, but: Option<&str>) {
+    for other in shared.documents.all() {
+        let beside = other
+            .place()
+            .is_some_and(|place| shared.neighbours.together(&place.path, path));
+        if beside && Some(&*other.uri) != but {
+            look_again(shared, &other.uri);
+        }
+    }
+    pull::refresh(shared);
+}
+
+/// Looks once more at an open document, whose text is as it was.
+fn look_again(shared: &Arc<Shared>, uri: &str) {
+    if shared.documents.touch(uri) {
+        refresh(shared, uri);
+    }
+}
+
+/// A document was closed: its file counts as it is on disk.
+pub(crate) fn neighbour_closed(shared: &Arc<Shared>, uri: String, path: PathBuf) {
+    shared.in_background(move |shared| {
+        // Unless it was opened again meanwhile.
+        if shared.documents.get(&uri).is_none() && shared.neighbours.closed(&path) {
+            refresh_others(shared, &path, None);
+        }
+    });
+}
+
+/// Files were changed, made or removed on disk.
+pub(crate) fn disk_changed(shared: &Arc<Shared>, paths: Vec<PathBuf>) {
+    shared.in_background(move |shared| files_changed(shared, &paths));
+}
+
+/// As [`disk_changed`], on a thread that may read the disk.
+pub(crate) fn files_changed(shared: &Arc<Shared>, paths: &[PathBuf]) {
+    let settings = paths
+        .iter()
+        .any(|path| path.file_name().is_some_and(|name| name == SETTINGS_FILE));
+    if shared.neighbours.disk_changed(paths) {
+        if settings {
+            // Which file belongs where may be another matter now.
+            look_at_everything_again(shared);
+        } else {
+            for path in paths {
+                refresh_others(shared, path, None);
+            }
+        }
+    }
+    companions::refresh_scenarios(shared);
+}
+
+/// The settings of the editor or of a workspace are other ones, or the client has other folders open.
+pub(crate) fn look_at_everything_again(shared: &Arc<Shared>) {
+    for document in shared.documents.all() {
+        look_again(shared, &document.uri);
+    }
+    pull::refresh(shared);
+    folders::index(shared);
+}
+
+/// What is found in a text. For a blocking thread.
+pub(crate) fn diagnostics_of(agreed: Agreed, revision: &Revision) -> Vec<Diagnostic> {
+    match revision.analysis() {
+        Some(analysis) => {
+            let (shown, left_out) = shown::shown(analysis.diagnostics(), revision.edited());
+            let mut items = convert::diagnostics(agreed, revision, shown);
+            items.extend(shown::rest(left_out));
+            items
+        }
+        None => vec![too_large(revision)],
+    }
+}
+
+pub(crate) fn too_large(revision: &Revision) -> Diagnostic {
+    Diagnostic {
+        range: Range::default(),
+        severity: Some(DiagnosticSeverity::ERROR),
+        code: Some(NumberOrString::String("file-too-large".into())),
+        source: Some("ladder".into()),
+        message: format!(
+            "this file has {} bytes; files over {} MiB, or of more than {MAX_OPEN_LINES} lines, are not checked, \
+             formatted or simulated. Split the program, or open the right file",
+            revision.len(),
+            MAX_OPEN_BYTES >> 20
+        ),
+        ..Diagnostic::default()
+    }
+}

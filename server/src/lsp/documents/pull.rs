@@ -1,0 +1,244 @@
+//! Diagnostics for clients that ask for them: of a document, and of the whole workspace.
+//!
+//! Such a client is never sent any unasked. Each list has an identity that follows from what is in it, so a client
+//! that has it already is told so, whichever way it came there.
+
+use std::collections::{BTreeMap, HashMap};
+use std::hash::{DefaultHasher, Hash, Hasher};
+use std::path::{Path, PathBuf};
+use std::sync::atomic::Ordering;
+use std::sync::{Arc, Mutex, PoisonError};
+use std::time::Duration;
+
+use ladder_analysis::Exported;
+use tower_lsp::jsonrpc::{Error, Result};
+use tower_lsp::ls_types::{
+    Diagnostic, DiagnosticOptions, DiagnosticServerCapabilities, DocumentDiagnosticParams,
+    DocumentDiagnosticReport, DocumentDiagnosticReportKind, DocumentDiagnosticReportResult,
+    FullDocumentDiagnosticReport, RelatedFullDocumentDiagnosticReport,
+    RelatedUnchangedDocumentDiagnosticReport, UnchangedDocumentDiagnosticReport, Uri,
+    WorkDoneProgressOptions, WorkspaceDiagnosticParams, WorkspaceDiagnosticReport,
+    WorkspaceDiagnosticReportResult, WorkspaceDocumentDiagnosticReport,
+    WorkspaceFullDocumentDiagnosticReport, WorkspaceUnchangedDocumentDiagnosticReport,
+};
+
+use super::{companions, diagnostics, folders, settings_file, watch};
+use crate::document::Revision;
+use crate::document::address::{path_of, uri_of};
+use crate::document::neighbours::{OnDisk, Place};
+use crate::lsp::transport::{blocking::blocking, progress::Progress};
+use crate::lsp::{convert, shared::Shared};
+
+/// Changes that come together are told together.
+const GATHER: Duration = Duration::from_millis(50);
+
+/// A client that does not answer by then never will; nothing depends on it.
+const PATIENCE: Duration = Duration::from_secs(30);
+
+/// What was found in files that are not open, as long as they and what they see stay as they are.
+pub(crate) type Found = Mutex<HashMap<PathBuf, (Arc<OnDisk>, Arc<Exported>, Vec<Diagnostic>)>>;
+
+/// What is offered to a client that asks for diagnostics.
+pub(crate) fn options() -> DiagnosticServerCapabilities {
+    DiagnosticServerCapabilities::Options(DiagnosticOptions {
+        identifier: Some("ladder".into()),
+        inter_file_dependencies: true,
+        workspace_diagnostics: true,
+        work_done_progress_options: WorkDoneProgressOptions {
+            work_done_progress: Some(true),
+        },
+    })
+}
+
+/// Tells a client that asks for diagnostics that those it has may be old ones.
+pub(crate) fn refresh(shared: &Arc<Shared>) {
+    let agreed = shared.agreed();
+    if !agreed.pulls_diagnostics || !agreed.refreshes_diagnostics {
+        return;
+    }
+    if shared.refresh_due.swap(true, Ordering::Relaxed) {
+        return;
+    }
+    let (shared, work) = (shared.clone(), shared.busy.begin());
+    tokio::spawn(async move {
+        tokio::time::sleep(GATHER).await;
+        shared.refresh_due.store(false, Ordering::Relaxed);
+        drop(work);
+        // Whether it answers is nobody's concern.
+        let _ = tokio::time::timeout(PATIENCE, shared.client.workspace_diagnostic_refresh()).await;
+    });
+}
+
+/// `textDocument/diagnostic`.
+pub(crate) async fn document(
+    shared: &Arc<Shared>,
+    params: DocumentDiagnosticParams,
+) -> Result<DocumentDiagnosticReportResult> {
+    let uri = params.text_document.uri;
+    watch::look_around(shared);
+    let beside = shared.clone();
+    let (items, related) = blocking(move |_| {
+        let shared = beside;
+        if let Some(revision) = shared.companions.get(uri.as_str()) {
+            return (companions::diagnostics_of(&shared, &revision), None);
+        }
+        let Some(revision) = shared.documents.get(uri.as_str()) else {
+            // Not open: as it is on disk, if it is known.
+            let found = path_of(uri.as_str()).and_then(|path| on_disk(&shared, &path));
+            return (found.unwrap_or_default(), None);
+        };
+        let items = diagnostics::look_at(&shared, &revision);
+        let related = revision.place().filter(|_| shared.agreed().related_documents);
+        (
+            items,
+            related.and_then(|place| settings_file::of_program(&shared, &place.path)),
+        )
+    })
+    .await?;
+    let related_documents = related.and_then(|(path, items)| {
+        let report = FullDocumentDiagnosticReport {
+            result_id: Some(identity(&items)),
+            items,
+        };
+        let uri: Uri = convert::uri(&uri_of(&path))?;
+        Some(HashMap::from([(uri, DocumentDiagnosticReportKind::Full(report))]))
+    });
+    let result_id = identity(&items);
+    Ok(
+        if params.previous_result_id.as_deref() == Some(result_id.as_str()) {
+            DocumentDiagnosticReport::Unchanged(RelatedUnchangedDocumentDiagnosticReport {
+                related_documents,
+                unchanged_document_diagnostic_report: UnchangedDocumentDiagnosticReport { result_id },
+            })
+        } else {
+            DocumentDiagnosticReport::Full(RelatedFullDocumentDiagnosticReport {
+                related_documents,
+                full_document_diagnostic_report: FullDocumentDiagnosticReport {
+                    result_id: Some(result_id),
+                    items,
+                },
+            })
+        }
+        .into(),
+    )
+}
+
+/// `workspace/diagnostic`: of the open documents, of the programs in the client's folders, of those beside open ones,
+/// and of the settings files.
+pub(crate) async fn workspace(
+    shared: &Arc<Shared>,
+    params: WorkspaceDiagnosticParams,
+) -> Result<WorkspaceDiagnosticReportResult> {
+    let token = params.work_done_progress_params.work_done_token.clone();
+    let progress = Progress::of_request(shared, token, "Checking ladder programs");
+    let beside = shared.clone();
+    let items = blocking(move |cancel| {
+        let shared = beside;
+        folders::read(&shared, &progress, &|| cancel.is_cancelled());
+        let known: HashMap<&str, &str> = params
+            .previous_result_ids
+            .iter()
+            .map(|it| (it.uri.as_str(), it.value.as_str()))
+            .collect();
+        // By address, so that the order is the same each time.
+        let mut reports: BTreeMap<String, (Option<i32>, Vec<Diagnostic>)> = BTreeMap::new();
+        for revision in shared.companions.all() {
+            let found = companions::diagnostics_of(&shared, &revision);
+            reports.insert(revision.uri.to_string(), (Some(revision.version), found));
+        }
+        for revision in shared.documents.all() {
+            if cancel.is_cancelled() {
+                return None;
+            }
+            let found = diagnostics::look_at(&shared, &revision);
+            reports.insert(revision.uri.to_string(), (Some(revision.version), found));
+        }
+        let open: Vec<PathBuf> = reports.keys().filter_map(|uri| path_of(uri)).collect();
+        for file in shared.neighbours.settings_files() {
+            if !open.contains(&file.path) {
+                let found = settings_file::diagnostics(&file, shared.agreed().encoding);
+                reports.insert(uri_of(&file.path), (None, found));
+            }
+        }
+        let closed = shared.neighbours.closed_programs();
+        for (done, path) in closed.iter().enumerate() {
+            if cancel.is_cancelled() {
+                return None;
+            }
+            progress.report(done, closed.len(), path);
+            if !open.contains(path)
+                && let Some(found) = on_disk(&shared, path)
+            {
+                reports.insert(uri_of(path), (None, found));
+            }
+        }
+        let reports = reports.into_iter();
+        Some(
+            reports
+                .filter_map(|(uri, (version, items))| report(&known, &uri, version, items))
+                .collect(),
+        )
+    })
+    .await?;
+    let items: Vec<WorkspaceDocumentDiagnosticReport> = items.ok_or_else(Error::request_cancelled)?;
+    Ok(WorkspaceDiagnosticReport { items }.into())
+}
+
+fn report(
+    known: &HashMap<&str, &str>,
+    uri: &str,
+    version: Option<i32>,
+    items: Vec<Diagnostic>,
+) -> Option<WorkspaceDocumentDiagnosticReport> {
+    let result_id = identity(&items);
+    let version = version.map(i64::from);
+    let unchanged = known.get(uri) == Some(&result_id.as_str());
+    let uri: Uri = convert::uri(uri)?;
+    Some(if unchanged {
+        WorkspaceUnchangedDocumentDiagnosticReport {
+            uri,
+            version,
+            unchanged_document_diagnostic_report: UnchangedDocumentDiagnosticReport { result_id },
+        }
+        .into()
+    } else {
+        WorkspaceFullDocumentDiagnosticReport {
+            uri,
+            version,
+            full_document_diagnostic_report: FullDocumentDiagnosticReport {
+                result_id: Some(result_id),
+                items,
+            },
+        }
+        .into()
+    })
+}
+
+/// What is found in a program that is not open, or in a settings file. None if the file is not known.
+fn on_disk(shared: &Shared, path: &Path) -> Option<Vec<Diagnostic>> {
+    let agreed = shared.agreed();
+    let files = shared.neighbours.settings_files();
+    if let Some(file) = files.iter().find(|file| file.path == path) {
+        return Some(settings_file::diagnostics(file, agreed.encoding));
+    }
+    let (file, exported) = shared.neighbours.closed_program(path)?;
+    let lock = || shared.found.lock().unwrap_or_else(PoisonError::into_inner);
+    if let Some((of, seen, found)) = lock().get(path)
+        && Arc::ptr_eq(of, &file)
+        && Arc::ptr_eq(seen, &exported)
+    {
+        return Some(found.clone());
+    }
+    let place = Place::new(path.to_owned(), &shared.neighbours);
+    let revision = Revision::on_disk(&uri_of(path), agreed.encoding, &file.text, place);
+    let found = diagnostics::diagnostics_of(agreed, &revision);
+    lock().insert(path.to_owned(), (file, exported, found.clone()));
+    Some(found)
+}
+
+/// The same for the same list, and for no other.
+fn identity(items: &[Diagnostic]) -> String {
+    let mut hasher = DefaultHasher::new();
+    serde_json::to_string(items).unwrap_or_default().hash(&mut hasher);
+    format!("{:016x}", hasher.finish())
+}

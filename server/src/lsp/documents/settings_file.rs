@@ -1,0 +1,137 @@
+//! Diagnostics of settings files that nobody has open: a mistake in `ladder.toml` concerns every program below it.
+
+use std::collections::BTreeMap;
+use std::path::{Path, PathBuf};
+use std::sync::{Arc, Mutex, PoisonError};
+
+use ladder_workspace::shown;
+use ropey::Rope;
+use tower_lsp::ls_types::{Diagnostic, DiagnosticSeverity, NumberOrString};
+
+use super::companions::BAD_SETTING;
+use crate::document::SettingsFile;
+use crate::document::address::{path_of, uri_of};
+use crate::document::position::{self, Encoding};
+use crate::lsp::{convert, shared::Shared};
+
+/// What the client was told, by file: what was wrong when it was told last.
+pub(crate) type Told = Mutex<BTreeMap<PathBuf, Vec<Diagnostic>>>;
+
+/// A settings file was closed: what was said of it was taken back, and is said again.
+pub(crate) fn tell_anew(shared: &Arc<Shared>, uri: &str) {
+    if let Some(path) = path_of(uri) {
+        let mut told = shared
+            .settings_files
+            .lock()
+            .unwrap_or_else(PoisonError::into_inner);
+        told.remove(&path);
+    }
+    shared.in_background(|shared| tell(shared));
+}
+
+/// Tells the client what is wrong in settings files that were read, as far as that is new. A file that is open shows
+/// what is wrong in the editor's own text.
+pub(crate) fn tell(shared: &Shared) {
+    let agreed = shared.agreed();
+    let open = open_files(shared);
+    let mut wrong: BTreeMap<PathBuf, Vec<Diagnostic>> = BTreeMap::new();
+    for file in shared.neighbours.settings_files() {
+        if !file.mistakes.is_empty() && !open.contains(&file.path) {
+            wrong.insert(file.path.clone(), diagnostics(&file, agreed.encoding));
+        }
+    }
+    let mut later = Vec::new();
+    let mut told = shared
+        .settings_files
+        .lock()
+        .unwrap_or_else(PoisonError::into_inner);
+    if *told == wrong {
+        return;
+    }
+    if agreed.pulls_diagnostics {
+        // The client asks for them, beside those of a program; one that does not take them there gets a message.
+        if !agreed.related_documents {
+            for (path, diagnostics) in &wrong {
+                if told.get(path) == Some(diagnostics) {
+                    continue;
+                }
+                if concerns_an_open_program(shared, path) {
+                    shared.outbox.show(sentence(path, diagnostics));
+                } else {
+                    // Nobody looks at it now: told when a program is opened below it.
+                    later.push(path.clone());
+                }
+            }
+        }
+    } else {
+        for (path, diagnostics) in &wrong {
+            if told.get(path) != Some(diagnostics) {
+                shared
+                    .outbox
+                    .diagnostics_on_disk(&uri_of(path), diagnostics.clone());
+            }
+        }
+        let mended = told.keys().filter(|path| !wrong.contains_key(*path));
+        for path in mended.filter(|path| !open.contains(path)) {
+            shared.outbox.no_diagnostics(&uri_of(path));
+        }
+    }
+    wrong.retain(|path, _| !later.contains(path));
+    *told = wrong;
+}
+
+/// Whether a program is open that the settings file stands above.
+fn concerns_an_open_program(shared: &Shared, settings_file: &Path) -> bool {
+    shared.documents.all().iter().any(|document| {
+        document
+            .place()
+            .and_then(|place| shared.neighbours.settings_file(&place.path))
+            .is_some_and(|file| file.path == settings_file)
+    })
+}
+
+/// The files that the client has open as texts that are no programs.
+fn open_files(shared: &Shared) -> Vec<PathBuf> {
+    let open = shared.companions.all();
+    open.iter().filter_map(|it| path_of(&it.uri)).collect()
+}
+
+/// The settings file of a program's workspace, if something in it is wrong and it is not open.
+pub(crate) fn of_program(shared: &Shared, program: &Path) -> Option<(PathBuf, Vec<Diagnostic>)> {
+    let file = shared.neighbours.settings_file(program)?;
+    if open_files(shared).contains(&file.path) {
+        return None;
+    }
+    Some((file.path.clone(), diagnostics(&file, shared.agreed().encoding)))
+}
+
+/// What is wrong in a settings file.
+pub(crate) fn diagnostics(file: &SettingsFile, encoding: Encoding) -> Vec<Diagnostic> {
+    let rope = Rope::from_str(&file.text);
+    let mistakes = file.mistakes.iter();
+    mistakes
+        .map(|mistake| Diagnostic {
+            range: convert::range(position::range(&rope, encoding, mistake.range.into())),
+            severity: Some(DiagnosticSeverity::ERROR),
+            code: Some(NumberOrString::String(BAD_SETTING.into())),
+            source: Some("ladder".into()),
+            message: mistake.message.clone(),
+            ..Diagnostic::default()
+        })
+        .collect()
+}
+
+/// `/plant/ladder.toml:3:1: ...`, a line for each.
+fn sentence(path: &Path, diagnostics: &[Diagnostic]) -> String {
+    let lines = diagnostics.iter().map(|it| {
+        let start = it.range.start;
+        format!(
+            "{}:{}:{}: {}",
+            shown::path(path),
+            start.line + 1,
+            start.character + 1,
+            shown::line(&it.message)
+        )
+    });
+    lines.collect::<Vec<_>>().join("\n")
+}

@@ -1,0 +1,149 @@
+//! Opening, changing and closing documents.
+//!
+//! These functions are not `async`: the handlers call them first, before any `await`, which keeps changes in the
+//! order in which they came (the framework runs several handlers at once).
+
+use std::sync::Arc;
+
+use serde::Deserialize;
+use tower_lsp::jsonrpc::Request;
+use tower_lsp::ls_types::{
+    CancelParams, CreateFilesParams, DeleteFilesParams, DidChangeConfigurationParams,
+    DidChangeTextDocumentParams, DidChangeWatchedFilesParams, DidChangeWorkspaceFoldersParams,
+    DidCloseTextDocumentParams, DidOpenTextDocumentParams, DidSaveTextDocumentParams, RenameFilesParams,
+    TextDocumentContentChangeEvent,
+};
+
+use super::{
+    companions::{self, Kind},
+    diagnostics, watch,
+};
+use crate::document::edit::Change;
+use crate::document::neighbours::Place;
+use crate::document::{Refused, address};
+use crate::lsp::{convert::our_range, shared::Shared};
+
+pub(crate) fn opened(shared: &Arc<Shared>, params: DidOpenTextDocumentParams) {
+    let document = params.text_document;
+    let uri = document.uri.as_str();
+    let store = match Kind::of(uri, &document.language_id) {
+        Kind::Program => &shared.documents,
+        Kind::Settings | Kind::Scenarios | Kind::Other => &shared.companions,
+    };
+    if shared.documents.get(uri).is_some() || shared.companions.get(uri).is_some() {
+        shared.outbox.log(format!(
+            "{uri} was opened twice without being closed; the newer text counts"
+        ));
+        shared.documents.close(uri);
+        shared.companions.close(uri);
+    }
+    let place = address::path_of(uri).map(|path| Place::new(path, &shared.neighbours));
+    let encoding = shared.agreed().encoding;
+    store.open_at(uri, document.version, encoding, &document.text, place);
+    shared.text_moved(uri);
+    text_is_new(shared, uri);
+}
+
+pub(crate) fn changed(shared: &Arc<Shared>, params: DidChangeTextDocumentParams) {
+    let uri = params.text_document.uri.as_str();
+    let changes: Vec<_> = params.content_changes.into_iter().map(change).collect();
+    let version = params.text_document.version;
+    let done = match shared.companions.change(uri, version, &changes) {
+        Err(Refused::NotOpen) => shared.documents.change(uri, version, &changes),
+        done => done,
+    };
+    match done {
+        Ok(_) => {
+            shared.text_moved(uri);
+            text_is_new(shared, uri);
+        }
+        Err(refused) => {
+            let message = format!("a change to {uri} was refused: {refused}");
+            // From here on editor and server see different texts: that is for the person to know.
+            if matches!(refused, Refused::OldVersion { again: false, .. }) {
+                shared.outbox.show(&message);
+            }
+            shared.outbox.log(message);
+        }
+    }
+}
+
+fn text_is_new(shared: &Arc<Shared>, uri: &str) {
+    if shared.companions.get(uri).is_some() {
+        companions::refresh(shared, uri);
+    } else {
+        diagnostics::refresh(shared, uri);
+    }
+    watch::look_around(shared);
+}
+
+pub(crate) fn closed(shared: &Arc<Shared>, params: &DidCloseTextDocumentParams) {
+    let uri = params.text_document.uri.as_str();
+    if shared.companions.close(uri) {
+        companions::closed(shared, uri);
+    } else if shared.documents.close(uri) {
+        shared.document_closed(uri);
+        if !shared.agreed().pulls_diagnostics {
+            shared.outbox.no_diagnostics(uri);
+        }
+        if let Some(path) = address::path_of(uri) {
+            diagnostics::neighbour_closed(shared, uri.to_owned(), path);
+        }
+    } else {
+        shared
+            .outbox
+            .log(format!("{uri} was closed, but it was not open"));
+    }
+}
+
+/// A document was saved: for a client that does not tell of changed files.
+pub(crate) fn saved(shared: &Arc<Shared>, params: &DidSaveTextDocumentParams) {
+    if !shared.agreed().watches_files
+        && let Some(path) = address::path_of(params.text_document.uri.as_str())
+    {
+        diagnostics::disk_changed(shared, vec![path]);
+    }
+}
+
+/// Files beside the open documents were changed, made or removed.
+pub(crate) fn watched(shared: &Arc<Shared>, params: &DidChangeWatchedFilesParams) {
+    let paths = params.changes.iter();
+    let paths: Vec<_> = paths
+        .filter_map(|change| address::path_of(change.uri.as_str()))
+        .collect();
+    diagnostics::disk_changed(shared, paths);
+}
+
+fn change(event: TextDocumentContentChangeEvent) -> Change {
+    match event.range {
+        Some(range) => Change::Part {
+            range: our_range(range),
+            text: event.text,
+        },
+        None => Change::Whole(event.text),
+    }
+}
+
+/// What is wrong with the parameters of a notification, if anything. The framework drops such a notification
+/// without a word, and an editor would never learn why its changes have no effect.
+pub(crate) fn misread(notification: &Request) -> Option<String> {
+    let params = notification.params()?;
+    let error = match notification.method() {
+        "textDocument/didOpen" => DidOpenTextDocumentParams::deserialize(params).err(),
+        "textDocument/didChange" => DidChangeTextDocumentParams::deserialize(params).err(),
+        "workspace/didChangeConfiguration" => DidChangeConfigurationParams::deserialize(params).err(),
+        "workspace/didCreateFiles" => CreateFilesParams::deserialize(params).err(),
+        "workspace/didRenameFiles" => RenameFilesParams::deserialize(params).err(),
+        "workspace/didDeleteFiles" => DeleteFilesParams::deserialize(params).err(),
+        "workspace/didChangeWatchedFiles" => DidChangeWatchedFilesParams::deserialize(params).err(),
+        "textDocument/didSave" => DidSaveTextDocumentParams::deserialize(params).err(),
+        "workspace/didChangeWorkspaceFolders" => DidChangeWorkspaceFoldersParams::deserialize(params).err(),
+        "textDocument/didClose" => DidCloseTextDocumentParams::deserialize(params).err(),
+        "$/cancelRequest" => CancelParams::deserialize(params).err(),
+        _ => None,
+    }?;
+    Some(format!(
+        "{} was ignored, its parameters make no sense: {error}",
+        notification.method()
+    ))
+}

@@ -1,0 +1,103 @@
+//! What most requests about a document have in common: the document, a job off the main thread, and places in the
+//! files of its workspace as the protocol names them.
+
+use std::collections::HashMap;
+use std::sync::Arc;
+
+use tower_lsp::jsonrpc::Result;
+use tower_lsp::ls_types::{Location, Position, Range, TextDocumentPositionParams, Uri};
+
+use crate::document::Revision;
+use crate::document::elsewhere::{Elsewhere, FileText};
+use crate::lsp::transport::blocking::blocking;
+use crate::lsp::{convert, shared::Shared};
+use ladder_analysis::Analysis;
+use ladder_syntax::{TextRange, TextSize};
+
+/// A document that is asked about.
+pub(crate) struct Asked {
+    pub(crate) revision: Arc<Revision>,
+    pub(crate) analysis: Arc<Analysis>,
+    pub(crate) elsewhere: Elsewhere,
+}
+
+impl Asked {
+    /// The offset of a position in the document.
+    pub(crate) fn offset(&self, position: Position) -> TextSize {
+        self.revision.offset(convert::our_position(position))
+    }
+}
+
+/// Does a job about a document; nothing for one that is not open, or too large.
+pub(crate) async fn about<T: Send + 'static>(
+    shared: &Arc<Shared>,
+    uri: &Uri,
+    job: impl FnOnce(&Asked) -> Option<T> + Send + 'static,
+) -> Result<Option<T>> {
+    let Some(revision) = shared.documents.get(uri.as_str()) else {
+        return Ok(None);
+    };
+    let (documents, companions) = (Arc::clone(&shared.documents), Arc::clone(&shared.companions));
+    blocking(move |cancel| {
+        let elsewhere = Elsewhere::of(&revision, &documents, &companions, cancel);
+        let analysis = Arc::clone(revision.analysis()?.whole());
+        job(&Asked {
+            revision,
+            analysis,
+            elsewhere,
+        })
+    })
+    .await
+}
+
+/// As [`about`], at a place.
+pub(crate) async fn about_place<T: Send + 'static>(
+    shared: &Arc<Shared>,
+    place: TextDocumentPositionParams,
+    job: impl FnOnce(&Asked, TextSize) -> Option<T> + Send + 'static,
+) -> Result<Option<T>> {
+    about(shared, &place.text_document.uri, move |asked| {
+        job(asked, asked.offset(place.position))
+    })
+    .await
+}
+
+/// The files that an answer names, each read once.
+pub(crate) struct Places<'e> {
+    elsewhere: &'e Elsewhere,
+    files: HashMap<Arc<str>, Option<(Uri, FileText)>>,
+}
+
+impl<'e> Places<'e> {
+    pub(crate) fn of(asked: &'e Asked) -> Self {
+        Places {
+            elsewhere: &asked.elsewhere,
+            files: HashMap::new(),
+        }
+    }
+
+    /// A file's address, and its text.
+    pub(crate) fn file(&mut self, name: &Arc<str>) -> Option<&(Uri, FileText)> {
+        let files = self.files.entry(Arc::clone(name));
+        let found = files.or_insert_with(|| {
+            let file = self.elsewhere.text(name)?;
+            Some((convert::uri(&file.uri)?, file))
+        });
+        found.as_ref()
+    }
+
+    /// A range of a file.
+    pub(crate) fn range(&mut self, name: &Arc<str>, range: TextRange) -> Option<Range> {
+        let (_, file) = self.file(name)?;
+        Some(convert::range(file.range(range)))
+    }
+
+    /// A place in a file.
+    pub(crate) fn location(&mut self, name: &Arc<str>, range: TextRange) -> Option<Location> {
+        let (uri, file) = self.file(name)?;
+        Some(Location {
+            uri: uri.clone(),
+            range: convert::range(file.range(range)),
+        })
+    }
+}

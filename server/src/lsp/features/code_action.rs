@@ -1,0 +1,186 @@
+//! `textDocument/codeAction`: the fixes of the problems in the range, refactorings of what is selected, and all sure
+//! fixes of the file at once. What an action does to the text is worked out when it is offered only for clients that
+//! cannot ask for it later (`codeAction/resolve`): to put the drawing straight takes the whole text.
+
+use std::sync::Arc;
+
+use serde::{Deserialize, Serialize};
+use tower_lsp::jsonrpc::{Error, Result};
+use tower_lsp::ls_types::{
+    CodeAction, CodeActionContext, CodeActionDisabled, CodeActionKind, CodeActionOrCommand, CodeActionParams,
+    CodeActionResponse,
+};
+
+use crate::document::Revision;
+use crate::language::Analysis;
+use crate::lsp::transport::blocking::blocking;
+use crate::lsp::{
+    capabilities::{Agreed, FIX_ALL},
+    convert,
+    shared::Shared,
+};
+use ladder_ide::{Action, ActionKind};
+use ladder_syntax::{TextRange, TextSize};
+
+/// The kinds of actions, and how the protocol calls them.
+pub(crate) static KINDS: [(ActionKind, CodeActionKind); 5] = [
+    (ActionKind::QuickFix, CodeActionKind::QUICKFIX),
+    (ActionKind::Extract, CodeActionKind::REFACTOR_EXTRACT),
+    (ActionKind::Inline, CodeActionKind::REFACTOR_INLINE),
+    (ActionKind::Rewrite, CodeActionKind::REFACTOR_REWRITE),
+    (ActionKind::FixAll, FIX_ALL),
+];
+
+/// What an action carries, so that its edits can be asked for later.
+#[derive(Debug, Serialize, Deserialize)]
+struct Data {
+    uri: String,
+    version: i32,
+    start: u32,
+    end: u32,
+}
+
+pub(crate) async fn code_action(
+    shared: &Arc<Shared>,
+    params: CodeActionParams,
+) -> Result<Option<CodeActionResponse>> {
+    let Some(revision) = shared.documents.get(params.text_document.uri.as_str()) else {
+        return Ok(None);
+    };
+    let agreed = shared.agreed();
+    blocking(move |_| {
+        let analysis = revision.analysis()?;
+        let range = convert::our_range(params.range);
+        let (start, end) = (revision.offset(range.start), revision.offset(range.end));
+        let range = TextRange::new(start.min(end), end.max(start));
+        let offered = analysis.actions(range, |kind| wanted(&params.context, &name(kind)));
+        let shown = offered
+            .iter()
+            .filter(|action| action.disabled.is_none() || agreed.disabled_actions)
+            .map(|action| offer(agreed, &revision, analysis, range, action));
+        Some(shown.collect())
+    })
+    .await
+}
+
+/// `codeAction/resolve`: the edits of an action that was offered without them.
+pub(crate) async fn resolve(shared: &Arc<Shared>, mut action: CodeAction) -> Result<CodeAction> {
+    let data = action
+        .data
+        .clone()
+        .and_then(|data| serde_json::from_value::<Data>(data).ok());
+    let Some(data) = data.filter(|_| action.edit.is_none()) else {
+        return Ok(action);
+    };
+    let revision = shared.documents.get(&data.uri);
+    let Some(revision) = revision.filter(|revision| revision.version == data.version) else {
+        return Err(Error::content_modified());
+    };
+    let agreed = shared.agreed();
+    blocking(move |_| {
+        let range = within(&revision, &data);
+        if let Some(analysis) = revision.analysis() {
+            let offered = analysis.actions(range, |kind| Some(name(kind)) == action.kind);
+            let same = offered.into_iter().find(|offered| offered.title == action.title);
+            action.edit = same.and_then(|same| edit(agreed, &revision, analysis, &same));
+        }
+        action
+    })
+    .await
+}
+
+/// How the protocol calls a kind.
+fn name(kind: ActionKind) -> CodeActionKind {
+    let found = KINDS.iter().find(|(ours, _)| *ours == kind);
+    found.map_or(CodeActionKind::EMPTY, |(_, name)| name.clone())
+}
+
+/// The range of an action, which has been with the client meanwhile.
+fn within(revision: &Revision, data: &Data) -> TextRange {
+    let len = revision.len() as u32;
+    let end = data.end.min(len);
+    TextRange::new(TextSize::new(data.start.min(end)), TextSize::new(end))
+}
+
+/// Whether the client asks for actions of this kind: `source` asks for `source.fixAll.ladder` too.
+fn wanted(context: &CodeActionContext, kind: &CodeActionKind) -> bool {
+    let Some(only) = &context.only else { return true };
+    only.iter().any(|asked| {
+        let rest = kind.as_str().strip_prefix(asked.as_str());
+        rest.is_some_and(|rest| asked.as_str().is_empty() || rest.is_empty() || rest.starts_with('.'))
+    })
+}
+
+fn offer(
+    agreed: Agreed,
+    revision: &Revision,
+    analysis: &Analysis,
+    range: TextRange,
+    action: &Action,
+) -> CodeActionOrCommand {
+    let later = agreed.resolves_edits && action.disabled.is_none();
+    let data = later.then(|| {
+        serde_json::to_value(Data {
+            uri: revision.uri.to_string(),
+            version: revision.version,
+            start: range.start().into(),
+            end: range.end().into(),
+        })
+    });
+    let now = !later && action.disabled.is_none();
+    let finding = action
+        .finding
+        .and_then(|finding| analysis.diagnostics().get(finding));
+    CodeActionOrCommand::CodeAction(CodeAction {
+        title: action.title.clone(),
+        kind: Some(name(action.kind)),
+        diagnostics: finding.map(|finding| convert::diagnostics(agreed, revision, [finding])),
+        edit: now.then(|| edit(agreed, revision, analysis, action)).flatten(),
+        is_preferred: finding.map(|_| action.preferred),
+        disabled: action
+            .disabled
+            .clone()
+            .map(|reason| CodeActionDisabled { reason }),
+        data: data.and_then(std::result::Result::ok),
+        ..CodeAction::default()
+    })
+}
+
+fn edit(
+    agreed: Agreed,
+    revision: &Revision,
+    analysis: &Analysis,
+    action: &Action,
+) -> Option<tower_lsp::ls_types::WorkspaceEdit> {
+    let edits = analysis.aligned(action, &revision.format_options());
+    convert::workspace_edit(agreed, revision, &edits)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_kind_asks_for_its_sub_kinds() {
+        let asks = |only: &'static str| {
+            let context = CodeActionContext {
+                only: Some(vec![CodeActionKind::new(only)]),
+                ..CodeActionContext::default()
+            };
+            [
+                wanted(&context, &CodeActionKind::QUICKFIX),
+                wanted(&context, &CodeActionKind::REFACTOR_REWRITE),
+                wanted(&context, &FIX_ALL),
+            ]
+        };
+        assert_eq!(asks("quickfix"), [true, false, false]);
+        assert_eq!(asks("source"), [false, false, true]);
+        assert_eq!(asks("source.fixAll"), [false, false, true]);
+        assert_eq!(asks("source.fix"), [false, false, false]);
+        assert_eq!(asks(""), [true, true, true]);
+        assert_eq!(asks("refactor"), [false, true, false]);
+        assert_eq!(asks("refactor.rewrite"), [false, true, false]);
+        assert_eq!(asks("refactor.inline"), [false, false, false]);
+        assert!(wanted(&CodeActionContext::default(), &CodeActionKind::QUICKFIX));
+    }
+}

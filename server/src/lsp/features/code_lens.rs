@@ -1,0 +1,153 @@
+//! `textDocument/codeLens` and `codeLens/resolve`: only what the client says that it can do.
+
+use std::sync::Arc;
+
+use ladder_ide::LensKind;
+use ladder_syntax::{TextRange, TextSize};
+use serde_json::{Value, json};
+use tower_lsp::jsonrpc::Result;
+use tower_lsp::ls_types::{
+    ClientCapabilities, CodeLens, CodeLensOptions, CodeLensParams, Command, Location, TextDocumentIdentifier,
+    TextDocumentPositionParams,
+};
+
+use super::asked::{Places, about_place};
+use crate::document::{Revision, address};
+use crate::lsp::transport::blocking::blocking;
+use crate::lsp::{convert, shared::Shared};
+
+/// Starts a simulation of the program with this address.
+const START: &str = "ladder.simulation.start";
+/// Runs the scenarios in the file with this address.
+const TEST: &str = "ladder.test";
+/// Shows places: an address, a position, and the places.
+const SHOW: &str = "ladder.showReferences";
+
+/// Which commands of lenses the client can run.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
+pub(crate) struct Commands {
+    start: bool,
+    test: bool,
+    show: bool,
+}
+
+impl Commands {
+    /// What the client names in `experimental.commands`.
+    pub(crate) fn of(client: &ClientCapabilities) -> Commands {
+        let named = client
+            .experimental
+            .as_ref()
+            .and_then(|it| it["commands"].as_array());
+        let can = |name: &str| named.is_some_and(|named| named.iter().any(|it| it == name));
+        Commands {
+            start: can(START),
+            test: can(TEST),
+            show: can(SHOW),
+        }
+    }
+
+    fn any(self) -> bool {
+        self.start || self.test || self.show
+    }
+
+    /// What the server offers to such a client.
+    pub(crate) fn options(self) -> Option<CodeLensOptions> {
+        self.any().then_some(CodeLensOptions {
+            resolve_provider: Some(true),
+        })
+    }
+}
+
+pub(crate) async fn code_lens(shared: &Arc<Shared>, params: CodeLensParams) -> Result<Option<Vec<CodeLens>>> {
+    let commands = shared.agreed().lens_commands;
+    if !commands.any() || !shared.editor().code_lens {
+        return Ok(None);
+    }
+    let Some(revision) = shared.documents.get(params.text_document.uri.as_str()) else {
+        return Ok(None);
+    };
+    blocking(move |_| {
+        let found = revision.analysis()?.lenses();
+        let mut lenses = Vec::new();
+        for lens in found {
+            let range = convert::range_in(&revision, lens.at);
+            let mut add = |command, data| {
+                lenses.push(CodeLens { range, command, data });
+            };
+            match lens.kind {
+                LensKind::Program => {
+                    if commands.start {
+                        add(
+                            Some(command("Start simulation", START, vec![json!(&*revision.uri)])),
+                            None,
+                        );
+                    }
+                    if let Some(scenarios) = scenarios(&revision).filter(|_| commands.test) {
+                        add(Some(command("Run scenarios", TEST, vec![json!(scenarios)])), None);
+                    }
+                }
+                // Who jumps and calls is counted when the lens comes into sight.
+                LensKind::Jumps(name) if commands.show => add(None, Some(data(&revision, "jump", name))),
+                LensKind::Calls(name) if commands.show => add(None, Some(data(&revision, "call", name))),
+                LensKind::Jumps(_) | LensKind::Calls(_) => {}
+            }
+        }
+        Some(lenses)
+    })
+    .await
+}
+
+fn command(title: &str, command: &str, arguments: Vec<Value>) -> Command {
+    Command {
+        title: title.to_owned(),
+        command: command.to_owned(),
+        arguments: Some(arguments),
+    }
+}
+
+fn data(revision: &Revision, kind: &str, name: TextSize) -> Value {
+    let at = convert::range_in(revision, TextRange::empty(name)).start;
+    json!({ "uri": &*revision.uri, "at": at, "kind": kind })
+}
+
+/// The address of the scenarios beside a program, if there are any.
+fn scenarios(revision: &Revision) -> Option<String> {
+    let path = address::path_of(&revision.uri)?.with_extension("ladder-test");
+    path.is_file().then(|| address::uri_of(&path))
+}
+
+pub(crate) async fn resolve(shared: &Arc<Shared>, mut lens: CodeLens) -> Result<CodeLens> {
+    let Some(data) = lens.data.take() else {
+        return Ok(lens);
+    };
+    let (Some(uri), Ok(position)) = (
+        data["uri"].as_str().and_then(convert::uri),
+        serde_json::from_value(data["at"].clone()),
+    ) else {
+        return Ok(lens);
+    };
+    let place = TextDocumentPositionParams {
+        text_document: TextDocumentIdentifier { uri },
+        position,
+    };
+    let places = about_place(shared, place, |asked, offset| {
+        let found = ladder_ide::references(&asked.analysis, offset, &asked.elsewhere);
+        let mut places = Places::of(asked);
+        let uses = found.iter().filter(|it| !it.usage.declares());
+        Some(
+            uses.filter_map(|it| places.location(&it.file, it.range))
+                .collect::<Vec<Location>>(),
+        )
+    })
+    .await?
+    .unwrap_or_default();
+    let kind = data["kind"].as_str().unwrap_or("use");
+    let title = match places.len() {
+        0 => format!("no {kind}s"),
+        1 => format!("1 {kind}"),
+        count => format!("{count} {kind}s"),
+    };
+    let arguments = vec![data["uri"].clone(), data["at"].clone(), json!(places)];
+    lens.command = Some(command(&title, SHOW, arguments));
+    Ok(lens)
+}

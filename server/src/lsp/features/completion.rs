@@ -1,0 +1,154 @@
+//! `textDocument/completion` and `completionItem/resolve`.
+
+use std::sync::Arc;
+
+use ladder_ide::{Completion, CompletionKind, Topic};
+use serde_json::{Value, json};
+use tower_lsp::jsonrpc::Result;
+use tower_lsp::ls_types::{
+    CompletionItem, CompletionItemKind, CompletionList, CompletionOptions, CompletionParams,
+    CompletionResponse, CompletionTextEdit, Documentation, InsertTextFormat, InsertTextMode, TextEdit,
+};
+
+use crate::document::Revision;
+use crate::lsp::transport::blocking::blocking;
+use crate::lsp::{capabilities::Agreed, convert, markup, shared::Shared};
+
+/// The characters that open a list by themselves. Which of them do so in which place is for `ladder-ide` to say.
+const TRIGGERS: [&str; 8] = ["[", "(", "<", ".", "$", "%", ",", ":"];
+
+/// What the server offers.
+pub(crate) fn options() -> CompletionOptions {
+    CompletionOptions {
+        trigger_characters: Some(TRIGGERS.map(str::to_owned).to_vec()),
+        resolve_provider: Some(true),
+        ..CompletionOptions::default()
+    }
+}
+
+pub(crate) async fn completion(
+    shared: &Arc<Shared>,
+    params: CompletionParams,
+) -> Result<Option<CompletionResponse>> {
+    let place = params.text_document_position;
+    let Some(revision) = shared.documents.get(place.text_document.uri.as_str()) else {
+        return Ok(None);
+    };
+    let trigger = params.context.and_then(|context| context.trigger_character);
+    let trigger = trigger.and_then(|trigger| trigger.chars().next());
+    let agreed = shared.agreed();
+    blocking(move |_| {
+        let analysis = revision.analysis()?;
+        let offset = revision.offset(convert::our_position(place.position));
+        let found = analysis.completions(offset, trigger);
+        let items = found.items.into_iter().enumerate();
+        let items = items.map(|(index, item)| proposal(agreed, &revision, index, item));
+        Some(CompletionResponse::List(CompletionList {
+            is_incomplete: found.cut,
+            items: items.collect(),
+        }))
+    })
+    .await
+}
+
+fn proposal(agreed: Agreed, revision: &Revision, index: usize, item: Completion) -> CompletionItem {
+    let as_snippet = agreed.snippets && !item.text.is_word();
+    let new_text = if as_snippet {
+        item.text.snippet()
+    } else {
+        item.text.plain()
+    };
+    let several_lines = new_text.contains('\n');
+    CompletionItem {
+        kind: Some(kind(item.kind)),
+        detail: Some(item.detail).filter(|detail| !detail.is_empty()),
+        sort_text: Some(format!("{index:03}")),
+        filter_text: Some(item.filter),
+        insert_text_format: as_snippet.then_some(InsertTextFormat::SNIPPET),
+        insert_text_mode: several_lines.then_some(InsertTextMode::AS_IS),
+        text_edit: Some(CompletionTextEdit::Edit(TextEdit {
+            range: convert::range_in(revision, item.range),
+            new_text,
+        })),
+        data: data(revision, &item.topic),
+        label: item.label,
+        ..CompletionItem::default()
+    }
+}
+
+const fn kind(kind: CompletionKind) -> CompletionItemKind {
+    match kind {
+        CompletionKind::Instruction | CompletionKind::Function => CompletionItemKind::FUNCTION,
+        CompletionKind::UserBlock => CompletionItemKind::CLASS,
+        CompletionKind::Tag => CompletionItemKind::VARIABLE,
+        CompletionKind::Constant => CompletionItemKind::CONSTANT,
+        CompletionKind::Member => CompletionItemKind::FIELD,
+        CompletionKind::Label => CompletionItemKind::REFERENCE,
+        CompletionKind::Keyword => CompletionItemKind::KEYWORD,
+        CompletionKind::Type => CompletionItemKind::STRUCT,
+        CompletionKind::Operand => CompletionItemKind::PROPERTY,
+        CompletionKind::Operator => CompletionItemKind::OPERATOR,
+        CompletionKind::Value => CompletionItemKind::VALUE,
+        CompletionKind::Drawing => CompletionItemKind::SNIPPET,
+    }
+}
+
+/// What leads to the documentation, once somebody looks at the proposal.
+fn data(revision: &Revision, topic: &Topic) -> Option<Value> {
+    let uri = &*revision.uri;
+    Some(match topic {
+        Topic::Nothing => return None,
+        Topic::Instruction(op) => json!({ "instruction": *op as usize }),
+        Topic::UserBlock(name) => json!({ "uri": uri, "block": name }),
+        Topic::Tag(scope, name) => json!({ "uri": uri, "scope": scope, "tag": name }),
+        Topic::Keyword(word) => json!({ "keyword": word }),
+        Topic::Words(words) => json!({ "words": words }),
+    })
+}
+
+pub(crate) async fn resolve(shared: &Arc<Shared>, mut item: CompletionItem) -> Result<CompletionItem> {
+    let Some(data) = item.data.take() else {
+        return Ok(item);
+    };
+    item.documentation = documentation(shared, data).await?;
+    Ok(item)
+}
+
+async fn documentation(shared: &Arc<Shared>, data: Value) -> Result<Option<Documentation>> {
+    let markdown = shared.agreed().completion_markdown;
+    if let Some(words) = data["words"].as_str() {
+        return Ok(Some(markup::documentation(markdown, words.to_owned())));
+    }
+    let text = |name: &str| data[name].as_str().map(str::to_owned);
+    let number = |name: &str| {
+        data[name]
+            .as_u64()
+            .and_then(|number| usize::try_from(number).ok())
+    };
+    let topic = if let Some(topic) = number("instruction").and_then(Topic::instruction) {
+        topic
+    } else if let Some(word) = text("keyword") {
+        Topic::Keyword(word)
+    } else if let Some(name) = text("block") {
+        Topic::UserBlock(name)
+    } else if let (Some(name), Some(scope)) = (text("tag"), number("scope")) {
+        Topic::Tag(scope, name)
+    } else {
+        return Ok(None);
+    };
+    if let Topic::Instruction(_) | Topic::Keyword(_) = topic {
+        let card = ladder_ide::card(&topic);
+        return Ok(card.map(|card| markup::documentation(markdown, card)));
+    }
+    let Some(revision) = text("uri").and_then(|uri| shared.documents.get(&uri)) else {
+        return Ok(None);
+    };
+    blocking(move |_| {
+        let card = revision.analysis()?.documentation(&topic)?;
+        Some(markup::documentation(
+            markdown,
+            markup::linked(card, &revision.uri),
+        ))
+    })
+    .await
+}

@@ -1,0 +1,95 @@
+//! `textDocument/formatting`, `rangeFormatting`, `rangesFormatting` and `onTypeFormatting`: many small edits, so that
+//! cursors and breakpoints stay where they are.
+
+use std::sync::Arc;
+
+use serde::Deserialize;
+use tower_lsp::jsonrpc::{Error, Result};
+use tower_lsp::ls_types::{
+    DocumentFormattingParams, DocumentOnTypeFormattingParams, DocumentRangeFormattingParams, Range,
+    TextDocumentIdentifier, TextEdit, Uri,
+};
+
+use crate::document::Revision;
+use crate::lsp::transport::blocking::blocking;
+use crate::lsp::{convert, shared::Shared};
+use ladder_format::{Edit, format_ranges};
+use ladder_ide::on_type;
+use ladder_syntax::TextRange;
+
+/// The parameters of `textDocument/rangesFormatting`, which the protocol has since 3.18. Layout has no use for the
+/// editor's options.
+#[derive(Debug, Deserialize)]
+#[serde(rename_all = "camelCase")]
+pub(crate) struct DocumentRangesFormattingParams {
+    text_document: TextDocumentIdentifier,
+    ranges: Vec<Range>,
+}
+
+pub(crate) async fn formatting(
+    shared: &Arc<Shared>,
+    params: DocumentFormattingParams,
+) -> Result<Option<Vec<TextEdit>>> {
+    current(shared, &params.text_document.uri, Revision::format).await
+}
+
+pub(crate) async fn range_formatting(
+    shared: &Arc<Shared>,
+    params: DocumentRangeFormattingParams,
+) -> Result<Option<Vec<TextEdit>>> {
+    let ranges = vec![params.range];
+    current(shared, &params.text_document.uri, |it| in_ranges(it, ranges)).await
+}
+
+pub(crate) async fn ranges_formatting(
+    shared: &Arc<Shared>,
+    params: DocumentRangesFormattingParams,
+) -> Result<Option<Vec<TextEdit>>> {
+    let ranges = params.ranges;
+    current(shared, &params.text_document.uri, |it| in_ranges(it, ranges)).await
+}
+
+pub(crate) async fn on_type_formatting(
+    shared: &Arc<Shared>,
+    params: DocumentOnTypeFormattingParams,
+) -> Result<Option<Vec<TextEdit>>> {
+    let place = params.text_document_position;
+    let Some(typed) = params.ch.chars().next_back() else {
+        return Ok(None);
+    };
+    current(shared, &place.text_document.uri, move |revision| {
+        let analysis = revision.analysis()?.whole();
+        let offset = revision.offset(convert::our_position(place.position));
+        Some(on_type(analysis, offset, typed, &revision.format_options()))
+    })
+    .await
+}
+
+fn in_ranges(revision: &Revision, ranges: Vec<Range>) -> Option<Vec<Edit>> {
+    let analysis = revision.analysis()?.whole();
+    let range = |range: Range| {
+        let range = convert::our_range(range);
+        let (a, b) = (revision.offset(range.start), revision.offset(range.end));
+        TextRange::new(a.min(b), a.max(b))
+    };
+    let ranges: Vec<TextRange> = ranges.into_iter().map(range).collect();
+    let options = revision.format_options();
+    Some(format_ranges(&analysis.context.parse, &options, &ranges))
+}
+
+/// The edits of a document. An answer names no version: edits for a text that has moved on would tear the drawing.
+async fn current(
+    shared: &Arc<Shared>,
+    uri: &Uri,
+    job: impl FnOnce(&Revision) -> Option<Vec<Edit>> + Send + 'static,
+) -> Result<Option<Vec<TextEdit>>> {
+    let Some(revision) = shared.documents.get(uri.as_str()) else {
+        return Ok(None);
+    };
+    let of = revision.clone();
+    let edits = blocking(move |_| Some(convert::edits(&of, &job(&of)?))).await?;
+    if !shared.documents.shows(&revision) {
+        return Err(Error::content_modified());
+    }
+    Ok(edits)
+}

@@ -1,0 +1,30 @@
+//! `textDocument/hover`.
+
+use std::sync::Arc;
+
+use tower_lsp::jsonrpc::Result;
+use tower_lsp::ls_types::{Hover, HoverContents, HoverParams};
+
+use super::asked::about_place;
+use crate::lsp::{convert, markup, shared::Shared};
+
+pub(crate) async fn hover(shared: &Arc<Shared>, params: HoverParams) -> Result<Option<Hover>> {
+    let markdown = shared.agreed().markdown;
+    about_place(
+        shared,
+        params.text_document_position_params,
+        move |asked, offset| {
+            let hover = ladder_ide::hover(&asked.analysis, offset)?;
+            let range = Some(convert::range_in(&asked.revision, hover.range));
+            let mut text = markup::linked(hover.markdown, &asked.revision.uri);
+            if let Some(elsewhere) = ladder_ide::used_elsewhere(&asked.analysis, offset, &asked.elsewhere) {
+                text = format!("{text}\n\n---\n\n{elsewhere}");
+            }
+            Some(Hover {
+                contents: HoverContents::Markup(markup::content(markdown, text)),
+                range,
+            })
+        },
+    )
+    .await
+}

@@ -1,0 +1,38 @@
+//! `textDocument/documentLink`: what comments name on the web, and the files beside the document that there are.
+
+use std::sync::Arc;
+
+use tower_lsp::jsonrpc::Result;
+use tower_lsp::ls_types::{DocumentLink, DocumentLinkParams};
+
+use super::asked::about;
+use crate::document::address;
+use crate::lsp::{convert, shared::Shared};
+use ladder_ide::{LinkTarget, links};
+use ladder_workspace::Named;
+
+pub(crate) async fn document_links(
+    shared: &Arc<Shared>,
+    params: DocumentLinkParams,
+) -> Result<Option<Vec<DocumentLink>>> {
+    about(shared, &params.text_document.uri, |asked| {
+        let path = asked.revision.place().map(|place| place.path.clone());
+        let found = links(&asked.analysis).into_iter().filter_map(|link| {
+            let address = match &link.to {
+                LinkTarget::Web(address) => address.clone(),
+                LinkTarget::File(name) => {
+                    let file = Named::in_file(path.as_deref()?, name).locate().ok()?;
+                    file.is_file().then(|| address::uri_of(&file))?
+                }
+            };
+            Some(DocumentLink {
+                range: convert::range_in(&asked.revision, link.range),
+                target: Some(convert::uri(&address)?),
+                tooltip: None,
+                data: None,
+            })
+        });
+        Some(found.collect())
+    })
+    .await
+}

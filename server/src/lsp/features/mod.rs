@@ -1,0 +1,19 @@
+//! What an editor asks: a file for each request, or for each that belong together.
+
+pub(crate) mod asked;
+pub(crate) mod call_hierarchy;
+pub(crate) mod code_action;
+pub(crate) mod code_lens;
+pub(crate) mod completion;
+pub(crate) mod folding;
+pub(crate) mod formatting;
+pub(crate) mod goto;
+pub(crate) mod hover;
+pub(crate) mod inlay_hint;
+pub(crate) mod links;
+pub(crate) mod references;
+pub(crate) mod rename;
+pub(crate) mod semantic_tokens;
+pub(crate) mod signature;
+pub(crate) mod simulate;
+pub(crate) mod symbols;

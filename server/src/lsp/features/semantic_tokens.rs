@@ -1,0 +1,243 @@
+//! `textDocument/semanticTokens/full`, `/full/delta` and `/range`.
+
+use std::collections::HashMap;
+use std::sync::{Arc, Mutex, PoisonError};
+
+use ladder_ide::{Modifiers, TokenKind};
+use ladder_syntax::TextRange;
+use tower_lsp::jsonrpc::Result;
+use tower_lsp::ls_types::{
+    SemanticToken, SemanticTokenModifier, SemanticTokenType, SemanticTokens, SemanticTokensDelta,
+    SemanticTokensDeltaParams, SemanticTokensEdit, SemanticTokensFullDeltaResult, SemanticTokensFullOptions,
+    SemanticTokensLegend, SemanticTokensOptions, SemanticTokensParams, SemanticTokensRangeParams,
+    SemanticTokensRangeResult, SemanticTokensResult, SemanticTokensServerCapabilities,
+};
+
+use crate::document::Revision;
+use crate::document::sweep::Sweep;
+use crate::lsp::transport::blocking::blocking;
+use crate::lsp::{convert, shared::Shared};
+
+/// The tokens that each document was last told, so that only what changes is told again.
+#[derive(Debug, Default)]
+pub(crate) struct TokensTold {
+    by_uri: Mutex<HashMap<String, Last>>,
+}
+
+#[derive(Debug)]
+struct Last {
+    id: u64,
+    tokens: Arc<[SemanticToken]>,
+}
+
+impl TokensTold {
+    /// Keeps what is told now, and gives it a name.
+    fn keep(&self, uri: &str, tokens: Arc<[SemanticToken]>) -> String {
+        let mut told = self.by_uri.lock().unwrap_or_else(PoisonError::into_inner);
+        let id = told.get(uri).map_or(1, |last| last.id + 1);
+        told.insert(uri.to_owned(), Last { id, tokens });
+        id.to_string()
+    }
+
+    /// What was told by this name, if it was the last.
+    fn last(&self, uri: &str, id: &str) -> Option<Arc<[SemanticToken]>> {
+        let told = self.by_uri.lock().unwrap_or_else(PoisonError::into_inner);
+        let last = told.get(uri).filter(|last| last.id.to_string() == id)?;
+        Some(last.tokens.clone())
+    }
+
+    /// The document is closed.
+    pub(crate) fn forget(&self, uri: &str) {
+        let mut told = self.by_uri.lock().unwrap_or_else(PoisonError::into_inner);
+        told.remove(uri);
+    }
+}
+
+/// What the server offers.
+pub(crate) fn options() -> SemanticTokensServerCapabilities {
+    SemanticTokensServerCapabilities::SemanticTokensOptions(SemanticTokensOptions {
+        legend: SemanticTokensLegend {
+            token_types: TokenKind::LEGEND
+                .map(|(_, name, _)| SemanticTokenType::new(name))
+                .to_vec(),
+            token_modifiers: Modifiers::LEGEND
+                .map(|(_, name, _)| SemanticTokenModifier::new(name))
+                .to_vec(),
+        },
+        range: Some(true),
+        full: Some(SemanticTokensFullOptions::Delta { delta: Some(true) }),
+        ..SemanticTokensOptions::default()
+    })
+}
+
+pub(crate) async fn full(
+    shared: &Arc<Shared>,
+    params: SemanticTokensParams,
+) -> Result<Option<SemanticTokensResult>> {
+    let uri = params.text_document.uri.as_str();
+    let Some(tokens) = tokens(shared, uri, None).await? else {
+        return Ok(None);
+    };
+    let data = tokens.to_vec();
+    let result_id = Some(shared.tokens_told.keep(uri, tokens));
+    Ok(Some(SemanticTokensResult::Tokens(SemanticTokens {
+        result_id,
+        data,
+    })))
+}
+
+pub(crate) async fn delta(
+    shared: &Arc<Shared>,
+    params: SemanticTokensDeltaParams,
+) -> Result<Option<SemanticTokensFullDeltaResult>> {
+    let uri = params.text_document.uri.as_str();
+    let Some(new) = tokens(shared, uri, None).await? else {
+        return Ok(None);
+    };
+    let old = shared.tokens_told.last(uri, &params.previous_result_id);
+    let result_id = Some(shared.tokens_told.keep(uri, new.clone()));
+    Ok(Some(match old {
+        Some(old) => SemanticTokensFullDeltaResult::TokensDelta(SemanticTokensDelta {
+            result_id,
+            edits: difference(&old, &new).into_iter().collect(),
+        }),
+        None => SemanticTokensFullDeltaResult::Tokens(SemanticTokens {
+            result_id,
+            data: new.to_vec(),
+        }),
+    }))
+}
+
+pub(crate) async fn range(
+    shared: &Arc<Shared>,
+    params: SemanticTokensRangeParams,
+) -> Result<Option<SemanticTokensRangeResult>> {
+    let range = convert::our_range(params.range);
+    let tokens = tokens(shared, params.text_document.uri.as_str(), Some(range)).await?;
+    Ok(tokens.map(|tokens| {
+        SemanticTokensRangeResult::Tokens(SemanticTokens {
+            result_id: None,
+            data: tokens.to_vec(),
+        })
+    }))
+}
+
+async fn tokens(
+    shared: &Arc<Shared>,
+    uri: &str,
+    range: Option<crate::Range>,
+) -> Result<Option<Arc<[SemanticToken]>>> {
+    let Some(revision) = shared.documents.get(uri) else {
+        return Ok(None);
+    };
+    let several_lines = shared.agreed().multiline_tokens;
+    blocking(move |_| {
+        let analysis = revision.analysis()?;
+        let within = range.map(|range| {
+            let (start, end) = (revision.offset(range.start), revision.offset(range.end));
+            TextRange::new(start.min(end), start.max(end))
+        });
+        let tokens = analysis.semantic_tokens(within);
+        Some(encoded(&revision, &tokens, several_lines).into())
+    })
+    .await
+}
+
+/// The tokens as the protocol counts them: each from the one before it.
+fn encoded(revision: &Revision, tokens: &[ladder_ide::Token], several_lines: bool) -> Vec<SemanticToken> {
+    let (Some(first), Some(last)) = (tokens.first(), tokens.last()) else {
+        return Vec::new();
+    };
+    let start = revision.range(first.range).start;
+    let base = usize::from(revision.line_start(start.line));
+    let text = revision.stretch(base..usize::from(last.range.end()));
+    let mut sweep = Sweep::new(&text, revision.encoding(), start.line);
+    let mut before = crate::Position::default();
+    let mut out = Vec::with_capacity(tokens.len());
+    for token in tokens {
+        let (from, to) = (
+            usize::from(token.range.start()) - base,
+            usize::from(token.range.end()) - base,
+        );
+        let mut add = |from: usize, to: usize| {
+            let (start, end) = (sweep.position(from), sweep.position(to));
+            // The length of one that spans lines counts their units, line ends included.
+            let length = if end.line == start.line {
+                end.character - start.character
+            } else {
+                crate::document::position::length(&text[from..to], revision.encoding())
+            };
+            let same_line = start.line == before.line;
+            out.push(SemanticToken {
+                delta_line: start.line - before.line,
+                delta_start: start.character - if same_line { before.character } else { 0 },
+                length,
+                token_type: token.kind as u32,
+                token_modifiers_bitset: u32::from(token.modifiers.0),
+            });
+            before = start;
+        };
+        let written = &text[from..to];
+        if several_lines || !written.contains(['\n', '\r']) {
+            add(from, to);
+            continue;
+        }
+        let mut at = from;
+        for line in written.split_inclusive(['\n', '\r']) {
+            let end = at + line.trim_end_matches(['\n', '\r']).len();
+            if end > at {
+                add(at, end);
+            }
+            at += line.len();
+        }
+    }
+    out
+}
+
+/// The one stretch that differs, in numbers: five for each token.
+fn difference(old: &[SemanticToken], new: &[SemanticToken]) -> Option<SemanticTokensEdit> {
+    let before = old.iter().zip(new).take_while(|(a, b)| a == b).count();
+    let (old, new) = (&old[before..], &new[before..]);
+    let behind = old
+        .iter()
+        .rev()
+        .zip(new.iter().rev())
+        .take_while(|(a, b)| a == b)
+        .count();
+    let (old, new) = (&old[..old.len() - behind], &new[..new.len() - behind]);
+    (!old.is_empty() || !new.is_empty()).then(|| SemanticTokensEdit {
+        start: before as u32 * 5,
+        delete_count: old.len() as u32 * 5,
+        data: (!new.is_empty()).then(|| new.to_vec()),
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn only_what_differs_is_told() {
+        let tokens = |numbers: &[u32]| -> Vec<SemanticToken> {
+            let token = |&delta_start| SemanticToken {
+                delta_start,
+                ..SemanticToken::default()
+            };
+            numbers.iter().map(token).collect()
+        };
+        let check = |old: &[u32], new: &[u32], expected: Option<(u32, u32, &[u32])>| {
+            let found = difference(&tokens(old), &tokens(new));
+            let expected = expected.map(|(start, delete_count, data)| SemanticTokensEdit {
+                start,
+                delete_count,
+                data: (!data.is_empty()).then(|| tokens(data)),
+            });
+            assert_eq!(found, expected);
+        };
+        check(&[1, 2, 3], &[1, 2, 3], None);
+        check(&[1, 2, 3], &[1, 4, 3], Some((5, 5, &[4])));
+        check(&[1, 2, 3], &[1, 3], Some((5, 5, &[])));
+        check(&[1, 1], &[1, 1, 1], Some((10, 0, &[1])));
+        check(&[], &[1], Some((0, 0, &[1])));
+    }
+}

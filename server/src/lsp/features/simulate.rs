@@ -1,0 +1,221 @@
+//! `workspace/executeCommand` and `ladder/simulationState`: the simulator.
+
+use std::sync::Arc;
+
+use serde::Serialize;
+use tokio::sync::watch;
+use tower_lsp::Client;
+use tower_lsp::jsonrpc::{Error, ErrorCode, Result};
+use tower_lsp::ls_types::notification::Notification;
+use tower_lsp::ls_types::{ExecuteCommandParams, LSPAny};
+
+use crate::cancel::Cancel;
+use crate::lsp::shared::Shared;
+use crate::lsp::transport::blocking::blocking;
+use crate::simulation::messages::{OfSession, Start, Started, State, Status, Stopped};
+use crate::simulation::{Action, Answer, Failure, REPORT, Request, Session};
+
+/// The protocol's code for a request that makes sense but cannot be done.
+const REQUEST_FAILED: i64 = -32803;
+
+/// The values of so many scans are told unless more are asked for.
+const PAST: u64 = 100;
+
+/// The notification that shows how a simulation stands.
+#[derive(Debug)]
+enum SimulationState {}
+
+impl Notification for SimulationState {
+    type Params = State;
+    const METHOD: &'static str = "ladder/simulationState";
+}
+
+pub(crate) async fn execute(shared: &Arc<Shared>, params: ExecuteCommandParams) -> Result<LSPAny> {
+    let request = Request::read(&params.command, params.arguments).map_err(error)?;
+    match request {
+        Request::Start(it) => json(&start(shared, it).await?),
+        Request::Step(it) => act(shared, &it.session, Action::Step(it.scans.unwrap_or(1))).await,
+        Request::StepBlock(it) => act(shared, &it.session, Action::StepBlock).await,
+        Request::StepRung(it) => act(shared, &it.session, Action::StepRung).await,
+        Request::Back(it) => act(shared, &it.session, Action::Back(it.scans.unwrap_or(1))).await,
+        Request::Breakpoints(it) => act(shared, &it.session, Action::Breakpoints(it.lines, it.tags)).await,
+        Request::Why(it) => act(shared, &it.session, Action::Why(it.tag)).await,
+        Request::History(it) => {
+            let scans = it.scans.unwrap_or(PAST);
+            act(shared, &it.session, Action::History(it.tags, scans)).await
+        }
+        Request::Run(it) => {
+            let real_time = it.real_time.unwrap_or(true);
+            act(
+                shared,
+                &it.session,
+                Action::Run {
+                    scans: it.scans,
+                    real_time,
+                },
+            )
+            .await
+        }
+        Request::Pause(it) => act(shared, &it.session, Action::Pause).await,
+        Request::Set(it) => act(shared, &it.session, Action::Set(it.tag, it.value)).await,
+        Request::Force(it) => act(shared, &it.session, Action::Force(it.tag, it.value)).await,
+        Request::Unforce(it) => act(shared, &it.session, Action::Unforce(it.tag)).await,
+        Request::State(it) => act(shared, &it.session, Action::State).await,
+        Request::Reset(it) => act(shared, &it.session, Action::Reset).await,
+        Request::WarmRestart(it) => act(shared, &it.session, Action::WarmRestart).await,
+        Request::Stop(it) => stop(shared, it).await,
+    }
+}
+
+async fn start(shared: &Arc<Shared>, Start { uri, options }: Start) -> Result<Started> {
+    let revision = shared.documents.get(&uri).ok_or_else(|| {
+        error(Failure::Failed(format!(
+            "{uri} is not open in the editor; open it and start again"
+        )))
+    })?;
+    let (name, job) = (shared.sessions.new_name(), revision.clone());
+    let deltas = options.deltas;
+    let started = blocking(move |_| Session::start(name, job, &options)).await?;
+    let (session, states, notes) = started.map_err(error)?;
+    // No `await` from here on: a request that is cancelled must not leave a session that nobody knows of.
+    let session = shared.sessions.add(session).map_err(error)?;
+    let mut state = states.borrow().clone();
+    tokio::spawn(report(shared.client.clone(), states, deltas));
+    // A change may have come while the program was compiled, when nobody could tell the session.
+    if !shared.documents.is_current(&revision) {
+        drop(session.ask(Action::MarkStale, Cancel::default()));
+        state.stale = true;
+    }
+    Ok(Started {
+        session: session.id.clone(),
+        state,
+        notes,
+    })
+}
+
+async fn stop(shared: &Arc<Shared>, OfSession { session }: OfSession) -> Result<LSPAny> {
+    let removed = shared.sessions.remove(&session).map_err(error)?;
+    answer(&removed, Action::Stop).await?;
+    json(&Stopped {
+        session,
+        stopped: true,
+    })
+}
+
+async fn act(shared: &Arc<Shared>, session: &str, action: Action) -> Result<LSPAny> {
+    let session = shared.sessions.get(session).map_err(error)?;
+    json(&answer(&session, action).await?)
+}
+
+/// Waits for the session's answer. When the client cancels the request, the guard is dropped with this future and
+/// a long step ends.
+async fn answer(session: &Session, action: Action) -> Result<Answer> {
+    let cancel = Cancel::default();
+    let _guard = cancel.on_drop();
+    match session.ask(action, cancel).await {
+        Ok(outcome) => outcome.map_err(error),
+        Err(_) => Err(error(Failure::Failed(format!(
+            "the simulation {} has stopped",
+            session.id
+        )))),
+    }
+}
+
+/// Sends states to the client: the newest, at most one in each interval, and the last one always. With `deltas` only
+/// what has changed since the one before; the first behind an answer is whole, for it may be older than that.
+async fn report(client: Client, mut states: watch::Receiver<State>, deltas: bool) {
+    let mut before = states.borrow().clone();
+    while states.changed().await.is_ok() {
+        let state = states.borrow_and_update().clone();
+        let told = if deltas && state.answers == before.answers {
+            state.since(&before)
+        } else {
+            state.clone()
+        };
+        before = state;
+        client.send_notification::<SimulationState>(told).await;
+        tokio::time::sleep(REPORT).await;
+    }
+    // A thread that ends without saying so has met a mistake in the scan engine; the client must not go on
+    // showing a program that runs.
+    let last = states.borrow().clone();
+    if last.status != Status::Ended {
+        let ended = State {
+            status: Status::Ended,
+            ..last
+        };
+        client.send_notification::<SimulationState>(ended).await;
+    }
+}
+
+fn json(answer: &impl Serialize) -> Result<LSPAny> {
+    serde_json::to_value(answer).map_err(|_| Error::internal_error())
+}
+
+fn error(failure: Failure) -> Error {
+    let (code, message) = match failure {
+        Failure::Invalid(message) => (ErrorCode::InvalidParams, message),
+        Failure::Failed(message) => (ErrorCode::ServerError(REQUEST_FAILED), message),
+    };
+    Error {
+        code,
+        message: message.into(),
+        data: None,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use futures::StreamExt;
+    use tower::Service;
+    use tower_lsp::LspService;
+
+    use super::*;
+    use crate::lsp::backend::Backend;
+
+    #[tokio::test]
+    async fn a_session_whose_thread_is_gone_is_shown_as_ended() {
+        let (mut service, socket) = LspService::new(Backend::new);
+        let initialize = serde_json::json!({"jsonrpc": "2.0", "id": 1, "method": "initialize", "params": {"capabilities": {}}});
+        service
+            .call(serde_json::from_value(initialize).unwrap())
+            .await
+            .unwrap();
+        let state = State {
+            session: "s1".into(),
+            uri: "file:///a.clad".into(),
+            version: 1,
+            stale: false,
+            status: Status::Paused,
+            scan: 0,
+            time_ms: 0.0,
+            tags: Vec::new(),
+            power: Vec::new(),
+            faults: Vec::new(),
+            behind: 0,
+            ahead: 0,
+            next: None,
+            hit: None,
+            breakpoints: Vec::new(),
+            delta: false,
+            answers: 0,
+        };
+        let (states, seen) = watch::channel(state.clone());
+        tokio::spawn(report(service.inner().shared().client.clone(), seen, false));
+        states.send_replace(State {
+            status: Status::Running,
+            scan: 7,
+            ..state
+        });
+        drop(states);
+        let sent: Vec<_> = socket
+            .take(2)
+            .map(|request| {
+                let params = request.params().unwrap();
+                (params["status"].clone(), params["scan"].clone())
+            })
+            .collect()
+            .await;
+        assert_eq!(sent, [("running".into(), 7.into()), ("ended".into(), 7.into())]);
+    }
+}

@@ -1,0 +1,64 @@
+//! Work that takes longer than a moment, off the thread that reads and writes messages.
+
+use tower_lsp::jsonrpc::{Error, Result};
+
+use super::guard::internal_error;
+use crate::cancel::Cancel;
+
+/// Runs a job on a blocking thread. When the handler that awaits it is dropped (the client cancelled the
+/// request), a job that has not begun never begins, and one that runs is told by its [`Cancel`].
+pub(crate) async fn blocking<T, F>(job: F) -> Result<T>
+where
+    T: Send + 'static,
+    F: FnOnce(&Cancel) -> T + Send + 'static,
+{
+    let cancel = Cancel::default();
+    let _guard = cancel.on_drop();
+    let task = tokio::task::spawn_blocking(move || (!cancel.is_cancelled()).then(|| job(&cancel)));
+    match task.await {
+        Ok(Some(value)) => Ok(value),
+        Ok(None) => Err(Error::request_cancelled()),
+        Err(error) => Err(match error.try_into_panic() {
+            Ok(panic) => internal_error(panic.as_ref()),
+            Err(_) => Error::request_cancelled(),
+        }),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::time::Duration;
+
+    use tower_lsp::jsonrpc::ErrorCode;
+
+    use super::*;
+
+    #[tokio::test]
+    async fn a_panic_is_an_answer() {
+        let error = blocking(|_| -> u32 { panic!("planted") }).await.unwrap_err();
+        assert_eq!(error.code, ErrorCode::InternalError);
+        assert!(error.message.contains("planted"));
+        assert_eq!(blocking(|_| 7).await, Ok(7));
+    }
+
+    #[tokio::test]
+    async fn a_dropped_handler_stops_its_job() {
+        let (stopped, seen) = std::sync::mpsc::channel();
+        let handler = blocking(move |cancel| {
+            for _ in 0..10_000 {
+                if cancel.is_cancelled() {
+                    let _ = stopped.send(());
+                    return;
+                }
+                std::thread::sleep(Duration::from_millis(1));
+            }
+        });
+        assert!(
+            tokio::time::timeout(Duration::from_millis(20), handler)
+                .await
+                .is_err()
+        );
+        let seen = tokio::task::spawn_blocking(move || seen.recv());
+        assert!(seen.await.unwrap().is_ok());
+    }
+}

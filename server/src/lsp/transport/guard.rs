@@ -1,0 +1,355 @@
+//! A service around the framework's, which mends what the framework leaves open.
+//!
+//! - A panic in a handler answers its request with -32603, and the server lives on.
+//! - `initialize` and `shutdown` are answered before the next message is looked at, so that a client that
+//!   does not wait (a script, a replayed session) loses nothing.
+//! - `shutdown` and `exit` are recorded: [`Life`] tells how the process is to end, also while the client keeps
+//!   the input open.
+//! - A request for a method of the protocol itself (`$/..`) is answered with -32601.
+//! - A message that could not be decoded is answered (see [`inlet`](crate::lsp::transport::inlet)), and so is a notification
+//!   with parameters that make no sense: the client is told, instead of silence.
+
+use std::any::Any;
+use std::panic::{AssertUnwindSafe, catch_unwind};
+use std::sync::{Arc, Mutex, PoisonError};
+use std::task::{Context, Poll, Waker};
+
+use futures::FutureExt;
+use futures::future::BoxFuture;
+use serde::Deserialize;
+use tokio::sync::Notify;
+use tower::Service;
+use tower_lsp::ExitedError;
+use tower_lsp::jsonrpc::{Error, ErrorCode, Id, Request, Response};
+
+use super::{inlet::MALFORMED, outbox::Outbox};
+use crate::lsp::capabilities::since_3_18;
+use crate::lsp::documents::sync::misread;
+
+/// How the session stands.
+#[derive(Debug, Default)]
+pub(crate) struct Life {
+    state: Mutex<State>,
+    exit: Notify,
+}
+
+#[derive(Debug, Default)]
+struct State {
+    /// A message is being answered that everything behind it has to wait for.
+    barrier: bool,
+    waiting: Option<Waker>,
+    shutdown: bool,
+}
+
+impl Life {
+    /// Resolves when the client has sent `exit`.
+    pub(crate) async fn exited(&self) {
+        self.exit.notified().await;
+    }
+
+    /// Whether the client has asked for the shutdown, which is what makes an exit a clean one.
+    pub(crate) fn is_shut_down(&self) -> bool {
+        self.state().shutdown
+    }
+
+    fn state(&self) -> std::sync::MutexGuard<'_, State> {
+        self.state.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+}
+
+/// The service. See the module.
+pub(crate) struct Guard<S> {
+    inner: S,
+    life: Arc<Life>,
+    outbox: Outbox,
+}
+
+impl<S> Guard<S> {
+    pub(crate) fn new(inner: S, outbox: Outbox) -> Self {
+        Guard {
+            inner,
+            life: Arc::default(),
+            outbox,
+        }
+    }
+
+    pub(crate) fn life(&self) -> Arc<Life> {
+        self.life.clone()
+    }
+}
+
+impl<S> Service<Request> for Guard<S>
+where
+    S: Service<Request, Response = Option<Response>, Error = ExitedError>,
+    S::Future: Send + 'static,
+{
+    type Response = Option<Response>;
+    type Error = ExitedError;
+    type Future = BoxFuture<'static, Result<Option<Response>, ExitedError>>;
+
+    fn poll_ready(&mut self, cx: &mut Context<'_>) -> Poll<Result<(), ExitedError>> {
+        {
+            let mut state = self.life.state();
+            if state.barrier {
+                state.waiting = Some(cx.waker().clone());
+                return Poll::Pending;
+            }
+        }
+        self.inner.poll_ready(cx)
+    }
+
+    fn call(&mut self, request: Request) -> Self::Future {
+        let id = request.id().cloned();
+        if id.is_none()
+            && let Some(problem) = misread(&request)
+        {
+            self.outbox.log(problem);
+            return futures::future::ready(Ok(None)).boxed();
+        }
+        // The framework leaves such a request without an answer; LSP wants this one.
+        if let Some(id) = &id
+            && request.method().starts_with("$/")
+        {
+            let answer = Response::from_error(id.clone(), Error::method_not_found());
+            return futures::future::ready(Ok(Some(answer))).boxed();
+        }
+        let step = match request.method() {
+            MALFORMED => return futures::future::ready(Ok(Some(malformed(request)))).boxed(),
+            "exit" => {
+                self.life.exit.notify_one();
+                Step::Other
+            }
+            "initialize" => Step::Initialize,
+            "shutdown" => Step::Shutdown,
+            _ => Step::Other,
+        };
+        let request = if step == Step::Shutdown {
+            without_params(request)
+        } else {
+            request
+        };
+        let lift = (step != Step::Other).then(|| Barrier::raise(&self.life));
+        let life = self.life.clone();
+        let call = catch_unwind(AssertUnwindSafe(|| self.inner.call(request)));
+        async move {
+            let _lift = lift;
+            let outcome = match call {
+                Ok(future) => AssertUnwindSafe(future).catch_unwind().await,
+                Err(panic) => Err(panic),
+            };
+            let answer = match outcome {
+                Ok(answer) => answer?,
+                Err(panic) => {
+                    let error = internal_error(panic.as_ref());
+                    id.map(|id| Response::from_error(id, error))
+                }
+            };
+            if step == Step::Shutdown && answer.as_ref().is_some_and(Response::is_ok) {
+                life.state().shutdown = true;
+            }
+            if step == Step::Initialize {
+                return Ok(answer.map(with_newer_capabilities));
+            }
+            Ok(answer)
+        }
+        .boxed()
+    }
+}
+
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Step {
+    Initialize,
+    Shutdown,
+    Other,
+}
+
+fn with_newer_capabilities(answer: Response) -> Response {
+    let (id, mut body) = answer.into_parts();
+    if let Ok(result) = &mut body {
+        since_3_18(result);
+    }
+    Response::from_parts(id, body)
+}
+
+/// Keeps later messages waiting until it is dropped, also by a panic or a cancellation.
+struct Barrier(Arc<Life>);
+
+impl Barrier {
+    fn raise(life: &Arc<Life>) -> Self {
+        life.state().barrier = true;
+        Barrier(life.clone())
+    }
+}
+
+impl Drop for Barrier {
+    fn drop(&mut self) {
+        let mut state = self.0.state();
+        state.barrier = false;
+        if let Some(waker) = state.waiting.take() {
+            waker.wake();
+        }
+    }
+}
+
+/// Some clients send `"params": {}` with `shutdown`, which takes none.
+fn without_params(request: Request) -> Request {
+    let (method, id, _) = request.into_parts();
+    let builder = Request::build(method);
+    match id {
+        Some(id) => builder.id(id).finish(),
+        None => builder.finish(),
+    }
+}
+
+/// The answer that a message has earned which could not be decoded.
+fn malformed(request: Request) -> Response {
+    #[derive(Deserialize)]
+    struct Params {
+        code: i64,
+        message: String,
+    }
+    let (_, id, params) = request.into_parts();
+    let params = params.and_then(|params| serde_json::from_value::<Params>(params).ok());
+    let error = match params {
+        Some(Params { code, message }) => Error {
+            code: ErrorCode::from(code),
+            message: message.into(),
+            data: None,
+        },
+        None => Error::invalid_request(),
+    };
+    Response::from_error(id.unwrap_or(Id::Null), error)
+}
+
+/// The answer for a handler or a job that panicked.
+pub(crate) fn internal_error(panic: &(dyn Any + Send)) -> Error {
+    let what = panic
+        .downcast_ref::<&str>()
+        .map(ToString::to_string)
+        .or_else(|| panic.downcast_ref::<String>().cloned())
+        .unwrap_or_else(|| "no message".into());
+    let message = format!("a mistake in the language server itself: {what}");
+    Error {
+        code: ErrorCode::InternalError,
+        message: message.into(),
+        data: None,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::time::Duration;
+
+    use serde_json::{Value, json};
+    use tower::ServiceExt;
+    use tower_lsp::ls_types::{Hover, HoverParams, InitializeParams, InitializeResult};
+    use tower_lsp::{LanguageServer, LspService, jsonrpc};
+
+    use super::*;
+
+    /// A server with a mistake in each kind of handler.
+    struct Faulty;
+
+    impl LanguageServer for Faulty {
+        async fn initialize(&self, _: InitializeParams) -> jsonrpc::Result<InitializeResult> {
+            tokio::time::sleep(Duration::from_millis(20)).await;
+            Ok(InitializeResult::default())
+        }
+
+        async fn shutdown(&self) -> jsonrpc::Result<()> {
+            Ok(())
+        }
+
+        async fn hover(&self, params: HoverParams) -> jsonrpc::Result<Option<Hover>> {
+            assert_ne!(params.text_document_position_params.position.line, 7, "planted");
+            tokio::task::yield_now().await;
+            assert_ne!(
+                params.text_document_position_params.position.line, 8,
+                "planted too"
+            );
+            Ok(None)
+        }
+    }
+
+    fn guarded() -> Guard<LspService<Faulty>> {
+        let mut outbox = None;
+        let (service, socket) = LspService::new(|client| {
+            outbox = Some(Outbox::open(client, crate::busy::Busy::default()));
+            Faulty
+        });
+        // The loopback has to live, or sending fails.
+        std::mem::forget(socket);
+        Guard::new(service, outbox.unwrap())
+    }
+
+    async fn call(guard: &mut Guard<LspService<Faulty>>, message: Value) -> Option<Value> {
+        let request = serde_json::from_value(message).unwrap();
+        let answer = guard.ready().await.unwrap().call(request).await.unwrap();
+        answer.map(|answer| serde_json::to_value(answer).unwrap())
+    }
+
+    fn hover(id: u32, line: u32) -> Value {
+        let params = json!({
+            "textDocument": {"uri": "file:///a.clad"},
+            "position": {"line": line, "character": 0}
+        });
+        json!({"jsonrpc": "2.0", "id": id, "method": "textDocument/hover", "params": params})
+    }
+
+    fn initialize() -> Value {
+        json!({"jsonrpc": "2.0", "id": 0, "method": "initialize", "params": {"capabilities": {}}})
+    }
+
+    #[tokio::test]
+    async fn a_panicking_handler_answers_and_the_server_lives_on() {
+        let mut guard = guarded();
+        call(&mut guard, initialize()).await;
+        for (id, line, words) in [(1, 7, "planted"), (2, 8, "planted too")] {
+            let answer = call(&mut guard, hover(id, line)).await.unwrap();
+            assert_eq!(answer["id"], id);
+            assert_eq!(answer["error"]["code"], -32603);
+            assert!(
+                answer["error"]["message"].as_str().unwrap().contains(words),
+                "{answer}"
+            );
+        }
+        let answer = call(&mut guard, hover(3, 1)).await.unwrap();
+        assert_eq!(answer, json!({"jsonrpc": "2.0", "id": 3, "result": null}));
+    }
+
+    #[tokio::test]
+    async fn what_comes_behind_initialize_waits_for_it() {
+        let mut guard = guarded();
+        let request = serde_json::from_value(initialize()).unwrap();
+        let first = guard.ready().await.unwrap().call(request);
+        let first = tokio::spawn(first);
+        // Without the barrier this is answered with "not initialized".
+        let answer = call(&mut guard, hover(1, 1)).await.unwrap();
+        assert_eq!(answer["result"], Value::Null, "{answer}");
+        assert_eq!(answer.get("error"), None);
+        first.await.unwrap().unwrap();
+    }
+
+    #[tokio::test]
+    async fn shutdown_is_recorded_when_it_was_granted() {
+        let shutdown = || json!({"jsonrpc": "2.0", "id": 1, "method": "shutdown", "params": {}});
+        let mut guard = guarded();
+        let answer = call(&mut guard, shutdown()).await.unwrap();
+        assert_eq!(answer["error"]["code"], -32002);
+        assert!(!guard.life().is_shut_down());
+        call(&mut guard, initialize()).await;
+        assert_eq!(call(&mut guard, shutdown()).await.unwrap()["result"], Value::Null);
+        assert!(guard.life().is_shut_down());
+        call(&mut guard, json!({"jsonrpc": "2.0", "method": "exit"})).await;
+        guard.life().exited().await;
+    }
+
+    #[tokio::test]
+    async fn a_malformed_message_is_answered_before_initialize_too() {
+        let mut guard = guarded();
+        let params = json!({"code": -32700, "message": "not JSON"});
+        let message = json!({"jsonrpc": "2.0", "id": 4, "method": MALFORMED, "params": params});
+        let answer = call(&mut guard, message).await.unwrap();
+        assert_eq!(answer, json!({"jsonrpc": "2.0", "id": 4, "error": params}));
+    }
+}

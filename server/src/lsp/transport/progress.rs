@@ -1,0 +1,122 @@
+//! Progress of long work, for clients that show it.
+//!
+//! Work never waits for it: steps are put into a channel, and a task sends them when the client has agreed to see
+//! them. What is done within a moment is not shown at all.
+
+use std::path::Path;
+use std::sync::Arc;
+use std::sync::atomic::{AtomicU32, Ordering};
+use std::time::Duration;
+
+use tokio::sync::watch;
+use tower_lsp::Client;
+use tower_lsp::ls_types::notification;
+use tower_lsp::ls_types::{
+    NumberOrString, ProgressParams, ProgressParamsValue, ProgressToken, WorkDoneProgress,
+    WorkDoneProgressBegin, WorkDoneProgressEnd, WorkDoneProgressReport,
+};
+
+use crate::lsp::shared::Shared;
+
+/// Work that takes no longer than this is not worth a line on the screen.
+const MOMENT: Duration = Duration::from_millis(200);
+
+/// Steps are told no more often.
+const PACE: Duration = Duration::from_millis(100);
+
+/// A client that has not agreed by then sees nothing.
+const PATIENCE: Duration = Duration::from_secs(30);
+
+/// Work that is under way. When it is dropped the work is done.
+#[derive(Debug)]
+pub(crate) struct Progress {
+    steps: Option<watch::Sender<Step>>,
+}
+
+/// How far the work is.
+#[derive(Debug, Clone, Default)]
+struct Step {
+    percentage: u32,
+    message: String,
+}
+
+impl Progress {
+    /// Of work that the server began by itself. Must be called within the runtime.
+    pub(crate) fn begin(shared: &Arc<Shared>, title: &'static str) -> Progress {
+        static SERIAL: AtomicU32 = AtomicU32::new(0);
+        if !shared.agreed().progress {
+            return Progress { steps: None };
+        }
+        let serial = SERIAL.fetch_add(1, Ordering::Relaxed);
+        let token = NumberOrString::String(format!("ladder-{serial}"));
+        let (sender, steps) = watch::channel(Step::default());
+        let client = shared.client.clone();
+        tokio::spawn(async move {
+            let mut steps = steps;
+            if ends_within(&mut steps, MOMENT).await {
+                return;
+            }
+            let asked = client.create_work_done_progress(token.clone());
+            if let Ok(Ok(())) = tokio::time::timeout(PATIENCE, asked).await {
+                show(client, token, title, steps).await;
+            }
+        });
+        Progress { steps: Some(sender) }
+    }
+
+    /// Of a request: shown if the client gave it a token. Must be called within the runtime.
+    pub(crate) fn of_request(shared: &Shared, token: Option<ProgressToken>, title: &'static str) -> Progress {
+        let Some(token) = token else {
+            return Progress { steps: None };
+        };
+        let (sender, steps) = watch::channel(Step::default());
+        tokio::spawn(show(shared.client.clone(), token, title, steps));
+        Progress { steps: Some(sender) }
+    }
+
+    /// Tells how far the work is: so many of so many, and what is looked at now.
+    pub(crate) fn report(&self, done: usize, all: usize, at: &Path) {
+        if let Some(steps) = &self.steps {
+            let name = at.file_name().unwrap_or_default().to_string_lossy();
+            let step = Step {
+                percentage: (done * 100 / all.max(1)) as u32,
+                message: format!("{done}/{all} {name}"),
+            };
+            steps.send_replace(step);
+        }
+    }
+}
+
+/// Whether the work ends within this time.
+async fn ends_within(steps: &mut watch::Receiver<Step>, time: Duration) -> bool {
+    let end = async { while steps.changed().await.is_ok() {} };
+    tokio::time::timeout(time, end).await.is_ok()
+}
+
+async fn show(client: Client, token: ProgressToken, title: &'static str, mut steps: watch::Receiver<Step>) {
+    let tell = async |value| {
+        let params = ProgressParams {
+            token: token.clone(),
+            value: ProgressParamsValue::WorkDone(value),
+        };
+        client.send_notification::<notification::Progress>(params).await;
+    };
+    tell(WorkDoneProgress::Begin(WorkDoneProgressBegin {
+        title: title.to_owned(),
+        cancellable: Some(false),
+        message: None,
+        percentage: Some(0),
+    }))
+    .await;
+    while steps.changed().await.is_ok() {
+        let step = steps.borrow_and_update().clone();
+        tell(WorkDoneProgress::Report(WorkDoneProgressReport {
+            cancellable: Some(false),
+            message: Some(step.message),
+            percentage: Some(step.percentage),
+        }))
+        .await;
+        tokio::time::sleep(PACE).await;
+    }
+    tell(WorkDoneProgress::End(WorkDoneProgressEnd { message: None })).await;
+}
