@@ -10,7 +10,7 @@ use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
 pub(crate) struct Verdict {
     types: AtomicU64,
     well_formed: AtomicBool,
-    well_led: AtomicBool,
+    well_wired: AtomicBool,
 }
 
 impl Verdict {
@@ -35,13 +35,13 @@ impl Verdict {
     }
 
     /// Whether the rules about what stands behind what on its wires found nothing.
-    pub(crate) fn is_well_led(&self) -> bool {
-        self.well_led.load(Ordering::Relaxed)
+    pub(crate) fn is_well_wired(&self) -> bool {
+        self.well_wired.load(Ordering::Relaxed)
     }
 
     /// They did not.
-    pub(crate) fn well_led(&self) {
-        self.well_led.store(true, Ordering::Relaxed);
+    pub(crate) fn well_wired(&self) {
+        self.well_wired.store(true, Ordering::Relaxed);
     }
 }
 
@@ -50,7 +50,7 @@ impl Clone for Verdict {
         Verdict {
             types: AtomicU64::new(self.types.load(Ordering::Relaxed)),
             well_formed: AtomicBool::new(self.is_well_formed()),
-            well_led: AtomicBool::new(self.is_well_led()),
+            well_wired: AtomicBool::new(self.is_well_wired()),
         }
     }
 }

@@ -1,7 +1,7 @@
 //! `endless-jump`: a jump back that a scan cannot get out of.
 
+use super::control_flow::ControlFlow;
 use super::flow::{Exit, Flow};
-use super::survey::Steering;
 use crate::context::Context;
 use crate::diagnostic::Diagnostic;
 use crate::facts::{Node, NodeKind};
@@ -53,15 +53,15 @@ fn waits(flow: &Flow<'_>, exit: &Exit, to: usize) -> Option<String> {
     if exit.always || before(exit.from + 1) - before(to) != 1 {
         return None;
     }
-    let steering = flow.steering(to..=exit.from);
-    let unclear = Steering::CALL
-        .with(Steering::USER_BLOCK)
-        .with(Steering::FLOW_BLOCK)
-        .with(Steering::MCR)
-        .with(Steering::FOR)
-        .with(Steering::RETURN)
-        .with(Steering::END);
-    if steering.has(unclear) {
+    let control_flow = flow.control_flow(to..=exit.from);
+    let unclear = ControlFlow::CALL
+        .with(ControlFlow::USER_BLOCK)
+        .with(ControlFlow::FLOW_BLOCK)
+        .with(ControlFlow::MCR)
+        .with(ControlFlow::FOR)
+        .with(ControlFlow::RETURN)
+        .with(ControlFlow::END);
+    if control_flow.has(unclear) {
         return None;
     }
     let context = flow.context;

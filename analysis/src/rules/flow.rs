@@ -1,7 +1,8 @@
 //! The ways that a scan can take from network to network, shared by the rules about what is never reached, never
 //! left, or always ended.
 
-use super::survey::{Steering, Survey};
+use super::control_flow::ControlFlow;
+use super::survey::Survey;
 use super::{endless_jump, unconditional_end, unreachable};
 use crate::boolean::power::{NetworkPower, Question};
 use crate::context::{Body, Context};
@@ -44,7 +45,7 @@ pub(super) struct Flow<'c> {
 
 /// Asks the rules about each body that holds jumps, returns or ends.
 pub(super) fn check(context: &Context, survey: &Survey, out: &mut Vec<Diagnostic>) {
-    let leaves = Steering::LEAVES;
+    let leaves = ControlFlow::LEAVES;
     if !survey.whole || !survey.any.has(leaves) {
         return;
     }
@@ -55,7 +56,7 @@ pub(super) fn check(context: &Context, survey: &Survey, out: &mut Vec<Diagnostic
     for networks in bodies.into_values() {
         if !networks
             .iter()
-            .any(|&network| survey.steering[network].has(leaves))
+            .any(|&network| survey.control_flow[network].has(leaves))
         {
             continue;
         }
@@ -85,7 +86,7 @@ impl<'c> Flow<'c> {
                 .filter_map(|label| flow.place(label.network));
             of_body.collect()
         };
-        let rail_varies = flow.steering(0..count).has(Steering::MCR);
+        let rail_varies = flow.control_flow(0..count).has(ControlFlow::MCR);
         flow.next[count] = labelled;
         let loop_ends = flow.loop_ends();
         for (at, loop_end) in loop_ends.into_iter().enumerate() {
@@ -98,10 +99,10 @@ impl<'c> Flow<'c> {
         self.networks.binary_search(&network).ok()
     }
 
-    /// What steers in some of the networks.
-    pub(super) fn steering(&self, networks: impl Iterator<Item = usize>) -> Steering {
-        networks.fold(Steering::default(), |all, at| {
-            all.with(self.survey.steering[self.networks[at]])
+    /// The program flow of some of the networks.
+    pub(super) fn control_flow(&self, networks: impl Iterator<Item = usize>) -> ControlFlow {
+        networks.fold(ControlFlow::default(), |all, at| {
+            all.with(self.survey.control_flow[self.networks[at]])
         })
     }
 
@@ -115,7 +116,7 @@ impl<'c> Flow<'c> {
         let mut end = None;
         for (at, &network) in self.networks.iter().enumerate().rev() {
             ends[at] = end;
-            if self.survey.steering[network].has(Steering::NEXT) {
+            if self.survey.control_flow[network].has(ControlFlow::NEXT) {
                 end = Some(at);
             }
         }
@@ -123,12 +124,12 @@ impl<'c> Flow<'c> {
     }
 
     fn network(&mut self, at: usize, rail_varies: bool, loop_end: Option<usize>) {
-        let steering = self.survey.steering[self.networks[at]];
+        let control_flow = self.survey.control_flow[self.networks[at]];
         let mut goes_on = true;
-        if steering.has(Steering::JUMP.with(Steering::RETURN).with(Steering::END)) {
-            goes_on = !self.exits_of(at, rail_varies && !steering.has(Steering::MCR));
+        if control_flow.has(ControlFlow::JUMP.with(ControlFlow::RETURN).with(ControlFlow::END)) {
+            goes_on = !self.exits_of(at, rail_varies && !control_flow.has(ControlFlow::MCR));
         }
-        if steering.has(Steering::FLOW_BLOCK) {
+        if control_flow.has(ControlFlow::FLOW_BLOCK) {
             // It may go to any label, or end the body.
             self.next[at].push(self.networks.len());
             self.ends[at] = true;
@@ -136,7 +137,7 @@ impl<'c> Flow<'c> {
         if !goes_on {
             return;
         }
-        if steering.has(Steering::FOR) {
+        if control_flow.has(ControlFlow::FOR) {
             self.follow(at, loop_end.map_or(self.networks.len(), |next| next + 1));
         }
         self.follow(at, at + 1);

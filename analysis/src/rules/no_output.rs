@@ -1,4 +1,4 @@
-//! `no-output`: a network that writes nothing and steers nothing.
+//! `no-output`: a network that writes nothing and calls, jumps or ends nothing.
 
 use crate::context::Context;
 use crate::diagnostic::Diagnostic;

@@ -1,7 +1,8 @@
 //! The rules that decide on a network's boolean function: which networks are worth it, and one table for all of
 //! them.
 
-use super::survey::{Steering, Survey};
+use super::control_flow::ControlFlow;
+use super::survey::Survey;
 use super::{constant_power, duplicate_branch, order_sensitive, redundant_element};
 use crate::boolean::power::{NetworkPower, Powers, Question};
 use crate::context::Context;
@@ -32,30 +33,30 @@ pub(super) struct Table<'c> {
 /// Looks at every network in which one value is asked for more than once: where each is asked for once, every
 /// contact counts.
 pub(super) fn check(context: &Context, survey: &Survey, out: &mut Vec<Diagnostic>) {
-    let rail_varies = survey.any.has(Steering::MCR);
+    let rail_varies = survey.any.has(ControlFlow::MCR);
     // A wire round a contact is told already.
-    let mut led_round: Vec<TextSize> = out
+    let mut bypassed: Vec<TextSize> = out
         .iter()
         .filter(|found| matches!(found.rule, Rule::ShortedBranch | Rule::RedundantElement))
         .map(|found| found.range.start())
         .collect();
-    led_round.sort_unstable();
+    bypassed.sort_unstable();
     for index in candidates(context) {
         let network = &context.networks[index];
         if !survey.sound[index] || network.blocks.iter().any(|bound| bound.faulty) {
             continue;
         }
-        let rail_varies = rail_varies && !survey.steering[index].has(Steering::MCR);
+        let rail_varies = rail_varies && !survey.control_flow[index].has(ControlFlow::MCR);
         let Some(table) = Table::new(context, network, rail_varies) else {
             continue;
         };
         let found = out.len();
         constant_power::check(&table, out);
         duplicate_branch::check(&table, out);
-        let next = led_round.partition_point(|&at| at < network.range.start());
-        let is_led_round = led_round.get(next).is_some_and(|&at| at < network.range.end());
+        let next = bypassed.partition_point(|&at| at < network.range.start());
+        let is_bypassed = bypassed.get(next).is_some_and(|&at| at < network.range.end());
         // What never or always conducts makes others redundant: it is told once.
-        if out.len() == found && !is_led_round {
+        if out.len() == found && !is_bypassed {
             redundant_element::check(&table, out);
         }
         order_sensitive::check(&table, out);

@@ -1,7 +1,8 @@
 //! `read-before-write`: a rung reads what a rung below it writes, and so sees the value of the scan before,
 //! although the two could stand in the other order.
 
-use super::survey::{Steering, Survey};
+use super::control_flow::ControlFlow;
+use super::survey::Survey;
 use crate::context::Context;
 use crate::diagnostic::Diagnostic;
 use crate::operand_value::{each_tag, tag};
@@ -37,10 +38,10 @@ struct Late<'c> {
 }
 
 fn candidates<'c>(context: &'c Context, survey: &Survey) -> impl Iterator<Item = Late<'c>> {
-    let unclear = Steering::LEAVES.with(Steering::FOR);
+    let unclear = ControlFlow::LEAVES.with(ControlFlow::FOR);
     let mut bodies_that_jump = FxHashSet::default();
-    for (network, steering) in survey.steering.iter().enumerate() {
-        if steering.has(unclear) {
+    for (network, control_flow) in survey.control_flow.iter().enumerate() {
+        if control_flow.has(unclear) {
             bodies_that_jump.insert(context.bodies[network]);
         }
     }

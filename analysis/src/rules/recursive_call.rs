@@ -1,7 +1,8 @@
 //! `recursive-call`: a function that calls itself, directly or through others.
 
 use super::circles::{Use, circles, way};
-use super::survey::{Steering, Survey};
+use super::control_flow::ControlFlow;
+use super::survey::Survey;
 use crate::context::{Body, Context};
 use crate::diagnostic::Diagnostic;
 use crate::facts::NodeKind;
@@ -11,7 +12,7 @@ use ladder_instructions::Op;
 use ladder_syntax::Name;
 
 pub(super) fn check(context: &Context, survey: &Survey, out: &mut Vec<Diagnostic>) {
-    if context.functions.is_empty() || !survey.any.has(Steering::CALL) {
+    if context.functions.is_empty() || !survey.any.has(ControlFlow::CALL) {
         return;
     }
     // Functions first, then blocks: a function may call itself through a block that it uses.

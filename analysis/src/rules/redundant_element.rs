@@ -1,6 +1,6 @@
 //! `redundant-element`: a contact that changes nothing.
 
-use super::led_round::LedRound;
+use super::bypassed::Bypassed;
 use super::no_output::may_act;
 use super::power_rules::{Table, is_condition};
 use super::wiring_walk::Walk;
@@ -14,13 +14,13 @@ use rustc_hash::FxHashSet;
 
 /// Tells of the contacts round which a wire leads, together where it joins their lines at one place; but for those
 /// that shorted-branch told of.
-pub(super) fn led_round(
+pub(super) fn bypassed(
     walk: &Walk<'_>,
-    contacts: &[LedRound],
+    contacts: &[Bypassed],
     told: &FxHashSet<usize>,
     out: &mut Vec<Diagnostic>,
 ) {
-    let mut contacts: Vec<&LedRound> = contacts
+    let mut contacts: Vec<&Bypassed> = contacts
         .iter()
         .filter(|contact| !told.contains(&contact.block))
         .collect();

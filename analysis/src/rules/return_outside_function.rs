@@ -1,19 +1,20 @@
 //! `return-outside-function`: a `<RET>` in the main program.
 
-use super::survey::{Steering, Survey};
+use super::control_flow::ControlFlow;
+use super::survey::Survey;
 use crate::context::{Body, Context};
 use crate::diagnostic::Diagnostic;
 use crate::rule::Rule;
 use ladder_instructions::Op;
 
 pub(super) fn check(context: &Context, survey: &Survey, out: &mut Vec<Diagnostic>) {
-    if !survey.any.has(Steering::RETURN) {
+    if !survey.any.has(ControlFlow::RETURN) {
         return;
     }
     for (index, network) in context.networks.iter().enumerate() {
         if context.bodies[index] != Body::Main
             || !survey.sound[index]
-            || !survey.steering[index].has(Steering::RETURN)
+            || !survey.control_flow[index].has(ControlFlow::RETURN)
         {
             continue;
         }

@@ -3,7 +3,8 @@
 //! Decided for coils whose conditions stand in series: the later one always acts with the earlier one if each of
 //! its conditions is one of the earlier one's, and nothing between them writes what they ask for.
 
-use super::survey::{Steering, Survey};
+use super::control_flow::ControlFlow;
+use super::survey::Survey;
 use crate::boolean::written::written;
 use crate::context::Context;
 use crate::diagnostic::Diagnostic;
@@ -21,13 +22,16 @@ use rustc_hash::FxHashSet;
 const MOST: usize = 16;
 
 pub(super) fn check(context: &Context, survey: &Survey, out: &mut Vec<Diagnostic>) {
-    if !survey.any.has(Steering::SET) || !survey.any.has(Steering::RESET) || survey.any.has(Steering::MCR) {
+    if !survey.any.has(ControlFlow::SET)
+        || !survey.any.has(ControlFlow::RESET)
+        || survey.any.has(ControlFlow::MCR)
+    {
         return;
     }
-    let unclear = Steering::LEAVES
-        .with(Steering::FOR)
-        .with(Steering::CALL)
-        .with(Steering::FLOW_BLOCK);
+    let unclear = ControlFlow::LEAVES
+        .with(ControlFlow::FOR)
+        .with(ControlFlow::CALL)
+        .with(ControlFlow::FLOW_BLOCK);
     for tag in context.own_tags().filter(|tag| tag.ty == Some(Type::BOOL)) {
         let op = |place: &Use| context.networks[place.network].blocks[place.block].op();
         let writers = || tag.uses.iter().filter(|place| place.access.writes());
@@ -55,7 +59,7 @@ pub(super) fn check(context: &Context, survey: &Survey, out: &mut Vec<Diagnostic
                     && later.conditions.is_subset(&earlier.conditions)
                     && context.bodies[later.place.network] == context.bodies[earlier.place.network]
                     && !(earlier.place.network..=later.place.network)
-                        .any(|network| survey.steering[network].has(unclear))
+                        .any(|network| survey.control_flow[network].has(unclear))
                     && !is_changed_between(context, earlier, later)
             });
             if let Some(later) = undone {

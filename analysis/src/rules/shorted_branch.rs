@@ -1,6 +1,6 @@
 //! `shorted-branch`: a bare wire beside contacts, which so decide nothing.
 
-use super::led_round::LedRound;
+use super::bypassed::Bypassed;
 use super::power_rules::is_condition;
 use super::wiring_walk::Walk;
 use crate::boolean::written::written_block;
@@ -13,19 +13,19 @@ use rustc_hash::FxHashSet;
 /// How far a branch is followed.
 const LONGEST: usize = 64;
 
-/// `led_round` are the contacts that decide nothing, if that is known: one of a branch that leads elsewhere too does.
+/// `bypassed` are the contacts that decide nothing, if that is known: one of a branch that leads elsewhere too does.
 /// Gives the blocks that were told.
 pub(super) fn check(
     walk: &Walk<'_>,
-    led_round: Option<&[LedRound]>,
+    bypassed: Option<&[Bypassed]>,
     out: &mut Vec<Diagnostic>,
 ) -> FxHashSet<usize> {
     let mut told = FxHashSet::default();
-    if led_round.is_some_and(<[LedRound]>::is_empty) {
+    if bypassed.is_some_and(<[Bypassed]>::is_empty) {
         return told;
     }
     let decides_nothing = |block: &usize| {
-        led_round.is_none_or(|led_round| led_round.iter().any(|contact| contact.block == *block))
+        bypassed.is_none_or(|bypassed| bypassed.iter().any(|contact| contact.block == *block))
     };
     for step in walk.steps() {
         let Step::Join { upper, lower } = *step else {

@@ -1,6 +1,7 @@
 //! One walk over all blocks, shared by the rules that look at blocks one by one and by those that look at the
 //! whole program.
 
+use super::control_flow::ControlFlow;
 use super::{
     alternative_mnemonic, ambiguous_sign, division_by_zero, real_equality, result_arrow, short_preset,
 };
@@ -9,7 +10,7 @@ use crate::diagnostic::Diagnostic;
 use crate::network::{BoundBlock, Meaning, NetworkFacts};
 use crate::rule::{Rule, Severity};
 use crate::rule_settings::RuleSettings;
-use ladder_instructions::{Op, Shape};
+use ladder_instructions::Op;
 use ladder_syntax::TextSize;
 
 /// What the walk found.
@@ -21,68 +22,10 @@ pub(super) struct Survey {
     pub(super) names_known: bool,
     /// For each network whether it is drawn and written without errors. Rules about its power are silent otherwise.
     pub(super) sound: Vec<bool>,
-    /// For each network what in it steers the program.
-    pub(super) steering: Vec<Steering>,
+    /// For each network what it has of program flow.
+    pub(super) control_flow: Vec<ControlFlow>,
     /// All of them together.
-    pub(super) any: Steering,
-}
-
-/// What in a network steers the program, as bits.
-#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
-pub(super) struct Steering(u16);
-
-impl Steering {
-    pub(super) const JUMP: Steering = Steering(1);
-    pub(super) const RETURN: Steering = Steering(1 << 1);
-    pub(super) const END: Steering = Steering(1 << 2);
-    pub(super) const FOR: Steering = Steering(1 << 3);
-    pub(super) const NEXT: Steering = Steering(1 << 4);
-    pub(super) const MCR: Steering = Steering(1 << 5);
-    pub(super) const CALL: Steering = Steering(1 << 6);
-    /// A user-defined block in the shape `<$B>`, which may jump, return and end.
-    pub(super) const FLOW_BLOCK: Steering = Steering(1 << 7);
-    /// Any other user-defined block.
-    pub(super) const USER_BLOCK: Steering = Steering(1 << 8);
-    /// A coil, a set coil, a reset coil.
-    pub(super) const SET: Steering = Steering(1 << 9);
-    pub(super) const RESET: Steering = Steering(1 << 10);
-    pub(super) const COIL: Steering = Steering(1 << 11);
-    /// What can leave a network before its end.
-    pub(super) const LEAVES: Steering =
-        Steering(Steering::JUMP.0 | Steering::RETURN.0 | Steering::END.0 | Steering::FLOW_BLOCK.0);
-
-    /// Whether one of these is there.
-    pub(super) const fn has(self, other: Steering) -> bool {
-        self.0 & other.0 != 0
-    }
-
-    /// Both together.
-    pub(super) const fn with(self, other: Steering) -> Steering {
-        Steering(self.0 | other.0)
-    }
-
-    fn of(bound: &BoundBlock) -> Steering {
-        match bound.meaning {
-            Meaning::Instruction(row) => match row.op {
-                Op::Jmp => Steering::JUMP,
-                Op::Ret => Steering::RETURN,
-                Op::End => Steering::END,
-                Op::For => Steering::FOR,
-                Op::Next => Steering::NEXT,
-                Op::Mcr => Steering::MCR,
-                Op::Call => Steering::CALL,
-                Op::SetCoil | Op::RetentiveSet => Steering::SET,
-                Op::ResetCoil | Op::RetentiveReset => Steering::RESET,
-                Op::Coil | Op::NegatedCoil | Op::RetentiveCoil => Steering::COIL,
-                _ => Steering::default(),
-            },
-            Meaning::User(_) | Meaning::UnknownUser if bound.facts.shape == Shape::Function => {
-                Steering::FLOW_BLOCK
-            }
-            Meaning::User(_) | Meaning::UnknownUser => Steering::USER_BLOCK,
-            Meaning::Unknown => Steering::default(),
-        }
-    }
+    pub(super) any: ControlFlow,
 }
 
 /// What a rule about single blocks is asked with.
@@ -106,15 +49,15 @@ pub(super) fn survey(context: &Context, settings: &RuleSettings, out: &mut Vec<D
         whole: errors.is_empty() && context.parse.lines().iter().all(|line| line.errors.is_empty()),
         names_known: out.iter().all(|found| found.rule != Rule::UndeclaredTag),
         sound: Vec::with_capacity(context.networks.len()),
-        steering: Vec::with_capacity(context.networks.len()),
-        any: Steering::default(),
+        control_flow: Vec::with_capacity(context.networks.len()),
+        any: ControlFlow::default(),
     };
     let spelling = settings.is_on(Rule::AlternativeMnemonic);
     for network in &context.networks {
         survey.whole &= !network.broken;
-        let mut steering = Steering::default();
+        let mut control_flow = ControlFlow::default();
         for bound in &network.blocks {
-            steering = steering.with(Steering::of(bound));
+            control_flow = control_flow.with(ControlFlow::of(bound));
             let Meaning::Instruction(row) = bound.meaning else {
                 survey.whole &= matches!(bound.meaning, Meaning::User(_));
                 result_arrow::check(context, bound, out);
@@ -150,8 +93,8 @@ pub(super) fn survey(context: &Context, settings: &RuleSettings, out: &mut Vec<D
         let next = errors.partition_point(|&at| at < network.range.start());
         let has_error = errors.get(next).is_some_and(|&at| at < network.range.end());
         survey.sound.push(!network.broken && !has_error);
-        survey.any = survey.any.with(steering);
-        survey.steering.push(steering);
+        survey.any = survey.any.with(control_flow);
+        survey.control_flow.push(control_flow);
     }
     survey
 }

@@ -1,6 +1,7 @@
 //! `unbalanced-loop`: `<FOR>` and `<NEXT>` that do not belong together.
 
-use super::survey::{Steering, Survey};
+use super::control_flow::ControlFlow;
+use super::survey::Survey;
 use crate::context::Context;
 use crate::diagnostic::Diagnostic;
 use crate::rule::Rule;
@@ -8,7 +9,7 @@ use ladder_instructions::Op;
 use ladder_syntax::TextRange;
 
 pub(super) fn check(context: &Context, survey: &Survey, out: &mut Vec<Diagnostic>) {
-    let loops = Steering::FOR.with(Steering::NEXT);
+    let loops = ControlFlow::FOR.with(ControlFlow::NEXT);
     // Of a loop that cannot be read, only one half may be left.
     if !survey.any.has(loops) || !survey.whole {
         return;
@@ -18,7 +19,7 @@ pub(super) fn check(context: &Context, survey: &Survey, out: &mut Vec<Diagnostic
         if index == 0 || context.bodies[index] != context.bodies[index - 1] {
             out.extend(open.take().map(no_next));
         }
-        if !survey.steering[index].has(loops) {
+        if !survey.control_flow[index].has(loops) {
             continue;
         }
         // A loop begins behind the network of its FOR and ends with that of the next NEXT.

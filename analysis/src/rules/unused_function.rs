@@ -1,6 +1,7 @@
 //! `unused-function`: a function that nothing calls.
 
-use super::survey::{Steering, Survey};
+use super::control_flow::ControlFlow;
+use super::survey::Survey;
 use crate::context::{Body, Context};
 use crate::diagnostic::Diagnostic;
 use crate::facts::NodeKind;
@@ -16,7 +17,7 @@ pub(super) fn check(context: &Context, survey: &Survey, out: &mut Vec<Diagnostic
     }
     let mut called: FxHashSet<usize> = FxHashSet::default();
     for (index, network) in context.networks.iter().enumerate() {
-        if !survey.steering[index].has(Steering::CALL) {
+        if !survey.control_flow[index].has(ControlFlow::CALL) {
             continue;
         }
         for bound in network.blocks.iter().filter(|bound| bound.op() == Some(Op::Call)) {

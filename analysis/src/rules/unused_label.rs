@@ -1,6 +1,7 @@
 //! `unused-label`: a label that nothing jumps to.
 
-use super::survey::{Steering, Survey};
+use super::control_flow::ControlFlow;
+use super::survey::Survey;
 use crate::context::{Body, Context};
 use crate::diagnostic::Diagnostic;
 use crate::facts::NodeKind;
@@ -18,7 +19,7 @@ pub(super) fn check(context: &Context, survey: &Survey, out: &mut Vec<Diagnostic
     // Labels that bodies of <$B> blocks jump to wherever such a block stands.
     let mut outside: FxHashSet<Name> = FxHashSet::default();
     for (index, network) in context.networks.iter().enumerate() {
-        if !survey.steering[index].has(Steering::JUMP) {
+        if !survey.control_flow[index].has(ControlFlow::JUMP) {
             continue;
         }
         for bound in network.blocks.iter().filter(|bound| bound.op() == Some(Op::Jmp)) {
@@ -38,7 +39,7 @@ pub(super) fn check(context: &Context, survey: &Survey, out: &mut Vec<Diagnostic
     }
     // What a block of another file jumps to is looked up by unknown-label only.
     let has_foreign_block: FxHashSet<Body> = (0..context.networks.len())
-        .filter(|&index| survey.steering[index].has(Steering::FLOW_BLOCK))
+        .filter(|&index| survey.control_flow[index].has(ControlFlow::FLOW_BLOCK))
         .filter(|&index| {
             context.networks[index]
                 .blocks
@@ -48,7 +49,7 @@ pub(super) fn check(context: &Context, survey: &Survey, out: &mut Vec<Diagnostic
         .map(|index| context.bodies[index])
         .collect();
     let has_flow_block: FxHashSet<Body> = (0..context.networks.len())
-        .filter(|&index| survey.steering[index].has(Steering::FLOW_BLOCK))
+        .filter(|&index| survey.control_flow[index].has(ControlFlow::FLOW_BLOCK))
         .map(|index| context.bodies[index])
         .collect();
     for label in &context.labels {

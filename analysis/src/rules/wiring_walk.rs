@@ -1,7 +1,8 @@
 //! One walk over each network's steps, shared by the rules about what stands behind what on a wire.
 
-use super::survey::{Steering, Survey};
-use super::{contact_after_coil, dead_end, latched_power, led_round, redundant_element, shorted_branch};
+use super::control_flow::ControlFlow;
+use super::survey::Survey;
+use super::{bypassed, contact_after_coil, dead_end, latched_power, redundant_element, shorted_branch};
 use crate::context::Context;
 use crate::diagnostic::Diagnostic;
 use crate::network::{BoundBlock, NetworkFacts};
@@ -29,9 +30,9 @@ impl<'c> Walk<'c> {
 pub(super) fn check(context: &Context, survey: &Survey, out: &mut Vec<Diagnostic>) {
     let mut walk = None;
     for (index, network) in context.networks.iter().enumerate() {
-        let steering = survey.steering[index];
+        let control_flow = survey.control_flow[index];
         let by_itself = network.names_tags_only;
-        if by_itself && network.verdict.is_well_led() {
+        if by_itself && network.verdict.is_well_wired() {
             continue;
         }
         // What does nothing at all is no-output.
@@ -48,19 +49,19 @@ pub(super) fn check(context: &Context, survey: &Survey, out: &mut Vec<Diagnostic
         let found = out.len();
         dead_end::check(walk, out);
         if !network.wiring.points.is_empty() {
-            let led_round = led_round::led_round(walk);
-            let shorted = shorted_branch::check(walk, led_round.as_deref(), out);
-            redundant_element::led_round(walk, &led_round.unwrap_or_default(), &shorted, out);
+            let bypassed = bypassed::bypassed(walk);
+            let shorted = shorted_branch::check(walk, bypassed.as_deref(), out);
+            redundant_element::bypassed(walk, &bypassed.unwrap_or_default(), &shorted, out);
         }
-        let coils = Steering::COIL.with(Steering::SET).with(Steering::RESET);
-        if steering.has(coils) && network.blocks.len() > 1 {
+        let coils = ControlFlow::COIL.with(ControlFlow::SET).with(ControlFlow::RESET);
+        if control_flow.has(coils) && network.blocks.len() > 1 {
             contact_after_coil::check(walk, out);
         }
-        if steering.has(Steering::SET) && network.blocks.len() > 1 {
+        if control_flow.has(ControlFlow::SET) && network.blocks.len() > 1 {
             latched_power::check(walk, out);
         }
         if by_itself && out.len() == found {
-            network.verdict.well_led();
+            network.verdict.well_wired();
         }
     }
 }

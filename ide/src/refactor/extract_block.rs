@@ -2,7 +2,7 @@
 //! stood; the tags that they use become its operands: those that are only read as inputs, all others by reference.
 
 use super::drawing::{Drawing, Item, line_end, lines_text};
-use super::flow::steers;
+use super::flow::is_flow;
 use super::names::new_block;
 use super::place::{OnNetwork, Place};
 use super::region::Region;
@@ -56,7 +56,7 @@ fn extracted(
             block.op(),
             Some(Op::RetentiveCoil | Op::RetentiveSet | Op::RetentiveReset | Op::Persist)
         );
-        if steers(block) {
+        if is_flow(block) {
             return Err(format!("{} works only where it stands", block.head_text()));
         }
         if retentive {

@@ -1,7 +1,7 @@
 //! Networks become a function, and a call takes their place.
 
 use super::drawing::{Drawing, Item, ItemKind, line_end, lines_text};
-use super::flow::{has_mcr, steers};
+use super::flow::{has_mcr, is_flow};
 use super::names::new_function;
 use super::place::Place;
 use super::{Action, ActionKind};
@@ -47,7 +47,7 @@ fn extracted(context: &Context, networks: Range<usize>, name: &str) -> Result<Ve
         return Err(None);
     }
     if let Some(block) =
-        blocks().find(|block| steers(block) && !matches!(block.op(), Some(Op::Call | Op::End)))
+        blocks().find(|block| is_flow(block) && !matches!(block.op(), Some(Op::Call | Op::End)))
     {
         let block = block.head_text();
         return Err(Some(format!(

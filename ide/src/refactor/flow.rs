@@ -1,4 +1,4 @@
-//! What steers a program: refactorings that move rungs keep away from it.
+//! Blocks of program flow: refactorings that move rungs keep away from them.
 
 use ladder_analysis::context::{Body, Context};
 use ladder_analysis::network::BoundBlock;
@@ -15,8 +15,8 @@ pub(crate) fn leaves(block: &BoundBlock) -> bool {
     matches!(block.op(), Some(Op::Jmp | Op::Ret | Op::Call | Op::End))
 }
 
-/// Whether a block steers the program: the blocks of program flow, and user-defined ones of their shape.
-pub(crate) fn steers(block: &BoundBlock) -> bool {
+/// Whether a block is one of program flow: the instructions, and user-defined ones of their shape.
+pub(crate) fn is_flow(block: &BoundBlock) -> bool {
     block.facts.shape == Shape::Function
 }
 

@@ -2,7 +2,7 @@
 //! begins with `EN` and ends with `ENO`, and where the operands can stand for what the body calls them.
 
 use super::drawing::{Drawing, ItemKind, Row};
-use super::flow::steers;
+use super::flow::is_flow;
 use super::names::{new_tag, operand};
 use super::passing::splice;
 use super::place::{OnNetwork, Place};
@@ -128,8 +128,8 @@ fn body(context: &Context, definition: usize) -> Result<Inner, String> {
     if !once("EN") || !once("ENO") || !ends || region.blocks(&drawing).len() + 2 != facts.blocks.len() {
         return Err(form());
     }
-    if facts.blocks.iter().any(steers) {
-        return Err("its body holds blocks that steer it".to_owned());
+    if facts.blocks.iter().any(is_flow) {
+        return Err("its body holds blocks of program flow".to_owned());
     }
     Ok(Inner {
         network,

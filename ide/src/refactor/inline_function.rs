@@ -2,7 +2,7 @@
 
 use super::drawing::{Drawing, Item, ItemKind, lines_text};
 use super::extract_function::{lines_with_comments, starts_with_mark};
-use super::flow::{has_mcr, steers};
+use super::flow::{has_mcr, is_flow};
 use super::place::Place;
 use super::{Action, ActionKind};
 use ladder_analysis::context::{Body, Context};
@@ -61,11 +61,11 @@ fn inlined(context: &Context, caller: usize, drawing: &Drawing, name: &Name) -> 
     let networks = networks_of(context, function);
     let facts = &context.networks[networks.clone()];
     let blocks = facts.iter().flat_map(|network| &network.blocks);
-    let mut steering =
-        blocks.filter(|block| steers(block) && !matches!(block.op(), Some(Op::Call | Op::End)));
-    let fun = steering.next().filter(|block| block.op() == Some(Op::Fun));
-    let (Some(fun), None) = (fun, steering.next()) else {
-        return Err("the function holds blocks that steer it: labels, jumps, returns, loops".to_owned());
+    let mut control_flow =
+        blocks.filter(|block| is_flow(block) && !matches!(block.op(), Some(Op::Call | Op::End)));
+    let fun = control_flow.next().filter(|block| block.op() == Some(Op::Fun));
+    let (Some(fun), None) = (fun, control_flow.next()) else {
+        return Err("the function holds blocks of program flow: labels, jumps, returns, loops".to_owned());
     };
     if has_mcr(context, body) || has_mcr(context, Body::Function(function)) {
         return Err("an <MCR> switches rungs in one of them and not in the other".to_owned());

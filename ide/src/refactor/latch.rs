@@ -3,7 +3,7 @@
 
 use super::circuits::{Rung, items};
 use super::drawing::{Drawing, Item, ItemKind, lines_text};
-use super::flow::{has_mcr, steers};
+use super::flow::{has_mcr, is_flow};
 use super::place::Place;
 use super::wrap_branch::only_reads;
 use super::{Action, ActionKind};
@@ -45,7 +45,7 @@ impl<'c> Output<'c> {
         };
         let coil = &blocks[number];
         let has_block = before.iter().flat_map(items).any(Item::is_block);
-        if !has_block || blocks.iter().any(|block| block.faulty || steers(block)) {
+        if !has_block || blocks.iter().any(|block| block.faulty || is_flow(block)) {
             return None;
         }
         let tag = plain_tag(coil)?.to_owned();

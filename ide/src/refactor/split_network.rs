@@ -2,7 +2,7 @@
 //! second, a new internal tag carries it.
 
 use super::drawing::{Drawing, Item, ItemKind, Row, comments};
-use super::flow::{is_mark, leaves, steers};
+use super::flow::{is_flow, is_mark, leaves};
 use super::names::{called, new_tag};
 use super::place::{OnNetwork, Place};
 use super::{Action, ActionKind};
@@ -123,8 +123,8 @@ fn between_rows(on: &OnNetwork<'_>, row: usize, tag: &str) -> Option<Split> {
         return None;
     }
     let below = row..drawing.rows.len();
-    if !blocks(on, 0..row).all(|block| !steers(block) || is_mark(block) || leaves(block))
-        || !blocks(on, below.clone()).all(|block| !steers(block) || leaves(block))
+    if !blocks(on, 0..row).all(|block| !is_flow(block) || is_mark(block) || leaves(block))
+        || !blocks(on, below.clone()).all(|block| !is_flow(block) || leaves(block))
         || blocks(on, below.clone()).next().is_none()
         || blocks(on, 0..row).next().is_none()
     {
@@ -237,7 +237,7 @@ fn may_part(on: &OnNetwork<'_>, first: &Drawing, second: &Drawing) -> bool {
         items.into_iter().all(|item| match item.kind {
             ItemKind::Block(Some(number)) => {
                 let block = &on.facts.blocks[number];
-                !steers(block) || allowed(block)
+                !is_flow(block) || allowed(block)
             }
             _ => true,
         })

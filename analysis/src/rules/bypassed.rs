@@ -14,7 +14,7 @@ const MOST_STEPS: usize = 400;
 
 /// A contact round which a wire leads.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) struct LedRound {
+pub(super) struct Bypassed {
     /// The contact.
     pub(super) block: usize,
     /// The step at which the wire joins its line again.
@@ -22,7 +22,7 @@ pub(super) struct LedRound {
 }
 
 /// All of them, in the order of evaluation. None if the network is too large.
-pub(super) fn led_round(walk: &Walk<'_>) -> Option<Vec<LedRound>> {
+pub(super) fn bypassed(walk: &Walk<'_>) -> Option<Vec<Bypassed>> {
     let steps = walk.steps();
     if steps.len() > MOST_STEPS {
         return None;
@@ -53,7 +53,7 @@ pub(super) fn led_round(walk: &Walk<'_>) -> Option<Vec<LedRound>> {
             let mut before = limits[index].clone();
             before.remove(same[index]);
             let join = absorbed(walk, index, &before, &carried, &consumers);
-            found.extend(join.map(|join| LedRound { block, join }));
+            found.extend(join.map(|join| Bypassed { block, join }));
         }
     }
     Some(found)
