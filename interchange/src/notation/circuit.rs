@@ -43,6 +43,75 @@ fn with_blocks(circuit: Circuit<usize>, network: &Network) -> Circuit<usize> {
     }
 }
 
+/// The wires of a drawing, each from one point to another with the elements on it: from the left rail
+/// ([`Wires::SOURCE`]) to wherever power ends ([`Wires::SINK`]).
+pub(super) struct Wires {
+    /// For each point one that is the same, nearer to the one that stands for all of them.
+    same: Vec<usize>,
+    wires: Vec<(usize, usize, Vec<usize>)>,
+}
+
+impl Wires {
+    /// The left rail.
+    pub(super) const SOURCE: usize = SOURCE;
+    /// The right rail, and the end of every wire that leads nowhere.
+    pub(super) const SINK: usize = SINK;
+
+    /// Without wires, and with so many points between the rails.
+    pub(super) fn new(points: usize) -> Wires {
+        Wires {
+            same: (0..points + 2).collect(),
+            wires: Vec::new(),
+        }
+    }
+
+    /// The n-th point between the rails.
+    pub(super) const fn point(n: usize) -> usize {
+        n + 2
+    }
+
+    /// A wire with elements on it. They are numbered from left to right and from the upper wire to the lowest.
+    pub(super) fn add(&mut self, from: usize, to: usize, elements: Vec<usize>) {
+        self.wires.push((from, to, elements));
+    }
+
+    /// Makes two points one.
+    pub(super) fn join(&mut self, one: usize, other: usize) {
+        let (one, other) = (self.root(one), self.root(other));
+        self.same[other.max(one)] = one.min(other);
+    }
+
+    fn root(&mut self, mut point: usize) -> usize {
+        while self.same[point] != point {
+            self.same[point] = self.same[self.same[point]];
+            point = self.same[point];
+        }
+        point
+    }
+
+    /// What the wires make. None: they are a bridge, or some lead from nowhere.
+    pub(super) fn into_circuit(mut self) -> Option<Circuit<usize>> {
+        let count = self.same.len();
+        let mut goes_on = vec![false; count];
+        let mut wires = std::mem::take(&mut self.wires);
+        for (from, to, _) in &mut wires {
+            (*from, *to) = (self.root(*from), self.root(*to));
+            goes_on[*from] = true;
+        }
+        let mut graph = Graph::between(count);
+        for (from, to, elements) in wires {
+            let circuit = match elements[..] {
+                [element] => Circuit::Element(element),
+                _ => Circuit::Series(elements.into_iter().map(Circuit::Element).collect()),
+            };
+            let to = if goes_on[to] { to } else { SINK };
+            graph.add(Edge { from, to, circuit });
+        }
+        graph.reduce();
+        graph.only_edge()
+    }
+}
+
 /// The first step of a circuit; a bare wire comes last.
 fn first(circuit: &Circuit<usize>) -> usize {
     match circuit {
@@ -71,6 +140,16 @@ const SOURCE: usize = 0;
 const SINK: usize = 1;
 
 impl Graph {
+    /// Without edges, between so many points.
+    fn between(points: usize) -> Graph {
+        Graph {
+            edges: Vec::new(),
+            into: vec![Vec::new(); points],
+            out_of: vec![Vec::new(); points],
+            between: HashMap::new(),
+        }
+    }
+
     fn of(network: &Network) -> Option<Graph> {
         // For each step the point whose power it gives; none where there never is any.
         let mut points: Vec<Option<usize>> = Vec::with_capacity(network.steps.len());
@@ -107,12 +186,7 @@ impl Graph {
         for edge in &edges {
             goes_on[edge.from] = true;
         }
-        let mut graph = Graph {
-            edges: Vec::with_capacity(edges.len()),
-            into: vec![Vec::new(); count],
-            out_of: vec![Vec::new(); count],
-            between: HashMap::new(),
-        };
+        let mut graph = Graph::between(count);
         for mut edge in edges {
             // Where power ends, it ends: whether at the rail or in the air makes no difference.
             if !goes_on[edge.to] {

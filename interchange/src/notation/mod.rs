@@ -36,6 +36,7 @@ pub const NOTATIONS: &[&dyn Notation] = &[
     &textbook::Textbook,
     &cplc_draft::CplcDraft,
     &ldmicro::Ldmicro,
+    &ldmicro::LdmicroText,
     &iot::Iot,
 ];
 
@@ -50,7 +51,8 @@ pub trait Notation: Sync {
     /// What a person calls it: `LDmicro program`.
     fn title(&self) -> &'static str;
 
-    /// How its files' names end, without the dot, the usual one first. Other systems may use the same.
+    /// How its files' names end, without the dot, the usual one first. Other systems may use the same; none: the
+    /// names tell nothing.
     fn extensions(&self) -> &'static [&'static str];
 
     /// Whether a file is in this notation, from its content alone. No more than the first lines are looked at.

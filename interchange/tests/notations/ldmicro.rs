@@ -451,7 +451,7 @@ fn broken_files_are_read_or_have_a_place() {
 }
 
 /// The folder of real programs, where there is one.
-fn corpus() -> Option<PathBuf> {
+pub(crate) fn corpus() -> Option<PathBuf> {
     let folder = std::env::var_os("LADDER_CORPUS").map(|folder| Path::new(&folder).join("ldmicro"));
     if folder.is_none() {
         eprintln!("skipped: LADDER_CORPUS names no folder of real programs");
@@ -459,7 +459,7 @@ fn corpus() -> Option<PathBuf> {
     folder
 }
 
-fn files(folder: &Path) -> Vec<PathBuf> {
+pub(crate) fn files(folder: &Path) -> Vec<PathBuf> {
     let entries = std::fs::read_dir(folder).expect("the folder can be read");
     let mut files: Vec<PathBuf> = entries
         .map(|entry| entry.expect("an entry can be read").path())

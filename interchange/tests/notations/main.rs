@@ -3,4 +3,5 @@
 mod cplc_draft;
 mod iot;
 mod ldmicro;
+mod ldmicro_text;
 mod textbook;

@@ -1,11 +1,11 @@
 //! From an analysed program to the model of an LDmicro file.
 
 use super::super::circuit::series_parallel;
-use super::super::{Lines, Place, Report, WriteError, Writing};
+use super::super::{Lines, Place, Report, WriteError};
 use super::element::{self, Coil, Form, ROWS};
 use super::kept::{Head, behind, comment, comments, kept};
-use super::model::{Leaf, Node, Rung, Version};
-use super::{parse, save, text};
+use super::model::{File, Leaf, Node, Rung, Version};
+use super::{parse, text};
 use ladder_analysis::Analysis;
 use ladder_analysis::program::{
     Argument, Block, BlockKind, Expr, ExprKind, Location, Member, Network, Place as Operand, Program,
@@ -19,7 +19,7 @@ use std::collections::{HashMap, HashSet};
 use std::sync::Arc;
 
 /// Writes all networks that LDmicro can say; the others become comments.
-pub(super) fn export(analysis: &Analysis) -> Result<Writing, WriteError> {
+pub(super) fn file(analysis: &Analysis) -> Result<(File, Report), WriteError> {
     let text = analysis.context.parse.to_string();
     let program = program(analysis, &text)?;
     let head = Head::of(&text);
@@ -40,10 +40,7 @@ pub(super) fn export(analysis: &Analysis) -> Result<Writing, WriteError> {
         file.io = exporter.io(&head.pins);
     }
     file.rungs = exporter.rungs();
-    Ok(Writing {
-        bytes: save::save(&file),
-        report: exporter.report,
-    })
+    Ok((file, exporter.report))
 }
 
 /// The program, also of a text whose profile cannot run yet and that holds elements without a counterpart: both are

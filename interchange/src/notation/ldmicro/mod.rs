@@ -12,6 +12,7 @@
 //! `# ldmicro: MICRO=.. #` above the declarations (header, renamed names), `# ldmicro: GOSUB init #` in a wire (an
 //! element without a counterpart), and `# was: MOVE ch 'A' #` behind a block (the same element, in other words).
 
+mod drawn;
 mod element;
 mod export;
 mod kept;
@@ -22,6 +23,8 @@ mod save;
 mod sketch;
 mod tags;
 mod text;
+
+pub(super) use drawn::LdmicroText;
 
 use super::{Notation, ReadError, Reading, Source, WriteError, Writing};
 use ladder_analysis::Analysis;
@@ -58,7 +61,9 @@ impl Notation for Ldmicro {
     }
 
     fn write(&self, analysis: &Analysis) -> Result<Writing, WriteError> {
-        export::export(analysis)
+        let (file, report) = export::file(analysis)?;
+        let bytes = save::save(&file);
+        Ok(Writing { bytes, report })
     }
 }
 
