@@ -38,6 +38,7 @@ pub const NOTATIONS: &[&dyn Notation] = &[
     &ldmicro::Ldmicro,
     &ldmicro::LdmicroText,
     &iot::Iot,
+    &click::Click,
 ];
 
 /// The name of this project's own notation, beside those of [`NOTATIONS`].

@@ -10,6 +10,51 @@
 //! Both notations say the same things of the same banks of memory, so they share the model, the rules and the way to
 //! ladder text and back. A Python file is parsed and never run.
 
+mod act;
 mod address;
 mod bank;
+mod calc;
+mod dsl;
+mod formula;
 mod model;
+mod operand;
+mod sketch;
+mod tags;
+mod uses;
+
+use super::{Notation, ReadError, Reading, Source, WriteError, Writing};
+use ladder_analysis::Analysis;
+
+/// The Python DSL.
+#[derive(Debug)]
+pub(super) struct Click;
+
+impl Notation for Click {
+    fn name(&self) -> &'static str {
+        "click"
+    }
+
+    fn title(&self) -> &'static str {
+        "Click program in Python"
+    }
+
+    fn extensions(&self) -> &'static [&'static str] {
+        &["py"]
+    }
+
+    fn recognises(&self, bytes: &[u8]) -> bool {
+        dsl::recognises(bytes)
+    }
+
+    fn read(&self, source: &Source<'_>) -> Result<Reading, ReadError> {
+        let program = dsl::read(source.text()?)?;
+        Ok(sketch::sketch(&program))
+    }
+
+    fn write(&self, _analysis: &Analysis) -> Result<Writing, WriteError> {
+        Err(WriteError::new("ladder text does not become Click programs yet"))
+    }
+}
+
+#[cfg(test)]
+mod tests;

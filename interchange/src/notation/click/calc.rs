@@ -1,0 +1,177 @@
+//! Formulas as `[CALC]` computes them.
+
+use super::bank::Kind;
+use super::formula::{self, Spelling};
+use super::model::{Constant, Formula, Function, Math, MathKind, Operand, Operator};
+use super::operand::{Chain, kind, literal};
+use super::tags::Tags;
+use std::cell::RefCell;
+
+/// The blocks that compute a formula.
+pub(super) fn math(tags: &mut Tags<'_>, math: &Math) -> Result<Chain, String> {
+    let mut chain = Chain::default();
+    let Some(target) = kind(&math.target) else {
+        return Err("a constant cannot be written".to_owned());
+    };
+    let (ty, like) = match math.kind {
+        MathKind::Decimal => decimal(&math.formula, target)?,
+        MathKind::Hex => hex(&math.formula, target),
+    };
+    let is_direct = ty == target.iec();
+    let expression = expression(tags, &mut chain, &math.formula, literal_kind(ty))?;
+    let place = chain.place(tags, &math.target);
+    if is_direct {
+        chain.push(format!("[CALC]( {place}, {expression} )"));
+        return Ok(chain);
+    }
+    let result = tags.helper(like, ty, format!("results of formulas in {ty}"));
+    chain.push(format!("[CALC]( {result}, {expression} )"));
+    match ty {
+        "UINT" => chain.push(format!("[MOV]( {place}, {result} )")),
+        _ => {
+            chain.push(format!("[TYP]( {place}, {result} )"));
+            let why = "a result that does not fit wraps round in Click, and not in [TYP]";
+            chain.remark = Some(why.to_owned());
+        }
+    }
+    Ok(chain)
+}
+
+/// The type in which a decimal formula is computed: wide enough for all of its parts.
+fn decimal(formula: &Formula, target: Kind) -> Result<(&'static str, &'static str), String> {
+    let mut kinds = parts(formula);
+    kinds.push(target);
+    if let Some(odd) = kinds.iter().find(|kind| matches!(kind, Kind::Bit | Kind::Text)) {
+        let what = if *odd == Kind::Bit { "a bit" } else { "a text" };
+        return Err(format!("{what} is no number"));
+    }
+    if kinds.contains(&Kind::Hex) {
+        return Err("decimal and hexadecimal numbers do not mix in a formula".to_owned());
+    }
+    let wide = kinds.contains(&Kind::Int2);
+    let real = kinds.contains(&Kind::Float) || is_real(formula);
+    Ok(match (real, wide) {
+        (true, true) => ("LREAL", "calc_lreal"),
+        (true, false) => ("REAL", "calc_real"),
+        (false, true) => ("DINT", "calc_dint"),
+        (false, false) => ("INT", "calc_int"),
+    })
+}
+
+/// Bit operations work on words; arithmetic needs the integers of their width.
+fn hex(formula: &Formula, target: Kind) -> (&'static str, &'static str) {
+    match target {
+        Kind::Hex if !has_arithmetic(formula) => ("WORD", "calc_word"),
+        _ => ("UINT", "calc_uint"),
+    }
+}
+
+const fn literal_kind(ty: &str) -> Kind {
+    match ty.as_bytes() {
+        b"INT" => Kind::Int,
+        b"DINT" => Kind::Int2,
+        b"WORD" | b"UINT" => Kind::Hex,
+        _ => Kind::Float,
+    }
+}
+
+/// The kinds of what a formula reads.
+pub(super) fn parts(formula: &Formula) -> Vec<Kind> {
+    let (mut operands, mut sums) = (Vec::new(), Vec::new());
+    formula::operands(formula, &mut operands);
+    formula::sums(formula, &mut sums);
+    let mut kinds: Vec<Kind> = operands.into_iter().filter_map(kind).collect();
+    kinds.extend(sums.iter().map(|span| span.bank.kind()));
+    kinds
+}
+
+/// Whether a formula has a real number in it, whatever its addresses hold.
+fn is_real(formula: &Formula) -> bool {
+    match formula {
+        Formula::Pi => true,
+        Formula::Value(operand) => matches!(operand, Operand::Constant(Constant::Float(_))),
+        Formula::Sum(_) => false,
+        Formula::Negated(inside) | Formula::Not(inside) => is_real(inside),
+        Formula::Binary(left, _, right) => is_real(left) || is_real(right),
+        Formula::Call(function, arguments) => {
+            !matches!(function, Function::RotateLeft | Function::RotateRight) || arguments.iter().any(is_real)
+        }
+    }
+}
+
+fn has_arithmetic(formula: &Formula) -> bool {
+    use Operator::{Add, Divide, Modulo, Multiply, Power, Subtract};
+    match formula {
+        Formula::Pi | Formula::Value(_) => false,
+        Formula::Negated(_) | Formula::Sum(_) => true,
+        Formula::Not(inside) => has_arithmetic(inside),
+        Formula::Binary(left, operator, right) => {
+            matches!(operator, Add | Subtract | Multiply | Divide | Modulo | Power)
+                || has_arithmetic(left)
+                || has_arithmetic(right)
+        }
+        // Rotates are made with a difference.
+        Formula::Call(..) => true,
+    }
+}
+
+/// A formula as the expression of a `[CALC]`. What must be ready before it goes into the chain.
+fn expression(tags: &mut Tags<'_>, chain: &mut Chain, formula: &Formula, ty: Kind) -> Result<String, String> {
+    let formula = without_rotates(formula);
+    let mut sums = Vec::new();
+    formula::sums(&formula, &mut sums);
+    for span in sums {
+        if tags
+            .element(&super::address::Tag::number(span.bank, span.first))
+            .is_none()
+        {
+            return Err(
+                "the values of timers and counters belong to their blocks, and are no range".to_owned(),
+            );
+        }
+    }
+    let both = RefCell::new((tags, chain));
+    let operand = |operand: &Operand| {
+        let (tags, chain) = &mut *both.borrow_mut();
+        match operand {
+            Operand::Constant(constant) => literal(constant, Some(ty)),
+            other => chain.value(tags, other, None),
+        }
+    };
+    let spelling = Spelling {
+        operand: &operand,
+        span: &|span| super::act::range(span),
+        binary: None,
+    };
+    Ok(formula::write(&formula, spelling))
+}
+
+/// A rotate by a number of places is two shifts.
+fn without_rotates(formula: &Formula) -> Formula {
+    let all = |inside: &Formula| Box::new(without_rotates(inside));
+    match formula {
+        Formula::Value(_) | Formula::Pi | Formula::Sum(_) => formula.clone(),
+        Formula::Negated(inside) => Formula::Negated(all(inside)),
+        Formula::Not(inside) => Formula::Not(all(inside)),
+        Formula::Binary(left, operator, right) => Formula::Binary(all(left), *operator, all(right)),
+        Formula::Call(function @ (Function::RotateLeft | Function::RotateRight), arguments) => {
+            let [value, by] = &arguments[..] else {
+                return formula.clone();
+            };
+            let (there, back) = match function {
+                Function::RotateLeft => (Operator::ShiftLeft, Operator::ShiftRight),
+                _ => (Operator::ShiftRight, Operator::ShiftLeft),
+            };
+            let width = Box::new(Formula::Value(Operand::Constant(Constant::Int(16))));
+            let rest = Formula::Binary(width, Operator::Subtract, all(by));
+            Formula::Binary(
+                Box::new(Formula::Binary(all(value), there, all(by))),
+                Operator::Or,
+                Box::new(Formula::Binary(all(value), back, Box::new(rest))),
+            )
+        }
+        Formula::Call(function, arguments) => {
+            Formula::Call(*function, arguments.iter().map(without_rotates).collect())
+        }
+    }
+}

@@ -1,0 +1,15 @@
+//! The Python DSL: `def main():` with a rung under each `if`. Python is parsed by ruff's parser and never run.
+
+mod act;
+mod comments;
+mod condition;
+mod depth;
+mod mistakes;
+mod program;
+mod recognise;
+pub(super) mod spell;
+mod write;
+
+pub(super) use program::read;
+pub(super) use recognise::recognises;
+pub(super) use write::write;

@@ -1,0 +1,159 @@
+//! Values and places as ladder text writes them.
+
+use super::address::Tag;
+use super::bank::{Bank, Kind};
+use super::model::{Constant, Operand, Unit};
+use super::tags::Tags;
+
+/// What a value is, if it is no constant.
+pub(super) fn kind(operand: &Operand) -> Option<Kind> {
+    match operand {
+        Operand::Constant(_) => None,
+        Operand::Tag(tag) => Some(tag.bank.kind()),
+        Operand::Pointer(pointer) => Some(pointer.bank.kind()),
+    }
+}
+
+/// Whether a value of one kind can stand where another is asked for, without `[TYP]`.
+pub(super) const fn passes(from: Kind, to: Kind) -> bool {
+    match (from, to) {
+        (Kind::Int, Kind::Int | Kind::Int2 | Kind::Hex | Kind::Float) => true,
+        (Kind::Hex, Kind::Hex | Kind::Int) => true,
+        (Kind::Int2, Kind::Int2) | (Kind::Float, Kind::Float) => true,
+        (Kind::Bit, Kind::Bit) | (Kind::Text, Kind::Text) => true,
+        _ => false,
+    }
+}
+
+/// Whether a constant can stand where a kind is asked for.
+pub(super) fn fits(constant: &Constant, kind: Kind) -> bool {
+    match (constant, kind) {
+        (Constant::Int(number), Kind::Int) => i16::try_from(*number).is_ok(),
+        (Constant::Int(number), Kind::Int2) => i32::try_from(*number).is_ok(),
+        (Constant::Int(number), Kind::Hex) => u16::try_from(*number).is_ok(),
+        (Constant::Int(number), Kind::Bit) => matches!(number, 0 | 1),
+        (Constant::Hex(number), Kind::Int | Kind::Hex) => u16::try_from(*number).is_ok(),
+        (Constant::Hex(_), Kind::Int2) => true,
+        (Constant::Int(_) | Constant::Hex(_) | Constant::Float(_), Kind::Float) => true,
+        (Constant::Bit(_), Kind::Bit) => true,
+        (Constant::Text(text), Kind::Text) => text.chars().count() == 1,
+        _ => false,
+    }
+}
+
+/// A constant where a kind of value is asked for. What does not fit is written as it is: the place then says so.
+pub(super) fn literal(constant: &Constant, kind: Option<Kind>) -> String {
+    match (constant, kind) {
+        (Constant::Bit(true), _) | (Constant::Int(1), Some(Kind::Bit)) => "TRUE".to_owned(),
+        (Constant::Bit(false), _) | (Constant::Int(0), Some(Kind::Bit)) => "FALSE".to_owned(),
+        (Constant::Int(number), _) => number.to_string(),
+        // The same bits, with a sign.
+        (Constant::Hex(number @ 0..=0xFFFF), Some(Kind::Int)) => (*number as u16 as i16).to_string(),
+        (Constant::Hex(number), Some(Kind::Int2)) => (*number as i32).to_string(),
+        (Constant::Hex(number), Some(Kind::Float)) => number.to_string(),
+        (Constant::Hex(number), _) => format!("16#{number:04X}"),
+        (Constant::Float(number), _) => real(*number),
+        (Constant::Text(text), _) => string(text),
+    }
+}
+
+/// A real, with a point.
+fn real(number: f64) -> String {
+    let text = format!("{number:?}");
+    match text.find('e') {
+        Some(at) if !text.contains('.') => format!("{}.0{}", &text[..at], &text[at..]),
+        _ => text,
+    }
+}
+
+/// A string of ladder text. What is no printable ASCII is given by its code.
+pub(super) fn string(text: &str) -> String {
+    let mut out = String::from("'");
+    for c in text.chars() {
+        match c {
+            '\'' | '$' => out.extend(['$', c]),
+            // A comment begins nowhere inside a string, but people read it more easily so.
+            ' '..='~' => out.push(c),
+            c => out.push_str(&format!("${:02X}", u32::from(c).min(0xFF))),
+        }
+    }
+    out.push('\'');
+    out
+}
+
+/// Blocks one behind the other, as they come to be: what an instruction needs before it, then itself.
+#[derive(Debug, Default)]
+pub(super) struct Chain {
+    pub(super) blocks: Vec<String>,
+    /// Why it does not say quite the same.
+    pub(super) remark: Option<String>,
+}
+
+impl Chain {
+    pub(super) fn push(&mut self, block: String) {
+        self.blocks.push(block);
+    }
+
+    /// A value where a kind of value is asked for, or none in particular.
+    pub(super) fn value(&mut self, tags: &mut Tags<'_>, operand: &Operand, kind: Option<Kind>) -> String {
+        if let Operand::Tag(tag) = operand
+            && tag.bank == Bank::Td
+        {
+            self.refresh(tags, tag);
+        }
+        match operand {
+            Operand::Constant(constant) => literal(constant, kind),
+            other => self.place(tags, other),
+        }
+    }
+
+    /// A place where a value goes. A constant, which is none, is written as it is.
+    pub(super) fn place(&mut self, tags: &mut Tags<'_>, operand: &Operand) -> String {
+        match operand {
+            Operand::Constant(constant) => literal(constant, None),
+            Operand::Tag(tag) => tags.text(tag),
+            Operand::Pointer(pointer) => {
+                let by = tags.text(&pointer.by);
+                let index = match pointer.offset {
+                    0 => by,
+                    offset => {
+                        let index = tags.helper("pointer", "DINT", "a pointer and what is added to it");
+                        self.push(format!("[ADD]( {index}, {by}, {offset} )"));
+                        index
+                    }
+                };
+                format!("{}[{index}]", pointer.bank.row().name)
+            }
+        }
+    }
+
+    /// Brings the number that Click shows as a timer's current value up to date.
+    fn refresh(&mut self, tags: &mut Tags<'_>, tag: &Tag) {
+        let Some(state) = tags.state(tag) else { return };
+        let (block, unit) = (state.name.clone(), state.unit);
+        let value = tags.text(tag);
+        if unit == Unit::Milliseconds {
+            return self.push(format!("[TYP]( {value}, {block}.ACC )"));
+        }
+        let elapsed = tags.helper("elapsed", "DINT", "milliseconds of a timer");
+        self.push(format!("[TYP]( {elapsed}, {block}.ACC )"));
+        self.push(format!("[DIV]( {elapsed}, {elapsed}, {} )", unit.milliseconds()));
+        self.push(format!("[TYP]( {value}, {elapsed} )"));
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn constants_take_the_kind_of_their_place() {
+        let hex = Constant::Hex(0xFFFF);
+        assert_eq!(literal(&hex, Some(Kind::Hex)), "16#FFFF");
+        assert_eq!(literal(&hex, Some(Kind::Int)), "-1");
+        assert_eq!(literal(&hex, Some(Kind::Int2)), "65535");
+        assert_eq!(literal(&Constant::Int(1), Some(Kind::Bit)), "TRUE");
+        assert_eq!(literal(&Constant::Float(1e30), None), "1.0e30");
+        assert_eq!(literal(&Constant::Text("a'$\n".to_owned()), None), "'a$'$$$0A'");
+    }
+}

@@ -1,0 +1,326 @@
+//! From the model to the sketch of a ladder program.
+
+use super::super::{Place, Reading};
+use super::act::{self, Above};
+use super::bank::Bank;
+use super::dsl::spell;
+use super::model::{Action, Bits, Condition, Contact, ContactKind, Instruction, Program, Routine, Rung};
+use super::operand::{Chain, kind};
+use super::tags::Tags;
+use super::uses::{What, uses};
+use crate::notation::names::Names;
+use ladder_format::Circuit;
+use ladder_format::program::{Drawing, Element, Item, Network};
+use std::collections::{HashMap, HashSet};
+
+/// The whole program.
+pub(super) fn sketch(program: &Program) -> Reading {
+    let mut names = Names::default();
+    for routine in program.routines() {
+        names.spell(&routine.name);
+    }
+    let mut sketcher = Sketcher {
+        tags: Tags::of(program),
+        functions: names,
+        blocks: HashMap::new(),
+        items: Vec::new(),
+        reading: Reading::default(),
+    };
+    sketcher.remarks(program);
+    for routine in program.routines() {
+        sketcher.routine(routine);
+    }
+    sketcher.finish(program)
+}
+
+struct Sketcher<'p> {
+    tags: Tags<'p>,
+    functions: Names,
+    /// The timers and counters so far, and where: a tag belongs to one block.
+    blocks: HashMap<String, Place>,
+    /// The networks: the declarations before them are known only when these are.
+    items: Vec<Item>,
+    reading: Reading,
+}
+
+impl Sketcher<'_> {
+    fn finish(mut self, program: &Program) -> Reading {
+        let mut items: Vec<Item> = Vec::new();
+        items.extend(program.main.comments.iter().cloned().map(Item::Comment));
+        items.push(Item::Directive("profile click".to_owned()));
+        // A panel or another controller may read and write every address of Click.
+        let others = "other devices reach the addresses of Click too";
+        items.extend(
+            ["never-written", "never-read"]
+                .map(|rule| Item::Directive(format!("allow-file({rule}): {others}"))),
+        );
+        let main = program.main.rungs.iter().flat_map(|rung| &rung.actions);
+        if main.into_iter().any(|action| action.what == Instruction::End) {
+            let why = "it is Click's END";
+            items.push(Item::Directive(format!(
+                "allow-file(return-outside-function): {why}"
+            )));
+        }
+        items.push(Item::Blank);
+        for section in self.tags.sections() {
+            items.push(Item::Section(section));
+        }
+        items.append(&mut self.items);
+        self.reading.program.items = items;
+        self.reading
+    }
+
+    /// What there is to say of the program as a whole.
+    fn remarks(&mut self, program: &Program) {
+        let report = &mut self.reading.report;
+        for (tag, name) in self.tags.renamed() {
+            report.approximated(Place::START, tag, format!("it is spelled `{name}` here"));
+        }
+        for (nickname, why) in self.tags.unsaid() {
+            report.approximated(Place::START, nickname.address.to_string(), why);
+        }
+        let mut said = HashSet::new();
+        for one in uses(program) {
+            let (bank, number) = match one.what {
+                What::One(tag) => (tag.bank, self.tags.address(tag).map(|address| address.number)),
+                What::Many(span) => (span.bank, Some(span.first)),
+                _ => continue,
+            };
+            let why = match bank {
+                Bank::Xd | Bank::Yd => {
+                    "it holds the bits of a module in Click, and is a word of its own here"
+                }
+                Bank::Sc if number.and_then(super::tags::system).is_some() => continue,
+                Bank::Sc | Bank::Sd => "Click's controller sets it, and nothing does here",
+                _ => continue,
+            };
+            let what = match one.what {
+                What::One(tag) => tag.dsl(),
+                What::Many(span) => span.dsl(),
+                _ => continue,
+            };
+            if said.insert(what.clone()) {
+                report.approximated(one.place, what, why);
+            }
+        }
+    }
+
+    fn routine(&mut self, routine: &Routine) {
+        if routine.name != "main" {
+            self.items.push(Item::Blank);
+            let name = self.functions.spell(&routine.name).to_owned();
+            if name != routine.name {
+                let why = format!("it is spelled `{name}` here");
+                self.reading
+                    .report
+                    .approximated(routine.place, &routine.name, why);
+            }
+            let origin = self.reading.origin(routine.place);
+            let block = Element::block(format!("<FUN>( {name} )"), Some(origin));
+            self.items.push(Item::Network(Network {
+                comments: routine.comments.clone(),
+                drawing: Drawing::Circuit(Circuit::Element(block)),
+            }));
+        }
+        for rung in &routine.rungs {
+            self.rung(rung);
+        }
+        if !routine.behind.is_empty() {
+            self.items.push(Item::Blank);
+            self.items
+                .extend(routine.behind.iter().cloned().map(Item::Comment));
+        }
+    }
+
+    fn rung(&mut self, rung: &Rung) {
+        let mut comments = rung.comments.clone();
+        let mut branches = Vec::with_capacity(rung.actions.len());
+        let mut above = Vec::new();
+        let mut behind = Vec::new();
+        let condition = self.condition(&rung.condition);
+        for action in &rung.actions {
+            let before = self.condition(&action.condition);
+            let mut parts = if before_is_bare(&before) {
+                Vec::new()
+            } else {
+                vec![before]
+            };
+            parts.extend(self.action(action, &mut above, &mut behind));
+            branches.push(Circuit::Series(parts));
+        }
+        let only_nops = rung.actions.iter().all(|action| action.what == Instruction::Nop);
+        let mut parts = vec![condition];
+        match branches.len() {
+            0 | 1 => parts.extend(branches),
+            _ => parts.push(Circuit::Parallel(branches)),
+        }
+        for network in above {
+            self.own_network(std::mem::take(&mut comments), network, rung.place);
+        }
+        self.items.push(Item::Blank);
+        if only_nops {
+            let comments = std::mem::take(&mut comments);
+            self.items.extend(comments.into_iter().map(Item::Comment));
+            self.items.push(Item::Directive(
+                "allow(no-output): a rung of Click that does nothing".to_owned(),
+            ));
+        }
+        self.items.push(Item::Network(Network {
+            comments,
+            drawing: Drawing::Circuit(Circuit::Series(parts)),
+        }));
+        for network in behind {
+            self.own_network(Vec::new(), network, rung.place);
+        }
+    }
+
+    /// A rung that the importer makes.
+    fn own_network(&mut self, comments: Vec<String>, network: Above, place: Place) {
+        let mut parts = vec![self.condition(&network.condition)];
+        let origin = Some(self.reading.origin(place));
+        let blocks = network.blocks.into_iter();
+        parts.extend(blocks.map(|block| Circuit::Element(Element::block(block, origin))));
+        self.items.push(Item::Blank);
+        self.items.push(Item::Network(Network {
+            comments,
+            drawing: Drawing::Circuit(Circuit::Series(parts)),
+        }));
+    }
+
+    fn condition(&mut self, condition: &Condition) -> Circuit<Element> {
+        match condition {
+            Condition::All(parts) => Circuit::Series(parts.iter().map(|part| self.condition(part)).collect()),
+            Condition::Any(parts) if parts.len() == 1 => self.condition(&parts[0]),
+            Condition::Any(parts) => {
+                // Where one branch is a bare wire the others decide nothing, but stay.
+                Circuit::Parallel(parts.iter().map(|part| self.condition(part)).collect())
+            }
+            Condition::Contact(contact) => self.contact(contact),
+            Condition::Compare(comparison) => {
+                let mut chain = Chain::default();
+                let sides = [&comparison.left, &comparison.right];
+                let left = chain.value(&mut self.tags, sides[0], kind(sides[1]));
+                let right = chain.value(&mut self.tags, sides[1], kind(sides[0]));
+                chain.push(format!("[{}]( {left}, {right} )", comparison.relation.mnemonic()));
+                let text = spell::condition(condition);
+                self.reading.report.translated(comparison.place, text);
+                self.series(comparison.place, chain.blocks)
+            }
+        }
+    }
+
+    fn series(&mut self, place: Place, blocks: Vec<String>) -> Circuit<Element> {
+        let origin = Some(self.reading.origin(place));
+        let elements = blocks
+            .into_iter()
+            .map(|block| Circuit::Element(Element::block(block, origin)));
+        Circuit::Series(elements.collect())
+    }
+
+    fn contact(&mut self, contact: &Contact) -> Circuit<Element> {
+        let head = match contact.kind {
+            ContactKind::Open => "[ ]",
+            ContactKind::Closed => "[/]",
+            ContactKind::Rising => "[P]",
+            ContactKind::Falling => "[N]",
+        };
+        let shown = spell::condition(&Condition::Contact(contact.clone()));
+        self.reading.report.translated(contact.place, shown);
+        let blocks = match &contact.bits {
+            Bits::One(tag) => vec![format!("{head}( {} )", self.tags.text(tag))],
+            // Each timer is a tag of its own, and no part of an array.
+            Bits::Many(span) if matches!(span.bank, Bank::T | Bank::Ct) => {
+                let (first, last) = span.bounds();
+                let numbers = (first..=last).filter(|number| span.bank.has(*number));
+                let tags = numbers.map(|number| super::address::Tag::number(span.bank, number));
+                tags.map(|tag| format!("{head}( {} )", self.tags.text(&tag)))
+                    .collect()
+            }
+            Bits::Many(span) => vec![format!("{head}( {} )", act::range(span))],
+        };
+        self.series(contact.place, blocks)
+    }
+
+    /// What stands behind the condition of an action.
+    fn action(
+        &mut self,
+        action: &Action,
+        above: &mut Vec<Above>,
+        behind: &mut Vec<Above>,
+    ) -> Vec<Circuit<Element>> {
+        let place = action.place;
+        let shown = spell::action(action);
+        let origin = Some(self.reading.origin(place));
+        let mut out = Vec::new();
+        match self.acts(action) {
+            Ok(acts) => {
+                let inside =
+                    action.oneshot && !acts.chain.blocks.iter().any(|block| block.starts_with("(P)"));
+                let before = inside.then(|| "[OSR]".to_owned());
+                let blocks = before.into_iter().chain(acts.chain.blocks);
+                out.extend(blocks.map(|block| Circuit::Element(Element::block(block, origin))));
+                above.extend(acts.above);
+                behind.extend(act::behind(&mut self.tags, &action.what));
+                match acts.chain.remark {
+                    Some(why) => self.reading.report.approximated(place, shown, why),
+                    None => self.reading.report.translated(place, shown),
+                }
+            }
+            Err(why) => {
+                let kept = match &action.what {
+                    Instruction::Kept { text, .. } => text.clone(),
+                    _ => shown,
+                };
+                out.push(Circuit::Element(Element::comment(
+                    &format!("click: {kept}"),
+                    origin,
+                )));
+                self.reading.report.refused(place, kept, why);
+            }
+        }
+        if let Some(comment) = &action.comment {
+            out.push(Circuit::Element(Element::comment(comment, origin)));
+        }
+        out
+    }
+
+    fn acts(&mut self, action: &Action) -> Result<act::Acts, String> {
+        let tag = match &action.what {
+            Instruction::Timer(timer) => Some(&timer.tag),
+            Instruction::Counter(counter) => Some(&counter.tag),
+            _ => None,
+        };
+        if let Some(state) = tag.and_then(|tag| self.tags.state(tag)) {
+            if let Some(first) = self.blocks.get(&state.name) {
+                let name = &state.name;
+                return Err(format!(
+                    "a timer or counter belongs to one block, and `{name}` has one at {first}"
+                ));
+            }
+            self.blocks.insert(state.name.clone(), action.place);
+        }
+        if has_options(&action.what) {
+            return Err("its options have no counterpart here".to_owned());
+        }
+        if let Instruction::Call(name) = &action.what {
+            let spelled = Instruction::Call(self.functions.spell(name).to_owned());
+            return act::acts(&mut self.tags, &spelled, action.oneshot);
+        }
+        act::acts(&mut self.tags, &action.what, action.oneshot)
+    }
+}
+
+fn before_is_bare(circuit: &Circuit<Element>) -> bool {
+    matches!(circuit, Circuit::Series(parts) if parts.is_empty())
+}
+
+fn has_options(what: &Instruction) -> bool {
+    match what {
+        Instruction::Copy { options, .. }
+        | Instruction::BlockCopy { options, .. }
+        | Instruction::Fill { options, .. }
+        | Instruction::Pack { options, .. }
+        | Instruction::Unpack { options, .. } => !options.named.is_empty(),
+        _ => false,
+    }
+}
