@@ -3,7 +3,7 @@
 use expect_test::{Expect, expect};
 use ladder_format::Options;
 use ladder_interchange::notation::{
-    Converted, Notation, Outcome, Source, by_name, convert, ldmicro, recognise,
+    Converted, Finding, Notation, Outcome, Source, by_name, convert, ldmicro, recognise,
 };
 use std::path::{Path, PathBuf};
 
@@ -212,35 +212,36 @@ fn the_fork() {
     check(
         FORK,
         expect![[r#"
-        # ldmicro: LDmicro0.2 #
-        # ldmicro: MICRO=Atmel AVR ATmega8 28-PDIP #
-        # ldmicro: CYCLE=10000 us at Timer1, YPlcCycleDuty:0 #
-        # ldmicro: CRYSTAL=16000000 Hz #
-        # ldmicro: BAUD=9600 Hz, RATE=0 Hz, SPEED=0 Hz #
-        # ldmicro: COMPILER=GNU C #
-        # ldmicro: PULL-UP LIST #
-        # ldmicro: PA: 0xFF #
-        # ldmicro: END #
-        # ldmicro: VAR LIST #
-        # ldmicro: 2 bytes n #
-        # ldmicro: END #
-        # ladder: profile ldmicro #
+            # ldmicro: LDmicro0.2 #
+            # ldmicro: MICRO=Atmel AVR ATmega8 28-PDIP #
+            # ldmicro: CYCLE=10000 us at Timer1, YPlcCycleDuty:0 #
+            # ldmicro: CRYSTAL=16000000 Hz #
+            # ldmicro: BAUD=9600 Hz, RATE=0 Hz, SPEED=0 Hz #
+            # ldmicro: COMPILER=GNU C #
+            # ldmicro: PULL-UP LIST #
+            # ldmicro: PA: 0xFF #
+            # ldmicro: END #
+            # ldmicro: VAR LIST #
+            # ldmicro: 2 bytes n #
+            # ldmicro: END #
+            # ladder: profile ldmicro #
 
-        VAR_INPUT
-            Xa : BOOL;  # pin 12 0 0 #
-        END_VAR
-        VAR_OUTPUT
-            Yout : BOOL;  # pin 0 0 0 #
-        END_VAR
-        VAR
-            Ta : TON;
-            Cn : CTU;
-        END_VAR
+            VAR_INPUT
+                Xa : BOOL;  # pin 12 0 0 #
+            END_VAR
+            VAR_OUTPUT
+                Yout : BOOL;  # pin 0 0 0 #
+            END_VAR
+            VAR
+                Ta : TON;
+                Cn : CTU;
+            END_VAR
 
-        +--[ ]( Xa )--# ldmicro: GOSUB \x23sub #-------[TON]( Ta, T#100ms )--[CTU]( Cn, 10 )--( )( Yout )--+
-        24:1 GOSUB #sub: refused: there is no such instruction here
-        24:1 ldmicro-element: `GOSUB #sub` stays as a comment: there is no such instruction here
-    "#]],
+            +--[ ]( Xa )--# ldmicro: GOSUB \x23sub #-------[TON]( Ta, T#100ms )--[CTU]( Cn, 10 )--( )( Yout )--+
+            24:1 GOSUB #sub: refused: there is no such instruction here
+            24:1 ldmicro-element: `GOSUB #sub` stays as a comment: there is no such instruction here
+            24:1 ldmicro-jump: GOSUB '#sub': there is no SUBPROG '#sub'
+        "#]],
     );
     assert_eq!(there_and_back(FORK.as_bytes()), Ok(FORK.to_owned()));
 }
@@ -379,6 +380,63 @@ fn design_rules() {
         31:1 ldmicro-element: `PLACEHOLDER` stays as a comment: the rung is empty: delete it, or add instructions
         31:1 ldmicro-empty-row: Empty row; delete it or add instructions before compiling.
     "#]].assert_eq(&lines);
+}
+
+/// LDmicro's own findings alone.
+fn findings(text: &str) -> String {
+    let converted = converted(text.as_bytes()).expect("it can be read");
+    let line = |found: &Finding| format!("{} {}: {}\n", found.place, found.check, found.message);
+    let own = converted.findings.iter();
+    own.filter(|found| found.check != "ldmicro-element").map(line).collect()
+}
+
+#[test]
+fn texts_and_their_variables() {
+    let rung = |variable: &str, text: &str| {
+        let codes: Vec<String> = text.bytes().map(|byte| byte.to_string()).collect();
+        format!("RUNG\n FORMATTED_STRING {variable} {} {}\nEND\n", text.len(), codes.join(" "))
+    };
+    let rungs = [
+        rung("n", "fine \\3\\r\\n \\xAB \\\\"),
+        rung("(none)", "fine"),
+        rung("n", "twice \\3 \\-5"),
+        rung("n", "bad \\q \\3 \\xZZ \\"),
+        rung("n", "without"),
+        rung("(none)", "\\1 without"),
+    ];
+    expect![[r#"
+        20:1 ldmicro-text: The formatted string has more than one escape for its variable; one is possible
+        23:1 ldmicro-text: Bad escape `\q ` in the formatted string; a backslash itself is `\\`
+        23:1 ldmicro-text: Bad escape `\xZ` in the formatted string; a backslash itself is `\\`
+        23:1 ldmicro-text: Bad escape `\` in the formatted string; a backslash itself is `\\`
+        26:1 ldmicro-text: The formatted string has the variable `n` and no escape such as `\3` that says where it is written
+        29:1 ldmicro-text: The formatted string has an escape for a variable, and no variable is given
+    "#]].assert_eq(&findings(&program(&rungs.concat())));
+}
+
+#[test]
+fn checks_of_the_fork() {
+    let text = "LDmicro0.2\nPROGRAM\nRUNG 1\n TCY Ta 10000 0\n TON Tb 10000 0\nEND\nRUNG 2\n RES Ta\n MOVE Tb 5\nEND\nRUNG 3\n \
+                RES n\n SET_PWM duty 1000 P1 8\n RES P1\nEND\nRUNG 4\n LOOK_UP_TABLE d 3 3 0 1 2 3 tab\n MOVE tab 5\nEND\nRUNG 5\n \
+                GOTO start\n GOSUB sub\n BCD2BIN n 0x1A\nEND\nRUNG 6\n LABEL here\nEND\nRUNG 7\n LABEL here\nEND\nRUNG 8\n \
+                SUBPROG sub\n OSR\nEND\nRUNG 9\n FORMATTED_STRING n \\t\\x20\\3\\q\nEND\n";
+    expect![[r#"
+        5:1 ldmicro-period: Timer period too short (needs faster cycle time).
+        5:1 ldmicro-name: Variable for 'Tb' incorrectly assigned: TON: variable can only be used for RES elsewhere.
+        8:1 ldmicro-rightmost: RES must be the rightmost element of its rung
+        12:1 ldmicro-rightmost: RES must be the rightmost element of its rung
+        12:1 ldmicro-name: Variable for 'n' incorrectly assigned: RES: Variable is not assigned to COUNTER or TIMER or PWM.
+        13:1 ldmicro-rightmost: SET_PWM must be the rightmost element of its rung
+        17:1 ldmicro-rightmost: LOOK_UP_TABLE must be the rightmost element of its rung
+        17:1 ldmicro-index: index 3 is outside the table, which has 3 values, from 0 on
+        17:1 ldmicro-name: Variable for 'tab' incorrectly assigned: TABLE: the name of a table can only be used for tables elsewhere.
+        21:1 ldmicro-jump: GOTO 'start': there is no LABEL 'start'
+        23:1 ldmicro-index: 0x1A is no number in BCD: each of its hexadecimal digits is 0 to 9
+        29:1 ldmicro-jump: LABEL 'here' is there already, on line 26
+        32:1 ldmicro-jump: SUBPROG 'sub': there is no ENDSUB 'sub'
+        32:1 ldmicro-jump: SUBPROG must be alone in its rung
+        36:1 ldmicro-text: Bad escape `\q` in the formatted string; a backslash itself is `\\`
+    "#]].assert_eq(&findings(text));
 }
 
 #[test]

@@ -1,8 +1,11 @@
 //! LDmicro's own design-rule checks.
 
+mod fork;
+mod texts;
+
 use super::super::{Finding, Place};
 use super::element::{self, Form, Slot};
-use super::model::{File, Leaf, Node, leaves};
+use super::model::{File, Leaf, Node, Version, leaves};
 use ladder_analysis::Severity;
 use ladder_instructions::Op;
 use std::collections::HashMap;
@@ -28,7 +31,10 @@ pub(super) fn findings(file: &File) -> Vec<Finding> {
         }
         rightmost(&rung.parts, true, &mut out);
     }
-    timer_names(&uses, &mut out);
+    match file.version {
+        Version::V01 => timer_names(&uses, &mut out),
+        Version::V02 => fork::findings(file, &mut out),
+    }
     out
 }
 
@@ -104,6 +110,7 @@ fn one(file: &File, leaf: &Leaf, form: Form, in_rung: usize, out: &mut Vec<Findi
             let message = "a comment must be alone in its rung";
             out.push(error(line, "ldmicro-comment", message));
         }
+        Form::Text => texts::findings(file.version, leaf, out),
         Form::Placeholder => {
             let message = "Empty row; delete it or add instructions before compiling.";
             out.push(error(line, "ldmicro-empty-row", message));
