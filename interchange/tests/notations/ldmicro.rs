@@ -387,14 +387,20 @@ fn findings(text: &str) -> String {
     let converted = converted(text.as_bytes()).expect("it can be read");
     let line = |found: &Finding| format!("{} {}: {}\n", found.place, found.check, found.message);
     let own = converted.findings.iter();
-    own.filter(|found| found.check != "ldmicro-element").map(line).collect()
+    own.filter(|found| found.check != "ldmicro-element")
+        .map(line)
+        .collect()
 }
 
 #[test]
 fn texts_and_their_variables() {
     let rung = |variable: &str, text: &str| {
         let codes: Vec<String> = text.bytes().map(|byte| byte.to_string()).collect();
-        format!("RUNG\n FORMATTED_STRING {variable} {} {}\nEND\n", text.len(), codes.join(" "))
+        format!(
+            "RUNG\n FORMATTED_STRING {variable} {} {}\nEND\n",
+            text.len(),
+            codes.join(" ")
+        )
     };
     let rungs = [
         rung("n", "fine \\3\\r\\n \\xAB \\\\"),

@@ -31,7 +31,9 @@ pub(super) fn findings(file: &File, out: &mut Vec<Finding>) {
     for (name, uses) in &uses {
         let others = uses.iter().filter(|(_, what)| *what != Use::Reset).count();
         let kinds: HashSet<Use> = uses.iter().map(|(_, what)| *what).collect();
-        let is_state = [Use::Timer, Use::Counter, Use::Pulses].iter().any(|kind| kinds.contains(kind));
+        let is_state = [Use::Timer, Use::Counter, Use::Pulses]
+            .iter()
+            .any(|kind| kinds.contains(kind));
         for (leaf, what) in uses {
             let word = leaf.text.split(' ').next().unwrap_or_default();
             let what_is_wrong = match what {
@@ -108,8 +110,13 @@ fn numbers(leaf: &Leaf, out: &mut Vec<Finding>) {
             }
         }
         "BCD2BIN" => match element::literal(field(1)) {
-            Some(number) if format!("{:x}", number.unsigned_abs()).contains(|c: char| !c.is_ascii_digit()) => {
-                format!("{} is no number in BCD: each of its hexadecimal digits is 0 to 9", field(1))
+            Some(number)
+                if format!("{:x}", number.unsigned_abs()).contains(|c: char| !c.is_ascii_digit()) =>
+            {
+                format!(
+                    "{} is no number in BCD: each of its hexadecimal digits is 0 to 9",
+                    field(1)
+                )
             }
             _ => return,
         },
@@ -127,7 +134,10 @@ fn jumps(file: &File, all: &[&Leaf], out: &mut Vec<Finding>) {
             continue;
         };
         if let Some(line) = there.insert((word, name), leaf.line) {
-            complain(leaf.line, format!("{word} '{name}' is there already, on line {line}"));
+            complain(
+                leaf.line,
+                format!("{word} '{name}' is there already, on line {line}"),
+            );
         }
     }
     let has = |word: &str, name: &str| there.contains_key(&(word, name));
@@ -135,7 +145,9 @@ fn jumps(file: &File, all: &[&Leaf], out: &mut Vec<Finding>) {
         let Some((word, name)) = leaf.text.split_once(' ') else {
             continue;
         };
-        let rung = name.parse::<usize>().is_ok_and(|rung| rung <= file.rungs.len() + 1);
+        let rung = name
+            .parse::<usize>()
+            .is_ok_and(|rung| rung <= file.rungs.len() + 1);
         let missing = match word {
             "GOTO" if !has("LABEL", name) && !rung => "LABEL",
             "GOSUB" if !has("SUBPROG", name) && !has("LABEL", name) && !rung => "SUBPROG",
@@ -143,7 +155,10 @@ fn jumps(file: &File, all: &[&Leaf], out: &mut Vec<Finding>) {
             "ENDSUB" if !has("SUBPROG", name) => "SUBPROG",
             _ => continue,
         };
-        complain(leaf.line, format!("{word} '{name}': there is no {missing} '{name}'"));
+        complain(
+            leaf.line,
+            format!("{word} '{name}': there is no {missing} '{name}'"),
+        );
     }
     for rung in &file.rungs {
         let inside = leaves(&rung.parts);

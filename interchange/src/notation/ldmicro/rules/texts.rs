@@ -36,10 +36,14 @@ pub(super) fn findings(version: Version, leaf: &Leaf, out: &mut Vec<Finding>) {
             fields[0]
         )),
         (false, 1..) => {
-            complain("The formatted string has an escape for a variable, and no variable is given".to_owned());
+            complain(
+                "The formatted string has an escape for a variable, and no variable is given".to_owned(),
+            );
         }
         (_, 2..) => {
-            complain("The formatted string has more than one escape for its variable; one is possible".to_owned());
+            complain(
+                "The formatted string has more than one escape for its variable; one is possible".to_owned(),
+            );
         }
         _ => {}
     }
@@ -76,7 +80,10 @@ fn escape(version: Version, rest: &str) -> Option<(usize, bool)> {
     match c {
         'x' => {
             let digits = rest.get(1..3)?;
-            digits.bytes().all(|c| c.is_ascii_hexdigit()).then_some((3, false))
+            digits
+                .bytes()
+                .all(|c| c.is_ascii_hexdigit())
+                .then_some((3, false))
         }
         c if others.contains(c) => Some((1, false)),
         _ => None,
