@@ -7,7 +7,7 @@ use crate::program::Program;
 use crate::resolve::{self, Resolved, numbers::Unit};
 use crate::rule::Severity;
 use crate::rule_settings::RuleSettings;
-use crate::{lint, rules};
+use crate::{lint, rules, stamp};
 use ladder_syntax::Parse;
 use std::sync::{Arc, OnceLock};
 
@@ -87,8 +87,9 @@ pub fn analyze_after(
     let mut diagnostics = Vec::new();
     let before = before.map(|before| &before.context);
     let context = context_after(before, parse, others, &mut diagnostics);
-    let unresolved = resolve::check_all(&context, &mut diagnostics);
-    rules::check(&context, settings, &mut diagnostics);
+    let stamps = stamp::stamps(&context);
+    let unresolved = resolve::check_all(&context, &stamps, &mut diagnostics);
+    rules::check(&context, &stamps, settings, &mut diagnostics);
     rules::unclosed_comment::hide_what_follows(parse, &mut diagnostics);
     diagnostics.iter_mut().for_each(Diagnostic::say_how_many_more);
     let hidden_errors = lint::apply(&context, settings, &mut diagnostics);

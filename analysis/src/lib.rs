@@ -50,6 +50,7 @@ pub mod rule_settings;
 mod rules;
 pub mod scope;
 mod shared;
+mod stamp;
 pub mod system_tag;
 pub mod types;
 pub mod user_block;

@@ -1,56 +1,112 @@
-//! What was found of a network, kept with it from one text to the next.
+//! What was found in a network, kept with it from one text to the next.
 //!
-//! What a verdict says is never needed, it only saves looking: without one, or with an old one, a network is looked at
-//! again.
+//! A pass over networks asks here first. Its key says what else than the network's own lines decides about its
+//! findings: the types of its tags, whether its rail may be dead. With another key the network is looked at again. Nothing
+//! here is ever needed, it only saves looking.
 
+use crate::diagnostic::Diagnostic;
+use crate::network::NetworkFacts;
+use ladder_syntax::TextRange;
 use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
+use std::sync::{Mutex, MutexGuard, PoisonError};
 
-/// What nothing was found in.
-#[derive(Debug, Default)]
-pub(crate) struct Verdict {
-    types: AtomicU64,
-    well_formed: AtomicBool,
-    well_wired: AtomicBool,
+/// The passes whose findings are kept.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Pass {
+    /// The drawing and the form of the blocks.
+    Form,
+    /// The types of the operands.
+    Types,
+    /// What stands behind what on a wire.
+    Wiring,
+    /// When its wires have power.
+    Power,
 }
 
+const PASSES: usize = 4;
+
+/// What each pass found when it looked last.
+#[derive(Debug, Default)]
+pub(crate) struct Verdict {
+    /// With which key each pass looked. 0: it has not.
+    keys: [AtomicU64; PASSES],
+    /// Most networks have no findings, and no lock is taken for them.
+    some: AtomicBool,
+    found: Mutex<Option<Box<Found>>>,
+}
+
+/// Ranges count from the start of the network.
+#[derive(Debug, Default, Clone)]
+struct Found([Vec<Diagnostic>; PASSES]);
+
 impl Verdict {
-    /// Whether its operands were found to be without mistakes while its tags had these types.
-    pub(crate) fn is_well_typed(&self, types: u64) -> bool {
-        self.types.load(Ordering::Relaxed) == types
+    /// If a pass has looked with this key, adds what it found to `out`, and is done. The key is never 0.
+    pub(crate) fn recall(&self, pass: Pass, key: u64, network: TextRange, out: &mut Vec<Diagnostic>) -> bool {
+        let kept = &self.keys[pass as usize];
+        if kept.load(Ordering::Acquire) != key {
+            return false;
+        }
+        if self.some.load(Ordering::Acquire) {
+            let found = self.found();
+            // Another text's analysis may have looked meanwhile.
+            if kept.load(Ordering::Acquire) != key {
+                return false;
+            }
+            let start = i64::from(u32::from(network.start()));
+            let found = found.as_ref().map_or(&[][..], |found| &found.0[pass as usize]);
+            out.extend(found.iter().map(|found| found.moved(start)));
+        }
+        true
     }
 
-    /// They are. `types` is a number that stands for the types of the tags, never 0.
-    pub(crate) fn well_typed(&self, types: u64) {
-        self.types.store(types, Ordering::Relaxed);
+    /// Keeps what a pass has found with a key, unless it speaks of places outside of the network.
+    pub(crate) fn keep(&self, pass: Pass, key: u64, network: TextRange, found: &[Diagnostic]) {
+        if !found.iter().all(|found| found.lies_in(network)) {
+            return;
+        }
+        let mut kept = self.found();
+        if !found.is_empty() {
+            let start = i64::from(u32::from(network.start()));
+            let of_pass = &mut kept.get_or_insert_default().0[pass as usize];
+            *of_pass = found.iter().map(|found| found.moved(-start)).collect();
+            self.some.store(true, Ordering::Release);
+        } else if let Some(kept) = kept.as_mut() {
+            kept.0[pass as usize] = Vec::new();
+        }
+        self.keys[pass as usize].store(key, Ordering::Release);
     }
 
-    /// Whether the rules about networks by themselves found nothing.
-    pub(crate) fn is_well_formed(&self) -> bool {
-        self.well_formed.load(Ordering::Relaxed)
-    }
-
-    /// They did not.
-    pub(crate) fn well_formed(&self) {
-        self.well_formed.store(true, Ordering::Relaxed);
-    }
-
-    /// Whether the rules about what stands behind what on its wires found nothing.
-    pub(crate) fn is_well_wired(&self) -> bool {
-        self.well_wired.load(Ordering::Relaxed)
-    }
-
-    /// They did not.
-    pub(crate) fn well_wired(&self) {
-        self.well_wired.store(true, Ordering::Relaxed);
+    /// What is kept stays whole: it is changed in one step.
+    fn found(&self) -> MutexGuard<'_, Option<Box<Found>>> {
+        self.found.lock().unwrap_or_else(PoisonError::into_inner)
     }
 }
 
 impl Clone for Verdict {
     fn clone(&self) -> Verdict {
+        let found = self.found();
         Verdict {
-            types: AtomicU64::new(self.types.load(Ordering::Relaxed)),
-            well_formed: AtomicBool::new(self.is_well_formed()),
-            well_wired: AtomicBool::new(self.is_well_wired()),
+            keys: std::array::from_fn(|pass| AtomicU64::new(self.keys[pass].load(Ordering::Acquire))),
+            some: AtomicBool::new(found.is_some()),
+            found: Mutex::new(found.clone()),
         }
     }
+}
+
+/// Adds what a pass finds in a network to `out`: what is kept if it has looked with this key before, else what `look`
+/// finds now.
+pub(crate) fn once(
+    pass: Pass,
+    key: u64,
+    network: &NetworkFacts,
+    out: &mut Vec<Diagnostic>,
+    look: impl FnOnce(&mut Vec<Diagnostic>),
+) {
+    let key = key | 1;
+    if network.verdict.recall(pass, key, network.range, out) {
+        return;
+    }
+    let before = out.len();
+    look(out);
+    network.verdict.keep(pass, key, network.range, &out[before..]);
 }

@@ -86,6 +86,7 @@ use crate::diagnostic::Diagnostic;
 use crate::network::NetworkFacts;
 use crate::rule::{Rule, Severity};
 use crate::rule_settings::RuleSettings;
+use crate::verdict::{self, Pass};
 use survey::Survey;
 
 type NetworkCheck = fn(&Context, &NetworkFacts, &mut Vec<Diagnostic>);
@@ -125,10 +126,6 @@ type SurveyedCheck = fn(&Context, &Survey, &mut Vec<Diagnostic>);
 
 /// Those that need to know what is in the file at all.
 const SURVEYED: &[SurveyedCheck] = &[
-    tag_summary::check,
-    recursive_call::check,
-    wiring_walk::check,
-    power_rules::check,
     flow::check,
     set_and_reset::check,
     read_before_write::check,
@@ -157,35 +154,39 @@ fn is_enough(before: usize, out: &mut [Diagnostic]) -> bool {
     true
 }
 
-/// Looks at each network by itself, but for those that an earlier text had as well and nothing was found in.
+/// Looks at each network by itself.
 fn of_networks(context: &Context, out: &mut Vec<Diagnostic>) {
     let before = out.len();
     for network in &context.networks {
-        // Elsewhere the definition of a block, or what surrounds the network, has a say.
-        let by_itself = network.names_tags_only && !network.broken && network.scope == 0;
-        if by_itself && network.verdict.is_well_formed() {
-            continue;
-        }
         if is_enough(before, out) {
             return;
         }
-        let found = out.len();
-        for check in OF_NETWORKS {
-            check(context, network, out);
-        }
-        if by_itself && out.len() == found {
-            network.verdict.well_formed();
+        let look = |out: &mut Vec<Diagnostic>| {
+            for check in OF_NETWORKS {
+                check(context, network, out);
+            }
+        };
+        // Elsewhere the definition of a block, or what surrounds the network, has a say.
+        if network.names_tags_only && !network.broken && network.scope == 0 {
+            verdict::once(Pass::Form, context.profile as u64 + 1, network, out, look);
+        } else {
+            look(out);
         }
     }
 }
 
 /// Runs them.
-pub(crate) fn check(context: &Context, settings: &RuleSettings, out: &mut Vec<Diagnostic>) {
+/// `stamps` are those of the networks' tags.
+pub(crate) fn check(context: &Context, stamps: &[u64], settings: &RuleSettings, out: &mut Vec<Diagnostic>) {
     of_networks(context, out);
     for check in CHECKS {
         check(context, out);
     }
     let survey = survey::survey(context, settings, out);
+    tag_summary::check(context, &survey, out);
+    recursive_call::check(context, &survey, out);
+    wiring_walk::check(context, &survey, stamps, out);
+    power_rules::check(context, &survey, stamps, out);
     for check in SURVEYED {
         check(context, &survey, out);
     }

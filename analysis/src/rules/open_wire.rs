@@ -145,15 +145,8 @@ impl<'c> Reach<'c> {
                 return self.cut_before(rung, segment);
             }
         }
-        let line = |rung: usize| {
-            let line = self.network.line(rung);
-            self.context.line_number(self.context.parse.line_start(line))
-        };
-        let message = format!(
-            "no power can reach this connector: nothing comes along line {} or line {}",
-            line(rung),
-            line(below)
-        );
+        let message =
+            "no power can reach this connector: nothing comes along its line, or along that of its partner";
         let found = Diagnostic::new(Rule::OpenWire, self.range(rung, down, down), message)
             .help("one of the two lines must come from the left rail or from a live wire")
             .related(self.range(below, point.up, point.up), "its partner");

@@ -11,11 +11,14 @@ use crate::network::{BoundBlock, NetworkFacts};
 use crate::operand_value::{Number, number, scalar};
 use crate::program::Step;
 use crate::rule::Rule;
-use crate::scope::{Access, Use};
+use crate::scope::Access;
 use crate::types::Scalar;
+use crate::uses::{self, Named};
+use crate::verdict::{self, Pass};
 use ladder_instructions::{Op, Role};
 use ladder_syntax::TextSize;
-use rustc_hash::FxHashSet;
+use rustc_hash::FxHasher;
+use std::hash::{Hash, Hasher};
 
 /// A network and its table.
 pub(super) struct Table<'c> {
@@ -31,8 +34,8 @@ pub(super) struct Table<'c> {
 }
 
 /// Looks at every network in which one value is asked for more than once: where each is asked for once, every
-/// contact counts.
-pub(super) fn check(context: &Context, survey: &Survey, out: &mut Vec<Diagnostic>) {
+/// contact counts. `stamps` are those of the networks' tags.
+pub(super) fn check(context: &Context, survey: &Survey, stamps: &[u64], out: &mut Vec<Diagnostic>) {
     let rail_varies = survey.any.has(ControlFlow::MCR);
     // A wire round a contact is told already.
     let mut bypassed: Vec<TextSize> = out
@@ -41,26 +44,55 @@ pub(super) fn check(context: &Context, survey: &Survey, out: &mut Vec<Diagnostic
         .map(|found| found.range.start())
         .collect();
     bypassed.sort_unstable();
-    for index in candidates(context) {
-        let network = &context.networks[index];
-        if !survey.sound[index] || network.blocks.iter().any(|bound| bound.faulty) {
+    for (index, network) in context.networks.iter().enumerate() {
+        if !survey.sound[index] {
             continue;
         }
-        let rail_varies = rail_varies && !survey.control_flow[index].has(ControlFlow::MCR);
-        let Some(table) = Table::new(context, network, rail_varies) else {
-            continue;
-        };
-        let found = out.len();
-        constant_power::check(&table, out);
-        duplicate_branch::check(&table, out);
         let next = bypassed.partition_point(|&at| at < network.range.start());
-        let is_bypassed = bypassed.get(next).is_some_and(|&at| at < network.range.end());
-        // What never or always conducts makes others redundant: it is told once.
-        if out.len() == found && !is_bypassed {
-            redundant_element::check(&table, out);
+        let surroundings = Surroundings {
+            rail_varies: rail_varies && !survey.control_flow[index].has(ControlFlow::MCR),
+            is_bypassed: bypassed.get(next).is_some_and(|&at| at < network.range.end()),
+        };
+        let look = |out: &mut Vec<Diagnostic>| of_network(context, network, surroundings, out);
+        if network.names_tags_only {
+            let mut hasher = FxHasher::default();
+            (stamps[index], surroundings).hash(&mut hasher);
+            verdict::once(Pass::Power, hasher.finish(), network, out, look);
+        } else {
+            look(out);
         }
-        order_sensitive::check(&table, out);
     }
+}
+
+/// What else than a network itself decides what is said of its power.
+#[derive(Clone, Copy, Hash)]
+struct Surroundings {
+    /// An `<MCR>` somewhere may take the power from its left rail.
+    rail_varies: bool,
+    /// It has a contact round which a wire leads.
+    is_bypassed: bool,
+}
+
+fn of_network(
+    context: &Context,
+    network: &NetworkFacts,
+    surroundings: Surroundings,
+    out: &mut Vec<Diagnostic>,
+) {
+    if !is_worth_it(context, network) || network.blocks.iter().any(|bound| bound.faulty) {
+        return;
+    }
+    let Some(table) = Table::new(context, network, surroundings.rail_varies) else {
+        return;
+    };
+    let found = out.len();
+    constant_power::check(&table, out);
+    duplicate_branch::check(&table, out);
+    // What never or always conducts makes others redundant: it is told once.
+    if out.len() == found && !surroundings.is_bypassed {
+        redundant_element::check(&table, out);
+    }
+    order_sensitive::check(&table, out);
 }
 
 impl<'c> Table<'c> {
@@ -118,48 +150,53 @@ pub(super) fn is_condition(bound: &BoundBlock) -> bool {
         .is_some_and(|row| row.role == Role::Condition && !matches!(row.op, Op::Lbl | Op::Fun))
 }
 
-/// The networks whose conditions read one tag at two places, or behind the place where the network writes it; and
-/// those with a comparison that may have one answer only.
-fn candidates(context: &Context) -> Vec<usize> {
-    let mut found = FxHashSet::default();
-    for tag in context.own_tags() {
-        for of_network in tag.uses.chunk_by(|a, b| a.network == b.network) {
-            if of_network.len() > 1 && is_asked_again(&context.networks[of_network[0].network], of_network) {
-                found.insert(of_network[0].network);
-            }
-        }
+/// Whether conditions of the network read one tag at two places, or behind the place where the network writes it, or
+/// a comparison in it may have one answer only.
+fn is_worth_it(context: &Context, network: &NetworkFacts) -> bool {
+    let compares = |bound| compares_numbers(context, network, bound);
+    if network.blocks.iter().any(compares) {
+        return true;
     }
-    for (index, network) in context.networks.iter().enumerate() {
-        if network
-            .blocks
-            .iter()
-            .any(|bound| compares_numbers(context, network, bound))
-        {
-            found.insert(index);
+    let own;
+    let named: &[Named] = match &network.named {
+        Some(named) => named,
+        None => {
+            own = uses::named(&network.blocks, &context.user_blocks);
+            &own
         }
-    }
-    let mut found: Vec<usize> = found.into_iter().collect();
-    found.sort_unstable();
-    found
+    };
+    let scope = &context.scopes[network.scope];
+    let tag_of = |named: &Named| {
+        let tag = scope.find(&named.key)?;
+        Some(scope.tags[tag].shared.unwrap_or((network.scope, tag)))
+    };
+    let mut uses: Vec<((usize, usize), &Named)> = named
+        .iter()
+        .filter_map(|named| Some((tag_of(named)?, named)))
+        .collect();
+    uses.sort_by_key(|(tag, _)| *tag);
+    uses.chunk_by(|(a, _), (b, _)| a == b)
+        .any(|of_tag| of_tag.len() > 1 && is_asked_again(network, of_tag))
 }
 
-fn is_asked_again(network: &NetworkFacts, uses: &[Use]) -> bool {
-    let mut asked = uses
-        .iter()
-        .filter(|place| place.access == Access::Read && is_condition(&network.blocks[place.block]));
+fn is_asked_again(network: &NetworkFacts, uses: &[((usize, usize), &Named)]) -> bool {
+    let uses = || uses.iter().map(|(_, named)| *named);
+    let block = |place: &Named| place.block as usize;
+    let mut asked =
+        uses().filter(|place| place.access == Access::Read && is_condition(&network.blocks[block(place)]));
     let Some(first) = asked.next() else { return false };
     if asked.next().is_some() {
         return true;
     }
-    let Some(write) = uses.iter().find(|place| place.access.writes()) else {
+    let Some(write) = uses().find(|place| place.access.writes()) else {
         return false;
     };
     // Whichever of the two comes first in the order of evaluation.
     let first_step = network.order.steps.iter().find_map(|step| match *step {
-        Step::Block { block, .. } if block == first.block || block == write.block => Some(block),
+        Step::Block { block: at, .. } if at == block(first) || at == block(write) => Some(at),
         _ => None,
     });
-    first_step == Some(write.block)
+    first_step == Some(block(write))
 }
 
 /// A comparison of two numbers, or with a number at the end of its type.

@@ -7,6 +7,7 @@ use crate::context::Context;
 use crate::diagnostic::Diagnostic;
 use crate::network::{BoundBlock, NetworkFacts};
 use crate::program::Step;
+use crate::verdict::{self, Pass};
 
 /// A network and what the rules ask of each of its steps.
 pub(super) struct Walk<'c> {
@@ -26,50 +27,52 @@ impl<'c> Walk<'c> {
     }
 }
 
-/// Walks over all networks that are drawn without a mistake.
-pub(super) fn check(context: &Context, survey: &Survey, out: &mut Vec<Diagnostic>) {
-    let mut walk = None;
+/// Walks over all networks that are drawn without a mistake. `stamps` are those of their tags, which messages spell.
+pub(super) fn check(context: &Context, survey: &Survey, stamps: &[u64], out: &mut Vec<Diagnostic>) {
     for (index, network) in context.networks.iter().enumerate() {
-        let control_flow = survey.control_flow[index];
-        let by_itself = network.names_tags_only;
-        if by_itself && network.verdict.is_well_wired() {
-            continue;
-        }
         // What does nothing at all is no-output.
         if !survey.sound[index] || !network.blocks.iter().any(super::no_output::may_act) {
             continue;
         }
-        let walk = walk.get_or_insert_with(|| Walk {
-            context,
-            network,
-            useful: Vec::new(),
-        });
-        walk.network = network;
-        find_useful(network, &mut walk.useful);
-        let found = out.len();
-        dead_end::check(walk, out);
-        if !network.wiring.points.is_empty() {
-            let bypassed = bypassed::bypassed(walk);
-            let shorted = shorted_branch::check(walk, bypassed.as_deref(), out);
-            redundant_element::bypassed(walk, &bypassed.unwrap_or_default(), &shorted, out);
-        }
-        let coils = ControlFlow::COIL.with(ControlFlow::SET).with(ControlFlow::RESET);
-        if control_flow.has(coils) && network.blocks.len() > 1 {
-            contact_after_coil::check(walk, out);
-        }
-        if control_flow.has(ControlFlow::SET) && network.blocks.len() > 1 {
-            latched_power::check(walk, out);
-        }
-        if by_itself && out.len() == found {
-            network.verdict.well_wired();
+        let look = |out: &mut Vec<Diagnostic>| of_network(context, network, survey.control_flow[index], out);
+        if network.names_tags_only {
+            verdict::once(Pass::Wiring, stamps[index], network, out, look);
+        } else {
+            look(out);
         }
     }
 }
 
-fn find_useful(network: &NetworkFacts, useful: &mut Vec<bool>) {
+fn of_network(
+    context: &Context,
+    network: &NetworkFacts,
+    control_flow: ControlFlow,
+    out: &mut Vec<Diagnostic>,
+) {
+    let walk = &Walk {
+        context,
+        network,
+        useful: useful(network),
+    };
+    dead_end::check(walk, out);
+    if !network.wiring.points.is_empty() {
+        let bypassed = bypassed::bypassed(walk);
+        let shorted = shorted_branch::check(walk, bypassed.as_deref(), out);
+        redundant_element::bypassed(walk, &bypassed.unwrap_or_default(), &shorted, out);
+    }
+    let coils = ControlFlow::COIL.with(ControlFlow::SET).with(ControlFlow::RESET);
+    if control_flow.has(coils) && network.blocks.len() > 1 {
+        contact_after_coil::check(walk, out);
+    }
+    if control_flow.has(ControlFlow::SET) && network.blocks.len() > 1 {
+        latched_power::check(walk, out);
+    }
+}
+
+/// For each step whether a block that acts uses its power.
+fn useful(network: &NetworkFacts) -> Vec<bool> {
     let steps = &network.order.steps;
-    useful.clear();
-    useful.resize(steps.len(), false);
+    let mut useful = vec![false; steps.len()];
     for (index, step) in steps.iter().enumerate().rev() {
         match *step {
             Step::Start { .. } => {}
@@ -84,4 +87,5 @@ fn find_useful(network: &NetworkFacts, useful: &mut Vec<bool>) {
             }
         }
     }
+    useful
 }

@@ -137,7 +137,7 @@ fn pair_that_nothing_feeds() {
         "|  \\--( )( y )--+\n|  /--( )( z )--+\n",
         expect![[r#"
         > |  \--( )( y )--+
-             ^ error[open-wire]: no power can reach this connector: nothing comes along line 1 or line 2
+             ^ error[open-wire]: no power can reach this connector: nothing comes along its line, or along that of its partner
             help: one of the two lines must come from the left rail or from a live wire
             at 2:4 `/`: its partner
             fix: Begin at the left rail

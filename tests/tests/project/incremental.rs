@@ -6,7 +6,7 @@ use ladder_tests::generator::{Dice, Mode, program};
 use std::sync::Arc;
 
 /// What a hand puts in.
-const PIECES: [&str; 40] = [
+const PIECES: [&str; 46] = [
     "",
     "",
     "",
@@ -47,6 +47,12 @@ const PIECES: [&str; 40] = [
     "--<CALL>( f )--",
     "--[$F]( a )--",
     "# ladder: allow(never-read) #\n",
+    "# ladder: profile ldmicro #\n",
+    "VAR CONSTANT\n    n : INT := 5;\nEND_VAR\n",
+    "[GT]( n, 5 )--",
+    "[ ]( a )--[/]( a )--",
+    "+--<MCR>--+\n",
+    "+--\\--[ ]( a )--\\--( )( b )--+\n|  /--[ ]( A )--/\n",
 ];
 
 /// Words of declarations, to be exchanged for each other.
