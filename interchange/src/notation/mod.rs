@@ -95,12 +95,17 @@ impl<'s> Source<'s> {
     ///
     /// If it is not UTF-8; the place is the first byte that is not.
     pub fn text(&self) -> Result<&'s str, ReadError> {
-        std::str::from_utf8(self.bytes).map_err(|error| {
-            let good = String::from_utf8_lossy(&self.bytes[..error.valid_up_to()]).into_owned();
-            let place = Lines::of(&good).place(&good, good.len());
-            ReadError::at(place, "the file is not text in UTF-8 from here on")
-        })
+        text_of(self.bytes)
     }
+}
+
+/// Bytes as text.
+fn text_of(bytes: &[u8]) -> Result<&str, ReadError> {
+    std::str::from_utf8(bytes).map_err(|error| {
+        let good = String::from_utf8_lossy(&bytes[..error.valid_up_to()]).into_owned();
+        let place = Lines::of(&good).place(&good, good.len());
+        ReadError::at(place, "the file is not text in UTF-8 from here on")
+    })
 }
 
 /// What was read.

@@ -1,0 +1,85 @@
+//! Comma-separated values, with the place of each field.
+
+use super::super::{Lines, Place, ReadError};
+use ::csv::{ReaderBuilder, StringRecord};
+
+/// A larger file is not read.
+const MOST_BYTES: usize = 4 << 20;
+
+/// A field without its quotes.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub(super) struct Field {
+    pub(super) text: String,
+    pub(super) place: Place,
+}
+
+/// A line, or several if a quoted field goes over its end.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub(super) struct Record {
+    pub(super) place: Place,
+    pub(super) fields: Vec<Field>,
+}
+
+/// The records of a file; blank lines are none.
+///
+/// # Errors
+///
+/// If the file is large, or not UTF-8.
+pub(super) fn records(bytes: &[u8]) -> Result<Vec<Record>, ReadError> {
+    if bytes.len() > MOST_BYTES {
+        return Err(ReadError::whole(format!(
+            "the file is larger than {} MiB; programs are not",
+            MOST_BYTES >> 20
+        )));
+    }
+    let text = super::super::text_of(bytes)?;
+    let text = text.strip_prefix('\u{feff}').unwrap_or(text);
+    let lines = Lines::of(text);
+    let mut reader = ReaderBuilder::new()
+        .has_headers(false)
+        .flexible(true)
+        .from_reader(text.as_bytes());
+    let mut record = StringRecord::new();
+    let mut out = Vec::new();
+    loop {
+        match reader.read_record(&mut record) {
+            Ok(true) => {}
+            Ok(false) => return Ok(out),
+            Err(error) => return Err(ReadError::whole(format!("the file cannot be read: {error}"))),
+        }
+        let start = record.position().map_or(0, |position| position.byte() as usize);
+        // The reader says where a record begins before it passes blank lines.
+        let blank = text[start..].len() - text[start..].trim_start_matches(['\r', '\n']).len();
+        out.push(with_places(&record, text, start + blank, &lines));
+    }
+}
+
+fn with_places(record: &StringRecord, text: &str, start: usize, lines: &Lines) -> Record {
+    let mut at = start;
+    let field = |field: &str| {
+        let place = lines.place(text, at.min(text.len()));
+        let is_quoted = text.get(at..).is_some_and(|rest| rest.starts_with('"'));
+        let quotes = if is_quoted {
+            2 + field.matches('"').count()
+        } else {
+            0
+        };
+        at += field.len() + quotes + 1;
+        Field {
+            text: field.to_owned(),
+            place,
+        }
+    };
+    Record {
+        place: lines.place(text, start),
+        fields: record.iter().map(field).collect(),
+    }
+}
+
+/// A field as it is written, in quotes where it needs them.
+pub(super) fn field(text: &str) -> String {
+    if !text.contains([',', '"', '\r', '\n']) {
+        return text.to_owned();
+    }
+    format!("\"{}\"", text.replace('"', "\"\""))
+}

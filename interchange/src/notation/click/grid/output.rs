@@ -1,0 +1,188 @@
+//! Instructions as outputs of column AF, with their pins.
+
+use super::super::address::{Span, Tag};
+use super::super::bank::{Bank, Kind};
+use super::super::model::{
+    Bits, Coil, Condition, Counter, CounterKind, Instruction, Math, MathKind, Search, Shift, Timer, TimerKind,
+};
+use super::contact::address_text;
+use super::operand::operand_text;
+
+/// An output and the pins below it, each with its condition.
+pub(super) struct Written<'i> {
+    pub(super) output: String,
+    pub(super) pins: Vec<(&'static str, &'i Condition)>,
+}
+
+/// An instruction as the grid writes it. None: it has an address by its nickname alone, or something that the grid
+/// cannot say.
+pub(super) fn write(what: &Instruction, oneshot: bool) -> Option<Written<'_>> {
+    let mut pins = Vec::new();
+    let mut named: Vec<(String, String)> = Vec::new();
+    let (name, values) = match what {
+        Instruction::Out(coil) => ("out", vec![coil_text(coil)?]),
+        Instruction::Set(coil) => ("latch", vec![coil_text(coil)?]),
+        Instruction::Reset(coil) => ("reset", vec![coil_text(coil)?]),
+        Instruction::Timer(Timer {
+            kind,
+            tag,
+            setpoint,
+            unit,
+            reset,
+        }) => {
+            named.push(("preset".to_owned(), operand_text(setpoint)?));
+            named.push(("unit".to_owned(), unit.name().to_owned()));
+            pins.extend(reset.as_ref().map(|reset| (".reset()", reset)));
+            let name = match kind {
+                TimerKind::On | TimerKind::RetentiveOn => "on_delay",
+                TimerKind::Off | TimerKind::RetentiveOff => "off_delay",
+            };
+            (name, pair(tag, Bank::Td)?)
+        }
+        Instruction::Counter(Counter {
+            kind,
+            tag,
+            setpoint,
+            count_down,
+            reset,
+        }) => {
+            named.push(("preset".to_owned(), operand_text(setpoint)?));
+            pins.extend(count_down.as_ref().map(|down| (".down()", down)));
+            pins.extend(reset.as_ref().map(|reset| (".reset()", reset)));
+            let name = match kind {
+                CounterKind::Up | CounterKind::UpDown => "count_up",
+                CounterKind::Down => "count_down",
+            };
+            (name, pair(tag, Bank::Ctd)?)
+        }
+        Instruction::Copy {
+            source,
+            target,
+            options,
+        } => {
+            named.extend(options.named.iter().cloned());
+            ("copy", vec![operand_text(source)?, operand_text(target)?])
+        }
+        Instruction::BlockCopy {
+            source,
+            target,
+            options,
+        } => {
+            named.extend(options.named.iter().cloned());
+            let first = target.address()?;
+            let to = Span {
+                bank: first.bank,
+                first: first.number,
+                last: first.number.checked_add(u16::try_from(source.len() - 1).ok()?)?,
+            };
+            ("blockcopy", vec![source.to_string(), to.to_string()])
+        }
+        Instruction::Fill {
+            source,
+            target,
+            options,
+        } => {
+            named.extend(options.named.iter().cloned());
+            ("fill", vec![operand_text(source)?, target.to_string()])
+        }
+        Instruction::Pack {
+            source,
+            target,
+            options,
+        } => {
+            named.extend(options.named.iter().cloned());
+            let name = match source.bank.kind() {
+                Kind::Bit => "pack_bits",
+                Kind::Text => "pack_text",
+                _ => "pack_words",
+            };
+            (name, vec![source.to_string(), address_text(target)?])
+        }
+        Instruction::Unpack {
+            source,
+            target,
+            options,
+        } => {
+            named.extend(options.named.iter().cloned());
+            let name = match target.bank.kind() {
+                Kind::Bit => "unpack_to_bits",
+                _ => "unpack_to_words",
+            };
+            (name, vec![address_text(source)?, target.to_string()])
+        }
+        Instruction::Shift(Shift { bits, clock, reset }) => {
+            pins.extend(clock.as_ref().map(|clock| (".clock()", clock)));
+            pins.extend(reset.as_ref().map(|reset| (".reset()", reset)));
+            ("shift", vec![bits.to_string()])
+        }
+        Instruction::Search(Search {
+            relation,
+            value,
+            among,
+            result,
+            flag,
+            continuous,
+        }) => {
+            if *continuous {
+                named.push(("continuous".to_owned(), "1".to_owned()));
+            }
+            let relation = format!("\"{}\"", relation.sign());
+            let value = operand_text(value)?;
+            let (result, flag) = (address_text(result)?, address_text(flag)?);
+            ("search", vec![relation, value, among.to_string(), result, flag])
+        }
+        Instruction::Math(Math {
+            kind,
+            formula,
+            target,
+        }) => {
+            let mode = match kind {
+                MathKind::Decimal => "decimal",
+                MathKind::Hex => "hex",
+            };
+            named.push(("mode".to_owned(), mode.to_owned()));
+            (
+                "calc",
+                vec![super::formula::write(formula)?, operand_text(target)?],
+            )
+        }
+        Instruction::Call(name) => ("call", vec![format!("\"{}\"", name.replace('"', "\"\""))]),
+        Instruction::For(count) => ("for", vec![operand_text(count)?]),
+        Instruction::Next => ("next", Vec::new()),
+        Instruction::End => ("end", Vec::new()),
+        Instruction::Return => ("return", Vec::new()),
+        Instruction::Nop => {
+            let output = "NOP".to_owned();
+            return Some(Written { output, pins });
+        }
+        Instruction::Kept { text, .. } => {
+            let output = text.clone();
+            return Some(Written { output, pins });
+        }
+    };
+    if oneshot {
+        named.push(("oneshot".to_owned(), "1".to_owned()));
+    }
+    let named = named.into_iter().map(|(name, value)| format!("{name}={value}"));
+    let inside: Vec<String> = values.into_iter().chain(named).collect();
+    let output = format!("{name}({})", inside.join(","));
+    Some(Written { output, pins })
+}
+
+/// The bit of a timer or counter and its current value.
+fn pair(tag: &Tag, values: Bank) -> Option<Vec<String>> {
+    let done = tag.address()?;
+    let current = Tag::number(values, done.number);
+    Some(vec![done.to_string(), address_text(&current)?])
+}
+
+fn coil_text(coil: &Coil) -> Option<String> {
+    let bits = match &coil.bits {
+        Bits::One(tag) => address_text(tag)?,
+        Bits::Many(span) => span.to_string(),
+    };
+    Some(match coil.immediate {
+        true => format!("immediate({bits})"),
+        false => bits,
+    })
+}

@@ -1,0 +1,150 @@
+//! From a routine of the model to a grid.
+
+use super::super::super::{Place, Report};
+use super::super::model::{Action, Condition, Routine, Rung};
+use super::cell::{Grid, GridRung, Row, Text};
+use super::draw::{self, Drawn, Undrawable};
+use super::file::{self, MOST_ROWS};
+use super::output::{self, Written};
+use super::rungs::{CONTINUES, KEPT};
+
+/// The grid of a routine. What it cannot say is a comment.
+pub(super) fn grid(routine: &Routine, report: &mut Report) -> Grid {
+    let mut writer = Writer {
+        grid: Grid::default(),
+        report,
+        kept: Vec::new(),
+    };
+    writer.comments(&routine.comments);
+    for rung in &routine.rungs {
+        let continues = writer.comments(&rung.comments);
+        writer.rung(rung, continues);
+    }
+    writer.comments(&routine.behind);
+    writer.keep();
+    writer.grid
+}
+
+struct Writer<'r> {
+    grid: Grid,
+    report: &'r mut Report,
+    /// The lines of a rung that was kept as comments, so far.
+    kept: Vec<String>,
+}
+
+impl Writer<'_> {
+    /// Comments above the next rung. Among them are rungs that were kept as they are; comes back whether the next rung
+    /// goes on with the one before it.
+    fn comments(&mut self, comments: &[String]) -> bool {
+        let mut continues = false;
+        for comment in comments {
+            if let Some(line) = comment.strip_prefix(KEPT) {
+                if line.starts_with('R') {
+                    self.keep();
+                }
+                self.kept.push(line.to_owned());
+                continue;
+            }
+            self.keep();
+            if comment == CONTINUES {
+                continues = true;
+            } else {
+                self.grid.end.push(text(comment));
+            }
+        }
+        self.keep();
+        continues && self.grid.end.is_empty() && !self.grid.rungs.is_empty()
+    }
+
+    /// Puts a kept rung back, where its lines still are a rung.
+    fn keep(&mut self) {
+        if self.kept.is_empty() {
+            return;
+        }
+        let lines = std::mem::take(&mut self.kept);
+        match file::read_rows(&lines) {
+            Some(rows) => {
+                let comments = std::mem::take(&mut self.grid.end);
+                self.grid.rungs.push(GridRung { comments, rows });
+            }
+            None => self
+                .grid
+                .end
+                .extend(lines.iter().map(|line| text(&format!("{KEPT}{line}")))),
+        }
+    }
+
+    fn rung(&mut self, rung: &Rung, mut continues: bool) {
+        // The pins of an output stand at the left rail, so nothing of its rung can follow them.
+        let has_pins = |action: &Action| {
+            output::write(&action.what, false).is_some_and(|written| !written.pins.is_empty())
+        };
+        for actions in rung.actions.split_inclusive(has_pins) {
+            match drawn(&rung.condition, actions) {
+                Ok(rows) => {
+                    for action in actions {
+                        self.report.translated(action.place, name(action));
+                    }
+                    self.add(rows, continues);
+                }
+                Err(why) => self.refuse(rung, actions, &why),
+            }
+            continues = true;
+        }
+    }
+
+    fn add(&mut self, mut rows: Vec<Row>, continues: bool) {
+        let comments = std::mem::take(&mut self.grid.end);
+        match self.grid.rungs.last_mut() {
+            Some(rung) if continues && comments.is_empty() && rung.rows.len() + rows.len() <= MOST_ROWS => {
+                rung.rows.append(&mut rows);
+            }
+            _ => self.grid.rungs.push(GridRung { comments, rows }),
+        }
+    }
+
+    fn refuse(&mut self, rung: &Rung, actions: &[Action], why: &str) {
+        for action in actions {
+            let name = name(action);
+            self.report.refused(action.place, name.as_str(), why);
+            self.grid
+                .end
+                .push(text(&format!("click: not in the grid: {name}: {why}")));
+        }
+        if actions.is_empty() {
+            self.report.refused(rung.place, "rung", why);
+        }
+    }
+}
+
+fn text(text: &str) -> Text {
+    Text {
+        text: text.to_owned(),
+        place: Place::START,
+    }
+}
+
+fn name(action: &Action) -> String {
+    output::write(&action.what, action.oneshot)
+        .map_or_else(|| format!("{:?}", action.what), |written| written.output)
+}
+
+fn drawn(condition: &Condition, actions: &[Action]) -> Result<Vec<Row>, String> {
+    let mut outputs = Vec::with_capacity(actions.len());
+    for action in actions {
+        let Written { output, pins } =
+            output::write(&action.what, action.oneshot).ok_or("the grid cannot say this instruction")?;
+        outputs.push(Drawn {
+            output,
+            condition: &action.condition,
+            pins,
+        });
+    }
+    draw::rung(condition, &outputs).map_err(|why| match why {
+        Undrawable::Wide => {
+            "the rung is wider than the 31 columns of the grid: make several rungs of it".to_owned()
+        }
+        Undrawable::Tall => format!("the rung has more than {MOST_ROWS} rows: make several rungs of it"),
+        Undrawable::Unsaid(what) => format!("the grid cannot say {what}"),
+    })
+}
