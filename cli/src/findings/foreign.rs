@@ -1,11 +1,15 @@
 //! A program of another system, beside the ladder text that it becomes: what is found in that text is shown in the
 //! file that a person wrote.
 
+use crate::outcome::Failure;
 use ladder_analysis::Severity;
-use ladder_interchange::notation::{Converted, Lines, Notation, Outcome, Place, ReadError, Source, convert};
+use ladder_interchange::notation::{
+    Companion, Converted, Lines, Notation, Outcome, Place, ReadError, Source, convert,
+};
 use ladder_syntax::{TextRange, TextSize};
 use std::collections::{HashMap, HashSet};
 use std::fmt;
+use std::path::Path;
 
 /// What stands where the name of a rule would, for an element without a counterpart.
 const NOT_TRANSLATED: &str = "not-translated";
@@ -32,18 +36,14 @@ pub(crate) struct Remark {
 }
 
 impl Foreign {
-    /// Reads a program; `name` is the stem of its file's name.
+    /// Reads a program.
     ///
     /// # Errors
     /// As for [`Notation::read`].
-    pub(crate) fn read(
-        notation: &'static dyn Notation,
-        name: &str,
-        bytes: &[u8],
-    ) -> Result<Foreign, ReadError> {
+    pub(crate) fn read(notation: &'static dyn Notation, source: &Source<'_>) -> Result<Foreign, ReadError> {
         let options = ladder_format::Options::default();
-        let converted = convert(notation, &Source { name, bytes }, &options)?;
-        let text = shown(bytes);
+        let converted = convert(notation, source, &options)?;
+        let text = shown(source.bytes);
         let lines = Lines::of(&text);
         let mut foreign = Foreign {
             notation,
@@ -148,6 +148,23 @@ impl Foreign {
     }
 }
 
+/// The files beside a program of another system that belong to it.
+///
+/// # Errors
+/// One of them cannot be read.
+pub(crate) fn companions(notation: &'static dyn Notation, program: &Path) -> Result<Vec<Companion>, Failure> {
+    let stem = program
+        .file_stem()
+        .map(|stem| stem.to_string_lossy())
+        .unwrap_or_default();
+    let wanted = |file: &str| notation.has_companion(&stem, file);
+    let found = ladder_workspace::read_beside(program, &wanted)?;
+    Ok(found
+        .into_iter()
+        .map(|(name, bytes)| Companion { name, bytes })
+        .collect())
+}
+
 /// The length of the first word.
 fn word(text: &str) -> usize {
     text.find(|c: char| c.is_whitespace() || ",;(){}<>".contains(c))
@@ -186,7 +203,7 @@ mod tests {
 
     fn read(notation: &str, bytes: &[u8]) -> Foreign {
         let notation = by_name(notation).expect("the notation is registered");
-        Foreign::read(notation, "test", bytes).unwrap_or_else(|error| panic!("{error}"))
+        Foreign::read(notation, &Source::alone("test", bytes)).unwrap_or_else(|error| panic!("{error}"))
     }
 
     /// What the first part of the ladder text with this spelling was made from.

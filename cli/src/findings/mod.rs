@@ -12,7 +12,7 @@ pub(crate) mod sarif;
 mod source;
 mod workspaces;
 
-pub(crate) use foreign::Foreign;
+pub(crate) use foreign::{Foreign, companions};
 pub(crate) use mistake::render_settings;
 pub(crate) use problem::{Place, Problem, annotation};
 pub(crate) use source::{NotRead, Source, with_line_feeds};

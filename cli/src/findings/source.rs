@@ -4,12 +4,12 @@
 //! which is shown and which findings have their places in, and the ladder text that it becomes, which is analysed and
 //! run.
 
-use super::foreign::{Foreign, Remark};
+use super::foreign::{Foreign, Remark, companions};
 use crate::form::Form;
 use crate::outcome::Failure;
 use ladder_analysis::program::{Location, Program};
 use ladder_analysis::{Analysis, Diagnostic, NotWhole};
-use ladder_interchange::notation::{Place, ReadError};
+use ladder_interchange::notation::{self, Place, ReadError};
 use ladder_syntax::{LineColumn, LineIndex, TextRange, TextSize};
 use ladder_workspace::{Workspace, shown};
 use std::borrow::Cow;
@@ -69,9 +69,16 @@ impl Source {
             let text = ladder_workspace::decode(file, bytes).map_err(Failure::from)?;
             return Ok(Source::new(name, text));
         };
-        let stem = file.file_stem().map(|stem| stem.to_string_lossy());
-        let foreign = Foreign::read(notation, &stem.unwrap_or_default(), &bytes)
-            .map_err(|error| NotRead::broken(file, &error))?;
+        let stem = file
+            .file_stem()
+            .map(|stem| stem.to_string_lossy())
+            .unwrap_or_default();
+        let source = notation::Source {
+            name: &stem,
+            bytes: &bytes,
+            companions: &companions(notation, file)?,
+        };
+        let foreign = Foreign::read(notation, &source).map_err(|error| NotRead::broken(file, &error))?;
         let mut source = Source::new(name, foreign.ladder().to_owned());
         source.index = LineIndex::new(foreign.text());
         source.foreign = Some(Arc::new(foreign));

@@ -19,12 +19,14 @@ pub mod ldmicro;
 pub mod names;
 mod place;
 mod report;
+mod source;
 mod textbook;
 
 pub use finding::Finding;
 pub use names::Names;
 pub use place::{Lines, Place};
 pub use report::{Entry, Outcome, Report, Tally};
+pub use source::{Companion, Source};
 
 use ladder_analysis::Analysis;
 use ladder_format::program::{ProgramSketch, WrittenProgram};
@@ -64,6 +66,12 @@ pub trait Notation: Sync {
         false
     }
 
+    /// Whether a file that lies beside a program belongs to it: `program` is the stem of the program's name, `file` the
+    /// whole name of the other. Who reads the program from a folder hands such files in as [`Source::companions`].
+    fn has_companion(&self, _program: &str, _file: &str) -> bool {
+        false
+    }
+
     /// Reads a program.
     ///
     /// # Errors
@@ -77,35 +85,6 @@ pub trait Notation: Sync {
     ///
     /// If nothing of it can be said in this notation. What cannot be said among other things is an entry of the report.
     fn write(&self, analysis: &Analysis) -> Result<Writing, WriteError>;
-}
-
-/// A file in some notation.
-#[derive(Debug, Clone, Copy)]
-pub struct Source<'s> {
-    /// The stem of its name, which names the program.
-    pub name: &'s str,
-    /// Its content.
-    pub bytes: &'s [u8],
-}
-
-impl<'s> Source<'s> {
-    /// The content as text.
-    ///
-    /// # Errors
-    ///
-    /// If it is not UTF-8; the place is the first byte that is not.
-    pub fn text(&self) -> Result<&'s str, ReadError> {
-        text_of(self.bytes)
-    }
-}
-
-/// Bytes as text.
-fn text_of(bytes: &[u8]) -> Result<&str, ReadError> {
-    std::str::from_utf8(bytes).map_err(|error| {
-        let good = String::from_utf8_lossy(&bytes[..error.valid_up_to()]).into_owned();
-        let place = Lines::of(&good).place(&good, good.len());
-        ReadError::at(place, "the file is not text in UTF-8 from here on")
-    })
 }
 
 /// What was read.
@@ -134,6 +113,8 @@ impl Reading {
 pub struct Writing {
     /// The foreign file.
     pub bytes: Vec<u8>,
+    /// What belongs beside it, each under its own name.
+    pub companions: Vec<Companion>,
     /// What became of each element; places are those of the ladder text.
     pub report: Report,
 }

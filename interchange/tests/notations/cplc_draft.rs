@@ -15,10 +15,7 @@ fn remark(entry: &Entry) -> String {
 
 /// The ladder text with what there is to say about it, and what the analysis finds in it; or the mistake.
 fn read(text: &str) -> String {
-    let source = Source {
-        name: "test",
-        bytes: text.as_bytes(),
-    };
+    let source = Source::alone("test", text.as_bytes());
     let notation = by_name("cplc-draft").expect("the notation is registered");
     let converted = match convert(notation, &source, &Options::default()) {
         Ok(converted) => converted,

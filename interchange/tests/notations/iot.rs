@@ -9,7 +9,7 @@ fn notation() -> &'static dyn Notation {
 }
 
 fn converted(bytes: &[u8]) -> Result<Converted, String> {
-    let source = Source { name: "test", bytes };
+    let source = Source::alone("test", bytes);
     convert(notation(), &source, &Options::default()).map_err(|error| error.to_string())
 }
 

@@ -12,7 +12,7 @@ fn notation() -> &'static dyn Notation {
 }
 
 fn converted(bytes: &[u8]) -> Result<Converted, String> {
-    let source = Source { name: "test", bytes };
+    let source = Source::alone("test", bytes);
     convert(notation(), &source, &Options::default()).map_err(|error| error.to_string())
 }
 
@@ -497,10 +497,7 @@ fn broken_files_are_read_or_have_a_place() {
                 break;
             }
         }
-        let source = Source {
-            name: "test",
-            bytes: &bytes,
-        };
+        let source = Source::alone("test", &bytes);
         match convert(notation(), &source, &Options::default()) {
             Ok(converted) => {
                 let Ok(text) = write(&converted.written.text) else {

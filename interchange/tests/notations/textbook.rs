@@ -6,10 +6,7 @@ use ladder_interchange::notation::{Notation, Outcome, Source, by_name, convert, 
 
 /// The ladder text, then what there is to say about it; or the mistake.
 fn read(text: &str) -> String {
-    let source = Source {
-        name: "test",
-        bytes: text.as_bytes(),
-    };
+    let source = Source::alone("test", text.as_bytes());
     let notation = by_name("textbook").expect("the notation is registered");
     match convert(notation, &source, &Options::default()) {
         Err(error) => format!("{error}\n"),

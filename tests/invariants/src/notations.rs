@@ -20,10 +20,7 @@ pub(crate) fn check(data: &[u8]) {
 
 /// What a notation makes of bytes, if it takes them.
 fn read(notation: &dyn Notation, data: &[u8]) -> Option<Converted> {
-    let source = Source {
-        name: "program",
-        bytes: data,
-    };
+    let source = Source::alone("program", data);
     let options = Options::default();
     let converted = match notation::convert(notation, &source, &options) {
         Ok(converted) => converted,

@@ -3,16 +3,17 @@
 mod report;
 mod target;
 
-use crate::findings::Source;
+use crate::findings::{Source, companions};
 use crate::form::{self, Form};
 use crate::outcome::{Failure, Outcome};
 use crate::output::{Existing, Output};
+use crate::terminal;
 use clap::{Args, ValueEnum};
-use ladder_interchange::notation::{self, Converted, Notation};
+use ladder_interchange::notation::{self, Companion, Converted, Notation};
 use ladder_workspace::shown;
 use report::{Account, Side};
 use std::io::Write;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use target::{Job, jobs};
 
 const EXAMPLES: &str = "\
@@ -108,8 +109,8 @@ fn convert(job: &Job, existing: Existing) -> Result<(Account, Outcome), Failure>
             Source::new(job.input.display().to_string(), converted.written.text)
         }
     };
-    let bytes = match job.to {
-        Form::Ladder => ladder.text.into_bytes(),
+    let (bytes, beside) = match job.to {
+        Form::Ladder => (ladder.text.into_bytes(), Vec::new()),
         Form::Foreign(notation) => {
             let writing = notation.write(&ladder.analyze()).map_err(|error| {
                 Failure::new(format!(
@@ -122,17 +123,43 @@ fn convert(job: &Job, existing: Existing) -> Result<(Account, Outcome), Failure>
                 Form::Foreign(_) => Side::Between,
             };
             account.add(side, &writing.report, &[]);
-            writing.bytes
+            (writing.bytes, writing.companions)
         }
     };
-    let mut output = Output::open(job.output.as_deref(), existing)?;
-    match std::str::from_utf8(&bytes) {
-        Ok(text) => output.write_text(text)?,
-        Err(_) => output.write_all(&bytes)?,
-    }
-    output.finish()?;
+    write(job.output.as_deref(), &bytes, &beside, existing)?;
     let outcome = account.outcome();
     Ok((account, outcome))
+}
+
+/// Writes a program and what belongs beside it. Nothing is written if one of them may not be.
+fn write(
+    output: Option<&Path>,
+    bytes: &[u8],
+    beside: &[Companion],
+    existing: Existing,
+) -> Result<(), Failure> {
+    let mut files = vec![(Output::open(output, existing)?, bytes)];
+    for companion in beside {
+        let Some(output) = output else {
+            let name = shown::line(&companion.name);
+            terminal::note(&format!(
+                "{name} belongs beside this program; with -o it is written there"
+            ));
+            continue;
+        };
+        let path = output.with_file_name(&companion.name);
+        files.push((Output::open(Some(&path), existing)?, &companion.bytes));
+    }
+    for (file, bytes) in &mut files {
+        match std::str::from_utf8(bytes) {
+            Ok(text) => file.write_text(text)?,
+            Err(_) => file.write_all(bytes)?,
+        }
+    }
+    for (file, _) in files {
+        file.finish()?;
+    }
+    Ok(())
 }
 
 fn read(notation: &'static dyn Notation, job: &Job) -> Result<Converted, Failure> {
@@ -144,6 +171,7 @@ fn read(notation: &'static dyn Notation, job: &Job) -> Result<Converted, Failure
     let source = notation::Source {
         name: &stem,
         bytes: &job.bytes,
+        companions: &companions(notation, &job.input)?,
     };
     let options = ladder_format::Options::default();
     notation::convert(notation, &source, &options).map_err(|error| Failure::broken(&job.input, &error))

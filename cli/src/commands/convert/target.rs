@@ -4,7 +4,7 @@ use crate::form::Form;
 use crate::outcome::{Failure, Outcome};
 use ladder_interchange::notation::{NOTATIONS, has_extension};
 use ladder_workspace::{find_files, is_program, read_bytes, shown};
-use std::collections::HashMap;
+use std::collections::{HashMap, HashSet};
 use std::path::{Path, PathBuf};
 
 /// One program to translate.
@@ -52,9 +52,12 @@ pub(super) fn jobs(
     }
     let mut jobs = Vec::new();
     let mut taken: HashMap<PathBuf, PathBuf> = HashMap::new();
+    let named: HashSet<&Path> = inputs.iter().map(PathBuf::as_path).collect();
     for input in files {
-        match job(&input, output, several, from, to) {
-            Ok(job) => {
+        let is_named = named.contains(input.as_path());
+        match job(&input, is_named, output, several, from, to) {
+            Ok(None) => {}
+            Ok(Some(job)) => {
                 if let Some(output) = &job.output
                     && let Some(other) = taken.insert(output.clone(), input.clone())
                 {
@@ -73,6 +76,7 @@ pub(super) fn jobs(
             }
         }
     }
+    without_companions(&mut jobs, &named);
     if jobs.is_empty() && outcome == Outcome::Fine {
         return Err(Failure::new(
             "there is no program to convert; name a file, or its notation with --from",
@@ -89,15 +93,39 @@ pub(super) fn jobs(
     Ok((jobs, outcome))
 }
 
+/// What was found in a folder beside a program, and belongs to it, is read with that.
+fn without_companions(jobs: &mut Vec<Job>, named: &HashSet<&Path>) {
+    let belongs = |job: &Job, program: &Job| {
+        let (Form::Foreign(notation), Some(stem), Some(name)) =
+            (program.from, program.input.file_stem(), job.input.file_name())
+        else {
+            return false;
+        };
+        notation.has_companion(&stem.to_string_lossy(), &name.to_string_lossy())
+            && job.input != program.input
+            && job.input.parent() == program.input.parent()
+    };
+    let is_whole =
+        |job: &Job| named.contains(job.input.as_path()) || !jobs.iter().any(|program| belongs(job, program));
+    let whole: Vec<bool> = jobs.iter().map(is_whole).collect();
+    let mut whole = whole.into_iter();
+    jobs.retain(|_| whole.next() == Some(true));
+}
+
+/// The job for a file. None: it was found in a folder under a name that others use too, and is no program.
 fn job(
     input: &Path,
+    is_named: bool,
     output: Option<&Path>,
     several: bool,
     from: Option<Form>,
     to: Option<Form>,
-) -> Result<Job, Failure> {
+) -> Result<Option<Job>, Failure> {
     let bytes = read_bytes(input)?;
     let Some(from) = from.or_else(|| Form::of(input, &bytes)) else {
+        if !is_named {
+            return Ok(None);
+        }
         return Err(Failure::new(format!(
             "{}: this is in no notation that is known; if it is, name it with --from",
             shown::path(input)
@@ -120,13 +148,13 @@ fn job(
         let stem = input.file_stem().unwrap_or_default();
         output.join(stem).with_extension(to.extension())
     });
-    Ok(Job {
+    Ok(Some(Job {
         input: input.to_owned(),
         bytes,
         from,
         to,
         output,
-    })
+    }))
 }
 
 fn ends_like(path: &Path, form: Form) -> bool {

@@ -32,7 +32,7 @@ pub(super) fn records(bytes: &[u8]) -> Result<Vec<Record>, ReadError> {
             MOST_BYTES >> 20
         )));
     }
-    let text = super::super::text_of(bytes)?;
+    let text = super::super::source::text_of(bytes)?;
     let text = text.strip_prefix('\u{feff}').unwrap_or(text);
     let lines = Lines::of(text);
     let mut reader = ReaderBuilder::new()

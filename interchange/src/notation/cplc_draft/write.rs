@@ -83,6 +83,7 @@ pub(super) fn write(analysis: &Analysis) -> Result<Writing, WriteError> {
     Ok(Writing {
         bytes: out.into_bytes(),
         report: writer.report,
+        companions: Vec::new(),
     })
 }
 

@@ -63,7 +63,11 @@ impl Notation for Ldmicro {
     fn write(&self, analysis: &Analysis) -> Result<Writing, WriteError> {
         let (file, report) = export::file(analysis)?;
         let bytes = save::save(&file);
-        Ok(Writing { bytes, report })
+        Ok(Writing {
+            bytes,
+            companions: Vec::new(),
+            report,
+        })
     }
 }
 

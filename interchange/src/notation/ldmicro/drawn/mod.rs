@@ -91,7 +91,11 @@ impl Notation for LdmicroText {
             }
         }
         let bytes = encoded(text(&file), file.encoding);
-        Ok(Writing { bytes, report })
+        Ok(Writing {
+            bytes,
+            companions: Vec::new(),
+            report,
+        })
     }
 }
 

@@ -1,0 +1,52 @@
+//! A file in some notation, with the files beside it that belong to it.
+
+use super::{Lines, Place, ReadError};
+
+/// A file in some notation.
+#[derive(Debug, Clone, Copy)]
+pub struct Source<'s> {
+    /// The stem of its name, which names the program.
+    pub name: &'s str,
+    /// Its content.
+    pub bytes: &'s [u8],
+    /// The files beside it that [`Notation::has_companion`](super::Notation::has_companion) asked for, by name.
+    pub companions: &'s [Companion],
+}
+
+/// A file beside a program that belongs to it.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Companion {
+    /// Its whole name, without the folder.
+    pub name: String,
+    /// Its content.
+    pub bytes: Vec<u8>,
+}
+
+impl<'s> Source<'s> {
+    /// A file without companions.
+    pub const fn alone(name: &'s str, bytes: &'s [u8]) -> Source<'s> {
+        Source {
+            name,
+            bytes,
+            companions: &[],
+        }
+    }
+
+    /// The content as text.
+    ///
+    /// # Errors
+    ///
+    /// If it is not UTF-8; the place is the first byte that is not.
+    pub fn text(&self) -> Result<&'s str, ReadError> {
+        text_of(self.bytes)
+    }
+}
+
+/// Bytes as text.
+pub(super) fn text_of(bytes: &[u8]) -> Result<&str, ReadError> {
+    std::str::from_utf8(bytes).map_err(|error| {
+        let good = String::from_utf8_lossy(&bytes[..error.valid_up_to()]).into_owned();
+        let place: Place = Lines::of(&good).place(&good, good.len());
+        ReadError::at(place, "the file is not text in UTF-8 from here on")
+    })
+}
