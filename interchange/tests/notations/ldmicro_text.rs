@@ -11,7 +11,7 @@ fn notation(name: &str) -> &'static dyn Notation {
 }
 
 fn converted(from: &str, bytes: &[u8]) -> Result<Converted, String> {
-    let source = Source { name: "test", bytes };
+    let source = Source::alone("test", bytes);
     convert(notation(from), &source, &Options::default()).map_err(|error| error.to_string())
 }
 
