@@ -7,10 +7,7 @@ use expect_test::{Expect, expect, expect_file};
 const BOTTLING: &str = include_str!("../../../tests/click/bottling.py");
 
 fn converted(text: &str) -> Converted {
-    let source = Source {
-        name: "test",
-        bytes: text.as_bytes(),
-    };
+    let source = Source::alone("test", text.as_bytes());
     convert(&Click, &source, &ladder_format::Options::default()).unwrap_or_else(|error| panic!("{error}"))
 }
 
