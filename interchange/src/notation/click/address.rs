@@ -137,6 +137,17 @@ impl Span {
         }
     }
 
+    /// A range as ladder text writes it: `C[1..8]`.
+    pub(super) fn in_text(text: &str) -> Option<Span> {
+        let (bank, inside) = text.strip_suffix(']')?.split_once('[')?;
+        let (first, last) = inside.split_once("..")?;
+        Some(Span {
+            bank: Bank::named(bank)?,
+            first: first.parse().ok()?,
+            last: last.parse().ok()?,
+        })
+    }
+
     /// A range as Click's grid writes it: `C1..C8`.
     pub(super) fn parse(text: &str) -> Option<Span> {
         let (first, last) = text.split_once("..")?;

@@ -20,6 +20,7 @@ mod formula;
 mod grid;
 mod model;
 mod operand;
+mod read_back;
 mod sketch;
 mod tags;
 mod uses;
@@ -53,8 +54,14 @@ impl Notation for Click {
         Ok(sketch::sketch(&program))
     }
 
-    fn write(&self, _analysis: &Analysis) -> Result<Writing, WriteError> {
-        Err(WriteError::new("ladder text does not become Click programs yet"))
+    fn write(&self, analysis: &Analysis) -> Result<Writing, WriteError> {
+        let (program, mut report) = read_back::program(analysis)?;
+        let text = dsl::write(&program, &mut report);
+        report.entries.sort_by_key(|entry| entry.place);
+        Ok(Writing {
+            bytes: text.into_bytes(),
+            report,
+        })
     }
 }
 

@@ -170,7 +170,12 @@ impl Sketcher<'_> {
             drawing: Drawing::Circuit(Circuit::Series(parts)),
         }));
         for network in behind {
-            self.own_network(Vec::new(), network, rung.place);
+            let said = network
+                .blocks
+                .iter()
+                .filter_map(|block| block.strip_prefix("(R)( "));
+            let said = said.map(|bits| format!("reset of {}", bits.trim_end_matches([' ', ')'])));
+            self.own_network(said.collect(), network, rung.place);
         }
     }
 

@@ -364,7 +364,8 @@ impl<'p> Tags<'p> {
                     tag.bank,
                     Bank::Sc | Bank::Sd | Bank::Xd | Bank::Yd | Bank::Td | Bank::Ctd
                 );
-                return (!usual || nickname != name).then(|| tag.dsl());
+                let like_number = Address::parse(nickname).is_some();
+                return (!usual || like_number || nickname != name).then(|| tag.dsl());
             }
             Which::Number(_) => self.nickname_of(tag)?,
         };

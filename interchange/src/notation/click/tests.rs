@@ -61,3 +61,31 @@ fn every_construct_becomes_ladder_text() {
     "#]].assert_eq(&remarks(&converted));
     expect![""].assert_eq(&complaints(&converted.written.text));
 }
+
+/// A program written in Python again, from its ladder text.
+fn written_back(text: &str) -> (String, String) {
+    let converted = converted(text);
+    let analysis =
+        ladder_analysis::analyze(&ladder_syntax::parse(&converted.written.text).into(), "test.clad");
+    let writing = Click
+        .write(&analysis)
+        .unwrap_or_else(|error| panic!("{error}\n{}", converted.written.text));
+    let mut remarks = String::new();
+    for entry in writing.report.remarks() {
+        remarks.push_str(&format!(
+            "{} `{}`: {:?}\n",
+            entry.place, entry.element, entry.outcome
+        ));
+    }
+    (String::from_utf8(writing.bytes).expect("it is text"), remarks)
+}
+
+#[test]
+fn ladder_text_becomes_python_again() {
+    let (python, remarks) = written_back(BOTTLING);
+    expect_file!["../../../tests/click/bottling_again.py"].assert_eq(&python);
+    expect![""].assert_eq(&remarks);
+    // What is written says the same, and is written the same again.
+    assert_eq!(converted(BOTTLING).written.text, converted(&python).written.text);
+    assert_eq!(written_back(&python).0, python);
+}

@@ -10,6 +10,6 @@ mod recognise;
 pub(super) mod spell;
 mod write;
 
-pub(super) use program::read;
+pub(super) use program::{read, single_action};
 pub(super) use recognise::recognises;
 pub(super) use write::write;

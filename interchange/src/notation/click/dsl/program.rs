@@ -27,10 +27,14 @@ pub(in super::super) fn read(text: &str) -> Result<Program, ReadError> {
     let mut comments = Comments::of(text, parsed.tokens());
     let mut routines = Vec::new();
     let mut header = Vec::new();
-    for stmt in parsed.suite() {
+    for (number, stmt) in parsed.suite().iter().enumerate() {
+        let next = parsed
+            .suite()
+            .get(number + 1)
+            .map_or(text.len(), |next| next.start().into());
         match stmt {
             Stmt::FunctionDef(function) => {
-                if let Ok(mut routine) = routine(&mut mistakes, &mut comments, function) {
+                if let Ok(mut routine) = routine(&mut mistakes, &mut comments, function, next) {
                     if !header.is_empty() {
                         header.append(&mut routine.comments);
                         routine.comments = std::mem::take(&mut header);
@@ -73,6 +77,16 @@ pub(in super::super) fn read(text: &str) -> Result<Program, ReadError> {
     }
 }
 
+/// A single action, as it stands under an `if`.
+pub(in super::super) fn single_action(text: &str) -> Option<Action> {
+    let program = read(&format!("def main():\n    if True:\n        {text}\n")).ok()?;
+    let mut rungs = program.main.rungs.into_iter();
+    match (rungs.next()?.actions.pop(), rungs.next()) {
+        (Some(action), None) => Some(action),
+        _ => None,
+    }
+}
+
 /// A text by itself at the beginning of a file or function: what Python people say about it.
 fn docstring(stmt: &Stmt) -> Option<Vec<String>> {
     let Stmt::Expr(inside) = stmt else { return None };
@@ -87,6 +101,7 @@ fn routine(
     mistakes: &mut Mistakes<'_>,
     comments: &mut Comments,
     function: &StmtFunctionDef,
+    next_start: usize,
 ) -> Result<Routine, Unread> {
     let above = comments.before(function.start().into());
     let name = function.name.as_str();
@@ -118,7 +133,7 @@ fn routine(
     let line_end = next.and_then(|rest| rest.find('\n')).unwrap_or(0);
     routine.behind.extend(comments.before(end));
     routine.behind.extend(comments.trailing(end + line_end));
-    routine.behind.extend(comments.indented_before(usize::MAX));
+    routine.behind.extend(comments.indented_before(next_start));
     Ok(routine)
 }
 

@@ -1,0 +1,124 @@
+//! What stands in the text of a ladder program beside its networks: comments, and what they keep.
+
+use super::Back;
+use crate::notation::{Lines, WriteError};
+use ladder_analysis::Analysis;
+use ladder_analysis::program::{Block, Program, TagId};
+use std::collections::HashMap;
+use std::sync::Arc;
+
+/// The directive that says whose arithmetic holds.
+const PROFILE: &str = "# ladder: profile click #";
+
+/// The program, also of a text whose profile cannot run yet: it is set aside, with every byte at its place.
+pub(super) fn program(analysis: &Analysis, text: &str) -> Result<Arc<Program>, WriteError> {
+    if let Some(program) = analysis.program() {
+        return Ok(Arc::clone(program));
+    }
+    let aside = text.replace(PROFILE, &" ".repeat(PROFILE.len()));
+    let again = ladder_analysis::analyze(&ladder_syntax::parse(&aside).into(), &analysis.name);
+    if let Some(program) = again.program() {
+        return Ok(Arc::clone(program));
+    }
+    let first = again.errors().next().map(|error| {
+        let place = Lines::of(text).place(text, error.range.start().into());
+        format!(": {place}: {}", error.message)
+    });
+    let why = first.unwrap_or_else(|| ", or needs another file of its workspace".to_owned());
+    Err(WriteError::new(format!("the program has errors{why}")))
+}
+
+/// The comments behind declarations, by tag.
+pub(super) fn declared(program: &Program, text: &str) -> HashMap<TagId, String> {
+    let mut out = HashMap::new();
+    for (number, tag) in program
+        .tags
+        .iter()
+        .enumerate()
+        .filter(|(_, tag)| tag.location.file == 0)
+    {
+        let at = usize::from(tag.location.range.start());
+        let rest = text.get(at..).unwrap_or("");
+        let line = rest.lines().next().unwrap_or("");
+        if let Some((_, behind)) = line.split_once(';')
+            && let Some(said) = inside(behind.trim())
+        {
+            out.insert(TagId(number as u32), said);
+        }
+    }
+    out
+}
+
+/// What a comment says: `# .. #` with a `#` given by its code.
+fn inside(comment: &str) -> Option<String> {
+    let text = comment.strip_prefix('#')?.strip_suffix('#')?;
+    Some(text.trim().replace("\\x23", "#"))
+}
+
+/// Comments between networks, in groups that blank lines part. Declarations and what speaks to the tools are left out.
+pub(super) fn between(text: &str) -> Vec<Vec<String>> {
+    let mut groups: Vec<Vec<String>> = vec![Vec::new()];
+    let mut in_section = false;
+    let mut open: Option<String> = None;
+    for line in text.lines().map(str::trim) {
+        if let Some(before) = &mut open {
+            // A comment that goes on over lines.
+            before.push('\n');
+            before.push_str(line);
+            if line.contains('#') {
+                let whole = open.take().unwrap_or_default();
+                push(&mut groups, &whole);
+            }
+            continue;
+        }
+        if in_section {
+            in_section = !line.to_ascii_uppercase().starts_with("END_VAR");
+            if !in_section {
+                groups.push(Vec::new());
+            }
+            continue;
+        }
+        if line.to_ascii_uppercase().starts_with("VAR") {
+            in_section = !line.to_ascii_uppercase().contains("END_VAR");
+            groups.push(Vec::new());
+        } else if line.is_empty() || line == "|" {
+            groups.push(Vec::new());
+        } else if line.starts_with('#') {
+            match line.matches('#').count() % 2 {
+                0 => push(&mut groups, line),
+                _ => open = Some(line.to_owned()),
+            }
+        }
+    }
+    groups.retain(|group| !group.is_empty());
+    groups
+}
+
+fn push(groups: &mut [Vec<String>], comment: &str) {
+    let Some(group) = groups.last_mut() else { return };
+    for said in comment.split('#').filter(|part| !part.trim().is_empty()) {
+        let said = said.trim().replace("\\x23", "#");
+        if !said.starts_with("ladder:") {
+            group.push(said.trim_start_matches("text: ladder:").to_owned());
+        }
+    }
+}
+
+/// Where what is said of the program as a whole ends: at its directives, or at its declarations.
+pub(super) fn head_end(text: &str) -> usize {
+    let directive = text.find("# ladder:");
+    let section = text.find("VAR");
+    let first = [directive, section].into_iter().flatten().min();
+    first.unwrap_or(0)
+}
+
+impl Back<'_> {
+    /// The comment in the wire right behind a block.
+    pub(super) fn comment_behind(&self, block: &Block) -> Option<String> {
+        let end = usize::from(block.location.range.end());
+        let rest = self.text.get(end..)?.trim_start_matches(['-', ' ', '+']);
+        let length = rest.strip_prefix('#')?.find('#')? + 2;
+        let said = inside(&rest[..length])?;
+        (!said.starts_with("click:") && !said.contains('\n')).then_some(said)
+    }
+}
