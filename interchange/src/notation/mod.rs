@@ -41,6 +41,7 @@ pub const NOTATIONS: &[&dyn Notation] = &[
     &ldmicro::LdmicroText,
     &iot::Iot,
     &click::Click,
+    &click::ClickGrid,
 ];
 
 /// The name of this project's own notation, beside those of [`NOTATIONS`].

@@ -1,5 +1,6 @@
 //! The notations of other systems.
 
+mod click_csv;
 mod cplc_draft;
 mod iot;
 mod ldmicro;

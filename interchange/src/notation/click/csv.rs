@@ -20,12 +20,12 @@ pub(super) struct Record {
     pub(super) fields: Vec<Field>,
 }
 
-/// The records of a file; blank lines are none.
+/// The records of a file; blank lines are none. Lines are counted on from `before`.
 ///
 /// # Errors
 ///
 /// If the file is large, or not UTF-8.
-pub(super) fn records(bytes: &[u8]) -> Result<Vec<Record>, ReadError> {
+pub(super) fn records(bytes: &[u8], before: u32) -> Result<Vec<Record>, ReadError> {
     if bytes.len() > MOST_BYTES {
         return Err(ReadError::whole(format!(
             "the file is larger than {} MiB; programs are not",
@@ -50,14 +50,21 @@ pub(super) fn records(bytes: &[u8]) -> Result<Vec<Record>, ReadError> {
         let start = record.position().map_or(0, |position| position.byte() as usize);
         // The reader says where a record begins before it passes blank lines.
         let blank = text[start..].len() - text[start..].trim_start_matches(['\r', '\n']).len();
-        out.push(with_places(&record, text, start + blank, &lines));
+        let place = |at: usize| {
+            let place = lines.place(text, at.min(text.len()));
+            Place {
+                line: place.line + before,
+                ..place
+            }
+        };
+        out.push(with_places(&record, text, start + blank, &place));
     }
 }
 
-fn with_places(record: &StringRecord, text: &str, start: usize, lines: &Lines) -> Record {
+fn with_places(record: &StringRecord, text: &str, start: usize, place: &dyn Fn(usize) -> Place) -> Record {
     let mut at = start;
     let field = |field: &str| {
-        let place = lines.place(text, at.min(text.len()));
+        let place = place(at);
         let is_quoted = text.get(at..).is_some_and(|rest| rest.starts_with('"'));
         let quotes = if is_quoted {
             2 + field.matches('"').count()
@@ -65,13 +72,11 @@ fn with_places(record: &StringRecord, text: &str, start: usize, lines: &Lines) -
             0
         };
         at += field.len() + quotes + 1;
-        Field {
-            text: field.to_owned(),
-            place,
-        }
+        let text = field.to_owned();
+        Field { text, place }
     };
     Record {
-        place: lines.place(text, start),
+        place: place(start),
         fields: record.iter().map(field).collect(),
     }
 }

@@ -19,6 +19,7 @@ mod dsl;
 mod formula;
 mod grid;
 mod model;
+mod nicknames;
 mod operand;
 mod read_back;
 mod sketch;
@@ -27,6 +28,8 @@ mod uses;
 
 use super::{Notation, ReadError, Reading, Source, WriteError, Writing};
 use ladder_analysis::Analysis;
+
+pub(super) use grid::ClickGrid;
 
 /// The Python DSL.
 #[derive(Debug)]
@@ -49,9 +52,18 @@ impl Notation for Click {
         dsl::recognises(bytes)
     }
 
+    fn has_companion(&self, program: &str, file: &str) -> bool {
+        nicknames::is_file_of(program, file)
+    }
+
     fn read(&self, source: &Source<'_>) -> Result<Reading, ReadError> {
-        let program = dsl::read(source.text()?)?;
-        Ok(sketch::sketch(&program))
+        let mut program = dsl::read(source.text()?)?;
+        let nicknames = nicknames::beside(source)?;
+        program.nicknames = nicknames.all;
+        let mut reading = sketch::sketch(&program);
+        reading.report.entries.splice(0..0, nicknames.report.entries);
+        reading.findings.splice(0..0, nicknames.findings);
+        Ok(reading)
     }
 
     fn write(&self, analysis: &Analysis) -> Result<Writing, WriteError> {

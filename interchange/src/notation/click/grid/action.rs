@@ -38,6 +38,34 @@ pub(super) fn read(text: &str) -> Result<Read, String> {
     }
 }
 
+/// The names of the outputs that are known.
+const OUTPUTS: [&str; 24] = [
+    "out",
+    "latch",
+    "reset",
+    "on_delay",
+    "off_delay",
+    "count_up",
+    "count_down",
+    "copy",
+    "blockcopy",
+    "fill",
+    "pack_bits",
+    "pack_words",
+    "pack_text",
+    "unpack_to_bits",
+    "unpack_to_words",
+    "shift",
+    "search",
+    "calc",
+    "math",
+    "call",
+    "for",
+    "next",
+    "end",
+    "return",
+];
+
 fn instruction(token: &mut Token<'_>) -> Result<Instruction, String> {
     let values = std::mem::take(&mut token.values);
     Ok(match (token.name, &values[..]) {
@@ -104,12 +132,10 @@ fn instruction(token: &mut Token<'_>) -> Result<Instruction, String> {
         ("next", []) => Instruction::Next,
         ("end", []) => Instruction::End,
         ("return", []) => Instruction::Return,
-        (name, values) => {
-            return Err(format!(
-                "there is no counterpart for `{name}` with {} values here",
-                values.len()
-            ));
+        (name, _) if OUTPUTS.contains(&name) => {
+            return Err(format!("`{name}` has other values than these"));
         }
+        (name, _) => return Err(format!("ladder text has no counterpart for `{name}`")),
     })
 }
 

@@ -30,52 +30,40 @@ pub(super) struct Drawn<'m> {
     pub(super) pins: Vec<(&'static str, &'m Condition)>,
 }
 
+/// The condition of what has none.
+static WIRE: Condition = Condition::ALWAYS;
+
+impl Drawn<'_> {
+    /// Without a condition of its own.
+    fn bare(&self) -> Drawn<'_> {
+        Drawn {
+            output: self.output.clone(),
+            condition: &WIRE,
+            pins: self.pins.clone(),
+        }
+    }
+}
+
 /// Draws a rung. Only the last output may have pins.
 ///
 /// # Errors
 ///
 /// See [`Undrawable`].
 pub(super) fn rung(condition: &Condition, outputs: &[Drawn<'_>]) -> Result<Vec<Row>, Undrawable> {
-    if let [only] = outputs
-        && !only.condition.is_always()
+    if let [first, others @ ..] = outputs
+        && !first.condition.is_always()
+        && others.iter().all(|other| other.condition == first.condition)
     {
-        // What a single output has for itself is as good as the rung's own.
-        let whole = Condition::All(vec![condition.clone(), only.condition.clone()]);
-        let only = Drawn {
-            output: only.output.clone(),
-            condition: &const { Condition::ALWAYS },
-            pins: only.pins.clone(),
-        };
-        return rung(&whole, &[only]);
+        // What all outputs have for themselves is as good as the rung's own.
+        let whole = Condition::All(vec![condition.clone(), first.condition.clone()]);
+        let bare: Vec<Drawn<'_>> = outputs.iter().map(Drawn::bare).collect();
+        return rung(&whole, &bare);
     }
     let mut sheet = Sheet::default();
     let common = Shape::of(condition);
-    let mut column = sheet.shape(&common, 0, 0)?;
-    if outputs.len() > 1 && column + usize::from(ends_in_branches(&common)) >= COLUMNS {
-        return Err(Undrawable::Wide);
-    }
-    // A row of its own for each output below the first, or more if branches stand on it.
-    let mut row = 0;
-    let mut heads = Vec::with_capacity(outputs.len());
-    if outputs.len() > 1 && ends_in_branches(&common) {
-        // One column brings the branches together, the next parts the outputs.
-        sheet.wire(0, column)?;
-        column += 1;
-    }
-    for output in outputs {
-        heads.push(row);
-        let own = Shape::of(output.condition);
-        let end = sheet.shape(&own, row, column)?;
-        sheet.output(row, end, &output.output)?;
-        row += own.height;
-    }
-    if let Some(last) = heads.last()
-        && column > 0
-    {
-        sheet.down(0, *last, column);
-    }
+    let height = sheet.outputs(&common, outputs, 0, 0)?;
     let pins = outputs.iter().flat_map(|output| &output.pins);
-    let mut row = row.max(common.height);
+    let mut row = height;
     for (pin, condition) in pins {
         let own = Shape::of(condition);
         let end = sheet.shape(&own, row, 0)?;
@@ -219,6 +207,48 @@ impl Sheet {
             place: Place::START,
         });
         Ok(())
+    }
+
+    /// Draws a condition and the outputs behind it; comes back how many rows that takes.
+    fn outputs(
+        &mut self,
+        common: &Shape<'_>,
+        outputs: &[Drawn<'_>],
+        row: usize,
+        column: usize,
+    ) -> Result<usize, Undrawable> {
+        let mut column = self.shape(common, row, column)?;
+        // Outputs that follow each other and have the same condition share it.
+        let same = |one: &Drawn<'_>, other: &Drawn<'_>| {
+            !one.condition.is_always() && one.condition == other.condition
+        };
+        let groups: Vec<&[Drawn<'_>]> = outputs.chunk_by(same).collect();
+        if groups.len() > 1 && ends_in_branches(common) {
+            // One column brings the branches together, the next parts the outputs.
+            self.wire(row, column)?;
+            column += 1;
+        }
+        if outputs.len() > 1 && column >= COLUMNS {
+            return Err(Undrawable::Wide);
+        }
+        let (mut at, mut last) = (row, row);
+        for group in groups {
+            last = at;
+            let own = Shape::of(group[0].condition);
+            at += match group {
+                [single] => {
+                    let end = self.shape(&own, at, column)?;
+                    self.output(at, end, &single.output)?;
+                    own.height
+                }
+                several => {
+                    let bare: Vec<Drawn<'_>> = several.iter().map(Drawn::bare).collect();
+                    self.outputs(&own, &bare, at, column)?
+                }
+            };
+        }
+        self.down(row, last, column);
+        Ok((at - row).max(common.height))
     }
 
     /// Draws what a row and column begin with; its first row carries power on at the column that comes back.

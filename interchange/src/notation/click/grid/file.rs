@@ -28,14 +28,14 @@ pub(super) fn is_grid(bytes: &[u8]) -> bool {
     first.is_some_and(|line| line.trim_ascii_end() == header().join(",").as_bytes())
 }
 
-/// The rungs of a file.
-pub(super) fn read(bytes: &[u8]) -> Result<Grid, ReadError> {
-    let mut records = csv::records(bytes)?.into_iter();
+/// The rungs of a file. Lines are counted on from `before`.
+pub(super) fn read(bytes: &[u8], before: u32) -> Result<Grid, ReadError> {
+    let mut records = csv::records(bytes, before)?.into_iter();
     let columns = header();
     let first = records.next();
     if !first.is_some_and(|record| record.fields.iter().map(|field| &field.text).eq(&columns)) {
         let message = "a grid begins with the line `marker,A,B,C,..,AE,AF`";
-        return Err(ReadError::at(Place::START, message));
+        return Err(ReadError::at(Place::line(before + 1), message));
     }
     let mut grid = Grid::default();
     let mut above = Vec::new();
@@ -82,13 +82,48 @@ pub(super) fn read(bytes: &[u8]) -> Result<Grid, ReadError> {
     Ok(grid)
 }
 
-/// The rows of one rung from their lines. None: they are not those of one rung.
-pub(super) fn read_rows(lines: &[String]) -> Option<Vec<Row>> {
+/// The rows of one rung from lines as [`kept`] has them. None: they are not those of one rung.
+pub(super) fn read_kept(lines: &[String]) -> Option<Vec<Row>> {
+    let lines: Vec<String> = lines.iter().map(|line| whole(line)).collect::<Option<_>>()?;
     let text = format!("{}\n{}\n", header().join(","), lines.join("\n"));
-    let mut grid = read(text.as_bytes()).ok()?;
+    let mut grid = read(text.as_bytes(), 0).ok()?;
     let rung = grid.rungs.pop()?;
     let is_alone = grid.rungs.is_empty() && grid.end.is_empty() && rung.comments.is_empty();
     is_alone.then_some(rung.rows)
+}
+
+/// What a row has before its output when wire leads there.
+const WIRE: &str = ",..,";
+
+fn whole(line: &str) -> Option<String> {
+    let (cells, fill, output) = match line.split_once(WIRE) {
+        Some((cells, output)) => (cells, ",-", output),
+        None => (line, ",", ""),
+    };
+    let missing = (COLUMNS + 1).checked_sub(cells.split(',').count())?;
+    Some(format!("{cells}{},{output}", fill.repeat(missing)))
+}
+
+/// The lines of a rung, short: `..` is wire up to the output, and behind what has no output nothing follows.
+pub(super) fn kept(rung: &[Row]) -> Vec<String> {
+    let short = |(line, row): (String, &Row)| {
+        let wires = row
+            .cells
+            .iter()
+            .rev()
+            .take_while(|cell| cell.text() == "-")
+            .count();
+        match &row.output {
+            Some(output) if wires > 0 => {
+                let output = csv::field(&output.text);
+                let cells = &line[..line.len() - output.len() - 1 - 2 * wires];
+                format!("{cells}{WIRE}{output}")
+            }
+            Some(_) => line,
+            None => line.trim_end_matches(',').to_owned(),
+        }
+    };
+    rows(rung).into_iter().zip(rung).map(short).collect()
 }
 
 /// A comment row. What has commas may stand there without quotes.
@@ -157,7 +192,7 @@ fn comments(comments: &[Text], out: &mut String) {
 }
 
 /// The lines of a rung.
-pub(super) fn rows(rows: &[Row]) -> Vec<String> {
+fn rows(rows: &[Row]) -> Vec<String> {
     let line = |(number, row): (usize, &Row)| {
         let marker = if number == 0 { "R" } else { "" };
         let cells = row.cells.iter().map(Cell::text);

@@ -27,10 +27,49 @@ mod operand;
 mod output;
 mod part;
 mod paths;
+mod read;
 mod reduce;
 mod rungs;
 mod token;
 mod write;
+
+use super::super::{Notation, ReadError, Reading, Source, WriteError, Writing};
+use super::nicknames;
+use ladder_analysis::Analysis;
+
+/// See the module.
+#[derive(Debug)]
+pub(in super::super) struct ClickGrid;
+
+impl Notation for ClickGrid {
+    fn name(&self) -> &'static str {
+        "click-csv"
+    }
+
+    fn title(&self) -> &'static str {
+        "grid of a Click program"
+    }
+
+    fn extensions(&self) -> &'static [&'static str] {
+        &["csv"]
+    }
+
+    fn recognises(&self, bytes: &[u8]) -> bool {
+        file::is_grid(bytes)
+    }
+
+    fn has_companion(&self, program: &str, file: &str) -> bool {
+        nicknames::is_file_of(program, file) || read::is_subroutine_of(program, file)
+    }
+
+    fn read(&self, source: &Source<'_>) -> Result<Reading, ReadError> {
+        read::read(source)
+    }
+
+    fn write(&self, _analysis: &Analysis) -> Result<Writing, WriteError> {
+        Err(WriteError::new("ladder text does not become Click programs yet"))
+    }
+}
 
 #[cfg(test)]
 mod tests {
@@ -75,7 +114,7 @@ mod tests {
     }
 
     fn read(text: &str) -> (Routine, Reader) {
-        let grid = file::read(text.as_bytes()).expect("the grid is sound");
+        let grid = file::read(text.as_bytes(), 0).expect("the grid is sound");
         let mut reader = Reader::default();
         for rung in &grid.rungs {
             reader.rung(rung);
@@ -203,10 +242,8 @@ R,..,end()"#,
                     () out(Y004)
                 ---
                 R,C1,T,..,out(Y001)
-                ,,T:C2,T,..,out(Y002)
-                ,,T:C3
-                ,,T:C2,T,..,out(Y003)
-                ,,T:C3
+                ,,T:C2,T,T,..,out(Y002)
+                ,,T:C3,,..,out(Y003)
                 ,,..,out(Y004)
             "#]],
         );
@@ -282,21 +319,21 @@ R,X001,,-,..,out(Y001)
 R,X001,..,"send(target=1)"
 #,At the end."#,
             expect![[r##"
-                # click: grid R,X001,-,-,-,-,-,-,-,-,-,-,-,-,-,-,-,-,-,-,-,-,-,-,-,-,-,-,-,-,-,-,"event_drum(a,b)"
-                # click: grid ,X002,-,-,-,-,-,-,-,-,-,-,-,-,-,-,-,-,-,-,-,-,-,-,-,-,-,-,-,-,-,-,.reset()
-                # click: grid R,X001,Z9,-,-,-,-,-,-,-,-,-,-,-,-,-,-,-,-,-,-,-,-,-,-,-,-,-,-,-,-,-,out(Y001)
+                # click: grid R,X001,..,"event_drum(a,b)"
+                # click: grid ,X002,..,.reset()
+                # click: grid R,X001,Z9,..,out(Y001)
                 # click: without effect in the grid: X002
                 X001
                     () out(Y001)
-                # click: grid R,X001,,-,-,-,-,-,-,-,-,-,-,-,-,-,-,-,-,-,-,-,-,-,-,-,-,-,-,-,-,-,out(Y001)
+                # click: grid R,X001,,..,out(Y001)
                 X001
                     () send(target=1)
                 # At the end.
-                2:68 event_drum(a,b): Refused("there is no counterpart for `event_drum` with 2 values here")
+                2:68 event_drum(a,b): Refused("ladder text has no counterpart for `event_drum`")
                 4:8 Z9: Refused("`Z9` is no cell of the grid: `X001`, `~X001`, `rise(X001)`, `fall(X001)`, `DS1==5`, `-`, `T`, `|` and `T:X001` are")
                 6:3 X002: Refused("no output depends on it: what it lets through leads nowhere, or a wire leads round it")
                 7:67 out(Y001): Refused("nothing joins it to the left rail")
-                2:68 click-grid: the rung stays as a comment, for `event_drum(a,b)`: there is no counterpart for `event_drum` with 2 values here
+                2:68 click-grid: the rung stays as a comment, for `event_drum(a,b)`: ladder text has no counterpart for `event_drum`
                 4:8 click-grid: the rung stays as a comment, for `Z9`: `Z9` is no cell of the grid: `X001`, `~X001`, `rise(X001)`, `fall(X001)`, `DS1==5`, `-`, `T`, `|` and `T:X001` are
                 7:67 click-grid: the rung stays as a comment, for `out(Y001)`: nothing joins it to the left rail
                 ---

@@ -77,7 +77,7 @@ impl Reader {
                 check: "click-grid",
                 message: format!("the rung stays as a comment, for `{shown}`: {why}"),
             });
-            let kept = file::rows(&rung.rows)
+            let kept = file::kept(&rung.rows)
                 .into_iter()
                 .map(|line| format!("{KEPT}{line}"));
             self.above.extend(kept);

@@ -62,7 +62,7 @@ impl Writer<'_> {
             return;
         }
         let lines = std::mem::take(&mut self.kept);
-        match file::read_rows(&lines) {
+        match file::read_kept(&lines) {
             Some(rows) => {
                 let comments = std::mem::take(&mut self.grid.end);
                 self.grid.rungs.push(GridRung { comments, rows });
