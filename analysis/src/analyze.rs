@@ -91,6 +91,7 @@ pub fn analyze_after(
     let unresolved = resolve::check_all(&context, &stamps, &mut diagnostics);
     rules::check(&context, &stamps, settings, &mut diagnostics);
     rules::unclosed_comment::hide_what_follows(parse, &mut diagnostics);
+    rules::cplc_draft::hide_all_else(parse, &mut diagnostics);
     diagnostics.iter_mut().for_each(Diagnostic::say_how_many_more);
     let hidden_errors = lint::apply(&context, settings, &mut diagnostics);
     diagnostics.sort_by_key(|d| (d.range.start(), d.range.end(), d.rule));

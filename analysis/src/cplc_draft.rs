@@ -1,15 +1,59 @@
 //! Whether a text is in the first draft of the language (2019), which had `//` comments, headers such as
 //! `IN = { DI start }`, and one `<..>` for each operand. Its files end in `.clad` too.
 
+use ladder_syntax::{Parse, TextRange, TextSize};
+
 /// So many lines are looked at.
 const LINES: usize = 200;
 
 /// Whether a text is in the draft: it has a header of the draft, or draws a contact with `[ ]<tag>`.
 pub fn is_cplc_draft(text: &str) -> bool {
-    text.lines().take(LINES).any(|line| {
-        let line = line.trim_start_matches(['\u{feff}', ' ', '\t']);
-        is_header(line) || (line.starts_with(['+', '|', '\\', '/']) && has_draft_block(line))
-    })
+    text.lines()
+        .take(LINES)
+        .any(|line| is_line(line.trim_start_matches(['\u{feff}', ' ', '\t'])))
+}
+
+/// So many bytes are looked at for the beginning.
+const BEGINNING: usize = 64 << 10;
+
+/// Whether a file of ladder text is none but begins in the draft: its first line that is no comment is a header of the
+/// draft, or draws a block of the draft. That line comes back. A slip in a program of our own looks alike only where it is
+/// in the first line.
+pub(crate) fn beginning(parse: &Parse) -> Option<TextRange> {
+    let mut text = String::new();
+    for line in parse.lines() {
+        text.push_str(&line.syntax().text().to_string());
+        if text.len() > BEGINNING {
+            break;
+        }
+    }
+    begins(&text)
+}
+
+fn begins(text: &str) -> Option<TextRange> {
+    let mut in_comment = false;
+    let mut lines = text.split_inclusive('\n').take(LINES).scan(0, |at, line| {
+        let start = *at;
+        *at += line.len();
+        Some((start, line))
+    });
+    let (start, line) = lines.find(|(_, line)| {
+        let line = line.trim_start_matches('\u{feff}').trim();
+        if in_comment || line.starts_with("/*") {
+            in_comment = !line.ends_with("*/");
+            return false;
+        }
+        !line.is_empty() && !line.starts_with("//") && line != "|"
+    })?;
+    let blanks = line.len() - line.trim_start_matches(['\u{feff}', ' ', '\t']).len();
+    let line = line[blanks..].trim_end();
+    let start = TextSize::new((start + blanks) as u32);
+    is_line(line).then(|| TextRange::at(start, TextSize::of(line)))
+}
+
+/// Whether a line is one of the draft and none of ladder text.
+fn is_line(line: &str) -> bool {
+    is_header(line) || (line.starts_with(['+', '|', '\\', '/']) && has_draft_block(line))
 }
 
 /// `IN = {`
@@ -62,6 +106,24 @@ mod tests {
             "# IN = { #",
         ] {
             assert!(!is_cplc_draft(text), "{text}");
+        }
+    }
+
+    #[test]
+    fn what_begins_in_the_draft() {
+        for (text, expected) in [
+            ("// a motor\n\n  IN = {DI start}\n", Some("IN = {DI start}")),
+            ("/* a\nmotor */\nOUT={DO a}\n", Some("OUT={DO a}")),
+            ("\u{feff}+---[]<a>---()<b>---+\n", Some("+---[]<a>---()<b>---+")),
+            // A slip in ladder text.
+            ("+--[ ]( a )--( )( b )--+\n+--[ ]<a>--( )( c )--+\n", None),
+            ("VAR a : BOOL; END_VAR\n+--[ ]<a>--( )( c )--+\n", None),
+            ("# a motor #\n+--[ ]<a>--( )( c )--+\n", None),
+            ("// IN = {\n+--[ ]( a )--( )( b )--+\n", None),
+            ("", None),
+        ] {
+            let found = begins(text).map(|range| &text[range]);
+            assert_eq!(found, expected, "{text}");
         }
     }
 }

@@ -9,6 +9,7 @@ use ladder_ide::{
     Completions, SignatureHelp, Token, Topic, completions, documentation, semantic_tokens, signature_help,
 };
 use ladder_ide::{Inlay, Lens};
+use ladder_interchange::notation::offer_conversion;
 use ladder_syntax::{TextRange, TextSize, parse};
 
 /// All that is known of one text.
@@ -33,8 +34,10 @@ impl Analysis {
             None => parse(&text),
         };
         let before = before.map(|before| &*before.whole);
+        let mut whole = analyze_after(before, &Arc::new(parse), name, others, rules);
+        offer_conversion(&mut whole.diagnostics, &text, &Options::default());
         Analysis {
-            whole: Arc::new(analyze_after(before, &Arc::new(parse), name, others, rules)),
+            whole: Arc::new(whole),
             text: Arc::new(text),
         }
     }

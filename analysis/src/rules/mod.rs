@@ -17,6 +17,7 @@ mod constant_power;
 pub(crate) mod constant_write;
 mod contact_after_coil;
 mod control_flow;
+pub(crate) mod cplc_draft;
 mod dead_end;
 pub(crate) mod did_you_mean;
 mod division_by_zero;

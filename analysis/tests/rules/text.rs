@@ -107,6 +107,37 @@ fn unclosed_block_brings_nothing_else() {
 }
 
 #[test]
+fn a_file_in_the_first_draft() {
+    check(
+        "// a motor\nIN = {DI start}\nOUT = {DO run}\n\n+---[ ]<start>---()<run>---+\n",
+        expect![[r#"
+            > IN = {DI start}
+              ^^^^^^^^^^^^^^^ error[unexpected-character]: this is a program in the first draft of CPLC-LD, which ladder text has moved on from
+                help: `ladder convert --from cplc-draft` writes it as ladder text, and says what becomes of each element
+        "#]],
+    );
+    // A slip in a program of our own is one.
+    check(
+        "+--[ ]( a )--( )( y )--+\n+--[ ]<a>--( )( z )--+\n",
+        expect![[r#"
+            > +--[ ]<a>--( )( z )--+
+                 ^^^ error[bad-arity]: [ ] takes 1 operand, none is given
+                help: it is written [ ]( tag )
+                fix: Add tag
+                  +--[ ]( tag )-----------<a>--( )( z )--+
+            > +--[ ]<a>--( )( z )--+
+                   ^^ warning[missing-wire]: two blocks touch without a wire between them
+                help: draw a `-` between them
+                safe fix: Insert wire
+                  +--[ ]--<a>--( )( z )--+
+            > +--[ ]<a>--( )( z )--+
+                    ^^^ error[unknown-instruction]: there is no instruction <a>
+                help: a block in < > is <LBL>, <JMP>, <FUN>, <CALL>, <RET>, <END>, <FOR>, <NEXT> or <MCR>
+        "#]],
+    );
+}
+
+#[test]
 fn comment_that_is_not_closed() {
     check(
         "+--[ ]( a )--( )( y )--+  # the motor\n",

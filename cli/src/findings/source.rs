@@ -9,7 +9,7 @@ use crate::form::Form;
 use crate::outcome::Failure;
 use ladder_analysis::program::{Location, Program};
 use ladder_analysis::{Analysis, Diagnostic, NotWhole};
-use ladder_interchange::notation::{self, Place, ReadError};
+use ladder_interchange::notation::{self, Place, ReadError, offer_conversion};
 use ladder_syntax::{LineColumn, LineIndex, TextRange, TextSize};
 use ladder_workspace::{Workspace, shown};
 use std::borrow::Cow;
@@ -148,6 +148,7 @@ impl Source {
 
     fn in_file(&self, mut findings: Vec<Diagnostic>) -> Vec<Diagnostic> {
         let Some(foreign) = &self.foreign else {
+            offer_conversion(&mut findings, &self.text, &self.format_options());
             return findings;
         };
         for finding in &mut findings {

@@ -345,6 +345,106 @@ fn a_foreign_program_is_not_aligned() {
     assert_eq!(folder.read("motor.rung"), RUNG);
 }
 
+const MOTOR_DRAFT: &str = "\
+// a motor
+IN = {DI start, DI stop}
+OUT = {DO run}
+
++---\\--[ ]<start>---\\---[/]<stop>---()<run>---+
+    /--[ ]<run>-----/
+";
+
+#[test]
+fn a_draft_that_is_called_ladder_text_is_told_once() {
+    let folder = Folder::with(&[("motor.clad", MOTOR_DRAFT), ("lamp.clad", DRAFT)]);
+    let run = folder.ladder(&["check", "--format", "concise", "motor.clad"]);
+    expect![[r#"
+        exit status 1
+        -- stdout
+        motor.clad:2:1: error[unexpected-character] this is a program in the first draft of CPLC-LD, which ladder text has moved on from
+        Checked 1 file: 1 error.
+    "#]].assert_eq(&run.to_string());
+    expect![[r#"
+        exit status 0
+        -- stdout
+        fixed motor.clad:2:1 unexpected-character: Convert to ladder text
+        Checked 1 file: no mistakes found. Mended 1 finding.
+    "#]]
+    .assert_eq(&folder.ladder(&["check", "--fix", "motor.clad"]).to_string());
+    expect![[r#"
+        # a motor #
+
+        VAR_INPUT
+            start : BOOL;
+            stop  : BOOL;
+        END_VAR
+        VAR_OUTPUT
+            run : BOOL;
+        END_VAR
+
+        +--\--[ ]( start )--\--[/]( stop )-------------( )( run )--+
+        |  /--[ ]( run )----/                                      |
+    "#]]
+    .assert_eq(&folder.read("motor.clad"));
+    // What cannot be said exactly is not said unasked.
+    expect![[r#"
+        exit status 1
+        -- stdout
+        error[unexpected-character]: this is a program in the first draft of CPLC-LD, which ladder text has moved on from
+          --> lamp.clad:2:1
+           |
+         2 | IN = {DI go}
+           | ^^^^^^^^^^^^
+           |
+           = help: `ladder convert --from cplc-draft` writes it as ladder text, and says what becomes of each element
+        help: Convert to ladder text
+           |
+         1 + # a lamp #
+         2 + 
+         3 + VAR_INPUT
+         4 +     go : BOOL;
+         5 + END_VAR
+         6 + VAR_OUTPUT
+         7 +     lamp : BOOL;
+         8 + END_VAR
+         9 + 
+        10 ~ +--[ ]( go )--# [PID]<x> #--------------------( )( lamp )--+
+           |
+
+        Checked 1 file: 1 error.
+    "#]].assert_eq(&folder.ladder(&["check", "--fix", "lamp.clad"]).to_string());
+    assert_eq!(folder.read("lamp.clad"), DRAFT);
+    let run = folder.ladder(&["check", "--fix", "--unsafe-fixes", "lamp.clad"]);
+    assert_eq!(run.status, Some(0));
+    expect![[r#"
+        # a lamp #
+
+        VAR_INPUT
+            go : BOOL;
+        END_VAR
+        VAR_OUTPUT
+            lamp : BOOL;
+        END_VAR
+
+        +--[ ]( go )--# [PID]<x> #--------------------( )( lamp )--+
+    "#]]
+    .assert_eq(&folder.read("lamp.clad"));
+    folder.write("broken.clad", b"IN = {DI start}\n+--[ ]<start>--?--()<run>--+\n");
+    expect![[r#"
+        exit status 1
+        -- stdout
+        error[unexpected-character]: this is a program in the first draft of CPLC-LD, which ladder text has moved on from
+         --> broken.clad:1:1
+          |
+        1 | IN = {DI start}
+          | ^^^^^^^^^^^^^^^
+          |
+          = help: it cannot be converted yet: 2:16: `?` is nothing that a rung is drawn with
+
+        Checked 1 file: 1 error.
+    "#]].assert_eq(&folder.ladder(&["check", "broken.clad"]).to_string());
+}
+
 #[test]
 fn only_named_files_are_foreign() {
     let folder = Folder::with(&[

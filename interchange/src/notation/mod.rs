@@ -22,6 +22,7 @@ mod report;
 mod source;
 mod textbook;
 
+pub use cplc_draft::offer_conversion;
 pub use finding::Finding;
 pub use names::Names;
 pub use place::{Lines, Place};

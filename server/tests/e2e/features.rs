@@ -153,6 +153,22 @@ async fn a_fix_is_offered_where_its_problem_is() {
     client.finish().await;
 }
 
+/// A program in the first draft of the language.
+const DRAFT: &str = "// a lamp\nIN = {DI go}\nOUT = {DO lamp}\n\n+---[ ]<go>---()<lamp>---+\n";
+
+#[tokio::test]
+async fn a_draft_becomes_ladder_text() {
+    let mut client = Client::with(json!({"general": {"positionEncodings": ["utf-8"]}})).await;
+    client.open(DRAFT).await;
+    let offered = actions(&mut client, [1, 0, 1, 0], Some("quickfix")).await;
+    assert_eq!(offered.len(), 1, "{offered:?}");
+    assert_eq!(offered[0]["title"], "Convert to ladder text");
+    let ladder = edited(DRAFT, &offered[0]["edit"]["changes"][URI]);
+    assert!(ladder.starts_with("# a lamp #\n\nVAR_INPUT\n"), "{ladder}");
+    assert!(ladder.contains("[ ]( go )--"), "{ladder}");
+    client.finish().await;
+}
+
 /// Two places where a wire is missing, and a label that is only nearly there.
 const TOUCHING: &str = "\
 +--[ ]( a )( )( y )--+

@@ -18,8 +18,11 @@
 
 mod header;
 mod line;
+mod offer;
 mod read;
 mod write;
+
+pub use offer::offer_conversion;
 
 use super::{Notation, ReadError, Reading, Source, WriteError, Writing};
 use ladder_analysis::Analysis;

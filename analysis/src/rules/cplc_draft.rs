@@ -1,0 +1,27 @@
+//! `unexpected-character`, for a file in the first draft of the language: told once, for the file as a whole.
+//!
+//! The conversion is the fix, but what reads the draft stands above the analysis and adds it: see [`is_told`].
+
+use crate::cplc_draft::beginning;
+use crate::diagnostic::Diagnostic;
+use crate::rule::{Rule, Severity};
+use ladder_syntax::Parse;
+
+const MESSAGE: &str = "this is a program in the first draft of CPLC-LD, which ladder text has moved on from";
+
+/// Puts the one finding in the place of all others, if a file with errors begins in the draft.
+pub(crate) fn hide_all_else(parse: &Parse, diagnostics: &mut Vec<Diagnostic>) {
+    if !diagnostics.iter().any(|found| found.severity == Severity::Error) {
+        return;
+    }
+    if let Some(range) = beginning(parse) {
+        let found = Diagnostic::new(Rule::UnexpectedCharacter, range, MESSAGE)
+            .help("`ladder convert --from cplc-draft` writes it as ladder text, and says what becomes of each element");
+        *diagnostics = vec![found];
+    }
+}
+
+/// Whether a finding is the one that says that a file is in the draft.
+pub fn is_told(found: &Diagnostic) -> bool {
+    found.rule == Rule::UnexpectedCharacter && found.message == MESSAGE
+}

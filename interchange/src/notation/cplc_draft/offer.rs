@@ -1,0 +1,41 @@
+//! The conversion as a fix, for ladder text that is a program in the draft.
+
+use super::super::{Converted, Source, convert};
+use super::CplcDraft;
+use ladder_analysis::{Applicability, Diagnostic, Fix, says_cplc_draft};
+use ladder_format::{Edit, Options};
+use ladder_syntax::{TextRange, TextSize};
+
+/// Adds the conversion to the finding that a file is in the first draft, if that is among them. It may be made unasked
+/// if every element says the same afterwards. `text` is the file's, `options` are those that it is laid out by.
+pub fn offer_conversion(findings: &mut [Diagnostic], text: &str, options: &Options) {
+    let Some(found) = findings.iter_mut().find(|found| says_cplc_draft(found)) else {
+        return;
+    };
+    let source = Source {
+        name: "",
+        bytes: text.as_bytes(),
+    };
+    match convert(&CplcDraft, &source, options) {
+        Ok(converted) => {
+            let whole = TextRange::up_to(TextSize::of(text));
+            found.fixes.push(Fix::new(
+                applicability(&converted),
+                "Convert to ladder text",
+                vec![Edit {
+                    range: whole,
+                    text: converted.written.text,
+                }],
+            ));
+        }
+        Err(error) => found.help = Some(format!("it cannot be converted yet: {error}")),
+    }
+}
+
+fn applicability(converted: &Converted) -> Applicability {
+    if converted.report.remarks().next().is_none() && converted.findings.is_empty() {
+        Applicability::Safe
+    } else {
+        Applicability::Unsafe
+    }
+}
