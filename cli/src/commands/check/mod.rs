@@ -85,8 +85,9 @@ pub(crate) struct Arguments {
     #[arg(long, value_name = "PATH")]
     stdin_filename: Option<PathBuf>,
 
-    /// The notation of the programs; without it their content decides. Findings have their places in the file that is named
-    #[arg(long, value_name = "NOTATION", value_parser = form::names())]
+    /// The notation of the programs, as for `ladder convert`; without it their content decides. Findings have their places in
+    /// the file that is named
+    #[arg(long, value_name = "NOTATION", value_parser = form::names(), hide_possible_values = true)]
     from: Option<String>,
 
     /// Pass over what ladder.toml or an ignore file excludes, even if it is named (for hooks and editors)

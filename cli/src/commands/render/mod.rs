@@ -51,8 +51,8 @@ pub(crate) struct Arguments {
     #[arg(short, long, value_name = "FILE")]
     output: Option<PathBuf>,
 
-    /// The notation of the program; without it its content decides
-    #[arg(long, value_name = "NOTATION", value_parser = form::names())]
+    /// The notation of the program, as for `ladder convert`; without it its content decides
+    #[arg(long, value_name = "NOTATION", value_parser = form::names(), hide_possible_values = true)]
     from: Option<String>,
 
     /// What is written; without it the file's name decides

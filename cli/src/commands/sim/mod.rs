@@ -58,8 +58,8 @@ pub(crate) struct Arguments {
     /// The program
     file: PathBuf,
 
-    /// The notation of the program; without it its content decides
-    #[arg(long, value_name = "NOTATION", value_parser = form::names())]
+    /// The notation of the program, as for `ladder convert`; without it its content decides
+    #[arg(long, value_name = "NOTATION", value_parser = form::names(), hide_possible_values = true)]
     from: Option<String>,
 
     /// How many scans to run; without it, on a terminal, the program is shown running
