@@ -12,10 +12,7 @@ pub fn offer_conversion(findings: &mut [Diagnostic], text: &str, options: &Optio
     let Some(found) = findings.iter_mut().find(|found| says_cplc_draft(found)) else {
         return;
     };
-    let source = Source {
-        name: "",
-        bytes: text.as_bytes(),
-    };
+    let source = Source::alone("", text.as_bytes());
     match convert(&CplcDraft, &source, options) {
         Ok(converted) => {
             let whole = TextRange::up_to(TextSize::of(text));
