@@ -72,6 +72,7 @@ impl Notation for Click {
         report.entries.sort_by_key(|entry| entry.place);
         Ok(Writing {
             bytes: text.into_bytes(),
+            companions: nicknames::companion(&program.nicknames).into_iter().collect(),
             report,
         })
     }

@@ -7,7 +7,7 @@
 //!
 //! Columns are known by their names, and those that are not known here (Modbus addresses) are passed over.
 
-use super::super::{Finding, Place, ReadError, Report, Source};
+use super::super::{Companion, Finding, Place, ReadError, Report, Source};
 use super::address::Address;
 use super::bank::Kind;
 use super::csv::{self, Record};
@@ -189,8 +189,16 @@ impl Nicknames {
     }
 }
 
+/// The file that belongs beside a program with nicknames.
+pub(super) fn companion(nicknames: &[Nickname]) -> Option<Companion> {
+    (!nicknames.is_empty()).then(|| Companion {
+        name: "nicknames.csv".to_owned(),
+        bytes: write(nicknames).into_bytes(),
+    })
+}
+
 /// A nickname file, sorted by address.
-pub(super) fn write(nicknames: &[Nickname]) -> String {
+fn write(nicknames: &[Nickname]) -> String {
     let mut out = format!("{}\n", COLUMNS.join(","));
     let mut sorted: Vec<&Nickname> = nicknames.iter().collect();
     sorted.sort_by_key(|nickname| nickname.address);
@@ -237,7 +245,6 @@ pub(super) fn write(nicknames: &[Nickname]) -> String {
 
 #[cfg(test)]
 mod tests {
-    use super::super::super::Companion;
     use super::*;
     use expect_test::{Expect, expect};
 

@@ -2,7 +2,7 @@
 
 use super::super::{Converted, Notation, Source, convert};
 use super::Click;
-use expect_test::{Expect, expect, expect_file};
+use expect_test::{expect, expect_file};
 
 const BOTTLING: &str = include_str!("../../../tests/click/bottling.py");
 

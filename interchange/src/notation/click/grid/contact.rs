@@ -4,6 +4,7 @@ use super::super::super::Place;
 use super::super::address::{Address, Tag};
 use super::super::bank::Kind;
 use super::super::model::{Bits, Comparison, Condition, Contact, ContactKind, Relation};
+use super::addresses::Addresses;
 use super::operand::{operand, operand_text};
 
 /// What a cell says, and what of it is only nearly said.
@@ -104,12 +105,12 @@ pub(super) fn split(text: &str) -> Option<(&str, Relation, &str)> {
     None
 }
 
-/// As a cell has it.
-pub(super) fn write(condition: &Condition) -> Option<String> {
+/// As a cell has it. None: no cell has it, or an address in it has none.
+pub(super) fn write(condition: &Condition, addresses: &Addresses) -> Option<String> {
     match condition {
         Condition::Contact(Contact { kind, bits, .. }) => {
             let Bits::One(tag) = bits else { return None };
-            let bit = address_text(tag)?;
+            let bit = addresses.text(tag)?;
             Some(match kind {
                 ContactKind::Open => bit,
                 ContactKind::Closed => format!("~{bit}"),
@@ -124,15 +125,10 @@ pub(super) fn write(condition: &Condition) -> Option<String> {
             ..
         }) => Some(format!(
             "{}{}{}",
-            operand_text(left)?,
+            operand_text(left, addresses)?,
             relation.sign(),
-            operand_text(right)?
+            operand_text(right, addresses)?
         )),
         Condition::All(_) | Condition::Any(_) => None,
     }
-}
-
-/// An address by its number. None: it has only a nickname.
-pub(super) fn address_text(tag: &Tag) -> Option<String> {
-    tag.address().map(|address| address.to_string())
 }

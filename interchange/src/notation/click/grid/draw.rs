@@ -6,6 +6,7 @@
 
 use super::super::super::Place;
 use super::super::model::Condition;
+use super::addresses::Addresses;
 use super::cell::{Body, COLUMNS, Row, Text};
 use super::contact;
 use super::file::MOST_ROWS;
@@ -49,7 +50,11 @@ impl Drawn<'_> {
 /// # Errors
 ///
 /// See [`Undrawable`].
-pub(super) fn rung(condition: &Condition, outputs: &[Drawn<'_>]) -> Result<Vec<Row>, Undrawable> {
+pub(super) fn rung(
+    condition: &Condition,
+    outputs: &[Drawn<'_>],
+    addresses: &Addresses,
+) -> Result<Vec<Row>, Undrawable> {
     if let [first, others @ ..] = outputs
         && !first.condition.is_always()
         && others.iter().all(|other| other.condition == first.condition)
@@ -57,9 +62,12 @@ pub(super) fn rung(condition: &Condition, outputs: &[Drawn<'_>]) -> Result<Vec<R
         // What all outputs have for themselves is as good as the rung's own.
         let whole = Condition::All(vec![condition.clone(), first.condition.clone()]);
         let bare: Vec<Drawn<'_>> = outputs.iter().map(Drawn::bare).collect();
-        return rung(&whole, &bare);
+        return rung(&whole, &bare, addresses);
     }
-    let mut sheet = Sheet::default();
+    let mut sheet = Sheet {
+        rows: Vec::new(),
+        addresses,
+    };
     let common = Shape::of(condition);
     let height = sheet.outputs(&common, outputs, 0, 0)?;
     let pins = outputs.iter().flat_map(|output| &output.pins);
@@ -162,12 +170,12 @@ fn ends_in_branches(shape: &Shape<'_>) -> bool {
 }
 
 /// The cells so far. Rows are added as they are needed.
-#[derive(Default)]
-struct Sheet {
+struct Sheet<'a> {
     rows: Vec<Row>,
+    addresses: &'a Addresses,
 }
 
-impl Sheet {
+impl Sheet<'_> {
     fn row(&mut self, row: usize) -> &mut Row {
         while self.rows.len() <= row {
             self.rows.push(Row::empty());
@@ -255,8 +263,8 @@ impl Sheet {
     fn shape(&mut self, shape: &Shape<'_>, row: usize, column: usize) -> Result<usize, Undrawable> {
         match &shape.kind {
             ShapeKind::Contact(condition) => {
-                let text =
-                    contact::write(condition).ok_or_else(|| Undrawable::Unsaid("a contact".to_owned()))?;
+                let text = contact::write(condition, self.addresses)
+                    .ok_or_else(|| Undrawable::Unsaid("a contact".to_owned()))?;
                 let place = Place::START;
                 self.body(row, column, Body::Contact(Text { text, place }))?;
                 Ok(column + 1)

@@ -2,6 +2,7 @@
 
 use super::super::formula::{self, Spelling};
 use super::super::model::{Formula, Operand, Operator};
+use super::addresses::Addresses;
 use super::contact::exists;
 use super::operand::operand_text;
 use std::cell::Cell;
@@ -48,10 +49,10 @@ pub(super) fn read(text: &str) -> Result<Formula, String> {
 }
 
 /// As the grid writes it. None: an address has only a nickname.
-pub(super) fn write(formula: &Formula) -> Option<String> {
+pub(super) fn write(formula: &Formula, addresses: &Addresses) -> Option<String> {
     let nameless = Cell::new(false);
     let operand = |operand: &Operand| {
-        operand_text(operand).unwrap_or_else(|| {
+        operand_text(operand, addresses).unwrap_or_else(|| {
             nameless.set(true);
             String::new()
         })

@@ -17,6 +17,7 @@
 //! ```
 
 mod action;
+mod addresses;
 mod cell;
 mod contact;
 mod draw;
@@ -34,7 +35,7 @@ mod token;
 mod write;
 
 use super::super::{Notation, ReadError, Reading, Source, WriteError, Writing};
-use super::nicknames;
+use super::{nicknames, read_back};
 use ladder_analysis::Analysis;
 
 /// See the module.
@@ -66,15 +67,23 @@ impl Notation for ClickGrid {
         read::read(source)
     }
 
-    fn write(&self, _analysis: &Analysis) -> Result<Writing, WriteError> {
-        Err(WriteError::new("ladder text does not become Click programs yet"))
+    fn write(&self, analysis: &Analysis) -> Result<Writing, WriteError> {
+        let (program, mut report) = read_back::program(analysis)?;
+        let (text, companions) = write::write(&program, &mut report);
+        report.entries.sort_by_key(|entry| entry.place);
+        Ok(Writing {
+            bytes: text.into_bytes(),
+            companions,
+            report,
+        })
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::super::super::Report;
-    use super::super::model::{Action, Condition, Routine, Rung};
+    use super::super::model::{Action, Condition, Program, Routine, Rung};
+    use super::addresses::Addresses;
     use super::rungs::Reader;
     use super::*;
     use expect_test::{Expect, expect};
@@ -139,7 +148,7 @@ mod tests {
         match condition {
             Condition::All(parts) => all(parts, " "),
             Condition::Any(parts) => all(parts, " | "),
-            leaf => contact::write(leaf).unwrap_or_default(),
+            leaf => contact::write(leaf, &Addresses::default()).unwrap_or_default(),
         }
     }
 
@@ -163,7 +172,8 @@ mod tests {
                 ..
             } in actions
             {
-                let written = output::write(what, *oneshot).expect("it can be written");
+                let written =
+                    output::write(what, *oneshot, &Addresses::default()).expect("it can be written");
                 out.push_str(&format!("\n    {} {}", shown(condition), written.output));
                 for (pin, condition) in written.pins {
                     out.push_str(&format!(" {pin} {}", shown(condition)));
@@ -187,14 +197,22 @@ mod tests {
         out
     }
 
+    fn written(main: &Routine) -> String {
+        let program = Program {
+            main: main.clone(),
+            ..Program::default()
+        };
+        write::write(&program, &mut Report::default()).0
+    }
+
     /// What is read, and what is written of it: once more, that is the same.
     #[track_caller]
     fn check(rows: &str, expected: Expect) {
         let (routine, reader) = read(&grid(rows));
-        let written = file::write(&write::grid(&routine, &mut Report::default()));
-        let (again, _) = read(&written);
-        assert_eq!(written, file::write(&write::grid(&again, &mut Report::default())));
-        expected.assert_eq(&format!("{}---\n{}", model(&routine, &reader), short(&written)));
+        let text = written(&routine);
+        let (again, _) = read(&text);
+        assert_eq!(text, written(&again));
+        expected.assert_eq(&format!("{}---\n{}", model(&routine, &reader), short(&text)));
     }
 
     #[test]

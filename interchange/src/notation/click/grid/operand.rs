@@ -3,7 +3,8 @@
 use super::super::address::{Address, Span, Tag};
 use super::super::bank::Bank;
 use super::super::model::{Constant, Operand, Pointer};
-use super::contact::{address_text, exists};
+use super::addresses::Addresses;
+use super::contact::exists;
 
 /// A value or a place.
 ///
@@ -111,12 +112,12 @@ pub(super) fn tag(text: &str) -> Result<Tag, String> {
 }
 
 /// As the grid writes it. None: an address has only a nickname.
-pub(super) fn operand_text(operand: &Operand) -> Option<String> {
+pub(super) fn operand_text(operand: &Operand, addresses: &Addresses) -> Option<String> {
     Some(match operand {
         Operand::Constant(constant) => constant_text(constant),
-        Operand::Tag(tag) => address_text(tag)?,
+        Operand::Tag(tag) => addresses.text(tag)?,
         Operand::Pointer(Pointer { bank, by, offset }) => {
-            let by = address_text(by)?;
+            let by = addresses.text(by)?;
             match offset {
                 0 => format!("{}[{by}]", bank.row().name),
                 offset => format!("{}[{by}{offset:+}]", bank.row().name),
@@ -159,7 +160,7 @@ mod tests {
             "1b",
         ] {
             assert_eq!(
-                operand(text).map(|operand| operand_text(&operand)),
+                operand(text).map(|operand| operand_text(&operand, &Addresses::default())),
                 Ok(Some(text.to_owned()))
             );
         }
@@ -174,11 +175,11 @@ mod tests {
             assert_eq!(operand(text), Err(why.to_owned()));
         }
         assert_eq!(
-            operand("0x1F").map(|operand| operand_text(&operand)),
+            operand("0x1F").map(|operand| operand_text(&operand, &Addresses::default())),
             Ok(Some("001Fh".to_owned()))
         );
         assert_eq!(
-            operand("$41").map(|operand| operand_text(&operand)),
+            operand("$41").map(|operand| operand_text(&operand, &Addresses::default())),
             Ok(Some("\"A\"".to_owned()))
         );
     }

@@ -5,7 +5,7 @@ use super::super::bank::{Bank, Kind};
 use super::super::model::{
     Bits, Coil, Condition, Counter, CounterKind, Instruction, Math, MathKind, Search, Shift, Timer, TimerKind,
 };
-use super::contact::address_text;
+use super::addresses::Addresses;
 use super::operand::operand_text;
 
 /// An output and the pins below it, each with its condition.
@@ -16,13 +16,13 @@ pub(super) struct Written<'i> {
 
 /// An instruction as the grid writes it. None: it has an address by its nickname alone, or something that the grid
 /// cannot say.
-pub(super) fn write(what: &Instruction, oneshot: bool) -> Option<Written<'_>> {
+pub(super) fn write<'i>(what: &'i Instruction, oneshot: bool, addresses: &Addresses) -> Option<Written<'i>> {
     let mut pins = Vec::new();
     let mut named: Vec<(String, String)> = Vec::new();
     let (name, values) = match what {
-        Instruction::Out(coil) => ("out", vec![coil_text(coil)?]),
-        Instruction::Set(coil) => ("latch", vec![coil_text(coil)?]),
-        Instruction::Reset(coil) => ("reset", vec![coil_text(coil)?]),
+        Instruction::Out(coil) => ("out", vec![coil_text(coil, addresses)?]),
+        Instruction::Set(coil) => ("latch", vec![coil_text(coil, addresses)?]),
+        Instruction::Reset(coil) => ("reset", vec![coil_text(coil, addresses)?]),
         Instruction::Timer(Timer {
             kind,
             tag,
@@ -30,14 +30,14 @@ pub(super) fn write(what: &Instruction, oneshot: bool) -> Option<Written<'_>> {
             unit,
             reset,
         }) => {
-            named.push(("preset".to_owned(), operand_text(setpoint)?));
+            named.push(("preset".to_owned(), operand_text(setpoint, addresses)?));
             named.push(("unit".to_owned(), unit.name().to_owned()));
             pins.extend(reset.as_ref().map(|reset| (".reset()", reset)));
             let name = match kind {
                 TimerKind::On | TimerKind::RetentiveOn => "on_delay",
                 TimerKind::Off | TimerKind::RetentiveOff => "off_delay",
             };
-            (name, pair(tag, Bank::Td)?)
+            (name, pair(tag, Bank::Td, addresses)?)
         }
         Instruction::Counter(Counter {
             kind,
@@ -46,14 +46,14 @@ pub(super) fn write(what: &Instruction, oneshot: bool) -> Option<Written<'_>> {
             count_down,
             reset,
         }) => {
-            named.push(("preset".to_owned(), operand_text(setpoint)?));
+            named.push(("preset".to_owned(), operand_text(setpoint, addresses)?));
             pins.extend(count_down.as_ref().map(|down| (".down()", down)));
             pins.extend(reset.as_ref().map(|reset| (".reset()", reset)));
             let name = match kind {
                 CounterKind::Up | CounterKind::UpDown => "count_up",
                 CounterKind::Down => "count_down",
             };
-            (name, pair(tag, Bank::Ctd)?)
+            (name, pair(tag, Bank::Ctd, addresses)?)
         }
         Instruction::Copy {
             source,
@@ -61,7 +61,10 @@ pub(super) fn write(what: &Instruction, oneshot: bool) -> Option<Written<'_>> {
             options,
         } => {
             named.extend(options.named.iter().cloned());
-            ("copy", vec![operand_text(source)?, operand_text(target)?])
+            (
+                "copy",
+                vec![operand_text(source, addresses)?, operand_text(target, addresses)?],
+            )
         }
         Instruction::BlockCopy {
             source,
@@ -69,7 +72,7 @@ pub(super) fn write(what: &Instruction, oneshot: bool) -> Option<Written<'_>> {
             options,
         } => {
             named.extend(options.named.iter().cloned());
-            let first = target.address()?;
+            let first = addresses.of_tag(target)?;
             let to = Span {
                 bank: first.bank,
                 first: first.number,
@@ -83,7 +86,7 @@ pub(super) fn write(what: &Instruction, oneshot: bool) -> Option<Written<'_>> {
             options,
         } => {
             named.extend(options.named.iter().cloned());
-            ("fill", vec![operand_text(source)?, target.to_string()])
+            ("fill", vec![operand_text(source, addresses)?, target.to_string()])
         }
         Instruction::Pack {
             source,
@@ -96,7 +99,7 @@ pub(super) fn write(what: &Instruction, oneshot: bool) -> Option<Written<'_>> {
                 Kind::Text => "pack_text",
                 _ => "pack_words",
             };
-            (name, vec![source.to_string(), address_text(target)?])
+            (name, vec![source.to_string(), addresses.text(target)?])
         }
         Instruction::Unpack {
             source,
@@ -108,7 +111,7 @@ pub(super) fn write(what: &Instruction, oneshot: bool) -> Option<Written<'_>> {
                 Kind::Bit => "unpack_to_bits",
                 _ => "unpack_to_words",
             };
-            (name, vec![address_text(source)?, target.to_string()])
+            (name, vec![addresses.text(source)?, target.to_string()])
         }
         Instruction::Shift(Shift { bits, clock, reset }) => {
             pins.extend(clock.as_ref().map(|clock| (".clock()", clock)));
@@ -127,8 +130,8 @@ pub(super) fn write(what: &Instruction, oneshot: bool) -> Option<Written<'_>> {
                 named.push(("continuous".to_owned(), "1".to_owned()));
             }
             let relation = format!("\"{}\"", relation.sign());
-            let value = operand_text(value)?;
-            let (result, flag) = (address_text(result)?, address_text(flag)?);
+            let value = operand_text(value, addresses)?;
+            let (result, flag) = (addresses.text(result)?, addresses.text(flag)?);
             ("search", vec![relation, value, among.to_string(), result, flag])
         }
         Instruction::Math(Math {
@@ -143,17 +146,24 @@ pub(super) fn write(what: &Instruction, oneshot: bool) -> Option<Written<'_>> {
             named.push(("mode".to_owned(), mode.to_owned()));
             (
                 "calc",
-                vec![super::formula::write(formula)?, operand_text(target)?],
+                vec![
+                    super::formula::write(formula, addresses)?,
+                    operand_text(target, addresses)?,
+                ],
             )
         }
         Instruction::Call(name) => ("call", vec![format!("\"{}\"", name.replace('"', "\"\""))]),
-        Instruction::For(count) => ("for", vec![operand_text(count)?]),
+        Instruction::For(count) => ("for", vec![operand_text(count, addresses)?]),
         Instruction::Next => ("next", Vec::new()),
         Instruction::End => ("end", Vec::new()),
         Instruction::Return => ("return", Vec::new()),
         Instruction::Nop => {
             let output = "NOP".to_owned();
             return Some(Written { output, pins });
+        }
+        // A pin would be taken for one of the output above.
+        Instruction::Kept { text, .. } if text.trim().is_empty() || text.trim().starts_with('.') => {
+            return None;
         }
         Instruction::Kept { text, .. } => {
             let output = text.clone();
@@ -170,15 +180,15 @@ pub(super) fn write(what: &Instruction, oneshot: bool) -> Option<Written<'_>> {
 }
 
 /// The bit of a timer or counter and its current value.
-fn pair(tag: &Tag, values: Bank) -> Option<Vec<String>> {
-    let done = tag.address()?;
+fn pair(tag: &Tag, values: Bank, addresses: &Addresses) -> Option<Vec<String>> {
+    let done = addresses.of_tag(tag)?;
     let current = Tag::number(values, done.number);
-    Some(vec![done.to_string(), address_text(&current)?])
+    Some(vec![done.to_string(), addresses.text(&current)?])
 }
 
-fn coil_text(coil: &Coil) -> Option<String> {
+fn coil_text(coil: &Coil, addresses: &Addresses) -> Option<String> {
     let bits = match &coil.bits {
-        Bits::One(tag) => address_text(tag)?,
+        Bits::One(tag) => addresses.text(tag)?,
         Bits::Many(span) => span.to_string(),
     };
     Some(match coil.immediate {

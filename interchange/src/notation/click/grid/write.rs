@@ -1,17 +1,58 @@
-//! From a routine of the model to a grid.
+//! From a program of the model to its grids.
 
-use super::super::super::{Place, Report};
-use super::super::model::{Action, Condition, Routine, Rung};
+use super::super::super::{Companion, Place, Report};
+use super::super::dsl::spell;
+use super::super::model::{Action, Condition, Instruction, Program, Routine, Rung, Timer, TimerKind};
+use super::super::nicknames;
+use super::addresses::Addresses;
 use super::cell::{Grid, GridRung, Row, Text};
 use super::draw::{self, Drawn, Undrawable};
 use super::file::{self, MOST_ROWS};
 use super::output::{self, Written};
+use super::read;
 use super::rungs::{CONTINUES, KEPT};
+use std::collections::HashSet;
+
+/// The grids of a program: that of its main program, and beside it its subroutines and its nicknames. A program that is
+/// only a subroutine is its grid.
+pub(super) fn write(program: &Program, report: &mut Report) -> (String, Vec<Companion>) {
+    let addresses = Addresses::of(program, report);
+    let mut grids = |routine: &Routine| file::write(&grid(routine, &addresses, report));
+    let only = match &program.subroutines[..] {
+        [only] if is_empty(&program.main) => Some(only),
+        _ => None,
+    };
+    let text = grids(only.unwrap_or(&program.main));
+    let mut companions = Vec::new();
+    let mut taken: HashSet<String> = HashSet::new();
+    for routine in program.subroutines.iter().filter(|_| only.is_none()) {
+        let stem = read::file_stem(&routine.name);
+        let mut name = stem.clone();
+        let mut number = 2;
+        while !taken.insert(name.clone()) {
+            name = format!("{stem}_{number}");
+            number += 1;
+        }
+        companions.push(Companion {
+            name: format!("{name}.csv"),
+            bytes: grids(routine).into_bytes(),
+        });
+    }
+    let mut nicknames = program.nicknames.clone();
+    nicknames.extend(addresses.into_given());
+    companions.extend(nicknames::companion(&nicknames));
+    (text, companions)
+}
+
+fn is_empty(routine: &Routine) -> bool {
+    routine.rungs.is_empty() && routine.comments.is_empty() && routine.behind.is_empty()
+}
 
 /// The grid of a routine. What it cannot say is a comment.
-pub(super) fn grid(routine: &Routine, report: &mut Report) -> Grid {
+fn grid(routine: &Routine, addresses: &Addresses, report: &mut Report) -> Grid {
     let mut writer = Writer {
         grid: Grid::default(),
+        addresses,
         report,
         kept: Vec::new(),
     };
@@ -27,6 +68,7 @@ pub(super) fn grid(routine: &Routine, report: &mut Report) -> Grid {
 
 struct Writer<'r> {
     grid: Grid,
+    addresses: &'r Addresses,
     report: &'r mut Report,
     /// The lines of a rung that was kept as comments, so far.
     kept: Vec<String>,
@@ -77,19 +119,34 @@ impl Writer<'_> {
     fn rung(&mut self, rung: &Rung, mut continues: bool) {
         // The pins of an output stand at the left rail, so nothing of its rung can follow them.
         let has_pins = |action: &Action| {
-            output::write(&action.what, false).is_some_and(|written| !written.pins.is_empty())
+            output::write(&action.what, false, self.addresses).is_some_and(|written| !written.pins.is_empty())
         };
-        for actions in rung.actions.split_inclusive(has_pins) {
-            match drawn(&rung.condition, actions) {
+        let parts: Vec<&[Action]> = rung.actions.split_inclusive(has_pins).collect();
+        for actions in parts {
+            match drawn(&rung.condition, actions, self.addresses) {
                 Ok(rows) => {
                     for action in actions {
-                        self.report.translated(action.place, name(action));
+                        self.tell(action);
                     }
                     self.add(rows, continues);
                 }
                 Err(why) => self.refuse(rung, actions, &why),
             }
             continues = true;
+        }
+    }
+
+    fn tell(&mut self, action: &Action) {
+        match &action.what {
+            Instruction::Kept { text, why } => self.report.refused(action.place, text, why.clone()),
+            Instruction::Timer(Timer {
+                kind: TimerKind::RetentiveOff,
+                ..
+            }) => {
+                let why = "Click itself has no retentive off-delay: it is an off-delay with a reset";
+                self.report.approximated(action.place, spell::action(action), why);
+            }
+            _ => self.report.translated(action.place, spell::action(action)),
         }
     }
 
@@ -105,7 +162,7 @@ impl Writer<'_> {
 
     fn refuse(&mut self, rung: &Rung, actions: &[Action], why: &str) {
         for action in actions {
-            let name = name(action);
+            let name = spell::action(action);
             self.report.refused(action.place, name.as_str(), why);
             self.grid
                 .end
@@ -124,23 +181,18 @@ fn text(text: &str) -> Text {
     }
 }
 
-fn name(action: &Action) -> String {
-    output::write(&action.what, action.oneshot)
-        .map_or_else(|| format!("{:?}", action.what), |written| written.output)
-}
-
-fn drawn(condition: &Condition, actions: &[Action]) -> Result<Vec<Row>, String> {
+fn drawn(condition: &Condition, actions: &[Action], addresses: &Addresses) -> Result<Vec<Row>, String> {
     let mut outputs = Vec::with_capacity(actions.len());
     for action in actions {
-        let Written { output, pins } =
-            output::write(&action.what, action.oneshot).ok_or("the grid cannot say this instruction")?;
+        let Written { output, pins } = output::write(&action.what, action.oneshot, addresses)
+            .ok_or("the grid cannot say this instruction")?;
         outputs.push(Drawn {
             output,
             condition: &action.condition,
             pins,
         });
     }
-    draw::rung(condition, &outputs).map_err(|why| match why {
+    draw::rung(condition, &outputs, addresses).map_err(|why| match why {
         Undrawable::Wide => {
             "the rung is wider than the 31 columns of the grid: make several rungs of it".to_owned()
         }
