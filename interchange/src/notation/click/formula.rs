@@ -4,7 +4,7 @@
 
 use super::address::{Address, Span, Tag};
 use super::bank::Bank;
-use super::model::{Constant, Formula, Function, Operand, Operator, Pointer};
+use super::model::{Constant, Formula, Function, MathKind, Operand, Operator, Pointer};
 
 /// Deeper parentheses are not read. Click itself allows eight.
 const DEEPEST: usize = 32;
@@ -483,6 +483,40 @@ pub(super) fn sums<'f>(formula: &'f Formula, out: &mut Vec<&'f Span>) {
             sums(right, out);
         }
         Formula::Call(_, arguments) => arguments.iter().for_each(|argument| sums(argument, out)),
+    }
+}
+
+/// An operator or function that the other kind of math has and this one has not.
+pub(super) fn foreign(formula: &Formula, kind: MathKind) -> Option<&'static str> {
+    let of_parts = |parts: &[&Formula]| parts.iter().find_map(|part| foreign(part, kind));
+    match formula {
+        Formula::Value(_) | Formula::Sum(_) => None,
+        Formula::Pi => (kind == MathKind::Hex).then_some("PI"),
+        Formula::Negated(inside) => foreign(inside, kind),
+        Formula::Not(inside) if kind == MathKind::Hex => foreign(inside, kind),
+        Formula::Not(_) => Some("NOT"),
+        Formula::Binary(left, operator, right) => {
+            use Operator::{And, Or, Power, ShiftLeft, ShiftRight, Xor};
+            let own = match operator {
+                And | Or | Xor | ShiftLeft | ShiftRight => MathKind::Hex,
+                Power => MathKind::Decimal,
+                _ => kind,
+            };
+            if own != kind {
+                return Some(operator.sign());
+            }
+            of_parts(&[left, right])
+        }
+        Formula::Call(function, arguments) => {
+            let own = match function {
+                Function::RotateLeft | Function::RotateRight => MathKind::Hex,
+                _ => MathKind::Decimal,
+            };
+            match own == kind {
+                true => arguments.iter().find_map(|argument| foreign(argument, kind)),
+                false => Some(function.name()),
+            }
+        }
     }
 }
 

@@ -14,6 +14,7 @@ mod act;
 mod address;
 mod bank;
 mod calc;
+mod checks;
 mod csv;
 mod dsl;
 mod formula;
@@ -26,8 +27,8 @@ mod sketch;
 mod tags;
 mod uses;
 
-use super::{Notation, ReadError, Reading, Source, WriteError, Writing};
-use ladder_analysis::Analysis;
+use super::{Finding, Notation, Outcome, ReadError, Reading, Source, WriteError, Writing};
+use ladder_analysis::{Analysis, Severity};
 
 pub(super) use grid::ClickGrid;
 
@@ -60,7 +61,7 @@ impl Notation for Click {
         let mut program = dsl::read(source.text()?)?;
         let nicknames = nicknames::beside(source)?;
         program.nicknames = nicknames.all;
-        let mut reading = sketch::sketch(&program);
+        let mut reading = reading(&program);
         reading.report.entries.splice(0..0, nicknames.report.entries);
         reading.findings.splice(0..0, nicknames.findings);
         Ok(reading)
@@ -76,6 +77,30 @@ impl Notation for Click {
             report,
         })
     }
+}
+
+/// A program of either notation as ladder text, with what Click itself would complain about.
+fn reading(program: &model::Program) -> Reading {
+    let mut reading = sketch::sketch(program);
+    let mut findings = checks::findings(program);
+    for entry in &reading.report.entries {
+        let Outcome::Refused(why) = &entry.outcome else {
+            continue;
+        };
+        let is_said = |finding: &Finding| finding.place == entry.place && finding.severity == Severity::Error;
+        if !findings.iter().any(is_said) {
+            let shown: String = entry.element.chars().take(80).collect();
+            findings.push(Finding {
+                place: entry.place,
+                severity: Severity::Error,
+                check: "click-element",
+                message: format!("`{shown}` stays as a comment: {why}"),
+            });
+        }
+    }
+    findings.sort_by_key(|finding| finding.place);
+    reading.findings = findings;
+    reading
 }
 
 #[cfg(test)]

@@ -1,0 +1,250 @@
+//! Ends and returns, loops and calls, timers and counters that stand twice, pins.
+
+use super::super::address::Tag;
+use super::super::model::{
+    Action, Bits, Condition, ContactKind, CounterKind, Instruction, Program, Routine, Rung, TimerKind,
+};
+use super::{Found, actions};
+use std::collections::{HashMap, HashSet};
+
+pub(super) fn check(program: &Program, out: &mut Found) {
+    for routine in program.routines() {
+        end(routine, out);
+        loops(routine, out);
+        for rung in routine.rungs.iter().filter(|rung| rung.actions.is_empty()) {
+            out.error(
+                rung.place,
+                "click-c0003",
+                "the rung has no instruction: add a coil, or delete the rung",
+            );
+        }
+    }
+    calls(program, out);
+    outputs(program, out);
+    blocks(program, out);
+}
+
+/// Whether an action happens in every scan that reaches it.
+fn is_unconditional(rung: &Rung, action: &Action) -> bool {
+    rung.condition.is_always() && action.condition.is_always()
+}
+
+/// An end in the main program, a return in each subroutine.
+fn end(routine: &Routine, out: &mut Found) {
+    let is_main = routine.name == "main";
+    let mut found = false;
+    for rung in &routine.rungs {
+        for action in &rung.actions {
+            match (&action.what, is_main) {
+                (Instruction::End, true) | (Instruction::Return, false) => {
+                    found |= is_unconditional(rung, action)
+                }
+                (Instruction::End, false) => {
+                    let message = "end() is for the main program: a subroutine goes back with return";
+                    out.error(action.place, "click-end", message);
+                }
+                (Instruction::Return, true) => {
+                    let message = "return is for subroutines: the main program ends with end()";
+                    out.error(action.place, "click-end", message);
+                }
+                _ => {}
+            }
+        }
+    }
+    match (found, is_main) {
+        (true, _) => {}
+        (false, true) => {
+            let message =
+                "the main program needs an unconditional end(): write it under `if True:` at its end";
+            out.error(routine.place, "click-c0201", message);
+        }
+        (false, false) => {
+            let name = &routine.name;
+            let message = format!(
+                "the subroutine `{name}` needs an unconditional return: write it under `if True:` at its end"
+            );
+            out.error(routine.place, "click-c0105", message);
+        }
+    }
+}
+
+/// Loops have their ends, and do not nest.
+fn loops(routine: &Routine, out: &mut Found) {
+    let mut open = None;
+    for rung in &routine.rungs {
+        for action in &rung.actions {
+            match &action.what {
+                Instruction::For(_) if open.is_some() => {
+                    out.error(
+                        action.place,
+                        "click-c0103",
+                        "loops do not nest: end the loop above with next_loop() first",
+                    );
+                }
+                Instruction::For(_) => open = Some(action.place),
+                Instruction::Next => {
+                    if open.take().is_none() {
+                        out.error(
+                            action.place,
+                            "click-c0102",
+                            "there is no loop that this next_loop() could end",
+                        );
+                    }
+                    if rung.actions.len() > 1 || !is_unconditional(rung, action) {
+                        let message =
+                            "next_loop() stands alone on its rung, without contacts: under `if True:`";
+                        out.error(action.place, "click-c0009", message);
+                    }
+                }
+                Instruction::Timer(_) if open.is_some() => {
+                    let message = "a timer in a loop counts the scan several times";
+                    out.warning(action.place, "click-c1004", message);
+                }
+                _ => {}
+            }
+        }
+    }
+    if let Some(place) = open {
+        out.error(
+            place,
+            "click-c0101",
+            "the loop has no end: write next_loop() under `if True:` behind what it repeats",
+        );
+    }
+}
+
+/// Calls lead to subroutines, from the main program.
+fn calls(program: &Program, out: &mut Found) {
+    let mut names = HashSet::new();
+    for routine in &program.subroutines {
+        if !names.insert(routine.name.as_str()) || routine.name == "main" {
+            out.error(
+                routine.place,
+                "click-subroutine",
+                format!("there is another `{}`", routine.name),
+            );
+        }
+    }
+    for (routine, _, action) in actions(program) {
+        let Instruction::Call(name) = &action.what else {
+            continue;
+        };
+        if !names.contains(name.as_str()) {
+            let message = format!("there is no subroutine `{name}`: write it with @sub above it");
+            out.error(action.place, "click-c010c", message);
+        }
+        if routine.name != "main" {
+            let message = "a subroutine calls no other: Click has one level of them";
+            out.error(action.place, "click-nested-call", message);
+        }
+    }
+}
+
+/// Two coils on one output: the last one wins.
+fn outputs(program: &Program, out: &mut Found) {
+    let mut first = HashMap::new();
+    for (_, _, action) in actions(program) {
+        let Instruction::Out(coil) = &action.what else {
+            continue;
+        };
+        let tags: Vec<Tag> = match &coil.bits {
+            Bits::One(tag) => vec![tag.clone()],
+            Bits::Many(span) => {
+                let (low, high) = span.bounds();
+                // A range is a coil on each of its bits. What is longer than any bank is said elsewhere.
+                (low..=high.min(low.saturating_add(2_000)))
+                    .map(|number| Tag::number(span.bank, number))
+                    .collect()
+            }
+        };
+        let before = tags
+            .iter()
+            .find_map(|tag| first.get(tag).map(|place| (tag.dsl(), *place)));
+        if let Some((tag, place)) = before {
+            let message = format!("{tag} has an out() at {place} too: the last one in the scan wins");
+            out.warning(action.place, "click-c1001", message);
+        }
+        for tag in tags {
+            first.entry(tag).or_insert(action.place);
+        }
+    }
+}
+
+/// A timer or counter has one block, and the pins that it needs.
+fn blocks(program: &Program, out: &mut Found) {
+    let mut first = HashMap::new();
+    for (_, rung, action) in actions(program) {
+        let (tag, check, what) = match &action.what {
+            Instruction::Timer(timer) => {
+                if timer.kind.is_retentive() && timer.reset.is_none() {
+                    out.warning(
+                        action.place,
+                        "click-c0205",
+                        "a retentive timer needs its reset: reset=lambda: ..",
+                    );
+                }
+                if timer.kind == TimerKind::RetentiveOff {
+                    let message = "Click itself keeps time with the on-delay alone: it has no rtof";
+                    out.info(action.place, "click-rtof", message);
+                }
+                (&timer.tag, "click-c010a", "timer")
+            }
+            Instruction::Counter(counter) => {
+                let both = counter.kind == CounterKind::UpDown;
+                if both && counter.count_down.is_none() {
+                    out.warning(
+                        action.place,
+                        "click-c0207",
+                        "a counter of both directions needs count_down=lambda: ..",
+                    );
+                }
+                match (both, counter.reset.is_none()) {
+                    (_, false) => {}
+                    // The page gives ctud no reset.
+                    (true, true) => out.info(
+                        action.place,
+                        "click-c0208",
+                        "Click itself wants a reset here: reset=lambda: ..",
+                    ),
+                    (false, true) => {
+                        out.warning(
+                            action.place,
+                            "click-c0208",
+                            "a counter needs its reset: reset=lambda: ..",
+                        );
+                    }
+                }
+                if !has_edge(&rung.condition) && !has_edge(&action.condition) {
+                    let message = "whether Click counts the rise of a rung or every scan depends on who is asked: \
+                                   write re(..) in its condition";
+                    out.info(action.place, "click-counter-level", message);
+                }
+                (&counter.tag, "click-c010b", "counter")
+            }
+            Instruction::Shift(shift) => {
+                if shift.clock.is_none() {
+                    let message = "Click itself wants a clock here, and shifts on its rise: clock=lambda: ..";
+                    out.info(action.place, "click-shift-clock", message);
+                }
+                continue;
+            }
+            _ => continue,
+        };
+        if let Some(place) = first.get(tag) {
+            let message = format!(
+                "the {what} {} stands at {place} already: it has one place in a program",
+                tag.dsl()
+            );
+            out.error(action.place, check, message);
+        }
+        first.entry(tag).or_insert(action.place);
+    }
+}
+
+fn has_edge(condition: &Condition) -> bool {
+    match condition {
+        Condition::All(parts) | Condition::Any(parts) => parts.iter().any(has_edge),
+        Condition::Contact(contact) => matches!(contact.kind, ContactKind::Rising | ContactKind::Falling),
+        Condition::Compare(_) => false,
+    }
+}
