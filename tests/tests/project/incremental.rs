@@ -213,6 +213,40 @@ fn edits_of_wild_programs() {
     steps(Mode::Wild, 0..asked(40), 25);
 }
 
+/// What decides about findings in a network beside its own lines: it must not keep them when that changes.
+#[test]
+fn findings_whose_reasons_stand_elsewhere() {
+    let constant = |value| {
+        format!(
+            "VAR CONSTANT n : INT := {value}; END_VAR\nVAR_OUTPUT y : BOOL; END_VAR\n\n\
+             +--[GT]( n, 5 )--( )( y )--+\n"
+        )
+    };
+    let spelled = |name| {
+        format!(
+            "VAR_INPUT {name} : BOOL; END_VAR\nVAR_OUTPUT y : BOOL; END_VAR\n\n\
+             +--[ ]( start )--[/]( START )--( )( y )--+\n"
+        )
+    };
+    let typed = |ty| format!("VAR a : {ty}; END_VAR\n\n+--[MOV]( a, 300 )--[EQ]( a, 1.5 )--( )( y )--+\n");
+    let with_rail = |above| format!("{above}\n+--[ ]( a )--[/]( a )--( )( y )--+\n");
+    let profile =
+        |name| format!("# ladder: profile {name} #\n\n+--[TON]( t, T#1s, B := T#10ms )--( )( y )--+\n");
+    let constants = ["5", "6", "-32768", "5"].map(constant).to_vec();
+    let spellings = ["start", "Start", "stop"].map(spelled).to_vec();
+    let types = ["INT", "SINT", "REAL", "BOOL", "LREAL"].map(typed).to_vec();
+    let rails = ["", "+--[ ]( b )--<MCR>--+\n", "+--[ ]( b )--( )( c )--+\n"]
+        .map(with_rail)
+        .to_vec();
+    let profiles = ["iec", "iot", "ldmicro", "iec"].map(profile).to_vec();
+    for texts in [constants, spellings, types, rails, profiles] {
+        let mut document = Document::new(String::new());
+        for text in texts {
+            document.becomes(text);
+        }
+    }
+}
+
 /// `GENERATED_PROGRAMS` asks for more of them.
 fn asked(usual: u64) -> u64 {
     let asked = std::env::var("GENERATED_PROGRAMS");
