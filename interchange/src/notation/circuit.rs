@@ -12,6 +12,9 @@ pub fn series_parallel(network: &Network) -> Option<Circuit<usize>> {
     if network.steps.len() > MOST_STEPS {
         return None;
     }
+    if network.blocks.is_empty() {
+        return Some(Circuit::Series(Vec::new()));
+    }
     let mut graph = Graph::of(network)?;
     graph.reduce();
     let circuit = graph.only_edge()?;

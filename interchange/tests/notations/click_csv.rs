@@ -109,6 +109,134 @@ fn every_instruction() {
     );
 }
 
+/// The files that a ladder text gives: the grid first.
+fn write(ladder: &str) -> Result<Vec<(String, String)>, String> {
+    let analysis = ladder_analysis::analyze(&ladder_syntax::parse(ladder).into(), "test.clad");
+    let writing = notation().write(&analysis).map_err(|error| error.to_string())?;
+    let text = |bytes: Vec<u8>| String::from_utf8(bytes).map_err(|error| error.to_string());
+    let mut files = vec![(String::new(), text(writing.bytes)?)];
+    for companion in writing.companions {
+        files.push((companion.name, text(companion.bytes)?));
+    }
+    Ok(files)
+}
+
+/// Files as a program that lies in a folder.
+fn read_files(name: &str, files: &[(String, String)]) -> Result<Converted, String> {
+    let companions: Vec<Companion> = files[1..]
+        .iter()
+        .map(|(name, text)| Companion {
+            name: name.clone(),
+            bytes: text.clone().into_bytes(),
+        })
+        .collect();
+    let source = Source {
+        name,
+        bytes: files[0].1.as_bytes(),
+        companions: &companions,
+    };
+    convert(notation(), &source, &Options::default()).map_err(|error| error.to_string())
+}
+
+/// What is written of a program, without the wires up to the outputs. Read and written again it is the same.
+#[track_caller]
+fn there_and_back(name: &str, ladder: &str) -> String {
+    let written = write(ladder).unwrap_or_else(|error| panic!("{name}: {error}\n{ladder}"));
+    let again = read_files(name, &written).unwrap_or_else(|error| panic!("{name}: {error}"));
+    let text = &again.written.text;
+    let twice = write(text).unwrap_or_else(|error| panic!("{name}: {error}\n{text}"));
+    assert_eq!(twice, written, "{name}:\n{ladder}\n{text}");
+    let mut out = String::new();
+    for (name, text) in written {
+        out.push_str(&format!("{name}\n"));
+        for line in text.lines() {
+            let line = line.trim_end_matches(',');
+            match line.split_once(",-,-,-,-,-,-,-,") {
+                Some((cells, output)) => {
+                    let output = output.trim_start_matches("-,");
+                    out.push_str(&format!("{},..,{output}\n", cells.trim_end_matches(",-")));
+                }
+                None => out.push_str(&format!("{line}\n")),
+            }
+        }
+    }
+    out
+}
+
+#[test]
+fn a_folder_comes_back() {
+    let ladder = converted(&own("washer/main.csv"))
+        .expect("it can be read")
+        .written
+        .text;
+    expect![[""]].assert_eq(&there_and_back("main", &ladder));
+}
+
+#[test]
+fn bridges_come_back_as_their_paths() {
+    let ladder = converted(&own("bridges.csv"))
+        .expect("it can be read")
+        .written
+        .text;
+    expect![[r#"
+
+        marker,A,B,C,D,E,F,G,H,I,J,K,L,M,N,O,P,Q,R,S,T,U,V,W,X,Y,Z,AA,AB,AC,AD,AE,AF
+        #,A bridge: power may go through C5 either way.
+        R,C1,C3,-,T,T,..,out(Y001)
+        ,C1,C5,C4,|,..,"on_delay(T1,TD1,preset=1,unit=Tms)"
+        ,C2,C5,C3,|
+        ,C2,C4,-
+        ,C1,C3,-,T,..,.reset()
+        ,C1,C5,C4,|
+        ,C2,C5,C3,|
+        ,C2,C4,-
+        #,Two outputs behind a contact that both lend each other.
+        R,X001,-,T:X003,..,out(Y002)
+        ,X002,X005
+        ,X001,X005,T:X004,..,out(Y003)
+        ,X002,-
+    "#]].assert_eq(&there_and_back("bridges", &ladder));
+}
+
+#[test]
+fn every_instruction_comes_back() {
+    let ladder = converted(&own("instructions.csv"))
+        .expect("it can be read")
+        .written
+        .text;
+    expect![[r#"
+
+        marker,A,B,C,D,E,F,G,H,I,J,K,L,M,N,O,P,Q,R,S,T,U,V,W,X,Y,Z,AA,AB,AC,AD,AE,AF
+        R,X001,fall(X002),~C1,"TXT1==""A""",..,out(C2..C5)
+        R,X001,T,..,"fill(0,DS1..DS4)"
+        ,,T,..,"blockcopy(DS1..DS4,DS11..DS14)"
+        ,,T,..,"pack_bits(C1..C16,DH1)"
+        ,,T,..,"pack_words(DS1..DS2,DD1)"
+        ,,T,..,"unpack_to_bits(DH1,C101..C116)"
+        ,,T,..,"unpack_to_words(DD1,DS21..DS22)"
+        ,,T,..,"copy(DS[DS1+9],DS[DS2])"
+        ,,T,..,"calc(LSH(DH1,0001h) OR DH2,DH3,mode=hex)"
+        ,,..,"search("">="",DS1,DS101..DS110,DS30,C30,continuous=1)"
+        R,X001,..,shift(C201..C208)
+        ,X002,..,.clock()
+        ,X003,T,..,.reset()
+        ,X004
+        R,rise(X001),..,"count_up(CT1,CTD1,preset=DS5)"
+        ,rise(X002),..,.down()
+        ,X003,..,.reset()
+        R,rise(X005),..,"count_down(CT2,CTD2,preset=3)"
+        ,X003,..,.reset()
+        R,Y001,..,"off_delay(T3,TD3,preset=500,unit=Tms)"
+        R,X001,..,for(3)
+        R,..,"calc(DS1 + 1,DS1,mode=decimal)"
+        R,..,next()
+        R,X001,..,"send(target=plc1,remote_start=""DS1"",source=DS3,count=1)"
+        R,X001,..,"event_drum(outputs=[Y001],events=[X001],pattern=[[1]],current_step=DS10,completion_flag=C10)"
+        ,X006,..,.reset()
+        R,..,end()
+    "#]].assert_eq(&there_and_back("instructions", &ladder));
+}
+
 #[test]
 fn what_is_wrong_has_a_place() {
     let header = std::fs::read_to_string(own("bridges.csv")).expect("the file can be read");
@@ -199,6 +327,7 @@ fn real_grids_become_ladder_text() {
         out.push_str(&remarks(&converted));
         let text = &converted.written.text;
         assert_eq!(ladder_syntax::parse(text).errors(), [], "{name}:\n{text}");
+        let _ = there_and_back(name.trim_end_matches(".csv"), text);
     }
     expect![[r#"
         branch_Or_one_output.csv: Tally { translated: 6, approximated: 0, refused: 0 }

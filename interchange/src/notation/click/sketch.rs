@@ -138,14 +138,24 @@ impl Sketcher<'_> {
         let mut above = Vec::new();
         let mut behind = Vec::new();
         let condition = self.condition(&rung.condition);
-        for action in &rung.actions {
-            let before = self.condition(&action.condition);
+        // Actions that follow each other behind the same condition share it.
+        let same =
+            |one: &Action, other: &Action| !one.condition.is_always() && one.condition == other.condition;
+        for actions in rung.actions.chunk_by(same) {
+            let before = self.condition(&actions[0].condition);
             let mut parts = if before_is_bare(&before) {
                 Vec::new()
             } else {
                 vec![before]
             };
-            parts.extend(self.action(action, &mut above, &mut behind));
+            let mut acts: Vec<Circuit<Element>> = Vec::with_capacity(actions.len());
+            for action in actions {
+                acts.push(Circuit::Series(self.action(action, &mut above, &mut behind)));
+            }
+            match acts.len() {
+                1 => parts.append(&mut acts),
+                _ => parts.push(Circuit::Parallel(acts)),
+            }
             branches.push(Circuit::Series(parts));
         }
         let only_nops = rung.actions.iter().all(|action| action.what == Instruction::Nop);

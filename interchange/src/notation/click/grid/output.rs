@@ -7,6 +7,7 @@ use super::super::model::{
 };
 use super::addresses::Addresses;
 use super::operand::operand_text;
+use super::token::Token;
 
 /// An output and the pins below it, each with its condition.
 pub(super) struct Written<'i> {
@@ -161,10 +162,8 @@ pub(super) fn write<'i>(what: &'i Instruction, oneshot: bool, addresses: &Addres
             let output = "NOP".to_owned();
             return Some(Written { output, pins });
         }
-        // A pin would be taken for one of the output above.
-        Instruction::Kept { text, .. } if text.trim().is_empty() || text.trim().starts_with('.') => {
-            return None;
-        }
+        // What is no output would not be read again, and a pin would be taken for one of the output above.
+        Instruction::Kept { text, .. } if text.starts_with('.') || Token::read(text).is_err() => return None,
         Instruction::Kept { text, .. } => {
             let output = text.clone();
             return Some(Written { output, pins });
