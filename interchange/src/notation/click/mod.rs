@@ -68,9 +68,12 @@ impl Notation for Click {
     }
 
     fn write(&self, analysis: &Analysis) -> Result<Writing, WriteError> {
-        let (program, mut report) = read_back::program(analysis)?;
+        let (mut program, mut report) = read_back::program(analysis)?;
         let text = dsl::write(&program, &mut report);
         report.entries.sort_by_key(|entry| entry.place);
+        for nickname in &mut program.nicknames {
+            nickname.name = read_back::python_name(&nickname.name);
+        }
         Ok(Writing {
             bytes: text.into_bytes(),
             companions: nicknames::companion(&program.nicknames).into_iter().collect(),

@@ -87,6 +87,8 @@ pub(super) struct Chain {
     pub(super) blocks: Vec<String>,
     /// Why it does not say quite the same.
     pub(super) remark: Option<String>,
+    /// How many pointers have something added to them.
+    pointers: usize,
 }
 
 impl Chain {
@@ -117,7 +119,13 @@ impl Chain {
                 let index = match pointer.offset {
                     0 => by,
                     offset => {
-                        let index = tags.helper("pointer", "DINT", "a pointer and what is added to it");
+                        // An instruction may have two of them, and both are ready before it reads.
+                        let what = match self.pointers {
+                            0 => "a pointer and what is added to it",
+                            _ => "another pointer and what is added to it",
+                        };
+                        self.pointers += 1;
+                        let index = tags.helper("pointer", "DINT", what);
                         self.push(format!("[ADD]( {index}, {by}, {offset} )"));
                         index
                     }

@@ -4,6 +4,7 @@ use super::super::super::Report;
 use super::super::address::{Address, Tag, Which};
 use super::super::bank::Bank;
 use super::super::model::{Nickname, Program};
+use super::super::read_back::python_name;
 use super::super::uses::{What, uses};
 use std::collections::{HashMap, HashSet};
 
@@ -36,6 +37,11 @@ impl Addresses {
                 addresses
                     .by_nickname
                     .insert((pair(bank), nickname.name.clone()), number);
+                // Tags are called as Python can call them.
+                addresses
+                    .by_nickname
+                    .entry((pair(bank), python_name(&nickname.name)))
+                    .or_insert(number);
             }
         }
         let uses = uses(program);

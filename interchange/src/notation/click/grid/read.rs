@@ -2,7 +2,7 @@
 
 use super::super::super::{Finding, Outcome, Place, ReadError, Reading, Report, Source};
 use super::super::model::{Instruction, Program, Routine};
-use super::super::{nicknames, sketch};
+use super::super::nicknames;
 use super::cell::{Body, Grid};
 use super::file;
 use super::rungs::Reader;
@@ -82,9 +82,13 @@ pub(super) fn read(source: &Source<'_>) -> Result<Reading, ReadError> {
     }
     let nicknames = nicknames::beside(source)?;
     program.nicknames = nicknames.all;
-    let mut reading = sketch::sketch(&program);
+    let mut reading = super::super::reading(&program);
     reading.report = texts.joined(reading.report, reader.report);
     reading.findings.extend(reader.findings);
+    if program.main.rungs.is_empty() && !program.subroutines.is_empty() {
+        // The main program is another file.
+        reading.findings.retain(|found| found.check != "click-c0201");
+    }
     reading.findings.sort_by_key(|found| found.place);
     for file in files.iter().rev() {
         file.bring_home(&mut reading);

@@ -1,11 +1,12 @@
 //! What the tags of a ladder program are in Click.
 
 use super::super::address::{Address, Tag};
-use super::super::bank::Bank;
-use super::super::model::Nickname;
+use super::super::bank::{Bank, Kind};
+use super::super::model::{Constant, Nickname};
 use crate::notation::{Place, Report};
 use ladder_analysis::program::{self as ladder, Role, TagId};
 use ladder_analysis::types::{Scalar, Type};
+use ladder_analysis::value::Value;
 use std::collections::{HashMap, HashSet};
 
 /// What a tag is.
@@ -66,7 +67,7 @@ fn meaning(tag: &ladder::Tag, comment: &str, nicknames: &mut Vec<Nickname>) -> M
             None => Meaning::Nothing("Click has no arrays but its banks: name it as one, such as DS"),
         };
     }
-    if let Some(found) = said(comment, &tag.name, nicknames) {
+    if let Some(found) = said(comment, tag, nicknames) {
         return Meaning::Address(found);
     }
     let bank = match tag.ty {
@@ -103,22 +104,41 @@ fn kind_bank(scalar: Scalar, role: Role) -> Option<Bank> {
 }
 
 /// What a declaration's comment says: `X001`, `X001 Start: at the door`, `sc.Ready`.
-fn said(comment: &str, name: &str, nicknames: &mut Vec<Nickname>) -> Option<Tag> {
+fn said(comment: &str, tag: &ladder::Tag, nicknames: &mut Vec<Nickname>) -> Option<Tag> {
     let (head, text) = comment.split_once(':').unwrap_or((comment, ""));
     let (first, rest) = head.trim().split_once(' ').unwrap_or((head.trim(), ""));
     if let Some((bank, nickname)) = first.split_once('.') {
         return Some(Tag::nickname(Bank::of_dsl(bank)?, nickname));
     }
     let address = Address::parse(first).filter(|address| address.bank.has(address.number))?;
-    let name = if rest.is_empty() { name } else { rest.trim() };
+    let name = if rest.is_empty() { &tag.name } else { rest.trim() };
     nicknames.push(Nickname {
         address,
         name: name.to_owned(),
         comment: text.trim().to_owned(),
-        initial: None,
-        retentive: None,
+        initial: tag
+            .initial
+            .first()
+            .and_then(|value| initial(value, address.bank.kind())),
+        retentive: Some(tag.retain),
     });
     Some(Tag::nickname(address.bank, name))
+}
+
+/// An initial value, unless it is what an address holds anyway.
+fn initial(value: &Value, kind: Kind) -> Option<Constant> {
+    match (value, kind) {
+        (Value::Bool(true), Kind::Bit) => Some(Constant::Bit(true)),
+        (Value::Int(number), Kind::Hex) => Some(Constant::Hex(
+            u32::try_from(*number).ok().filter(|bits| *bits != 0)?,
+        )),
+        (Value::Int(number), _) if *number != 0 => Some(Constant::Int(*number)),
+        (Value::Real(number), _) if *number != 0.0 => Some(Constant::Float(*number)),
+        (Value::Text(text), _) if !text.is_empty() => {
+            Some(Constant::Text(String::from_utf8(text.to_vec()).ok()?))
+        }
+        _ => None,
+    }
 }
 
 /// Words that are no names in Python.
@@ -138,7 +158,7 @@ fn pythonic(tag: Tag) -> Tag {
 }
 
 /// A name as Python can hold it: a keyword gets a `_` behind it, a blank becomes one.
-pub(super) fn python_name(name: &str) -> String {
+pub(in super::super) fn python_name(name: &str) -> String {
     let mut name: String = name
         .chars()
         .map(|c| if c.is_alphanumeric() { c } else { '_' })

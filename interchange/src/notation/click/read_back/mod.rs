@@ -16,6 +16,7 @@ use ladder_analysis::Analysis;
 use ladder_analysis::program::{Location, Program, TagId};
 use ladder_syntax::TextRange;
 use meaning::Meaning;
+pub(super) use meaning::python_name;
 use std::collections::HashMap;
 
 /// What is worked with while networks become rungs.
