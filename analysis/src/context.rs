@@ -199,6 +199,9 @@ pub(crate) fn skeleton(
     out: &mut Vec<Diagnostic>,
 ) -> Context {
     let structure = parse.structure();
+    let profile = profile::profile(parse);
+    // In another profile the same text means something else.
+    let before = before.filter(|before| before.profile == profile);
     let mut kept = before.map(|before| Kept::of(before, parse));
     let found = out.len();
     let scopes = kept
@@ -222,7 +225,7 @@ pub(crate) fn skeleton(
     break_neighbours(parse, &mut networks);
     let mut context = Context {
         parse: Arc::clone(parse),
-        profile: profile::profile(parse),
+        profile,
         networks,
         scopes,
         declared_cleanly,

@@ -14,16 +14,17 @@ use crate::program::{Member, Role, SystemTag};
 use crate::rules::type_mismatch;
 use crate::scope::{Origin, Scope, TagFacts};
 use crate::types::{Scalar, Type};
-use ladder_instructions::{Accepts, StateType, TypeClass};
+use ladder_instructions::{Accepts, Law, StateType, States, Timing, TypeClass};
 use ladder_syntax::{Name, TextRange};
 
 /// Gives every tag its type.
 pub(crate) fn infer(context: &mut Context, out: &mut Vec<Diagnostic>) {
+    let law = context.profile.law();
     by_place(context, out);
     by_company(context);
     for scope in &mut context.scopes {
         for tag in &mut scope.tags {
-            tag.ty.get_or_insert(Type::Scalar(Scalar::Dint));
+            tag.ty.get_or_insert(Type::Scalar(Scalar::integer_of(law)));
             if tag.origin == Origin::Undeclared && tag.ty != Some(Type::BOOL) {
                 tag.role = Role::Internal;
             }
@@ -33,12 +34,15 @@ pub(crate) fn infer(context: &mut Context, out: &mut Vec<Diagnostic>) {
 
 /// The one type that an operand's place asks for.
 fn asked(context: &Context, bound: &BoundBlock, formal: Formal) -> Option<Type> {
+    let law = context.profile.law();
+    let counted = Type::Scalar(Scalar::integer_of(law));
     match formal {
         Formal::Operand(operand) => match operand.accepts {
             Accepts::Bool | Accepts::BoolOrRange => Some(Type::BOOL),
             Accepts::State(state) => Some(Type::State(state)),
+            Accepts::Duration if law.timing == Timing::Ticks => Some(counted),
             Accepts::Duration | Accepts::Time => Some(Type::Scalar(Scalar::Time)),
-            Accepts::Count => Some(Type::Scalar(Scalar::Dint)),
+            Accepts::Count => Some(counted),
             Accepts::String | Accepts::Result(TypeClass::String) => {
                 Some(Type::Scalar(Scalar::String(crate::types::DEFAULT_STRING)))
             }
@@ -92,7 +96,7 @@ fn answer(context: &Context, tag: &TagFacts, out: &mut Vec<Diagnostic>) -> Optio
         };
         match first {
             None => first = Some((ty, place.range)),
-            Some((before, at)) if before != ty && !tag.mistyped => {
+            Some((before, at)) if !agree(context.profile.law(), before, ty) && !tag.mistyped => {
                 out.push(type_mismatch::two_answers(
                     &tag.name,
                     (before, at),
@@ -103,6 +107,16 @@ fn answer(context: &Context, tag: &TagFacts, out: &mut Vec<Diagnostic>) -> Optio
         }
     }
     first.map(|(ty, _)| ty).or(reset.then_some(Type::BOOL))
+}
+
+/// Whether a tag can be what two places ask for.
+fn agree(law: &Law, first: Type, second: Type) -> bool {
+    match (first, second) {
+        (Type::State(first), Type::State(second)) if law.states == States::Shared => {
+            first.is_of_one_sort_with(second)
+        }
+        _ => first == second,
+    }
 }
 
 /// The tag that an operand names as a whole, if its type is not known yet.
@@ -117,6 +131,7 @@ fn untyped(scope: &Scope, node: &Node) -> Option<usize> {
 /// Rule 2, until no type changes: a type that is found here may give another. After the first round only blocks
 /// that name a tag whose type has just been found can say more.
 fn by_company(context: &mut Context) {
+    let law = context.profile.law();
     let tags = context.scopes.iter().flat_map(|scope| &scope.tags);
     let mut blocks: Vec<(usize, usize)> = tags
         .filter(|tag| tag.ty.is_none())
@@ -129,7 +144,7 @@ fn by_company(context: &mut Context) {
         for &(network, block) in &blocks {
             let network = &context.networks[network];
             let scope = &context.scopes[network.scope];
-            company(scope, &network.blocks[block], |tag, ty| {
+            company(law, scope, &network.blocks[block], |tag, ty| {
                 found.push((network.scope, tag, ty));
             });
         }
@@ -146,7 +161,7 @@ fn by_company(context: &mut Context) {
     }
 }
 
-fn company(scope: &Scope, bound: &BoundBlock, mut give: impl FnMut(usize, Scalar)) {
+fn company(law: &Law, scope: &Scope, bound: &BoundBlock, mut give: impl FnMut(usize, Scalar)) {
     if bound.faulty {
         return;
     }
@@ -154,7 +169,7 @@ fn company(scope: &Scope, bound: &BoundBlock, mut give: impl FnMut(usize, Scalar
     let told = |asked: fn(Accepts) -> bool| {
         operands()
             .filter(|(_, formal)| matches!(formal, Formal::Operand(o) if asked(o.accepts)))
-            .find_map(|(other, _)| telling(scope, &other.value))
+            .find_map(|(other, _)| telling(law, scope, &other.value))
     };
     // All compared operands have one company: it is asked for once.
     let mut compared = None;
@@ -167,7 +182,7 @@ fn company(scope: &Scope, bound: &BoundBlock, mut give: impl FnMut(usize, Scalar
             continue;
         };
         let company = match row.accepts {
-            Accepts::Result(TypeClass::Real) => Some(Scalar::Lreal),
+            Accepts::Result(TypeClass::Real) => Some(Scalar::real_of(law)),
             Accepts::Result(_) => told(|accepts| matches!(accepts, Accepts::Value | Accepts::Expression)),
             _ => *compared.get_or_insert_with(|| told(|accepts| accepts == Accepts::Compared)),
         };
@@ -178,19 +193,19 @@ fn company(scope: &Scope, bound: &BoundBlock, mut give: impl FnMut(usize, Scalar
 }
 
 /// The type that a value tells its company, if it is one that tells: TIME, STRING, a date, a real.
-fn telling(scope: &Scope, node: &Node) -> Option<Scalar> {
+fn telling(law: &Law, scope: &Scope, node: &Node) -> Option<Scalar> {
     if let Some((literal, negative)) = signed_literal(node) {
         return literal
             .as_ref()
             .ok()
             .map(|l| natural_type(l, negative))
-            .and_then(tells);
+            .and_then(|ty| tells(law, ty));
     }
     match &node.kind {
         NodeKind::Name(_) | NodeKind::Address(_) | NodeKind::Member(..) | NodeKind::Index(..) => {
-            node_type(scope, node).and_then(tells)
+            node_type(law, scope, node).and_then(|ty| tells(law, ty))
         }
-        NodeKind::Paren(inner) | NodeKind::Unary(_, inner) => telling(scope, inner),
+        NodeKind::Paren(inner) | NodeKind::Unary(_, inner) => telling(law, scope, inner),
         // A comparison gives BOOL, whatever it compares.
         NodeKind::Binary(
             Operator::Equal
@@ -201,15 +216,17 @@ fn telling(scope: &Scope, node: &Node) -> Option<Scalar> {
             | Operator::GreaterEqual,
             ..,
         ) => None,
-        NodeKind::Binary(_, left, right) => telling(scope, left).or_else(|| telling(scope, right)),
-        NodeKind::Call(_, arguments) => arguments.iter().find_map(|argument| telling(scope, argument)),
+        NodeKind::Binary(_, left, right) => telling(law, scope, left).or_else(|| telling(law, scope, right)),
+        NodeKind::Call(_, arguments) => arguments
+            .iter()
+            .find_map(|argument| telling(law, scope, argument)),
         _ => None,
     }
 }
 
-fn tells(ty: Scalar) -> Option<Scalar> {
+fn tells(law: &Law, ty: Scalar) -> Option<Scalar> {
     match ty {
-        Scalar::Real | Scalar::Lreal => Some(Scalar::Lreal),
+        Scalar::Real | Scalar::Lreal => Some(Scalar::real_of(law)),
         Scalar::String(_) => Some(Scalar::String(crate::types::DEFAULT_STRING)),
         Scalar::Time => Some(ty),
         ty if ty.is_date() => Some(ty),
@@ -218,7 +235,7 @@ fn tells(ty: Scalar) -> Option<Scalar> {
 }
 
 /// The type of a place, as far as it is known.
-fn node_type(scope: &Scope, node: &Node) -> Option<Scalar> {
+fn node_type(law: &Law, scope: &Scope, node: &Node) -> Option<Scalar> {
     match &node.kind {
         NodeKind::Name(name) | NodeKind::Address(name) => scope.tags[scope.find(&Name::new(name))?]
             .ty
@@ -229,7 +246,7 @@ fn node_type(scope: &Scope, node: &Node) -> Option<Scalar> {
                     return SystemTag::from_name(&word.text).map(SystemTag::ty);
                 }
                 if let Some(Type::State(state)) = scope.tags[scope.find(&Name::new(name))?].ty {
-                    return member(state, &word.text).map(Member::ty);
+                    return member(state, &word.text).map(|member| member.ty(law));
                 }
             }
             Some(Scalar::Bool)

@@ -7,7 +7,7 @@
 pub use crate::system_tag::{Clock, SystemTag};
 use crate::types::{Scalar, Type};
 use crate::value::Value;
-use ladder_instructions::{Instruction, Op, Operand, Profile, Shape};
+use ladder_instructions::{Instruction, Law, Op, Operand, Profile, Shape, Timing};
 use ladder_syntax::{Name, TextRange};
 use std::ops::Range;
 
@@ -29,8 +29,8 @@ pub struct TagId(pub u32);
 pub struct Program {
     /// Names of the files it is made of, the program's own first.
     pub files: Vec<String>,
-    /// Whose arithmetic and timing it has: that of its own file.
-    pub profile: Profile,
+    /// Of each file whose arithmetic and timing its blocks have.
+    pub profiles: Vec<Profile>,
     /// The tags, in the order of their declaration or first use.
     pub tags: Vec<Tag>,
     /// All networks: those of the program's file first, from top to bottom.
@@ -43,6 +43,24 @@ pub struct Program {
     pub blocks: Vec<UserBlock>,
     /// Every label with the network that holds it, in the order of the networks.
     pub labels: Vec<(Name, usize)>,
+}
+
+impl Program {
+    /// Whose arithmetic and timing the blocks of a place's file have.
+    pub fn profile(&self, place: Location) -> Profile {
+        let profile = self.profiles.get(place.file as usize).copied();
+        profile.unwrap_or_default()
+    }
+
+    /// What they do otherwise.
+    pub fn law(&self, place: Location) -> &'static Law {
+        self.profile(place).law()
+    }
+
+    /// The type of a member of a tag.
+    pub fn member_type(&self, tag: &Tag, member: Member) -> Scalar {
+        member.ty(self.law(tag.location))
+    }
 }
 
 /// A function (`<FUN>`).
@@ -358,11 +376,11 @@ pub enum Member {
 }
 
 impl Member {
-    /// The member's type.
-    pub const fn ty(self) -> Scalar {
-        match self {
-            Member::Pt | Member::Et => Scalar::Time,
-            Member::Pv | Member::Cv => Scalar::Dint,
+    /// The member's type where blocks have these differences: what a timer counts is TIME, or scans and steps.
+    pub const fn ty(self, law: &Law) -> Scalar {
+        match (self, law.timing) {
+            (Member::Pt | Member::Et, Timing::Clock) => Scalar::Time,
+            (Member::Pt | Member::Et | Member::Pv | Member::Cv, _) => Scalar::integer_of(law),
             _ => Scalar::Bool,
         }
     }

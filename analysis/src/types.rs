@@ -1,6 +1,6 @@
 //! The types of LANGUAGE §4 and how values pass between them (§5.2).
 
-use ladder_instructions::StateType;
+use ladder_instructions::{Law, StateType, Width};
 use std::fmt;
 
 /// An elementary type.
@@ -77,6 +77,23 @@ impl Scalar {
             "STRING" => Scalar::String(DEFAULT_STRING),
             _ => return None,
         })
+    }
+
+    /// The type of a counter, and of a tag that nothing else types.
+    pub const fn integer_of(law: &Law) -> Scalar {
+        match law.integers {
+            Width::Bits16 => Scalar::Int,
+            Width::Bits32 => Scalar::Dint,
+            Width::Bits64 => Scalar::Lint,
+        }
+    }
+
+    /// The type of a real that nothing else types.
+    pub const fn real_of(law: &Law) -> Scalar {
+        match law.reals {
+            Width::Bits64 => Scalar::Lreal,
+            _ => Scalar::Real,
+        }
     }
 
     /// The type's name in capitals.

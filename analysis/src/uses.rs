@@ -6,20 +6,22 @@ use crate::facts::{Node, NodeKind};
 use crate::network::{BoundBlock, Formal, NetworkFacts};
 use crate::program::{ParameterKind, Role};
 use crate::scope::{Access, Origin, Scope, TagFacts, Use, type_by_form};
-use crate::types::Type;
+use crate::types::{Scalar, Type};
 use crate::user_block::UserBlockFacts;
-use ladder_instructions::{Accepts, Direction, Op};
+use ladder_instructions::{Accepts, Direction, Law, Op};
 use ladder_syntax::{Name, TextRange};
 use std::sync::Arc;
 
 /// Enters every use of every tag into its scope.
 pub(crate) fn collect(context: &mut Context) {
+    let law = context.profile.law();
     for (network, facts) in context.networks.iter().enumerate() {
         let scope = &mut context.scopes[facts.scope];
         if let Some(named) = &facts.named {
-            enter(named, network, facts, scope);
+            enter(named, network, facts, law, scope);
         } else {
-            enter(&named(&facts.blocks, &context.user_blocks), network, facts, scope);
+            let named = named(&facts.blocks, &context.user_blocks);
+            enter(&named, network, facts, law, scope);
         }
     }
     roles(&mut context.scopes[0], &context.networks);
@@ -163,7 +165,7 @@ impl Part {
 }
 
 /// Enters the uses of a network's tags.
-fn enter(named: &[Named], network: usize, facts: &NetworkFacts, scope: &mut Scope) {
+fn enter(named: &[Named], network: usize, facts: &NetworkFacts, law: &Law, scope: &mut Scope) {
     for named in named {
         let bound = &facts.blocks[named.block as usize];
         let range = bound.absolute(named.range);
@@ -172,6 +174,7 @@ fn enter(named: &[Named], network: usize, facts: &NetworkFacts, scope: &mut Scop
             scope.add(undeclared(
                 spelled(written, named.range).unwrap_or_default(),
                 range,
+                law,
             ))
         });
         scope.tags[index].uses.push(Use {
@@ -187,8 +190,11 @@ fn enter(named: &[Named], network: usize, facts: &NetworkFacts, scope: &mut Scop
 }
 
 /// A tag that is first met in an operand.
-fn undeclared(name: &str, at: TextRange) -> TagFacts {
-    let form = type_by_form(name);
+fn undeclared(name: &str, at: TextRange, law: &Law) -> TagFacts {
+    let form = type_by_form(name).map(|(scalar, role)| match scalar {
+        Scalar::Lreal => (Scalar::real_of(law), role),
+        other => (other, role),
+    });
     let is_address = name.starts_with('%');
     TagFacts {
         name: name.into(),

@@ -7,7 +7,9 @@ use ladder_analysis::scope::{TagFacts, type_by_form};
 use ladder_analysis::types::{Scalar, Type, common, passes};
 use ladder_analysis::user_block::{Parameter, UserBlockFacts};
 use ladder_analysis::{in_class, is_expression_function, state_member};
-use ladder_instructions::{Accepts, Direction, Instruction, Shape, StateType, TypeClass, lookup};
+use ladder_instructions::{
+    Accepts, Direction, Instruction, Law, Shape, StateType, States, Truth, TypeClass, lookup,
+};
 use ladder_syntax::Name;
 
 /// What a block is, as far as it can be told from its first part.
@@ -229,7 +231,7 @@ pub(crate) fn type_of(context: &Context, scope: usize, text: &str) -> Option<Sca
             return Some(SystemTag::from_name(member)?.ty());
         }
         if let Some(Type::State(state)) = whole_type(context, scope, base) {
-            return Some(state_member(state, member)?.ty());
+            return Some(state_member(state, member)?.ty(context.profile.law()));
         }
         if type_of(context, scope, base).is_some() {
             return Some(Scalar::Bool);
@@ -257,12 +259,14 @@ pub(crate) fn whole_type(context: &Context, scope: usize, text: &str) -> Option<
     }
 }
 
-/// How well a tag of a type fits: 0 as it is, 1 it passes, 2 an element or member of it does. None: not at all.
-pub(crate) fn rank(wanted: &Wanted, ty: Type) -> Option<u8> {
+/// How well a tag of a type fits, in a profile with these differences: 0 as it is, 1 it passes, 2 an element or member
+/// of it does. None: not at all.
+pub(crate) fn rank(law: &Law, wanted: &Wanted, ty: Type) -> Option<u8> {
     let bits = |ty: Scalar| ty.is_bits() || ty.is_integer();
     match (wanted.kind, ty) {
         (Kind::Bool | Kind::BoolOrRange | Kind::BoolRangeOrState, _) => match ty {
             Type::Scalar(Scalar::Bool) => Some(0),
+            Type::Scalar(ty) if law.truth == Truth::NotZero && ty.is_number() => Some(1),
             Type::Array {
                 element: Scalar::Bool,
                 ..
@@ -276,7 +280,10 @@ pub(crate) fn rank(wanted: &Wanted, ty: Type) -> Option<u8> {
             Type::Array { element, .. } if bits(element) => Some(3),
             _ => None,
         },
-        (Kind::State(wanted), Type::State(state)) => (state == wanted).then_some(0),
+        (Kind::State(wanted), Type::State(state)) if state == wanted => Some(0),
+        (Kind::State(wanted), Type::State(state)) => {
+            (law.states == States::Shared && state.is_of_one_sort_with(wanted)).then_some(1)
+        }
         (Kind::TimerOrCounter, Type::State(state)) => (state.is_timer() || state.is_counter()).then_some(0),
         (Kind::State(_) | Kind::TimerOrCounter, _) => None,
         (Kind::Range, Type::Array { .. }) => Some(0),
@@ -289,7 +296,7 @@ pub(crate) fn rank(wanted: &Wanted, ty: Type) -> Option<u8> {
         (_, Type::State(state)) => {
             let members = ["ET", "PT", "CV", "PV", "Q"];
             let fits = |word: &&str| {
-                state_member(state, word).is_some_and(|member| scalar_rank(wanted, member.ty()).is_some())
+                state_member(state, word).is_some_and(|member| scalar_rank(wanted, member.ty(law)).is_some())
             };
             (!wanted.writes && members.iter().any(fits)).then_some(2)
         }

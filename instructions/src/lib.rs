@@ -24,6 +24,7 @@
 //! Adding an instruction is one row in its section under `table/`, one variant of [`Op`] (the compiler refuses
 //! one without the other), one function in the simulator (refused likewise) and one scenario.
 
+mod law;
 mod likeness;
 mod lookup;
 mod op;
@@ -33,6 +34,9 @@ mod profile;
 mod spelling;
 mod table;
 
+pub use law::{
+    Arithmetic, Counting, Division, Edges, Law, Relay, Serial, SetPower, States, Tables, Timing, Truth, Width,
+};
 pub use lookup::{by_op, closest, in_other_shape, lookup};
 pub use op::Op;
 pub use operand::{Accepts, Direction, Operand, Presence, StateType, TypeClass};

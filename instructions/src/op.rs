@@ -119,4 +119,13 @@ pub enum Op {
 impl Op {
     /// How many instructions there are.
     pub const COUNT: usize = Op::Scantime as usize + 1;
+
+    /// The instructions that every system has that computes as C does, see
+    /// [`Arithmetic::OfOperands`](crate::Arithmetic).
+    pub const fn is_plain_arithmetic(self) -> bool {
+        matches!(
+            self,
+            Op::Mov | Op::Add | Op::Sub | Op::Mul | Op::Div | Op::And | Op::Or | Op::Xor | Op::Not
+        )
+    }
 }

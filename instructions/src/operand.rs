@@ -191,6 +191,11 @@ impl StateType {
         )
     }
 
+    /// Whether both are timers, both counters, or both the same.
+    pub fn is_of_one_sort_with(self, other: StateType) -> bool {
+        self == other || (self.is_timer() && other.is_timer()) || (self.is_counter() && other.is_counter())
+    }
+
     /// Whether it is a counter (`CTU CTD CTUD CTC`).
     pub const fn is_counter(self) -> bool {
         matches!(

@@ -20,6 +20,8 @@ pub struct Fault {
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) enum Trouble {
     DivisionByZero,
+    /// The same, where it ends the program behind this scan.
+    DivisionEnds,
     NegativeExponent(i64),
     NegativeShift(i64),
     /// A function outside its domain.
@@ -76,10 +78,20 @@ impl Trouble {
         )
     }
 
+    /// The block did what it does all the same.
+    pub(crate) const fn is_remark(self) -> bool {
+        matches!(self, Trouble::DivisionEnds)
+    }
+
     pub(crate) fn message(self) -> String {
         match self {
             Trouble::DivisionByZero => {
                 "division by zero: nothing was written; check the divisor before this block".into()
+            }
+            Trouble::DivisionEnds => {
+                "Division by zero; halting simulation: 0 was written, and this scan is the last one; check the divisor \
+                 before this block"
+                    .into()
             }
             Trouble::NegativeExponent(exponent) => format!(
                 "an integer cannot be raised to the negative power {exponent}: nothing was written; use a REAL or \

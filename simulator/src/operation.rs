@@ -74,6 +74,19 @@ impl Width {
         }
     }
 
+    /// The smallest and the largest number, of signed widths and those below 64 bits.
+    const fn ends(self) -> (i64, i64) {
+        match self {
+            Width::I8 => (i8::MIN as i64, i8::MAX as i64),
+            Width::I16 => (i16::MIN as i64, i16::MAX as i64),
+            Width::I32 => (i32::MIN as i64, i32::MAX as i64),
+            Width::U8 => (0, u8::MAX as i64),
+            Width::U16 => (0, u16::MAX as i64),
+            Width::U32 => (0, u32::MAX as i64),
+            Width::I64 | Width::U64 => (i64::MIN, i64::MAX),
+        }
+    }
+
     pub(crate) const fn bits(self) -> u32 {
         match self {
             Width::I8 | Width::U8 => 8,
@@ -217,6 +230,11 @@ pub(crate) enum RealOp {
     Power,
     Min,
     Max,
+    /// The four operations as hardware does them: what is too large is infinite, and nothing is a fault.
+    RawAdd,
+    RawSub,
+    RawMul,
+    RawDiv,
 }
 
 /// Each step is rounded to the result's type. In `f64` the four operations and the root of 32-bit numbers are
@@ -253,6 +271,10 @@ pub(crate) fn real(op: RealOp, single: bool, a: f64, b: f64) -> Result<f64, Trou
                 a
             }
         }
+        RealOp::RawAdd => return Ok(rounded(a + b, single)),
+        RealOp::RawSub => return Ok(rounded(a - b, single)),
+        RealOp::RawMul => return Ok(rounded(a * b, single)),
+        RealOp::RawDiv => return Ok(rounded(a / b, single)),
     };
     finite(value, single)
 }
@@ -309,10 +331,15 @@ pub(crate) fn real_function(function: RealFunction, single: bool, a: f64) -> Res
     finite(value, single)
 }
 
+#[inline]
+fn rounded(value: f64, single: bool) -> f64 {
+    if single { f64::from(value as f32) } else { value }
+}
+
 /// Rounds to the type; what is not finite there is a fault.
 #[inline]
 pub(crate) fn finite(value: f64, single: bool) -> Result<f64, Trouble> {
-    let rounded = if single { f64::from(value as f32) } else { value };
+    let rounded = rounded(value, single);
     if rounded.is_finite() {
         Ok(rounded)
     } else {
@@ -340,6 +367,10 @@ pub(crate) enum Conversion {
     Truncate(Width),
     /// LREAL to REAL.
     Single,
+    /// The same; what is too large is infinite.
+    RawSingle,
+    /// A real cut to a whole number, held at the ends of the width.
+    Saturate(Width),
     /// Milliseconds to nanoseconds; must fit.
     Milliseconds(Width),
     /// The same, held at the ends of TIME: a preset that is too long is as long as can be.
@@ -372,6 +403,12 @@ pub(crate) fn convert(conversion: Conversion, value: i64) -> Result<i64, Trouble
         Conversion::IntegerToReal { single, .. } => held(value as f64, single),
         Conversion::Round(width) => whole(real.round_ties_even(), width),
         Conversion::Truncate(width) => whole(libm::trunc(real), width),
+        Conversion::RawSingle => Ok(rounded(real, true).to_bits() as i64),
+        Conversion::Saturate(width) => {
+            let (least, most) = width.ends();
+            // The cast saturates, and gives 0 for what is no number.
+            Ok((real as i64).clamp(least, most))
+        }
         Conversion::Single => held(real, true).map_err(|_| Trouble::OutOfRange),
         Conversion::Milliseconds(width) => Width::I64.hold(width.number(value) * i128::from(NANOSECONDS)),
         Conversion::Preset(width) => {

@@ -2,12 +2,16 @@
 //! and numbers, from the code's operand pool.
 
 mod curve;
+mod cycles;
 mod numerals;
 mod ports;
 mod ranges;
 mod search;
 mod select;
+mod slow_serial;
 mod strings;
+mod tables;
+mod ticks;
 
 use crate::fault::Trouble;
 use crate::memory::{Bit, Memory, TextSlot, Word};
@@ -97,6 +101,40 @@ pub(crate) enum Routine {
     SendText,
     /// Sends the scan time once a second: the second that was sent last.
     SendScanTime,
+    /// Takes the newest byte, and forgets those before it: as `Receive`.
+    ReceiveNewest,
+    /// Sends a byte when the line is free: power, EN, from, the scan from which the line is free.
+    SendWhenFree,
+    /// Sends a text byte by byte: power, EN, text, whether there is a number, the number, the scan from which the
+    /// line is free, how many bytes are sent, what is left of the number, EN before, only zeros so far.
+    SendTextSlowly,
+
+    // Timers that count scans, counters that wrap: power, EN, PT or PV, where the tag's bits and words begin, a bit of
+    // the block's own.
+    ScanTon,
+    ScanTof,
+    ScanRto,
+    WrappingCtu,
+    WrappingCtd,
+    WrappingCtc,
+
+    // Timers that count a time base: power, EN, PT, where the tag's bits and words begin, time base, interval.
+    TickTon,
+    TickTof,
+    /// EN, where the tag's bits and words begin, what it begins with, interval.
+    TickReset,
+    // Counters that latch: power, EN, PV, where the tag's bits and words begin.
+    LatchingCtu,
+    LatchingCtd,
+    /// As `TickReset`.
+    LatchingReset,
+
+    /// An entry of a table: to, whether there is one, type, index, list.
+    OpenTable,
+    /// A point on a curve that goes on below its first point: to, whether there is one, type, x, list.
+    OpenCurve,
+    /// Ends the program behind this scan if a bit is high.
+    EndOnDivision,
 }
 
 /// Types as operands: their place in this list.
@@ -247,6 +285,28 @@ pub(crate) fn run<const FORCED: bool>(
         Routine::Receive => ports::receive(memory, with),
         Routine::SendText => ports::send_text(memory, with),
         Routine::SendScanTime => ports::send_scan_time(memory, with, clock),
+        Routine::ReceiveNewest => ports::receive_newest(memory, with),
+        Routine::SendWhenFree => slow_serial::send(memory, with, clock),
+        Routine::SendTextSlowly => slow_serial::send_text(memory, with, clock),
+        Routine::ScanTon => cycles::timer::<FORCED>(memory, with, cycles::on_delay),
+        Routine::ScanTof => cycles::timer::<FORCED>(memory, with, cycles::off_delay),
+        Routine::ScanRto => cycles::timer::<FORCED>(memory, with, cycles::retentive),
+        Routine::WrappingCtu => cycles::counter::<FORCED>(memory, with, cycles::up),
+        Routine::WrappingCtd => cycles::counter::<FORCED>(memory, with, cycles::down),
+        Routine::WrappingCtc => cycles::counter::<FORCED>(memory, with, cycles::circular),
+        Routine::TickTon => ticks::timer::<FORCED>(memory, with, clock, true),
+        Routine::TickTof => ticks::timer::<FORCED>(memory, with, clock, false),
+        Routine::TickReset => ticks::reset_timer::<FORCED>(memory, with, clock),
+        Routine::LatchingCtu => ticks::counter::<FORCED>(memory, with, true),
+        Routine::LatchingCtd => ticks::counter::<FORCED>(memory, with, false),
+        Routine::LatchingReset => ticks::reset_counter::<FORCED>(memory, with),
+        Routine::OpenTable => tables::entry(memory, with),
+        Routine::OpenCurve => tables::point(memory, with),
+        Routine::EndOnDivision => {
+            if memory.bit(with.bit()) {
+                return Err(Trouble::DivisionEnds);
+            }
+        }
     }
     Ok(work::blocks(operands.work))
 }

@@ -224,7 +224,7 @@ impl Names {
             };
             return Ok(Point {
                 name: format!("{}.{name}", tag.name),
-                ty: member.ty(),
+                ty: program.member_type(tag, member),
                 role: tag.role,
                 read_only: matches!(slot, PointSlot::Timing { .. }),
                 slot,
@@ -320,7 +320,11 @@ impl Names {
                             Some(MemberSlot::Word(slot)) => PointSlot::Word(slot),
                             _ => continue,
                         };
-                        push(format!("{}.{name}", tag.name), member.ty(), slot);
+                        push(
+                            format!("{}.{name}", tag.name),
+                            program.member_type(tag, member),
+                            slot,
+                        );
                     }
                 }
                 _ => {}

@@ -70,10 +70,11 @@ fn rules(text: &str, place: TextRange, out: &mut Vec<Diagnostic>) -> Option<Vec<
 
 fn profile(name: &str, place: TextRange, out: &mut Vec<Diagnostic>) -> Option<Directive> {
     match Profile::from_name(name) {
-        Some(Profile::Iec) => Some(Directive::Known),
+        Some(profile) if profile.runs() => Some(Directive::Known),
         Some(profile) => {
-            let mut found = bad(place, format!("the profile `{profile}` is not there yet")).help(
-                "with the profile `iec` timers, counters and arithmetic of this program may behave otherwise",
+            let mut found = bad(place, format!("programs of the profile `{profile}` cannot run here yet")).help(
+                "take this comment out to run it with the profile `iec`; its timers, counters and arithmetic may \
+                 then behave otherwise",
             );
             // Better no simulation than one of another program.
             found.severity = Severity::Error;

@@ -10,7 +10,10 @@ use crate::rules::{bad_operand, duplicate_function, type_mismatch, unknown_funct
 use crate::scope::Access;
 use crate::types::{Scalar, Type, common, converts, passes};
 use crate::value::Value;
-use ladder_instructions::{Accepts, Direction, Instruction, Op, Operand, Shape, TypeClass};
+use ladder_instructions::{
+    Accepts, Arithmetic, Direction, Instruction, Op, Operand, Shape, StateType, States, Timing, Truth,
+    TypeClass,
+};
 use ladder_syntax::Name;
 
 /// Whether a type is in a class of result types.
@@ -48,10 +51,15 @@ impl Resolver<'_, '_> {
                     let place = self.result(&written.value, operand, class);
                     works_in = works_in.or(place.as_ref().map(|(_, ty)| *ty));
                     // Operands that do not fit together are told once.
-                    if works_in.is_some_and(|ty| !self.check_times(row.op, bound, ty)) {
+                    if works_in.is_some_and(|ty| {
+                        !self.is_of_operands(row.op) && !self.check_times(row.op, bound, ty)
+                    }) {
                         works_in = None;
                     }
                     place.map(|(place, ty)| Argument::Place(place, ty))
+                }
+                Accepts::Value if works_in.is_some() && self.is_of_operands(row.op) => {
+                    self.operand_number(&written.value).map(Argument::Value)
                 }
                 Accepts::Value => match works_in {
                     Some(ty) => self.value_of(row.op, &written.value, ty).map(Argument::Value),
@@ -66,6 +74,7 @@ impl Resolver<'_, '_> {
                     let expr = match compared {
                         Compared::In(ty) => self.value(&written.value, ty),
                         Compared::ByValue => match self.own_type(&written.value) {
+                            Some(Scalar::Bool) => self.value(&written.value, Scalar::Lint),
                             Some(_) => self.natural(&written.value),
                             None => self.literal_in(&written.value, Scalar::Lint),
                         },
@@ -128,7 +137,8 @@ impl Resolver<'_, '_> {
         if !self.check_writable(&place, node, access(operand.direction)) {
             return None;
         }
-        if !in_class(ty, class) {
+        let takes_truth = self.law().truth == Truth::NotZero && ty == Scalar::Bool;
+        if !in_class(ty, class) && !takes_truth {
             self.report(type_mismatch::result(ty, class, self.at(node.range)));
             return None;
         }
@@ -171,6 +181,31 @@ impl Resolver<'_, '_> {
         Some(value)
     }
 
+    /// Whether an instruction works in the type of its operands, not in that of its result.
+    fn is_of_operands(&self, op: Op) -> bool {
+        self.law().arithmetic == Arithmetic::OfOperands && op.is_plain_arithmetic()
+    }
+
+    /// An operand of such an instruction: any number, or a BOOL.
+    fn operand_number(&mut self, node: &Node) -> Option<Expr> {
+        let mut value = self.natural(node)?;
+        if let ExprKind::Constant(Value::Real(real)) = &mut value.kind
+            && value.ty == Scalar::Lreal
+            && Scalar::real_of(self.law()) == Scalar::Real
+        {
+            value.ty = Scalar::Real;
+            *real = f64::from(*real as f32);
+        }
+        if value.ty.is_number() || value.ty.is_bits() || value.ty == Scalar::Bool {
+            return Some(value);
+        }
+        self.report(type_mismatch::wrong(
+            value.range,
+            format!("a number is expected here, this is {}", value.ty),
+        ));
+        None
+    }
+
     /// The type that the operands of a comparison agree in.
     fn compared_type(&mut self, bound: &BoundBlock) -> Compared {
         let nodes: Vec<&Node> = bound
@@ -184,7 +219,13 @@ impl Resolver<'_, '_> {
         if nodes.is_empty() {
             return Compared::Not;
         }
-        let typed: Vec<Scalar> = nodes.iter().filter_map(|node| self.own_type(node)).collect();
+        let mut typed: Vec<Scalar> = nodes.iter().filter_map(|node| self.own_type(node)).collect();
+        if self.law().truth == Truth::NotZero {
+            // A BOOL is a number there.
+            for ty in typed.iter_mut().filter(|ty| **ty == Scalar::Bool) {
+                *ty = Scalar::integer_of(self.law());
+            }
+        }
         let Some((&first, rest)) = typed.split_first() else {
             // Literals only.
             let natural = |node: &&Node| match signed_literal(node) {
@@ -253,7 +294,9 @@ impl Resolver<'_, '_> {
                 self.target(node, operand, Scalar::Bool)
             }
             Accepts::State(state) => match self.named_tag(node).map(|tag| (tag, self.tag_type(tag))) {
-                Some((tag, Type::State(found))) if found == state => Some(Argument::State(self.tag_id(tag))),
+                Some((tag, Type::State(found))) if self.is_state_for(found, state) => {
+                    Some(Argument::State(self.tag_id(tag)))
+                }
                 Some((tag, ty)) => {
                     let name = self.scope.tags[tag].name.clone();
                     self.report(type_mismatch::wrong_state(&name, ty, state, self.at(node.range)));
@@ -285,7 +328,9 @@ impl Resolver<'_, '_> {
             }
             Accepts::Duration => self.duration(node).map(Argument::Value),
             Accepts::Time => self.value(node, Scalar::Time).map(Argument::Value),
-            Accepts::Count => self.value(node, Scalar::Dint).map(Argument::Value),
+            Accepts::Count => self
+                .value(node, Scalar::integer_of(self.law()))
+                .map(Argument::Value),
             Accepts::Range => {
                 let range = self.range(node, true)?;
                 if !reads && !self.check_writable(&Place::Tag(range.tag), node, access(operand.direction)) {
@@ -344,17 +389,27 @@ impl Resolver<'_, '_> {
         }
     }
 
+    /// Whether a tag of a type can hold the state of a block.
+    fn is_state_for(&self, found: StateType, block: StateType) -> bool {
+        match self.law().states {
+            States::OneBlock => found == block,
+            States::Shared => found.is_of_one_sort_with(block),
+        }
+    }
+
     /// A place of one type that is written.
     fn target(&mut self, node: &Node, operand: &'static Operand, ty: Scalar) -> Option<Argument> {
         let (place, found) = self.place_or_say(node)?;
         if !self.check_writable(&place, node, access(operand.direction)) {
             return None;
         }
-        if found != ty {
+        // A number takes 0 or 1.
+        let takes_truth = self.law().truth == Truth::NotZero && ty == Scalar::Bool && found.is_number();
+        if found != ty && !takes_truth {
             self.report(type_mismatch::does_not_pass(ty, found, self.at(node.range)));
             return None;
         }
-        Some(Argument::Place(place, ty))
+        Some(Argument::Place(place, found))
     }
 
     /// PT: a TIME, or a plain integer in milliseconds.
@@ -371,6 +426,10 @@ impl Resolver<'_, '_> {
             }
             _ => return self.value(node, Scalar::Time),
         };
+        // There a plain number counts steps.
+        if self.law().timing == Timing::Ticks {
+            return Some(milliseconds);
+        }
         if let ExprKind::Constant(Value::Int(n)) = milliseconds.kind {
             return Some(Expr {
                 ty: Scalar::Time,

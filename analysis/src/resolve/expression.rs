@@ -7,7 +7,7 @@ use crate::program::{BinaryOperator, Expr, ExprKind, UnaryOperator};
 use crate::rules::{bad_operand, type_mismatch};
 use crate::types::{Scalar, common, passes};
 use crate::value::Value;
-use ladder_instructions::{Accepts, Op, Shape, TypeClass, lookup};
+use ladder_instructions::{Accepts, Op, Shape, Truth, TypeClass, lookup};
 
 impl Resolver<'_, '_> {
     /// A literal in a type.
@@ -61,7 +61,11 @@ impl Resolver<'_, '_> {
         if expr.ty == ty || (expr.ty.is_string() && ty.is_string()) {
             return Some(expr);
         }
-        if !passes(expr.ty, ty) {
+        if self.law().truth == Truth::NotZero && ty == Scalar::Bool && expr.ty.is_number() {
+            return Some(not_zero(expr));
+        }
+        let is_digit = self.law().truth == Truth::NotZero && expr.ty == Scalar::Bool && ty.is_integer();
+        if !is_digit && !passes(expr.ty, ty) {
             self.report(type_mismatch::does_not_pass(expr.ty, ty, expr.range));
             return None;
         }
@@ -406,6 +410,26 @@ fn call_signature(row: &ladder_instructions::Instruction) -> String {
     let names: Vec<&str> = row.operands.iter().skip(1).map(|operand| operand.name).collect();
     let more = if row.repeats() { ", ..." } else { "" };
     format!("{}({}{more})", row.mnemonic, names.join(", "))
+}
+
+/// Whether a number is not 0.
+fn not_zero(number: Expr) -> Expr {
+    let (ty, range) = (number.ty, number.range);
+    let zero = if ty.is_real() {
+        Value::Real(0.0)
+    } else {
+        Value::Int(0)
+    };
+    let zero = Expr {
+        ty,
+        kind: ExprKind::Constant(zero),
+        range,
+    };
+    Expr {
+        ty: Scalar::Bool,
+        kind: ExprKind::Compare(Op::Ne, Box::new(number), Box::new(zero)),
+        range,
+    }
 }
 
 /// The comparison that an operator means.

@@ -22,7 +22,7 @@ use crate::diagnostic::Diagnostic;
 use crate::network::{BoundBlock, Meaning, NetworkFacts};
 use crate::program::{Block, BlockKind, Element, Function, Location, Network, Program, TagId, UserBlock};
 use crate::scope::Scope;
-use ladder_instructions::{Op, Profile};
+use ladder_instructions::{Law, Op};
 use ladder_syntax::{Name, TextRange, TextSize};
 use numbers::{Numbers, Unit};
 use rustc_hash::FxHashMap;
@@ -85,7 +85,7 @@ pub(crate) fn program(units: &[Unit<'_>]) -> Resolved {
     let numbers = Numbers::of(units);
     let mut program = Program {
         files: units.iter().map(|unit| unit.name.to_owned()).collect(),
-        profile: units.first().map_or(Profile::Iec, |unit| unit.context.profile),
+        profiles: units.iter().map(|unit| unit.context.profile).collect(),
         ..Program::default()
     };
     let ids = tags::tags(units, &numbers, &mut program);
@@ -253,6 +253,11 @@ fn bodies(units: &[Unit<'_>], numbers: &Numbers, ids: &[Vec<Vec<TagId>>], progra
 }
 
 impl Resolver<'_, '_> {
+    /// What the file's profile does otherwise.
+    fn law(&self) -> &'static Law {
+        self.context.profile.law()
+    }
+
     fn report(&mut self, diagnostic: Diagnostic) {
         self.out.push(diagnostic);
     }

@@ -4,12 +4,12 @@ use super::Resolver;
 use crate::facts::{Node, NodeKind, Word};
 use crate::infer;
 use crate::literal::Literal;
-use crate::program::{Expr, ExprKind, Place, RangeRef, SystemTag};
+use crate::program::{Expr, ExprKind, Member, Place, RangeRef, SystemTag};
 use crate::rules::{bad_operand, constant_write, type_mismatch, unknown_member};
 use crate::scope::{Access, Origin, type_by_form};
 use crate::types::{Scalar, Type};
 use crate::value::Value;
-use ladder_instructions::StateType;
+use ladder_instructions::{StateType, States};
 use ladder_syntax::{Name, TextRange};
 
 impl Resolver<'_, '_> {
@@ -39,7 +39,7 @@ impl Resolver<'_, '_> {
                     return SystemTag::from_name(&word.text).map(SystemTag::ty);
                 }
                 if let Some(Type::State(state)) = self.named_tag(base).map(|tag| self.tag_type(tag)) {
-                    return infer::member(state, &word.text).map(super::super::program::Member::ty);
+                    return infer::member(state, &word.text).map(|member| member.ty(self.law()));
                 }
                 Some(Scalar::Bool)
             }
@@ -130,7 +130,7 @@ impl Resolver<'_, '_> {
                 ));
                 return None;
             };
-            return Some((Place::Member(self.tag_id(tag), member), member.ty()));
+            return Some((Place::Member(self.tag_id(tag), member), member.ty(self.law())));
         }
         if let Some(tag) = self.named_tag(base)
             && self.scope.tags[tag].origin == Origin::Undeclared
@@ -272,6 +272,8 @@ impl Resolver<'_, '_> {
                 self.report(constant_write::system(range));
                 return false;
             }
+            // There what they count is a variable like any other.
+            Place::Member(_, Member::Et | Member::Cv) if self.law().states == States::Shared => return true,
             Place::Member(..) => {
                 let message = "a member of a timer or counter is written by its own block only: use (RES) or R := to \
                                clear it";

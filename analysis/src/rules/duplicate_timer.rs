@@ -7,10 +7,13 @@ use crate::network::Formal;
 use crate::rule::Rule;
 use crate::scope::{Origin, SectionKind, TagFacts, Use};
 use crate::types::Type;
-use ladder_instructions::{Accepts, StateType};
+use ladder_instructions::{Accepts, StateType, States};
 use ladder_syntax::Name;
 
 pub(crate) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
+    if context.profile.law().states == States::Shared {
+        return;
+    }
     for tag in context.own_tags() {
         let Some(Type::State(state)) = tag.ty else {
             continue;

@@ -7,7 +7,7 @@ use crate::wanted::{Wanted, scalar_rank, wanted, whole_type};
 use ladder_analysis::program::SystemTag;
 use ladder_analysis::state_member;
 use ladder_analysis::types::{Scalar, Type};
-use ladder_instructions::StateType;
+use ladder_instructions::{Law, StateType};
 
 /// The members by their names in IEC 61131-3, then the other names that controllers have for them.
 const MEMBERS: [(&str, &str); 20] = [
@@ -47,7 +47,7 @@ pub(super) fn propose(typing: &Typing<'_>, operand: &Operand, out: &mut Proposal
         return system(wanted.as_ref(), out);
     }
     match whole_type(typing.context, typing.scope, base) {
-        Some(Type::State(state)) => members(state, wanted.as_ref(), out),
+        Some(Type::State(state)) => members(typing.context.profile.law(), state, wanted.as_ref(), out),
         Some(Type::Scalar(ty)) if ty.is_integer() || ty.is_bits() => bits(ty, out),
         _ => {}
     }
@@ -71,15 +71,15 @@ fn system(wanted: Option<&Wanted>, out: &mut Proposals<'_>) {
     }
 }
 
-fn members(state: StateType, wanted: Option<&Wanted>, out: &mut Proposals<'_>) {
+fn members(law: &Law, state: StateType, wanted: Option<&Wanted>, out: &mut Proposals<'_>) {
     for (index, (name, doc)) in MEMBERS.iter().enumerate() {
         if let Some(member) = state_member(state, name) {
-            let order = (fits(wanted, member.ty()), u8::from(index >= SECOND_NAMES));
+            let order = (fits(wanted, member.ty(law)), u8::from(index >= SECOND_NAMES));
             out.word(
                 order,
                 CompletionKind::Member,
                 name,
-                member.ty().name(),
+                member.ty(law).name(),
                 Topic::Words(doc),
             );
         }

@@ -7,6 +7,7 @@ use crate::wanted::{Kind, Wanted, rank, scalar_rank};
 use ladder_analysis::program::{Role, SystemTag};
 use ladder_analysis::scope::{Access, Origin, SectionKind, TagFacts};
 use ladder_analysis::types::{Scalar, Type};
+use ladder_instructions::Law;
 use ladder_syntax::Name;
 use std::cmp::Ordering;
 
@@ -30,6 +31,7 @@ pub(super) fn propose(typing: &Typing<'_>, operand: &Operand, wanted: &Wanted, o
         before.any(|text| text.eq_ignore_ascii_case(&tag.name))
     };
     let scope = &typing.context.scopes[typing.scope];
+    let law = typing.context.profile.law();
     let mut tags: Vec<Ranked<'_>> = scope
         .tags
         .iter()
@@ -38,7 +40,7 @@ pub(super) fn propose(typing: &Typing<'_>, operand: &Operand, wanted: &Wanted, o
             let known = tag
                 .shared
                 .map_or(tag, |(scope, tag)| &typing.context.scopes[scope].tags[tag]);
-            let fits = match rank(wanted, known.ty?)? {
+            let fits = match rank(law, wanted, known.ty?)? {
                 _ if wanted.writes && known.role == Role::Input => INPUTS,
                 fits => fits,
             };
@@ -126,7 +128,10 @@ fn globals(typing: &Typing<'_>, wanted: &Wanted, out: &mut Proposals<'_>) {
         let known = scope
             .find(&Name::new(&global.name))
             .is_some_and(|tag| !is_being_written(typing, &scope.tags[tag]));
-        let Some(fits) = global.ty.and_then(|ty| rank(wanted, ty)) else {
+        let Some(fits) = global
+            .ty
+            .and_then(|ty| rank(typing.context.profile.law(), wanted, ty))
+        else {
             continue;
         };
         if known || global.constant && wanted.writes || !out.may_be(&global.name) {
@@ -149,7 +154,7 @@ fn system(wanted: &Wanted, out: &mut Proposals<'_>) {
         let ty = tag.ty();
         let fits = match wanted.kind {
             Kind::Duration => ty == Scalar::Time,
-            _ => rank(wanted, Type::Scalar(ty)).is_some_and(|fits| fits < 2),
+            _ => rank(&Law::IEC, wanted, Type::Scalar(ty)).is_some_and(|fits| fits < 2),
         };
         if fits {
             let label = format!("SYS.{}", tag.name());

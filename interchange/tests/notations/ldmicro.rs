@@ -148,7 +148,7 @@ fn every_element() {
                 Cup    : CTU;
                 Cround : CTC;
                 Tlong  : RTO;
-                sum    : DINT;
+                sum    : INT;
                 duty   : INT;
                 y      : INT;
                 reg    : ARRAY[0..6] OF INT;
@@ -181,11 +181,9 @@ fn every_element() {
 
             +-------------------------------------------------------------------------------------------<MCR>--+
 
-            +-------------------------------------------------[URCV]( n )--[USND]( n )--[FMT]( 'H:%d$R!', n )--+
+            +------------------------------------------------[URCV]( n )--[USND]( n )--[FMT]( 'H:\-5$R!', n )--+
 
             # ldmicro: RUNG #
-            1:1 sum: approximated: it takes a counter's value, and counters are DINT here
-            68:1 FORMATTED_STRING n 8 72 58 92 45 53 92 114 33: approximated: the number is written as wide as it is, without blanks before it
             70:1 RUNG: approximated: the rung is empty
             22:1 ldmicro-period: Timer period too short (needs faster cycle time).
             70:1 ldmicro-empty-row: Empty row; delete it or add instructions before compiling.

@@ -98,6 +98,11 @@ impl<'b> Arguments<'b> {
         }
     }
 
+    /// The file's profile has no such block.
+    pub(super) fn not_in_profile(self) -> CompileError {
+        self.refused("this block is not there in the profile of its file".into())
+    }
+
     /// The model does not hold what the block's row asks for: a mistake in the analysis, not in the program.
     pub(super) fn mistaken(self) -> CompileError {
         CompileError {

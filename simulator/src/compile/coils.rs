@@ -4,9 +4,10 @@ use super::arguments::Arguments;
 use super::place::{Slot, Spot};
 use super::{Compiler, Result};
 use crate::code::Instr;
-use crate::layout::Home;
+use crate::layout::{Home, counter, timer};
 use crate::memory::Bit;
 use ladder_analysis::program::Argument;
+use ladder_instructions::{SetPower, Timing};
 
 impl Compiler<'_> {
     /// `( )` and `(/)`
@@ -34,16 +35,20 @@ impl Compiler<'_> {
         Ok(out)
     }
 
-    /// `(S)`: its power is the tag's.
+    /// `(S)`: its power is the tag's, or EN.
     pub(super) fn set_coil(&mut self, arguments: Arguments, en: Bit) -> Result<Bit> {
         if let Argument::Range(range) = arguments.get(0)? {
             return self.set_coil_on_range(range, en);
         }
         let (place, _) = arguments.place(0)?;
+        let follows_tag = self.law.set_power == SetPower::Tag;
         let out = self.layout.bit();
         let spot = self.spot(place)?;
         if let Spot::Bit(tag) = spot {
             self.emit(Instr::Set { en, tag });
+            if !follows_tag {
+                return Ok(en);
+            }
             self.emit(Instr::Contact {
                 out,
                 en: Bit::HIGH,
@@ -65,7 +70,7 @@ impl Compiler<'_> {
             return Err(arguments.mistaken());
         };
         self.emit(Instr::MoveBit { to: out, from: after });
-        Ok(out)
+        Ok(if follows_tag { out } else { en })
     }
 
     /// `(R)`, on timers and counters too.
@@ -93,7 +98,8 @@ impl Compiler<'_> {
     /// `(P)` and `(N)`
     pub(super) fn edge_coil(&mut self, arguments: Arguments, en: Bit, rising: bool) -> Result<Bit> {
         // The edge first: a fault in finding the place must not leave the memory behind.
-        let edge = self.edge(Bit::HIGH, en, rising);
+        let memory = self.edge_memory(arguments.place(0).ok().map(|(place, _)| place))?;
+        let edge = self.edge_with(memory, Bit::HIGH, en, rising);
         let (spot, out) = self.coil_place(arguments, en)?;
         if let Spot::Bit(tag) = spot {
             self.emit(Instr::Coil { en: edge, tag });
@@ -109,6 +115,12 @@ impl Compiler<'_> {
         let Home::State { state, bits, words } = self.homes[tag.0 as usize] else {
             return Err(arguments.mistaken());
         };
+        match self.law.timing {
+            Timing::Clock => {}
+            Timing::Scans if state.is_timer() => return Ok(self.clear_count(en, words.offset(timer::ET))),
+            Timing::Scans => return Ok(self.clear_count(en, words.offset(counter::CV))),
+            Timing::Ticks => return self.reset_ticks(arguments, en),
+        }
         self.emit(Instr::Clear {
             en,
             state,

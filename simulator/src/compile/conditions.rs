@@ -1,14 +1,14 @@
 //! Contacts, edges, the inverter and comparisons (LANGUAGE §5.1).
 
 use super::arguments::Arguments;
-use super::place::Slot;
-use super::{Compiler, Result};
+use super::place::{Slot, Spot};
+use super::{Compiler, EdgeOf, Result};
 use crate::code::Instr;
 use crate::memory::Bit;
 use crate::operation::{Test, Width};
-use ladder_analysis::program::{Argument, Expr};
+use ladder_analysis::program::{Argument, Expr, ExprKind, Place};
 use ladder_analysis::types::{Scalar, common};
-use ladder_instructions::Op;
+use ladder_instructions::{Edges, Op};
 
 impl Compiler<'_> {
     /// `[ ]` and `[/]`
@@ -40,19 +40,46 @@ impl Compiler<'_> {
 
     /// `[P]` and `[N]`: the tag is read at every evaluation.
     pub(super) fn edge_contact(&mut self, arguments: Arguments, en: Bit, rising: bool) -> Result<Bit> {
-        let tag = self.bit(arguments.value(0)?)?;
-        Ok(self.edge(en, tag, rising))
+        let value = arguments.value(0)?;
+        let memory = self.edge_memory(read_place(value))?;
+        let tag = self.bit(value)?;
+        Ok(self.edge_with(memory, en, tag, rising))
     }
 
     /// EN and an edge of a bit. The memory belongs to this place in the text.
     pub(super) fn edge(&mut self, en: Bit, tag: Bit, rising: bool) -> Bit {
-        let (out, before) = (self.layout.bit(), self.layout.bit());
+        self.edge_with(None, en, tag, rising)
+    }
+
+    /// The same, with a memory that others share.
+    pub(super) fn edge_with(&mut self, memory: Option<Bit>, en: Bit, tag: Bit, rising: bool) -> Bit {
+        let out = self.layout.bit();
+        let before = memory.unwrap_or_else(|| self.layout.bit());
         self.emit(if rising {
             Instr::Rising { out, en, tag, before }
         } else {
             Instr::Falling { out, en, tag, before }
         });
         out
+    }
+
+    /// The memory that all edges of a tag share, where edges belong to tags.
+    pub(super) fn edge_memory(&mut self, place: Option<&Place>) -> Result<Option<Bit>> {
+        let (Edges::OfTag, Some(place @ (Place::Tag(_) | Place::Member(..)))) = (self.law.edges, place)
+        else {
+            return Ok(None);
+        };
+        let of = match self.spot(place)? {
+            Spot::Bit(slot) => EdgeOf::Bit(slot),
+            Spot::Word(slot) => EdgeOf::Word(slot),
+            _ => return Ok(None),
+        };
+        if let Some(&memory) = self.edges.get(&of) {
+            return Ok(Some(memory));
+        }
+        let memory = self.layout.bit();
+        self.edges.insert(of, memory);
+        Ok(Some(memory))
     }
 
     pub(super) fn inverter(&mut self, en: Bit) -> Bit {
@@ -142,6 +169,15 @@ impl Compiler<'_> {
             _ => return,
         };
         self.emit(instr);
+    }
+}
+
+/// The place whose truth a condition is about: a tag, or a number that is compared with 0.
+fn read_place(value: &Expr) -> Option<&Place> {
+    match &value.kind {
+        ExprKind::Read(place) => Some(place),
+        ExprKind::Compare(Op::Ne, number, _) => read_place(number),
+        _ => None,
     }
 }
 

@@ -6,10 +6,11 @@ use super::place::{Slot, Spot};
 use super::{Compiler, Result};
 use crate::code::Instr;
 use crate::memory::{Bit, Word};
-use crate::operation::{Conversion, IntegerOp, RealFunction, RealOp, Width};
+use crate::operation::{Conversion, IntegerOp, RealFunction, RealOp, Test, Width};
+use crate::routine::Routine;
 use ladder_analysis::program::Expr;
 use ladder_analysis::types::{Scalar, passes};
-use ladder_instructions::Op;
+use ladder_instructions::{Division, Op};
 
 impl Compiler<'_> {
     /// A block that writes its first operand when EN is high.
@@ -19,8 +20,40 @@ impl Compiler<'_> {
         let spot = self.spot(place)?;
         let value = self.function_of_block(op, ty, arguments)?;
         self.write_result(spot, value);
+        for bit in std::mem::take(&mut self.complaints) {
+            self.routine(Routine::EndOnDivision, &[bit.0]);
+        }
         self.end_powered(start);
         Ok(out)
+    }
+
+    /// Division where zero gives 0 and the last scan.
+    fn divide_or_end(&mut self, ty: Scalar, a: Word, b: Word) -> Word {
+        let (to, zero) = (self.layout.word(), self.constant(0));
+        let [is_zero, divides, unused] = [self.layout.bit(), self.layout.bit(), self.layout.bit()];
+        self.emit(Instr::Compare {
+            test: Test::EQ,
+            out: is_zero,
+            en: Bit::HIGH,
+            a: b,
+            b: zero,
+        });
+        self.emit(Instr::NotBit {
+            to: divides,
+            a: is_zero,
+        });
+        self.emit(Instr::Move { to, from: zero });
+        self.emit(Instr::IntegerWhen {
+            op: IntegerOp::Div,
+            width: Width::of(ty),
+            out: unused,
+            en: divides,
+            to,
+            a,
+            b,
+        });
+        self.complaints.push(is_zero);
+        to
     }
 
     /// Begins what is done with EN high only.
@@ -206,6 +239,9 @@ impl Compiler<'_> {
                 _ => RealOp::Max,
             };
             return self.real(op, ty, a, b);
+        }
+        if op == Op::Div && self.law.division == Division::ZeroAndEnd {
+            return self.divide_or_end(ty, a, b);
         }
         let op = match op {
             Op::Add => IntegerOp::Add,

@@ -103,7 +103,16 @@ impl Compiler<'_> {
     /// Passes a value to another type without `[TYP]` (LANGUAGE §5.2). Most types pass as they are: a word holds
     /// the same number for SINT and LINT.
     pub(super) fn pass(&mut self, value: Slot, from: Scalar, to: Scalar) -> Slot {
-        let Slot::Word(word) = value else { return value };
+        let word = match value {
+            Slot::Word(word) => word,
+            // Where a BOOL is a number.
+            Slot::Bit(from) if to.is_integer() => {
+                let to = self.layout.word();
+                self.emit(Instr::BitToWord { to, from });
+                return Slot::Word(to);
+            }
+            _ => return value,
+        };
         let conversion = if to.is_real() && !from.is_real() {
             Conversion::IntegerToReal {
                 from: Width::of(from),

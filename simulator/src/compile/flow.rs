@@ -7,7 +7,7 @@ use super::{Compiler, Result};
 use crate::code::{Instr, NOTHING_SAVED};
 use crate::memory::Bit;
 use ladder_analysis::program::{Argument, BlockKind, Network, Program};
-use ladder_instructions::{Op, Shape};
+use ladder_instructions::{Op, Relay, Shape};
 use ladder_syntax::Name;
 use std::ops::Range;
 
@@ -407,7 +407,21 @@ impl Compiler<'_> {
 
     /// `<MCR>`
     pub(super) fn mcr(&mut self, en: Bit) -> Bit {
-        self.emit(Instr::Mcr { en });
+        match self.law.relay {
+            Relay::Power => self.emit(Instr::Mcr { en }),
+            Relay::Toggle => {
+                let live = self.layout.bit();
+                self.emit(Instr::Rail { out: live });
+                let dead = self.layout.bit();
+                self.emit(Instr::NotBit { to: dead, a: live });
+                self.emit(Instr::OrBit {
+                    to: dead,
+                    a: dead,
+                    b: en,
+                });
+                self.emit(Instr::Mcr { en: dead });
+            }
+        }
         en
     }
 }

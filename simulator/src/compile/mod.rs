@@ -7,12 +7,15 @@
 //! Nothing here can fail on a program that the analysis found correct, but for want of memory.
 
 mod arguments;
+mod c_arithmetic;
 mod call_graph;
 mod coils;
 mod conditions;
+mod cycles;
 mod data;
 mod expression;
 mod flow;
+mod number_coils;
 mod place;
 mod ports;
 mod range;
@@ -20,6 +23,8 @@ mod range_blocks;
 mod selection;
 mod state;
 mod strings;
+mod tables;
+mod ticks;
 mod user_block;
 
 use crate::code::{ArrayPlace, BlockPlace, Code, ElementPlace, Instr, NetworkPlace};
@@ -30,12 +35,15 @@ use crate::retain::{Retained, kept_tags, retained};
 use crate::work;
 use arguments::Arguments;
 use call_graph::Cycles;
+pub(crate) use cycles::COUNT as COUNT_OF_SCANS;
 use flow::Region;
 use ladder_analysis::program::{Block, BlockKind, Location, Program, Step, TagId};
-use ladder_instructions::{Instruction, Op};
+use ladder_instructions::{Counting, Instruction, Law, Op, Relay, Serial, Tables, Timing};
+use number_coils::is_number_coil;
 pub(crate) use ports::{CHANNELS, Ports};
 use std::collections::HashMap;
 use std::ops::Range;
+pub(crate) use ticks::COUNT as COUNT_OF_TICKS;
 
 /// Why a program cannot run in the simulator.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -81,8 +89,9 @@ const MOST_INSTRUCTIONS: usize = 1 << 24;
 
 type Result<T> = std::result::Result<T, CompileError>;
 
-/// Compiles a program.
-pub(crate) fn compile(program: &Program) -> Result<Compiled> {
+/// Compiles a program that is to run a scan in each interval, in nanoseconds. Each file's blocks are compiled for its
+/// profile: what differs there is other code, so that nothing is asked about profiles while scanning.
+pub(crate) fn compile(program: &Program, interval: i64) -> Result<Compiled> {
     let mut layout = Layout::new();
     let homes = program
         .tags
@@ -121,7 +130,14 @@ pub(crate) fn compile(program: &Program) -> Result<Compiled> {
         outer_powers: Vec::new(),
         keeps: kept_tags(program),
         retained: Vec::new(),
+        law: &Law::IEC,
+        interval,
+        edges: HashMap::new(),
+        starts: HashMap::new(),
+        complaints: Vec::new(),
+        line_free: None,
     };
+    compiler.starting_counts();
     compiler.regions()?;
     Ok(compiler.finish())
 }
@@ -159,6 +175,25 @@ struct Compiler<'p> {
     keeps: Vec<bool>,
     /// Retentive tags of bodies, one for each place.
     retained: Vec<(TagId, Home)>,
+    /// What the profile of the file does otherwise whose network is being compiled.
+    law: &'static Law,
+    /// The time between two scans in nanoseconds.
+    interval: i64,
+    /// The memories of edges that belong to a tag, by its slot.
+    edges: HashMap<EdgeOf, Bit>,
+    /// What counters begin with, where it is not 0.
+    starts: HashMap<TagId, Word>,
+    /// The bits that tell, when the block that is being compiled is done, whether it divided by zero.
+    complaints: Vec<Bit>,
+    /// The scan from which on the serial port is free, where sending takes time.
+    line_free: Option<Word>,
+}
+
+/// What an edge belongs to that is shared by all edges of a tag.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+enum EdgeOf {
+    Bit(Bit),
+    Word(Word),
 }
 
 impl Compiler<'_> {
@@ -232,6 +267,7 @@ impl Compiler<'_> {
     fn network(&mut self, index: usize) -> Result<()> {
         let program = self.program;
         let network = &program.networks[index];
+        let outer_law = std::mem::replace(&mut self.law, program.law(network.location));
         let start = self.here();
         self.code.networks.push(NetworkPlace {
             start,
@@ -241,7 +277,7 @@ impl Compiler<'_> {
             let network = self.noted(self.regions.len() - 1);
             self.emit(Instr::Network { network });
         }
-        let lights_itself = flow::holds(network, Op::Mcr);
+        let lights_itself = self.law.relay == Relay::Power && flow::holds(network, Op::Mcr);
         let outer = std::mem::take(&mut self.powers);
         let mut ends = Vec::with_capacity(network.steps.len());
         for (number, &step) in network.steps.iter().enumerate() {
@@ -271,6 +307,7 @@ impl Compiler<'_> {
             self.stretches[index] = start..self.here();
         }
         self.powers = outer;
+        self.law = outer_law;
         if self.layout.is_too_large() || self.code.instrs.len() > MOST_INSTRUCTIONS {
             return Err(CompileError {
                 message: "the program takes more memory than the simulator has; user-defined blocks inside \
@@ -338,6 +375,8 @@ impl Compiler<'_> {
             Op::OneShotFalling => Ok(self.edge(Bit::HIGH, en, false)),
             Op::Eq | Op::Ne | Op::Gt | Op::Ge | Op::Lt | Op::Le => self.comparison(row.op, arguments, en),
 
+            op if self.is_as_in_c(op) => self.c_arithmetic(op, arguments, en),
+            Op::Lut | Op::Pwl if self.law.tables == Tables::Open => self.open_table(row.op, arguments, en),
             Op::Mov
             | Op::Typ
             | Op::Add
@@ -393,10 +432,19 @@ impl Compiler<'_> {
             Op::Shift => self.shift_range(arguments, en),
             Op::Search => self.search(arguments, en),
 
-            Op::Ton | Op::Tof | Op::Tp | Op::Rto | Op::Rtof => self.timer(row.op, arguments, en),
-            Op::Ctu | Op::Ctd | Op::Ctud | Op::Ctc => self.counter(row.op, arguments, en),
+            Op::Ton | Op::Tof | Op::Tp | Op::Rto | Op::Rtof => match self.law.timing {
+                Timing::Clock => self.timer(row.op, arguments, en),
+                Timing::Scans => self.scan_timer(row.op, arguments, en),
+                Timing::Ticks => self.tick_timer(row.op, arguments, en),
+            },
+            Op::Ctu | Op::Ctd | Op::Ctud | Op::Ctc => match self.law.counting {
+                Counting::Saturating => self.counter(row.op, arguments, en),
+                Counting::Wrapping => self.wrapping_counter(row.op, arguments, en),
+                Counting::Latching => self.latching_counter(row.op, arguments, en),
+            },
             Op::Sr | Op::Rs => self.bistable(row.op, arguments, en),
 
+            op if is_number_coil(op, arguments) => self.coil_on_number(op, arguments, en),
             // That the tag is retentive is known from its declaration or from the coil, when the program starts.
             Op::Coil | Op::RetentiveCoil => self.coil(arguments, en, true),
             Op::NegatedCoil => self.coil(arguments, en, false),
@@ -417,8 +465,10 @@ impl Compiler<'_> {
 
             Op::Adc => self.analog_input(arguments, en),
             Op::Pwm => self.pulse_output(arguments, en),
+            Op::Usnd if self.law.serial == Serial::EverySecondScan => self.send_slowly(arguments, en),
             Op::Usnd => self.send(arguments, en),
             Op::Urcv => self.receive(arguments, en),
+            Op::Fmt if self.law.serial == Serial::EverySecondScan => self.send_text_slowly(arguments, en),
             Op::Fmt => self.send_text(arguments, en),
             Op::Scantime => self.scan_time(arguments, en),
         }

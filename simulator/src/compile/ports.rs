@@ -9,6 +9,7 @@ use crate::operation::{Conversion, Width};
 use crate::routine::{Routine, type_operand};
 use ladder_analysis::program::Expr;
 use ladder_analysis::types::Scalar;
+use ladder_instructions::Serial;
 
 /// How many analog inputs and pulse outputs there are, counted from 0.
 pub(crate) const CHANNELS: u32 = 64;
@@ -111,7 +112,11 @@ impl Compiler<'_> {
         let spot = self.spot(place)?;
         let byte = self.layout.word();
         let came = self.layout.bit();
-        self.routine(Routine::Receive, &[byte.0, came.0]);
+        let routine = match self.law.serial {
+            Serial::AtOnce => Routine::Receive,
+            Serial::EverySecondScan => Routine::ReceiveNewest,
+        };
+        self.routine(routine, &[byte.0, came.0]);
         // A second power on the same slot: low where none came, and then nothing is written.
         let inner = self.code.instrs.len();
         self.emit(Instr::Powered {
@@ -145,6 +150,54 @@ impl Compiler<'_> {
         }
         self.routine(Routine::SendText, &list);
         self.end_powered(start);
+        Ok(out)
+    }
+
+    /// The word that tells from which scan on the serial port is free.
+    fn line_free(&mut self) -> Word {
+        self.ports.serial = true;
+        if let Some(word) = self.line_free {
+            return word;
+        }
+        let word = self.layout.word();
+        self.line_free = Some(word);
+        word
+    }
+
+    /// `[USND]` that waits for the line.
+    pub(super) fn send_slowly(&mut self, arguments: Arguments, en: Bit) -> Result<Bit> {
+        let free = self.line_free();
+        let from = self.count(arguments.value(0)?)?;
+        let out = self.layout.bit();
+        self.routine(Routine::SendWhenFree, &[out.0, en.0, from.0, free.0]);
+        Ok(out)
+    }
+
+    /// `[FMT]` likewise.
+    pub(super) fn send_text_slowly(&mut self, arguments: Arguments, en: Bit) -> Result<Bit> {
+        let free = self.line_free();
+        let text = self.text(arguments.value(0)?)?;
+        let number = match arguments.values_from(1)?.first() {
+            Some(value) => Some(self.word(value)?),
+            None => None,
+        };
+        let [sent, rest] = [self.layout.word(), self.layout.word()];
+        let [out, before, blank] = [self.layout.bit(), self.layout.bit(), self.layout.bit()];
+        self.routine(
+            Routine::SendTextSlowly,
+            &[
+                out.0,
+                en.0,
+                text.0,
+                u32::from(number.is_some()),
+                number.unwrap_or(rest).0,
+                free.0,
+                sent.0,
+                rest.0,
+                before.0,
+                blank.0,
+            ],
+        );
         Ok(out)
     }
 

@@ -13,7 +13,7 @@ use ladder_analysis::value::Value;
 use ladder_instructions::Op;
 
 impl Compiler<'_> {
-    fn home_of(&self, arguments: Arguments) -> Result<(Bit, Word)> {
+    pub(super) fn home_of(&self, arguments: Arguments) -> Result<(Bit, Word)> {
         match self.homes[arguments.state(0)?.0 as usize] {
             Home::State { bits, words, .. } => Ok((bits, words)),
             _ => Err(arguments.mistaken()),

@@ -63,6 +63,8 @@ pub(crate) struct Machine {
     pub(crate) faulted: bool,
     /// Whether the scan that runs has recorded one.
     fault_now: bool,
+    /// Whether the scan that runs is the last one, though it runs to its end.
+    pub(crate) ending: bool,
     /// For each network the last scan that reached it, counted from 1; kept only where scans may skip it.
     pub(crate) reached: Vec<i64>,
     /// For each network the step at which it was last left early, else the largest number.
@@ -91,6 +93,7 @@ impl Machine {
             faults_lost: 0,
             faulted: false,
             fault_now: false,
+            ending: false,
             position: Position::start(watchdog),
             reached: vec![0; networks],
             left_at: vec![u32::MAX; networks],
@@ -119,6 +122,7 @@ impl Machine {
         self.frames.clear();
         self.saved.clear();
         self.fault_now = false;
+        self.ending = false;
         self.position = Position::start(self.watchdog);
     }
 
@@ -217,6 +221,10 @@ impl Machine {
         let block = block_at(code, pc);
         self.record(trouble, block, clock.scan);
         let place = &code.blocks[block as usize];
+        if trouble.is_remark() {
+            self.ending = true;
+            return place.end as usize;
+        }
         if place.out != Bit::LOW && place.out != Bit::HIGH {
             self.memory.set_bit(place.out, false);
         }

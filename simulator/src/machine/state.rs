@@ -16,6 +16,7 @@ pub(crate) struct MachineState {
     pub(crate) left_at: Vec<u32>,
     pub(crate) rows: Vec<u8>,
     fault_now: bool,
+    ending: bool,
     position: Position,
     frames: Vec<Frame>,
     saved: Vec<u8>,
@@ -32,6 +33,7 @@ impl Machine {
             left_at: self.left_at.clone(),
             rows: self.rows.clone(),
             fault_now: self.fault_now,
+            ending: self.ending,
             position: self.position,
             frames: self.frames.clone(),
             saved: self.saved.clone(),
@@ -41,7 +43,7 @@ impl Machine {
     pub(crate) fn state_into(&self, state: &mut MachineState) {
         state.memory.take_from(&self.memory);
         (state.now, state.scan) = (self.now, self.scan);
-        (state.faulted, state.fault_now) = (self.faulted, self.fault_now);
+        (state.faulted, state.fault_now, state.ending) = (self.faulted, self.fault_now, self.ending);
         state.reached.clone_from(&self.reached);
         state.left_at.clone_from(&self.left_at);
         state.rows.clone_from(&self.rows);
@@ -60,7 +62,7 @@ impl Machine {
         }
         self.memory.take_from(&state.memory);
         (self.now, self.scan) = (state.now, state.scan);
-        (self.faulted, self.fault_now) = (state.faulted, state.fault_now);
+        (self.faulted, self.fault_now, self.ending) = (state.faulted, state.fault_now, state.ending);
         self.reached.clone_from(&state.reached);
         self.left_at.clone_from(&state.left_at);
         self.rows.clone_from(&state.rows);

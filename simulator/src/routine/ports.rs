@@ -30,6 +30,20 @@ impl Line<'_> {
     }
 }
 
+/// Sends bytes.
+pub(super) fn push_sent(memory: &mut Memory, bytes: &[u8]) {
+    Line(&mut memory.sent).push(bytes);
+}
+
+/// As `receive`, of a port that holds one byte: a newer one takes its place.
+pub(super) fn receive_newest(memory: &mut Memory, with: &mut Operands) {
+    if let Some(newest) = memory.received.pop_back() {
+        memory.received.clear();
+        memory.received.push_back(newest);
+    }
+    receive(memory, with);
+}
+
 /// The lowest eight bits.
 pub(super) fn send(memory: &mut Memory, with: &mut Operands) {
     let byte = with.value(memory) as u8;

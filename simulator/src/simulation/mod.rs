@@ -96,7 +96,7 @@ impl Simulation {
     /// # Errors
     /// The program needs more memory than there is.
     pub fn new(program: Arc<Program>, options: Options) -> Result<Simulation, CompileError> {
-        let compiled = compile(&program)?;
+        let compiled = compile(&program, options.interval)?;
         let mut memory = compiled.initial.clone();
         if compiled.ports.serial {
             // All the room at once: a scan allocates nothing.

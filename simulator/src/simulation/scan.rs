@@ -145,7 +145,7 @@ impl Simulation {
             return Stepped::Stopped;
         }
         self.machine.finish(self.options.interval);
-        if halt == Halt::Ended {
+        if halt == Halt::Ended || self.machine.ending {
             self.status = Status::Ended;
         }
         Stepped::Done

@@ -320,7 +320,7 @@ pub(super) fn plain(text: &str, version: Version) -> Option<String> {
             curve(fields[0], &operand(fields[1])?, &values)
         }
         Form::Text => {
-            let (text, _) = super::text::read(&fields)?;
+            let text = super::text::read(&fields)?;
             super::text::line(fields[0], &text)
         }
         Form::Constant(_) | Form::Placeholder => row.word.to_owned(),

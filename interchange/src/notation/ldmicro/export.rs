@@ -14,7 +14,7 @@ use ladder_analysis::program::{
 use ladder_analysis::types::{Scalar, Type};
 use ladder_analysis::value::Value;
 use ladder_format::Circuit;
-use ladder_instructions::Op;
+use ladder_instructions::{Op, Profile};
 use std::collections::{HashMap, HashSet};
 use std::sync::Arc;
 
@@ -30,6 +30,7 @@ pub(super) fn file(analysis: &Analysis) -> Result<(File, Report), WriteError> {
         report: Report::default(),
         version: head.file.version,
         names: head.names,
+        in_profile: analysis.context.profile == Profile::Ldmicro,
     };
     if !head.is_import {
         exporter.letters();
@@ -43,12 +44,9 @@ pub(super) fn file(analysis: &Analysis) -> Result<(File, Report), WriteError> {
     Ok((file, exporter.report))
 }
 
-/// The program, also of a text whose profile cannot run yet and that holds elements without a counterpart: both are
-/// set aside, with every byte at its place, and the rest is analysed.
+/// The program, also of a text that holds elements without a counterpart: those are set aside, with every byte at its
+/// place, and the rest is analysed.
 fn program(analysis: &Analysis, text: &str) -> Result<Arc<Program>, WriteError> {
-    if let Some(program) = analysis.program() {
-        return Ok(Arc::clone(program));
-    }
     let mut aside = String::with_capacity(text.len());
     for line in text.split_inclusive('\n') {
         let mut rest = line;
@@ -62,14 +60,17 @@ fn program(analysis: &Analysis, text: &str) -> Result<Arc<Program>, WriteError> 
             if in_rung && kept(comment).is_some() && length > STAND_IN.len() {
                 let blanks = length - STAND_IN.len() - 1;
                 aside.push_str(&format!("{STAND_IN}{:blanks$})", ""));
-            } else if comment.trim_matches('#').trim() == "ladder: profile ldmicro" {
-                aside.push_str(&" ".repeat(length));
             } else {
                 aside.push_str(comment);
             }
             rest = &rest[start + length..];
         }
         aside.push_str(rest);
+    }
+    if aside == text
+        && let Some(program) = analysis.program()
+    {
+        return Ok(Arc::clone(program));
     }
     let again = ladder_analysis::analyze(&ladder_syntax::parse(&aside).into(), &analysis.name);
     if let Some(program) = again.program() {
@@ -93,6 +94,8 @@ struct Exporter<'p> {
     report: Report,
     version: Version,
     names: HashMap<String, String>,
+    /// The program has LDmicro's own arithmetic and timing.
+    in_profile: bool,
 }
 
 impl Exporter<'_> {
@@ -338,7 +341,7 @@ impl Exporter<'_> {
             return Err("LDmicro sends fixed texts".to_owned());
         };
         let latin1: String = bytes.iter().copied().map(char::from).collect();
-        let text = text::from_value(&latin1).ok_or("LDmicro cannot send such characters")?;
+        let text = text::from_value(&latin1, self.in_profile).ok_or("LDmicro cannot send such characters")?;
         let mut names = values.iter().map(|value| self.argument(value));
         let variable = names.next().unwrap_or_else(|| Ok("(none)".to_owned()))?;
         for other in names {
@@ -376,6 +379,8 @@ impl Exporter<'_> {
     fn place_name(&self, place: &Operand) -> Result<String, String> {
         match place {
             Operand::Tag(tag) | Operand::Member(tag, Member::Cv) => Ok(self.name(*tag)),
+            // Elsewhere it is a time, and here a number of scans.
+            Operand::Member(tag, Member::Et) if self.in_profile => Ok(self.name(*tag)),
             Operand::Element(tag, index) => match index.kind {
                 ExprKind::Constant(Value::Int(index)) => Ok(format!("{}{index}", self.name(*tag))),
                 _ => Err("LDmicro has no computed index".to_owned()),

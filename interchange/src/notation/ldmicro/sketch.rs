@@ -24,7 +24,6 @@ pub(super) fn sketch(file: &File) -> Reading {
         file,
         tags: &tags,
         pins: pins.collect(),
-        states: HashMap::new(),
         reading: Reading::default(),
     };
     importer.head();
@@ -37,8 +36,6 @@ struct Importer<'f> {
     tags: &'f Tags,
     /// The line and the pin of each name in the I/O list.
     pins: HashMap<&'f str, (u32, &'f str)>,
-    /// The lines of the timers and counters so far: a tag belongs to one block.
-    states: HashMap<&'f str, u32>,
     reading: Reading,
 }
 
@@ -82,15 +79,6 @@ impl<'f> Importer<'f> {
         for (tag, name) in self.tags.renamed() {
             lines.push(format!("NAME {tag} = {name}"));
             let why = format!("it is spelled `{tag}` here");
-            self.reading.report.approximated(Place::START, name, why);
-        }
-        for (name, _) in self
-            .tags
-            .variables
-            .iter()
-            .filter(|(name, _)| self.tags.is_wide(name))
-        {
-            let why = "it takes a counter's value, and counters are DINT here";
             self.reading.report.approximated(Place::START, name, why);
         }
         let items = &mut self.reading.program.items;
@@ -256,22 +244,22 @@ impl<'f> Importer<'f> {
                 format!("{head}( {} )", self.tags.bit(name)).into()
             }
             Form::Timer(op) => {
-                let tag = self.own_state(leaf, op, name)?;
+                let tag = self.state(op, name)?;
                 let delay: u64 = fields[1].parse().map_err(|_| "its delay is no number")?;
                 format!("{}( {tag}, {} )", by_op(op).block(), duration(delay)).into()
             }
             Form::Counter(op) => {
-                let tag = self.own_state(leaf, op, name)?;
+                let tag = self.state(op, name)?;
                 let most = element::literal(fields[1]).unwrap_or(0);
                 format!("{}( {tag}, {most} )", by_op(op).block()).into()
             }
             Form::Reset => match self.tags.any_state(name) {
                 Some(tag) => format!("(RES)( {tag} )").into(),
-                None => format!("[MOV]( {}, 0 )", self.tags.variable(name)?).into(),
+                None => format!("[MOV]( {}, 0 )", self.tags.variable(name)).into(),
             },
             Form::Adc => {
                 let pin = self.pins.get(name).and_then(|(_, pin)| number(pin)).unwrap_or(0);
-                format!("[ADC]( {}, {pin} )", self.written(name)?).into()
+                format!("[ADC]( {}, {pin} )", self.tags.variable(name)).into()
             }
             Form::Shift => {
                 let stages: u32 = fields[1].parse().unwrap_or(0);
@@ -291,30 +279,15 @@ impl<'f> Importer<'f> {
         })
     }
 
-    /// The tag of a timer or counter, for its first block.
-    fn own_state(&mut self, leaf: &Leaf, op: Op, name: &'f str) -> Result<&'f str, String> {
-        let other = || format!("`{name}` is a timer or counter of another kind elsewhere");
-        let tag = self.tags.state(name, op).ok_or_else(other)?;
-        match self.states.insert(name, leaf.line) {
-            None => Ok(tag),
-            Some(line) => Err(format!(
-                "a timer or counter belongs to one block here, and `{name}` has one on line {line}"
-            )),
-        }
-    }
-
-    /// A variable that an element writes.
-    fn written(&self, name: &str) -> Result<String, String> {
-        let why = || format!("only its own block and RES write the counter or timer `{name}` here");
-        match self.tags.any_state(name) {
-            Some(_) => Err(why()),
-            None => self.tags.variable(name),
-        }
+    /// The tag of a timer or counter.
+    fn state(&self, op: Op, name: &str) -> Result<&'f str, String> {
+        let other = || format!("`{name}` is a timer and a counter at once");
+        self.tags.state(name, op).ok_or_else(other)
     }
 
     fn operand(&self, text: &str, remark: &mut Option<String>) -> Result<String, String> {
         if !element::is_literal(text) {
-            return self.tags.variable(text);
+            return Ok(self.tags.variable(text));
         }
         let value = element::literal(text).ok_or("its literal is no number")?;
         let wrapped = element::wrapped(value);
@@ -336,7 +309,7 @@ impl<'f> Importer<'f> {
                 Slot::Place if element::is_literal(field) => {
                     return Err(format!("{field} is a number and cannot be written"));
                 }
-                Slot::Place => self.written(field)?,
+                Slot::Place => self.tags.variable(field),
                 Slot::Value => self.operand(field, &mut remark)?,
                 Slot::Number => element::literal(field).unwrap_or(0).to_string(),
             });
@@ -347,7 +320,7 @@ impl<'f> Importer<'f> {
 
     fn listed_values(&self, form: Form, fields: &[&str]) -> Result<Translation, String> {
         let mut remark = None;
-        let to = self.written(fields[0])?;
+        let to = self.tags.variable(fields[0]);
         let index = self.operand(fields[1], &mut remark)?;
         let (head, first, each) = match form {
             Form::Table => ("[LUT]", 4, 1),
@@ -357,8 +330,8 @@ impl<'f> Importer<'f> {
         if fields[2].parse() != Ok(values.len() / each) || !values.len().is_multiple_of(each) {
             return Err("the number of its values is not the one that it gives".to_owned());
         }
-        if values.len() < 2 * each {
-            return Err("it has fewer than two entries".to_owned());
+        if values.is_empty() {
+            return Err("it has no entries".to_owned());
         }
         let values: Vec<String> = values
             .iter()
@@ -369,27 +342,16 @@ impl<'f> Importer<'f> {
     }
 
     fn text(&self, fields: &[&str]) -> Result<Translation, String> {
-        let (text, exact) = text::read(fields).ok_or("its text is not what LDmicro 2.2 writes")?;
-        if text.contains('%') {
-            return Err("a `%` in a text would ask for a number here".to_owned());
-        }
-        let (literal, numbers) = text::literal(&text);
-        let mut operands = vec![literal];
-        match (fields[0], numbers) {
+        let text = text::read(fields).ok_or("its text is not what LDmicro 2.2 writes")?;
+        let mut operands = vec![text::literal(&text)];
+        match (fields[0], text::numbers(&text)) {
             ("(none)", 0) => {}
             ("(none)", _) => return Err("its text wants a number, and it has no variable".to_owned()),
             (_, 0) => return Err("it has a variable, and its text has no place for it".to_owned()),
-            (name, _) => {
-                for _ in 0..numbers {
-                    operands.push(self.tags.variable(name)?);
-                }
-            }
+            (name, 1) => operands.push(self.tags.variable(name)),
+            (_, _) => return Err("LDmicro sends one number in a text".to_owned()),
         }
-        let why = "the number is written as wide as it is, without blanks before it".to_owned();
-        Ok(Translation {
-            text: format!("[FMT]( {} )", operands.join(", ")),
-            remark: (!exact).then_some(why),
-        })
+        Ok(format!("[FMT]( {} )", operands.join(", ")).into())
     }
 }
 

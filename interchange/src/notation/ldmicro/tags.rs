@@ -4,7 +4,7 @@ use super::super::names::Names;
 use super::element::{self, Form, Slot};
 use super::model::{File, Leaf, leaves};
 use ladder_instructions::{Op, by_op};
-use std::collections::{BTreeMap, HashMap, HashSet};
+use std::collections::{BTreeMap, HashMap};
 
 /// The tags of a program. LDmicro keeps bits and variables apart, so one name can be two tags.
 #[derive(Debug, Default)]
@@ -17,8 +17,6 @@ pub(super) struct Tags {
     variable: HashMap<String, String>,
     /// The block types of timers and counters.
     states: HashMap<String, Op>,
-    /// Variables that are as wide as a counter.
-    wide: HashSet<String>,
     /// Shift registers: the tag and how many stages it has.
     pub(super) registers: BTreeMap<String, (String, u32)>,
 }
@@ -41,11 +39,9 @@ impl Tags {
                 _ => {}
             }
         }
-        let mut flows: HashMap<&str, Vec<&str>> = HashMap::new();
         for leaf in &all {
-            tags.meet(leaf, &mut flows);
+            tags.meet(leaf);
         }
-        tags.widen(&flows);
         let registers: Vec<String> = tags.registers.keys().cloned().collect();
         for name in registers {
             let tag = if tags.bit.contains_key(&name) || tags.variable.contains_key(&name) {
@@ -79,8 +75,8 @@ impl Tags {
         }
     }
 
-    /// Notes the names of an element, and which variable's value goes into which.
-    fn meet<'l>(&mut self, leaf: &'l Leaf, flows: &mut HashMap<&'l str, Vec<&'l str>>) {
+    /// Notes the names of an element.
+    fn meet(&mut self, leaf: &Leaf) {
         let Some(row) = element::row_of(&leaf.text) else {
             return;
         };
@@ -94,17 +90,9 @@ impl Tags {
                         self.meet_variable(field);
                     }
                 }
-                if let Some((Slot::Place, to)) = slots.first().zip(fields.first()) {
-                    fields[1..]
-                        .iter()
-                        .for_each(|from| flows.entry(from).or_default().push(to));
-                }
             }
             Form::Table | Form::Curve => {
                 fields[..2].iter().for_each(|name| self.meet_variable(name));
-                if row.form == Form::Curve {
-                    flows.entry(fields[1]).or_default().push(fields[0]);
-                }
             }
             Form::Text if fields[0] != "(none)" => self.meet_variable(fields[0]),
             _ => {}
@@ -134,27 +122,6 @@ impl Tags {
         };
         self.variable.insert(name.to_owned(), tag.clone());
         self.variables.push((name.to_owned(), tag));
-    }
-
-    /// Counters are DINT, and what takes a counter's value must be as wide.
-    fn widen(&mut self, flows: &HashMap<&str, Vec<&str>>) {
-        let mut waiting: Vec<&str> = flows
-            .keys()
-            .copied()
-            .filter(|name| self.is_counter(name))
-            .collect();
-        while let Some(from) = waiting.pop() {
-            for to in flows.get(from).into_iter().flatten() {
-                let can_widen = !self.states.contains_key(*to) && self.stage(to).is_none();
-                if can_widen && self.wide.insert((*to).to_owned()) {
-                    waiting.push(to);
-                }
-            }
-        }
-    }
-
-    fn is_counter(&self, name: &str) -> bool {
-        matches!(self.states.get(name), Some(Op::Ctu | Op::Ctd | Op::Ctc))
     }
 
     /// The shift register and the index that a name such as `reg3` means.
@@ -190,19 +157,14 @@ impl Tags {
     pub(super) fn ty(&self, name: &str) -> String {
         match self.states.get(name) {
             Some(op) => by_op(*op).mnemonic.to_owned(),
-            None if self.wide.contains(name) => "DINT".to_owned(),
             None => "INT".to_owned(),
         }
     }
 
-    /// Whether a variable had to be made wider than LDmicro's 16 bits.
-    pub(super) fn is_wide(&self, name: &str) -> bool {
-        self.wide.contains(name)
-    }
-
-    /// The tag of a timer or counter, if the name is one of this kind.
+    /// The tag of a timer or counter, if the name is one of this sort.
     pub(super) fn state(&self, name: &str, op: Op) -> Option<&str> {
-        (self.states.get(name) == Some(&op)).then(|| self.variable.get(name).map_or("_", String::as_str))
+        let own = self.states.get(name)?;
+        (is_counter(*own) == is_counter(op)).then(|| self.variable.get(name).map_or("_", String::as_str))
     }
 
     /// The tag of any timer or counter.
@@ -212,17 +174,15 @@ impl Tags {
     }
 
     /// A variable where a number is read or written.
-    pub(super) fn variable(&self, name: &str) -> Result<String, String> {
+    pub(super) fn variable(&self, name: &str) -> String {
         if let Some((tag, index)) = self.stage(name) {
-            return Ok(format!("{tag}[{index}]"));
+            return format!("{tag}[{index}]");
         }
         let tag = self.variable.get(name).map_or("_", String::as_str);
         match self.states.get(name) {
-            None => Ok(tag.to_owned()),
-            Some(_) if self.is_counter(name) => Ok(format!("{tag}.CV")),
-            Some(_) => Err(format!(
-                "`{name}` is a timer; its value in cycles has no counterpart"
-            )),
+            None => tag.to_owned(),
+            Some(op) if is_counter(*op) => format!("{tag}.CV"),
+            Some(_) => format!("{tag}.ET"),
         }
     }
 
@@ -239,4 +199,8 @@ impl Tags {
             .map(|(name, tag)| (tag.as_str(), name.as_str()))
             .collect()
     }
+}
+
+fn is_counter(op: Op) -> bool {
+    matches!(op, Op::Ctu | Op::Ctd | Op::Ctc)
 }

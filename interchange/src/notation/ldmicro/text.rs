@@ -1,10 +1,17 @@
-//! The texts of `FORMATTED_STRING`: characters by their codes, with LDmicro's escapes.
+//! The texts of `FORMATTED_STRING`: characters by their codes, with LDmicro's escapes. In the profile `ldmicro` `[FMT]`
+//! reads numbers and backslashes as LDmicro does; other escapes are characters of the text.
 
-/// Where the number goes in a text, and how LDmicro writes it.
-const NUMBER: &str = "\\-5";
+/// A part of a text.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Piece {
+    /// A character below 256.
+    Char(char),
+    /// The variable, with so many digits; with its sign.
+    Number { digits: char, signed: bool },
+}
 
-/// The text of `var length c0 c1 ..` in the spelling that export gives it, and whether that says exactly the same.
-pub(super) fn read(fields: &[&str]) -> Option<(String, bool)> {
+/// The text of `var length c0 c1 ..`. None if LDmicro 2.2 has no such text.
+pub(super) fn read(fields: &[&str]) -> Option<Vec<Piece>> {
     let length: usize = fields.get(1)?.parse().ok()?;
     let codes = fields.get(2..)?;
     if codes.len() != length {
@@ -15,76 +22,121 @@ pub(super) fn read(fields: &[&str]) -> Option<(String, bool)> {
         .map(|code| code.parse::<u8>().ok().map(char::from))
         .collect();
     let text = text?;
-    let mut out = String::new();
-    let mut exact = true;
-    let mut chars = text.chars().peekable();
-    while let Some(c) = chars.next() {
-        if c != '\\' {
-            out.push(c);
-            continue;
-        }
-        let minus = chars.next_if_eq(&'-').is_some();
-        match chars.next()? {
-            '1'..='5' => {
-                exact = false;
-                out.push_str(NUMBER);
-            }
-            _ if minus => return None,
-            c @ ('r' | 'n' | '\\') => out.extend(['\\', c]),
-            _ => return None,
-        }
+    let mut out = Vec::new();
+    let mut rest = text.as_str();
+    while let Some(c) = rest.chars().next() {
+        let (piece, length) = match c {
+            '\\' => escape(&rest[1..])?,
+            c => (Piece::Char(c), 0),
+        };
+        out.push(piece);
+        rest = &rest[c.len_utf8() + length..];
     }
-    Some((out, exact))
+    Some(out)
 }
 
-/// The line for a text in that spelling.
-pub(super) fn line(variable: &str, text: &str) -> String {
-    let mut line = format!("FORMATTED_STRING {variable} {}", text.chars().count());
-    text.chars()
+/// What stands behind a backslash, and how long it is.
+fn escape(text: &str) -> Option<(Piece, usize)> {
+    if let Some(number) = number(text) {
+        return Some(number);
+    }
+    Some(match text.chars().next()? {
+        'r' => (Piece::Char('\r'), 1),
+        'n' => (Piece::Char('\n'), 1),
+        'b' => (Piece::Char('\u{8}'), 1),
+        'f' => (Piece::Char('\u{c}'), 1),
+        '\\' => (Piece::Char('\\'), 1),
+        'x' => {
+            let code = u8::from_str_radix(text.get(1..3)?, 16).ok()?;
+            (Piece::Char(char::from(code)), 3)
+        }
+        _ => return None,
+    })
+}
+
+/// `3` or `-3`, behind a backslash.
+fn number(text: &str) -> Option<(Piece, usize)> {
+    let signed = text.starts_with('-');
+    let digits = text[usize::from(signed)..].chars().next()?;
+    let number = Piece::Number { digits, signed };
+    ('1'..='5')
+        .contains(&digits)
+        .then_some((number, 1 + usize::from(signed)))
+}
+
+/// How many numbers a text has.
+pub(super) fn numbers(text: &[Piece]) -> usize {
+    let is_number = |piece: &&Piece| matches!(piece, Piece::Number { .. });
+    text.iter().filter(is_number).count()
+}
+
+/// The line for a text, in the spelling that export gives it.
+pub(super) fn line(variable: &str, text: &[Piece]) -> String {
+    let spelled: String = text.iter().map(|piece| spelled(*piece)).collect();
+    let mut line = format!("FORMATTED_STRING {variable} {}", spelled.chars().count());
+    spelled
+        .chars()
         .for_each(|c| line.push_str(&format!(" {}", u32::from(c))));
     line
 }
 
-/// A text in that spelling as a literal of ladder text, and how many numbers it has.
-pub(super) fn literal(text: &str) -> (String, usize) {
-    let numbers = text.matches(NUMBER).count();
+fn spelled(piece: Piece) -> String {
+    match piece {
+        Piece::Number { digits, signed } => format!("\\{}{digits}", if signed { "-" } else { "" }),
+        Piece::Char('\r') => "\\r".to_owned(),
+        Piece::Char('\n') => "\\n".to_owned(),
+        Piece::Char('\u{8}') => "\\b".to_owned(),
+        Piece::Char('\u{c}') => "\\f".to_owned(),
+        Piece::Char('\\') => "\\\\".to_owned(),
+        Piece::Char(c) if u32::from(c) < 32 => format!("\\x{:02X}", u32::from(c)),
+        Piece::Char(c) => c.to_string(),
+    }
+}
+
+/// A text as a literal of ladder text, in the profile `ldmicro`.
+pub(super) fn literal(text: &[Piece]) -> String {
     let mut out = String::from("'");
-    let mut chars = text
-        .replace(NUMBER, "\u{0}")
-        .chars()
-        .collect::<Vec<_>>()
-        .into_iter();
-    while let Some(c) = chars.next() {
-        match c {
-            '\u{0}' => out.push_str("%d"),
-            '\\' => match chars.next() {
-                Some('r') => out.push_str("$R"),
-                Some('n') => out.push_str("$N"),
-                _ => out.push('\\'),
-            },
-            '\'' => out.push_str("$'"),
-            '$' => out.push_str("$$"),
-            c if c.is_control() || !c.is_ascii() => out.push_str(&format!("${:02X}", u32::from(c))),
-            c => out.push(c),
+    for piece in text {
+        match *piece {
+            Piece::Number { .. } | Piece::Char('\\') => out.push_str(&spelled(*piece)),
+            Piece::Char('\r') => out.push_str("$R"),
+            Piece::Char('\n') => out.push_str("$N"),
+            Piece::Char('\'') => out.push_str("$'"),
+            Piece::Char('$') => out.push_str("$$"),
+            Piece::Char(c) if c.is_control() || !c.is_ascii() => {
+                out.push_str(&format!("${:02X}", u32::from(c)));
+            }
+            Piece::Char(c) => out.push(c),
         }
     }
     out.push('\'');
-    (out, numbers)
+    out
 }
 
-/// The other way: from the text that `[FMT]` has. None if LDmicro cannot send it.
-pub(super) fn from_value(text: &str) -> Option<String> {
-    let mut out = String::new();
-    for c in text.replace("%d", "\u{0}").chars() {
-        match c {
-            '\u{0}' => out.push_str(NUMBER),
-            '\r' => out.push_str("\\r"),
-            '\n' => out.push_str("\\n"),
-            '\\' => out.push_str("\\\\"),
-            '%' => return None,
-            c if c.is_control() || u32::from(c) > 255 => return None,
-            c => out.push(c),
-        }
+/// The other way: from the text that `[FMT]` has, in the profile `ldmicro` or, with `%d` for a number, in another.
+/// None if LDmicro cannot send it.
+pub(super) fn from_value(text: &str, in_profile: bool) -> Option<Vec<Piece>> {
+    let mut out = Vec::new();
+    let mut rest = text;
+    while let Some(c) = rest.chars().next() {
+        let behind = &rest[c.len_utf8()..];
+        let (piece, length) = match c {
+            '\\' if in_profile => match number(behind) {
+                Some(number) => number,
+                None => (Piece::Char('\\'), usize::from(behind.starts_with('\\'))),
+            },
+            '%' if !in_profile => {
+                let signed = Piece::Number {
+                    digits: '5',
+                    signed: true,
+                };
+                (signed, behind.strip_prefix('d').map(|_| 1)?)
+            }
+            c if u32::from(c) > 255 => return None,
+            c => (Piece::Char(c), 0),
+        };
+        out.push(piece);
+        rest = &behind[length..];
     }
     Some(out)
 }
