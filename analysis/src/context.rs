@@ -30,6 +30,8 @@ pub struct Context {
     pub parse: Arc<Parse>,
     /// Whose arithmetic and timing the program has.
     pub profile: Profile,
+    /// The time from one scan to the next that it is made for, in nanoseconds, where it says so.
+    pub cycle: Option<i64>,
     /// The networks, as in the structure.
     pub networks: Vec<Arc<NetworkFacts>>,
     /// The file's scope, then one for each block definition.
@@ -226,6 +228,7 @@ pub(crate) fn skeleton(
     let mut context = Context {
         parse: Arc::clone(parse),
         profile,
+        cycle: profile::cycle(parse),
         networks,
         scopes,
         declared_cleanly,

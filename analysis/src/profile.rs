@@ -1,17 +1,38 @@
-//! The profile that a file selects for itself: `# ladder: profile ldmicro #` before its first network (LANGUAGE §5.8).
+//! What a file says of itself before its first network: its profile, `# ladder: profile ldmicro #` (LANGUAGE §5.8), and
+//! the time from one scan to the next that it is made for, `# ladder: cycle 5ms #`.
 
+use crate::literal::{Literal, literal};
 use ladder_instructions::Profile;
 use ladder_syntax::{Item, NodeOrToken, Parse};
 
-/// The name that a comment selects, if it selects a profile.
-pub(crate) fn selected(comment: &str) -> Option<&str> {
+/// What stands behind a word in a comment that speaks to the tools.
+fn behind<'c>(comment: &'c str, word: &str) -> Option<&'c str> {
     let words = comment.trim_matches('#').trim().strip_prefix("ladder:")?;
-    let name = words.trim_start().strip_prefix("profile")?;
-    name.starts_with([' ', '\t']).then(|| name.trim())
+    let rest = words.trim_start().strip_prefix(word)?;
+    rest.starts_with([' ', '\t']).then(|| rest.trim())
 }
 
 /// The profile of a file: what the first such comment before its first network selects, else `iec`.
 pub(crate) fn profile(parse: &Parse) -> Profile {
+    said(parse, |comment| Profile::from_name(behind(comment, "profile")?)).unwrap_or_default()
+}
+
+/// The time from one scan to the next that a file is made for, in nanoseconds, where it says so.
+pub(crate) fn cycle(parse: &Parse) -> Option<i64> {
+    said(parse, |comment| cycle_time(behind(comment, "cycle")?))
+}
+
+/// A time that scans can follow each other in: more than nothing, and a day at most.
+pub(crate) fn cycle_time(text: &str) -> Option<i64> {
+    const DAY: i64 = 86_400_000_000_000;
+    match literal(&format!("T#{text}")) {
+        Ok(Literal::Time(nanoseconds)) if (1..=DAY).contains(&nanoseconds) => Some(nanoseconds),
+        _ => None,
+    }
+}
+
+/// The first answer that a comment before the first network gives.
+fn said<T>(parse: &Parse, answer: impl Fn(&str) -> Option<T>) -> Option<T> {
     let before = parse
         .structure()
         .items
@@ -23,12 +44,12 @@ pub(crate) fn profile(parse: &Parse) -> Profile {
             let NodeOrToken::Token(token) = child else {
                 continue;
             };
-            if let Some(profile) = selected(token.text()).and_then(Profile::from_name) {
-                return profile;
+            if let Some(found) = answer(token.text()) {
+                return Some(found);
             }
         }
     }
-    Profile::Iec
+    None
 }
 
 #[cfg(test)]
@@ -53,6 +74,19 @@ mod tests {
             ("+--( )( y )--+\n# ladder: profile iot #\n", Profile::Iec),
         ] {
             assert_eq!(profile(&ladder_syntax::parse(text)), expected, "{text}");
+        }
+    }
+
+    #[test]
+    fn the_cycle() {
+        for (text, expected) in [
+            ("", None),
+            ("# ladder: cycle 5ms #\n+--( )( y )--+\n", Some(5_000_000)),
+            ("# ladder: cycle 1s500ms #\n", Some(1_500_000_000)),
+            ("# ladder: cycle 0ms #\n# ladder: cycle x #\n", None),
+            ("+--( )( y )--+\n# ladder: cycle 5ms #\n", None),
+        ] {
+            assert_eq!(cycle(&ladder_syntax::parse(text)), expected, "{text}");
         }
     }
 }

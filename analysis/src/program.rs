@@ -29,6 +29,8 @@ pub struct TagId(pub u32);
 pub struct Program {
     /// Names of the files it is made of, the program's own first.
     pub files: Vec<String>,
+    /// The time from one scan to the next that it is made for, in nanoseconds, where its own file says so.
+    pub cycle: Option<i64>,
     /// Of each file whose arithmetic and timing its blocks have.
     pub profiles: Vec<Profile>,
     /// The tags, in the order of their declaration or first use.

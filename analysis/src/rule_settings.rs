@@ -20,15 +20,15 @@ pub enum Level {
 pub struct RuleSettings {
     /// What is set otherwise than the rule itself has it.
     pub levels: BTreeMap<Rule, Level>,
-    /// The scan interval in nanoseconds: no timer can tell shorter times apart.
-    pub scan_interval: i64,
+    /// The scan interval in nanoseconds, where it is set: no timer can tell shorter times apart.
+    pub scan_interval: Option<i64>,
 }
 
 impl Default for RuleSettings {
     fn default() -> RuleSettings {
         RuleSettings {
             levels: BTreeMap::new(),
-            scan_interval: DEFAULT_SCAN_INTERVAL,
+            scan_interval: None,
         }
     }
 }

@@ -1,6 +1,7 @@
 //! Comments that speak to the tools: `# ladder: allow(double-coil): two modes, only one is wired #`.
 
 use crate::diagnostic::Diagnostic;
+use crate::profile;
 use crate::rule::{Rule, Severity};
 use crate::rules::did_you_mean::closest;
 use ladder_instructions::Profile;
@@ -29,7 +30,15 @@ pub(super) fn read(comment: &str, at: TextSize, out: &mut Vec<Diagnostic>) -> Op
             out.push(bad(place, "`fmt` is followed by `on` or `off`"));
             return None;
         }
-        "profile" => return profile(behind.trim(), place, out),
+        "cycle" if profile::cycle_time(behind.trim()).is_some() => return Some(Directive::Known),
+        "cycle" => {
+            out.push(
+                bad(place, "`cycle` is followed by the time from one scan to the next")
+                    .help("write it as in `# ladder: cycle 10ms #`; it is a day at most"),
+            );
+            return None;
+        }
+        "profile" => return selected(behind.trim(), place, out),
         _ => {
             out.push(unknown(name, place));
             return None;
@@ -68,7 +77,7 @@ fn rules(text: &str, place: TextRange, out: &mut Vec<Diagnostic>) -> Option<Vec<
     Some(rules)
 }
 
-fn profile(name: &str, place: TextRange, out: &mut Vec<Diagnostic>) -> Option<Directive> {
+fn selected(name: &str, place: TextRange, out: &mut Vec<Diagnostic>) -> Option<Directive> {
     match Profile::from_name(name) {
         Some(profile) if profile.runs() => Some(Directive::Known),
         Some(profile) => {
@@ -101,11 +110,13 @@ fn and_list(words: &[String]) -> String {
 }
 
 fn unknown(name: &str, place: TextRange) -> Diagnostic {
-    const WORDS: [&str; 4] = ["allow", "allow-file", "fmt", "profile"];
+    const WORDS: [&str; 5] = ["allow", "allow-file", "cycle", "fmt", "profile"];
     let found = bad(place, format!("`{name}` is nothing that a comment can ask for"));
     found.help(match closest(name, WORDS.into_iter()) {
         Some(near) => format!("did you mean `{near}`?"),
-        None => "comments can say `allow`, `allow-file`, `fmt off`, `fmt on` and `profile`".to_owned(),
+        None => {
+            "comments can say `allow`, `allow-file`, `fmt off`, `fmt on`, `profile` and `cycle`".to_owned()
+        }
     })
 }
 

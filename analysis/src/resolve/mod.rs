@@ -85,6 +85,7 @@ pub(crate) fn program(units: &[Unit<'_>]) -> Resolved {
     let numbers = Numbers::of(units);
     let mut program = Program {
         files: units.iter().map(|unit| unit.name.to_owned()).collect(),
+        cycle: units.first().and_then(|unit| unit.context.cycle),
         profiles: units.iter().map(|unit| unit.context.profile).collect(),
         ..Program::default()
     };

@@ -6,11 +6,19 @@ use crate::facts::{Node, NodeKind};
 use crate::literal::Literal;
 use crate::network::Formal;
 use crate::operand_value::{Number, number, scalar};
-use crate::rule::Rule;
+use crate::rule::{Rule, Severity};
+use crate::rule_settings::DEFAULT_SCAN_INTERVAL;
 use crate::types::Scalar;
-use ladder_instructions::Accepts;
+use ladder_instructions::{Accepts, Timing};
+use ladder_syntax::TextRange;
 
 const MILLISECOND: i128 = 1_000_000;
+
+/// What 16 bits count, and one scan more.
+const MOST_SCANS: i128 = 32_768;
+
+/// The time base of a timer that names none, in nanoseconds.
+const DEFAULT_TIME_BASE: i128 = 100_000_000;
 
 pub(super) fn check(place: &Place<'_>, out: &mut Vec<Diagnostic>) {
     let bound = place.bound;
@@ -26,7 +34,14 @@ pub(super) fn check(place: &Place<'_>, out: &mut Vec<Diagnostic>) {
     // A plain integer is milliseconds.
     let plain = is_integer(place, &operand.value);
     let preset = if plain { value * MILLISECOND } else { value };
-    let scan = i128::from(place.settings.scan_interval);
+    let scan = place.settings.scan_interval.or(place.context.cycle);
+    let scan = i128::from(scan.unwrap_or(DEFAULT_SCAN_INTERVAL));
+    let at = bound.absolute(operand.value.range);
+    match place.context.profile.law().timing {
+        Timing::Clock => {}
+        Timing::Scans => return out.extend(in_scans(preset, scan, at)),
+        Timing::Ticks => return out.extend(in_ticks(place, plain.then_some(value), scan, at)),
+    }
     if !(0..scan).contains(&preset) {
         return;
     }
@@ -38,7 +53,7 @@ pub(super) fn check(place: &Place<'_>, out: &mut Vec<Diagnostic>) {
             milliseconds(scan)
         )
     };
-    let found = Diagnostic::new(Rule::ShortPreset, bound.absolute(operand.value.range), message);
+    let found = Diagnostic::new(Rule::ShortPreset, at, message);
     out.push(if plain && value > 0 {
         found.help(format!(
             "a plain number is milliseconds: {value} s is written T#{value}s"
@@ -46,6 +61,59 @@ pub(super) fn check(place: &Place<'_>, out: &mut Vec<Diagnostic>) {
     } else {
         found.help("give a time of at least a scan, or leave the timer out")
     });
+}
+
+/// A timer that counts scans: it needs two at least, and its count has 16 bits.
+fn in_scans(preset: i128, scan: i128, at: TextRange) -> Option<Diagnostic> {
+    let scans = preset / scan;
+    let (message, help) = match scans {
+        ..2 => (
+            format!(
+                "the time is {scans} scans of {}: timers of this profile take 2 or more",
+                milliseconds(scan)
+            ),
+            "give a longer time, or a shorter scan above the first network, as in: # ladder: cycle 1ms #",
+        ),
+        2..=MOST_SCANS => return None,
+        _ => (
+            format!(
+                "the time is {scans} scans of {}: timers of this profile count to {MOST_SCANS}",
+                milliseconds(scan)
+            ),
+            "give a shorter time, or a longer scan above the first network, as in: # ladder: cycle 100ms #",
+        ),
+    };
+    let mut found = Diagnostic::new(Rule::ShortPreset, at, message).help(help);
+    // The system whose arithmetic this is does not compile it.
+    found.severity = Severity::Error;
+    Some(found)
+}
+
+/// A timer that counts steps of a time base, at most one in a scan.
+fn in_ticks(place: &Place<'_>, count: Option<i128>, scan: i128, at: TextRange) -> Option<Diagnostic> {
+    if count.is_some_and(|count| count <= 0) {
+        let message = "the preset is 0 or less: the first step reaches it";
+        return Some(Diagnostic::new(Rule::ShortPreset, at, message).help("count one step or more"));
+    }
+    let bound = place.bound;
+    let mut operands = bound.facts.operands.iter().zip(bound.formals.iter());
+    let base = operands
+        .find(|(_, formal)| matches!(formal, Formal::Operand(row) if row.accepts == Accepts::Time))
+        .map_or(Some(Number::Int(DEFAULT_TIME_BASE)), |(operand, _)| {
+            number(place.context, place.network.scope, &operand.value)
+        });
+    match base {
+        Some(Number::Int(base)) if base < scan => {
+            let message = format!(
+                "the time base is {} and a scan {}: a timer counts one step in a scan at most, and runs slow",
+                milliseconds(base),
+                milliseconds(scan)
+            );
+            let found = Diagnostic::new(Rule::ShortPreset, at, message);
+            Some(found.help("take a longer time base, or a shorter scan"))
+        }
+        _ => None,
+    }
 }
 
 fn is_integer(place: &Place<'_>, node: &Node) -> bool {

@@ -4,6 +4,7 @@ use super::inputs::Inputs;
 use crate::outcome::Failure;
 use crate::output::Existing;
 use clap::Args;
+use ladder_analysis::program::Program;
 use ladder_analysis::types::Scalar;
 use ladder_analysis::value::Value;
 use ladder_simulator::{Options, Point, Simulation, value_text};
@@ -13,7 +14,7 @@ use std::path::{Path, PathBuf};
 /// The clock and the inputs of a run.
 #[derive(Debug, Default, Args)]
 pub(crate) struct Stimulus {
-    /// The time from one scan to the next [default: what ladder.toml says, else 10ms]
+    /// The time from one scan to the next [default: what ladder.toml says, else the program, else 10ms]
     #[arg(long, value_name = "TIME", value_parser = interval)]
     dt: Option<i64>,
 
@@ -44,8 +45,8 @@ impl Stimulus {
     ///
     /// # Errors
     /// The workspace's settings cannot be read.
-    pub(crate) fn options(&self, program: &Path) -> Result<Options, Failure> {
-        let settings = Settings::of(program)?.simulate.options();
+    pub(crate) fn options(&self, file: &Path, program: &Program) -> Result<Options, Failure> {
+        let settings = Settings::of(file)?.simulate.options(program);
         Ok(Options {
             interval: self.dt.unwrap_or(settings.interval),
             ..settings

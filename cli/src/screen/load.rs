@@ -95,7 +95,7 @@ fn plant(
     program: Arc<Program>,
     retain: Option<KeptIn>,
 ) -> Result<Plant, Failure> {
-    let options = request.stimulus.options(request.file)?;
+    let options = request.stimulus.options(request.file, &program)?;
     let history = Settings::of(request.file)?.simulate.history;
     let limits = history.map_or_else(HistoryLimits::default, |scans| {
         HistoryLimits::of_scans(usize::try_from(scans).unwrap_or(usize::MAX))

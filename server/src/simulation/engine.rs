@@ -64,8 +64,9 @@ impl Engine {
             Some(scans) => HistoryLimits::of_scans(usize::try_from(scans).unwrap_or(usize::MAX)),
             None => HistoryLimits::default(),
         };
-        let mut session = Session::new(program, engine_options(options, &settings)?, limits)
-            .map_err(|error| Failure::Failed(error.to_string()))?;
+        let engine = engine_options(options, settings.options(&program))?;
+        let mut session =
+            Session::new(program, engine, limits).map_err(|error| Failure::Failed(error.to_string()))?;
         let inputs = options.inputs.iter();
         let inputs = inputs
             .map(|(tag, value)| assignment(session.simulation(), tag, value))
@@ -323,9 +324,8 @@ fn assignment(simulation: &Simulation, tag: &str, value: &Json) -> Result<(Point
 
 fn engine_options(
     options: &messages::Options,
-    settings: &ladder_workspace::Simulate,
+    mut engine: ladder_simulator::Options,
 ) -> Result<ladder_simulator::Options, Failure> {
-    let mut engine = settings.options();
     if let Some(milliseconds) = options.interval_ms {
         if !INTERVAL.contains(&milliseconds) {
             return Err(Failure::Invalid(format!(

@@ -123,13 +123,8 @@ impl Plant {
                 .filter_map(|line| Some(line.strip_prefix(word)?.to_owned()))
                 .collect::<Vec<String>>()
         };
-        let digits = |text: &String| {
-            let end = text.find(|c: char| !c.is_ascii_digit()).unwrap_or(text.len());
-            text[..end].parse::<i64>().ok()
-        };
-        let cycle = kept("CYCLE=").first().and_then(digits).unwrap_or(10_000);
         let options = Options {
-            interval: cycle * 1_000,
+            interval: program.cycle.unwrap_or(Options::default().interval),
             ..Options::default()
         };
         let simulation = Simulation::new(Arc::clone(program), options).map_err(|error| error.message)?;

@@ -56,7 +56,7 @@ impl Settings {
     /// What the rules are told before they look at a program.
     pub fn rules_for(&self, program: &Path) -> RuleSettings {
         let mut rules = RuleSettings {
-            scan_interval: self.simulate.options().interval,
+            scan_interval: self.simulate.interval,
             ..RuleSettings::default()
         };
         for (rule, level) in self.lint.levels_of(program) {

@@ -3,6 +3,7 @@
 use super::reader::{Reader, Table};
 use super::table::{HISTORY, INTERVAL, RETAIN, WATCHDOG};
 use crate::Named;
+use ladder_analysis::program::Program;
 use ladder_simulator::Options;
 use std::path::Path;
 
@@ -20,11 +21,11 @@ pub struct Simulate {
 }
 
 impl Simulate {
-    /// The simulator's own options, with what is set here in their place.
-    pub fn options(&self) -> Options {
+    /// How a program is run: as is set here, else as the program itself says, else with the simulator's own options.
+    pub fn options(&self, program: &Program) -> Options {
         let defaults = Options::default();
         Options {
-            interval: self.interval.unwrap_or(defaults.interval),
+            interval: self.interval.or(program.cycle).unwrap_or(defaults.interval),
             watchdog: self.watchdog.unwrap_or(defaults.watchdog),
         }
     }

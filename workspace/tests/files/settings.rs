@@ -1,6 +1,7 @@
 //! Settings files: what they say, and what is wrong with them.
 
 use expect_test::{Expect, expect};
+use ladder_analysis::program::Program;
 use ladder_analysis::{Level, Rule, Severity};
 use ladder_workspace::{Root, Settings, find_programs};
 use std::fs;
@@ -20,7 +21,10 @@ fn an_empty_file_asks_for_nothing() {
     let settings = settings("# nothing yet\n");
     assert_eq!(settings.format, ladder_format::Options::default());
     assert!(settings.lint.levels.is_empty());
-    assert_eq!(settings.simulate.options(), ladder_simulator::Options::default());
+    assert_eq!(
+        settings.simulate.options(&Program::default()),
+        ladder_simulator::Options::default()
+    );
     assert!(settings.files.contain(Path::new("/plant/a.clad")));
 }
 

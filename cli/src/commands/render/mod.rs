@@ -246,10 +246,10 @@ fn at_rest(source: &Source) -> (Scene, Outcome) {
 
 /// The picture of the program after so many scans; none if it has errors, which stderr then shows.
 fn running(arguments: &Arguments, source: &Source, scans: u64) -> Result<Option<(Scene, Outcome)>, Failure> {
-    let options = arguments.stimulus.options(&arguments.file)?;
     let Some(program) = program(source) else {
         return Ok(None);
     };
+    let options = arguments.stimulus.options(&arguments.file, &program)?;
     let mut simulation = Simulation::new(program, options)
         .map_err(|error| Failure::new(format!("{}: {}", place(source, error.location), error.message)))?;
     let inputs = arguments.stimulus.give(&mut simulation)?;

@@ -130,13 +130,13 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
         });
     }
     let source = Source::read(&arguments.file, from)?;
-    let options = arguments.stimulus.options(&arguments.file)?;
     let scans = arguments.scans.ok_or_else(|| {
         Failure::new("say how many scans to run, for example --scans 100; `ladder sim --help` shows more")
     })?;
     let Some(program) = program(&source) else {
         return Ok(Outcome::Findings);
     };
+    let options = arguments.stimulus.options(&arguments.file, &program)?;
     let mut simulation = Simulation::new(program, options)
         .map_err(|error| Failure::new(format!("{}: {}", place(&source, error.location), error.message)))?;
 

@@ -232,7 +232,7 @@ fn compile(
             _ => errors(source, renderer),
         },
     })?;
-    let mut options: Options = settings.simulate.options();
+    let mut options: Options = settings.simulate.options(&program);
     if let Some((interval, _)) = suite.interval {
         options.interval = interval;
     }

@@ -36,6 +36,10 @@ pub(super) fn file(analysis: &Analysis) -> Result<(File, Report), WriteError> {
         exporter.letters();
     }
     let mut file = head.file;
+    if let Some(cycle) = program.cycle {
+        let microseconds = u64::try_from(cycle / 1_000).unwrap_or(0).max(1);
+        file.set_cycle(microseconds);
+    }
     file.header = parse::header(file.version, &file.header);
     if file.io.is_empty() {
         file.io = exporter.io(&head.pins);

@@ -55,9 +55,33 @@ impl File {
     /// The length of a cycle in microseconds.
     pub(super) fn cycle(&self) -> u64 {
         let line = self.header.iter().find_map(|line| line.strip_prefix("CYCLE="));
-        line.and_then(number).filter(|cycle| *cycle > 0).unwrap_or(10_000)
+        let cycle = line
+            .and_then(number)
+            .filter(|cycle| (1..=LONGEST_CYCLE).contains(cycle));
+        cycle.unwrap_or(DEFAULT_CYCLE)
+    }
+
+    /// Gives a cycle another length; what else its line says stays.
+    pub(super) fn set_cycle(&mut self, microseconds: u64) {
+        if self.cycle() == microseconds {
+            return;
+        }
+        let line = self.header.iter_mut().find(|line| line.starts_with("CYCLE="));
+        match line {
+            Some(line) => {
+                let behind = line["CYCLE=".len()..].trim_start_matches(|c: char| c.is_ascii_digit());
+                *line = format!("CYCLE={microseconds}{behind}");
+            }
+            None => self.header.push(format!("CYCLE={microseconds}")),
+        }
     }
 }
+
+/// The length of a cycle where a file gives none, in microseconds; scans take as long here.
+pub(super) const DEFAULT_CYCLE: u64 = 10_000;
+
+/// A day.
+const LONGEST_CYCLE: u64 = 86_400_000_000;
 
 /// The number that a text begins with.
 pub(super) fn number(text: &str) -> Option<u64> {

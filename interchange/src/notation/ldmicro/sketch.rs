@@ -2,7 +2,7 @@
 
 use super::super::{Finding, Place, Reading};
 use super::element::{self, Coil, Form, Slot};
-use super::model::{Encoding, File, Leaf, Node, Rung, leaves, number};
+use super::model::{DEFAULT_CYCLE, Encoding, File, Leaf, Node, Rung, leaves, number};
 use super::tags::{MOST_STAGES, Tags};
 use super::text;
 use ladder_analysis::Severity;
@@ -87,7 +87,14 @@ impl<'f> Importer<'f> {
                 .into_iter()
                 .map(|line| Item::Comment(format!("ldmicro: {line}"))),
         );
-        items.extend([Item::Directive("profile ldmicro".to_owned()), Item::Blank]);
+        items.push(Item::Directive("profile ldmicro".to_owned()));
+        if self.file.cycle() != DEFAULT_CYCLE {
+            items.push(Item::Directive(format!(
+                "cycle {}",
+                plain_duration(self.file.cycle())
+            )));
+        }
+        items.push(Item::Blank);
         items.extend(sections.into_iter().map(Item::Section));
     }
 
@@ -381,9 +388,14 @@ fn said(comment: &str) -> String {
 
 /// A delay in microseconds.
 fn duration(microseconds: u64) -> String {
+    format!("T#{}", plain_duration(microseconds))
+}
+
+/// The same as comments have it, where a `#` would end them.
+fn plain_duration(microseconds: u64) -> String {
     match microseconds {
-        us if us % 1_000_000 == 0 => format!("T#{}s", us / 1_000_000),
-        us if us % 1_000 == 0 => format!("T#{}ms", us / 1_000),
-        us => format!("T#{us}us"),
+        us if us % 1_000_000 == 0 => format!("{}s", us / 1_000_000),
+        us if us % 1_000 == 0 => format!("{}ms", us / 1_000),
+        us => format!("{us}us"),
     }
 }

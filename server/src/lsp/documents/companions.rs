@@ -177,7 +177,7 @@ fn compiled(shared: &Shared, path: &Path, interval: Option<i64>) -> Result<Simul
             "a file that {name} uses has errors; its scenarios run when that has none"
         ))
     })?;
-    let mut options = shared.neighbours.simulate(path).options();
+    let mut options = shared.neighbours.simulate(path).options(&program);
     if let Some(interval) = interval {
         options.interval = interval;
     }
