@@ -6,7 +6,7 @@ use crate::facts::{Node, NodeKind};
 use crate::literal::Literal;
 use crate::network::Formal;
 use crate::operand_value::{Number, number, scalar};
-use crate::rule::{Rule, Severity};
+use crate::rule::Rule;
 use crate::rule_settings::DEFAULT_SCAN_INTERVAL;
 use crate::types::Scalar;
 use ladder_instructions::{Accepts, Timing};
@@ -63,7 +63,7 @@ pub(super) fn check(place: &Place<'_>, out: &mut Vec<Diagnostic>) {
     });
 }
 
-/// A timer that counts scans: it needs two at least, and its count has 16 bits.
+/// A timer that counts scans: it needs two at least, and its count has 16 bits. The simulator refuses it otherwise.
 fn in_scans(preset: i128, scan: i128, at: TextRange) -> Option<Diagnostic> {
     let scans = preset / scan;
     let (message, help) = match scans {
@@ -83,10 +83,7 @@ fn in_scans(preset: i128, scan: i128, at: TextRange) -> Option<Diagnostic> {
             "give a shorter time, or a longer scan above the first network, as in: # ladder: cycle 100ms #",
         ),
     };
-    let mut found = Diagnostic::new(Rule::ShortPreset, at, message).help(help);
-    // The system whose arithmetic this is does not compile it.
-    found.severity = Severity::Error;
-    Some(found)
+    Some(Diagnostic::new(Rule::ShortPreset, at, message).help(help))
 }
 
 /// A timer that counts steps of a time base, at most one in a scan.

@@ -374,6 +374,7 @@ fn design_rules() {
         22:1 ldmicro-destination: '5' not a valid destination.
         22:1 ldmicro-constant: Constant 70000 out of range: -32768 to 32767 inclusive.
         25:1 ldmicro-curve: x values in piecewise linear table must be strictly increasing.
+        25:1 ldmicro-unassigned: Variable 'b' not assigned to, e.g. with a MOV statement, an ADD statement, etc. This is probably a programming error; now it will always be zero.
         28:1 ldmicro-contact-name: the contact 'foo' is no input (X), output (Y) or relay (R)
         31:1 ldmicro-element: `PLACEHOLDER` stays as a comment: the rung is empty: delete it, or add instructions
         31:1 ldmicro-empty-row: Empty row; delete it or add instructions before compiling.

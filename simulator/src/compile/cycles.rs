@@ -7,7 +7,7 @@ use crate::code::Instr;
 use crate::memory::{Bit, Word};
 use crate::operation::{IntegerOp, Width};
 use crate::routine::Routine;
-use ladder_analysis::program::{Expr, ExprKind};
+use ladder_analysis::program::ExprKind;
 use ladder_analysis::types::Scalar;
 use ladder_analysis::value::Value;
 use ladder_instructions::Op;
@@ -22,16 +22,27 @@ impl Compiler<'_> {
             _ => return Err(arguments.not_in_profile()),
         };
         let (bits, words) = self.home_of(arguments)?;
-        let preset = self.scans(arguments.value(1)?)?;
+        let preset = self.scans(arguments)?;
         let (out, started) = (self.layout.bit(), self.layout.bit());
         self.routine(routine, &[out.0, en.0, preset.0, bits.0, words.0, started.0]);
         Ok(out)
     }
 
     /// As many scans as go into a delay, less the one in which it ends.
-    fn scans(&mut self, delay: &Expr) -> Result<Word> {
+    fn scans(&mut self, arguments: Arguments) -> Result<Word> {
+        let delay = arguments.value(1)?;
         if let ExprKind::Constant(Value::Int(nanoseconds)) = delay.kind {
-            return Ok(self.constant(nanoseconds / self.interval - 1));
+            let scans = nanoseconds / self.interval - 1;
+            return match scans {
+                ..1 => Err(arguments.refused(
+                    "Timer period too short (needs faster cycle time): a timer of this profile takes two scans or more"
+                        .into(),
+                )),
+                1..=MOST_SCANS => Ok(self.constant(scans)),
+                _ => Err(arguments.refused(format!(
+                    "Timer period too long (max {MOST_SCANS} times cycle time); use a slower cycle time"
+                ))),
+            };
         }
         let (delay, interval, one) = (self.word(delay)?, self.constant(self.interval), self.constant(1));
         let scans = self.integer(IntegerOp::Div, Scalar::Lint, delay, interval);
@@ -66,6 +77,9 @@ impl Compiler<'_> {
         en
     }
 }
+
+/// What a count can reach.
+const MOST_SCANS: i64 = i16::MAX as i64;
 
 /// The width of what is counted.
 pub(crate) const COUNT: Width = Width::I16;

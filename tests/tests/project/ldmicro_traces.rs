@@ -80,7 +80,31 @@ fn compare(trace: &Path) -> Result<(), String> {
     let mut plant = Plant::of(program, &converted)?;
     plant.play(&read("stim")?)?;
     let run = plant.finish();
-    compare_lines(&run, &expected).map_err(|why| format!("{why}\n{text}"))
+    compare_lines(&run, &expected).map_err(|why| format!("{why}\n{text}"))?;
+    compare_warnings(&converted, &expected)
+}
+
+/// What LDmicro says of the program when it runs into it is said when it is imported.
+fn compare_warnings(converted: &Converted, expected: &str) -> Result<(), String> {
+    for line in expected.lines().filter_map(|line| line.strip_prefix("ERROR: ")) {
+        let words = |text: &str| text.split_whitespace().collect::<Vec<_>>().join(" ");
+        let mut found = converted.findings.iter();
+        let said = line.starts_with("Division") || found.any(|found| words(&found.message) == words(line));
+        if !said {
+            return Err(format!("nothing says `{line}`"));
+        }
+    }
+    let unassigned = converted
+        .findings
+        .iter()
+        .filter(|found| found.check == "ldmicro-unassigned");
+    match unassigned.count() {
+        0 => Ok(()),
+        _ if expected.contains("not assigned to") => Ok(()),
+        count => Err(format!(
+            "LDmicro knows all variables, and {count} are told to be unknown"
+        )),
+    }
 }
 
 /// What LDmicro does not compile, with what it says, is not run here either.
@@ -95,9 +119,20 @@ fn compare_refusal(
             return Err(format!("nothing says `{line}`"));
         }
     }
-    match analysis.program() {
-        Some(_) => Err("LDmicro does not compile it, and it runs".to_owned()),
-        None => Ok(()),
+    let Some(program) = analysis.program() else {
+        return Ok(());
+    };
+    match Simulation::new(Arc::clone(program), options_of(program)) {
+        Ok(_) => Err("LDmicro does not compile it, and it runs".to_owned()),
+        Err(_) => Ok(()),
+    }
+}
+
+/// LDmicro's cycle is the scan interval.
+fn options_of(program: &Program) -> Options {
+    Options {
+        interval: program.cycle.unwrap_or(Options::default().interval),
+        ..Options::default()
     }
 }
 
@@ -123,11 +158,8 @@ impl Plant {
                 .filter_map(|line| Some(line.strip_prefix(word)?.to_owned()))
                 .collect::<Vec<String>>()
         };
-        let options = Options {
-            interval: program.cycle.unwrap_or(Options::default().interval),
-            ..Options::default()
-        };
-        let simulation = Simulation::new(Arc::clone(program), options).map_err(|error| error.message)?;
+        let simulation =
+            Simulation::new(Arc::clone(program), options_of(program)).map_err(|error| error.message)?;
         let renamed: BTreeMap<String, String> = kept("NAME ")
             .iter()
             .filter_map(|line| line.split_once(" = "))

@@ -57,7 +57,9 @@ fn the_extension_has_every_setting_of_an_editor() {
 fn the_defaults_are_those_of_the_code() {
     let nothing = Settings::default();
     let editor = EditorSettings::default();
-    let engine = nothing.simulate.options();
+    let engine = nothing
+        .simulate
+        .options(&ladder_analysis::program::Program::default());
     for section in SECTIONS {
         for setting in section.settings.iter().filter(|it| it.place != Place::Extension) {
             let found = match (section.name, setting.key) {

@@ -11,19 +11,22 @@ use ladder_format::program::{
     Declaration, Drawing, Element, Item, Network, Section, SectionKind, comment_text,
 };
 use ladder_instructions::{Op, by_op};
-use std::collections::HashMap;
+use std::collections::hash_map::Entry;
+use std::collections::{HashMap, HashSet};
 
 /// The whole program.
 pub(super) fn sketch(file: &File) -> Reading {
     let tags = Tags::of(file);
-    let pins = file
+    let pins: HashMap<&str, (u32, &str)> = file
         .io
         .iter()
-        .filter_map(|(line, entry)| entry.split_once(" at ").map(|(name, pin)| (name, (*line, pin))));
+        .filter_map(|(line, entry)| entry.split_once(" at ").map(|(name, pin)| (name, (*line, pin))))
+        .collect();
     let mut importer = Importer {
         file,
         tags: &tags,
-        pins: pins.collect(),
+        channels: channels(file, &pins),
+        pins,
         reading: Reading::default(),
     };
     importer.head();
@@ -31,9 +34,41 @@ pub(super) fn sketch(file: &File) -> Reading {
     importer.reading
 }
 
+/// How many analog inputs there are here, counted from 0.
+const CHANNELS: u64 = 64;
+
+/// The channel of each analog input: its pin, if that is a channel and no other input's, else the first that is free.
+fn channels<'f>(file: &'f File, pins: &HashMap<&str, (u32, &str)>) -> HashMap<&'f str, u64> {
+    let all = file.rungs.iter().flat_map(|rung| leaves(&rung.parts));
+    let inputs: Vec<&str> = all
+        .filter_map(|leaf| leaf.text.strip_prefix("READ_ADC "))
+        .map(name_of)
+        .collect();
+    let mut channels: HashMap<&str, u64> = HashMap::new();
+    let mut taken = HashSet::new();
+    for name in &inputs {
+        let pin = pins.get(name).and_then(|(_, pin)| number(pin));
+        let pin = pin.filter(|pin| (1..CHANNELS).contains(pin) && !channels.contains_key(name));
+        if let Some(pin) = pin.filter(|pin| taken.insert(*pin)) {
+            channels.insert(name, pin);
+        }
+    }
+    let mut free = (0..CHANNELS).filter(|channel| !taken.contains(channel));
+    for name in inputs {
+        if let Entry::Vacant(unknown) = channels.entry(name)
+            && let Some(channel) = free.next()
+        {
+            unknown.insert(channel);
+        }
+    }
+    channels
+}
+
 struct Importer<'f> {
     file: &'f File,
     tags: &'f Tags,
+    /// The port of each analog input.
+    channels: HashMap<&'f str, u64>,
     /// The line and the pin of each name in the I/O list.
     pins: HashMap<&'f str, (u32, &'f str)>,
     reading: Reading,
@@ -265,8 +300,11 @@ impl<'f> Importer<'f> {
                 None => format!("[MOV]( {}, 0 )", self.tags.variable(name)).into(),
             },
             Form::Adc => {
-                let pin = self.pins.get(name).and_then(|(_, pin)| number(pin)).unwrap_or(0);
-                format!("[ADC]( {}, {pin} )", self.tags.variable(name)).into()
+                let channel = self
+                    .channels
+                    .get(name)
+                    .ok_or("there are no more analog inputs here")?;
+                format!("[ADC]( {}, {channel} )", self.tags.variable(name)).into()
             }
             Form::Shift => {
                 let stages: u32 = fields[1].parse().unwrap_or(0);

@@ -6,9 +6,10 @@ mod texts;
 use super::super::{Finding, Place};
 use super::element::{self, Form, Slot};
 use super::model::{File, Leaf, Node, Version, leaves};
+use super::tags::MOST_STAGES;
 use ladder_analysis::Severity;
 use ladder_instructions::Op;
-use std::collections::HashMap;
+use std::collections::{HashMap, HashSet};
 
 /// All that LDmicro would complain about, whatever stands first.
 pub(super) fn findings(file: &File) -> Vec<Finding> {
@@ -35,7 +36,43 @@ pub(super) fn findings(file: &File) -> Vec<Finding> {
         Version::V01 => timer_names(&uses, &mut out),
         Version::V02 => fork::findings(file, &mut out),
     }
+    unassigned(file, &uses, &mut out);
     out
+}
+
+/// What LDmicro says of a variable when it is first read.
+fn unassigned(file: &File, uses: &HashMap<&str, Vec<(&Leaf, Form)>>, out: &mut Vec<Finding>) {
+    let mut stages: HashSet<String> = HashSet::new();
+    for leaf in file.rungs.iter().flat_map(|rung| leaves(&rung.parts)) {
+        let fields = element::fields(&leaf.text);
+        if let Some(Form::Shift) = element::row_of(&leaf.text).map(|row| row.form) {
+            let count: u32 = fields[1].parse().unwrap_or(0);
+            stages.extend((0..count.min(MOST_STAGES)).map(|stage| format!("{}{stage}", fields[0])));
+        }
+    }
+    for (name, uses) in uses {
+        let assigns = |(leaf, form): &(&Leaf, Form)| {
+            let is_first = element::fields(&leaf.text).first() == Some(name);
+            match form {
+                Form::Values(Op::Persist, _) => true,
+                Form::Values(_, slots) => is_first && slots.first() == Some(&Slot::Place),
+                Form::Table | Form::Curve => is_first,
+                Form::Timer(_) | Form::Counter(_) | Form::Reset | Form::Adc => true,
+                _ => false,
+            }
+        };
+        if *name == "(none)" || stages.contains(*name) || uses.iter().any(assigns) {
+            continue;
+        }
+        let message = format!(
+            "Variable '{name}' not assigned to, e.g. with a MOV statement, an ADD statement, etc. This is probably a \
+             programming error; now it will always be zero."
+        );
+        let first = uses.iter().map(|(leaf, _)| leaf.line).min().unwrap_or(1);
+        let mut found = error(first, "ldmicro-unassigned", message);
+        found.severity = Severity::Warning;
+        out.push(found);
+    }
 }
 
 fn error(line: u32, check: &'static str, message: impl Into<String>) -> Finding {
