@@ -254,6 +254,23 @@ impl Instruction {
         self.doc.split_once("\n\n").map_or(self.doc, |(first, _)| first)
     }
 
+    /// What there is to say of it in a profile beside the rest: how it differs there, or that it is not there.
+    pub fn in_profile(&self, profile: Profile) -> Option<&'static str> {
+        if !self.profiles.contain(profile) {
+            return Some("The system has no such instruction.");
+        }
+        let mut differs = self.differs.iter();
+        differs
+            .find(|(other, _)| *other == profile)
+            .map(|(_, text)| *text)
+    }
+
+    /// Those profiles in which there is something to say of it, with what it is.
+    pub fn in_profiles(&self) -> impl Iterator<Item = (Profile, &'static str)> + '_ {
+        let known = Profile::ALL.into_iter().filter(|profile| profile.runs());
+        known.filter_map(|profile| Some((profile, self.in_profile(profile)?)))
+    }
+
     /// The block without its operands, as it is written: `[TON]`, `( )`, `<RET>`.
     pub fn block(&self) -> String {
         let (open, close) = self.shape.brackets();

@@ -48,6 +48,15 @@ impl Profiles {
     /// All of them.
     pub const ALL: Profiles = Profiles(u8::MAX);
 
+    /// Those of this project's own: LDmicro and iot-ladder-editor have no such thing.
+    pub const OWN: Profiles = Profiles::only(Profile::Iec).and(Profile::Click);
+
+    /// All but `iot`.
+    pub const WITHOUT_IOT: Profiles = Profiles::OWN.and(Profile::Ldmicro);
+
+    /// All but `ldmicro`.
+    pub const WITHOUT_LDMICRO: Profiles = Profiles::OWN.and(Profile::Iot);
+
     /// One alone.
     pub const fn only(profile: Profile) -> Profiles {
         Profiles(1 << profile as u8)

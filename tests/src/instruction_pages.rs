@@ -111,6 +111,12 @@ fn section(out: &mut String, row: &Instruction) {
         Acts::WhenPowered => "Works only while EN is high.",
     };
     line(out, &format!("**ENO:** {}. {acts}\n", row.eno));
+    for (profile, text) in row.in_profiles() {
+        line(
+            out,
+            &format!("**In [profile](../profiles.md) `{profile}`:** {text}\n"),
+        );
+    }
     if !runs(row.example) {
         line(out, &format!("**{NOT_RUN} it.**\n"));
     }

@@ -7,7 +7,7 @@ use crate::facts::{OperandFacts, Word};
 use crate::network::{BoundBlock, Formal, Meaning, NetworkFacts};
 use crate::program::ParameterKind;
 use crate::rule::Rule;
-use ladder_instructions::{Direction, Presence, Profile, StateType};
+use ladder_instructions::{Direction, Presence, Profile, Profiles, StateType};
 use ladder_syntax::{Many, OperandPlace, TextRange};
 
 pub(crate) fn check(context: &Context, network: &NetworkFacts, out: &mut Vec<Diagnostic>) {
@@ -27,7 +27,13 @@ pub(crate) fn check(context: &Context, network: &NetworkFacts, out: &mut Vec<Dia
                 }
                 (Formal::Operand(row), _) => {
                     if !row.profiles.contain(context.profile) {
-                        out.push(of_another_profile(context.profile, bound, operand, name));
+                        out.push(of_another_profile(
+                            context.profile,
+                            row.profiles,
+                            bound,
+                            operand,
+                            name,
+                        ));
                         continue;
                     }
                     row.direction == Direction::In
@@ -47,10 +53,13 @@ pub(crate) fn check(context: &Context, network: &NetworkFacts, out: &mut Vec<Dia
 /// An operand that only another profile than that of the file knows.
 fn of_another_profile(
     profile: Profile,
+    known: Profiles,
     bound: &BoundBlock,
     operand: &OperandFacts,
     name: &Word,
 ) -> Diagnostic {
+    let known = Profile::ALL.into_iter().find(|profile| known.contain(*profile));
+    let known = known.unwrap_or_default();
     wrong(
         bound.absolute(operand.range),
         format!(
@@ -59,7 +68,9 @@ fn of_another_profile(
             name.text
         ),
     )
-    .help("leave it out, or say above the first network whose arithmetic the program has: # ladder: profile iot #")
+    .help(format!(
+        "leave it out, or say above the first network whose arithmetic the program has: # ladder: profile {known} #"
+    ))
 }
 
 /// `=>` before an operand that the block reads.

@@ -7,11 +7,15 @@ use crate::diagnostic::{Applicability, Diagnostic};
 use crate::excerpt::in_sentence;
 use crate::network::{BoundBlock, Meaning, NetworkFacts};
 use crate::rule::Rule;
-use ladder_instructions::{Shape, closest};
+use ladder_instructions::{Accepts, Instruction, Operand, Profile, Shape, TABLE, closest};
 use ladder_syntax::{Name, is_identifier};
 
 pub(crate) fn check(context: &Context, network: &NetworkFacts, out: &mut Vec<Diagnostic>) {
     for (index, bound) in network.blocks.iter().enumerate() {
+        if let Meaning::Instruction(row) = bound.meaning {
+            out.extend(not_in_profile(context.profile, row, bound));
+            continue;
+        }
         if !matches!(bound.meaning, Meaning::Unknown) || bound.faulty {
             continue;
         }
@@ -24,6 +28,25 @@ pub(crate) fn check(context: &Context, network: &NetworkFacts, out: &mut Vec<Dia
             None => unknown(context, network, bound),
         });
     }
+}
+
+/// A timer or counter that a profile does not have: it would count what nothing there counts. Other instructions work
+/// in every profile.
+fn not_in_profile(profile: Profile, row: &Instruction, bound: &BoundBlock) -> Option<Diagnostic> {
+    let counts = |operand: &Operand| match operand.accepts {
+        Accepts::State(state) => state.is_timer() || state.is_counter(),
+        _ => false,
+    };
+    if row.profiles.contain(profile) || !row.operands.iter().any(counts) {
+        return None;
+    }
+    let known = TABLE
+        .iter()
+        .filter(|row| row.profiles.contain(profile) && row.operands.iter().any(counts));
+    let known: Vec<String> = known.map(Instruction::block).collect();
+    let message = format!("there is no {} in the profile `{profile}`", row.block());
+    let found = Diagnostic::new(Rule::UnknownInstruction, bound.head_range(), message);
+    Some(found.help(format!("its timers and counters are {}", known.join(" "))))
 }
 
 fn unknown(context: &Context, network: &NetworkFacts, bound: &BoundBlock) -> Diagnostic {

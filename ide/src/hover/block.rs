@@ -49,12 +49,8 @@ pub(crate) fn instruction(row: &Instruction, profile: Profile) -> String {
         };
         let _ = writeln!(card, "- `{}`{way}{optional}: {}", operand.name, operand.doc);
     }
-    let differs = row
-        .differs
-        .iter()
-        .filter(|(in_profile, _)| *in_profile == profile);
-    for (profile, text) in differs {
-        let _ = write!(card, "\nIn profile `{profile}`: {text}\n");
+    if let Some(text) = row.in_profile(profile) {
+        let _ = write!(card, "\n**In profile `{profile}`:** {text}\n");
     }
     let _ = write!(
         card,

@@ -1,6 +1,6 @@
 //! The six operations of arithmetic (LANGUAGE §5.2).
 
-use crate::{Accepts, Acts, Group, Instruction, Op, Operand, Profiles, Role, Shape, TypeClass};
+use crate::{Accepts, Acts, Group, Instruction, Op, Operand, Profile, Profiles, Role, Shape, TypeClass};
 
 /// What the rows of this section share.
 const BASE: Instruction = Instruction {
@@ -25,6 +25,10 @@ pub(super) const ROWS: &[Instruction] = &[
     Instruction {
         op: Op::Add,
         mnemonic: "ADD",
+        differs: &[(
+            Profile::Iot,
+            "Computes as C does: in 32 bits, or in REAL where an operand is real, and cuts the result to the type of y. A REAL may become infinite, and nothing is a fault.",
+        )],
         title: "Add",
         operands: &[
             Operand::output("y", Accepts::Result(TypeClass::NumberOrTime), "The result."),
@@ -52,6 +56,10 @@ END_VAR
     Instruction {
         op: Op::Mul,
         mnemonic: "MUL",
+        differs: &[(
+            Profile::Iot,
+            "Computes as C does: in 32 bits, or in REAL where an operand is real, and cuts the result to the type of y. A REAL may become infinite, and nothing is a fault.",
+        )],
         title: "Multiply",
         operands: &[
             Operand::output("y", Accepts::Result(TypeClass::NumberOrTime), "The result."),
@@ -78,6 +86,10 @@ END_VAR
     Instruction {
         op: Op::Sub,
         mnemonic: "SUB",
+        differs: &[(
+            Profile::Iot,
+            "Computes as C does: in 32 bits, or in REAL where an operand is real, and cuts the result to the type of y. A REAL may become infinite, and nothing is a fault.",
+        )],
         title: "Subtract",
         operands: &[
             Operand::output("y", Accepts::Result(TypeClass::NumberOrTime), "The result."),
@@ -104,6 +116,16 @@ END_VAR
     Instruction {
         op: Op::Div,
         mnemonic: "DIV",
+        differs: &[
+            (
+                Profile::Ldmicro,
+                "A division by 0 gives 0 and records a fault; this scan runs to its end and is the last one.",
+            ),
+            (
+                Profile::Iot,
+                "Computes as C does: two integers give an integer, 7 / 2 is 3, also where y is real. A REAL divided by 0 is infinite; an integer is a fault.",
+            ),
+        ],
         title: "Divide",
         operands: &[
             Operand::output("y", Accepts::Result(TypeClass::NumberOrTime), "The result."),
@@ -135,6 +157,7 @@ END_VAR
     Instruction {
         op: Op::Mod,
         mnemonic: "MOD",
+        profiles: Profiles::WITHOUT_IOT,
         title: "Remainder",
         operands: &[
             Operand::output("y", Accepts::Result(TypeClass::Number), "The result."),
@@ -162,6 +185,7 @@ END_VAR
         op: Op::Exp,
         mnemonic: "EXP",
         aliases: &["EXPT"],
+        profiles: Profiles::OWN,
         title: "Power",
         operands: &[
             Operand::output("y", Accepts::Result(TypeClass::Number), "The result."),

@@ -25,6 +25,7 @@ pub(super) const ROWS: &[Instruction] = &[
     Instruction {
         op: Op::Sr,
         mnemonic: "SR",
+        profiles: Profiles::OWN,
         title: "Set-dominant bistable",
         operands: &[
             Operand::in_out(
@@ -56,6 +57,7 @@ END_VAR
     Instruction {
         op: Op::Rs,
         mnemonic: "RS",
+        profiles: Profiles::OWN,
         title: "Reset-dominant bistable",
         operands: &[
             Operand::in_out(

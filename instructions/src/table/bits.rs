@@ -1,6 +1,6 @@
 //! Bitwise logic, shifts and rotates (LANGUAGE §5.2).
 
-use crate::{Accepts, Acts, Group, Instruction, Op, Operand, Profiles, Role, Shape, TypeClass};
+use crate::{Accepts, Acts, Group, Instruction, Op, Operand, Profile, Profiles, Role, Shape, TypeClass};
 
 /// What the rows of this section share.
 const BASE: Instruction = Instruction {
@@ -25,6 +25,10 @@ pub(super) const ROWS: &[Instruction] = &[
     Instruction {
         op: Op::Not,
         mnemonic: "NOT",
+        differs: &[(
+            Profile::Iot,
+            "Inverts all bits of a number: of a BOOL, 0 gives 255 and 1 gives 254, so that a BOOL y is always high.",
+        )],
         title: "Bitwise not",
         operands: &[
             Operand::output("y", Accepts::Result(TypeClass::BoolBitsOrInteger), "The result."),
@@ -49,6 +53,10 @@ END_VAR
     Instruction {
         op: Op::And,
         mnemonic: "AND",
+        differs: &[(
+            Profile::Iot,
+            "Works on the bits of numbers, a BOOL being 0 or 1; a BOOL y is high unless the lower eight bits are 0.",
+        )],
         title: "Bitwise and",
         operands: &[
             Operand::output("y", Accepts::Result(TypeClass::BoolBitsOrInteger), "The result."),
@@ -74,6 +82,10 @@ END_VAR
     Instruction {
         op: Op::Or,
         mnemonic: "OR",
+        differs: &[(
+            Profile::Iot,
+            "Works on the bits of numbers, a BOOL being 0 or 1; a BOOL y is high unless the lower eight bits are 0.",
+        )],
         title: "Bitwise or",
         operands: &[
             Operand::output("y", Accepts::Result(TypeClass::BoolBitsOrInteger), "The result."),
@@ -96,6 +108,10 @@ END_VAR
     Instruction {
         op: Op::Xor,
         mnemonic: "XOR",
+        differs: &[(
+            Profile::Iot,
+            "Works on the bits of numbers, a BOOL being 0 or 1; a BOOL y is high unless the lower eight bits are 0.",
+        )],
         title: "Bitwise exclusive or",
         operands: &[
             Operand::output("y", Accepts::Result(TypeClass::BoolBitsOrInteger), "The result."),
@@ -121,6 +137,7 @@ END_VAR
     Instruction {
         op: Op::Shl,
         mnemonic: "SHL",
+        profiles: Profiles::WITHOUT_IOT,
         title: "Shift left",
         operands: &[
             Operand::output("y", Accepts::Result(TypeClass::BitsOrInteger), "The result."),
@@ -147,6 +164,7 @@ END_VAR
     Instruction {
         op: Op::Shr,
         mnemonic: "SHR",
+        profiles: Profiles::WITHOUT_IOT,
         title: "Shift right",
         operands: &[
             Operand::output("y", Accepts::Result(TypeClass::BitsOrInteger), "The result."),
@@ -172,6 +190,7 @@ END_VAR
     Instruction {
         op: Op::Rol,
         mnemonic: "ROL",
+        profiles: Profiles::WITHOUT_IOT,
         title: "Rotate left",
         operands: &[
             Operand::output("y", Accepts::Result(TypeClass::BitsOrInteger), "The result."),
@@ -198,6 +217,7 @@ END_VAR
     Instruction {
         op: Op::Ror,
         mnemonic: "ROR",
+        profiles: Profiles::WITHOUT_IOT,
         title: "Rotate right",
         operands: &[
             Operand::output("y", Accepts::Result(TypeClass::BitsOrInteger), "The result."),

@@ -1,6 +1,6 @@
 //! Coils (LANGUAGE §5.4).
 
-use crate::{Accepts, Acts, Group, Instruction, Op, Operand, Profiles, Role, Shape};
+use crate::{Accepts, Acts, Group, Instruction, Op, Operand, Profile, Profiles, Role, Shape};
 
 /// What the rows of this section share.
 const BASE: Instruction = Instruction {
@@ -25,6 +25,9 @@ pub(super) const ROWS: &[Instruction] = &[
     Instruction {
         op: Op::Coil,
         mnemonic: " ",
+        differs: &[
+            (Profile::Iot, "A number becomes 1 or 0."),
+        ],
         title: "Coil",
         operands: &[Operand::output(
             "tag",
@@ -54,6 +57,9 @@ END_VAR
     Instruction {
         op: Op::NegatedCoil,
         mnemonic: "/",
+        differs: &[
+            (Profile::Iot, "A number becomes 0 or 1."),
+        ],
         title: "Negated coil",
         operands: &[Operand::output(
             "tag",
@@ -78,6 +84,10 @@ END_VAR
     Instruction {
         op: Op::SetCoil,
         mnemonic: "S",
+        differs: &[
+            (Profile::Ldmicro, "The power behind it is EN."),
+            (Profile::Iot, "The power behind it is EN. A number becomes 1."),
+        ],
         title: "Set coil",
         operands: &[Operand::output(
             "tag",
@@ -108,6 +118,9 @@ END_VAR
     Instruction {
         op: Op::ResetCoil,
         mnemonic: "R",
+        differs: &[
+            (Profile::Iot, "A number becomes 0."),
+        ],
         title: "Reset coil",
         operands: &[Operand::output(
             "tag",
@@ -137,6 +150,10 @@ END_VAR
     Instruction {
         op: Op::RisingCoil,
         mnemonic: "P",
+        profiles: Profiles::WITHOUT_LDMICRO,
+        differs: &[
+            (Profile::Iot, "Its memory is that of all edges of the tag."),
+        ],
         title: "Rising-edge coil",
         operands: &[Operand::output(
             "tag",
@@ -162,6 +179,10 @@ END_VAR
     Instruction {
         op: Op::FallingCoil,
         mnemonic: "N",
+        profiles: Profiles::WITHOUT_LDMICRO,
+        differs: &[
+            (Profile::Iot, "Its memory is that of all edges of the tag."),
+        ],
         title: "Falling-edge coil",
         operands: &[Operand::output(
             "tag",
@@ -187,6 +208,7 @@ END_VAR
     Instruction {
         op: Op::RetentiveCoil,
         mnemonic: "M",
+        profiles: Profiles::WITHOUT_LDMICRO,
         title: "Retentive coil",
         operands: &[Operand::output(
             "tag",
@@ -213,6 +235,10 @@ END_VAR
     Instruction {
         op: Op::RetentiveSet,
         mnemonic: "SM",
+        profiles: Profiles::WITHOUT_LDMICRO,
+        differs: &[
+            (Profile::Iot, "The power behind it is EN. A number becomes 1."),
+        ],
         title: "Set retentive coil",
         operands: &[Operand::output(
             "tag",
@@ -241,6 +267,10 @@ END_VAR
     Instruction {
         op: Op::RetentiveReset,
         mnemonic: "RM",
+        profiles: Profiles::WITHOUT_LDMICRO,
+        differs: &[
+            (Profile::Iot, "A number becomes 0."),
+        ],
         title: "Reset retentive coil",
         operands: &[Operand::output(
             "tag",
@@ -267,6 +297,10 @@ END_VAR
     Instruction {
         op: Op::Res,
         mnemonic: "RES",
+        differs: &[
+            (Profile::Ldmicro, "ET or CV becomes 0. Q follows when the block is next evaluated."),
+            (Profile::Iot, "ET becomes 0, CV the counter's `AC`; Q and IN become low."),
+        ],
         title: "Reset timer or counter",
         operands: &[Operand::in_out(
             "tag",

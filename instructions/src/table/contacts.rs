@@ -1,6 +1,6 @@
 //! Contacts, edges and the inverter (LANGUAGE §5.1).
 
-use crate::{Accepts, Acts, Group, Instruction, Op, Operand, Profiles, Role, Shape};
+use crate::{Accepts, Acts, Group, Instruction, Op, Operand, Profile, Profiles, Role, Shape};
 
 /// What the rows of this section share.
 const BASE: Instruction = Instruction {
@@ -25,6 +25,10 @@ pub(super) const ROWS: &[Instruction] = &[
     Instruction {
         op: Op::Contact,
         mnemonic: " ",
+        differs: &[(
+            Profile::Iot,
+            "The tag may be a number: it is high unless it is 0.",
+        )],
         title: "Open contact",
         operands: &[Operand::input(
             "tag",
@@ -52,6 +56,10 @@ END_VAR
     Instruction {
         op: Op::NegatedContact,
         mnemonic: "/",
+        differs: &[(
+            Profile::Iot,
+            "The tag may be a number: it is high unless it is 0.",
+        )],
         title: "Closed contact",
         operands: &[Operand::input(
             "tag",
@@ -82,6 +90,11 @@ END_VAR
         op: Op::RisingContact,
         mnemonic: "P",
         acts: Acts::Always,
+        profiles: Profiles::WITHOUT_LDMICRO,
+        differs: &[(
+            Profile::Iot,
+            "All edges of one tag share one memory: of two blocks in one scan only the first sees the edge. The tag may be a number.",
+        )],
         title: "Rising-edge contact",
         operands: &[Operand::input(
             "tag",
@@ -114,6 +127,11 @@ END_VAR
         op: Op::FallingContact,
         mnemonic: "N",
         acts: Acts::Always,
+        profiles: Profiles::WITHOUT_LDMICRO,
+        differs: &[(
+            Profile::Iot,
+            "All edges of one tag share one memory: of two blocks in one scan only the first sees the edge. The tag may be a number.",
+        )],
         title: "Falling-edge contact",
         operands: &[Operand::input(
             "tag",
@@ -146,6 +164,7 @@ END_VAR
         op: Op::Inverter,
         mnemonic: "NOT",
         acts: Acts::Always,
+        profiles: Profiles::OWN,
         title: "Inverter",
         eno: "not EN",
         doc: r#"Passes power exactly when none arrives.
@@ -169,6 +188,7 @@ END_VAR
         mnemonic: "OSR",
         aliases: &["R_TRIG"],
         acts: Acts::Always,
+        profiles: Profiles::WITHOUT_IOT,
         title: "One shot rising",
         eno: "EN rose",
         doc: "Passes power for one scan when the power that reaches it goes from low to high.
@@ -194,6 +214,7 @@ END_VAR
         mnemonic: "OSF",
         aliases: &["F_TRIG"],
         acts: Acts::Always,
+        profiles: Profiles::WITHOUT_IOT,
         title: "One shot falling",
         eno: "EN fell",
         doc: "Passes power for one scan when the power that reaches it goes from high to low.

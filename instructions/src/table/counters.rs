@@ -22,8 +22,12 @@ const BASE: Instruction = Instruction {
 };
 
 const PV: Operand = Operand::input("PV", Accepts::Count, "The preset value.");
-const RESET: Operand = Operand::input("R", Accepts::Bool, "The reset to 0, while it is high.").named();
-const LOAD: Operand = Operand::input("LD", Accepts::Bool, "Loads PV, while it is high.").named();
+const RESET: Operand = Operand::input("R", Accepts::Bool, "The reset to 0, while it is high.")
+    .named()
+    .known_to(Profiles::OWN);
+const LOAD: Operand = Operand::input("LD", Accepts::Bool, "Loads PV, while it is high.")
+    .named()
+    .known_to(Profiles::OWN);
 const COUNT_AT_FIRST: Operand = Operand::input(
     "AC",
     Accepts::Count,
@@ -37,6 +41,16 @@ pub(super) const ROWS: &[Instruction] = &[
     Instruction {
         op: Op::Ctu,
         mnemonic: "CTU",
+        differs: &[
+            (
+                Profile::Ldmicro,
+                "CV is an INT: behind 32767 comes -32768. Other instructions may write it, and several blocks count in one tag, each with its own memory of EN.",
+            ),
+            (
+                Profile::Iot,
+                "CV counts once while EN is high, and wraps. That PV was reached is kept in Q until `(RES)`; the power behind the block is EN and Q. `AC` is what CV begins with, and what `(RES)` gives it. CC is high while EN is.",
+            ),
+        ],
         title: "Up counter",
         operands: &[
             Operand::in_out(
@@ -74,6 +88,16 @@ END_VAR
     Instruction {
         op: Op::Ctd,
         mnemonic: "CTD",
+        differs: &[
+            (
+                Profile::Ldmicro,
+                "Q is high while CV is PV or more. CV is an INT that wraps; other instructions may write it, and several blocks count in one tag. There is no LD.",
+            ),
+            (
+                Profile::Iot,
+                "As CTU, but down: Q is set when CV is PV or less. `AC` is what CV begins with, and what `(RES)` gives it.",
+            ),
+        ],
         title: "Down counter",
         operands: &[
             Operand::in_out(
@@ -114,6 +138,7 @@ END_VAR
     Instruction {
         op: Op::Ctud,
         mnemonic: "CTUD",
+        profiles: Profiles::OWN,
         title: "Up-down counter",
         operands: &[
             Operand::in_out(
@@ -154,6 +179,11 @@ END_VAR
     Instruction {
         op: Op::Ctc,
         mnemonic: "CTC",
+        profiles: Profiles::WITHOUT_IOT,
+        differs: &[(
+            Profile::Ldmicro,
+            "The power behind it is EN, and so is Q. CV is an INT; other instructions may write it, and several blocks count in one tag.",
+        )],
         title: "Circular counter",
         operands: &[
             Operand::in_out(

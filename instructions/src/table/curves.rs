@@ -1,6 +1,6 @@
 //! Values from a list and from a curve (LANGUAGE §5.2).
 
-use crate::{Accepts, Acts, Group, Instruction, Op, Operand, Profiles, Role, Shape, TypeClass};
+use crate::{Accepts, Acts, Group, Instruction, Op, Operand, Profile, Profiles, Role, Shape, TypeClass};
 
 /// What the rows of this section share.
 const BASE: Instruction = Instruction {
@@ -25,6 +25,10 @@ pub(super) const ROWS: &[Instruction] = &[
     Instruction {
         op: Op::Lut,
         mnemonic: "LUT",
+        profiles: Profiles::WITHOUT_IOT,
+        differs: &[
+            (Profile::Ldmicro, "An index outside the table writes nothing, and is no fault."),
+        ],
         title: "Look-up table",
         operands: &[
             Operand::output("y", Accepts::Result(TypeClass::Any), "The result."),
@@ -49,6 +53,10 @@ END_VAR
     Instruction {
         op: Op::Pwl,
         mnemonic: "PWL",
+        profiles: Profiles::WITHOUT_IOT,
+        differs: &[
+            (Profile::Ldmicro, "Left of the first point the first line goes on; right of the last point nothing is written. It computes in the type of y, and wraps."),
+        ],
         title: "Piecewise linear",
         operands: &[
             Operand::output("y", Accepts::Result(TypeClass::Number), "The result."),

@@ -1,6 +1,6 @@
 //! Program flow (LANGUAGE §5.5).
 
-use crate::{Accepts, Acts, Group, Instruction, Op, Operand, Profiles, Role, Shape};
+use crate::{Accepts, Acts, Group, Instruction, Op, Operand, Profile, Profiles, Role, Shape};
 
 /// What the rows of this section share.
 const BASE: Instruction = Instruction {
@@ -26,6 +26,7 @@ pub(super) const ROWS: &[Instruction] = &[
         op: Op::Lbl,
         mnemonic: "LBL",
         role: Role::Condition,
+        profiles: Profiles::WITHOUT_IOT,
         title: "Label",
         operands: &[Operand::input("name", Accepts::Label, "The name that jumps use.")],
         doc: "Marks its network as the target of jumps.
@@ -51,6 +52,7 @@ END_VAR
     Instruction {
         op: Op::Jmp,
         mnemonic: "JMP",
+        profiles: Profiles::WITHOUT_IOT,
         title: "Jump",
         operands: &[Operand::input("name", Accepts::Label, "The label to go on at.")],
         eno: "EN, if it does not jump",
@@ -83,6 +85,7 @@ END_VAR
         op: Op::Fun,
         mnemonic: "FUN",
         role: Role::Condition,
+        profiles: Profiles::WITHOUT_IOT,
         title: "Function",
         operands: &[Operand::input(
             "name",
@@ -111,6 +114,7 @@ END_VAR
     Instruction {
         op: Op::Call,
         mnemonic: "CALL",
+        profiles: Profiles::WITHOUT_IOT,
         title: "Call a function",
         operands: &[Operand::input(
             "name",
@@ -139,6 +143,7 @@ END_VAR
     Instruction {
         op: Op::Ret,
         mnemonic: "RET",
+        profiles: Profiles::WITHOUT_IOT,
         title: "Return",
         eno: "EN, if it does not return",
         doc: "Ends the function at once and goes on behind the call.
@@ -164,6 +169,7 @@ END_VAR
     Instruction {
         op: Op::End,
         mnemonic: "END",
+        profiles: Profiles::OWN,
         title: "End of the program",
         eno: "EN, if the program goes on",
         doc: "Stops the program for good.
@@ -180,6 +186,7 @@ END_VAR
     Instruction {
         op: Op::For,
         mnemonic: "FOR",
+        profiles: Profiles::OWN,
         title: "Loop",
         operands: &[Operand::input(
             "n",
@@ -208,6 +215,7 @@ END_VAR
     Instruction {
         op: Op::Next,
         mnemonic: "NEXT",
+        profiles: Profiles::OWN,
         title: "End of a loop",
         doc: "Ends the networks that the `<FOR>` before it repeats.
 
@@ -226,6 +234,10 @@ END_VAR
         op: Op::Mcr,
         mnemonic: "MCR",
         acts: Acts::Always,
+        profiles: Profiles::WITHOUT_IOT,
+        differs: &[
+            (Profile::Ldmicro, "While the rails are live it gives its EN to them; while they are dead it makes them live, whatever EN is. Its own network has no live rail of its own."),
+        ],
         title: "Master control relay",
         doc: "Sets the power of the left rails of the networks behind it to EN, until the next `<MCR>` that runs.
 

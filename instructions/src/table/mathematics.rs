@@ -25,6 +25,7 @@ pub(super) const ROWS: &[Instruction] = &[
     Instruction {
         op: Op::Abs,
         mnemonic: "ABS",
+        profiles: Profiles::OWN,
         title: "Absolute value",
         operands: &[
             Operand::output("y", Accepts::Result(TypeClass::Number), "The result."),
@@ -49,6 +50,7 @@ END_VAR
     Instruction {
         op: Op::Neg,
         mnemonic: "NEG",
+        profiles: Profiles::WITHOUT_IOT,
         title: "Negate",
         operands: &[
             Operand::output("y", Accepts::Result(TypeClass::Number), "The result."),
@@ -71,6 +73,7 @@ END_VAR
     Instruction {
         op: Op::Trunc,
         mnemonic: "TRUNC",
+        profiles: Profiles::OWN,
         title: "Truncate",
         operands: &[
             Operand::output("y", Accepts::Result(TypeClass::Number), "The result."),
@@ -95,6 +98,7 @@ END_VAR
     Instruction {
         op: Op::Sqrt,
         mnemonic: "SQRT",
+        profiles: Profiles::OWN,
         title: "Square root",
         operands: &[
             Operand::output("y", Accepts::Result(TypeClass::Real), "The result."),
@@ -116,6 +120,7 @@ END_VAR
     Instruction {
         op: Op::Ln,
         mnemonic: "LN",
+        profiles: Profiles::OWN,
         title: "Natural logarithm",
         operands: &[
             Operand::output("y", Accepts::Result(TypeClass::Real), "The result."),
@@ -137,6 +142,7 @@ END_VAR
     Instruction {
         op: Op::Log,
         mnemonic: "LOG",
+        profiles: Profiles::OWN,
         title: "Logarithm to base 10",
         operands: &[
             Operand::output("y", Accepts::Result(TypeClass::Real), "The result."),
@@ -158,6 +164,7 @@ END_VAR
     Instruction {
         op: Op::Expe,
         mnemonic: "EXPE",
+        profiles: Profiles::OWN,
         title: "Power of e",
         operands: &[
             Operand::output("y", Accepts::Result(TypeClass::Real), "The result."),
@@ -180,6 +187,7 @@ END_VAR
     Instruction {
         op: Op::Sin,
         mnemonic: "SIN",
+        profiles: Profiles::OWN,
         title: "Sine",
         operands: &[
             Operand::output("y", Accepts::Result(TypeClass::Real), "The result."),
@@ -201,6 +209,7 @@ END_VAR
     Instruction {
         op: Op::Cos,
         mnemonic: "COS",
+        profiles: Profiles::OWN,
         title: "Cosine",
         operands: &[
             Operand::output("y", Accepts::Result(TypeClass::Real), "The result."),
@@ -222,6 +231,7 @@ END_VAR
     Instruction {
         op: Op::Tan,
         mnemonic: "TAN",
+        profiles: Profiles::OWN,
         title: "Tangent",
         operands: &[
             Operand::output("y", Accepts::Result(TypeClass::Real), "The result."),
@@ -244,6 +254,7 @@ END_VAR
     Instruction {
         op: Op::Asin,
         mnemonic: "ASIN",
+        profiles: Profiles::OWN,
         title: "Arc sine",
         operands: &[
             Operand::output("y", Accepts::Result(TypeClass::Real), "The result."),
@@ -266,6 +277,7 @@ END_VAR
     Instruction {
         op: Op::Acos,
         mnemonic: "ACOS",
+        profiles: Profiles::OWN,
         title: "Arc cosine",
         operands: &[
             Operand::output("y", Accepts::Result(TypeClass::Real), "The result."),
@@ -288,6 +300,7 @@ END_VAR
     Instruction {
         op: Op::Atan,
         mnemonic: "ATAN",
+        profiles: Profiles::OWN,
         title: "Arc tangent",
         operands: &[
             Operand::output("y", Accepts::Result(TypeClass::Real), "The result."),
@@ -309,6 +322,7 @@ END_VAR
     Instruction {
         op: Op::Rad,
         mnemonic: "RAD",
+        profiles: Profiles::OWN,
         title: "Degrees to radians",
         operands: &[
             Operand::output("y", Accepts::Result(TypeClass::Real), "The result."),
@@ -330,6 +344,7 @@ END_VAR
     Instruction {
         op: Op::Deg,
         mnemonic: "DEG",
+        profiles: Profiles::OWN,
         title: "Radians to degrees",
         operands: &[
             Operand::output("y", Accepts::Result(TypeClass::Real), "The result."),

@@ -1,6 +1,6 @@
 //! Moving and converting a value (LANGUAGE §5.2).
 
-use crate::{Accepts, Acts, Group, Instruction, Op, Operand, Profiles, Role, Shape, TypeClass};
+use crate::{Accepts, Acts, Group, Instruction, Op, Operand, Profile, Profiles, Role, Shape, TypeClass};
 
 /// What the rows of this section share.
 const BASE: Instruction = Instruction {
@@ -27,6 +27,10 @@ pub(super) const ROWS: &[Instruction] = &[
         mnemonic: "MOV",
         synonyms: &["SET"],
         aliases: &["MOVE"],
+        differs: &[(
+            Profile::Iot,
+            "The value is cut to the type of y as in C: a real loses its fraction, an integer its upper bits.",
+        )],
         title: "Move",
         operands: &[
             Operand::output("y", Accepts::Result(TypeClass::Any), "The tag that is written."),
@@ -52,6 +56,7 @@ END_VAR
     Instruction {
         op: Op::Typ,
         mnemonic: "TYP",
+        profiles: Profiles::OWN,
         title: "Convert type",
         operands: &[
             Operand::output(

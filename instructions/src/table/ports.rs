@@ -1,6 +1,6 @@
 //! Ports to the world outside (LANGUAGE §5.6).
 
-use crate::{Accepts, Acts, Group, Instruction, Op, Operand, Profiles, Role, Shape, TypeClass};
+use crate::{Accepts, Acts, Group, Instruction, Op, Operand, Profile, Profiles, Role, Shape, TypeClass};
 
 /// What the rows of this section share.
 const BASE: Instruction = Instruction {
@@ -25,6 +25,7 @@ pub(super) const ROWS: &[Instruction] = &[
     Instruction {
         op: Op::Adc,
         mnemonic: "ADC",
+        profiles: Profiles::WITHOUT_IOT,
         title: "Read analog input",
         operands: &[
             Operand::output(
@@ -51,6 +52,7 @@ END_VAR
     Instruction {
         op: Op::Pwm,
         mnemonic: "PWM",
+        profiles: Profiles::WITHOUT_IOT,
         title: "Pulse output",
         operands: &[
             Operand::input(
@@ -75,6 +77,11 @@ END_VAR
     Instruction {
         op: Op::Usnd,
         mnemonic: "USND",
+        profiles: Profiles::WITHOUT_IOT,
+        differs: &[(
+            Profile::Ldmicro,
+            "A byte takes two scans. It is sent when EN is high and the line is free; the power behind it tells that the line is busy.",
+        )],
         title: "Send a byte",
         operands: &[Operand::input(
             "n",
@@ -99,6 +106,11 @@ END_VAR
     Instruction {
         op: Op::Urcv,
         mnemonic: "URCV",
+        profiles: Profiles::WITHOUT_IOT,
+        differs: &[(
+            Profile::Ldmicro,
+            "The port holds one byte: a newer one takes its place.",
+        )],
         title: "Receive a byte",
         operands: &[Operand::output(
             "y",
@@ -120,6 +132,11 @@ END_VAR
     Instruction {
         op: Op::Fmt,
         mnemonic: "FMT",
+        profiles: Profiles::WITHOUT_IOT,
+        differs: &[(
+            Profile::Ldmicro,
+            "Sends a byte every second scan, whenever the line is free; the power behind it tells that there is more to send. A rise of EN begins anew, and so does the start of the program. `\\3` is the number with three digits, `\\-3` with its sign before them (1 to 5 digits), `\\\\` a backslash.",
+        )],
         title: "Send formatted text",
         operands: &[
             Operand::input("text", Accepts::String, "The text; each `%d` stands for a value."),
@@ -142,6 +159,7 @@ END_VAR
     Instruction {
         op: Op::Persist,
         mnemonic: "PERSIST",
+        profiles: Profiles::WITHOUT_IOT,
         title: "Make retentive",
         operands: &[Operand::in_out(
             "tag",
@@ -162,6 +180,7 @@ END_VAR
     Instruction {
         op: Op::Scantime,
         mnemonic: "SCANTIME",
+        profiles: Profiles::WITHOUT_LDMICRO,
         title: "Scan time",
         operands: &[Operand::output(
             "y",

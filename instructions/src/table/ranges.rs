@@ -25,6 +25,7 @@ pub(super) const ROWS: &[Instruction] = &[
     Instruction {
         op: Op::Bmov,
         mnemonic: "BMOV",
+        profiles: Profiles::OWN,
         title: "Move a range",
         operands: &[
             Operand::output("y", Accepts::Range, "The range that is written."),
@@ -53,6 +54,7 @@ END_VAR
     Instruction {
         op: Op::Fill,
         mnemonic: "FILL",
+        profiles: Profiles::OWN,
         title: "Fill a range",
         operands: &[
             Operand::output("y", Accepts::Range, "The range that is written."),
@@ -75,6 +77,7 @@ END_VAR
     Instruction {
         op: Op::Pack,
         mnemonic: "PACK",
+        profiles: Profiles::OWN,
         title: "Pack a range",
         operands: &[
             Operand::output("y", Accepts::Result(TypeClass::Any), "The result."),
@@ -105,6 +108,7 @@ END_VAR
     Instruction {
         op: Op::Unpack,
         mnemonic: "UNPACK",
+        profiles: Profiles::OWN,
         title: "Unpack into a range",
         operands: &[
             Operand::output(
@@ -134,6 +138,7 @@ END_VAR
     Instruction {
         op: Op::Shift,
         mnemonic: "SHIFT",
+        profiles: Profiles::WITHOUT_IOT,
         title: "Shift register",
         operands: &[
             Operand::in_out("y", Accepts::Range, "The register; its elements move up."),
@@ -161,6 +166,7 @@ END_VAR
     Instruction {
         op: Op::Search,
         mnemonic: "SEARCH",
+        profiles: Profiles::OWN,
         title: "Search a range",
         operands: &[
             Operand::in_out(

@@ -25,6 +25,7 @@ pub(super) const ROWS: &[Instruction] = &[
     Instruction {
         op: Op::Min,
         mnemonic: "MIN",
+        profiles: Profiles::OWN,
         title: "Smallest value",
         operands: &[
             Operand::output("y", Accepts::Result(TypeClass::NumberOrTime), "The result."),
@@ -47,6 +48,7 @@ END_VAR
     Instruction {
         op: Op::Max,
         mnemonic: "MAX",
+        profiles: Profiles::OWN,
         title: "Largest value",
         operands: &[
             Operand::output("y", Accepts::Result(TypeClass::NumberOrTime), "The result."),
@@ -69,6 +71,7 @@ END_VAR
     Instruction {
         op: Op::Limit,
         mnemonic: "LIMIT",
+        profiles: Profiles::OWN,
         title: "Limit",
         operands: &[
             Operand::output("y", Accepts::Result(TypeClass::NumberOrTime), "The result."),
@@ -93,6 +96,7 @@ END_VAR
     Instruction {
         op: Op::Sel,
         mnemonic: "SEL",
+        profiles: Profiles::OWN,
         title: "Select one of two",
         operands: &[
             Operand::output("y", Accepts::Result(TypeClass::Any), "The result."),
@@ -116,6 +120,7 @@ END_VAR
     Instruction {
         op: Op::Mux,
         mnemonic: "MUX",
+        profiles: Profiles::OWN,
         title: "Select one of many",
         operands: &[
             Operand::output("y", Accepts::Result(TypeClass::Any), "The result."),
@@ -142,6 +147,7 @@ END_VAR
     Instruction {
         op: Op::Calc,
         mnemonic: "CALC",
+        profiles: Profiles::OWN,
         title: "Calculate",
         operands: &[
             Operand::output("y", Accepts::Result(TypeClass::Any), "The result."),

@@ -25,6 +25,7 @@ pub(super) const ROWS: &[Instruction] = &[
     Instruction {
         op: Op::Len,
         mnemonic: "LEN",
+        profiles: Profiles::OWN,
         title: "Length of a string",
         operands: &[
             Operand::output("y", Accepts::Result(TypeClass::Integer), "The result."),
@@ -46,6 +47,7 @@ END_VAR
     Instruction {
         op: Op::Left,
         mnemonic: "LEFT",
+        profiles: Profiles::OWN,
         title: "Left part of a string",
         operands: &[
             Operand::output("y", Accepts::Result(TypeClass::String), "The result."),
@@ -69,6 +71,7 @@ END_VAR
     Instruction {
         op: Op::Right,
         mnemonic: "RIGHT",
+        profiles: Profiles::OWN,
         title: "Right part of a string",
         operands: &[
             Operand::output("y", Accepts::Result(TypeClass::String), "The result."),
@@ -92,6 +95,7 @@ END_VAR
     Instruction {
         op: Op::Mid,
         mnemonic: "MID",
+        profiles: Profiles::OWN,
         title: "Middle part of a string",
         operands: &[
             Operand::output("y", Accepts::Result(TypeClass::String), "The result."),
@@ -116,6 +120,7 @@ END_VAR
     Instruction {
         op: Op::Concat,
         mnemonic: "CONCAT",
+        profiles: Profiles::OWN,
         title: "Join strings",
         operands: &[
             Operand::output("y", Accepts::Result(TypeClass::String), "The result."),
@@ -138,6 +143,7 @@ END_VAR
     Instruction {
         op: Op::Insert,
         mnemonic: "INSERT",
+        profiles: Profiles::OWN,
         title: "Insert into a string",
         operands: &[
             Operand::output("y", Accepts::Result(TypeClass::String), "The result."),
@@ -166,6 +172,7 @@ END_VAR
     Instruction {
         op: Op::Delete,
         mnemonic: "DELETE",
+        profiles: Profiles::OWN,
         title: "Delete from a string",
         operands: &[
             Operand::output("y", Accepts::Result(TypeClass::String), "The result."),
@@ -191,6 +198,7 @@ END_VAR
     Instruction {
         op: Op::Replace,
         mnemonic: "REPLACE",
+        profiles: Profiles::OWN,
         title: "Replace in a string",
         operands: &[
             Operand::output("y", Accepts::Result(TypeClass::String), "The result."),
@@ -221,6 +229,7 @@ END_VAR
     Instruction {
         op: Op::Find,
         mnemonic: "FIND",
+        profiles: Profiles::OWN,
         title: "Find in a string",
         operands: &[
             Operand::output("y", Accepts::Result(TypeClass::Integer), "The result."),

@@ -26,7 +26,9 @@ const PT: Operand = Operand::input(
     Accepts::Duration,
     "The preset time; a plain integer is milliseconds.",
 );
-const RESET: Operand = Operand::input("R", Accepts::Bool, "The reset, while it is high.").named();
+const RESET: Operand = Operand::input("R", Accepts::Bool, "The reset, while it is high.")
+    .named()
+    .known_to(Profiles::OWN);
 const BASE_TIME: Operand = Operand::input(
     "B",
     Accepts::Time,
@@ -39,6 +41,16 @@ pub(super) const ROWS: &[Instruction] = &[
     Instruction {
         op: Op::Ton,
         mnemonic: "TON",
+        differs: &[
+            (
+                Profile::Ldmicro,
+                "ET counts scans and is an integer: with PT of n scan intervals Q is high from the n-th scan in a row that has power. PT is 2 scan intervals at least; a part of one is cut off. Other instructions may write ET, and several blocks use one tag.",
+            ),
+            (
+                Profile::Iot,
+                "ET counts the time base `B` (100 ms unless given) and is a DINT, at most one step in a scan; a plain PT counts it too. Q is high from the step that reaches PT.",
+            ),
+        ],
         title: "On-delay timer",
         operands: &[
             Operand::in_out(
@@ -84,6 +96,16 @@ END_VAR
     Instruction {
         op: Op::Tof,
         mnemonic: "TOF",
+        differs: &[
+            (
+                Profile::Ldmicro,
+                "ET counts scans and is an integer: with PT of n scan intervals Q is low from the n-th scan in a row without power. It begins as if its time were over. PT is 2 scan intervals at least; a part of one is cut off. Other instructions may write ET, and several blocks use one tag.",
+            ),
+            (
+                Profile::Iot,
+                "No off-delay: the power behind it is EN until the time is over, and then low. It counts as TON does; Q is that the time is over.",
+            ),
+        ],
         title: "Off-delay timer",
         operands: &[
             Operand::in_out(
@@ -130,6 +152,7 @@ END_VAR
     Instruction {
         op: Op::Tp,
         mnemonic: "TP",
+        profiles: Profiles::OWN,
         title: "Pulse timer",
         operands: &[
             Operand::in_out("t", Accepts::State(StateType::Tp), "The timer's tag, of type TP."),
@@ -171,6 +194,11 @@ END_VAR
     Instruction {
         op: Op::Rto,
         mnemonic: "RTO",
+        profiles: Profiles::WITHOUT_IOT,
+        differs: &[(
+            Profile::Ldmicro,
+            "ET counts scans with power and is an integer, to one less than PT has scan intervals; Q is high from the scan behind that on, until `(RES)`. PT is 2 scan intervals at least. Other instructions may write ET, and several blocks use one tag.",
+        )],
         title: "Retentive on-delay timer",
         operands: &[
             Operand::in_out(
@@ -217,6 +245,7 @@ END_VAR
     Instruction {
         op: Op::Rtof,
         mnemonic: "RTOF",
+        profiles: Profiles::OWN,
         title: "Retentive off-delay timer",
         operands: &[
             Operand::in_out(

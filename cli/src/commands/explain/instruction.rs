@@ -99,6 +99,14 @@ pub(super) fn print(row: &Instruction, look: &Look, out: &mut impl Write) -> io:
         let others = wrap(&others.join(" "), "  ", "  ", *columns);
         write!(out, "\n{heading}Also written{heading:#}\n{others}")?;
     }
+    let profiles: Vec<(String, String)> = row
+        .in_profiles()
+        .map(|(profile, text)| (profile.name().to_owned(), markdown::plain(text)))
+        .collect();
+    if !profiles.is_empty() {
+        writeln!(out, "\n{heading}In other profiles{heading:#}")?;
+        markdown::print_table(&profiles, *columns, out)?;
+    }
     writeln!(out, "\n{heading}Example{heading:#}")?;
     for line in row.example.trim_end().lines() {
         if line.is_empty() {

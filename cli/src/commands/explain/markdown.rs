@@ -144,7 +144,7 @@ fn split_marker(line: &str) -> (&str, &str) {
 }
 
 /// Text without what Markdown says about its look.
-fn plain(text: &str) -> String {
+pub(super) fn plain(text: &str) -> String {
     without_links(&text.replace("**", ""))
 }
 
