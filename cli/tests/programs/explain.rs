@@ -27,6 +27,10 @@ fn the_page_of_an_instruction() {
         Acts
           only while power enters it
 
+        In other profiles
+          ldmicro  The system has no such instruction.
+          iot      The system has no such instruction.
+
         Example
           VAR_INPUT
               fast : BOOL;
