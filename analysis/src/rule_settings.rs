@@ -16,21 +16,12 @@ pub enum Level {
 }
 
 /// Settings of the rules. [`Default`] is what the table of rules says.
-#[derive(Debug, Clone, PartialEq, Eq)]
+#[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub struct RuleSettings {
     /// What is set otherwise than the rule itself has it.
     pub levels: BTreeMap<Rule, Level>,
     /// The scan interval in nanoseconds, where it is set: no timer can tell shorter times apart.
     pub scan_interval: Option<i64>,
-}
-
-impl Default for RuleSettings {
-    fn default() -> RuleSettings {
-        RuleSettings {
-            levels: BTreeMap::new(),
-            scan_interval: None,
-        }
-    }
 }
 
 impl RuleSettings {
