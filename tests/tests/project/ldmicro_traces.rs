@@ -63,6 +63,7 @@ fn compare(trace: &Path) -> Result<(), String> {
     let source = Source {
         name: "test",
         bytes: &bytes,
+        companions: &[],
     };
     let notation = by_name("ldmicro").expect("the notation is registered");
     let converted =
