@@ -137,13 +137,13 @@ impl<'t> Parser<'t> {
         }
     }
 
-    /// The word that begins here: a letter, then letters, digits and `_`.
+    /// The word that begins here: a letter or `_`, then letters, digits and `_`.
     fn word(&self) -> &'t str {
         let rest = self.rest();
         let end = rest
             .find(|c: char| !c.is_alphanumeric() && c != '_')
             .unwrap_or(rest.len());
-        match rest.starts_with(|c: char| c.is_alphabetic()) {
+        match rest.starts_with(|c: char| c.is_alphabetic() || c == '_') {
             true => &rest[..end],
             false => "",
         }
@@ -585,7 +585,7 @@ mod tests {
         check("ds.A ds.B", expect!["5: an operator is expected here"]);
         check(
             "__import__('os')",
-            expect!["0: a number, an address or a function is expected here"],
+            expect!["0: there is no bank or function `__import__`"],
         );
         check("foo(1)", expect!["0: there is no bank or function `foo`"]);
         check("SIN(1", expect!["5: `)` is expected here"]);

@@ -107,4 +107,6 @@ fn reading(program: &model::Program) -> Reading {
 }
 
 #[cfg(test)]
+mod generated;
+#[cfg(test)]
 mod tests;

@@ -206,9 +206,16 @@ impl Sketcher<'_> {
         match condition {
             Condition::All(parts) => Circuit::Series(parts.iter().map(|part| self.condition(part)).collect()),
             Condition::Any(parts) if parts.len() == 1 => self.condition(&parts[0]),
+            // Where one branch is a bare wire the others decide nothing, but stay.
             Condition::Any(parts) => {
-                // Where one branch is a bare wire the others decide nothing, but stay.
-                Circuit::Parallel(parts.iter().map(|part| self.condition(part)).collect())
+                let mut branches = Vec::with_capacity(parts.len());
+                for part in parts {
+                    match self.condition(part) {
+                        Circuit::Parallel(inside) => branches.extend(inside),
+                        other => branches.push(other),
+                    }
+                }
+                Circuit::Parallel(branches)
             }
             Condition::Contact(contact) => self.contact(contact),
             Condition::Compare(comparison) => {

@@ -112,7 +112,9 @@ impl<'p> Tags<'p> {
         for one in &uses {
             match one.what {
                 // The value of a timer that is only written is its reset.
-                What::One(tag) if tag.bank == Bank::Td && one.access == Access::Write => {}
+                What::One(tag) if tag.bank == Bank::Td && one.access == Access::Write => {
+                    tags.state_of(tag, Op::Ton, Unit::Milliseconds);
+                }
                 What::One(tag) | What::From(tag, _) => tags.meet(tag),
                 What::Many(span) if matches!(span.bank, Bank::T | Bank::Ct | Bank::Ctd) => {
                     let (first, last) = span.bounds();

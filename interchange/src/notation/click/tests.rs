@@ -455,3 +455,49 @@ fn what_is_too_large_or_too_deep_is_refused() {
         expect!["a Python file of more than 1 MB is not read"],
     );
 }
+
+#[test]
+fn what_is_planted_does_not_run() {
+    let planted = std::env::temp_dir().join(format!("ladder-planted-{}", std::process::id()));
+    let path = planted.display();
+    for text in [
+        format!("import os\nos.system('touch {path}')\ndef main():\n    if True:\n        end()\n"),
+        format!("def main():\n    if True:\n        copy(open('{path}', 'w'), ds.A)\n        end()\n"),
+        format!("@open('{path}', 'w')\ndef main():\n    if True:\n        end()\n"),
+        format!("def main(a=open('{path}', 'w')):\n    if True:\n        end()\n"),
+        format!(
+            "def main():\n    if True:\n        calc(f\"{{open('{path}', 'w')}}\", ds.A)\n        end()\n"
+        ),
+        format!(
+            "def main():\n    if True:\n        ton(t.A, 5, Ts, reset=lambda: open('{path}', 'w'))\n        end()\n"
+        ),
+    ] {
+        let source = Source::alone("test", text.as_bytes());
+        let refused = Click.read(&source).expect_err("it is not of the DSL");
+        assert!(refused.place.is_some(), "{refused}");
+    }
+    // A text is a text, whatever stands in it.
+    let harmless = format!(
+        "def main():\n    if True:\n        copy(\"__import__('os').system('touch {path}')\", txt[1])\n        end()\n"
+    );
+    converted(&harmless);
+    assert!(!planted.exists(), "{path} was written by reading a program");
+}
+
+#[test]
+fn a_file_is_recognised_by_its_first_rung() {
+    let is = |text: &str| Click.recognises(text.as_bytes());
+    assert!(is(BOTTLING));
+    assert!(is(
+        "\u{feff}# said\r\ndef main():  # said\r\n    if x[1]:\r\n        out(y[1])\r\n"
+    ));
+    assert!(is(
+        "def main():\n    if True:\n        for _ in range(3):\n            pass\n"
+    ));
+    assert!(!is(
+        "def main():\n    print('hello')\n\nif __name__ == '__main__':\n    main()\n"
+    ));
+    assert!(!is("def main():\n    if True:\n        print(1)\n"));
+    assert!(!is("import x\nif x[1]:\n    out(y[1])\n"));
+    assert!(!is(""));
+}

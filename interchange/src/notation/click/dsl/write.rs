@@ -46,6 +46,7 @@ fn routine(routine: &Routine, is_sub: bool, out: &mut String, report: &mut Repor
 /// A rung. Where its actions have conditions of their own, there is an `if` for each.
 fn rung(rung: &Rung, out: &mut String, report: &mut Report) {
     comments(&rung.comments, "    ", out);
+    contacts(&rung.condition, report);
     let mut open: Option<&Condition> = None;
     for action in &rung.actions {
         if open != Some(&action.condition) {
@@ -55,6 +56,7 @@ fn rung(rung: &Rung, out: &mut String, report: &mut Report) {
                 report.approximated(action.place, spell::action(action), why);
             }
             open = Some(&action.condition);
+            contacts(&action.condition, report);
             let whole = match (rung.condition.is_always(), action.condition.is_always()) {
                 (_, true) => rung.condition.clone(),
                 (true, false) => action.condition.clone(),
@@ -69,6 +71,15 @@ fn rung(rung: &Rung, out: &mut String, report: &mut Report) {
             "    if {}:\n        pass\n",
             spell::condition(&rung.condition)
         ));
+    }
+}
+
+/// Contacts and comparisons are all in the DSL.
+fn contacts(condition: &Condition, report: &mut Report) {
+    match condition {
+        Condition::All(parts) | Condition::Any(parts) => parts.iter().for_each(|part| contacts(part, report)),
+        Condition::Contact(contact) => report.translated(contact.place, spell::condition(condition)),
+        Condition::Compare(comparison) => report.translated(comparison.place, spell::condition(condition)),
     }
 }
 

@@ -130,7 +130,10 @@ impl Back<'_> {
         is_reset: bool,
         routine: &mut Routine,
     ) -> Result<Vec<Rung>, Refusal> {
-        let circuit = series_parallel(network).ok_or("it is not made of series and branches alone")?;
+        let circuit = match network.blocks.is_empty() {
+            true => Circuit::Series(Vec::new()),
+            false => series_parallel(network).ok_or("it is not made of series and branches alone")?,
+        };
         let mut parts = Vec::new();
         flatten(circuit, &mut parts);
         let place = self.place_of(network.location);
@@ -392,6 +395,7 @@ impl Back<'_> {
                     ..nop(place)
                 });
                 action.place = place;
+                action.comment = self.comment_after(at + open + length);
                 out.push(action);
             }
             at += open + length;

@@ -52,7 +52,7 @@ pub(super) fn declared(program: &Program, text: &str) -> HashMap<TagId, String> 
 /// What a comment says: `# .. #` with a `#` given by its code.
 fn inside(comment: &str) -> Option<String> {
     let text = comment.strip_prefix('#')?.strip_suffix('#')?;
-    Some(text.trim().replace("\\x23", "#"))
+    Some(as_said(&text.trim().replace("\\x23", "#")).to_owned())
 }
 
 /// Comments between networks, in groups that blank lines part. Declarations and what speaks to the tools are left out.
@@ -99,8 +99,16 @@ fn push(groups: &mut [Vec<String>], comment: &str) {
     for said in comment.split('#').filter(|part| !part.trim().is_empty()) {
         let said = said.trim().replace("\\x23", "#");
         if !said.starts_with("ladder:") {
-            group.push(said.trim_start_matches("text: ladder:").to_owned());
+            group.push(as_said(&said).to_owned());
         }
+    }
+}
+
+/// A comment without what keeps it from speaking to the tools.
+fn as_said(comment: &str) -> &str {
+    match comment.strip_prefix("text: ") {
+        Some(said) if said.starts_with("ladder:") => said,
+        _ => comment,
     }
 }
 
@@ -115,7 +123,11 @@ pub(super) fn head_end(text: &str) -> usize {
 impl Back<'_> {
     /// The comment in the wire right behind a block.
     pub(super) fn comment_behind(&self, block: &Block) -> Option<String> {
-        let end = usize::from(block.location.range.end());
+        self.comment_after(block.location.range.end().into())
+    }
+
+    /// The comment in the wire right behind an offset.
+    pub(super) fn comment_after(&self, end: usize) -> Option<String> {
         let rest = self.text.get(end..)?.trim_start_matches(['-', ' ', '+']);
         let length = rest.strip_prefix('#')?.find('#')? + 2;
         let said = inside(&rest[..length])?;
