@@ -6,6 +6,7 @@ mod book_refactorings;
 mod every_feature;
 mod incremental;
 mod instruction_reference;
+mod iot_traces;
 mod ldmicro_traces;
 mod pictures_wiring;
 mod power;
