@@ -60,6 +60,12 @@ fn all_traces() {
 }
 
 fn compare(text: &str) -> Result<(), String> {
+    // In both of its codes.
+    run(text, false)?;
+    run(text, true).map_err(|why| format!("in steps: {why}"))
+}
+
+fn run(text: &str, in_steps: bool) -> Result<(), String> {
     let (program, rest) = text
         .strip_prefix("program:\n")
         .and_then(|text| text.split_once("script: "))
@@ -97,7 +103,12 @@ fn compare(text: &str) -> Result<(), String> {
         if word == "cycle" {
             let count = words.next().and_then(|count| count.parse().ok()).unwrap_or(1_u64);
             for _ in 0..count {
-                if !simulation.scan() {
+                let ran = if in_steps {
+                    simulation.begin_scan() && simulation.finish_scan()
+                } else {
+                    simulation.scan()
+                };
+                if !ran {
                     return Err("it stops".to_owned());
                 }
                 let line = scans.next().ok_or("there are more scans than the trace has")?;

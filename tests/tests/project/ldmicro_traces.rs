@@ -78,10 +78,13 @@ fn compare(trace: &Path) -> Result<(), String> {
     let Some(program) = analysis.program() else {
         return Err(format!("it has errors: {errors:?}\n{text}"));
     };
-    let mut plant = Plant::of(program, &converted)?;
-    plant.play(&read("stim")?)?;
-    let run = plant.finish();
-    compare_lines(&run, &expected).map_err(|why| format!("{why}\n{text}"))?;
+    // In both of its codes.
+    for in_steps in [false, true] {
+        let mut plant = Plant::of(program, &converted, in_steps)?;
+        plant.play(&read("stim")?)?;
+        let run = plant.finish();
+        compare_lines(&run, &expected).map_err(|why| format!("in steps: {in_steps}, {why}\n{text}"))?;
+    }
     compare_warnings(&converted, &expected)
 }
 
@@ -139,6 +142,8 @@ fn options_of(program: &Program) -> Options {
 
 /// A program that runs, and what it did so far.
 struct Plant {
+    /// Each scan is begun and then finished, which plain code does.
+    in_steps: bool,
     simulation: Simulation,
     /// The values of a trace by their names, with what shows them.
     points: BTreeMap<String, Point>,
@@ -151,7 +156,7 @@ struct Plant {
 }
 
 impl Plant {
-    fn of(program: &Arc<Program>, converted: &Converted) -> Result<Plant, String> {
+    fn of(program: &Arc<Program>, converted: &Converted, in_steps: bool) -> Result<Plant, String> {
         let kept = |word: &str| {
             let lines = converted.written.text.lines();
             lines
@@ -173,6 +178,7 @@ impl Plant {
             lines: Vec::new(),
             shown: BTreeMap::new(),
             faults: Vec::new(),
+            in_steps,
             simulation,
         };
         plant.names(program, &renamed)?;
@@ -263,7 +269,12 @@ impl Plant {
     }
 
     fn cycle(&mut self) {
-        if !self.simulation.scan() {
+        let ran = if self.in_steps {
+            self.simulation.begin_scan() && self.simulation.finish_scan()
+        } else {
+            self.simulation.scan()
+        };
+        if !ran {
             return;
         }
         self.cycles += 1;
