@@ -16,6 +16,7 @@
 //! - `language` is where the server asks about a text: findings, hovers, layout, in bytes.
 //! - `simulation` runs programs for the editor, on the scan engine. It knows the custom messages, but nothing of
 //!   the framework.
+//! - `notation` translates programs of other systems for the editor; it knows the custom messages of that.
 //! - `recording` and `replay` keep what a client sent, and play it again.
 //! - `lsp` speaks the protocol. It is the only folder that names `tower-lsp`, and its page has the rules that
 //!   keep a server on it alive, in order and answering.
@@ -29,6 +30,7 @@ mod cancel;
 mod document;
 mod language;
 mod lsp;
+mod notation;
 #[doc(hidden)]
 pub mod probe;
 mod recording;
@@ -40,6 +42,7 @@ use std::process::ExitCode;
 
 pub use document::position::{Position, Range};
 pub use lsp::{Ending, serve};
+pub use notation::messages as notation_messages;
 pub use simulation::messages;
 
 /// Threads that read, write and dispatch messages. The work itself runs on blocking threads.

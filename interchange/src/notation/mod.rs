@@ -18,6 +18,7 @@ mod iot;
 pub mod ldmicro;
 pub mod names;
 mod place;
+mod remark;
 mod report;
 mod source;
 mod textbook;
@@ -26,6 +27,7 @@ pub use cplc_draft::offer_conversion;
 pub use finding::Finding;
 pub use names::Names;
 pub use place::{Lines, Place};
+pub use remark::{Remark, remarks};
 pub use report::{Entry, Outcome, Report, Tally};
 pub use source::{Companion, Source};
 

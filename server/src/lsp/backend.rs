@@ -45,7 +45,8 @@ use crate::lsp::documents::{configuration, file_operations, folders, pull, sync,
 use crate::lsp::features::{
     call_hierarchy, code_action, code_lens, completion, folding,
     formatting::{self, DocumentRangesFormattingParams},
-    goto, hover, inlay_hint, links, references, rename, semantic_tokens, signature, simulate, symbols,
+    goto, hover, inlay_hint, links, notations, references, rename, semantic_tokens, signature, simulate,
+    symbols,
 };
 use crate::lsp::transport::parent;
 use crate::lsp::{
@@ -340,6 +341,11 @@ impl LanguageServer for Backend {
     }
 
     async fn execute_command(&self, params: ExecuteCommandParams) -> Result<Option<LSPAny>> {
-        simulate::execute(&self.shared, params).await.map(Some)
+        let answer = if notations::COMMANDS.contains(&params.command.as_str()) {
+            notations::execute(&self.shared, params).await
+        } else {
+            simulate::execute(&self.shared, params).await
+        };
+        answer.map(Some)
     }
 }

@@ -18,7 +18,9 @@ use tower_lsp::ls_types::{
 
 use crate::document::position::Encoding;
 use crate::lsp::documents::{file_operations, pull};
-use crate::lsp::features::{code_action::KINDS, code_lens, completion, semantic_tokens, signature};
+use crate::lsp::features::{
+    code_action::KINDS, code_lens, completion, notations, semantic_tokens, signature,
+};
 use crate::simulation::COMMANDS;
 use ladder_ide::TRIGGERS;
 
@@ -297,7 +299,11 @@ pub(crate) fn offered(agreed: Agreed) -> ServerCapabilities {
             ..CodeActionOptions::default()
         })),
         execute_command_provider: Some(ExecuteCommandOptions {
-            commands: COMMANDS.iter().map(ToString::to_string).collect(),
+            commands: COMMANDS
+                .iter()
+                .chain(&notations::COMMANDS)
+                .map(ToString::to_string)
+                .collect(),
             ..ExecuteCommandOptions::default()
         }),
         ..ServerCapabilities::default()

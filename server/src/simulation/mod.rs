@@ -14,6 +14,6 @@ mod session;
 mod sessions;
 mod value;
 
-pub(crate) use request::{COMMANDS, Failure, Request};
+pub(crate) use request::{COMMANDS, Failure, Request, argument_of};
 pub(crate) use session::{Action, Answer, REPORT, Session};
 pub(crate) use sessions::Sessions;

@@ -96,6 +96,11 @@ fn argument(command: &str, arguments: Vec<Value>) -> Result<Value, Failure> {
     }
 }
 
+/// The one object that a command takes.
+pub(crate) fn argument_of<T: DeserializeOwned>(command: &str, arguments: Vec<Value>) -> Result<T, Failure> {
+    read(command, argument(command, arguments)?)
+}
+
 fn read<T: DeserializeOwned>(command: &str, argument: Value) -> Result<T, Failure> {
     serde_json::from_value(argument).map_err(|error| Failure::Invalid(format!("{command}: {error}")))
 }

@@ -11,6 +11,7 @@ pub(crate) mod goto;
 pub(crate) mod hover;
 pub(crate) mod inlay_hint;
 pub(crate) mod links;
+pub(crate) mod notations;
 pub(crate) mod references;
 pub(crate) mod rename;
 pub(crate) mod semantic_tokens;

@@ -148,11 +148,11 @@ async fn report(client: Client, mut states: watch::Receiver<State>, deltas: bool
     }
 }
 
-fn json(answer: &impl Serialize) -> Result<LSPAny> {
+pub(super) fn json(answer: &impl Serialize) -> Result<LSPAny> {
     serde_json::to_value(answer).map_err(|_| Error::internal_error())
 }
 
-fn error(failure: Failure) -> Error {
+pub(super) fn error(failure: Failure) -> Error {
     let (code, message) = match failure {
         Failure::Invalid(message) => (ErrorCode::InvalidParams, message),
         Failure::Failed(message) => (ErrorCode::ServerError(REQUEST_FAILED), message),

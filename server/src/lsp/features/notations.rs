@@ -1,0 +1,140 @@
+//! `ladder.convert` and `ladder.notations`: programs of other systems.
+
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+
+use ladder_interchange::notation::Companion;
+use ladder_workspace::{Named, is_program, read_beside};
+use tower_lsp::jsonrpc::Result;
+use tower_lsp::ls_types::{ExecuteCommandParams, LSPAny};
+
+use super::simulate::{error, json};
+use crate::document::address::path_of;
+use crate::lsp::shared::Shared;
+use crate::lsp::transport::blocking::blocking;
+use crate::notation::messages::{Convert, Nothing};
+use crate::notation::{Form, Task, known, translate};
+use crate::simulation::{Failure, argument_of};
+
+/// Writes a program in another notation.
+const CONVERT: &str = "ladder.convert";
+
+/// Which notations there are.
+const KNOWN: &str = "ladder.notations";
+
+/// The commands of this file.
+pub(crate) const COMMANDS: [&str; 2] = [CONVERT, KNOWN];
+
+pub(crate) async fn execute(shared: &Arc<Shared>, params: ExecuteCommandParams) -> Result<LSPAny> {
+    if params.command == KNOWN {
+        argument_of::<Nothing>(KNOWN, params.arguments).map_err(error)?;
+        return json(&known());
+    }
+    let wanted: Convert = argument_of(CONVERT, params.arguments).map_err(error)?;
+    let open = shared.documents.get(&wanted.uri);
+    let converted = blocking(move |_| {
+        let analysis = match (&wanted.text, &open) {
+            (None, Some(revision)) => revision.analysis(),
+            _ => None,
+        };
+        let text = wanted.text.clone();
+        let text = text.or_else(|| open.as_ref().map(|revision| revision.text()));
+        let program = Program::of(&wanted, text)?;
+        let task = Task {
+            name: &program.name,
+            bytes: &program.bytes,
+            companions: &program.companions,
+            from: program.from,
+            to: program.to,
+        };
+        let analysis = analysis.map(|analysis| Arc::clone(analysis.whole()));
+        translate(&task, analysis.as_deref()).map_err(|message| Failure::Failed(program.say(&message)))
+    });
+    json(&converted.await?.map_err(error)?)
+}
+
+/// A program to be translated.
+struct Program {
+    /// The file as messages name it.
+    file: String,
+    name: String,
+    bytes: Vec<u8>,
+    companions: Vec<Companion>,
+    from: Form,
+    to: Form,
+}
+
+impl Program {
+    /// What is wanted, with the text that the editor has; else with what is on disk.
+    fn of(wanted: &Convert, text: Option<String>) -> std::result::Result<Program, Failure> {
+        let failed = |message: String| Failure::Failed(message);
+        let path = path_of(&wanted.uri);
+        let bytes = match (text, &path) {
+            (Some(text), _) => text.into_bytes(),
+            (None, Some(path)) => read(path).map_err(|error| failed(error.to_string()))?,
+            (None, None) => {
+                return Err(failed(format!("{} is no file; send its text", wanted.uri)));
+            }
+        };
+        let on_disk = path.is_some();
+        let path = path.unwrap_or_else(|| PathBuf::from(wanted.uri.rsplit('/').next().unwrap_or_default()));
+        let file = path
+            .file_name()
+            .unwrap_or_default()
+            .to_string_lossy()
+            .into_owned();
+        let named = |name: &String| Form::named(name).map_err(Failure::Invalid);
+        let from = match &wanted.from {
+            Some(name) => named(name)?,
+            None => Form::of(&bytes, is_program(&path)).ok_or_else(|| {
+                failed(format!(
+                    "{file}: this is in no notation that is known; if it is, name it"
+                ))
+            })?,
+        };
+        let to = wanted.to.as_ref().map_or(Ok(Form::Ladder), named)?;
+        if matches!((from, to), (Form::Ladder, Form::Ladder)) {
+            return Err(failed(format!(
+                "{file}: this is ladder text already; name the notation to write it in"
+            )));
+        }
+        let companions = match from {
+            Form::Foreign(notation) if on_disk => {
+                let stem = path
+                    .file_stem()
+                    .unwrap_or_default()
+                    .to_string_lossy()
+                    .into_owned();
+                let wanted = |name: &str| notation.has_companion(&stem, name);
+                let found = read_beside(&path, &wanted).map_err(|error| failed(error.to_string()))?;
+                let found = found.into_iter();
+                found.map(|(name, bytes)| Companion { name, bytes }).collect()
+            }
+            _ => Vec::new(),
+        };
+        Ok(Program {
+            name: path
+                .file_stem()
+                .unwrap_or_default()
+                .to_string_lossy()
+                .into_owned(),
+            file,
+            bytes,
+            companions,
+            from,
+            to,
+        })
+    }
+
+    /// `motor.rung:1:7: ...`
+    fn say(&self, message: &str) -> String {
+        let place = message.starts_with(|c: char| c.is_ascii_digit());
+        format!("{}:{}{message}", self.file, if place { "" } else { " " })
+    }
+}
+
+/// A file of a folder that may be anybody's: a regular one that lies in it.
+fn read(path: &Path) -> std::result::Result<Vec<u8>, ladder_workspace::FileError> {
+    let name = path.file_name().unwrap_or_default().to_string_lossy();
+    Named::in_file(path, &name).read_bytes()
+}

@@ -1,0 +1,179 @@
+//! Programs of other systems, for the editor: a program in, the same program in another notation out. Nothing is written.
+
+pub mod messages;
+
+use ladder_interchange::notation::{
+    self, LADDER, NOTATIONS, Notation, Remark, Source, by_name, convert, recognise,
+};
+use messages::{Converted, Element, Known, Notations};
+
+/// What a program is to become, and what it is.
+#[derive(Debug)]
+pub(crate) struct Task<'t> {
+    /// The stem of its file's name.
+    pub(crate) name: &'t str,
+    pub(crate) bytes: &'t [u8],
+    pub(crate) companions: &'t [notation::Companion],
+    /// The notation that it is in.
+    pub(crate) from: Form,
+    /// The notation that it is to be in.
+    pub(crate) to: Form,
+}
+
+/// What a program is written in.
+#[derive(Clone, Copy)]
+pub(crate) enum Form {
+    /// Ladder text.
+    Ladder,
+    /// The notation of another system.
+    Foreign(&'static dyn Notation),
+}
+
+impl Form {
+    /// The notation of a name.
+    pub(crate) fn named(name: &str) -> Result<Form, String> {
+        if name == LADDER {
+            return Ok(Form::Ladder);
+        }
+        by_name(name).map(Form::Foreign).ok_or_else(|| {
+            let names: Vec<&str> = NOTATIONS.iter().map(|notation| notation.name()).collect();
+            format!(
+                "there is no notation {name}; there are {LADDER}, {}",
+                names.join(", ")
+            )
+        })
+    }
+
+    /// What a file is in, by its content; ladder text if its name says so.
+    pub(crate) fn of(bytes: &[u8], is_program: bool) -> Option<Form> {
+        match recognise(bytes) {
+            Some(notation) => Some(Form::Foreign(notation)),
+            None => is_program.then_some(Form::Ladder),
+        }
+    }
+
+    /// Its name on a command line.
+    pub(crate) fn name(self) -> &'static str {
+        match self {
+            Form::Ladder => LADDER,
+            Form::Foreign(notation) => notation.name(),
+        }
+    }
+
+    fn extension(self) -> &'static str {
+        match self {
+            Form::Ladder => ladder_workspace::EXTENSION,
+            Form::Foreign(notation) => notation.extensions().first().copied().unwrap_or("txt"),
+        }
+    }
+}
+
+impl std::fmt::Debug for Form {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.write_str(self.name())
+    }
+}
+
+/// All notations but ladder text.
+pub(crate) fn known() -> Notations {
+    let known = NOTATIONS.iter().map(|notation| Known {
+        name: notation.name().to_owned(),
+        title: notation.title().to_owned(),
+        extensions: notation.extensions().iter().map(ToString::to_string).collect(),
+    });
+    Notations {
+        notations: known.collect(),
+    }
+}
+
+/// Writes a program in another notation. `analysis` is that of ladder text that the editor shows, if it is one.
+///
+/// # Errors
+///
+/// It is broken, or cannot be said in the other notation: a sentence, with the place in front of it.
+pub(crate) fn translate(
+    task: &Task<'_>,
+    analysis: Option<&ladder_analysis::Analysis>,
+) -> Result<Converted, String> {
+    let mut account = Account::default();
+    let ladder = match task.from {
+        Form::Ladder => {
+            String::from_utf8(task.bytes.to_vec()).map_err(|_| "the file is not UTF-8".to_owned())?
+        }
+        Form::Foreign(notation) => {
+            let source = Source {
+                name: task.name,
+                bytes: task.bytes,
+                companions: task.companions,
+            };
+            let options = ladder_format::Options::default();
+            let converted = convert(notation, &source, &options).map_err(|error| error.to_string())?;
+            account.add(&converted.report, &converted.findings, true);
+            converted.written.text
+        }
+    };
+    let text = match task.to {
+        Form::Ladder => ladder,
+        Form::Foreign(notation) => {
+            let own = || {
+                let parse = std::sync::Arc::new(ladder_syntax::parse(&ladder));
+                ladder_analysis::analyze(&parse, task.name)
+            };
+            let writing = match analysis {
+                Some(analysis) => notation.write(analysis),
+                None => notation.write(&own()),
+            };
+            let writing = writing.map_err(|error| error.to_string())?;
+            account.add(&writing.report, &[], matches!(task.from, Form::Ladder));
+            let beside = writing.companions.iter().map(|companion| {
+                let name = &companion.name;
+                format!("{name} belongs beside this program; `ladder convert -o` writes both")
+            });
+            account.notes.extend(beside);
+            String::from_utf8(writing.bytes)
+                .map_err(|_| "this program is no text in UTF-8; `ladder convert -o` writes it".to_owned())?
+        }
+    };
+    Ok(Converted {
+        from: task.from.name().to_owned(),
+        to: task.to.name().to_owned(),
+        extension: task.to.extension().to_owned(),
+        text,
+        translated: account.tally.translated,
+        approximated: account.tally.approximated,
+        refused: account.tally.refused,
+        remarks: account.remarks,
+        notes: account.notes,
+    })
+}
+
+/// What became of the elements on the way.
+#[derive(Default)]
+struct Account {
+    tally: notation::Tally,
+    remarks: Vec<Element>,
+    notes: Vec<String>,
+}
+
+impl Account {
+    /// `is_shown`: whether the places are those of the file that the editor shows.
+    fn add(&mut self, report: &notation::Report, findings: &[notation::Finding], is_shown: bool) {
+        let tally = report.tally();
+        self.tally.translated += tally.translated;
+        self.tally.approximated += tally.approximated;
+        self.tally.refused += tally.refused;
+        let remarks = notation::remarks(report, findings);
+        self.remarks
+            .extend(remarks.iter().map(|remark| element(remark, is_shown)));
+    }
+}
+
+fn element(remark: &Remark<'_>, is_shown: bool) -> Element {
+    Element {
+        line: is_shown.then_some(remark.place.line),
+        column: is_shown.then_some(remark.place.column),
+        outcome: remark.outcome.to_owned(),
+        element: remark.element.to_owned(),
+        reason: remark.reason.to_owned(),
+    }
+}
