@@ -23,6 +23,8 @@ pub(crate) struct Foreign {
     converted: Converted,
     /// How many bytes what stands at a place takes.
     lengths: HashMap<Place, usize>,
+    /// Where each name of the ladder text is used first.
+    uses: HashMap<String, Place>,
 }
 
 /// What there is to say about a foreign program before it is ladder text.
@@ -51,7 +53,9 @@ impl Foreign {
             lines,
             converted,
             lengths: HashMap::new(),
+            uses: HashMap::new(),
         };
+        foreign.uses = foreign.used();
         foreign.lengths = foreign.measured();
         Ok(foreign)
     }
@@ -78,7 +82,40 @@ impl Foreign {
 
     /// What a part of the ladder text was made from, in the shown text.
     pub(crate) fn range(&self, of_ladder: TextRange) -> TextRange {
-        self.range_at(self.converted.place_of(of_ladder.start()))
+        let place = self.first_use(of_ladder);
+        self.range_at(place.unwrap_or_else(|| self.converted.place_of(of_ladder.start())))
+    }
+
+    /// Of a name in something that was made from nothing, such as the declaration of a tag that the other system does not
+    /// declare: where that name is used first.
+    fn first_use(&self, of_ladder: TextRange) -> Option<Place> {
+        let written = &self.converted.written;
+        if written
+            .places
+            .iter()
+            .any(|(range, _)| range.contains(of_ladder.start()))
+        {
+            return None;
+        }
+        let name = self.ladder().get(std::ops::Range::<usize>::from(of_ladder))?;
+        self.uses.get(name).copied()
+    }
+
+    /// Where each name of the ladder text is used first.
+    fn used(&self) -> HashMap<String, Place> {
+        let mut uses = HashMap::new();
+        let is_name = |c: char| c.is_alphanumeric() || c == '_';
+        for (range, origin) in &self.converted.written.places {
+            let Some(place) = self.converted.places.get(*origin as usize) else {
+                continue;
+            };
+            for name in self.ladder()[*range].split(|c| !is_name(c)) {
+                if !name.is_empty() && !uses.contains_key(name) {
+                    uses.insert(name.to_owned(), *place);
+                }
+            }
+        }
+        uses
     }
 
     /// Line and column that a part of the ladder text was made from.
@@ -218,6 +255,16 @@ mod tests {
         let foreign = read("textbook", b"start open contact I0.1 &\r\n  active coil Q0 end\n");
         assert_eq!(origin(&foreign, "[ ]( I0 )"), "open contact I0.1");
         assert_eq!(origin(&foreign, "( )( Q0 )"), "active coil Q0");
+    }
+
+    #[test]
+    fn a_tag_that_is_declared_nowhere_is_where_it_is_used() {
+        let foreign = read(
+            "ldmicro",
+            b"LDmicro0.1\nIO LIST\nEND\nPROGRAM\nRUNG\n    CONTACTS Xa 0\n    COIL Rb 0 0 0\nEND\n",
+        );
+        assert!(foreign.ladder().contains("Rb : BOOL;"));
+        assert_eq!(origin(&foreign, "Rb"), "COIL Rb 0 0 0");
     }
 
     #[test]

@@ -3,6 +3,7 @@
 mod book_pictures;
 #[cfg(unix)]
 mod book_sessions;
+mod editor_menus;
 mod examples;
 mod formatting;
 mod generated;

@@ -1,6 +1,7 @@
 // The commands of package.json.
 import * as vscode from 'vscode';
 
+import { convert, exportAs } from './conversion.ts';
 import { showReferences } from './lenses.ts';
 import { askValue, pickTag } from './prompts.ts';
 import type { Tag } from './protocol.ts';
@@ -93,6 +94,8 @@ export function registerCommands(server: Server, simulation: Simulation): vscode
         'ladder.test': (uri?: unknown) => runScenarios(server.program(), typeof uri === 'string' ? uri : undefined),
         'ladder.simulation.breakOnChange': (tag) => breakOnChange(simulation, tag),
         'ladder.simulation.why': (tag) => why(simulation, tag),
+        'ladder.convert': (uri) => convert(server, uri),
+        'ladder.exportAs': (uri) => exportAs(server, uri),
         'ladder.toggleComment': () => toggleCommentInEditor(),
         'ladder.restartServer': () => server.restart(),
         'ladder.showLog': () => server.log.show(),

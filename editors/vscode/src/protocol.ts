@@ -70,4 +70,34 @@ export interface Commands {
     stop: { argument: object; answer: { session: string; stopped: true } };
 }
 
+/** What `ladder.convert` answers. */
+export interface Converted {
+    readonly from: string;
+    readonly to: string;
+    /** How the names of such files end, without the dot. */
+    readonly extension: string;
+    readonly text: string;
+    readonly translated: number;
+    readonly approximated: number;
+    readonly refused: number;
+    readonly remarks: readonly {
+        /** From 1; missing where the place is in a text that nobody sees. */
+        readonly line?: number;
+        readonly column?: number;
+        readonly outcome: string;
+        readonly element: string;
+        readonly reason: string;
+    }[];
+    readonly notes?: readonly string[];
+}
+
+/** The commands beside those of the simulator. */
+export interface OtherCommands {
+    'ladder.convert': { argument: { uri: string; text?: string; from?: string; to: string }; answer: Converted };
+    'ladder.notations': {
+        argument: object;
+        answer: { notations: readonly { name: string; title: string; extensions: readonly string[] }[] };
+    };
+}
+
 export const stateNotification = 'ladder/simulationState';

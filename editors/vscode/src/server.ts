@@ -8,7 +8,7 @@ import * as vscode from 'vscode';
 import { LanguageClient, State as ClientState } from 'vscode-languageclient/node';
 
 import { lensCommands } from './lenses.ts';
-import { stateNotification, type State } from './protocol.ts';
+import { stateNotification, type OtherCommands, type State } from './protocol.ts';
 import { cannotStart, findServer, type Place } from './serverPath.ts';
 import type { Send } from './session.ts';
 
@@ -110,18 +110,25 @@ export class Server implements vscode.Disposable {
         await client?.dispose();
     }
 
-    readonly simulate: Send = async (name, argument) => {
+    readonly simulate: Send = (name, argument) => this.#request(`ladder.simulate.${name}`, argument);
+
+    /** Asks for one of the commands beside those of the simulator. */
+    execute<Name extends keyof OtherCommands>(
+        name: Name,
+        argument: OtherCommands[Name]['argument'],
+    ): Promise<OtherCommands[Name]['answer']> {
+        return this.#request(name, argument);
+    }
+
+    async #request<Answer>(command: string, argument: object): Promise<Answer> {
         if (!this.#client) {
             if (!vscode.workspace.isTrusted) {
                 throw new Error('nothing is run in a workspace that is not trusted.');
             }
             throw new Error('the language server does not run; the log says why ("Ladder: Show Log").');
         }
-        return this.#client.sendRequest('workspace/executeCommand', {
-            command: `ladder.simulate.${name}`,
-            arguments: [argument],
-        });
-    };
+        return this.#client.sendRequest('workspace/executeCommand', { command, arguments: [argument] });
+    }
 
     dispose(): void {
         this.#stateReceived.dispose();

@@ -42,8 +42,8 @@ test('an untrusted workspace runs nothing', () => {
     assert.match(read('src/server.ts'), start);
     const commands = manifest.contributes.commands as { command: string; enablement?: string }[];
     for (const { command, enablement } of commands) {
-        if (command === 'ladder.simulation.start' || command === 'ladder.test') {
-            assert.match(enablement ?? '', /&& isWorkspaceTrusted$/);
+        if (['ladder.simulation.start', 'ladder.test', 'ladder.convert', 'ladder.exportAs'].includes(command)) {
+            assert.match(enablement ?? '', /(^|&& )isWorkspaceTrusted$/);
         }
     }
     // Every program is named by its whole path, and started from a folder that is nobody's workspace.

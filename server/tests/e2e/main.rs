@@ -12,6 +12,7 @@ mod house;
 mod lenses;
 mod lifecycle;
 mod navigate;
+mod notations;
 mod plant;
 mod protocol_page;
 mod pull;

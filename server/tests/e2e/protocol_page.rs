@@ -6,7 +6,7 @@
 use std::collections::BTreeSet;
 use std::fmt::Write;
 
-use ladder_server::messages;
+use ladder_server::{messages, notation_messages};
 use serde::Serialize;
 use serde::de::DeserializeOwned;
 use serde_json::{Value, json};
@@ -147,6 +147,16 @@ async fn the_page_shows_every_command_whole() {
             // Its answer depends on the moment.
             "pause" => {
                 is_whole::<messages::OfSession>(argument);
+                continue;
+            }
+            "convert" => {
+                is_whole::<notation_messages::Convert>(argument);
+                is_whole::<notation_messages::Converted>(answer);
+                continue;
+            }
+            "notations" => {
+                is_whole::<notation_messages::Nothing>(argument);
+                is_whole::<notation_messages::Notations>(answer);
                 continue;
             }
             "why" => {

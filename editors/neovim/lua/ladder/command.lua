@@ -200,6 +200,14 @@ local subcommands = {
       require('ladder.test').run(buffer())
     end,
   },
+  convert = {
+    run = function(arguments)
+      require('ladder.convert').run(buffer(), arguments[1])
+    end,
+    complete = function(before)
+      return #before == 0 and require('ladder.convert').notations(buffer()) or {}
+    end,
+  },
   status = {
     run = function()
       local client = require('ladder.server').of(buffer())
