@@ -10,7 +10,7 @@ use crate::network::{BoundBlock, Meaning, NetworkFacts};
 use crate::operand_value::tag;
 use crate::program::Step;
 use crate::types::Type;
-use ladder_instructions::Op;
+use ladder_instructions::{Op, SetPower, Timing};
 use std::fmt;
 
 /// A formula with more parts than this helps nobody.
@@ -175,6 +175,7 @@ fn behind(
         Meaning::User(_) => return Some(Formula::Name(format!("{}.ENO", bound.facts.head.text()))),
         Meaning::Unknown | Meaning::UnknownUser => return None,
     };
+    let law = context.profile.law();
     let condition = match row.op {
         Op::Contact if is_range => Formula::Name(format!("ALL({})", text(0)?)),
         Op::Contact => Formula::Name(text(0)?),
@@ -193,8 +194,15 @@ fn behind(
         Op::Inverter => return Some(not(en?.clone())),
         Op::OneShotRising => return Some(Formula::Name(format!("RISE({})", en?))),
         Op::OneShotFalling => return Some(Formula::Name(format!("FALL({})", en?))),
-        Op::SetCoil | Op::RetentiveSet => return text(0).map(Formula::Name),
+        Op::SetCoil | Op::RetentiveSet if law.set_power == SetPower::Tag => {
+            return text(0).map(Formula::Name);
+        }
         Op::Sr | Op::Rs => return Some(Formula::Name(format!("{}.Q1", text(0)?))),
+        // There the output tells that the time is over or the count reached, also while EN is low.
+        Op::Tof if law.timing == Timing::Ticks => not(Formula::Name(format!("{}.Q", text(0)?))),
+        op if (Op::Ton..=Op::Ctc).contains(&op) && law.timing == Timing::Ticks => {
+            Formula::Name(format!("{}.Q", text(0)?))
+        }
         op if (Op::Ton..=Op::Ctc).contains(&op) => return Some(Formula::Name(format!("{}.Q", text(0)?))),
         _ => return en.cloned(),
     };

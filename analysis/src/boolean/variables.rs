@@ -11,7 +11,7 @@ use crate::program::Step;
 use crate::scope::Access;
 use crate::types::Scalar;
 use crate::uses::access;
-use ladder_instructions::Op;
+use ladder_instructions::{Op, SetPower, Timing};
 use rustc_hash::{FxHashMap, FxHashSet};
 use std::fmt::Write;
 
@@ -151,6 +151,7 @@ impl Reader<'_> {
             self.epoch += 1;
             return Draft::Done(self.output(consumed));
         };
+        let law = self.context.profile.law();
         let gate = match row.op {
             Op::Contact | Op::NegatedContact => match operand(0) {
                 Some(node) => Gate::If(vec![self.contact(node, row.op == Op::NegatedContact)]),
@@ -169,7 +170,13 @@ impl Reader<'_> {
             Op::Eq | Op::Ne | Op::Gt | Op::Ge | Op::Lt | Op::Le => return self.comparison(bound, row.op),
             Op::Coil | Op::RetentiveCoil => self.coil(CoilKind::Power, operand(0), consumed),
             Op::NegatedCoil => self.coil(CoilKind::Negated, operand(0), consumed),
-            Op::SetCoil | Op::RetentiveSet => self.coil(CoilKind::Set, operand(0), consumed),
+            Op::SetCoil | Op::RetentiveSet => {
+                let gate = self.coil(CoilKind::Set, operand(0), consumed);
+                match law.set_power {
+                    SetPower::Tag => gate,
+                    SetPower::En => Gate::Pass,
+                }
+            }
             Op::ResetCoil | Op::RetentiveReset => self.coil(CoilKind::Reset, operand(0), consumed),
             Op::Call => {
                 self.epoch += 1;
@@ -179,6 +186,8 @@ impl Reader<'_> {
                 self.writes(bound);
                 let gate = self.output(consumed);
                 if let (Gate::Gives(ask), Some(node)) = (&gate, operand(0))
+                    // There the power is not the output.
+                    && law.timing != Timing::Ticks
                     && let Some((key, tags)) = self.key(node)
                 {
                     let member = if matches!(op, Op::Sr | Op::Rs) { "Q1" } else { "Q" };

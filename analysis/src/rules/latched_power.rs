@@ -5,9 +5,12 @@ use crate::boolean::written::{written, written_block};
 use crate::diagnostic::Diagnostic;
 use crate::program::Step;
 use crate::rule::Rule;
-use ladder_instructions::Op;
+use ladder_instructions::{Op, SetPower};
 
 pub(super) fn check(walk: &Walk<'_>, out: &mut Vec<Diagnostic>) {
+    if walk.context.profile.law().set_power == SetPower::En {
+        return;
+    }
     // For each step the set coil whose power it carries.
     let mut latched: Vec<Option<usize>> = Vec::with_capacity(walk.steps().len());
     let mut told = vec![false; walk.network.blocks.len()];

@@ -18,6 +18,8 @@ mod flow;
 mod number_coils;
 mod place;
 mod ports;
+#[cfg(test)]
+mod profile_tests;
 mod range;
 mod range_blocks;
 mod selection;

@@ -13,6 +13,7 @@ mod forces;
 mod golden_trace;
 mod literals_and_types;
 mod order;
+mod profiles;
 mod retain;
 mod semantics;
 mod session;
