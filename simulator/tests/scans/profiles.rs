@@ -59,7 +59,10 @@ fn a_timer_that_cannot_count_is_refused() {
     let analysis = ladder_analysis::analyze(&Arc::new(ladder_syntax::parse(&text)), "test.clad");
     let program = analysis.program().expect("it is a warning");
     let error = Simulation::new(Arc::clone(program), Options::default()).expect_err("it is too short");
-    expect!["Timer period too short (needs faster cycle time): a timer of this profile takes two scans or more"].assert_eq(&error.message);
+    expect![
+        "Timer period too short (needs faster cycle time): a timer of this profile takes two scans or more"
+    ]
+    .assert_eq(&error.message);
     let fast = Options {
         interval: 1_000_000,
         ..Options::default()
