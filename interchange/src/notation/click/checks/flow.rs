@@ -1,10 +1,12 @@
 //! Ends and returns, loops and calls, timers and counters that stand twice, pins.
 
 use super::super::address::Tag;
+use super::super::bank::Bank;
 use super::super::model::{
     Action, Bits, Condition, ContactKind, CounterKind, Instruction, Program, Routine, Rung, TimerKind,
 };
 use super::{Found, actions};
+use crate::notation::Place;
 use std::collections::{HashMap, HashSet};
 
 pub(super) fn check(program: &Program, out: &mut Found) {
@@ -142,32 +144,45 @@ fn calls(program: &Program, out: &mut Found) {
 
 /// Two coils on one output: the last one wins.
 fn outputs(program: &Program, out: &mut Found) {
-    let mut first = HashMap::new();
+    let mut named: HashMap<&Tag, Place> = HashMap::new();
+    // By bank and number: ranges are a coil on each of their bits.
+    let mut numbered: HashMap<Bank, Vec<Option<Place>>> = HashMap::new();
     for (_, _, action) in actions(program) {
         let Instruction::Out(coil) = &action.what else {
             continue;
         };
-        let tags: Vec<Tag> = match &coil.bits {
-            Bits::One(tag) => vec![tag.clone()],
-            Bits::Many(span) => {
-                let (low, high) = span.bounds();
-                // A range is a coil on each of its bits. What is longer than any bank is said elsewhere.
-                (low..=high.min(low.saturating_add(2_000)))
-                    .map(|number| Tag::number(span.bank, number))
-                    .collect()
-            }
+        let place = action.place;
+        let (bank, low, high) = match &coil.bits {
+            Bits::Many(span) => (span.bank, span.bounds().0, span.bounds().1),
+            Bits::One(tag) => match tag.address() {
+                Some(address) => (address.bank, address.number, address.number),
+                None => {
+                    if let Some(before) = named.get(tag) {
+                        twice(place, &tag.dsl(), *before, out);
+                    }
+                    named.entry(tag).or_insert(place);
+                    continue;
+                }
+            },
         };
-        let before = tags
-            .iter()
-            .find_map(|tag| first.get(tag).map(|place| (tag.dsl(), *place)));
-        if let Some((tag, place)) = before {
-            let message = format!("{tag} has an out() at {place} too: the last one in the scan wins");
-            out.warning(action.place, "click-c1001", message);
+        // What does not exist is said elsewhere.
+        let length = usize::from(bank.last()) + 1;
+        let there = numbered.entry(bank).or_insert_with(|| vec![None; length]);
+        let bits = usize::from(low).min(length)..(usize::from(high) + 1).min(length);
+        let mut before = None;
+        for (number, first) in there[bits.clone()].iter_mut().enumerate() {
+            before = before.or_else(|| first.map(|first| (bits.start + number, first)));
+            first.get_or_insert(place);
         }
-        for tag in tags {
-            first.entry(tag).or_insert(action.place);
+        if let Some((number, first)) = before {
+            twice(place, &Tag::number(bank, number as u16).dsl(), first, out);
         }
     }
+}
+
+fn twice(place: Place, tag: &str, before: Place, out: &mut Found) {
+    let message = format!("{tag} has an out() at {before} too: the last one in the scan wins");
+    out.warning(place, "click-c1001", message);
 }
 
 /// A timer or counter has one block, and the pins that it needs.

@@ -9,10 +9,32 @@ use super::mistakes::{Mistakes, Unread, expression};
 use ruff_python_ast::{CmpOp, Expr, ExprCall, ExprSubscript, Number, Operator, UnaryOp};
 
 /// A range of timers or counters has a contact each, so it may have no more than so many.
-const MOST_CONTACTS: usize = 32;
+const MOST_IN_RANGE: usize = 32;
+
+/// A condition of more contacts is not read: its drawing grows with the square of them.
+const MOST_CONTACTS: usize = 500;
 
 /// What stands behind `if`, or in a pin's lambda.
 pub(super) fn condition(mistakes: &mut Mistakes<'_>, expr: &Expr) -> Result<Condition, Unread> {
+    let condition = part(mistakes, expr)?;
+    if contacts(&condition) > MOST_CONTACTS {
+        let message = format!(
+            "a condition of more than {MOST_CONTACTS} contacts is not read: put parts of it into control relays"
+        );
+        return Err(mistakes.note(expr, message));
+    }
+    Ok(condition)
+}
+
+/// How many contacts and comparisons a condition has.
+fn contacts(condition: &Condition) -> usize {
+    match condition {
+        Condition::All(parts) | Condition::Any(parts) => parts.iter().map(contacts).sum(),
+        Condition::Contact(_) | Condition::Compare(_) => 1,
+    }
+}
+
+fn part(mistakes: &mut Mistakes<'_>, expr: &Expr) -> Result<Condition, Unread> {
     match expr {
         Expr::BooleanLiteral(literal) if literal.value => Ok(Condition::ALWAYS),
         Expr::BooleanLiteral(_) => Err(mistakes.note(
@@ -98,7 +120,10 @@ fn called(mistakes: &mut Mistakes<'_>, expr: &Expr, call: &ExprCall) -> Result<C
         (None, []) => Err(mistakes.note(expr, format!("`{word}` takes one condition or more"))),
         (None, arguments) => {
             // Each mistake in it is told.
-            let parts: Vec<_> = arguments.iter().map(|part| condition(mistakes, part)).collect();
+            let parts: Vec<_> = arguments
+                .iter()
+                .map(|argument| part(mistakes, argument))
+                .collect();
             let parts = parts.into_iter().collect::<Result<_, _>>()?;
             Ok(match word {
                 "any" => Condition::Any(parts),
@@ -119,8 +144,8 @@ fn contact(
         if matches!(kind, ContactKind::Rising | ContactKind::Falling) {
             return Err(mistakes.note(whole, "an edge is that of one address, not of a range"));
         }
-        if matches!(span.bank, Bank::T | Bank::Ct) && span.len() > MOST_CONTACTS {
-            let message = format!("a range of more than {MOST_CONTACTS} timers or counters is not read");
+        if matches!(span.bank, Bank::T | Bank::Ct) && span.len() > MOST_IN_RANGE {
+            let message = format!("a range of more than {MOST_IN_RANGE} timers or counters is not read");
             return Err(mistakes.note(whole, message));
         }
     }

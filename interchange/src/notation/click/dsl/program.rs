@@ -199,6 +199,9 @@ fn head(mistakes: &mut Mistakes<'_>, function: &StmtFunctionDef, name: &str) {
     }
 }
 
+/// A rung of more actions is not read: its drawing grows with the square of them.
+const MOST_ACTIONS: usize = 200;
+
 fn rung(mistakes: &mut Mistakes<'_>, comments: &mut Comments, stmt: &StmtIf) -> Result<Rung, Unread> {
     let mut above = comments.before(stmt.start().into());
     let condition = condition(mistakes, &stmt.test);
@@ -234,6 +237,12 @@ fn rung(mistakes: &mut Mistakes<'_>, comments: &mut Comments, stmt: &StmtIf) -> 
     let trailing = comments.trailing(line.map_or(usize::MAX, |length| end + length));
     say(&mut actions, &mut above, trailing);
     let condition = condition?;
+    if actions.len() > MOST_ACTIONS {
+        let message = format!(
+            "more than {MOST_ACTIONS} actions under one `if` are not read: write the `if` again for the rest"
+        );
+        return Err(mistakes.note(stmt, message));
+    }
     if failed {
         return Err(Unread);
     }
