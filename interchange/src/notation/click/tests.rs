@@ -451,12 +451,20 @@ fn what_is_too_large_or_too_deep_is_refused() {
         expect!["26:1: what is written here nests too deeply to be read"],
     );
     let many = format!("def main():\n    if c.A:\n{}", "        out(c.B)\n".repeat(300));
-    check_file(&many, expect!["2:5: more than 200 actions under one `if` are not read: write the `if` again for the rest"]);
+    check_file(
+        &many,
+        expect!["2:5: more than 200 actions under one `if` are not read: write the `if` again for the rest"],
+    );
     let wide = format!(
         "def main():\n    if any({}):\n        out(c.B)\n",
         "c.A,\n".repeat(600)
     );
-    check_file(&wide, expect!["2:8: a condition of more than 500 contacts is not read: put parts of it into control relays"]);
+    check_file(
+        &wide,
+        expect![
+            "2:8: a condition of more than 500 contacts is not read: put parts of it into control relays"
+        ],
+    );
     check_file(
         &"# \n".repeat(400_000),
         expect!["a Python file of more than 1 MB is not read"],
