@@ -2,12 +2,12 @@
 
 use super::super::{Place, Reading};
 use super::act::{self, Above};
-use super::bank::Bank;
+use super::bank::{Bank, Writer};
 use super::dsl::spell;
 use super::model::{Action, Bits, Condition, Contact, ContactKind, Instruction, Program, Routine, Rung};
 use super::operand::{Chain, kind};
 use super::tags::Tags;
-use super::uses::{What, uses};
+use super::uses::{Access, What, uses};
 use crate::notation::names::Names;
 use ladder_format::Circuit;
 use ladder_format::program::{Drawing, Element, Item, Network};
@@ -48,18 +48,29 @@ impl Sketcher<'_> {
         let mut items: Vec<Item> = Vec::new();
         items.extend(program.main.comments.iter().cloned().map(Item::Comment));
         items.push(Item::Directive("profile click".to_owned()));
+        let (read, written) = self.traffic(program);
         // A panel or another controller may read and write every address of Click.
         let others = "other devices reach the addresses of Click too";
-        items.extend(
-            ["never-written", "never-read"]
-                .map(|rule| Item::Directive(format!("allow-file({rule}): {others}"))),
-        );
-        let main = program.main.rungs.iter().flat_map(|rung| &rung.actions);
-        if main.into_iter().any(|action| action.what == Instruction::End) {
-            let why = "it is Click's END";
-            items.push(Item::Directive(format!(
-                "allow-file(return-outside-function): {why}"
-            )));
+        let is_inside = |bank: &Bank| !matches!(bank.row().writer, Writer::World | Writer::System(_));
+        let mut allow =
+            |rule: &str, why: &str| items.push(Item::Directive(format!("allow-file({rule}): {why}")));
+        if read
+            .iter()
+            .any(|(name, bank)| is_inside(bank) && !written.contains_key(name))
+        {
+            allow("never-written", others);
+        }
+        // What is kept over a restart and what leaves the controller counts as read.
+        let is_read = |bank: &Bank| matches!(bank, Bank::Y | Bank::Yd) || bank.row().retentive;
+        if written
+            .iter()
+            .any(|(name, bank)| !is_read(bank) && !read.contains_key(name))
+        {
+            allow("never-read", others);
+        }
+        let mut main = program.main.rungs.iter().flat_map(|rung| &rung.actions);
+        if main.any(|action| action.what == Instruction::End) {
+            allow("return-outside-function", "it is Click's END");
         }
         items.push(Item::Blank);
         for section in self.tags.sections() {
@@ -68,6 +79,37 @@ impl Sketcher<'_> {
         items.append(&mut self.items);
         self.reading.program.items = items;
         self.reading
+    }
+
+    /// The tags that are read and those that are written, without timers and counters.
+    fn traffic(&self, program: &Program) -> (HashMap<String, Bank>, HashMap<String, Bank>) {
+        let mut read = HashMap::new();
+        let mut written = HashMap::new();
+        for one in uses(program) {
+            let (bank, name) = match one.what {
+                What::One(tag) | What::From(tag, _) => (tag.bank, self.tags.declared(tag)),
+                What::Many(span) => (span.bank, Some(span.bank.row().name.to_owned())),
+                What::Somewhere(pointer) => (pointer.bank, Some(pointer.bank.row().name.to_owned())),
+            };
+            let Some(name) = name else { continue };
+            let is_refreshed = bank == Bank::Td && one.access == Access::Read;
+            if one.access == Access::Read {
+                read.insert(name.clone(), bank);
+            }
+            if one.access == Access::Write || is_refreshed {
+                written.insert(name, bank);
+            }
+        }
+        // The first bit of a register without a clock is what enters it.
+        let rungs = program.routines().flat_map(|routine| &routine.rungs);
+        for action in rungs.flat_map(|rung| &rung.actions) {
+            if let Instruction::Shift(shift) = &action.what
+                && shift.clock.is_none()
+            {
+                read.insert(shift.bits.bank.row().name.to_owned(), shift.bits.bank);
+            }
+        }
+        (read, written)
     }
 
     /// What there is to say of the program as a whole.

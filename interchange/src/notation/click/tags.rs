@@ -271,6 +271,21 @@ impl<'p> Tags<'p> {
         }
     }
 
+    /// The name of the tag, or of the array, that an address is part of. None: a timer or counter, or the system's.
+    pub(super) fn declared(&self, tag: &Tag) -> Option<String> {
+        match tag.bank {
+            Bank::T | Bank::Ct | Bank::Ctd => return None,
+            _ => {}
+        }
+        let tag = self.canonical(tag);
+        match (self.own_by_tag.get(&tag), &tag.which) {
+            (Some(name), _) => Some(name.clone()),
+            (None, Which::Number(number)) if tag.bank == Bank::Sc && system(*number).is_some() => None,
+            (None, Which::Number(_)) => Some(tag.bank.row().name.to_owned()),
+            (None, Which::Nickname(_)) => None,
+        }
+    }
+
     /// Whether a tag is an element of its bank's array, and which.
     pub(super) fn element(&self, tag: &Tag) -> Option<Address> {
         let tag = self.canonical(tag);
