@@ -527,6 +527,16 @@ fn every_foreign_program_that_is_at_hand() {
         for list in ["textbook/constructed-examples.txt", "textbook/examples.txt"] {
             files.extend(Some(corpus.join(list)).filter(|list| list.exists()));
         }
+        // This one has many programs, each with its title.
+        let many = std::fs::read_to_string(corpus.join("iot/element-programs.txt")).unwrap_or_default();
+        for (number, program) in many.split("\n=").enumerate() {
+            let name = format!("{number}.iot");
+            folder.write(
+                &name,
+                format!("={}\n", program.trim_start_matches('=')).as_bytes(),
+            );
+            files.push(folder.path(&name));
+        }
     }
     folder.write("lamp.cplc", DRAFT.as_bytes());
     folder.write("share.cplc", FAULTY.as_bytes());

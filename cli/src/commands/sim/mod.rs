@@ -32,6 +32,7 @@ Examples:
                                       these two tags; the inputs from a file
   ladder sim motor.clad --scans 90 --inputs in.csv --format svg -o motor.svg
                                       a timing diagram
+  ladder sim plant.ld --scans 100     a program of another system, as it is
 
 A row of the file for --inputs is given to the program before one scan; its header names the tags:
 
