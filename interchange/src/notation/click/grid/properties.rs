@@ -1,13 +1,13 @@
 //! What must hold for any grid: the rungs that are read of it, and the grid that is drawn of those, let power through
 //! for the same contacts.
 
-use super::super::super::Report;
+use super::super::super::{Notation, Report, Source, convert};
 use super::super::model::{Bits, Condition, ContactKind, Program, Routine};
 use super::addresses::Addresses;
 use super::cell::{Body, COLUMNS, Grid, GridRung, Row};
 use super::netlist::{Netlist, RAIL};
 use super::rungs::Reader;
-use super::{file, output, write};
+use super::{ClickGrid, file, output, write};
 
 /// A generator of numbers, so that failures come back.
 struct Numbers(u64);
@@ -180,6 +180,85 @@ fn power_takes_the_same_ways() {
         assert_eq!(drawn(&twice), again, "{text}");
     }
     assert!(read > 100, "only {read} of the grids could be read");
+}
+
+/// A program of rungs that use everything once.
+fn any_program(numbers: &mut Numbers) -> String {
+    let mut out = file::write(&Grid::default());
+    for rung in 1..=1 + numbers.below(4) {
+        let text = any_rung(numbers);
+        for (row, line) in text.lines().enumerate() {
+            let output = match numbers.below(8) {
+                0 => format!("latch(C{rung}{row}0)"),
+                1 => format!("reset(C{rung}{row}1..C{rung}{row}3)"),
+                2 => format!("\"copy(DS[DS{rung}+{row}],DD{rung})\""),
+                3 => format!("\"on_delay(T{rung}{row},TD{rung}{row},preset={row},unit=Ts)\""),
+                4 => format!("\"calc(DS1 * {row} + DS2,DS{rung},mode=decimal)\""),
+                5 => format!("\"fill({row},DS{rung}..DS{rung}9)\""),
+                6 => format!("\"unpack_to_bits(DS{rung},C501..C51{row})\""),
+                _ => format!("out(Y{rung}0{})", row + 1),
+            };
+            let counter = format!("count_up(CT{rung},CTD{rung},");
+            let line = line.replace("count_up(CT1,CTD1,", &counter);
+            let line = match line.rsplit_once(",out(") {
+                Some((cells, _)) => format!("{cells},{output}"),
+                None => line,
+            };
+            out.push_str(&format!("{line}\n"));
+        }
+    }
+    out
+}
+
+#[test]
+fn programs_come_back_from_ladder_text() {
+    let options = ladder_format::Options::default();
+    let read = |grid: &str| {
+        let source = Source::alone("any", grid.as_bytes());
+        let converted =
+            convert(&ClickGrid, &source, &options).unwrap_or_else(|error| panic!("{error}:\n{grid}"));
+        let text = converted.written.text;
+        let parse = ladder_syntax::parse(&text);
+        assert_eq!(parse.errors(), [], "{grid}\n{text}");
+        assert_eq!(ladder_format::format_text(&text, &options), text, "{grid}");
+        (text, parse)
+    };
+    let write = |parse: ladder_syntax::Parse| {
+        let analysis = ladder_analysis::analyze(&parse.into(), "any.clad");
+        let written = ClickGrid
+            .write(&analysis)
+            .unwrap_or_else(|error| panic!("{error}"));
+        String::from_utf8(written.bytes).expect("it is text")
+    };
+    let mut numbers = Numbers(3);
+    let mut whole = 0;
+    for _ in 0..60 {
+        let grid = any_program(&mut numbers);
+        let (text, parse) = read(&grid);
+        let first = write(parse);
+        let (again, parse) = read(&first);
+        assert_eq!(write(parse), first, "{grid}\n{text}\n{again}");
+        if first.contains("click:") {
+            continue;
+        }
+        whole += 1;
+        for relays in (0..1usize << RELAYS).map(|relays| relays << 1) {
+            assert_eq!(
+                power_of(&first, relays),
+                power_of(&grid, relays),
+                "{grid}\n{text}\n{first}"
+            );
+        }
+    }
+    assert!(whole > 15, "only {whole} programs could be said whole");
+}
+
+/// What is under power in the rungs of a file: which output, and whether.
+fn power_of(file: &str, relays: usize) -> Vec<(String, bool)> {
+    let grid = file::read(file.as_bytes(), 0).expect("the grid is sound");
+    let outputs = grid.rungs.iter().flat_map(|rung| powered(&rung.rows, relays));
+    let name = |output: &str| output.split('(').next().unwrap_or_default().to_owned();
+    outputs.map(|(output, on)| (name(&output), on)).collect()
 }
 
 #[test]
