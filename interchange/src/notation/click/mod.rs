@@ -59,8 +59,9 @@ impl Notation for Click {
 
     fn read(&self, source: &Source<'_>) -> Result<Reading, ReadError> {
         let mut program = dsl::read(source.text()?)?;
-        let nicknames = nicknames::beside(source)?;
-        program.nicknames = nicknames.all;
+        let mut nicknames = nicknames::beside(source)?;
+        program.nicknames = std::mem::take(&mut nicknames.all);
+        nicknames.unused(&program);
         let mut reading = reading(&program);
         reading.report.entries.splice(0..0, nicknames.report.entries);
         reading.findings.splice(0..0, nicknames.findings);

@@ -8,12 +8,13 @@
 //! Columns are known by their names, and those that are not known here (Modbus addresses) are passed over.
 
 use super::super::{Companion, Finding, Place, ReadError, Report, Source};
-use super::address::Address;
-use super::bank::Kind;
+use super::address::{Address, Span, Which};
+use super::bank::{Bank, Kind};
 use super::csv::{self, Record};
-use super::model::{Constant, Nickname};
+use super::model::{Constant, Nickname, Program};
+use super::uses::{What, uses};
 use ladder_analysis::Severity;
-use std::collections::HashMap;
+use std::collections::{HashMap, HashSet};
 
 const COLUMNS: [&str; 6] = [
     "Address",
@@ -167,6 +168,36 @@ fn is_default(value: &Constant) -> bool {
 }
 
 impl Nicknames {
+    /// Says how many addresses the program does not use: nothing declares them.
+    pub(super) fn unused(&mut self, program: &Program) {
+        let mut used: HashSet<Address> = HashSet::new();
+        let mut named: HashSet<&str> = HashSet::new();
+        let mut spans: HashSet<Span> = HashSet::new();
+        let mut pointed: HashSet<Bank> = HashSet::new();
+        for one in uses(program) {
+            match one.what {
+                What::One(tag) | What::From(tag, _) => match &tag.which {
+                    Which::Number(_) => used.extend(tag.address()),
+                    Which::Nickname(name) => _ = named.insert(name),
+                },
+                What::Many(span) => _ = spans.insert(span),
+                What::Somewhere(pointer) => _ = pointed.insert(pointer.bank),
+            }
+        }
+        let is_used = |nickname: &&Nickname| {
+            let address = nickname.address;
+            used.contains(&address)
+                || named.contains(nickname.name.as_str())
+                || pointed.contains(&address.bank)
+                || spans.iter().any(|span| span.holds(address))
+        };
+        let unused = program.nicknames.len() - program.nicknames.iter().filter(is_used).count();
+        if unused > 0 {
+            let why = format!("the program does not use {unused} of the addresses, and they are left out");
+            self.report.approximated(Place::START, "nicknames", why);
+        }
+    }
+
     /// Names that stand for two addresses.
     fn twice(&mut self) {
         let mut first: HashMap<String, Address> = HashMap::new();

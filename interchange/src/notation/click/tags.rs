@@ -396,7 +396,7 @@ impl<'p> Tags<'p> {
         Some(said)
     }
 
-    /// What the address picker says that declarations cannot: values and comments of elements.
+    /// What the address picker says that declarations cannot: names and values of elements.
     pub(super) fn unsaid(&self) -> Vec<(&'p Nickname, &'static str)> {
         let mut out = Vec::new();
         let mut all: Vec<_> = self.numbered.values().copied().collect();
@@ -410,6 +410,12 @@ impl<'p> Tags<'p> {
                 out.push((
                     nickname,
                     "an element of an array has no initial value of its own here",
+                ));
+            }
+            if !nickname.name.is_empty() && self.is_shared(nickname.address) {
+                out.push((
+                    nickname,
+                    "ranges or pointers reach it as an element of its bank, so its nickname is left out",
                 ));
             }
             let bank = nickname.address.bank.row().retentive;

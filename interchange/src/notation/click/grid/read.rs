@@ -80,8 +80,9 @@ pub(super) fn read(source: &Source<'_>) -> Result<Reading, ReadError> {
         program.subroutines.push(routine(&name, &grid, &mut reader));
         before += companion.bytes.split(|byte| *byte == b'\n').count() as u32;
     }
-    let nicknames = nicknames::beside(source)?;
-    program.nicknames = nicknames.all;
+    let mut nicknames = nicknames::beside(source)?;
+    program.nicknames = std::mem::take(&mut nicknames.all);
+    nicknames.unused(&program);
     let mut reading = super::super::reading(&program);
     reading.report = texts.joined(reading.report, reader.report);
     reading.findings.extend(reader.findings);
