@@ -21,6 +21,7 @@ mod place;
 mod remark;
 mod report;
 mod source;
+mod stand_in;
 mod textbook;
 
 pub use cplc_draft::offer_conversion;

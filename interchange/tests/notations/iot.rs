@@ -69,7 +69,92 @@ fn every_program_of_the_corpus_is_read_whole() {
         let converted = converted(text.as_bytes()).expect("it can be read");
         assert_eq!(converted.report.remarks().count(), 0, "{title}");
         assert_eq!(errors(&converted.written.text), Vec::<String>::new(), "{title}");
+        // The default time base is written out.
+        let expected: Vec<&str> = text.lines().filter(|line| !line.trim().is_empty()).collect();
+        let written = write(&converted.written.text).expect("it can be written");
+        assert_eq!(written.0, expected.join("\n") + "\n", "{title}");
+        assert_eq!(written.1, "", "{title}");
     }
+}
+
+/// The program that a ladder text gives, and what there is to say about it.
+fn write(ladder: &str) -> Result<(String, String), String> {
+    let analysis = ladder_analysis::analyze(&ladder_syntax::parse(ladder).into(), "test.clad");
+    let writing = notation().write(&analysis).map_err(|error| error.to_string())?;
+    let mut remarks = String::new();
+    for entry in writing.report.remarks() {
+        let (word, why) = match &entry.outcome {
+            Outcome::Approximated(why) => ("approximated", why),
+            Outcome::Refused(why) => ("refused", why),
+            Outcome::Translated => continue,
+        };
+        remarks.push_str(&format!("{} {}: {word}: {why}\n", entry.place, entry.element));
+    }
+    let text = String::from_utf8(writing.bytes).map_err(|error| error.to_string())?;
+    Ok((text, remarks))
+}
+
+#[test]
+fn branches_and_what_was_refused_come_back() {
+    let text = "\
+= lamp
+# Counts while I1 is on.
+NO I1 ; CTU C1 10 ; OUT Q1
+P I2 ; ADD MI01 C1:AC I1 ; DIV MF01 MI01 4 ; MOV C1:PRE 5
+TON T1 1 100 ; GT T1:AC 3 ; AND Q2 C1:AC 4 ; ADD MF02 MF01 2.5
+# was: iot: nothing
+NO Q2 | ( NC T1:DN ; NO MI02 | ( P I3 ; N I4 ) ) | () ; XOR MI02 MI02 I1 ; RESET T1
+OUT T1:DN ; NO I1 | EQ 1 2 ; SCANTIME ; MOV MI01 -5
+# iot: = no title
+> dt 10 / cycle 3
+";
+    let ladder = converted(text.as_bytes()).expect("it can be read").written.text;
+    assert_eq!(write(&ladder), Ok((text.to_owned(), String::new())), "{ladder}");
+}
+
+#[test]
+fn ladder_programs_become_iot_programs() {
+    let (text, remarks) = write(
+        r"VAR_INPUT
+    start, stop : BOOL;
+    level : DINT;
+END_VAR
+VAR_OUTPUT run, Q2 : BOOL; END_VAR
+VAR warm : TON; off : TOF; total : LREAL; name : STRING; memory : BOOL; END_VAR
+VAR CONSTANT limit : DINT := 80; END_VAR
+# The motor. #
++--\--[ ]( start )--\--[/]( stop )--( )( run )--+  # main pump #
+|  /--[ ]( run )----/                             |
++--[ ]( run )--[TON]( warm, T#5s )--(S)( Q2 )--( )( memory )--+
++--[ ]( run )--[TOF]( off, T#5s )--( )( Q2 )--+
++--[GT]( level, limit )--[ADD]( total, total, 0.5 )--(R)( warm )--+
++--[ ]( run )--[CALC]( level, level * 2 + 1 )--+
+"
+        .replace("\\\\", "\\")
+        .as_str(),
+    )
+    .expect("it can be written");
+    expect![[r#"
+        # The motor.
+        # main pump
+        NO I1 | NO Q1 ; NC I2 ; OUT Q1
+        NO Q1 ; TON T1 50 100 ; SET Q2 ; OUT MI02
+        # +--[ ]( run )--[TOF]( off, T#5s )--( )( Q2 )--+
+        GT MI01 80 ; ADD MF01 MF01 0.5 ; RESET T1
+        # +--[ ]( run )--[CALC]( level, level * 2 + 1 )--+
+
+        1:1 program: approximated: arithmetic, timers and counters are those of iot-ladder-editor there, not of the profile of this file
+        2:5 tag `start`: approximated: the IoT ladder language has variables such as I1, Q1 and MI01 only; it is `I1` there
+        2:12 tag `stop`: approximated: the IoT ladder language has variables such as I1, Q1 and MI01 only; it is `I2` there
+        3:5 tag `level`: approximated: the IoT ladder language has variables such as I1, Q1 and MI01 only; it is `MI01` there
+        5:12 tag `run`: approximated: the IoT ladder language has variables such as I1, Q1 and MI01 only; it is `Q1` there
+        6:5 tag `warm`: approximated: the IoT ladder language has variables such as I1, Q1 and MI01 only; it is `T1` there
+        6:17 tag `off`: approximated: the IoT ladder language has variables such as I1, Q1 and MI01 only; it is `T2` there
+        6:28 tag `total`: approximated: the IoT ladder language has variables such as I1, Q1 and MI01 only; it is `MF01` there
+        6:58 tag `memory`: approximated: the IoT ladder language has variables such as I1, Q1 and MI01 only; it is `MI02` there
+        12:1 network: refused: `[TOF]( off, T#5s )`: there it does something else: it counts while power reaches it, from the first rise on
+        14:1 network: refused: `[CALC]( level, level * 2 + 1 )`: the IoT ladder language has no [CALC] like this
+    "#]].assert_eq(&format!("{text}\n{remarks}"));
 }
 
 #[test]
@@ -97,26 +182,22 @@ NO Q2 | ( NC T1:DN ; NO MI02 ) | () ; XOR MI02 MI02 I1 ; RESET T1
                 Q2 : USINT;
             END_VAR
             VAR
-                MI01      : DINT;
-                MI02      : BOOL;
-                MF01      : LREAL;
-                T1        : TON;
-                C1        : CTU;
-                C1_PRE    : DINT := 10;
-                I1_int    : DINT;
-                MF01_int  : DINT;
-                Q2_int    : DINT;
-                T1_AC_int : DINT;
+                MI01   : DINT;
+                MI02   : DINT;
+                MF01   : REAL;
+                T1     : TON;
+                C1     : CTU;
+                C1_PRE : DINT := 10;
             END_VAR
 
             # Counts while I1 is on. #
             +--[ ]( I1 )-------------------------------------------------------[CTU]( C1, C1_PRE )--( )( Q1 )--+
 
-            +--[P]( I2 )---[TYP]( I1_int, I1 )--[ADD]( MI01, C1.AC, I1_int )--[DIV]( MF01_int, MI01, 4 )--[MOV]( MF01, MF01_int )--[MOV]( C1_PRE, 5 )--+
+            +--[P]( I2 )-----------------[ADD]( MI01, C1.AC, I1 )--[DIV]( MF01, MI01, 4 )--[MOV]( C1_PRE, 5 )--+
 
-            +--[TON]( T1, 1, B := T#100ms )--[TYP]( T1_AC_int, T1.AC )--[GT]( T1_AC_int, 3 )---------------------[AND]( Q2_int, C1.AC, 4 )--[AND]( Q2_int, Q2_int, 255 )--[TYP]( Q2, Q2_int )--+
+            +--[TON]( T1, 1, B := T#100ms )--[GT]( T1.AC, 3 )---------------------------[AND]( Q2, C1.AC, 4 )--+
 
-            +--\--[NE]( Q2, 0 )--------------------\---------------------[XOR]( MI02, MI02, I1 )--(RES)( T1 )--+
+            +--\--[ ]( Q2 )------------------------\---------------------[XOR]( MI02, MI02, I1 )--(RES)( T1 )--+
             |  /--\--[/]( T1.DN )--[ ]( MI02 )--\--/                                                           |
             |     /-----------------------------/                                                              |
 
@@ -145,26 +226,18 @@ EQ 1 2 ; NO T1:TT ; OR MI01 MF01 1
             END_VAR
             VAR
                 MI01 : DINT;
-                MF01 : LREAL;
+                MF01 : REAL;
                 T1   : TON;
             END_VAR
 
             +--[ ]( I1 )---------[TON]( T1, 5, B := T#1s )--( )( Q1 )--+
 
-            +--[ ]( I2 )--# iot: TON T1 3 #---------------------(S)( Q1 )--[MOV]( MI01, 7 )--# iot: OUT MI01 #--# iot: P MI01 #--# iot: MOV T1:AC 0 #--+
+            +--[ ]( I2 )--[TON]( T1, 3, B := T#100ms )--(S)( Q1 )--[MOV]( MI01, 7 )--( )( MI01 )--[P]( MI01 )---[MOV]( T1.AC, 0 )--+
 
             +--# iot: EQ 1 2 #--[ ]( T1.TT )--# iot: OR MI01 MF01 1 #--+
-            2:9 TON T1 3: refused: a timer or counter belongs to one block here, and `T1` has one at 1:9
-            2:42 OUT MI01: refused: MI01 is a number in this program, and coils write bits here
-            2:53 P MI01: refused: MI01 is a number, and only bits have edges here
-            2:62 MOV T1:AC 0: refused: only its own block and RESET write T1:AC here
             3:1 EQ 1 2: refused: it compares two numbers, neither of which changes
             3:10 NO T1:TT: approximated: TT says here whether the timer is timing; in the original it is the time of the last count
             3:21 OR MI01 MF01 1: refused: C has no such operation with MF01
-            2:9 iot-element: `TON T1 3` stays as a comment: a timer or counter belongs to one block here, and `T1` has one at 1:9
-            2:42 iot-element: `OUT MI01` stays as a comment: MI01 is a number in this program, and coils write bits here
-            2:53 iot-element: `P MI01` stays as a comment: MI01 is a number, and only bits have edges here
-            2:62 iot-element: `MOV T1:AC 0` stays as a comment: only its own block and RESET write T1:AC here
             3:1 iot-element: `EQ 1 2` stays as a comment: it compares two numbers, neither of which changes
             3:21 iot-element: `OR MI01 MF01 1` stays as a comment: C has no such operation with MF01
         "#]],
@@ -186,15 +259,14 @@ fn checks_of_the_editor() {
                 Q1 : USINT;
             END_VAR
             VAR
-                MI01    : DINT;
-                T1      : TON;
-                C1      : CTU;
-                I1_byte : USINT;
+                MI01 : DINT;
+                T1   : TON;
+                C1   : CTU;
             END_VAR
 
             +--[ ]( I1 )--[P]( I2 )---------------------[TON]( T1, 0, B := T#100ms )--[CTU]( C1, 2000000000 )--+
 
-            +--[N]( I2 )------------------[TYP]( I1_byte, I1 )--[NOT]( Q1, I1_byte )--[ADD]( MI01, MI01, -1 )--+
+            +--[N]( I2 )---------------------------------------------[NOT]( Q1, I1 )--[ADD]( MI01, MI01, -1 )--+
             1:16 iot-preset: the preset 0 is reached at once
             1:27 iot-range: 2000000000 is out of range: -999999999 to 999999999
             2:1 iot-shared-edge: the edge elements on I2 share one memory: the one at 1:9 uses up the edge; use another variable for this one

@@ -12,17 +12,17 @@
 //! The editor itself has no text: its projects (`.ld`) are Java objects, which are told from texts and refused. The
 //! words are those of [`word::ROWS`]; parentheses are for branches of several elements, which nobody else writes yet.
 //!
-//! A variable of the editor is a number of some width. One that only contacts, coils and bitwise words use between bits
-//! becomes BOOL here; other inputs and outputs have eight bits (USINT), `MI` is DINT, `MF` LREAL. Where C converts a
-//! number on its way, a tag for the step between is declared (`[TYP]( I1_int, I1 )`); what is written back leaves it out.
+//! A variable of the editor is a number of some width: inputs and outputs have eight bits, `MI` 32, `MF` is a float. An input or
+//! output that never holds anything but 0 and 1 is BOOL here.
 
-mod calculate;
 mod kinds;
 mod model;
+mod names;
 mod parse;
 mod rules;
 mod sketch;
 mod word;
+mod write;
 
 use super::{Notation, ReadError, Reading, Source, WriteError, Writing};
 use ladder_analysis::Analysis;
@@ -65,7 +65,7 @@ impl Notation for Iot {
         Ok(reading)
     }
 
-    fn write(&self, _analysis: &Analysis) -> Result<Writing, WriteError> {
-        Err(WriteError::new("this notation is only read"))
+    fn write(&self, analysis: &Analysis) -> Result<Writing, WriteError> {
+        write::write(analysis)
     }
 }

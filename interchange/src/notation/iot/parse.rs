@@ -10,11 +10,11 @@ const MOST_BYTES: usize = 4 << 20;
 /// A longer line is not read.
 const LONGEST_LINE: usize = 64 << 10;
 /// Parentheses nest no deeper.
-const DEEPEST: usize = 64;
+pub(super) const DEEPEST: usize = 64;
 /// As many parts are beside each other at most; each branch is a line of the drawing, and moves the next one right.
-const MOST_PARTS: usize = 64;
+pub(super) const MOST_PARTS: usize = 64;
 /// A rung with more elements is not read.
-const MOST_IN_RUNG: usize = 256;
+pub(super) const MOST_IN_RUNG: usize = 256;
 
 /// Whether the first line that is part of a program can be read, as far as it is looked at.
 pub(super) fn begins(bytes: &[u8]) -> bool {
@@ -26,6 +26,14 @@ pub(super) fn begins(bytes: &[u8]) -> bool {
     let mut lines = text.trim_start_matches('\u{feff}').lines().map(str::trim);
     let first = lines.find(|line| !line.is_empty() && !line.starts_with(['#', '=', '>']));
     first.is_some_and(|line| rung(line, 1).is_ok())
+}
+
+/// The element that a text is, if it is one.
+pub(super) fn element(text: &str) -> Option<Element> {
+    match rung(text, 1) {
+        Ok(Circuit::Element(element)) => Some(element),
+        _ => None,
+    }
 }
 
 /// Reads a program.
@@ -273,7 +281,8 @@ fn number(word: &str) -> Option<Number> {
     (value.is_finite() && (number.is_float() || number.whole().is_some())).then_some(number)
 }
 
-fn variable(name: &str) -> Option<Variable> {
+/// The variable with this name.
+pub(super) fn variable(name: &str) -> Option<Variable> {
     let start = name.find(|c: char| c.is_ascii_digit())?;
     let (letters, digits) = name.split_at(start);
     let family = Family::ALL

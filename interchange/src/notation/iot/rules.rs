@@ -1,7 +1,7 @@
 //! What iot-ladder-editor checks, and what its compiler is known to get wrong.
 
 use super::super::Finding;
-use super::kinds::{Kind, Kinds};
+use super::kinds::{is_bit, numbers};
 use super::model::{Element, File, Operand};
 use super::word::Form;
 use ladder_analysis::Severity;
@@ -11,7 +11,7 @@ use std::collections::HashMap;
 /// What there is to say about a program.
 pub(super) fn findings(file: &File) -> Vec<Finding> {
     let mut out = Vec::new();
-    let kinds = Kinds::of(file);
+    let numbers = numbers(file);
     let mut edges: HashMap<String, &Element> = HashMap::new();
     let elements = file.elements();
     for element in &elements {
@@ -33,7 +33,7 @@ pub(super) fn findings(file: &File) -> Vec<Finding> {
                     None => drop(edges.insert(operand.to_string(), element)),
                 }
             }
-            Form::Not if kinds.operand(&element.operands[1]) == Kind::Bit => {
+            Form::Not if is_bit(&element.operands[1], &numbers) => {
                 let message = format!(
                     "NOT inverts all bits of a number: of 0 and of 1 it makes something that is not 0; use NC {}",
                     element.operands[1]

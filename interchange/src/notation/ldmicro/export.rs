@@ -1,6 +1,7 @@
 //! From an analysed program to the model of an LDmicro file.
 
 use super::super::circuit::series_parallel;
+use super::super::stand_in;
 use super::super::{Lines, Place, Report, WriteError};
 use super::element::{self, Coil, Form, ROWS};
 use super::kept::{Head, behind, comment, comments, kept};
@@ -16,15 +17,17 @@ use ladder_analysis::value::Value;
 use ladder_format::Circuit;
 use ladder_instructions::{Op, Profile};
 use std::collections::{HashMap, HashSet};
-use std::sync::Arc;
 
 /// Writes all networks that LDmicro can say; the others become comments.
 pub(super) fn file(analysis: &Analysis) -> Result<(File, Report), WriteError> {
     let text = analysis.context.parse.to_string();
-    let program = program(analysis, &text)?;
+    let whole = stand_in::analysis(analysis, &text, |comment| kept(comment).is_some())?;
+    let Some(program) = whole.program() else {
+        return Err(WriteError::new("the program has errors"));
+    };
     let head = Head::of(&text);
     let mut exporter = Exporter {
-        program: &program,
+        program,
         text: &text,
         lines: Lines::of(&text),
         report: Report::default(),
@@ -47,49 +50,6 @@ pub(super) fn file(analysis: &Analysis) -> Result<(File, Report), WriteError> {
     file.rungs = exporter.rungs();
     Ok((file, exporter.report))
 }
-
-/// The program, also of a text that holds elements without a counterpart: those are set aside, with every byte at its
-/// place, and the rest is analysed.
-fn program(analysis: &Analysis, text: &str) -> Result<Arc<Program>, WriteError> {
-    let mut aside = String::with_capacity(text.len());
-    for line in text.split_inclusive('\n') {
-        let mut rest = line;
-        let in_rung = line.starts_with(['+', '|', '/', '\\']);
-        while let Some(start) = rest.find('#') {
-            let Some(length) = rest[start + 1..].find('#').map(|at| at + 2) else {
-                break;
-            };
-            let comment = &rest[start..start + length];
-            aside.push_str(&rest[..start]);
-            if in_rung && kept(comment).is_some() && length > STAND_IN.len() {
-                let blanks = length - STAND_IN.len() - 1;
-                aside.push_str(&format!("{STAND_IN}{:blanks$})", ""));
-            } else {
-                aside.push_str(comment);
-            }
-            rest = &rest[start + length..];
-        }
-        aside.push_str(rest);
-    }
-    if aside == text
-        && let Some(program) = analysis.program()
-    {
-        return Ok(Arc::clone(program));
-    }
-    let again = ladder_analysis::analyze(&ladder_syntax::parse(&aside).into(), &analysis.name);
-    if let Some(program) = again.program() {
-        return Ok(Arc::clone(program));
-    }
-    let first = again.errors().next().map(|error| {
-        let place = Lines::of(text).place(text, error.range.start().into());
-        format!(": {place}: {}", error.message)
-    });
-    let why = first.unwrap_or_else(|| ", or needs another file of its workspace".to_owned());
-    Err(WriteError::new(format!("the program has errors{why}")))
-}
-
-/// What holds the place of an element without a counterpart; a parenthesis closes it.
-const STAND_IN: &str = "[ ](SYS.ON";
 
 struct Exporter<'p> {
     program: &'p Program,
