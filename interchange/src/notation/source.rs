@@ -2,6 +2,9 @@
 
 use super::{Lines, Place, ReadError};
 
+/// A larger file is not read.
+const MOST_BYTES: usize = 4 << 20;
+
 /// A file in some notation.
 #[derive(Debug, Clone, Copy)]
 pub struct Source<'s> {
@@ -32,12 +35,29 @@ impl<'s> Source<'s> {
         }
     }
 
+    /// Whether the file is small enough to be read.
+    ///
+    /// # Errors
+    ///
+    /// If it is not.
+    pub fn bounded(&self) -> Result<(), ReadError> {
+        if self.bytes.len() <= MOST_BYTES {
+            return Ok(());
+        }
+        let message = format!(
+            "the file is larger than {} MiB; programs are not",
+            MOST_BYTES >> 20
+        );
+        Err(ReadError::whole(message))
+    }
+
     /// The content as text.
     ///
     /// # Errors
     ///
-    /// If it is not UTF-8; the place is the first byte that is not.
+    /// If it is too large, or not UTF-8; the place is the first byte that is not.
     pub fn text(&self) -> Result<&'s str, ReadError> {
+        self.bounded()?;
         text_of(self.bytes)
     }
 }

@@ -40,7 +40,7 @@ fn check(text: &str, expected: Expect) {
 }
 
 /// The programs of a file that holds many, with their titles.
-fn programs() -> Vec<(String, String)> {
+pub(crate) fn programs() -> Vec<(String, String)> {
     let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/../tests/corpus/iot");
     let all = std::fs::read_to_string(format!("{folder}/element-programs.txt")).expect("it is there");
     let parts = all.split("= ").filter(|part| !part.trim().is_empty());

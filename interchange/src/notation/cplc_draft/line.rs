@@ -107,6 +107,12 @@ fn block(text: &str, place: Place) -> Result<(Block, usize), ReadError> {
         }
     }
     operands.retain(|operand| !operand.is_empty());
+    if let Some(wrong) = operands.iter().find(|operand| !is_operand(operand)) {
+        let shown: String = wrong.chars().take(40).collect();
+        let message =
+            format!("`{shown}` is no operand: that is a name, a number, or an element such as `a[3]`");
+        return Err(ReadError::at(place, message));
+    }
     let block = Block {
         bracket,
         head: head.split_whitespace().collect::<String>().to_ascii_uppercase(),
@@ -115,6 +121,27 @@ fn block(text: &str, place: Place) -> Result<(Block, usize), ReadError> {
         text: text[..end].to_owned(),
     };
     Ok((block, end))
+}
+
+/// Whether a text can be the operand of a block: it holds no signs that a rung is drawn with.
+fn is_operand(text: &str) -> bool {
+    if let Some(string) = text.strip_prefix('\'').and_then(|text| text.strip_suffix('\'')) {
+        return !string.contains(|c: char| c.is_control() || matches!(c, '\'' | '$' | '#'));
+    }
+    let is_sign = |c: char| c.is_control() || "[](){}<>/\\|,;:=\"'#".contains(c);
+    let (name, index) = match text.split_once('[') {
+        Some((name, rest)) => (name, rest.strip_suffix(']')),
+        None => (text, Some("0")),
+    };
+    let is_literal = name.starts_with(|c: char| c.is_ascii_digit() || matches!(c, '+' | '-' | '.'));
+    let is_plain = |c: char| c.is_ascii_alphanumeric() || matches!(c, '_' | '.' | '+' | '-' | '#');
+    let is_word = |index: &str| !index.is_empty() && index.chars().all(|c| c.is_alphanumeric() || c == '_');
+    index.is_some_and(is_word)
+        && if is_literal {
+            name.chars().all(is_plain) && !text.contains('[')
+        } else {
+            !name.trim().is_empty() && !name.contains(is_sign)
+        }
 }
 
 /// What stands between the bracket that a text begins with and its partner, and the length of it all.

@@ -5,8 +5,6 @@ use super::model::{Element, Family, File, Member, Number, Operand, Part, Variabl
 use super::word::{Form, Row, row_of};
 use ladder_format::Circuit;
 
-/// A larger file is not read.
-const MOST_BYTES: usize = 4 << 20;
 /// A longer line is not read.
 const LONGEST_LINE: usize = 64 << 10;
 /// Parentheses nest no deeper.
@@ -38,13 +36,6 @@ pub(super) fn element(text: &str) -> Option<Element> {
 
 /// Reads a program.
 pub(super) fn parse(source: &Source<'_>) -> Result<File, ReadError> {
-    if source.bytes.len() > MOST_BYTES {
-        let message = format!(
-            "the file is larger than {} MiB; programs are not",
-            MOST_BYTES >> 20
-        );
-        return Err(ReadError::whole(message));
-    }
     let text = source.text()?;
     let mut file = File::default();
     let mut title = None;

@@ -53,6 +53,7 @@ impl Notation for Ldmicro {
     }
 
     fn read(&self, source: &Source<'_>) -> Result<Reading, ReadError> {
+        source.bounded()?;
         let file = parse::parse(source.bytes)?;
         let mut reading = sketch::sketch(&file);
         reading.findings.extend(rules::findings(&file));

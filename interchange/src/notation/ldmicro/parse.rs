@@ -4,8 +4,6 @@ use super::super::{Place, ReadError};
 use super::element;
 use super::model::{Encoding, File, Leaf, Node, Rung, Version, number};
 
-/// A larger file is not read.
-const MOST_BYTES: usize = 4 << 20;
 /// A longer line is not read.
 const LONGEST_LINE: usize = 64 << 10;
 /// `SERIES` and `PARALLEL` nest no deeper.
@@ -17,13 +15,6 @@ const MOST_IN_RUNG: usize = 256;
 
 /// Reads a file.
 pub(super) fn parse(bytes: &[u8]) -> Result<File, ReadError> {
-    if bytes.len() > MOST_BYTES {
-        let message = format!(
-            "the file is larger than {} MiB; programs are not",
-            MOST_BYTES >> 20
-        );
-        return Err(ReadError::whole(message));
-    }
     let (text, latin1) = match std::str::from_utf8(bytes) {
         Ok(text) => (text.to_owned(), false),
         Err(_) => (bytes.iter().copied().map(char::from).collect(), true),

@@ -61,6 +61,7 @@ impl Notation for LdmicroText {
     }
 
     fn read(&self, source: &Source<'_>) -> Result<Reading, ReadError> {
+        source.bounded()?;
         let file = read::read(source.bytes)?;
         let mut reading = sketch::sketch(&file);
         for entry in &mut reading.report.entries {

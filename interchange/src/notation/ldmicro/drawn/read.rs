@@ -8,8 +8,6 @@ use super::listing::{NO_PIN, WITH_PIN};
 use super::{CELL, CELL_LINES, FIRST_LINE, TOO_LONG, row};
 use ladder_format::Circuit;
 
-/// A larger file is not read.
-const MOST_BYTES: usize = 4 << 20;
 /// A wider drawing is not read.
 const WIDEST: usize = 256;
 /// A rung with more elements is not read.
@@ -22,13 +20,6 @@ const LEFT: usize = RAIL + 2;
 
 /// Reads a text.
 pub(super) fn read(bytes: &[u8]) -> Result<File, ReadError> {
-    if bytes.len() > MOST_BYTES {
-        let message = format!(
-            "the file is larger than {} MiB; programs are not",
-            MOST_BYTES >> 20
-        );
-        return Err(ReadError::whole(message));
-    }
     let (text, latin1) = match std::str::from_utf8(bytes) {
         Ok(text) => (text.to_owned(), false),
         Err(_) => (bytes.iter().copied().map(char::from).collect(), true),
