@@ -43,20 +43,25 @@ fn branches_nested_a_hundred_thousand_deep() {
     let text = format!("start {}open contact I0.1", "(".repeat(nested));
     assert_eq!(read("textbook", text.as_bytes()), Err(error.to_owned()));
     // Each branch begins and ends within the one above it.
-    let cell = "-".repeat(16) + "+";
-    let blank = " ".repeat(16) + "|";
     let mut lines = vec![" ".repeat(17 * 200)];
+    let ends = |depth: usize| [17 * depth - 1, 17 * (191 - depth) - 1];
     for depth in 0..90 {
-        let (start, length) = (depth * 17, 190 - 2 * depth);
-        let from = if depth == 0 {
-            String::new()
-        } else {
-            " ".repeat(start - 1) + "+"
-        };
-        let wire = format!("{from}----+------+----+{}", cell.repeat(length - 1));
-        lines.push(format!("{wire:<3400}"));
-        let below = " ".repeat(start) + &blank.repeat(length);
-        lines.extend([format!("{below:<3400}"), format!("{below:<3400}")]);
+        let (mut wire, mut below) = (vec![' '; 3400], vec![' '; 3400]);
+        let [start, end] = if depth == 0 { [0, 3399] } else { ends(depth) };
+        wire[start..=end].fill('-');
+        let first = start.next_multiple_of(17);
+        wire.splice(first + 4..first + 12, "+------+".chars());
+        for end in ends(depth + 1) {
+            (wire[end], below[end]) = ('+', '|');
+        }
+        if depth > 0 {
+            (wire[start], wire[end]) = ('+', '+');
+        }
+        lines.extend([
+            wire.iter().collect(),
+            below.iter().collect(),
+            below.iter().collect::<String>(),
+        ]);
     }
     lines.push(format!("{:-<3400}", "------[END]"));
     let error = "7:1: the rung is not made of series and branches, or branches are nested too deep";

@@ -8,6 +8,7 @@ mod incremental;
 mod instruction_reference;
 mod iot_traces;
 mod ldmicro_traces;
+mod notations_back;
 mod pictures_wiring;
 mod power;
 mod refactorings;
