@@ -12,6 +12,7 @@
 pub mod circuit;
 #[allow(dead_code, reason = "what reads and writes these programs comes next")]
 mod click;
+mod comments;
 mod cplc_draft;
 mod finding;
 mod iot;

@@ -152,7 +152,7 @@ const DRAFT: &str = "// A mixer.\nIN  = { DI start, AI[4] level }\nOUT = { DO ru
 fn holds(notation: &dyn Notation, bytes: &[u8]) {
     let lines = bytes.split(|byte| *byte == b'\n').count() as u32;
     let lies_in = |place: Place| assert!((1..=lines + 1).contains(&place.line), "{place} of {lines} lines");
-    let source = Source { name: "test", bytes };
+    let source = Source::alone("test", bytes);
     let options = Options::default();
     let converted = match convert(notation, &source, &options) {
         Ok(converted) => converted,
@@ -178,10 +178,7 @@ fn holds(notation: &dyn Notation, bytes: &[u8]) {
     // What is written back can be read, if it can be written.
     let analysis = ladder_analysis::analyze(&parse.into(), "test.clad");
     if let Ok(writing) = notation.write(&analysis) {
-        let source = Source {
-            name: "test",
-            bytes: &writing.bytes,
-        };
+        let source = Source::alone("test", &writing.bytes);
         if let Err(error) = convert(notation, &source, &options) {
             panic!("{error}\n{}\nof\n{text}", String::from_utf8_lossy(&writing.bytes));
         }
@@ -189,7 +186,11 @@ fn holds(notation: &dyn Notation, bytes: &[u8]) {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig { cases: 150, ..ProptestConfig::default() })]
+    #![proptest_config(ProptestConfig {
+        cases: 150,
+        failure_persistence: None,
+        ..ProptestConfig::default()
+    })]
 
     #[test]
     fn broken_programs_are_read_or_refused(which: Index, mutations in prop::collection::vec(mutation(), 1..4)) {

@@ -7,7 +7,7 @@ use ladder_interchange::notation::{NOTATIONS, Source, by_name, convert};
 #[track_caller]
 fn read(notation: &str, bytes: &[u8]) -> Result<usize, String> {
     let notation = by_name(notation).expect("the notation is registered");
-    let source = Source { name: "test", bytes };
+    let source = Source::alone("test", bytes);
     match convert(notation, &source, &Options::default()) {
         Ok(converted) => Ok(converted.written.text.len()),
         Err(error) => Err(error.to_string()),

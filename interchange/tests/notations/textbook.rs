@@ -78,6 +78,7 @@ fn branches_memories_and_words_written_together() {
                 M3 : BOOL;
             END_VAR
 
+            # two programs #
             +--\--[ ]( I0 )--\----------( )( M1 )--+
             |  /--[/]( M3 )--/                     |
 

@@ -1,6 +1,6 @@
 //! From a program to the draft.
 
-use super::super::{Lines, Place, Report, WriteError, Writing};
+use super::super::{Lines, Place, Report, WriteError, Writing, comments};
 use ladder_analysis::Analysis;
 use ladder_analysis::network::NetworkFacts;
 use ladder_analysis::program::{
@@ -10,6 +10,7 @@ use ladder_analysis::types::{Scalar, Type};
 use ladder_analysis::value::Value;
 use ladder_format::{ElementKind, Options, Sketch, display_width};
 use ladder_instructions::Op;
+use ladder_syntax::Item;
 use ladder_syntax::wiring::PartKind;
 use std::collections::{HashMap, HashSet};
 
@@ -32,11 +33,26 @@ pub(super) fn write(analysis: &Analysis) -> Result<Writing, WriteError> {
             .collect(),
     };
     let mut parts = Vec::new();
-    let networks = program
+    let mut networks = program
         .networks
         .iter()
-        .filter(|network| network.location.file == 0);
-    for (network, facts) in networks.zip(&analysis.context.networks) {
+        .filter(|network| network.location.file == 0)
+        .zip(&analysis.context.networks);
+    let parse = &analysis.context.parse;
+    let mut above = Vec::new();
+    for item in &parse.structure().items {
+        let lines_of = match *item {
+            Item::Decoration(line) => line..line + 1,
+            Item::Network(number) => parse.structure().networks[number].lines.clone(),
+            _ => continue,
+        };
+        for comment in lines_of.flat_map(|line| comments::on_line(parse, line)) {
+            above.extend(comments::said(&comment).map(str::to_owned));
+        }
+        let Item::Network(_) = item else { continue };
+        let Some((network, facts)) = networks.next() else {
+            break;
+        };
         let range = network.location.range;
         let place = lines.place(&text, range.start().into());
         let blocks: Result<HashMap<u32, String>, String> = network
@@ -47,7 +63,7 @@ pub(super) fn write(analysis: &Analysis) -> Result<Writing, WriteError> {
                 writer.block(block).map(|text| (start, text))
             })
             .collect();
-        parts.push(match blocks {
+        let drawn = match blocks {
             Ok(blocks) => {
                 writer.report.translated(place, "network");
                 Ok(drawing(facts, &blocks))
@@ -56,19 +72,26 @@ pub(super) fn write(analysis: &Analysis) -> Result<Writing, WriteError> {
                 writer.report.refused(place, "network", why);
                 Err(&text[range])
             }
-        });
+        };
+        parts.push((std::mem::take(&mut above), drawn));
     }
     let mut out = writer.headers();
-    let rails = parts.iter().flatten().filter_map(|(sketch, _)| {
-        let layout = sketch.clone().lay_out(&Options::default(), None);
-        layout
-            .right_rail()
-            .filter(|rail| *rail < Options::default().width)
-    });
+    let rails = parts
+        .iter()
+        .flat_map(|(_, drawn)| drawn)
+        .filter_map(|(sketch, _)| {
+            let layout = sketch.clone().lay_out(&Options::default(), None);
+            layout
+                .right_rail()
+                .filter(|rail| *rail < Options::default().width)
+        });
     let rail = rails.max();
-    for part in parts {
+    for (comments, drawn) in parts {
         out.push('\n');
-        match part {
+        comments
+            .iter()
+            .for_each(|line| out.push_str(&format!("// {line}\n")));
+        match drawn {
             Ok((sketch, texts)) => {
                 let layout = sketch.lay_out(&Options::default(), rail);
                 layout.draw(|n| &texts[n], "\n", &mut out);
@@ -79,6 +102,12 @@ pub(super) fn write(analysis: &Analysis) -> Result<Writing, WriteError> {
                 }
             }
         }
+    }
+    if !above.is_empty() {
+        out.push('\n');
+        above
+            .iter()
+            .for_each(|line| out.push_str(&format!("// {line}\n")));
     }
     Ok(Writing {
         bytes: out.into_bytes(),

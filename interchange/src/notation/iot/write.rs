@@ -1,7 +1,7 @@
 //! From a program to the notation: a line for each network of what iot-ladder-editor has.
 
 use super::super::circuit::series_parallel;
-use super::super::{Lines, Place, Report, WriteError, Writing, stand_in};
+use super::super::{Lines, Place, Report, WriteError, Writing, comments, stand_in};
 use super::names::{Names, names};
 use super::parse::{DEEPEST, MOST_IN_RUNG, MOST_PARTS, element};
 use super::word::{Form, ROWS};
@@ -13,7 +13,7 @@ use ladder_analysis::types::Scalar;
 use ladder_analysis::value::Value;
 use ladder_format::Circuit;
 use ladder_instructions::{Op, Profile};
-use ladder_syntax::{Item, SyntaxKind};
+use ladder_syntax::Item;
 
 /// Writes all networks that the notation can say; the others stay as comments.
 pub(super) fn write(analysis: &Analysis) -> Result<Writing, WriteError> {
@@ -45,12 +45,10 @@ pub(super) fn write(analysis: &Analysis) -> Result<Writing, WriteError> {
     let mut out = String::new();
     let parse = &analysis.context.parse;
     let comments = |line: usize, out: &mut String| {
-        let tokens = parse.lines()[line].syntax().descendants_with_tokens();
-        for token in tokens.filter_map(|element| element.into_token()) {
-            if token.kind() == SyntaxKind::COMMENT && kept(token.text()).is_none() {
-                comment(token.text(), out);
-            }
-        }
+        let all = comments::on_line(parse, line);
+        all.iter()
+            .filter(|text| kept(text).is_none())
+            .for_each(|text| comment(text, out));
     };
     for item in &parse.structure().items {
         match *item {
@@ -88,26 +86,23 @@ pub(super) fn write(analysis: &Analysis) -> Result<Writing, WriteError> {
     Ok(Writing {
         bytes: out.into_bytes(),
         report,
+        ..Writing::default()
     })
 }
 
 /// The element in `# iot: OUT T1:DN #`, as it was before it became a comment.
 fn kept(comment: &str) -> Option<String> {
-    let said = inside(comment).trim().strip_prefix("iot:")?.trim().to_owned();
+    let said = comments::inside(comment)
+        .trim()
+        .strip_prefix("iot:")?
+        .trim()
+        .to_owned();
     element(&said).is_some().then_some(said)
 }
 
-fn inside(comment: &str) -> &str {
-    let behind = comment.strip_prefix('#').unwrap_or(comment);
-    behind.strip_suffix('#').unwrap_or(behind)
-}
-
-/// A comment, on lines of its own. What speaks to the tools is not for the other system.
+/// A comment, on lines of its own.
 fn comment(text: &str, out: &mut String) {
-    for line in inside(text).lines().map(str::trim) {
-        if line.is_empty() || line.starts_with("ladder:") {
-            continue;
-        }
+    for line in comments::said(text) {
         match line.strip_prefix("iot:").map(str::trim) {
             Some(own) if own.starts_with(['=', '>']) => out.push_str(&format!("{own}\n")),
             Some(own) if own.starts_with(';') => out.push_str(&format!("#{}\n", &own[1..])),

@@ -22,7 +22,8 @@ pub(super) fn read(text: &str) -> Result<Reading, ReadError> {
     };
     let mut networks = Vec::new();
     while reader.at < words.len() {
-        networks.push(reader.program()?);
+        let line = reader.place().line;
+        networks.push((line, reader.program()?));
     }
     if networks.is_empty() {
         return Err(ReadError::whole(
@@ -34,14 +35,31 @@ pub(super) fn read(text: &str) -> Result<Reading, ReadError> {
         mut reading, tags, ..
     } = reader;
     declare(&mut reading, &tags);
-    for circuit in networks {
-        reading.program.items.push(Item::Blank);
-        reading.program.items.push(Item::Network(Network {
-            comments: Vec::new(),
+    let mut comments = comments(text).peekable();
+    let items = &mut reading.program.items;
+    for (line, circuit) in networks {
+        let mut above = Vec::new();
+        while let Some((_, comment)) = comments.next_if(|(at, _)| *at < line) {
+            above.push(comment.to_owned());
+        }
+        items.push(Item::Blank);
+        items.push(Item::Network(Network {
+            comments: above,
             drawing: Drawing::Circuit(circuit),
         }));
     }
+    let mut behind = comments
+        .map(|(_, comment)| Item::Comment(comment.to_owned()))
+        .peekable();
+    items.extend(behind.peek().is_some().then_some(Item::Blank));
+    items.extend(behind);
     Ok(reading)
+}
+
+/// The comments of a text, with their lines.
+fn comments(text: &str) -> impl Iterator<Item = (u32, &str)> {
+    let lines = (1..).zip(text.lines());
+    lines.filter_map(|(number, line)| Some((number, line.trim_start().strip_prefix('#')?.trim())))
 }
 
 /// What is known of a variable.

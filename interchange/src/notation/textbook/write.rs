@@ -1,7 +1,7 @@
 //! From a program to the textbook grammar: a line for each network of contacts and coils.
 
 use super::super::circuit::series_parallel;
-use super::super::{Lines, Place, Report, WriteError, Writing};
+use super::super::{Lines, Place, Report, WriteError, Writing, comments};
 use super::word::Element;
 use ladder_analysis::Analysis;
 use ladder_analysis::program::{
@@ -10,6 +10,7 @@ use ladder_analysis::program::{
 use ladder_analysis::value::Value;
 use ladder_format::Circuit;
 use ladder_instructions::Op;
+use ladder_syntax::Item;
 use std::collections::{BTreeSet, HashMap, HashSet};
 
 /// Writes all networks that the grammar can say.
@@ -30,11 +31,22 @@ pub(super) fn write(analysis: &Analysis) -> Result<Writing, WriteError> {
     };
     let mut out = String::new();
     let mut written = 0;
-    for network in program
+    let parse = &analysis.context.parse;
+    let mut networks = program
         .networks
         .iter()
-        .filter(|network| network.location.file == 0)
-    {
+        .filter(|network| network.location.file == 0);
+    for item in &parse.structure().items {
+        let lines_of = match *item {
+            Item::Decoration(line) => line..line + 1,
+            Item::Network(number) => parse.structure().networks[number].lines.clone(),
+            _ => continue,
+        };
+        for comment in lines_of.flat_map(|line| comments::on_line(parse, line)) {
+            comments::said(&comment).for_each(|line| out.push_str(&format!("# {line}\n")));
+        }
+        let Item::Network(_) = item else { continue };
+        let Some(network) = networks.next() else { break };
         let range = network.location.range;
         writer.place = lines.place(&text, range.start().into());
         match writer.network(network) {
