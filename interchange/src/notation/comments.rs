@@ -1,12 +1,12 @@
 //! What the comments of a ladder text say, for those who write other notations.
 
-use ladder_syntax::{Parse, SyntaxKind};
+use ladder_syntax::{NodeOrToken, Parse, SyntaxKind};
 
 /// The comments on a line of a text, each without its signs.
 pub(super) fn on_line(parse: &Parse, line: usize) -> Vec<String> {
     let tokens = parse.lines()[line].syntax().descendants_with_tokens();
     tokens
-        .filter_map(|element| element.into_token())
+        .filter_map(NodeOrToken::into_token)
         .filter(|token| token.kind() == SyntaxKind::COMMENT)
         .map(|token| inside(token.text()).to_owned())
         .collect()

@@ -88,9 +88,9 @@ pub(super) fn write(analysis: &Analysis) -> Result<Writing, WriteError> {
     let rail = rails.max();
     for (comments, drawn) in parts {
         out.push('\n');
-        comments
-            .iter()
-            .for_each(|line| out.push_str(&format!("// {line}\n")));
+        for line in comments {
+            out.push_str(&format!("// {line}\n"));
+        }
         match drawn {
             Ok((sketch, texts)) => {
                 let layout = sketch.lay_out(&Options::default(), rail);
@@ -105,9 +105,9 @@ pub(super) fn write(analysis: &Analysis) -> Result<Writing, WriteError> {
     }
     if !above.is_empty() {
         out.push('\n');
-        above
-            .iter()
-            .for_each(|line| out.push_str(&format!("// {line}\n")));
+        for line in above {
+            out.push_str(&format!("// {line}\n"));
+        }
     }
     Ok(Writing {
         bytes: out.into_bytes(),

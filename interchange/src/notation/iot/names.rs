@@ -12,7 +12,7 @@ use std::collections::{HashMap, HashSet};
 /// Names for the tags that can have one.
 #[derive(Debug, Default)]
 pub(super) struct Names {
-    names: HashMap<TagId, Result<String, String>>,
+    spelled: HashMap<TagId, Result<String, String>>,
     timers: HashSet<TagId>,
     /// The presets that are tags: what they are at first, by their timer or counter.
     presets: HashMap<TagId, i64>,
@@ -21,7 +21,7 @@ pub(super) struct Names {
 impl Names {
     pub(super) fn of(&self, tag: TagId) -> Result<String, String> {
         let unknown = || Err("it is no variable there".to_owned());
-        self.names.get(&tag).cloned().unwrap_or_else(unknown)
+        self.spelled.get(&tag).cloned().unwrap_or_else(unknown)
     }
 
     pub(super) fn is_timer(&self, tag: TagId) -> bool {
@@ -48,12 +48,12 @@ pub(super) fn names(program: &Program, report: &mut Report, place: impl Fn(Locat
         let kept = variable(&tag.name).filter(|own| family == Ok(own.family) || fits(tag, own.family));
         if let Some(own) = kept {
             taken.insert((own.family, own.number));
-            names.names.insert(id, Ok(own.to_string()));
+            names.spelled.insert(id, Ok(own.to_string()));
         }
     }
     let mut next: HashMap<Family, u32> = HashMap::new();
     for (id, tag) in all() {
-        if names.names.contains_key(&id) || tag.constant {
+        if names.spelled.contains_key(&id) || tag.constant {
             continue;
         }
         if presets.contains_key(&id) {
@@ -75,14 +75,14 @@ pub(super) fn names(program: &Program, report: &mut Report, place: impl Fn(Locat
             );
             report.approximated(place(tag.location), format!("tag `{}`", tag.name), why);
         }
-        names.names.insert(id, name);
+        names.spelled.insert(id, name);
     }
     for (tag, state) in presets {
         let Ok(owner) = names.of(state) else { continue };
-        names.names.insert(tag, Ok(format!("{owner}:PRE")));
+        names.spelled.insert(tag, Ok(format!("{owner}:PRE")));
         let first = program.tags[tag.0 as usize].initial.first();
         let first = match first {
-            Some(Value::Int(number)) => i64::try_from(*number).unwrap_or(0),
+            Some(Value::Int(number)) => *number,
             _ => 0,
         };
         names.presets.insert(state, first);

@@ -133,7 +133,9 @@ impl<'f> Importer<'f> {
         }
         if !above.is_empty() {
             self.push(Item::Blank);
-            above.into_iter().for_each(|text| self.push(Item::Comment(text)));
+            for text in above {
+                self.push(Item::Comment(text));
+            }
         }
     }
 

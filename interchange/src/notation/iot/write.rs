@@ -252,7 +252,7 @@ impl Writer<'_> {
                 (Argument::State(tag), _) => state = Some(*tag),
                 (Argument::Value(value), "PT" | "PV") => preset = Some(value),
                 (Argument::Value(value), "B") => {
-                    base = constant(value).ok_or("the time base is no number")?
+                    base = constant(value).ok_or("the time base is no number")?;
                 }
                 (Argument::Value(value), "AC") => {
                     start = Some(constant(value).ok_or("what it counts from is no number")?);
@@ -357,7 +357,7 @@ fn by_word(op: Op) -> &'static str {
 
 fn constant(value: &Expr) -> Option<i64> {
     match &value.kind {
-        ExprKind::Constant(Value::Int(number)) => i64::try_from(*number).ok(),
+        ExprKind::Constant(Value::Int(number)) => Some(*number),
         ExprKind::Pass(inside) => constant(inside),
         _ => None,
     }
