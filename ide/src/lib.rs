@@ -42,6 +42,7 @@ pub use folding::{Fold, folds};
 pub use highlight::{Highlight, highlights};
 pub use hover::{Hover, hover, used_elsewhere};
 pub use inlay::{Inlay, inlays};
+pub use ladder_instructions::Profile;
 pub use lens::{Lens, LensKind, lenses};
 pub use links::{Link, LinkTarget, links};
 pub use neighbour::{Alone, Neighbour, ScenarioFile, Workspace, mentions};

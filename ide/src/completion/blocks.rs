@@ -97,7 +97,7 @@ fn propose_row(typing: &Typing<'_>, row: &'static Instruction, around: Around<'_
         range: typing.absolute(range),
         filter: filter.to_owned(),
         text,
-        topic: Topic::Instruction(row.op),
+        topic: Topic::Instruction(row.op, typing.context.profile),
     });
 }
 

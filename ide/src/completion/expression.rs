@@ -34,7 +34,7 @@ pub(super) fn values(typing: &Typing<'_>, out: &mut Proposals<'_>) {
                 range: typing.absolute(typing.word.clone()),
                 filter: row.mnemonic.to_owned(),
                 text,
-                topic: Topic::Instruction(row.op),
+                topic: Topic::Instruction(row.op, typing.context.profile),
             },
         );
     }

@@ -1,6 +1,6 @@
 //! What completion proposes.
 
-use ladder_instructions::{Op, TABLE};
+use ladder_instructions::{Op, Profile, TABLE};
 use ladder_syntax::TextRange;
 
 /// What is proposed at a place.
@@ -56,8 +56,8 @@ pub enum Topic {
     /// There is none.
     #[default]
     Nothing,
-    /// An instruction.
-    Instruction(Op),
+    /// An instruction, as it is in a profile.
+    Instruction(Op, Profile),
     /// A user-defined block, by its name.
     UserBlock(String),
     /// A tag: its scope and its name.
@@ -69,9 +69,9 @@ pub enum Topic {
 }
 
 impl Topic {
-    /// The instruction with this number in the table.
-    pub fn instruction(number: usize) -> Option<Topic> {
-        TABLE.get(number).map(|row| Topic::Instruction(row.op))
+    /// The instruction with this number in the table, in a profile.
+    pub fn instruction(number: usize, profile: Profile) -> Option<Topic> {
+        TABLE.get(number).map(|row| Topic::Instruction(row.op, profile))
     }
 }
 

@@ -20,7 +20,7 @@ use crate::hover;
 use crate::typing::{Declaration, Operand, Place, Typing, typing};
 use crate::wanted::{Called, Kind, called, tag_of, wanted};
 use ladder_analysis::Analysis;
-use ladder_instructions::{Profile, by_op};
+use ladder_instructions::by_op;
 use ladder_syntax::{Name, TextSize};
 use proposals::Proposals;
 
@@ -143,7 +143,7 @@ pub fn documentation(analysis: &Analysis, topic: &Topic) -> Option<String> {
 /// The same, for what is known without a program: instructions, keywords.
 pub fn card(topic: &Topic) -> Option<String> {
     match topic {
-        Topic::Instruction(op) => Some(hover::instruction_card(by_op(*op), Profile::Iec)),
+        Topic::Instruction(op, profile) => Some(hover::instruction_card(by_op(*op), *profile)),
         Topic::Keyword(word) => hover::keyword_card(word),
         Topic::Words(words) => Some((*words).to_owned()),
         Topic::Nothing | Topic::UserBlock(_) | Topic::Tag(..) => None,

@@ -353,3 +353,31 @@ fn names_of_other_files() {
         `a` of [GT]: The left side."#]]
     .assert_eq(&shown.join("\n====\n"));
 }
+
+#[test]
+fn a_card_tells_how_the_profile_differs() {
+    let card = |profile: &str, block: &str| {
+        let text = format!("# ladder: profile {profile} #\n+--{block}--( )( y )--+\n");
+        let at = TextSize::new(text.find(block).expect("it is there") as u32 + 1);
+        let analysis = ladder_analysis::analyze(&Arc::new(ladder_syntax::parse(&text)), "test.clad");
+        let markdown = hover(&analysis, at).expect("there is a card").markdown;
+        let lines = markdown
+            .lines()
+            .filter(|line| line.starts_with("[T") || line.contains("In profile"));
+        lines.map(|line| format!("{line}\n")).collect::<String>()
+    };
+    expect![[r#"
+        [TOF]( t, PT )
+        **In profile `ldmicro`:** ET counts scans and is an integer: with PT of n scan intervals Q is low from the n-th scan in a row without power. It begins as if its time were over. PT is 2 scan intervals at least; a part of one is cut off. Other instructions may write ET, and several blocks use one tag.
+    "#]].assert_eq(&card("ldmicro", "[TOF]( t, 5s )"));
+    expect![[r#"
+        [TOF]( t, PT, B := )
+        **In profile `iot`:** No off-delay: the power behind it is EN until the time is over, and then low. It counts as TON does; Q is that the time is over.
+    "#]].assert_eq(&card("iot", "[TOF]( t, 5 )"));
+    expect![[r#"
+        **In profile `iot`:** The system has no such instruction.
+    "#]].assert_eq(&card("iot", "[SIN]( x, y )"));
+    expect![[r#"
+        [TOF]( t, PT, R := )
+    "#]].assert_eq(&card("iec", "[TOF]( t, 5s )"));
+}

@@ -1,6 +1,6 @@
 //! Blocks, by their brackets and on a wire.
 
-use super::{HOLD, accept, check};
+use super::{HOLD, accept, check, found};
 use expect_test::expect;
 
 #[test]
@@ -341,5 +341,48 @@ fn user_defined_blocks() {
         expect![[r#"
         nothing
     "#]],
+    );
+}
+
+#[test]
+fn only_what_the_profile_has() {
+    for (profile, has, has_not) in [
+        ("iec", "[TP] [CTUD] [SIN] [SCANTIME] [RTO]", ""),
+        (
+            "ldmicro",
+            "[TON] [TOF] [RTO] [CTC] [OSR] [LUT]",
+            "[TP] [CTUD] [SIN] [P] [SCANTIME]",
+        ),
+        (
+            "iot",
+            "[TON] [TOF] [CTD] [P] [SCANTIME]",
+            "[RTO] [CTC] [OSR] [LUT] [SIN]",
+        ),
+    ] {
+        let fixture = format!("# ladder: profile {profile} #\n+--[$0\n");
+        let (_, found) = found(&fixture);
+        let offered = |block: &str| found.items.iter().any(|item| item.label == block);
+        for block in has.split_whitespace() {
+            assert!(offered(block), "{block} is offered in {profile}");
+        }
+        for block in has_not.split_whitespace() {
+            assert!(!offered(block), "{block} is not offered in {profile}");
+        }
+    }
+}
+
+#[test]
+fn members_have_the_types_of_the_profile() {
+    let types = |profile: &str| {
+        let fixture = format!(
+            "# ladder: profile {profile} #\nVAR t : TON; c : CTU; END_VAR\n+--[MOV]( y, t.$0 )--[MOV]( z, c.CV )--+\n"
+        );
+        let (_, found) = found(&fixture);
+        let elapsed = found.items.iter().find(|item| item.label == "ET");
+        elapsed.map(|item| item.detail.clone()).unwrap_or_default()
+    };
+    assert_eq!(
+        [types("iec"), types("ldmicro"), types("iot")],
+        ["TIME", "INT", "DINT"]
     );
 }

@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use ladder_ide::{Completion, CompletionKind, Topic};
+use ladder_ide::{Completion, CompletionKind, Profile, Topic};
 use serde_json::{Value, json};
 use tower_lsp::jsonrpc::Result;
 use tower_lsp::ls_types::{
@@ -98,7 +98,8 @@ fn data(revision: &Revision, topic: &Topic) -> Option<Value> {
     let uri = &*revision.uri;
     Some(match topic {
         Topic::Nothing => return None,
-        Topic::Instruction(op) => json!({ "instruction": *op as usize }),
+        Topic::Instruction(op, Profile::Iec) => json!({ "instruction": *op as usize }),
+        Topic::Instruction(op, profile) => json!({ "instruction": *op as usize, "profile": profile.name() }),
         Topic::UserBlock(name) => json!({ "uri": uri, "block": name }),
         Topic::Tag(scope, name) => json!({ "uri": uri, "scope": scope, "tag": name }),
         Topic::Keyword(word) => json!({ "keyword": word }),
@@ -125,7 +126,10 @@ async fn documentation(shared: &Arc<Shared>, data: Value) -> Result<Option<Docum
             .as_u64()
             .and_then(|number| usize::try_from(number).ok())
     };
-    let topic = if let Some(topic) = number("instruction").and_then(Topic::instruction) {
+    let profile = text("profile").and_then(|name| Profile::from_name(&name));
+    let instruction =
+        number("instruction").and_then(|number| Topic::instruction(number, profile.unwrap_or_default()));
+    let topic = if let Some(topic) = instruction {
         topic
     } else if let Some(word) = text("keyword") {
         Topic::Keyword(word)
@@ -136,7 +140,7 @@ async fn documentation(shared: &Arc<Shared>, data: Value) -> Result<Option<Docum
     } else {
         return Ok(None);
     };
-    if let Topic::Instruction(_) | Topic::Keyword(_) = topic {
+    if let Topic::Instruction(..) | Topic::Keyword(_) = topic {
         let card = ladder_ide::card(&topic);
         return Ok(card.map(|card| markup::documentation(markdown, card)));
     }
