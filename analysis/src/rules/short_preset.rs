@@ -69,7 +69,12 @@ fn in_scans(preset: i128, scan: i128, at: TextRange) -> Option<Diagnostic> {
     let (message, help) = match scans {
         ..2 => (
             format!(
-                "the time is {scans} scans of {}: timers of this profile take 2 or more",
+                "the time is {} of {}: timers of this profile take 2 or more",
+                if scans == 1 {
+                    "1 scan".to_owned()
+                } else {
+                    format!("{scans} scans")
+                },
                 milliseconds(scan)
             ),
             "give a longer time, or a shorter scan above the first network, as in: # ladder: cycle 1ms #",

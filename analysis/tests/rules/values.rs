@@ -272,6 +272,76 @@ fn the_time_base_belongs_to_another_profile() {
 }
 
 #[test]
+fn times_that_a_profile_cannot_count() {
+    check(
+        "# ladder: profile ldmicro #\n# ladder: cycle 5ms #\n+--[TON]( t, 9ms )--[TOF]( u, 10ms )--[RTO]( v, 1h )--( )( y )--+\n",
+        expect![[r#"
+            > +--[TON]( t, 9ms )--[TOF]( u, 10ms )--[RTO]( v, 1h )--( )( y )--+
+                           ^^^ warning[short-preset]: the time is 1 scan of 5 ms: timers of this profile take 2 or more
+                help: give a longer time, or a shorter scan above the first network, as in: # ladder: cycle 1ms #
+            > +--[TON]( t, 9ms )--[TOF]( u, 10ms )--[RTO]( v, 1h )--( )( y )--+
+                                                              ^^ warning[short-preset]: the time is 720000 scans of 5 ms: timers of this profile count to 32768
+                help: give a shorter time, or a longer scan above the first network, as in: # ladder: cycle 100ms #
+        "#]],
+    );
+    check(
+        "# ladder: profile iot #\n+--[TON]( t, 0 )--[TON]( u, 3, B := 5ms )--[TOF]( v, 3 )--( )( y )--+\n",
+        expect![[r#"
+            > +--[TON]( t, 0 )--[TON]( u, 3, B := 5ms )--[TOF]( v, 3 )--( )( y )--+
+                           ^ warning[short-preset]: the preset is 0 or less: the first step reaches it
+                help: count one step or more
+            > +--[TON]( t, 0 )--[TON]( u, 3, B := 5ms )--[TOF]( v, 3 )--( )( y )--+
+                                          ^ warning[short-preset]: the time base is 5 ms and a scan 10 ms: a timer counts one step in a scan at most, and runs slow
+                help: take a longer time base, or a shorter scan
+        "#]],
+    );
+}
+
+#[test]
+fn what_a_profile_takes() {
+    check(
+        "# ladder: profile ldmicro #\nVAR c : CTU; t : TON; END_VAR\n+--[CTU]( c, 2 )--[CTD]( c, 1 )--[MOV]( c.CV, 3 )--[MOV]( t.ET, 2 )--[TON]( t, 1s )--[TP]( p, 1s )--( )( y )--+\n",
+        expect![[r#"
+            > +--[CTU]( c, 2 )--[CTD]( c, 1 )--[MOV]( c.CV, 3 )--[MOV]( t.ET, 2 )--[TON]( t, 1s )--[TP]( p, 1s )--( )( y )--+
+                                                                                                   ^^^^ error[unknown-instruction]: there is no [TP] in the profile `ldmicro`
+                help: its timers and counters are [TON] [TOF] [RTO] [CTU] [CTD] [CTC]
+            > +--[CTU]( c, 2 )--[CTD]( c, 1 )--[MOV]( c.CV, 3 )--[MOV]( t.ET, 2 )--[TON]( t, 1s )--[TP]( p, 1s )--( )( y )--+
+                                                                                                         ^ warning[undeclared-tag]: `p` is not declared
+                help: declare it, so that a typing mistake cannot make a new tag
+                fix: Declare `p : TP` in VAR
+                  VAR
+                      c : CTU;
+                      t : TON;
+                      p : TP;
+                  END_VAR
+            > +--[CTU]( c, 2 )--[CTD]( c, 1 )--[MOV]( c.CV, 3 )--[MOV]( t.ET, 2 )--[TON]( t, 1s )--[TP]( p, 1s )--( )( y )--+
+                                                                                                                       ^ warning[undeclared-tag]: `y` is not declared
+                help: declare it, so that a typing mistake cannot make a new tag
+                fix: Declare `y : BOOL` in VAR_OUTPUT
+                  VAR_OUTPUT
+                      y : BOOL;
+                  END_VAR
+        "#]],
+    );
+    check(
+        "# ladder: profile iot #\nVAR c : CTU; END_VAR\n+--[ ]( MI01 )--[AND]( Q1, c.AC, 4 )--[ADD]( MF01, I1, 0.5 )--( )( MI02 )--[EQ]( I1, 1 )--( )( y )--+\n",
+        expect![[r#"
+            > +--[ ]( MI01 )--[AND]( Q1, c.AC, 4 )--[ADD]( MF01, I1, 0.5 )--( )( MI02 )--[EQ]( I1, 1 )--( )( y )--+
+                                                                                         ^^^^^^^^^^^^^ warning[contact-after-coil]: [EQ]( I1, 1 ) stands behind a coil: whoever looks for it looks left of the coils
+                help: draw a branch before the coil: the coil on one line, this contact and what it leads to on the other
+                at 3:63 `( )( MI02 )`: this is the coil
+            > +--[ ]( MI01 )--[AND]( Q1, c.AC, 4 )--[ADD]( MF01, I1, 0.5 )--( )( MI02 )--[EQ]( I1, 1 )--( )( y )--+
+                                                                                                             ^ warning[undeclared-tag]: `y` is not declared
+                help: declare it, so that a typing mistake cannot make a new tag
+                fix: Declare `y : BOOL` in VAR_OUTPUT
+                  VAR_OUTPUT
+                      y : BOOL;
+                  END_VAR
+        "#]],
+    );
+}
+
+#[test]
 fn what_is_no_address() {
     check(
         "VAR a : BOOL; END_VAR\n+--[ ]( %ZX0.1 )--[ ]( %Q0.1 )--[GT]( %IW, 3 )--[ ]( %IX0.9 )--[ ]( a )--( )( %mx )--+\n",

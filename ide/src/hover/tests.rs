@@ -376,8 +376,10 @@ fn a_card_tells_how_the_profile_differs() {
     "#]].assert_eq(&card("iot", "[TOF]( t, 5 )"));
     expect![[r#"
         **In profile `iot`:** The system has no such instruction.
-    "#]].assert_eq(&card("iot", "[SIN]( x, y )"));
+    "#]]
+    .assert_eq(&card("iot", "[SIN]( x, y )"));
     expect![[r#"
         [TOF]( t, PT, R := )
-    "#]].assert_eq(&card("iec", "[TOF]( t, 5s )"));
+    "#]]
+    .assert_eq(&card("iec", "[TOF]( t, 5s )"));
 }
