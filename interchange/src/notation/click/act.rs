@@ -42,7 +42,7 @@ pub(super) fn acts(tags: &mut Tags<'_>, what: &Instruction, oneshot: bool) -> Re
     let chain = &mut acts.chain;
     match what {
         Instruction::Out(target) if oneshot && matches!(target.bits, Bits::One(_)) => {
-            coil(tags, chain, "(P)", target)?
+            coil(tags, chain, "(P)", target)?;
         }
         Instruction::Out(target) => coil(tags, chain, "( )", target)?,
         Instruction::Set(target) => coil(tags, chain, "(S)", target)?,

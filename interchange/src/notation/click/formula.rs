@@ -92,9 +92,10 @@ pub(super) fn parse(text: &str) -> Result<Formula, Mistake> {
     };
     let formula = parser.binary(0)?;
     parser.blanks();
-    match parser.at == text.len() {
-        true => Ok(formula),
-        false => Err(parser.mistake("an operator is expected here")),
+    if parser.at == text.len() {
+        Ok(formula)
+    } else {
+        Err(parser.mistake("an operator is expected here"))
     }
 }
 
@@ -131,9 +132,10 @@ impl<'t> Parser<'t> {
     }
 
     fn expect(&mut self, expected: &str) -> Result<(), Mistake> {
-        match self.eat(expected) {
-            true => Ok(()),
-            false => Err(self.mistake(format!("`{expected}` is expected here"))),
+        if self.eat(expected) {
+            Ok(())
+        } else {
+            Err(self.mistake(format!("`{expected}` is expected here")))
         }
     }
 
@@ -143,9 +145,10 @@ impl<'t> Parser<'t> {
         let end = rest
             .find(|c: char| !c.is_alphanumeric() && c != '_')
             .unwrap_or(rest.len());
-        match rest.starts_with(|c: char| c.is_alphabetic() || c == '_') {
-            true => &rest[..end],
-            false => "",
+        if rest.starts_with(|c: char| c.is_alphabetic() || c == '_') {
+            &rest[..end]
+        } else {
+            ""
         }
     }
 
@@ -348,9 +351,8 @@ impl<'t> Parser<'t> {
             return Ok(Operand::Tag(Tag::number(bank, number)));
         }
         let word = self.word();
-        let by = match self.deeper(|parser| parser.address(word))? {
-            Operand::Tag(tag) => tag,
-            _ => return Err(self.mistake("a pointer is one address")),
+        let Operand::Tag(by) = self.deeper(|parser| parser.address(word))? else {
+            return Err(self.mistake("a pointer is one address"));
         };
         let sign = match () {
             () if self.eat("+") => 1,
@@ -394,13 +396,16 @@ fn slice(text: &str) -> Option<Span> {
     })
 }
 
+/// An operator with its two sides as something else than that.
+pub(super) type Binary = dyn Fn(Operator, &str, &str) -> Option<String>;
+
 /// How a formula writes what it computes with.
 #[derive(Clone, Copy)]
 pub(super) struct Spelling<'s> {
     pub(super) operand: &'s dyn Fn(&Operand) -> String,
     pub(super) span: &'s dyn Fn(&Span) -> String,
     /// What has no spelling of its own: Click's own words for shifts, for example. None: as the DSL.
-    pub(super) binary: Option<&'s dyn Fn(Operator, &str, &str) -> Option<String>>,
+    pub(super) binary: Option<&'s Binary>,
 }
 
 /// The text of a formula, with no more parentheses than it needs.
@@ -412,9 +417,10 @@ pub(super) fn write(formula: &Formula, spelling: Spelling<'_>) -> String {
 fn part(formula: &Formula, spelling: Spelling<'_>) -> (String, u8) {
     let inside = |formula: &Formula, loosest: u8| {
         let (text, precedence) = part(formula, spelling);
-        match precedence < loosest {
-            true => format!("({text})"),
-            false => text,
+        if precedence < loosest {
+            format!("({text})")
+        } else {
+            text
         }
     };
     match formula {
@@ -512,9 +518,10 @@ pub(super) fn foreign(formula: &Formula, kind: MathKind) -> Option<&'static str>
                 Function::RotateLeft | Function::RotateRight => MathKind::Hex,
                 _ => MathKind::Decimal,
             };
-            match own == kind {
-                true => arguments.iter().find_map(|argument| foreign(argument, kind)),
-                false => Some(function.name()),
+            if own == kind {
+                arguments.iter().find_map(|argument| foreign(argument, kind))
+            } else {
+                Some(function.name())
             }
         }
     }

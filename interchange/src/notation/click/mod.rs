@@ -10,6 +10,11 @@
 //! Both notations say the same things of the same banks of memory, so they share the model, the rules and the way to
 //! ladder text and back. A Python file is parsed and never run.
 
+#![allow(
+    clippy::trivially_copy_pass_by_ref,
+    reason = "ranges are parts of instructions, which are matched by reference"
+)]
+
 mod act;
 mod address;
 mod bank;

@@ -16,13 +16,15 @@ pub(super) fn kind(operand: &Operand) -> Option<Kind> {
 
 /// Whether a value of one kind can stand where another is asked for, without `[TYP]`.
 pub(super) const fn passes(from: Kind, to: Kind) -> bool {
-    match (from, to) {
-        (Kind::Int, Kind::Int | Kind::Int2 | Kind::Hex | Kind::Float) => true,
-        (Kind::Hex, Kind::Hex | Kind::Int) => true,
-        (Kind::Int2, Kind::Int2) | (Kind::Float, Kind::Float) => true,
-        (Kind::Bit, Kind::Bit) | (Kind::Text, Kind::Text) => true,
-        _ => false,
-    }
+    matches!(
+        (from, to),
+        (Kind::Int, Kind::Int | Kind::Int2 | Kind::Hex | Kind::Float)
+            | (Kind::Hex, Kind::Hex | Kind::Int)
+            | (Kind::Int2, Kind::Int2)
+            | (Kind::Float, Kind::Float)
+            | (Kind::Bit, Kind::Bit)
+            | (Kind::Text, Kind::Text)
+    )
 }
 
 /// Whether a constant can stand where a kind is asked for.

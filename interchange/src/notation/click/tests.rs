@@ -34,7 +34,7 @@ fn complaints(text: &str) -> String {
     let text = text.replace("# ladder: profile click #", "");
     let analysis = ladder_analysis::analyze(&ladder_syntax::parse(&text).into(), "test.clad");
     let mut out = String::new();
-    for diagnostic in analysis.diagnostics.iter() {
+    for diagnostic in &analysis.diagnostics {
         let line = text[..usize::from(diagnostic.range.start())].lines().count();
         let shown = text.lines().nth(line.saturating_sub(1)).unwrap_or("").trim();
         out.push_str(&format!(
@@ -457,13 +457,9 @@ fn what_is_too_large_or_too_deep_is_refused() {
         &deep(&"x".repeat(20_000)),
         expect!["2:1: a line of more than 10000 characters is not read"],
     );
+    let steps: Vec<String> = (1..500).map(|n| format!("{}if c.A:", " ".repeat(n))).collect();
     check_file(
-        &format!(
-            "def main():\n{}",
-            (1..500)
-                .map(|n| format!("{}if c.A:\n", " ".repeat(n)))
-                .collect::<String>()
-        ),
+        &format!("def main():\n{}\n", steps.join("\n")),
         expect!["26:1: what is written here nests too deeply to be read"],
     );
     let many = format!("def main():\n    if c.A:\n{}", "        out(c.B)\n".repeat(300));

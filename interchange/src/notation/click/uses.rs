@@ -70,7 +70,9 @@ impl<'p> Uses<'p> {
     fn condition(&mut self, condition: &'p Condition) {
         match condition {
             Condition::All(parts) | Condition::Any(parts) => {
-                parts.iter().for_each(|part| self.condition(part))
+                for part in parts {
+                    self.condition(part);
+                }
             }
             Condition::Contact(Contact { place, bits, .. }) => {
                 self.place = Some(*place);

@@ -39,7 +39,7 @@ fn end(routine: &Routine, out: &mut Found) {
         for action in &rung.actions {
             match (&action.what, is_main) {
                 (Instruction::End, true) | (Instruction::Return, false) => {
-                    found |= is_unconditional(rung, action)
+                    found |= is_unconditional(rung, action);
                 }
                 (Instruction::End, false) => {
                     let message = "end() is for the main program: a subroutine goes back with return";

@@ -15,7 +15,9 @@ use crate::notation::Place;
 pub(super) fn condition(condition: &Condition, out: &mut Found) {
     match condition {
         Condition::All(parts) | Condition::Any(parts) => {
-            parts.iter().for_each(|part| self::condition(part, out))
+            for part in parts {
+                self::condition(part, out);
+            }
         }
         Condition::Contact(contact) => {
             if contact.bits.bank().kind() != Kind::Bit {
@@ -115,7 +117,7 @@ pub(super) fn action(action: &Action, out: &mut Found) {
     let place = action.place;
     match &action.what {
         Instruction::Out(coil) | Instruction::Set(coil) | Instruction::Reset(coil) => {
-            self::coil(place, coil, out)
+            self::coil(place, coil, out);
         }
         Instruction::Timer(timer) => {
             if timer.tag.bank != Bank::T {

@@ -360,8 +360,9 @@ fn plain_number(mistakes: &mut Mistakes<'_>, expr: &Expr, value: &Number) -> Res
 /// The beginning of a text of the file, for a message.
 pub(super) fn shown(text: &str) -> String {
     let line: String = text.chars().take_while(|c| *c != '\n').take(40).collect();
-    match line.len() < text.len() {
-        true => format!("{line}.."),
-        false => line,
+    if line.len() < text.len() {
+        format!("{line}..")
+    } else {
+        line
     }
 }

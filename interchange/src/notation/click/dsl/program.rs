@@ -34,13 +34,12 @@ pub(in super::super) fn read(text: &str) -> Result<Program, ReadError> {
             .map_or(text.len(), |next| next.start().into());
         match stmt {
             Stmt::FunctionDef(function) => {
-                if let Ok(mut routine) = routine(&mut mistakes, &mut comments, function, next) {
-                    if !header.is_empty() {
-                        header.append(&mut routine.comments);
-                        routine.comments = std::mem::take(&mut header);
-                    }
-                    routines.push(routine);
+                let mut routine = routine(&mut mistakes, &mut comments, function, next);
+                if !header.is_empty() {
+                    header.append(&mut routine.comments);
+                    routine.comments = std::mem::take(&mut header);
                 }
+                routines.push(routine);
             }
             stmt => match docstring(stmt) {
                 Some(lines) => header.extend(lines),
@@ -102,7 +101,7 @@ fn routine(
     comments: &mut Comments,
     function: &StmtFunctionDef,
     next_start: usize,
-) -> Result<Routine, Unread> {
+) -> Routine {
     let above = comments.before(function.start().into());
     let name = function.name.as_str();
     head(mistakes, function, name);
@@ -134,7 +133,7 @@ fn routine(
     routine.behind.extend(comments.before(end));
     routine.behind.extend(comments.trailing(end + line_end));
     routine.behind.extend(comments.indented_before(next_start));
-    Ok(routine)
+    routine
 }
 
 /// What is wrong with a statement that stands beside the rungs.

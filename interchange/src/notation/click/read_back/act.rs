@@ -224,9 +224,10 @@ impl Back<'_> {
             ) => alone(self.arithmetic(op, target, parts)?),
             (Op::For, [count]) => alone(Instruction::For(self.operand(count)?)),
             (Op::Next, _) => alone(Instruction::Next),
-            (Op::Ret, _) => alone(match self.in_subroutine {
-                true => Instruction::Return,
-                false => Instruction::End,
+            (Op::Ret, _) => alone(if self.in_subroutine {
+                Instruction::Return
+            } else {
+                Instruction::End
             }),
             (Op::Call, [function]) => match function.argument {
                 Argument::Function(number) => {

@@ -43,9 +43,10 @@ pub(super) fn meanings(
                     let why = format!("it is spelled `{}` in Python", tag_there.dsl());
                     report.approximated(places(tag), &tag.name, why);
                 }
-                match taken.insert(tag_there.clone()) {
-                    true => Meaning::Address(tag_there),
-                    false => Meaning::Nothing("another tag is the same address"),
+                if taken.insert(tag_there.clone()) {
+                    Meaning::Address(tag_there)
+                } else {
+                    Meaning::Nothing("another tag is the same address")
                 }
             }
             other => other,

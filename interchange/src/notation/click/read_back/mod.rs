@@ -89,25 +89,25 @@ impl Back<'_> {
     fn place_of_range(&self, range: TextRange) -> Place {
         self.lines.place(self.text, range.start().into())
     }
+}
 
-    /// Gives the shift register of the last rung its clock or its reset.
-    fn pin_of_register(&mut self, rungs: &mut [model::Rung], pin: impl FnOnce(&mut model::Shift)) -> bool {
-        let Some(rung) = rungs.last_mut() else {
-            return false;
-        };
-        let registers = rung
-            .actions
-            .iter_mut()
-            .filter_map(|action| match &mut action.what {
-                Instruction::Shift(shift) => Some(shift),
-                _ => None,
-            });
-        match registers.last() {
-            Some(shift) => {
-                pin(shift);
-                true
-            }
-            None => false,
+/// Gives the shift register of the last rung its clock or its reset.
+fn pin_of_register(rungs: &mut [model::Rung], pin: impl FnOnce(&mut model::Shift)) -> bool {
+    let Some(rung) = rungs.last_mut() else {
+        return false;
+    };
+    let registers = rung
+        .actions
+        .iter_mut()
+        .filter_map(|action| match &mut action.what {
+            Instruction::Shift(shift) => Some(shift),
+            _ => None,
+        });
+    match registers.last() {
+        Some(shift) => {
+            pin(shift);
+            true
         }
+        None => false,
     }
 }

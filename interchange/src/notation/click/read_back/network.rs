@@ -2,7 +2,7 @@
 
 use super::act::{is_condition, op, relation_of};
 use super::value::Refusal;
-use super::{Above, Back, text};
+use super::{Above, Back, pin_of_register, text};
 use crate::notation::circuit::series_parallel;
 use crate::notation::click::dsl;
 use crate::notation::click::model::{
@@ -57,9 +57,10 @@ impl Back<'_> {
     }
 
     fn finish(&self, routine: Routine, out: &mut Program) {
-        match self.in_subroutine {
-            true => out.subroutines.push(routine),
-            false => out.main = routine,
+        if self.in_subroutine {
+            out.subroutines.push(routine);
+        } else {
+            out.main = routine;
         }
     }
 
@@ -130,9 +131,10 @@ impl Back<'_> {
         is_reset: bool,
         routine: &mut Routine,
     ) -> Result<Vec<Rung>, Refusal> {
-        let circuit = match network.blocks.is_empty() {
-            true => Circuit::Series(Vec::new()),
-            false => series_parallel(network).ok_or("it is not made of series and branches alone")?,
+        let circuit = if network.blocks.is_empty() {
+            Circuit::Series(Vec::new())
+        } else {
+            series_parallel(network).ok_or("it is not made of series and branches alone")?
         };
         let mut parts = Vec::new();
         flatten(circuit, &mut parts);
@@ -146,13 +148,13 @@ impl Back<'_> {
             conditions.extend(self.condition(network, part)?);
         }
         let condition = all(conditions);
-        let kept = self.kept(network)?;
+        let kept = self.kept(network);
         if let Some(blocks) = series(network, &parts[split..]) {
             match self.above(&condition, &blocks)? {
                 Above::Yes if kept.is_empty() => return Ok(Vec::new()),
                 Above::Clock(tag) if registers.contains(&tag) => {
-                    let given = self
-                        .pin_of_register(&mut routine.rungs, |shift| shift.clock = Some(condition.clone()));
+                    let given =
+                        pin_of_register(&mut routine.rungs, |shift| shift.clock = Some(condition.clone()));
                     if given {
                         // Its reset may follow.
                         self.registers = registers.to_vec();
@@ -164,7 +166,7 @@ impl Back<'_> {
         }
         if is_reset
             && !registers.is_empty()
-            && self.pin_of_register(&mut routine.rungs, |shift| shift.reset = Some(condition.clone()))
+            && pin_of_register(&mut routine.rungs, |shift| shift.reset = Some(condition.clone()))
         {
             return Ok(Vec::new());
         }
@@ -175,7 +177,7 @@ impl Back<'_> {
             // Behind a timer or counter its own bit is the power.
             let state = rest
                 .iter()
-                .position(|part| self.state_block(network, part).is_some());
+                .position(|part| Self::state_block(network, part).is_some());
             let cut = match state {
                 Some(at) if at + 1 < rest.len() => at + 1,
                 _ => rest.len(),
@@ -190,7 +192,7 @@ impl Back<'_> {
             }
             let next = state
                 .filter(|_| cut < rest.len())
-                .and_then(|at| self.state_block(network, &rest[at]));
+                .and_then(|at| Self::state_block(network, &rest[at]));
             rungs.push(Rung {
                 place,
                 comments: Vec::new(),
@@ -219,7 +221,7 @@ impl Back<'_> {
     }
 
     /// The timer or counter that a part is.
-    fn state_block<'n>(&self, network: &'n Network, part: &Circuit<usize>) -> Option<&'n Block> {
+    fn state_block<'n>(network: &'n Network, part: &Circuit<usize>) -> Option<&'n Block> {
         let Circuit::Element(block) = part else {
             return None;
         };
@@ -252,9 +254,10 @@ impl Back<'_> {
         match part {
             Circuit::Element(block) => {
                 let block = &network.blocks[*block];
-                match self.is_refresh(block) {
-                    true => Ok(None),
-                    false => self.contact(block).map(Some),
+                if self.is_refresh(block) {
+                    Ok(None)
+                } else {
+                    self.contact(block).map(Some)
                 }
             }
             Circuit::Series(parts) => {
@@ -373,7 +376,7 @@ impl Back<'_> {
     }
 
     /// The instructions that the importer left as comments in the wires of a network.
-    fn kept(&self, network: &Network) -> Result<Vec<Action>, Refusal> {
+    fn kept(&self, network: &Network) -> Vec<Action> {
         let start = usize::from(network.location.range.start());
         let mut rest = self.written(network.location.range);
         let mut at = start;
@@ -401,7 +404,7 @@ impl Back<'_> {
             at += open + length;
             rest = &rest[open + length..];
         }
-        Ok(out)
+        out
     }
 }
 
