@@ -1,79 +1,49 @@
-//! What a program is written in: ladder text, or the notation of another system.
+//! What the file of a program is written in, by its name and its content.
 
 use crate::outcome::Failure;
 use clap::builder::{PossibleValue, PossibleValuesParser};
-use ladder_interchange::notation::{LADDER, NOTATIONS, Notation, by_extension, by_name, recognise};
+pub(crate) use ladder_interchange::notation::Form;
+use ladder_interchange::notation::{LADDER, NOTATIONS, by_extension as notation_of, recognise};
 use ladder_workspace::{is_program, shown};
 use std::path::Path;
 
-/// What a program is written in.
-#[derive(Clone, Copy)]
-pub(crate) enum Form {
-    /// This project's own text.
-    Ladder,
-    /// The notation of another system.
-    Foreign(&'static dyn Notation),
+/// The form of one of [`names`].
+pub(crate) fn named(name: &str) -> Form {
+    Form::named(name).unwrap_or(Form::Ladder)
 }
 
-impl Form {
-    /// One of [`names`].
-    pub(crate) fn named(name: &str) -> Form {
-        by_name(name).map_or(Form::Ladder, Form::Foreign)
+/// What a file is written in that a command takes for a program. One whose name ends like ours is ladder text; a
+/// finding tells where it is not. Any other name may be ladder text too, but for those that belong to other systems.
+///
+/// # Errors
+/// The name is another system's, and the content is in no notation that is known.
+pub(crate) fn of_program(path: &Path, bytes: &[u8]) -> Result<Form, Failure> {
+    if is_program(path) {
+        return Ok(Form::Ladder);
     }
+    match recognise(bytes) {
+        Some(notation) => Ok(Form::Foreign(notation)),
+        None if is_foreign_name(path) => Err(Failure::new(format!(
+            "{}: this is in no notation that is known; if it is, `ladder convert --from` takes it",
+            shown::path(path)
+        ))),
+        None => Ok(Form::Ladder),
+    }
+}
 
-    /// What a file is written in: by its content, since other systems share their file names; else by the name of ours.
-    pub(crate) fn of(path: &Path, bytes: &[u8]) -> Option<Form> {
-        match recognise(bytes) {
-            Some(notation) => Some(Form::Foreign(notation)),
-            None => is_program(path).then_some(Form::Ladder),
-        }
+/// What the name of an output asks for.
+pub(crate) fn by_extension(path: &Path) -> Option<Form> {
+    if is_program(path) {
+        return Some(Form::Ladder);
     }
-
-    /// What a file is written in that a command takes for a program. One whose name ends like ours is ladder text; a
-    /// finding tells where it is not. Any other name may be ladder text too, but for those that belong to other systems.
-    ///
-    /// # Errors
-    /// The name is another system's, and the content is in no notation that is known.
-    pub(crate) fn of_program(path: &Path, bytes: &[u8]) -> Result<Form, Failure> {
-        if is_program(path) {
-            return Ok(Form::Ladder);
-        }
-        match recognise(bytes) {
-            Some(notation) => Ok(Form::Foreign(notation)),
-            None if is_foreign_name(path) => Err(Failure::new(format!(
-                "{}: this is in no notation that is known; if it is, `ladder convert --from` takes it",
-                shown::path(path)
-            ))),
-            None => Ok(Form::Ladder),
-        }
-    }
-
-    /// What the name of an output asks for.
-    pub(crate) fn by_extension(path: &Path) -> Option<Form> {
-        if is_program(path) {
-            return Some(Form::Ladder);
-        }
-        by_extension(path.extension()?.to_str()?).map(Form::Foreign)
-    }
-
-    /// How the names of its files end.
-    pub(crate) fn extension(self) -> &'static str {
-        match self {
-            Form::Ladder => ladder_workspace::EXTENSION,
-            Form::Foreign(notation) => notation.extensions().first().copied().unwrap_or("txt"),
-        }
-    }
-
-    pub(crate) fn is_ladder(self) -> bool {
-        matches!(self, Form::Ladder)
-    }
+    notation_of(path.extension()?.to_str()?).map(Form::Foreign)
 }
 
 /// Any text may end in `.txt`.
 fn is_foreign_name(path: &Path) -> bool {
     let extension = path.extension().and_then(|extension| extension.to_str());
     extension
-        .is_some_and(|extension| !extension.eq_ignore_ascii_case("txt") && by_extension(extension).is_some())
+        .is_some_and(|extension| !extension.eq_ignore_ascii_case("txt") && notation_of(extension).is_some())
 }
 
 /// The names that `--from` and `--to` take.

@@ -5,7 +5,7 @@
 //! run.
 
 use super::foreign::{Foreign, Remark, companions};
-use crate::form::Form;
+use crate::form::{self, Form};
 use crate::outcome::Failure;
 use ladder_analysis::program::{Location, Program};
 use ladder_analysis::{Analysis, Diagnostic, NotWhole};
@@ -63,7 +63,7 @@ impl Source {
         let name = file.display().to_string();
         let form = match from {
             Some(form) => form,
-            None => Form::of_program(file, &bytes)?,
+            None => form::of_program(file, &bytes)?,
         };
         let Form::Foreign(notation) = form else {
             let text = ladder_workspace::decode(file, bytes).map_err(Failure::from)?;

@@ -15,6 +15,7 @@ mod click;
 mod comments;
 mod cplc_draft;
 mod finding;
+mod form;
 mod iot;
 pub mod ldmicro;
 pub mod names;
@@ -27,6 +28,7 @@ mod textbook;
 
 pub use cplc_draft::offer_conversion;
 pub use finding::Finding;
+pub use form::Form;
 pub use names::Names;
 pub use place::{Lines, Place};
 pub use remark::{Remark, remarks};

@@ -2,9 +2,7 @@
 
 pub mod messages;
 
-use ladder_interchange::notation::{
-    self, LADDER, NOTATIONS, Notation, Remark, Source, by_name, convert, recognise,
-};
+use ladder_interchange::notation::{self, Form, NOTATIONS, Remark, Source, convert};
 use messages::{Converted, Element, Known, Notations};
 
 /// What a program is to become, and what it is.
@@ -18,60 +16,6 @@ pub(crate) struct Task<'t> {
     pub(crate) from: Form,
     /// The notation that it is to be in.
     pub(crate) to: Form,
-}
-
-/// What a program is written in.
-#[derive(Clone, Copy)]
-pub(crate) enum Form {
-    /// Ladder text.
-    Ladder,
-    /// The notation of another system.
-    Foreign(&'static dyn Notation),
-}
-
-impl Form {
-    /// The notation of a name.
-    pub(crate) fn named(name: &str) -> Result<Form, String> {
-        if name == LADDER {
-            return Ok(Form::Ladder);
-        }
-        by_name(name).map(Form::Foreign).ok_or_else(|| {
-            let names: Vec<&str> = NOTATIONS.iter().map(|notation| notation.name()).collect();
-            format!(
-                "there is no notation {name}; there are {LADDER}, {}",
-                names.join(", ")
-            )
-        })
-    }
-
-    /// What a file is in, by its content; ladder text if its name says so.
-    pub(crate) fn of(bytes: &[u8], is_program: bool) -> Option<Form> {
-        match recognise(bytes) {
-            Some(notation) => Some(Form::Foreign(notation)),
-            None => is_program.then_some(Form::Ladder),
-        }
-    }
-
-    /// Its name on a command line.
-    pub(crate) fn name(self) -> &'static str {
-        match self {
-            Form::Ladder => LADDER,
-            Form::Foreign(notation) => notation.name(),
-        }
-    }
-
-    fn extension(self) -> &'static str {
-        match self {
-            Form::Ladder => ladder_workspace::EXTENSION,
-            Form::Foreign(notation) => notation.extensions().first().copied().unwrap_or("txt"),
-        }
-    }
-}
-
-impl std::fmt::Debug for Form {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        f.write_str(self.name())
-    }
 }
 
 /// All notations but ladder text.

@@ -120,7 +120,7 @@ enum Deny {
 impl Arguments {
     /// What the programs are written in, if that is said.
     fn form(&self) -> Option<Form> {
-        self.from.as_deref().map(Form::named)
+        self.from.as_deref().map(form::named)
     }
 
     /// What is mended, if anything is.

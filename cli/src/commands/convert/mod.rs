@@ -71,8 +71,8 @@ enum ReportForm {
 }
 
 pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
-    let from = arguments.from.as_deref().map(Form::named);
-    let to = arguments.to.as_deref().map(Form::named);
+    let from = arguments.from.as_deref().map(form::named);
+    let to = arguments.to.as_deref().map(form::named);
     let (jobs, mut outcome) = jobs(&arguments.inputs, arguments.output.as_deref(), from, to)?;
     let mut accounts = Vec::new();
     for job in &jobs {

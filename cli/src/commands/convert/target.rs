@@ -1,6 +1,6 @@
 //! Which programs are meant, and where each of them goes.
 
-use crate::form::Form;
+use crate::form::{self, Form};
 use crate::outcome::{Failure, Outcome};
 use ladder_interchange::notation::{NOTATIONS, has_extension};
 use ladder_workspace::{find_files, is_program, read_bytes, shown};
@@ -122,7 +122,7 @@ fn job(
     to: Option<Form>,
 ) -> Result<Option<Job>, Failure> {
     let bytes = read_bytes(input)?;
-    let Some(from) = from.or_else(|| Form::of(input, &bytes)) else {
+    let Some(from) = from.or_else(|| Form::of(&bytes, is_program(input))) else {
         if !is_named {
             return Ok(None);
         }
@@ -131,7 +131,7 @@ fn job(
             shown::path(input)
         )));
     };
-    let by_name = || output.filter(|_| !several).and_then(Form::by_extension);
+    let by_name = || output.filter(|_| !several).and_then(form::by_extension);
     let Some(to) = to
         .or_else(by_name)
         .or((!from.is_ladder()).then_some(Form::Ladder))

@@ -1,7 +1,7 @@
 //! Files: which are meant, and aligning them all at once. What is said of them comes in their order.
 
 use super::{Arguments, Task, diff, layout, would_change};
-use crate::form::Form;
+use crate::form::{self, Form};
 use crate::outcome::{Failure, Outcome};
 use crate::settings::SettingsFiles;
 use crate::terminal::{self, Stdout};
@@ -113,7 +113,7 @@ impl Job {
 
 fn run(file: &Path, options: &Options, arguments: &Arguments) -> Result<Done, Failure> {
     let bytes = ladder_workspace::read_bytes(file)?;
-    if let Form::Foreign(notation) = Form::of_program(file, &bytes)? {
+    if let Form::Foreign(notation) = form::of_program(file, &bytes)? {
         return Err(Failure::new(format!(
             "{}: only ladder text is aligned, and this file is in the notation `{}`",
             shown::path(file),

@@ -122,7 +122,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     if let Some(file) = target(arguments) {
         may_write(file, arguments.stimulus.existing())?;
     }
-    let source = Source::read(&arguments.file, arguments.from.as_deref().map(Form::named))?;
+    let source = Source::read(&arguments.file, arguments.from.as_deref().map(form::named))?;
     let theme = match (arguments.theme, format) {
         (Colours::Auto, Format::Svg) => Theme::Auto,
         (Colours::Auto, Format::Png | Format::Pdf) | (Colours::Light, _) => Theme::Light,

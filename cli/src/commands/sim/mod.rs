@@ -117,7 +117,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
             "{file}: this file has scenarios, no program; `ladder test {file}` runs them"
         )));
     }
-    let from = arguments.from.as_deref().map(Form::named);
+    let from = arguments.from.as_deref().map(form::named);
     if arguments.asks_for_the_screen() && terminal::is_interactive() {
         #[cfg(not(feature = "screen"))]
         return Err(Feature::Screen.left_out());

@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-use ladder_interchange::notation::Companion;
+use ladder_interchange::notation::{Companion, Form};
 use ladder_workspace::{Named, is_program, read_beside};
 use tower_lsp::jsonrpc::Result;
 use tower_lsp::ls_types::{ExecuteCommandParams, LSPAny};
@@ -13,7 +13,7 @@ use crate::document::address::path_of;
 use crate::lsp::shared::Shared;
 use crate::lsp::transport::blocking::blocking;
 use crate::notation::messages::{Convert, Nothing};
-use crate::notation::{Form, Task, known, translate};
+use crate::notation::{Task, known, translate};
 use crate::simulation::{Failure, argument_of};
 
 /// Writes a program in another notation.
@@ -83,7 +83,13 @@ impl Program {
             .unwrap_or_default()
             .to_string_lossy()
             .into_owned();
-        let named = |name: &String| Form::named(name).map_err(Failure::Invalid);
+        let named = |name: &String| {
+            Form::named(name).ok_or_else(|| {
+                let names: Vec<&str> = Form::names().collect();
+                let names = names.join(", ");
+                Failure::Invalid(format!("there is no notation {name}; there are {names}"))
+            })
+        };
         let from = match &wanted.from {
             Some(name) => named(name)?,
             None => Form::of(&bytes, is_program(&path)).ok_or_else(|| {
