@@ -8,7 +8,7 @@ mod raster;
 #[cfg(not(all(feature = "pdf", feature = "png")))]
 use crate::features::Feature;
 use crate::findings::Source;
-use crate::form::{self, Form};
+use crate::form;
 use crate::outcome::{Failure, Outcome};
 use crate::output::may_write;
 use crate::run::{Run, Stimulus, number_of_scans, place, program, show_errors};

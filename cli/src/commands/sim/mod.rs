@@ -5,7 +5,7 @@ mod trace;
 #[cfg(not(feature = "screen"))]
 use crate::features::Feature;
 use crate::findings::{Source, with_line_feeds};
-use crate::form::{self, Form};
+use crate::form;
 use crate::outcome::{Failure, Outcome};
 use crate::output::{DRAWN_BY, Output};
 use crate::run::{KeptIn, Retention, Run, Stimulus, number_of_scans, place, program};
