@@ -87,6 +87,22 @@ fn a_line_of_fifty_megabytes() {
 }
 
 #[test]
+fn a_long_line_of_short_words() {
+    for (name, first, word) in [
+        ("textbook", "start ", "( "),
+        ("textbook", "start open contact I0.1 ", "& open contact I0.1 "),
+        ("cplc-draft", "+", "--[ ]<a>"),
+        ("cplc-draft", "IN = { ", "DI a, "),
+        ("iot", "NO I1 ", "; NO I1 "),
+        ("ldmicro", "LDmicro0.1\nPROGRAM\nRUNG\n", "CONTACTS "),
+    ] {
+        let text = first.to_owned() + &word.repeat(1_000_000 / word.len());
+        // That it ends is what counts.
+        drop(read(name, text.as_bytes()));
+    }
+}
+
+#[test]
 fn nothing_and_zeros() {
     for notation in NOTATIONS {
         for bytes in [

@@ -130,6 +130,12 @@ fn what_the_grammar_refuses() {
         "#]],
         ),
         (
+            "| start open contact I0.1 | active coil Q0 end |",
+            expect![[r#"
+                1:27: `|` stands before `start` and behind `end` only; `V` stands between branches
+            "#]],
+        ),
+        (
             "start active coil Q0 end",
             expect![[r#"
             1:7: a program begins with a contact, not with a coil

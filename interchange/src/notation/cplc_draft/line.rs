@@ -2,6 +2,9 @@
 
 use super::super::{Place, ReadError};
 
+/// A longer line is not read.
+const LONGEST_LINE: usize = 64 << 10;
+
 /// One thing on a line.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(super) enum Piece {
@@ -33,6 +36,10 @@ pub(super) struct Block {
 
 /// Reads a line; its number is for the places.
 pub(super) fn pieces(line: &str, number: u32) -> Result<Vec<Piece>, ReadError> {
+    if line.len() > LONGEST_LINE {
+        let message = format!("the line is longer than {LONGEST_LINE} bytes");
+        return Err(ReadError::at(Place::line(number), message));
+    }
     let mut pieces = Vec::new();
     let mut rest = line;
     let mut column = 1;

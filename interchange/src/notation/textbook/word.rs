@@ -1,6 +1,6 @@
 //! The words of the textbook grammar.
 
-use super::super::{Lines, Place, ReadError};
+use super::super::{Place, ReadError};
 
 /// What a word is.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -78,34 +78,43 @@ pub(super) struct Word {
 
 /// The words of a text.
 pub(super) fn words(text: &str) -> Result<Vec<Word>, ReadError> {
-    let lines = Lines::of(text);
-    let mut words = Vec::new();
+    let mut words: Vec<Word> = Vec::new();
     let mut rest = text;
     let mut at_line_start = true;
+    let mut place = Place::START;
     while let Some(c) = rest.chars().next() {
-        let offset = text.len() - rest.len();
-        let place = || lines.place(text, offset);
-        if c == '\n' || c == '\r' {
-            at_line_start = true;
-            rest = &rest[1..];
-            continue;
-        }
-        if c.is_whitespace() || c == '|' || c == '\u{feff}' {
-            rest = &rest[c.len_utf8()..];
-            continue;
-        }
-        if c == '#' && at_line_start {
-            rest = &rest[rest.find('\n').unwrap_or(rest.len())..];
-            continue;
-        }
-        at_line_start = false;
-        let (kind, length) = match c {
-            '(' => (WordKind::Open, 1),
-            ')' => (WordKind::Close, 1),
-            '&' => (WordKind::And, 1),
-            _ => word(rest).map_err(|message| ReadError::at(place(), message))?,
+        let mut found = None;
+        let length = match c {
+            '\n' => {
+                at_line_start = true;
+                (place.line, place.column) = (place.line + 1, 0);
+                1
+            }
+            '\r' => {
+                at_line_start = true;
+                1
+            }
+            '|' if words.last().is_some_and(|word| word.kind != WordKind::End) => {
+                let message = "`|` stands before `start` and behind `end` only; `V` stands between branches";
+                return Err(ReadError::at(place, message));
+            }
+            '#' if at_line_start => rest.find('\n').unwrap_or(rest.len()),
+            c if c.is_whitespace() || c == '|' || c == '\u{feff}' => c.len_utf8(),
+            c => {
+                at_line_start = false;
+                let (kind, length) = match c {
+                    '(' => (WordKind::Open, 1),
+                    ')' => (WordKind::Close, 1),
+                    '&' => (WordKind::And, 1),
+                    _ => word(rest).map_err(|message| ReadError::at(place, message))?,
+                };
+                found = Some(Word { kind, place });
+                length
+            }
         };
-        words.push(Word { kind, place: place() });
+        words.extend(found);
+        // Counted on the way: a line may be as long as the file.
+        place.column += rest[..length].chars().count() as u32;
         rest = &rest[length..];
     }
     Ok(words)
