@@ -364,7 +364,7 @@ fn a_card_tells_how_the_profile_differs() {
         let lines = markdown
             .lines()
             .filter(|line| line.starts_with("[T") || line.contains("In profile"));
-        lines.map(|line| format!("{line}\n")).collect::<String>()
+        lines.fold(String::new(), |all, line| all + line + "\n")
     };
     expect![[r#"
         [TOF]( t, PT )
