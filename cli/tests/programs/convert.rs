@@ -266,3 +266,44 @@ fn a_program_is_not_replaced_unasked() {
     folder.ladder(&["convert", "motor.rung", "-o", "motor.clad", "--force"]);
     assert!(folder.read("motor.clad").contains("[ ]( I0 )"));
 }
+
+const GRID: &str = "marker,A,B,C,D,E,F,G,H,I,J,K,L,M,N,O,P,Q,R,S,T,U,V,W,X,Y,Z,AA,AB,AC,AD,AE,AF\n";
+
+/// A row of Click's grid: its first cells, wire, and an output.
+fn row(cells: &str, output: &str) -> String {
+    let wires = ",-".repeat(32 - cells.split(',').count());
+    format!("{cells}{wires},{output}\n")
+}
+
+#[test]
+fn files_that_belong_to_a_program_are_read_and_written_with_it() {
+    let call = row("R,X001", r#""call(""Rinse"")""#);
+    let main = format!("{GRID}{call}{}", row("R", "end()"));
+    let sub = format!("{GRID}{}{}", row("R,C1", "out(Y001)"), row("R", "return()"));
+    let nicknames = "Address,Nickname\nY001,Pump\n";
+    let folder = Folder::with(&[
+        ("plant/main.csv", &main),
+        ("plant/sub_rinse.csv", &sub),
+        ("plant/nicknames.csv", nicknames),
+        ("plant/table.csv", "time,level\n0,1\n"),
+    ]);
+    let run = folder.ladder(&["convert", "plant", "-o", "made"]);
+    expect![[r#"
+        exit status 0
+        -- stderr
+        plant/main.csv: 7 translated, 0 approximated, 0 refused
+    "#]]
+    .assert_eq(&run.to_string());
+    let text = folder.read("made/main.clad");
+    assert!(
+        text.contains("<FUN>( Rinse )") && text.contains("( )( Pump )"),
+        "{text}"
+    );
+    let run = folder.ladder(&["convert", "made/main.clad", "-o", "made/main.csv"]);
+    assert_eq!(run.status, Some(0), "{run}");
+    assert_eq!(folder.read("made/main.csv"), main);
+    assert_eq!(folder.read("made/sub_rinse.csv"), sub);
+    let run = folder.ladder(&["convert", "made/main.clad", "-o", "plant/new.csv"]);
+    assert_eq!(run.status, Some(2), "{run}");
+    assert!(!folder.path("plant/new.csv").exists(), "nothing is half written");
+}

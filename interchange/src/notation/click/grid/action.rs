@@ -152,9 +152,10 @@ fn coil(text: &str) -> Result<Coil, String> {
         .strip_prefix("immediate(")
         .and_then(|text| text.strip_suffix(')'));
     let bits = immediate.unwrap_or(text);
-    let bits = match bits.contains("..") {
-        true => Bits::Many(span(bits)?),
-        false => Bits::One(tag(bits)?),
+    let bits = if bits.contains("..") {
+        Bits::Many(span(bits)?)
+    } else {
+        Bits::One(tag(bits)?)
     };
     Ok(Coil {
         bits,

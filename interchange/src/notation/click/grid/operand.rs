@@ -69,14 +69,11 @@ pub(super) fn constant(text: &str) -> Option<Constant> {
     if !digits.starts_with(|c: char| c.is_ascii_digit()) {
         return None;
     }
-    match digits.bytes().all(|byte| byte.is_ascii_digit()) {
-        true => text.parse().ok().map(Constant::Int),
-        false => text
-            .parse()
-            .ok()
-            .filter(|value: &f64| value.is_finite())
-            .map(Constant::Float),
+    if digits.bytes().all(|byte| byte.is_ascii_digit()) {
+        return text.parse().ok().map(Constant::Int);
     }
+    let number: Option<f64> = text.parse().ok();
+    number.filter(|number| number.is_finite()).map(Constant::Float)
 }
 
 /// A range, or one address as a range of itself.

@@ -190,8 +190,6 @@ fn coil_text(coil: &Coil, addresses: &Addresses) -> Option<String> {
         Bits::One(tag) => addresses.text(tag)?,
         Bits::Many(span) => span.to_string(),
     };
-    Some(match coil.immediate {
-        true => format!("immediate({bits})"),
-        false => bits,
-    })
+    let immediate = |bits| format!("immediate({bits})");
+    Some(if coil.immediate { immediate(bits) } else { bits })
 }

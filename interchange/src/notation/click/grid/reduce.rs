@@ -72,9 +72,10 @@ impl Edge {
 
     /// As it is passed from one of its ends.
     fn part_from(self, net: usize) -> Part {
-        match self.from == net {
-            true => self.part,
-            false => self.part.reversed(),
+        if self.from == net {
+            self.part
+        } else {
+            self.part.reversed()
         }
     }
 

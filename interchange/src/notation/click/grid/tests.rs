@@ -18,9 +18,10 @@ fn grid(rows: &str) -> String {
         };
         let missing = 32 - cells.split(',').count();
         let fill = if output.is_empty() { "," } else { ",-" };
-        match line.starts_with('#') {
-            true => out.push_str(line),
-            false => out.push_str(&format!("{cells}{},{output}", fill.repeat(missing))),
+        if line.starts_with('#') {
+            out.push_str(line);
+        } else {
+            out.push_str(&format!("{cells}{},{output}", fill.repeat(missing)));
         }
         out.push('\n');
     }
@@ -80,9 +81,9 @@ fn model(routine: &Routine, reader: &Reader) -> String {
         ..
     } in &routine.rungs
     {
-        comments
-            .iter()
-            .for_each(|comment| out.push_str(&format!("# {comment}\n")));
+        for comment in comments {
+            out.push_str(&format!("# {comment}\n"));
+        }
         out.push_str(&shown(condition));
         for Action {
             condition,
@@ -99,10 +100,9 @@ fn model(routine: &Routine, reader: &Reader) -> String {
         }
         out.push('\n');
     }
-    routine
-        .behind
-        .iter()
-        .for_each(|comment| out.push_str(&format!("# {comment}\n")));
+    for comment in &routine.behind {
+        out.push_str(&format!("# {comment}\n"));
+    }
     for entry in reader.report.remarks() {
         out.push_str(&format!(
             "{} {}: {:?}\n",
