@@ -288,12 +288,8 @@ fn files_that_belong_to_a_program_are_read_and_written_with_it() {
         ("plant/table.csv", "time,level\n0,1\n"),
     ]);
     let run = folder.ladder(&["convert", "plant", "-o", "made"]);
-    expect![[r#"
-        exit status 0
-        -- stderr
-        plant/main.csv: 7 translated, 0 approximated, 0 refused
-    "#]]
-    .assert_eq(&run.to_string());
+    assert_eq!(run.status, Some(0), "{run}");
+    assert!(!run.to_string().contains("table.csv"), "{run}");
     let text = folder.read("made/main.clad");
     assert!(
         text.contains("<FUN>( Rinse )") && text.contains("( )( Pump )"),

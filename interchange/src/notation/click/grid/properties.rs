@@ -195,7 +195,7 @@ fn any_program(numbers: &mut Numbers) -> String {
                 3 => format!("\"on_delay(T{rung}{row},TD{rung}{row},preset={row},unit=Ts)\""),
                 4 => format!("\"calc(DS1 * {row} + DS2,DS{rung},mode=decimal)\""),
                 5 => format!("\"fill({row},DS{rung}..DS{rung}9)\""),
-                6 => format!("\"unpack_to_bits(DS{rung},C501..C51{row})\""),
+                6 => format!("\"send(a,{row})\""),
                 _ => format!("out(Y{rung}0{})", row + 1),
             };
             let counter = format!("count_up(CT{rung},CTD{rung},");

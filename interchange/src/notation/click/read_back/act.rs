@@ -75,6 +75,10 @@ impl Back<'_> {
             if self.is_refresh(block) {
                 continue;
             }
+            if let Some(kept) = self.kept(block) {
+                out.push(kept);
+                continue;
+            }
             match op(block) {
                 Some(Op::OneShotRising) => {
                     oneshot = true;

@@ -148,10 +148,9 @@ impl Back<'_> {
             conditions.extend(self.condition(network, part)?);
         }
         let condition = all(conditions);
-        let kept = self.kept(network);
         if let Some(blocks) = series(network, &parts[split..]) {
             match self.above(&condition, &blocks)? {
-                Above::Yes if kept.is_empty() => return Ok(Vec::new()),
+                Above::Yes => return Ok(Vec::new()),
                 Above::Clock(tag) if registers.contains(&tag) => {
                     let given =
                         pin_of_register(&mut routine.rungs, |shift| shift.clock = Some(condition.clone()));
@@ -183,10 +182,6 @@ impl Back<'_> {
                 _ => rest.len(),
             };
             let mut actions = self.branch(network, &rest[..cut])?;
-            if rungs.is_empty() {
-                actions.extend(kept.iter().cloned());
-                actions.sort_by_key(|action| action.place);
-            }
             if actions.is_empty() {
                 actions.push(nop(place));
             }
@@ -375,36 +370,23 @@ impl Back<'_> {
         Ok(out)
     }
 
-    /// The instructions that the importer left as comments in the wires of a network.
-    fn kept(&self, network: &Network) -> Vec<Action> {
-        let start = usize::from(network.location.range.start());
-        let mut rest = self.written(network.location.range);
-        let mut at = start;
-        let mut out = Vec::new();
-        while let Some(open) = rest.find('#') {
-            let Some(length) = rest[open + 1..].find('#').map(|length| length + 2) else {
-                break;
-            };
-            let comment = &rest[open..open + length];
-            let said = comment.trim_matches('#').trim();
-            if let Some(kept) = said.strip_prefix("click:") {
-                let place = self.lines.place(self.text, at + open);
-                let kept = kept.trim().replace("\\x23", "#");
-                let mut action = dsl::single_action(&kept).unwrap_or_else(|| Action {
-                    what: Instruction::Kept {
-                        text: kept,
-                        why: "it is no instruction of the DSL".to_owned(),
-                    },
-                    ..nop(place)
-                });
-                action.place = place;
-                action.comment = self.comment_after(at + open + length);
-                out.push(action);
-            }
-            at += open + length;
-            rest = &rest[open + length..];
-        }
-        out
+    /// The instruction that the importer left as a comment in a wire, if a block stands in for one.
+    pub(super) fn kept(&self, block: &Block) -> Option<Action> {
+        let said = self.written(block.location.range).strip_prefix(text::KEPT)?;
+        let kept = said.trim_end_matches('#').trim().replace("\\x23", "#");
+        let place = self.place_of(block.location);
+        let action = dsl::single_action(&kept).unwrap_or_else(|| Action {
+            what: Instruction::Kept {
+                text: kept,
+                why: "it is no instruction of the DSL".to_owned(),
+            },
+            ..nop(place)
+        });
+        Some(Action {
+            place,
+            comment: self.comment_behind(block),
+            ..action
+        })
     }
 }
 

@@ -10,14 +10,18 @@ use std::sync::Arc;
 /// The directive that says whose arithmetic holds.
 const PROFILE: &str = "# ladder: profile click #";
 
-/// The program, also of a text whose profile cannot run yet: it is set aside, with every byte at its place.
+/// The program, also of a text whose profile cannot run yet and that keeps instructions without a counterpart in
+/// comments: the profile is set aside, and coils stand in for the comments, with every byte at its place.
 pub(super) fn program(analysis: &Analysis, text: &str) -> Result<Arc<Program>, WriteError> {
-    if let Some(program) = analysis.program() {
+    let stood_in = with_stand_ins(text);
+    if stood_in == text
+        && let Some(program) = analysis.program()
+    {
         return Ok(Arc::clone(program));
     }
-    let aside = text.replace(PROFILE, &" ".repeat(PROFILE.len()));
+    let aside = stood_in.replace(PROFILE, &" ".repeat(PROFILE.len()));
     let again = ladder_analysis::analyze(&ladder_syntax::parse(&aside).into(), &analysis.name);
-    if let Some(program) = again.program() {
+    if let Some(program) = again.program().or(analysis.program()) {
         return Ok(Arc::clone(program));
     }
     let first = again.errors().next().map(|error| {
@@ -26,6 +30,38 @@ pub(super) fn program(analysis: &Analysis, text: &str) -> Result<Arc<Program>, W
     });
     let why = first.unwrap_or_else(|| ", or needs another file of its workspace".to_owned());
     Err(WriteError::new(format!("the program has errors{why}")))
+}
+
+/// What holds the place of an instruction without a counterpart; a parenthesis closes it.
+const STAND_IN: &str = "( )(_K";
+
+/// What a comment begins with that keeps an instruction.
+pub(super) const KEPT: &str = "# click:";
+
+/// The text with a coil for each comment in a wire that keeps an instruction, so that its branch is known.
+fn with_stand_ins(text: &str) -> String {
+    let mut out = String::with_capacity(text.len());
+    for line in text.split_inclusive('\n') {
+        let mut rest = line;
+        let in_rung = line.starts_with(['+', '|', '/', '\\']);
+        while let Some(start) = rest.find('#') {
+            let Some(length) = rest[start + 1..].find('#').map(|at| at + 2) else {
+                break;
+            };
+            let (before, comment) = (&rest[..start], &rest[start..start + length]);
+            out.push_str(before);
+            let is_kept = in_rung && before.ends_with('-') && comment.starts_with(KEPT);
+            if is_kept && comment.len() > STAND_IN.len() {
+                let blanks = comment.len() - STAND_IN.len() - 1;
+                out.push_str(&format!("{STAND_IN}{:blanks$})", ""));
+            } else {
+                out.push_str(comment);
+            }
+            rest = &rest[start + length..];
+        }
+        out.push_str(rest);
+    }
+    out
 }
 
 /// The comments behind declarations, by tag.
