@@ -1,7 +1,7 @@
 //! Whether a text is in the first draft of the language (2019), which had `//` comments, headers such as
 //! `IN = { DI start }`, and one `<..>` for each operand. Its files end in `.clad` too.
 
-use ladder_syntax::{Parse, TextRange, TextSize};
+use ladder_syntax::{LineKind, Parse, TextRange, TextSize};
 
 /// So many lines are looked at.
 const LINES: usize = 200;
@@ -13,42 +13,29 @@ pub fn is_cplc_draft(text: &str) -> bool {
         .any(|line| is_line(line.trim_start_matches(['\u{feff}', ' ', '\t'])))
 }
 
-/// So many bytes are looked at for the beginning.
-const BEGINNING: usize = 64 << 10;
-
 /// Whether a file of ladder text is none but begins in the draft: its first line that is no comment is a header of the
 /// draft, or draws a block of the draft. That line comes back. A slip in a program of our own looks alike only where it is
 /// in the first line.
 pub(crate) fn beginning(parse: &Parse) -> Option<TextRange> {
-    let mut text = String::new();
-    for line in parse.lines() {
-        text.push_str(&line.syntax().text().to_string());
-        if text.len() > BEGINNING {
-            break;
-        }
-    }
-    begins(&text)
-}
-
-fn begins(text: &str) -> Option<TextRange> {
     let mut in_comment = false;
-    let mut lines = text.split_inclusive('\n').take(LINES).scan(0, |at, line| {
-        let start = *at;
-        *at += line.len();
-        Some((start, line))
-    });
-    let (start, line) = lines.find(|(_, line)| {
-        let line = line.trim_start_matches('\u{feff}').trim();
+    for (index, parsed) in parse.lines().iter().enumerate().take(LINES) {
+        let text = parsed.syntax().text().to_string();
+        let line = text.trim_start_matches('\u{feff}').trim();
         if in_comment || line.starts_with("/*") {
             in_comment = !line.ends_with("*/");
-            return false;
+        } else if line.starts_with("//") {
+            // Two connectors that touch may also be drawing.
+            if parsed.kind == LineKind::Rung && parsed.errors.is_empty() {
+                return None;
+            }
+        } else if !line.is_empty() && line != "|" {
+            let blanks = text.len() - text.trim_start_matches(['\u{feff}', ' ', '\t']).len();
+            let start = parse.line_start(index) + TextSize::new(blanks as u32);
+            let line = text[blanks..].trim_end();
+            return is_line(line).then(|| TextRange::at(start, TextSize::of(line)));
         }
-        !line.is_empty() && !line.starts_with("//") && line != "|"
-    })?;
-    let blanks = line.len() - line.trim_start_matches(['\u{feff}', ' ', '\t']).len();
-    let line = line[blanks..].trim_end();
-    let start = TextSize::new((start + blanks) as u32);
-    is_line(line).then(|| TextRange::at(start, TextSize::of(line)))
+    }
+    None
 }
 
 /// Whether a line is one of the draft and none of ladder text.
@@ -120,9 +107,11 @@ mod tests {
             ("VAR a : BOOL; END_VAR\n+--[ ]<a>--( )( c )--+\n", None),
             ("# a motor #\n+--[ ]<a>--( )( c )--+\n", None),
             ("// IN = {\n+--[ ]( a )--( )( b )--+\n", None),
+            ("// | /--\\--+\n+--[ ]<a>--( )( c )--+\n", None),
+            ("// a motor\rIN = {DI start}\r", Some("IN = {DI start}")),
             ("", None),
         ] {
-            let found = begins(text).map(|range| &text[range]);
+            let found = beginning(&ladder_syntax::parse(text)).map(|range| &text[range]);
             assert_eq!(found, expected, "{text}");
         }
     }
