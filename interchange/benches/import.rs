@@ -67,20 +67,14 @@ fn ldmicro() -> String {
     text
 }
 
-/// As many rungs as fit into the largest file that is read.
 fn ldmicro_text() -> String {
     let mut text = "LDmicro export text\nno MCU assigned, 4.000000 MHz crystal, 10.0 ms cycle time\n\nLADDER DIAGRAM:\n\n".to_owned();
     let blank = format!("   ||{:51}||\n", "");
     text.push_str(&blank);
     for n in 0..RUNGS {
         text.push_str(&format!("   ||{:^17}{:^17}{:^17}||\n", "Xa", "Ta", "Ya"));
-        text.push_str(
-            &format!(
-                "{:>2} ||-------] [------+---[TON 500.0 ms]--------( )-------||\n",
-                n % 99 + 1
-            )
-            .replace("+---[TON", "-[TON"),
-        );
+        let wire = "-------] [--------[TON 500.0 ms]---------( )-------";
+        text.push_str(&format!("{:>2} ||{wire}||\n", n % 99 + 1));
         text.push_str(&blank);
     }
     text.push_str(&format!("   ||{:-<51}||\n", "------[END]"));
