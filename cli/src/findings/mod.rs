@@ -12,7 +12,9 @@ pub(crate) mod sarif;
 mod source;
 mod workspaces;
 
-pub(crate) use foreign::{Foreign, companions};
+#[cfg(feature = "screen")]
+pub(crate) use foreign::Foreign;
+pub(crate) use foreign::companions;
 pub(crate) use mistake::render_settings;
 pub(crate) use problem::{Place, Problem, annotation};
 pub(crate) use source::{NotRead, Source, with_line_feeds};

@@ -4,7 +4,9 @@ mod existing;
 mod made;
 
 pub(crate) use existing::{Existing, may_write};
-pub(crate) use made::{DRAWN_BY, SOFTWARE};
+pub(crate) use made::DRAWN_BY;
+#[cfg(feature = "png")]
+pub(crate) use made::SOFTWARE;
 
 use crate::outcome::Failure;
 use crate::terminal::Stdout;

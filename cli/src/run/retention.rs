@@ -12,6 +12,10 @@ pub(crate) enum KeptIn<'a> {
     /// One that the person named.
     File(&'a Path),
     /// One that the workspace names.
+    #[cfg_attr(
+        not(feature = "screen"),
+        allow(dead_code, reason = "only the screen asks the workspace")
+    )]
     OfWorkspace(&'a Named),
 }
 

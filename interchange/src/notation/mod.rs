@@ -10,7 +10,7 @@
 //! dropped silently: the [`Report`] says of each element what became of it.
 
 pub mod circuit;
-#[allow(dead_code, reason = "what reads and writes these programs comes next")]
+#[cfg(feature = "click")]
 mod click;
 mod comments;
 mod cplc_draft;
@@ -47,7 +47,9 @@ pub const NOTATIONS: &[&dyn Notation] = &[
     &ldmicro::Ldmicro,
     &ldmicro::LdmicroText,
     &iot::Iot,
+    #[cfg(feature = "click")]
     &click::Click,
+    #[cfg(feature = "click")]
     &click::ClickGrid,
 ];
 
