@@ -12,8 +12,11 @@ fn main() {
 
 const RUNGS: usize = 10_000;
 
+/// A notation's name, and what writes a program in it.
+type Program = (&'static str, fn() -> String);
+
 /// A program of 10,000 rungs in each notation.
-const PROGRAMS: [(&str, fn() -> String); 5] = [
+const PROGRAMS: [Program; 5] = [
     ("ldmicro", ldmicro),
     ("ldmicro-text", ldmicro_text),
     ("iot", iot),
@@ -82,17 +85,20 @@ fn ldmicro_text() -> String {
 }
 
 fn iot() -> String {
-    (0..RUNGS)
-        .map(|n| format!("NO I{n} | NO Q{n} ; NC I1 ; TON T{n} 3 100 ; OUT Q{n} | ADD MI01 MI01 1\n"))
-        .collect()
+    rows(|n| format!("NO I{n} | NO Q{n} ; NC I1 ; TON T{n} 3 100 ; OUT Q{n} | ADD MI01 MI01 1\n"))
 }
 
 fn textbook() -> String {
-    (0..RUNGS)
-        .map(|n| {
-            format!("start (open contact I{n}.0 V open contact Q{n}) & closed contact I{n}.0 & active coil Q{n} end\n")
-        })
-        .collect()
+    rows(|n| {
+        format!(
+            "start (open contact I{n}.0 V open contact Q{n}) & closed contact I{n}.0 & active coil Q{n} end\n"
+        )
+    })
+}
+
+/// A row for each rung.
+fn rows(row: impl Fn(usize) -> String) -> String {
+    (0..RUNGS).map(row).collect()
 }
 
 fn cplc_draft() -> String {

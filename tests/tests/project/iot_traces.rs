@@ -146,7 +146,7 @@ fn compare_values(simulation: &Simulation, known: &BTreeMap<&str, &str>) -> Resu
             Value::Bool(high) => u8::from(high).to_string(),
             Value::Int(number) => number.to_string(),
             Value::Real(real) => real.to_string(),
-            other => format!("{other:?}"),
+            text @ Value::Text(_) => format!("{text:?}"),
         };
         if shown != *expected {
             return Err(format!("{name} is {expected} in the original, here {shown}"));
