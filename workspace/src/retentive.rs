@@ -120,8 +120,8 @@ impl RetentiveFile {
     }
 
     /// Whether a second has passed since it was opened or last saved: before that a save is not due.
-    pub fn is_due(&self) -> bool {
-        self.saved.elapsed() >= PAUSE
+    pub fn is_due(&self, now: Instant) -> bool {
+        now.saturating_duration_since(self.saved) >= PAUSE
     }
 
     /// Writes the values, in one step: whoever looks sees the old file or the new one. Nothing is written if they
@@ -130,13 +130,15 @@ impl RetentiveFile {
     /// # Errors
     /// The operating system refuses; the old file is then untouched.
     pub fn save(&mut self, kept: &[Kept]) -> Result<(), FileError> {
-        self.saved = Instant::now();
         let text = compose(&self.program, kept);
-        if self.written.as_ref() != Some(&text) {
-            write(&self.path, text.as_bytes())?;
-            self.written = Some(text);
-        }
-        Ok(())
+        let done = if self.written.as_ref() == Some(&text) {
+            Ok(())
+        } else {
+            write(&self.path, text.as_bytes()).map(|()| self.written = Some(text))
+        };
+        // Only now: a disk that takes a second must not be written to in every scan.
+        self.saved = Instant::now();
+        done
     }
 }
 

@@ -5,6 +5,7 @@ use crate::terminal;
 use ladder_simulator::Simulation;
 use ladder_workspace::{Named, RetentiveFile, shown};
 use std::path::Path;
+use std::time::Instant;
 
 /// Which file keeps what is retentive.
 #[derive(Debug, Clone, Copy)]
@@ -54,7 +55,7 @@ impl Retention {
 
     /// Between two scans: saves if that is due. A failure is told at the end, when it fails again.
     pub(crate) fn keep(&mut self, simulation: &Simulation) {
-        if self.file.is_due() {
+        if self.file.is_due(Instant::now()) {
             let _ = self.file.save(&simulation.retained());
         }
     }

@@ -51,7 +51,7 @@ impl Retention {
 
     /// Between two scans: saves if that is due. What cannot be written is tried again a second later.
     pub(super) fn keep(&mut self, session: &Session) {
-        if self.file.is_due() {
+        if self.file.is_due(Instant::now()) {
             self.finish(session);
         }
     }

@@ -5,6 +5,7 @@ use ladder_simulator::Kept;
 use ladder_workspace::{Found, Named, RetentiveFile};
 use std::fs;
 use std::path::Path;
+use std::time::{Duration, Instant};
 
 fn kept(name: &str, ty: &str, values: &[&str]) -> Kept {
     Kept {
@@ -117,12 +118,15 @@ fn another_program_is_named() {
 fn a_save_is_due_once_a_second_and_writes_only_what_changed() {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("motor.retain");
+    let second = Duration::from_secs(1);
+    let begun = Instant::now();
     let (mut file, _) = open(&path);
-    assert!(!file.is_due());
-    std::thread::sleep(std::time::Duration::from_millis(1001));
-    assert!(file.is_due());
+    assert!(!file.is_due(begun));
+    assert!(file.is_due(Instant::now() + second));
+    let late = begun + second;
     file.save(&[kept("n", "INT", &["1"])]).unwrap();
-    assert!(!file.is_due());
+    assert!(!file.is_due(late), "it was saved behind the beginning");
+    assert!(file.is_due(Instant::now() + second));
     fs::remove_file(&path).unwrap();
     file.save(&[kept("n", "INT", &["1"])]).unwrap();
     assert!(!path.exists());
