@@ -1,6 +1,7 @@
 //! Whether a text is in the first draft of the language (2019), which had `//` comments, headers such as
 //! `IN = { DI start }`, and one `<..>` for each operand. Its files end in `.clad` too.
 
+use ladder_instructions::{Shape, lookup};
 use ladder_syntax::{LineKind, Parse, TextRange, TextSize};
 
 /// So many lines are looked at.
@@ -61,15 +62,23 @@ fn is_header(line: &str) -> bool {
 fn has_draft_block(line: &str) -> bool {
     let mut before = ' ';
     let mut in_comment = false;
-    for c in line.chars() {
+    for (at, c) in line.char_indices() {
         match c {
             '#' => in_comment = !in_comment,
-            '<' if !in_comment && matches!(before, ']' | ')') => return true,
+            '<' if !in_comment && matches!(before, ']' | ')') && !is_function_block(&line[at + 1..]) => {
+                return true;
+            }
             _ => {}
         }
         before = c;
     }
     false
+}
+
+/// Whether what stands behind a `<` begins a block of ladder text, which may touch the one before it.
+fn is_function_block(behind: &str) -> bool {
+    let word = behind.split('>').next().unwrap_or_default().trim();
+    word.starts_with('$') || lookup(Shape::Function, word).next().is_some()
 }
 
 #[cfg(test)]
@@ -91,6 +100,7 @@ mod tests {
             "+--[ ]( a )--<JMP>( there )--+",
             "+--[ ]( a )--( )( b )--+  # was: [ ]<a> #",
             "# IN = { #",
+            "+--[OSR]<JMP>( l )--+",
         ] {
             assert!(!is_cplc_draft(text), "{text}");
         }
