@@ -132,7 +132,19 @@ impl Context {
     /// Comments as other languages write them.
     pub(crate) fn foreign_comments(&self) -> &ForeignComments {
         self.foreign_comments
-            .get_or_init(|| ForeignComments::find(&self.parse))
+            .get_or_init(|| ForeignComments::find(&self.parse, |line| self.is_drawn(line)))
+    }
+
+    /// Whether a logical line is a rung of a network all of whose connectors have their partners.
+    fn is_drawn(&self, line: usize) -> bool {
+        let behind = self
+            .networks
+            .partition_point(|network| network.first_line <= line);
+        let Some(network) = behind.checked_sub(1).map(|index| &self.networks[index]) else {
+            return false;
+        };
+        let offset = line - network.first_line;
+        network.wiring.unpaired.is_empty() && network.wiring.line_offsets.binary_search(&offset).is_ok()
     }
 
     /// The tags of all scopes, each once.

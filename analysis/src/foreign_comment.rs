@@ -26,12 +26,12 @@ pub(crate) struct ForeignComment {
 pub(crate) struct ForeignComments(pub(crate) Vec<ForeignComment>);
 
 impl ForeignComments {
-    /// Looks for them.
-    pub(crate) fn find(parse: &Parse) -> ForeignComments {
+    /// Looks for them. `is_drawn` says whether a logical line is a rung of a sound drawing.
+    pub(crate) fn find(parse: &Parse, is_drawn: impl Fn(usize) -> bool) -> ForeignComments {
         let mut found: Vec<ForeignComment> = Vec::new();
         for line in 0..parse.lines().len() {
             let within = found.last().is_some_and(|last| last.lines.contains(&line));
-            if !within && may_hold_one(parse, line) {
+            if !within && may_hold_one(parse, line, &is_drawn) {
                 found.extend(on_line(parse, line));
             }
         }
@@ -54,14 +54,19 @@ impl ForeignComments {
 }
 
 /// Cheap: most lines have no mistake and begin with a rail.
-fn may_hold_one(parse: &Parse, line: usize) -> bool {
-    let line = &parse.lines()[line];
+fn may_hold_one(parse: &Parse, number: usize, is_drawn: impl Fn(usize) -> bool) -> bool {
+    let line = &parse.lines()[number];
     if !line.errors.is_empty() || line.kind == LineKind::Stray {
         return true;
     }
     let tokens = line.green().children().filter_map(NodeOrToken::into_token);
-    let mut drawn = tokens.filter(|token| !token.text().trim().is_empty());
-    line.kind == LineKind::Rung && drawn.next().is_some_and(|token| token.text().starts_with('/'))
+    let mut drawn = tokens.skip_while(|token| token.text().trim().is_empty());
+    if line.kind != LineKind::Rung || !drawn.next().is_some_and(|token| token.text().starts_with('/')) {
+        return false;
+    }
+    // Connectors that touch each other and a wire, and close branches of a sound drawing, are no comment.
+    let wire = drawn.find(|token| !token.text().starts_with('/'));
+    !(wire.is_some_and(|token| token.text().starts_with('-')) && is_drawn(number))
 }
 
 fn on_line(parse: &Parse, line: usize) -> Option<ForeignComment> {

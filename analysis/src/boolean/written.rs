@@ -4,8 +4,9 @@ use crate::context::Context;
 use crate::excerpt::shortened;
 use crate::facts::{Node, NodeKind};
 use crate::literal::Literal;
-use crate::network::BoundBlock;
+use crate::network::{BoundBlock, Formal};
 use crate::operand_value::tag;
+use ladder_instructions::Accepts;
 
 /// A place or number as it is written, without blanks.
 pub(crate) fn written(context: &Context, scope: usize, node: &Node) -> String {
@@ -36,7 +37,14 @@ pub(crate) fn written_block(context: &Context, scope: usize, bound: &BoundBlock)
         .facts
         .operands
         .iter()
-        .map(|operand| written(context, scope, &operand.value))
+        .zip(bound.formals.iter())
+        .map(|(operand, formal)| match formal {
+            // No name of a tag: the layout writes it in capitals.
+            Formal::Operand(row) if row.accepts == Accepts::SearchOperator => {
+                written(context, scope, &operand.value).to_ascii_uppercase()
+            }
+            _ => written(context, scope, &operand.value),
+        })
         .collect();
     if operands.is_empty() {
         return head;

@@ -271,6 +271,14 @@ fn a_type_that_cannot_be_read() {
 }
 
 #[test]
+fn connectors_that_touch_are_no_comment() {
+    check(
+        "+--\\--\\--[ ]( a )--( )( y )--+\n//--[ ]( b )--( )( z )--+\n",
+        expect![[""]],
+    );
+}
+
+#[test]
 fn comments_of_other_languages() {
     check(
         "// a note: wait T#5s\n+--[ ]( a )--( )( y )--+\n",

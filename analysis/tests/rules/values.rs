@@ -147,6 +147,16 @@ fn behind_coils() {
                 at 1:14 `(S)( y )`: the set coil
         "#]],
     );
+    // However the operator is written, the sentence is the same.
+    check(
+        "VAR i : INT; t : ARRAY[1..3] OF INT; END_VAR\n+--(S)( Q1 )--[search]( i, eq, 5, t[1..3], FOUND => Q2 )--+\n",
+        expect![[r#"
+            > +--(S)( Q1 )--[search]( i, eq, 5, t[1..3], FOUND => Q2 )--+
+                            ^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^ info[latched-power]: [SEARCH]( i, EQ, 5, t[1..3], Q2 ) stands behind (S): its power is `Q1`, and stays on when the rung before goes off
+                help: if that is meant, keep it; else draw a branch before the set coil
+                at 2:4 `(S)( Q1 )`: the set coil
+        "#]],
+    );
     clean("+--[ ]( a )--( )( y )--[TON]( t, T#5s )--( )( z )--+\n");
     clean("+--[ ]( a )--\\--( )( y )--\\--+\n|            /--( )( z )--/  |\n");
     clean("+--[ ]( a )--\\--(S)( y )--\\--+\n|            /--(S)( z )--/  |\n");

