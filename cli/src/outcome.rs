@@ -61,7 +61,7 @@ impl Failure {
     /// A file of another system that cannot be read: `motor.rung:1:7: ...`.
     pub(crate) fn broken(file: &Path, error: &ReadError) -> Failure {
         let place = error.place.map(|place| format!(":{place}")).unwrap_or_default();
-        Failure::new(format!("{}{place}: {}", shown::path(file), error.message))
+        Failure::new(format!("{}{place}: {}", shown::path(file), error.sentence()))
     }
 
     /// Says it as a command does that shows findings: with the lines that it is about, if there are any.

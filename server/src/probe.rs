@@ -7,7 +7,7 @@ use ladder_analysis::Diagnostic;
 
 use crate::document::edit::Change;
 use crate::document::position::Encoding;
-use crate::document::{Documents, Revision};
+use crate::document::{Documents, Kind, Revision};
 use crate::lsp::transport::inlet;
 use crate::{Position, Range};
 
@@ -40,7 +40,7 @@ impl Document {
             Unit::Utf32 => Encoding::Utf32,
         };
         let documents = Documents::default();
-        let revision = documents.open_at(URI, 0, encoding, text, None);
+        let revision = documents.open_at(URI, Kind::Program, 0, encoding, text, None);
         Document { documents, revision }
     }
 

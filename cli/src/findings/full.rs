@@ -1,10 +1,10 @@
 //! Findings for people: the lines with the place marked, what has to do with it, and what to do.
 
-use super::foreign::Remark;
 use super::source::{Lines, Source};
 use annotate_snippets::{Annotation, AnnotationKind, Group, Level, Origin, Patch, Renderer, Snippet};
 use ladder_analysis::Severity;
 use ladder_analysis::{Diagnostic, Fix, Related, fix};
+use ladder_interchange::notation::Mark;
 use ladder_syntax::{TextRange, TextSize};
 use ladder_workspace::shown;
 use std::borrow::Cow;
@@ -79,7 +79,7 @@ fn near_and_far<'d>(source: &Source, finding: &'d Diagnostic) -> (Vec<&'d Relate
 }
 
 /// A remark on a program of another system, with its excerpt.
-pub(super) fn remark(source: &Source, remark: &Remark, renderer: &Renderer) -> String {
+pub(super) fn remark(source: &Source, remark: &Mark, renderer: &Renderer) -> String {
     let title = level(remark.severity)
         .primary_title(shown::line(&remark.message))
         .id(remark.check);

@@ -1,7 +1,7 @@
 //! What is wrong in a program, as people and as machines read it.
 
+mod beside;
 pub(crate) mod concise;
-mod foreign;
 pub(crate) mod full;
 pub(crate) mod github;
 pub(crate) mod json;
@@ -12,9 +12,7 @@ pub(crate) mod sarif;
 mod source;
 mod workspaces;
 
-#[cfg(feature = "screen")]
-pub(crate) use foreign::Foreign;
-pub(crate) use foreign::companions;
+pub(crate) use beside::companions;
 pub(crate) use mistake::render_settings;
 pub(crate) use problem::{Place, Problem, annotation};
 pub(crate) use source::{NotRead, Source, with_line_feeds};

@@ -1,13 +1,13 @@
 //! What is wrong beside the findings of the rules: a mistake in a file of scenarios, a remark on a program of another
 //! system, or a file that cannot be read.
 
-use super::foreign::Remark;
 use super::github::{self, data, property};
 use super::source::Source;
 use super::{full, mistake, sarif};
 use crate::outcome::Outcome;
 use annotate_snippets::Renderer;
 use ladder_analysis::Severity;
+use ladder_interchange::notation::Mark;
 use ladder_simulator::scenario::Mistake;
 use ladder_syntax::TextRange;
 use ladder_workspace::shown;
@@ -84,7 +84,7 @@ impl Problem {
     }
 
     /// What there is to say about a program of another system.
-    pub(crate) fn remark(source: &Source, remark: Remark, renderer: &Renderer) -> Problem {
+    pub(crate) fn remark(source: &Source, remark: Mark, renderer: &Renderer) -> Problem {
         Problem {
             place: Place::of(source, remark.range),
             rule: remark.check,

@@ -4,12 +4,12 @@
 //! which is shown and which findings have their places in, and the ladder text that it becomes, which is analysed and
 //! run.
 
-use super::foreign::{Foreign, Remark, companions};
+use super::beside::companions;
 use crate::form::{self, Form};
 use crate::outcome::Failure;
 use ladder_analysis::program::{Location, Program};
 use ladder_analysis::{Analysis, Diagnostic, NotWhole};
-use ladder_interchange::notation::{self, Place, ReadError, offer_conversion};
+use ladder_interchange::notation::{self, Foreign, Mark, Place, ReadError, offer_conversion};
 use ladder_syntax::{LineColumn, LineIndex, TextRange, TextSize};
 use ladder_workspace::{Workspace, shown};
 use std::borrow::Cow;
@@ -124,7 +124,7 @@ impl Source {
     }
 
     /// What there is to say about a program of another system before it is ladder text.
-    pub(crate) fn remarks(&self) -> Vec<Remark> {
+    pub(crate) fn remarks(&self) -> Vec<Mark> {
         self.foreign
             .as_ref()
             .map_or_else(Vec::new, |foreign| foreign.remarks())
@@ -151,19 +151,7 @@ impl Source {
             offer_conversion(&mut findings, &self.text, &self.format_options());
             return findings;
         };
-        for finding in &mut findings {
-            finding.range = foreign.range(finding.range);
-            finding.fixes.clear();
-            let own = finding.related.iter_mut().filter(|place| place.file.is_none());
-            own.for_each(|place| place.range = foreign.range(place.range));
-            // Other systems declare what they use where they use it.
-            let range = finding.range;
-            finding
-                .related
-                .retain(|place| place.file.is_some() || place.range != range);
-        }
-        findings.sort_by_key(|finding| finding.range.start());
-        findings
+        foreign.in_file(findings)
     }
 
     /// Where a part of the ladder text is in the file.

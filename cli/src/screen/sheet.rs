@@ -4,9 +4,10 @@
 
 use super::fold::{Band, Folding, Window};
 use super::{bands, operands};
-use crate::findings::{Foreign, Source};
+use crate::findings::Source;
 use ladder_analysis::program::{ElementKind, Location, Network, Program};
 use ladder_instructions::Instruction;
+use ladder_interchange::notation::Foreign;
 use ladder_simulator::{Point, Simulation};
 use ladder_syntax::{Parse, SyntaxKind, TextRange};
 use std::collections::HashMap;

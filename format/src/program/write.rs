@@ -20,20 +20,36 @@ pub struct WrittenProgram {
 }
 
 impl WrittenProgram {
-    /// What the text at an offset (in bytes) was made from: the innermost place around it, else the nearest before it
-    /// on the same line, else the next one.
+    /// What the text at an offset (in bytes) was made from: the place around it, else the nearest before it on the same
+    /// line, else the next one.
     pub fn origin_at(&self, offset: TextSize) -> Option<Origin> {
-        let around = self.places.iter().find(|(range, _)| range.contains(offset));
         let before = || {
             let line = self.text[..usize::from(offset)]
                 .rfind('\n')
                 .map_or(0, |at| at + 1);
-            let on_line = |range: &TextRange| range.end() <= offset && usize::from(range.start()) >= line;
-            self.places.iter().rev().find(|(range, _)| on_line(range))
+            self.nearest(offset)
+                .filter(|(range, _)| usize::from(range.start()) >= line)
         };
-        let behind = || self.places.iter().find(|(range, _)| range.start() >= offset);
-        let place = around.or_else(before).or_else(behind).or(self.places.last());
-        place.map(|(_, origin)| *origin)
+        let behind = || self.places.get(self.begun(offset));
+        let place = before().or_else(behind).or(self.places.last());
+        self.origin_around(offset)
+            .or_else(|| place.map(|(_, origin)| *origin))
+    }
+
+    /// What the text at an offset was made from, if it was made from anything.
+    pub fn origin_around(&self, offset: TextSize) -> Option<Origin> {
+        let (range, origin) = self.nearest(offset)?;
+        range.contains(offset).then_some(*origin)
+    }
+
+    /// The last place that begins at an offset or before it.
+    fn nearest(&self, offset: TextSize) -> Option<&(TextRange, Origin)> {
+        self.places.get(self.begun(offset).checked_sub(1)?)
+    }
+
+    /// How many places begin at an offset or before it. Places lie one behind the other.
+    fn begun(&self, offset: TextSize) -> usize {
+        self.places.partition_point(|(range, _)| range.start() <= offset)
     }
 }
 

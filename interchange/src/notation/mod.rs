@@ -15,6 +15,7 @@ mod click;
 mod comments;
 mod cplc_draft;
 mod finding;
+mod foreign;
 mod form;
 mod iot;
 pub mod ldmicro;
@@ -28,6 +29,7 @@ mod textbook;
 
 pub use cplc_draft::offer_conversion;
 pub use finding::Finding;
+pub use foreign::{Foreign, Mark};
 pub use form::Form;
 pub use names::Names;
 pub use place::{Lines, Place};
@@ -136,7 +138,12 @@ pub struct ReadError {
     pub place: Option<Place>,
     /// What is wrong and what to do.
     pub message: String,
+    /// What is wrong besides, at other places.
+    pub more: Vec<(Place, String)>,
 }
+
+/// No more than so many places are told in one sentence.
+const MOST_TOLD: usize = 20;
 
 impl ReadError {
     /// Something is wrong at a place.
@@ -144,6 +151,7 @@ impl ReadError {
         ReadError {
             place: Some(place),
             message: message.into(),
+            more: Vec::new(),
         }
     }
 
@@ -152,15 +160,38 @@ impl ReadError {
         ReadError {
             place: None,
             message: message.into(),
+            more: Vec::new(),
         }
+    }
+
+    /// All that is wrong in one sentence, without the first place.
+    pub fn sentence(&self) -> String {
+        let mut sentence = self.message.clone();
+        for (place, message) in self.more.iter().take(MOST_TOLD) {
+            sentence.push_str(&format!("; {place}: {message}"));
+        }
+        if self.more.len() > MOST_TOLD {
+            sentence.push_str(&format!("; and {} more", self.more.len() - MOST_TOLD));
+        }
+        sentence
+    }
+
+    /// Everything that is wrong, each with its place.
+    pub fn all(&self) -> impl Iterator<Item = (Place, &str)> {
+        let first = (self.place.unwrap_or(Place::START), self.message.as_str());
+        let more = self
+            .more
+            .iter()
+            .map(|(place, message)| (*place, message.as_str()));
+        std::iter::once(first).chain(more)
     }
 }
 
 impl fmt::Display for ReadError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self.place {
-            Some(place) => write!(f, "{place}: {}", self.message),
-            None => f.write_str(&self.message),
+            Some(place) => write!(f, "{place}: {}", self.sentence()),
+            None => f.write_str(&self.sentence()),
         }
     }
 }

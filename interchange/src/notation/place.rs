@@ -1,5 +1,6 @@
 //! Lines and columns of a foreign file.
 
+use ladder_syntax::{TextRange, TextSize};
 use std::fmt;
 
 /// A place in a text: both count from 1, columns in characters.
@@ -63,6 +64,16 @@ impl Lines {
             + characters
                 .nth(place.column.max(1) as usize - 1)
                 .unwrap_or(line.len())
+    }
+
+    /// The first word at a place, behind blanks.
+    pub fn word(&self, text: &str, place: Place) -> TextRange {
+        let start = self.offset(text, place);
+        let rest = text[start..].trim_start_matches([' ', '\t', '\u{feff}']);
+        let start = text.len() - rest.len();
+        let ends = |c: char| c.is_whitespace() || ",;(){}<>".contains(c);
+        let length = rest.find(ends).unwrap_or(rest.len());
+        TextRange::at(TextSize::new(start as u32), TextSize::new(length as u32))
     }
 }
 

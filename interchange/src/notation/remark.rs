@@ -1,6 +1,7 @@
 //! What there is to say about a conversion, for a list of it.
 
 use super::{Finding, Outcome, Place, Report};
+use std::collections::HashSet;
 
 /// An element that did not become the same, or something that the other system itself would complain about.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -31,13 +32,11 @@ pub fn remarks<'r>(report: &'r Report, findings: &'r [Finding]) -> Vec<Remark<'r
         })
     });
     let elements: Vec<Remark<'r>> = elements.collect();
-    let is_told = |place: Place| {
-        let mut refused = elements.iter().filter(|remark| remark.outcome == "refused");
-        refused.any(|remark| remark.place == place)
-    };
+    let refused = elements.iter().filter(|remark| remark.outcome == "refused");
+    let told: HashSet<Place> = refused.map(|remark| remark.place).collect();
     let found = findings
         .iter()
-        .filter(|found| !is_told(found.place))
+        .filter(|found| !told.contains(&found.place))
         .map(|found| Remark {
             place: found.place,
             outcome: found.severity.name(),

@@ -240,6 +240,7 @@ impl Workspace for Elsewhere {
 
 #[cfg(test)]
 mod tests {
+    use super::super::Kind;
     use super::super::neighbours::{Neighbours, Place};
     use super::super::position::Encoding;
     use super::*;
@@ -254,7 +255,14 @@ mod tests {
             std::fs::write(&path, "+--[ ]( a )--( )( b )--+\n").unwrap();
             let place = Some(Place::new(path.clone(), &neighbours));
             let text = std::fs::read_to_string(&path).unwrap();
-            documents.open_at(&address::uri_of(&path), 1, Encoding::Utf8, &text, place)
+            documents.open_at(
+                &address::uri_of(&path),
+                Kind::Program,
+                1,
+                Encoding::Utf8,
+                &text,
+                place,
+            )
         };
         std::fs::write(folder.path().join("closed.clad"), "+--[ ]( a )--( )( c )--+\n").unwrap();
         let own = open("own.clad");

@@ -1,12 +1,14 @@
 //! The texts that editors hold open.
 //!
 //! [`position`] converts between bytes and the positions of the protocol, [`edit`] applies a change, [`store`]
-//! keeps the open documents, each as a chain of [`Revision`]s, [`neighbours`] the files beside them. Nothing here knows the protocol's types.
+//! keeps the open documents, each as a chain of [`Revision`]s, [`neighbours`] the files beside them. A [`Kind`] tells programs
+//! from other texts. Nothing here knows the protocol's types.
 
 pub(crate) mod address;
 mod beside;
 pub(crate) mod edit;
 pub(crate) mod elsewhere;
+mod kind;
 pub(crate) mod neighbours;
 pub(crate) mod position;
 mod revision;
@@ -15,6 +17,7 @@ mod store;
 pub(crate) mod sweep;
 
 pub(crate) use beside::Beside;
+pub(crate) use kind::Kind;
 pub(crate) use revision::Revision;
 pub(crate) use seen::SettingsFile;
 pub(crate) use store::{Documents, Refused};

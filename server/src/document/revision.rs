@@ -4,14 +4,17 @@ use std::sync::atomic::{AtomicU64, Ordering};
 use std::sync::{Arc, Mutex, MutexGuard, OnceLock, PoisonError};
 
 use ladder_analysis::program::Program;
-use ladder_analysis::{NotWhole, Others, RuleSettings, link};
+use ladder_analysis::{NotWhole, Others, RuleSettings, analyze, analyze_with, link};
 use ladder_format::{Edit, Options};
+use ladder_interchange::notation::ReadError;
 use ladder_syntax::{MAX_OPEN_BYTES, MAX_OPEN_LINES, TextRange, TextSize};
 use ropey::Rope;
 
+use super::kind::Kind;
 use super::neighbours::Place;
 use super::position::{self, Encoding, Position, Range};
 use crate::language::Analysis;
+use crate::notation::Opened;
 
 /// A document as it was between two changes. It never changes, so whoever holds one can work on it in peace
 /// while the editor types on; whether it is still what the editor shows is for the store to say.
@@ -21,6 +24,7 @@ pub(crate) struct Revision {
     pub uri: Arc<str>,
     /// The editor's number for this state.
     pub version: i32,
+    kind: Kind,
     /// Which opening of the document this belongs to: a file that is closed and opened again begins anew, and
     /// may use the same versions for other texts.
     pub(super) opening: u64,
@@ -33,6 +37,8 @@ pub(crate) struct Revision {
     /// Where the file lies, if it is one.
     place: Option<Place>,
     analysis: OnceLock<Analysis>,
+    /// What the text becomes, if it is a program of another system.
+    opened: OnceLock<Result<Opened, ReadError>>,
     /// The analysis that was made last of any revision of the document: the next one begins with it.
     latest: Arc<Mutex<Option<Analysis>>>,
     /// The one that this revision's began with. To throw it away takes a while: that can wait.
@@ -42,6 +48,7 @@ pub(crate) struct Revision {
 impl Revision {
     pub(super) fn new(
         uri: Arc<str>,
+        kind: Kind,
         version: i32,
         opening: u64,
         encoding: Encoding,
@@ -52,6 +59,7 @@ impl Revision {
         Revision {
             uri,
             version,
+            kind,
             opening,
             serial: SERIAL.fetch_add(1, Ordering::Relaxed),
             encoding,
@@ -59,6 +67,7 @@ impl Revision {
             edited: 0,
             place,
             analysis: OnceLock::new(),
+            opened: OnceLock::new(),
             latest: Arc::default(),
             superseded: Mutex::default(),
         }
@@ -72,6 +81,7 @@ impl Revision {
             latest: Arc::clone(&self.latest),
             ..Revision::new(
                 self.uri.clone(),
+                self.kind,
                 version,
                 self.opening,
                 self.encoding,
@@ -84,7 +94,7 @@ impl Revision {
     /// The text of a file that no editor shows, at version 0 of nothing.
     pub(crate) fn on_disk(uri: &str, encoding: Encoding, text: &str, place: Place) -> Self {
         let rope = Rope::from_str(text);
-        Revision::new(Arc::from(uri), 0, 0, encoding, rope, Some(place))
+        Revision::new(Arc::from(uri), Kind::Program, 0, 0, encoding, rope, Some(place))
     }
 
     /// What the language has to say about the text, computed at the first call, or `None` for a text over
@@ -109,6 +119,31 @@ impl Revision {
                 *self.latest() = Some(analysis.clone());
                 *self.superseded() = before;
                 analysis
+            })
+        })
+    }
+
+    /// What the text is.
+    pub(crate) fn kind(&self) -> Kind {
+        self.kind
+    }
+
+    /// What a program of another system becomes, computed at the first call; `None` for any other text, or one that is
+    /// too large. For a blocking thread.
+    pub(crate) fn opened(&self) -> Option<&Result<Opened, ReadError>> {
+        let notation = self.kind.notation()?;
+        self.fits().then(|| {
+            self.opened.get_or_init(|| {
+                let stem = self.name().rsplit_once('.').map_or(self.name(), |(stem, _)| stem);
+                let file = self.place.as_ref().map(|place| &*place.path);
+                Opened::read(notation, stem, &self.text(), file, |parse| match &self.place {
+                    Some(place) => {
+                        let (name, others) = place.neighbours.view(&place.path);
+                        let rules = place.neighbours.rules(&place.path);
+                        analyze_with(parse, &name, &others, &rules)
+                    }
+                    None => analyze(parse, self.name()),
+                })
             })
         })
     }

@@ -10,6 +10,7 @@ use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use ropey::Rope;
 
 use super::edit::{Change, apply};
+use super::kind::Kind;
 use super::neighbours::Place;
 use super::position::Encoding;
 use super::revision::Revision;
@@ -67,7 +68,7 @@ impl Documents {
     /// As [`Documents::open_at`], for a text that is no file.
     #[cfg(test)]
     pub(crate) fn open(&self, uri: &str, version: i32, encoding: Encoding, text: &str) -> Arc<Revision> {
-        self.open_at(uri, version, encoding, text, None)
+        self.open_at(uri, Kind::Program, version, encoding, text, None)
     }
 
     /// Opens a document; a file has a place in its workspace. One that is open already is replaced: the editor's
@@ -75,6 +76,7 @@ impl Documents {
     pub(crate) fn open_at(
         &self,
         uri: &str,
+        kind: Kind,
         version: i32,
         encoding: Encoding,
         text: &str,
@@ -85,6 +87,7 @@ impl Documents {
         let rope = Rope::from_str(text);
         let revision = Arc::new(Revision::new(
             Arc::from(uri),
+            kind,
             version,
             open.openings,
             encoding,

@@ -45,8 +45,8 @@ use crate::lsp::documents::{configuration, file_operations, folders, pull, sync,
 use crate::lsp::features::{
     call_hierarchy, code_action, code_lens, completion, folding,
     formatting::{self, DocumentRangesFormattingParams},
-    goto, hover, inlay_hint, links, notations, references, rename, semantic_tokens, signature, simulate,
-    symbols,
+    goto, hover, inlay_hint, links, notations, preview, references, rename, semantic_tokens, signature,
+    simulate, symbols,
 };
 use crate::lsp::transport::parent;
 use crate::lsp::{
@@ -341,10 +341,12 @@ impl LanguageServer for Backend {
     }
 
     async fn execute_command(&self, params: ExecuteCommandParams) -> Result<Option<LSPAny>> {
-        let answer = if notations::COMMANDS.contains(&params.command.as_str()) {
-            notations::execute(&self.shared, params).await
-        } else {
-            simulate::execute(&self.shared, params).await
+        let answer = match params.command.as_str() {
+            preview::PREVIEW => preview::execute(&self.shared, params).await,
+            command if notations::COMMANDS.contains(&command) => {
+                notations::execute(&self.shared, params).await
+            }
+            _ => simulate::execute(&self.shared, params).await,
         };
         answer.map(Some)
     }

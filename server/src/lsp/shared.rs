@@ -12,7 +12,7 @@ use crate::busy::Busy;
 use crate::document::Documents;
 use crate::document::neighbours::Neighbours;
 use crate::lsp::capabilities::Agreed;
-use crate::lsp::documents::{pull::Found, settings_file::Told};
+use crate::lsp::documents::{foreign::Previews, pull::Found, settings_file::Told};
 use crate::lsp::features::semantic_tokens::TokensTold;
 use crate::lsp::transport::outbox::Outbox;
 use crate::simulation::Sessions;
@@ -43,9 +43,11 @@ pub(crate) struct Shared {
     pub(crate) busy: Busy,
     /// The open programs.
     pub(crate) documents: Arc<Documents>,
-    /// The open texts that are no programs: settings files, scenarios, and what the client sends besides. They are
-    /// apart, so that nobody takes one for a program.
+    /// The open texts that are not ladder text: settings files, scenarios, programs of other systems, and what the
+    /// client sends besides. They are apart, so that nobody takes one for ladder text.
     pub(crate) companions: Arc<Documents>,
+    /// Which of them are programs whose ladder text somebody follows.
+    pub(crate) previews: Arc<Previews>,
     /// The files beside them.
     pub(crate) neighbours: Arc<Neighbours>,
     pub(crate) sessions: Sessions,
@@ -73,6 +75,7 @@ impl Shared {
             client,
             documents: Arc::default(),
             companions: Arc::default(),
+            previews: Arc::default(),
             neighbours: Arc::default(),
             tokens_told: TokensTold::default(),
             sessions: Sessions::default(),

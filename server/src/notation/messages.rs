@@ -62,6 +62,26 @@ pub struct Element {
     pub reason: String,
 }
 
+/// The argument of `ladder.preview`.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "camelCase", deny_unknown_fields)]
+pub struct Preview {
+    /// A program of another system that is open.
+    pub uri: String,
+}
+
+/// The answer to `ladder.preview`, and the parameters of `ladder/preview`.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "camelCase", deny_unknown_fields)]
+pub struct Previewed {
+    /// The program.
+    pub uri: String,
+    /// The version of its text.
+    pub version: i32,
+    /// The ladder text that it becomes.
+    pub text: String,
+}
+
 /// The argument of `ladder.notations`.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "camelCase", deny_unknown_fields)]

@@ -1,9 +1,12 @@
 //! Programs of other systems, for the editor: a program in, the same program in another notation out. Nothing is written.
 
 pub mod messages;
+mod opened;
 
 use ladder_interchange::notation::{self, Form, NOTATIONS, Remark, Source, convert};
 use messages::{Converted, Element, Known, Notations};
+
+pub(crate) use opened::Opened;
 
 /// What a program is to become, and what it is.
 #[derive(Debug)]

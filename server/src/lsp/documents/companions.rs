@@ -1,4 +1,4 @@
-//! Diagnostics of open texts that are no programs: settings files and scenarios.
+//! Diagnostics of open texts that are not ladder text: settings files, scenarios, and programs of other systems.
 
 use std::path::Path;
 use std::sync::Arc;
@@ -7,12 +7,12 @@ use ladder_analysis::{Diagnostic as Finding, Severity};
 use ladder_simulator::Simulation;
 use ladder_simulator::scenario::{self, Mistake};
 use ladder_syntax::TextRange;
-use ladder_workspace::{Named, SETTINGS_FILE, Settings, is_program, is_scenario};
+use ladder_workspace::{Named, Settings};
 use tower_lsp::ls_types::{Diagnostic, DiagnosticSeverity, NumberOrString};
 
-use super::{diagnostics, settings_file};
+use super::{diagnostics, foreign, settings_file};
 use crate::busy::Work;
-use crate::document::{Revision, address};
+use crate::document::{Kind, Revision, address};
 use crate::lsp::transport::blocking::blocking;
 use crate::lsp::{convert, shared::Shared};
 
@@ -20,40 +20,9 @@ use crate::lsp::{convert, shared::Shared};
 pub(crate) const BAD_SETTING: &str = "bad-setting";
 const BAD_SCENARIO: &str = "bad-scenario";
 
-/// What an open text is.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Kind {
-    /// Ladder text. Whatever has another name but is not known to be something else.
-    Program,
-    /// `ladder.toml`.
-    Settings,
-    /// A file of scenarios.
-    Scenarios,
-    /// Something that the server knows nothing of: the client sends all files of a language.
-    Other,
-}
-
-impl Kind {
-    /// By the address, and by the language that the client says it is.
-    pub(crate) fn of(uri: &str, language: &str) -> Kind {
-        let name = Path::new(uri.rsplit('/').next().unwrap_or(uri));
-        if name == Path::new(SETTINGS_FILE) {
-            Kind::Settings
-        } else if is_program(name) {
-            Kind::Program
-        } else if is_scenario(name) || matches!(language, "ladder-test" | "laddertest") {
-            Kind::Scenarios
-        } else if language == "toml" {
-            Kind::Other
-        } else {
-            Kind::Program
-        }
-    }
-}
-
 /// Sees to it that the newest text gets its diagnostics.
 pub(crate) fn refresh(shared: &Arc<Shared>, uri: &str) {
-    if shared.agreed().pulls_diagnostics {
+    if shared.agreed().pulls_diagnostics && !shared.previews.follow(uri) {
         return;
     }
     if let Some(revision) = shared.companions.begin_analysis(uri) {
@@ -64,7 +33,7 @@ pub(crate) fn refresh(shared: &Arc<Shared>, uri: &str) {
 /// Looks once more at the open scenarios: a program has changed.
 pub(crate) fn refresh_scenarios(shared: &Arc<Shared>) {
     for companion in shared.companions.all() {
-        if Kind::of(&companion.uri, "") == Kind::Scenarios && shared.companions.touch(&companion.uri) {
+        if companion.kind() == Kind::Scenarios && shared.companions.touch(&companion.uri) {
             refresh(shared, &companion.uri);
         }
     }
@@ -75,13 +44,16 @@ async fn look_at(shared: Arc<Shared>, first: Arc<Revision>, _work: Work) {
     while let Some(revision) = next {
         if shared.companions.is_current(&revision) {
             let (beside, job) = (shared.clone(), revision.clone());
-            match blocking(move |_| diagnostics_of(&beside, &job)).await {
-                Ok(found) => shared
-                    .outbox
-                    .diagnostics(&shared.companions, revision.clone(), found),
-                Err(error) => shared
-                    .outbox
-                    .log(format!("no diagnostics for {}: {}", revision.uri, error.message)),
+            let looked = blocking(move |_| {
+                if !beside.agreed().pulls_diagnostics {
+                    let found = diagnostics_of(&beside, &job);
+                    beside.outbox.diagnostics(&beside.companions, job.clone(), found);
+                }
+                foreign::tell_preview(&beside, &job);
+            });
+            if let Err(error) = looked.await {
+                let message = format!("no diagnostics for {}: {}", revision.uri, error.message);
+                shared.outbox.log(message);
             }
         }
         next = shared.companions.analysed(&revision);
@@ -90,6 +62,7 @@ async fn look_at(shared: Arc<Shared>, first: Arc<Revision>, _work: Work) {
 
 /// The text is gone from the editor. A settings file counts as it is on disk.
 pub(crate) fn closed(shared: &Arc<Shared>, uri: &str) {
+    shared.previews.end(uri);
     if !shared.agreed().pulls_diagnostics {
         shared.outbox.no_diagnostics(uri);
     }
@@ -98,12 +71,13 @@ pub(crate) fn closed(shared: &Arc<Shared>, uri: &str) {
     }
 }
 
-/// What is wrong in an open text that is no program. For a blocking thread.
+/// What is wrong in an open text that is not ladder text. For a blocking thread.
 pub(crate) fn diagnostics_of(shared: &Shared, revision: &Revision) -> Vec<Diagnostic> {
     if !revision.fits() {
         return vec![diagnostics::too_large(revision)];
     }
-    match Kind::of(&revision.uri, "") {
+    match revision.kind() {
+        Kind::Click => foreign::diagnostics_of(shared.agreed(), revision),
         Kind::Settings => settings(revision),
         Kind::Scenarios => scenarios(shared, revision),
         Kind::Program | Kind::Other => Vec::new(),
@@ -196,27 +170,5 @@ fn error(revision: &Revision, range: TextRange, code: &str, message: String) -> 
         source: Some("ladder".into()),
         message,
         ..Diagnostic::default()
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn what_a_text_is() {
-        for (uri, language, kind) in [
-            ("file:///plant/motor.clad", "clad", Kind::Program),
-            ("file:///plant/motor.clad", "", Kind::Program),
-            ("untitled:Untitled-1", "clad", Kind::Program),
-            ("file:///plant/ladder.toml", "toml", Kind::Settings),
-            ("file:///plant/ladder.toml", "plaintext", Kind::Settings),
-            ("file:///plant/Cargo.toml", "toml", Kind::Other),
-            ("file:///plant/motor.ladder-test", "ladder-test", Kind::Scenarios),
-            ("file:///plant/motor.ladder-test", "", Kind::Scenarios),
-            ("untitled:Untitled-2", "laddertest", Kind::Scenarios),
-        ] {
-            assert_eq!(Kind::of(uri, language), kind, "{uri} {language}");
-        }
     }
 }

@@ -10,15 +10,25 @@ const MOST: usize = 1_000;
 /// What is shown of the findings of a file, in their order, and how many are left out: errors come before all others,
 /// and then what is near to the place where the person works.
 pub(crate) fn shown(all: &[Finding], edited: TextSize) -> (Vec<&Finding>, usize) {
+    let weight = |found: &Finding| (found.severity == Severity::Error, found.range.start());
+    chosen(all, edited, weight)
+}
+
+/// As [`shown`], of anything that is an error or not, and begins somewhere.
+pub(crate) fn chosen<T>(
+    all: &[T],
+    edited: TextSize,
+    weight: impl Fn(&T) -> (bool, TextSize),
+) -> (Vec<&T>, usize) {
     let left_out = all.len().saturating_sub(MOST);
     if left_out == 0 {
         return (all.iter().collect(), 0);
     }
-    let away = |found: &Finding| u32::from(found.range.start()).abs_diff(u32::from(edited));
     let mut chosen: Vec<usize> = (0..all.len()).collect();
     chosen.select_nth_unstable_by_key(MOST - 1, |&at| {
-        let found = &all[at];
-        (found.severity != Severity::Error, away(found), at)
+        let (is_error, start) = weight(&all[at]);
+        let away = u32::from(start).abs_diff(u32::from(edited));
+        (!is_error, away, at)
     });
     chosen.truncate(MOST);
     chosen.sort_unstable();

@@ -14,21 +14,19 @@ use tower_lsp::ls_types::{
     TextDocumentContentChangeEvent,
 };
 
-use super::{
-    companions::{self, Kind},
-    diagnostics, watch,
-};
+use super::{companions, diagnostics, watch};
 use crate::document::edit::Change;
 use crate::document::neighbours::Place;
-use crate::document::{Refused, address};
+use crate::document::{Kind, Refused, address};
 use crate::lsp::{convert::our_range, shared::Shared};
 
 pub(crate) fn opened(shared: &Arc<Shared>, params: DidOpenTextDocumentParams) {
     let document = params.text_document;
     let uri = document.uri.as_str();
-    let store = match Kind::of(uri, &document.language_id) {
+    let kind = Kind::of(uri, &document.language_id);
+    let store = match kind {
         Kind::Program => &shared.documents,
-        Kind::Settings | Kind::Scenarios | Kind::Other => &shared.companions,
+        Kind::Click | Kind::Settings | Kind::Scenarios | Kind::Other => &shared.companions,
     };
     if shared.documents.get(uri).is_some() || shared.companions.get(uri).is_some() {
         shared.outbox.log(format!(
@@ -39,7 +37,7 @@ pub(crate) fn opened(shared: &Arc<Shared>, params: DidOpenTextDocumentParams) {
     }
     let place = address::path_of(uri).map(|path| Place::new(path, &shared.neighbours));
     let encoding = shared.agreed().encoding;
-    store.open_at(uri, document.version, encoding, &document.text, place);
+    store.open_at(uri, kind, document.version, encoding, &document.text, place);
     shared.text_moved(uri);
     text_is_new(shared, uri);
 }

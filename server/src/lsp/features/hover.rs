@@ -6,10 +6,16 @@ use tower_lsp::jsonrpc::Result;
 use tower_lsp::ls_types::{Hover, HoverContents, HoverParams};
 
 use super::asked::about_place;
+use super::foreign_hover;
 use crate::lsp::{convert, markup, shared::Shared};
 
 pub(crate) async fn hover(shared: &Arc<Shared>, params: HoverParams) -> Result<Option<Hover>> {
     let markdown = shared.agreed().markdown;
+    let place = &params.text_document_position_params;
+    let companion = shared.companions.get(place.text_document.uri.as_str());
+    if let Some(revision) = companion.filter(|it| it.kind().notation().is_some()) {
+        return foreign_hover::hover(markdown, revision, place.position).await;
+    }
     about_place(
         shared,
         params.text_document_position_params,

@@ -9,6 +9,7 @@ use tower_lsp::jsonrpc::Result;
 use tower_lsp::ls_types::{ExecuteCommandParams, LSPAny};
 
 use super::simulate::{error, json};
+use crate::document::Kind;
 use crate::document::address::path_of;
 use crate::lsp::shared::Shared;
 use crate::lsp::transport::blocking::blocking;
@@ -32,14 +33,16 @@ pub(crate) async fn execute(shared: &Arc<Shared>, params: ExecuteCommandParams) 
     }
     let wanted: Convert = argument_of(CONVERT, params.arguments).map_err(error)?;
     let open = shared.documents.get(&wanted.uri);
+    let open = open.or_else(|| shared.companions.get(&wanted.uri));
     let converted = blocking(move |_| {
         let analysis = match (&wanted.text, &open) {
-            (None, Some(revision)) => revision.analysis(),
+            (None, Some(revision)) if revision.kind() == Kind::Program => revision.analysis(),
             _ => None,
         };
         let text = wanted.text.clone();
         let text = text.or_else(|| open.as_ref().map(|revision| revision.text()));
-        let program = Program::of(&wanted, text)?;
+        let kind = open.as_ref().map_or(Kind::Program, |revision| revision.kind());
+        let program = Program::of(&wanted, text, kind)?;
         let task = Task {
             name: &program.name,
             bytes: &program.bytes,
@@ -65,8 +68,8 @@ struct Program {
 }
 
 impl Program {
-    /// What is wanted, with the text that the editor has; else with what is on disk.
-    fn of(wanted: &Convert, text: Option<String>) -> std::result::Result<Program, Failure> {
+    /// What is wanted, with the text that the editor has, of this kind; else with what is on disk.
+    fn of(wanted: &Convert, text: Option<String>, kind: Kind) -> std::result::Result<Program, Failure> {
         let failed = |message: String| Failure::Failed(message);
         let path = path_of(&wanted.uri);
         let bytes = match (text, &path) {
@@ -90,9 +93,10 @@ impl Program {
                 Failure::Invalid(format!("there is no notation {name}; there are {names}"))
             })
         };
-        let from = match &wanted.from {
-            Some(name) => named(name)?,
-            None => Form::of(&bytes, is_program(&path)).ok_or_else(|| {
+        let from = match (&wanted.from, kind.notation()) {
+            (Some(name), _) => named(name)?,
+            (None, Some(notation)) => Form::Foreign(notation),
+            (None, None) => Form::of(&bytes, is_program(&path)).ok_or_else(|| {
                 failed(format!(
                     "{file}: this is in no notation that is known; if it is, name it"
                 ))

@@ -68,11 +68,10 @@ pub(crate) async fn execute(shared: &Arc<Shared>, params: ExecuteCommandParams) 
 }
 
 async fn start(shared: &Arc<Shared>, Start { uri, options }: Start) -> Result<Started> {
-    let revision = shared.documents.get(&uri).ok_or_else(|| {
-        error(Failure::Failed(format!(
-            "{uri} is not open in the editor; open it and start again"
-        )))
-    })?;
+    let revision = shared
+        .documents
+        .get(&uri)
+        .ok_or_else(|| error(not_open(shared, &uri)))?;
     let (name, job) = (shared.sessions.new_name(), revision.clone());
     let deltas = options.deltas;
     let started = blocking(move |_| Session::start(name, job, &options)).await?;
@@ -91,6 +90,20 @@ async fn start(shared: &Arc<Shared>, Start { uri, options }: Start) -> Result<St
         state,
         notes,
     })
+}
+
+/// Why there is nothing to simulate.
+fn not_open(shared: &Shared, uri: &str) -> Failure {
+    let companion = shared.companions.get(uri);
+    Failure::Failed(
+        match companion.filter(|revision| revision.kind().notation().is_some()) {
+            Some(revision) => format!(
+                "{} is a program of another system; what runs is the ladder text that ladder.preview gives: open that",
+                revision.name()
+            ),
+            None => format!("{uri} is not open in the editor; open it and start again"),
+        },
+    )
 }
 
 async fn stop(shared: &Arc<Shared>, OfSession { session }: OfSession) -> Result<LSPAny> {

@@ -9,11 +9,14 @@ use std::sync::Arc;
 use ladder_workspace::shown;
 use tokio::sync::mpsc;
 use tower_lsp::Client;
+use tower_lsp::ls_types::notification::Notification;
 use tower_lsp::ls_types::{Diagnostic, MessageType};
 
 use crate::busy::{Busy, Work};
 use crate::document::{Documents, Revision};
 use crate::lsp::convert;
+use crate::lsp::documents::foreign::Previews;
+use crate::notation::messages::Previewed;
 
 /// The sending end. When the last one is dropped the task ends.
 #[derive(Debug, Clone)]
@@ -25,6 +28,7 @@ pub(crate) struct Outbox {
 #[derive(Debug)]
 enum Note {
     Diagnostics(Arc<Documents>, Arc<Revision>, Vec<Diagnostic>),
+    Preview(Arc<Documents>, Arc<Revision>, Arc<Previews>, Previewed),
     DiagnosticsOnDisk(String, Vec<Diagnostic>),
     Log(MessageType, String),
     Show(MessageType, String),
@@ -46,6 +50,22 @@ impl Outbox {
         diagnostics: Vec<Diagnostic>,
     ) {
         self.note(Note::Diagnostics(documents.clone(), revision, diagnostics));
+    }
+
+    /// The ladder text that an open program of another system becomes; sent if it is another one than before.
+    pub(crate) fn preview(
+        &self,
+        documents: &Arc<Documents>,
+        revision: Arc<Revision>,
+        previews: &Arc<Previews>,
+        previewed: Previewed,
+    ) {
+        self.note(Note::Preview(
+            documents.clone(),
+            revision,
+            previews.clone(),
+            previewed,
+        ));
     }
 
     /// Diagnostics of a file that is not open, all of them.
@@ -74,6 +94,15 @@ impl Outbox {
     }
 }
 
+/// The notification with a program's ladder text.
+#[derive(Debug)]
+enum LadderPreview {}
+
+impl Notification for LadderPreview {
+    type Params = Previewed;
+    const METHOD: &'static str = "ladder/preview";
+}
+
 /// A log may end on a terminal, and so may what others wrote in the message.
 fn written_out(message: impl Into<String>) -> String {
     shown::text(&message.into()).into_owned()
@@ -83,6 +112,12 @@ async fn send(client: Client, mut inbox: mpsc::UnboundedReceiver<(Note, Work)>) 
     while let Some((note, work)) = inbox.recv().await {
         match note {
             Note::Diagnostics(documents, revision, _) if !documents.is_current(&revision) => {}
+            Note::Preview(documents, revision, previews, previewed) => {
+                // What was not sent was not told: in this order.
+                if documents.is_current(&revision) && previews.is_news(&previewed) {
+                    client.send_notification::<LadderPreview>(previewed).await;
+                }
+            }
             Note::Diagnostics(_, revision, diagnostics) => {
                 if let Some(uri) = convert::uri(&revision.uri) {
                     client

@@ -4,9 +4,6 @@ use crate::notation::{Lines, Place, ReadError};
 use ruff_python_ast::{Expr, Stmt};
 use ruff_text_size::Ranged;
 
-/// No more than so many are told.
-const MOST: usize = 20;
-
 /// A text, and what in it is not the DSL.
 pub(super) struct Mistakes<'t> {
     text: &'t str,
@@ -57,20 +54,11 @@ impl<'t> Mistakes<'t> {
     pub(super) fn into_error(mut self) -> Option<ReadError> {
         self.all.sort_by_key(|(place, _)| *place);
         let mut all = self.all.into_iter();
-        let (place, mut message) = all.next()?;
-        let rest: Vec<_> = all.collect();
-        if !rest.is_empty() {
-            let told: Vec<String> = rest
-                .iter()
-                .take(MOST)
-                .map(|(place, message)| format!("{place}: {message}"))
-                .collect();
-            message.push_str(&format!("; {}", told.join("; ")));
-            if rest.len() > MOST {
-                message.push_str(&format!("; and {} more", rest.len() - MOST));
-            }
-        }
-        Some(ReadError::at(place, message))
+        let (place, message) = all.next()?;
+        Some(ReadError {
+            more: all.collect(),
+            ..ReadError::at(place, message)
+        })
     }
 }
 

@@ -1,21 +1,17 @@
 //! A program of another system, beside the ladder text that it becomes: what is found in that text is shown in the
 //! file that a person wrote.
 
-use crate::outcome::Failure;
-use ladder_analysis::Severity;
-use ladder_interchange::notation::{
-    Companion, Converted, Lines, Notation, Outcome, Place, ReadError, Source, convert,
-};
+use super::{Converted, Entry, Lines, Notation, Outcome, Place, ReadError, Source, convert};
+use ladder_analysis::{Diagnostic, Severity};
 use ladder_syntax::{TextRange, TextSize};
 use std::collections::{HashMap, HashSet};
 use std::fmt;
-use std::path::Path;
 
 /// What stands where the name of a rule would, for an element without a counterpart.
 const NOT_TRANSLATED: &str = "not-translated";
 
 /// A foreign program that was read.
-pub(crate) struct Foreign {
+pub struct Foreign {
     notation: &'static dyn Notation,
     /// The file as it is shown. Places count as in the file itself.
     text: String,
@@ -28,21 +24,25 @@ pub(crate) struct Foreign {
 }
 
 /// What there is to say about a foreign program before it is ladder text.
-pub(crate) struct Remark {
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Mark {
     /// In the shown text.
-    pub(crate) range: TextRange,
+    pub range: TextRange,
     /// The check that found it.
-    pub(crate) check: &'static str,
-    pub(crate) severity: Severity,
-    pub(crate) message: String,
+    pub check: &'static str,
+    /// How bad it is.
+    pub severity: Severity,
+    /// What is wrong and what to do.
+    pub message: String,
 }
 
 impl Foreign {
     /// Reads a program.
     ///
     /// # Errors
+    ///
     /// As for [`Notation::read`].
-    pub(crate) fn read(notation: &'static dyn Notation, source: &Source<'_>) -> Result<Foreign, ReadError> {
+    pub fn read(notation: &'static dyn Notation, source: &Source<'_>) -> Result<Foreign, ReadError> {
         let options = ladder_format::Options::default();
         let converted = convert(notation, source, &options)?;
         let text = shown(source.bytes);
@@ -61,27 +61,27 @@ impl Foreign {
     }
 
     /// The name of its notation: `ldmicro`.
-    pub(crate) fn notation(&self) -> &'static str {
+    pub fn notation(&self) -> &'static str {
         self.notation.name()
     }
 
     /// Whether its coils are what a run is about.
-    pub(crate) fn shows_coils(&self) -> bool {
+    pub fn shows_coils(&self) -> bool {
         self.notation.shows_coils()
     }
 
     /// The file as it is shown.
-    pub(crate) fn text(&self) -> &str {
+    pub fn text(&self) -> &str {
         &self.text
     }
 
     /// The ladder text that it becomes.
-    pub(crate) fn ladder(&self) -> &str {
+    pub fn ladder(&self) -> &str {
         &self.converted.written.text
     }
 
     /// What a part of the ladder text was made from, in the shown text.
-    pub(crate) fn range(&self, of_ladder: TextRange) -> TextRange {
+    pub fn range(&self, of_ladder: TextRange) -> TextRange {
         let place = self.first_use(of_ladder);
         self.range_at(place.unwrap_or_else(|| self.converted.place_of(of_ladder.start())))
     }
@@ -89,12 +89,7 @@ impl Foreign {
     /// Of a name in something that was made from nothing, such as the declaration of a tag that the other system does not
     /// declare: where that name is used first.
     fn first_use(&self, of_ladder: TextRange) -> Option<Place> {
-        let written = &self.converted.written;
-        if written
-            .places
-            .iter()
-            .any(|(range, _)| range.contains(of_ladder.start()))
-        {
+        if self.converted.written.origin_around(of_ladder.start()).is_some() {
             return None;
         }
         let name = self.ladder().get(std::ops::Range::<usize>::from(of_ladder))?;
@@ -119,17 +114,16 @@ impl Foreign {
     }
 
     /// Line and column that a part of the ladder text was made from.
-    #[cfg(feature = "screen")]
-    pub(crate) fn place(&self, of_ladder: TextRange) -> Place {
+    pub fn place(&self, of_ladder: TextRange) -> Place {
         let start = usize::from(self.range(of_ladder).start());
         self.lines.place(&self.text, start)
     }
 
     /// What the other system itself complains about, and what has no counterpart here; in the order of the file.
-    pub(crate) fn remarks(&self) -> Vec<Remark> {
+    pub fn remarks(&self) -> Vec<Mark> {
         let found = &self.converted.findings;
         let told: HashSet<Place> = found.iter().map(|found| found.place).collect();
-        let found = found.iter().map(|found| Remark {
+        let found = found.iter().map(|found| Mark {
             range: self.range_at(found.place),
             check: found.check,
             severity: found.severity,
@@ -141,7 +135,7 @@ impl Foreign {
             .entries
             .iter()
             .filter_map(|entry| match &entry.outcome {
-                Outcome::Refused(why) if !told.contains(&entry.place) => Some(Remark {
+                Outcome::Refused(why) if !told.contains(&entry.place) => Some(Mark {
                     range: self.range_at(entry.place),
                     check: NOT_TRANSLATED,
                     severity: Severity::Error,
@@ -149,26 +143,73 @@ impl Foreign {
                 }),
                 _ => None,
             });
-        let mut remarks: Vec<Remark> = found.chain(refused).collect();
+        let mut remarks: Vec<Mark> = found.chain(refused).collect();
         remarks.sort_by_key(|remark| remark.range.start());
         remarks
     }
 
     /// Whether the other system, too, would not run it, or a part of it has no counterpart.
-    pub(crate) fn has_errors(&self) -> bool {
+    pub fn has_errors(&self) -> bool {
         let found = &self.converted.findings;
         found.iter().any(|found| found.severity == Severity::Error)
             || self.converted.report.tally().refused > 0
     }
 
+    /// The findings of the ladder text, with their places in the shown text. The fixes are left out: they would change a
+    /// text that is nowhere.
+    pub fn in_file(&self, mut findings: Vec<Diagnostic>) -> Vec<Diagnostic> {
+        for finding in &mut findings {
+            finding.range = self.range(finding.range);
+            finding.fixes.clear();
+            let own = finding.related.iter_mut().filter(|place| place.file.is_none());
+            own.for_each(|place| place.range = self.range(place.range));
+            // Other systems declare what they use where they use it.
+            let range = finding.range;
+            finding
+                .related
+                .retain(|place| place.file.is_some() || place.range != range);
+        }
+        findings.sort_by_key(|finding| finding.range.start());
+        findings
+    }
+
+    /// The parts of the ladder text that were made from what begins in a stretch of the shown text, in their order.
+    pub fn made_from(&self, stretch: TextRange) -> impl Iterator<Item = TextRange> {
+        let made = self.converted.written.places.iter();
+        made.filter(move |(_, origin)| {
+            let place = self.converted.places.get(*origin as usize);
+            place.is_some_and(|place| self.begins_in(*place, stretch))
+        })
+        .map(|(range, _)| *range)
+    }
+
+    /// The last place before an offset of the shown text that something was made from, or that there is something to say
+    /// about.
+    pub fn last_before(&self, offset: TextSize) -> Option<TextSize> {
+        let end = self.lines.place(&self.text, usize::from(offset));
+        let entries = self.converted.report.entries.iter();
+        let places = entries.map(|entry| entry.place);
+        let places = places.chain(self.converted.places.iter().copied());
+        let last = places.filter(|place| *place < end).max()?;
+        Some(TextSize::new(self.lines.offset(&self.text, last) as u32))
+    }
+
+    /// What became of the elements that begin in a stretch of the shown text.
+    pub fn entries_in(&self, stretch: TextRange) -> impl Iterator<Item = &Entry> {
+        let entries = self.converted.report.entries.iter();
+        entries.filter(move |entry| self.begins_in(entry.place, stretch))
+    }
+
+    fn begins_in(&self, place: Place, stretch: TextRange) -> bool {
+        let at = self.lines.offset(&self.text, place);
+        stretch.contains(TextSize::new(at as u32))
+    }
+
     fn range_at(&self, place: Place) -> TextRange {
-        let start = self.lines.offset(&self.text, place);
-        let rest = &self.text[start..];
-        let blanks = rest.len() - rest.trim_start_matches([' ', '\t', '\u{feff}']).len();
-        let start = start + blanks;
+        let word = self.lines.word(&self.text, place);
         let length = self.lengths.get(&place).copied();
-        let length = length.unwrap_or_else(|| word(&self.text[start..]));
-        TextRange::at(TextSize::new(start as u32), TextSize::new(length as u32))
+        let length = length.map_or(word.len(), |length| TextSize::new(length as u32));
+        TextRange::at(word.start(), length)
     }
 
     /// The lengths of the elements that stand in the file as the report has them.
@@ -183,29 +224,6 @@ impl Foreign {
         }
         lengths
     }
-}
-
-/// The files beside a program of another system that belong to it.
-///
-/// # Errors
-/// One of them cannot be read.
-pub(crate) fn companions(notation: &'static dyn Notation, program: &Path) -> Result<Vec<Companion>, Failure> {
-    let stem = program
-        .file_stem()
-        .map(|stem| stem.to_string_lossy())
-        .unwrap_or_default();
-    let wanted = |file: &str| notation.has_companion(&stem, file);
-    let found = ladder_workspace::read_beside(program, &wanted)?;
-    Ok(found
-        .into_iter()
-        .map(|(name, bytes)| Companion { name, bytes })
-        .collect())
-}
-
-/// The length of the first word.
-fn word(text: &str) -> usize {
-    text.find(|c: char| c.is_whitespace() || ",;(){}<>".contains(c))
-        .unwrap_or(text.len())
 }
 
 /// The content of a file as text: what is not UTF-8 is taken as one character for each byte, as old programs for
@@ -236,7 +254,7 @@ impl fmt::Debug for Foreign {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use ladder_interchange::notation::by_name;
+    use crate::notation::by_name;
 
     fn read(notation: &str, bytes: &[u8]) -> Foreign {
         let notation = by_name(notation).expect("the notation is registered");

@@ -1,0 +1,79 @@
+//! What an open text is.
+
+use std::path::Path;
+
+use ladder_interchange::notation::{Notation, by_name};
+use ladder_workspace::{SETTINGS_FILE, is_program, is_scenario};
+
+/// The language that a client names for a Python file that is a Click program. Files in Python are nobody's but
+/// Python's unless a person says otherwise.
+const CLICK: &str = "ladder-click";
+
+/// What an open text is.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
+pub(crate) enum Kind {
+    /// Ladder text. Whatever has another name but is not known to be something else.
+    #[default]
+    Program,
+    /// A Click program in Python.
+    Click,
+    /// `ladder.toml`.
+    Settings,
+    /// A file of scenarios.
+    Scenarios,
+    /// Something that the server knows nothing of: the client sends all files of a language.
+    Other,
+}
+
+impl Kind {
+    /// By the address, and by the language that the client says it is.
+    pub(crate) fn of(uri: &str, language: &str) -> Kind {
+        let name = Path::new(uri.rsplit('/').next().unwrap_or(uri));
+        if language == CLICK {
+            Kind::Click
+        } else if name == Path::new(SETTINGS_FILE) {
+            Kind::Settings
+        } else if is_program(name) {
+            Kind::Program
+        } else if is_scenario(name) || matches!(language, "ladder-test" | "laddertest") {
+            Kind::Scenarios
+        } else if matches!(language, "toml" | "python") {
+            Kind::Other
+        } else {
+            Kind::Program
+        }
+    }
+
+    /// The notation of a program of another system.
+    pub(crate) fn notation(self) -> Option<&'static dyn Notation> {
+        match self {
+            Kind::Click => by_name("click"),
+            Kind::Program | Kind::Settings | Kind::Scenarios | Kind::Other => None,
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_a_text_is() {
+        for (uri, language, kind) in [
+            ("file:///plant/motor.clad", "clad", Kind::Program),
+            ("file:///plant/motor.clad", "", Kind::Program),
+            ("untitled:Untitled-1", "clad", Kind::Program),
+            ("file:///plant/ladder.toml", "toml", Kind::Settings),
+            ("file:///plant/ladder.toml", "plaintext", Kind::Settings),
+            ("file:///plant/Cargo.toml", "toml", Kind::Other),
+            ("file:///plant/motor.ladder-test", "ladder-test", Kind::Scenarios),
+            ("file:///plant/motor.ladder-test", "", Kind::Scenarios),
+            ("untitled:Untitled-2", "laddertest", Kind::Scenarios),
+            ("file:///plant/tank.py", "python", Kind::Other),
+            ("file:///plant/tank.py", "ladder-click", Kind::Click),
+            ("untitled:Untitled-3", "ladder-click", Kind::Click),
+        ] {
+            assert_eq!(Kind::of(uri, language), kind, "{uri} {language}");
+        }
+    }
+}

@@ -1,0 +1,167 @@
+//! Open programs of other systems: their diagnostics, and the ladder text that they become for those who follow it.
+
+use std::collections::HashMap;
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
+
+use ladder_analysis::{Diagnostic as Finding, Severity};
+use ladder_interchange::notation::{Lines, Mark, ReadError};
+use ladder_syntax::{TextRange, TextSize};
+use tower_lsp::ls_types::{Diagnostic, DiagnosticSeverity, NumberOrString};
+
+use super::shown;
+use crate::document::Revision;
+use crate::lsp::capabilities::Agreed;
+use crate::lsp::{convert, shared::Shared};
+use crate::notation::Opened;
+use crate::notation::messages::Previewed;
+
+/// What stands where the name of a rule would, for a file that cannot be read.
+const BAD_PROGRAM: &str = "bad-program";
+
+/// What is wrong in a program of another system. For a blocking thread.
+pub(crate) fn diagnostics_of(agreed: Agreed, revision: &Revision) -> Vec<Diagnostic> {
+    match revision.opened() {
+        Some(Ok(opened)) => of_program(agreed, revision, opened),
+        Some(Err(error)) => of_broken(revision, error),
+        None => Vec::new(),
+    }
+}
+
+/// What the other system complains about, or this one.
+enum Said<'o> {
+    Mark(&'o Mark),
+    Finding(&'o Finding),
+}
+
+impl Said<'_> {
+    fn start(&self) -> TextSize {
+        match self {
+            Said::Mark(mark) => mark.range.start(),
+            Said::Finding(finding) => finding.range.start(),
+        }
+    }
+
+    fn is_error(&self) -> bool {
+        let severity = match self {
+            Said::Mark(mark) => mark.severity,
+            Said::Finding(finding) => finding.severity,
+        };
+        severity == Severity::Error
+    }
+}
+
+fn of_program(agreed: Agreed, revision: &Revision, opened: &Opened) -> Vec<Diagnostic> {
+    let marks = opened.foreign().remarks();
+    let mut all: Vec<Said<'_>> = marks.iter().map(Said::Mark).collect();
+    all.extend(opened.findings().iter().map(Said::Finding));
+    all.sort_by_key(Said::start);
+    let (chosen, left_out) = shown::chosen(&all, revision.edited(), |said| (said.is_error(), said.start()));
+    let mut items: Vec<Diagnostic> = Vec::with_capacity(chosen.len() + 1);
+    for said in chosen {
+        match said {
+            Said::Mark(mark) => {
+                items.push(item(
+                    revision,
+                    mark.range,
+                    mark.severity,
+                    mark.check,
+                    &mark.message,
+                ));
+            }
+            Said::Finding(finding) => items.extend(convert::diagnostics(agreed, revision, [*finding])),
+        }
+    }
+    items.extend(shown::rest(left_out));
+    items
+}
+
+fn of_broken(revision: &Revision, error: &ReadError) -> Vec<Diagnostic> {
+    let text = revision.text();
+    let lines = Lines::of(&text);
+    let all: Vec<(TextRange, &str)> = error
+        .all()
+        .map(|(place, message)| (lines.word(&text, place), message))
+        .collect();
+    let (chosen, left_out) = shown::chosen(&all, revision.edited(), |(range, _)| (true, range.start()));
+    let items = chosen
+        .into_iter()
+        .map(|(range, message)| item(revision, *range, Severity::Error, BAD_PROGRAM, message));
+    items.chain(shown::rest(left_out)).collect()
+}
+
+fn item(revision: &Revision, range: TextRange, severity: Severity, code: &str, message: &str) -> Diagnostic {
+    Diagnostic {
+        range: convert::range_in(revision, range),
+        severity: Some(match severity {
+            Severity::Error => DiagnosticSeverity::ERROR,
+            Severity::Warning => DiagnosticSeverity::WARNING,
+            Severity::Info => DiagnosticSeverity::INFORMATION,
+        }),
+        code: Some(NumberOrString::String(code.to_owned())),
+        source: Some("ladder".into()),
+        message: message.to_owned(),
+        ..Diagnostic::default()
+    }
+}
+
+/// Whose ladder text is followed: by address, with what was told last.
+#[derive(Debug, Default)]
+pub(crate) struct Previews {
+    told: Mutex<HashMap<String, String>>,
+}
+
+impl Previews {
+    /// Whether somebody follows the ladder text of a program.
+    pub(crate) fn follow(&self, uri: &str) -> bool {
+        self.lock().contains_key(uri)
+    }
+
+    /// From now on somebody does, who has this text.
+    pub(crate) fn begin(&self, uri: &str, text: &str) {
+        self.lock().insert(uri.to_owned(), text.to_owned());
+    }
+
+    /// The program is gone from the editor.
+    pub(crate) fn end(&self, uri: &str) {
+        self.lock().remove(uri);
+    }
+
+    /// Whether this is news to the one who follows. True once: it is told then.
+    pub(crate) fn is_news(&self, previewed: &Previewed) -> bool {
+        let mut told = self.lock();
+        let last = told.get_mut(&previewed.uri);
+        let Some(last) = last.filter(|last| **last != previewed.text) else {
+            return false;
+        };
+        last.clone_from(&previewed.text);
+        true
+    }
+
+    /// A panic elsewhere leaves at worst a text that is told twice.
+    fn lock(&self) -> MutexGuard<'_, HashMap<String, String>> {
+        self.told.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+}
+
+/// Tells the one who follows it the ladder text of a program, if it is another one now. One that cannot be read has none:
+/// what was told last stays. For a blocking thread.
+pub(crate) fn tell_preview(shared: &Shared, revision: &Arc<Revision>) {
+    if !shared.previews.follow(&revision.uri) || !shared.companions.is_current(revision) {
+        return;
+    }
+    if let Some(Ok(opened)) = revision.opened() {
+        let previewed = previewed(revision, opened);
+        shared
+            .outbox
+            .preview(&shared.companions, revision.clone(), &shared.previews, previewed);
+    }
+}
+
+/// A program's ladder text as a message has it.
+pub(crate) fn previewed(revision: &Revision, opened: &Opened) -> Previewed {
+    Previewed {
+        uri: revision.uri.to_string(),
+        version: revision.version,
+        text: opened.foreign().ladder().to_owned(),
+    }
+}

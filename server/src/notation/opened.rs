@@ -1,0 +1,164 @@
+//! A program of another system that is open: the ladder text that it becomes, and what is found in that.
+
+use std::path::Path;
+use std::sync::Arc;
+
+use ladder_analysis::{Analysis, Diagnostic};
+use ladder_interchange::notation::{Companion, Foreign, Notation, Outcome, ReadError, Source};
+use ladder_syntax::{Parse, TextRange, TextSize};
+use ladder_workspace::read_beside;
+
+/// A hover shows no more lines of a drawing.
+const MOST_LINES: usize = 40;
+
+/// A program of another system, read.
+#[derive(Debug)]
+pub(crate) struct Opened {
+    foreign: Foreign,
+    /// What is found in the ladder text, with its places in the file.
+    findings: Vec<Diagnostic>,
+}
+
+impl Opened {
+    /// Reads a program; `file` is where it lies, if it is a file, `name` the stem of its name, and `analyse` looks at the
+    /// ladder text that it becomes. Takes as long as a conversion: for a blocking thread.
+    pub(crate) fn read(
+        notation: &'static dyn Notation,
+        name: &str,
+        text: &str,
+        file: Option<&Path>,
+        analyse: impl FnOnce(&Arc<Parse>) -> Analysis,
+    ) -> Result<Opened, ReadError> {
+        let companions = match file {
+            Some(file) => companions(notation, name, file)?,
+            None => Vec::new(),
+        };
+        let source = Source {
+            name,
+            bytes: text.as_bytes(),
+            companions: &companions,
+        };
+        let foreign = Foreign::read(notation, &source)?;
+        let analysis = analyse(&Arc::new(ladder_syntax::parse(foreign.ladder())));
+        Ok(Opened {
+            findings: foreign.in_file(analysis.diagnostics),
+            foreign,
+        })
+    }
+
+    /// The program, beside its ladder text.
+    pub(crate) fn foreign(&self) -> &Foreign {
+        &self.foreign
+    }
+
+    /// What is found in the ladder text, with its places in the file.
+    pub(crate) fn findings(&self) -> &[Diagnostic] {
+        &self.findings
+    }
+
+    /// What the line around an offset becomes, in Markdown, and where it stands.
+    pub(crate) fn hover(&self, offset: TextSize) -> Option<(TextRange, String)> {
+        let line = self.line_with_parts(line_around(self.foreign.text(), offset))?;
+        let mut shown: Vec<String> = Vec::new();
+        let networks = self.networks(line);
+        if !networks.is_empty() {
+            shown.push(format!("```clad\n{}\n```", cut(&networks.join("\n\n"))));
+        }
+        for entry in self.foreign.entries_in(line) {
+            let (what, why) = match &entry.outcome {
+                Outcome::Translated => continue,
+                Outcome::Approximated(why) => ("approximated", why),
+                Outcome::Refused(why) => ("no counterpart", why),
+            };
+            shown.push(format!("**{what}** `{}`: {why}", entry.element));
+        }
+        (!shown.is_empty()).then(|| (trimmed(self.foreign.text(), line), shown.join("\n\n")))
+    }
+
+    /// The line, or the one where the statement begins that goes on in it, if anything was made from that.
+    fn line_with_parts(&self, line: TextRange) -> Option<TextRange> {
+        let has_parts = |line| {
+            self.foreign.made_from(line).next().is_some() || self.foreign.entries_in(line).next().is_some()
+        };
+        if has_parts(line) {
+            return Some(line);
+        }
+        let before = self.foreign.last_before(line.start())?;
+        let between = &self.foreign.text()[TextRange::new(before, line.start())];
+        let count = |of: [char; 3]| between.chars().filter(|c| of.contains(c)).count();
+        let goes_on = count(['(', '[', '{']) > count([')', ']', '}']);
+        let first = line_around(self.foreign.text(), before);
+        (goes_on && has_parts(first)).then_some(first)
+    }
+
+    /// The networks with something that was made from a line, each once.
+    fn networks(&self, line: TextRange) -> Vec<&str> {
+        let ladder = self.foreign.ladder();
+        let mut found: Vec<&str> = Vec::new();
+        let mut shown = TextSize::new(0);
+        for part in self.foreign.made_from(line) {
+            if part.start() < shown {
+                continue;
+            }
+            if let Some(network) = network_around(ladder, part.start()) {
+                shown = network.end();
+                found.push(&ladder[network]);
+            }
+        }
+        found
+    }
+}
+
+/// The files beside a program that belong to it.
+fn companions(notation: &dyn Notation, name: &str, file: &Path) -> Result<Vec<Companion>, ReadError> {
+    let found = read_beside(file, &|other: &str| notation.has_companion(name, other));
+    let found = found.map_err(|error| ReadError::whole(error.to_string()))?;
+    Ok(found
+        .into_iter()
+        .map(|(name, bytes)| Companion { name, bytes })
+        .collect())
+}
+
+/// The lines of the network around an offset of ladder text in canonical layout; none in a declaration or comment.
+fn network_around(ladder: &str, offset: TextSize) -> Option<TextRange> {
+    let mut first = line_around(ladder, offset);
+    while !ladder[first].starts_with('+') {
+        if first.start() == TextSize::new(0) || !ladder[first].starts_with('|') {
+            return None;
+        }
+        first = line_around(ladder, first.start() - TextSize::new(1));
+    }
+    let mut end = first.end();
+    while ladder[usize::from(end)..].starts_with("\n|") {
+        end = line_around(ladder, end + TextSize::new(1)).end();
+    }
+    Some(TextRange::new(first.start(), end))
+}
+
+/// The line around an offset, without its end.
+fn line_around(text: &str, offset: TextSize) -> TextRange {
+    let at = usize::from(offset).min(text.len());
+    let start = text[..at].rfind('\n').map_or(0, |before| before + 1);
+    let end = text[at..].find('\n').map_or(text.len(), |length| at + length);
+    TextRange::new(TextSize::new(start as u32), TextSize::new(end as u32))
+}
+
+/// The line without the blanks around what stands on it.
+fn trimmed(text: &str, line: TextRange) -> TextRange {
+    let whole = &text[line];
+    let start = whole.len() - whole.trim_start().len();
+    TextRange::at(
+        line.start() + TextSize::new(start as u32),
+        TextSize::of(whole.trim()),
+    )
+}
+
+/// As many lines as a hover can show.
+fn cut(drawing: &str) -> String {
+    let lines: Vec<&str> = drawing.lines().collect();
+    if lines.len() <= MOST_LINES {
+        return drawing.to_owned();
+    }
+    let more = lines.len() - MOST_LINES;
+    format!("{}\n... and {more} more lines", lines[..MOST_LINES].join("\n"))
+}
