@@ -75,7 +75,8 @@ impl Opened {
         (!shown.is_empty()).then(|| (trimmed(self.foreign.text(), line), shown.join("\n\n")))
     }
 
-    /// The line, or the one where the statement begins that goes on in it, if anything was made from that.
+    /// The line, or the one where the statement begins that goes on in it, if anything was made from that. An `if True:`
+    /// has no part of its own; its rung is that of the line below.
     fn line_with_parts(&self, line: TextRange) -> Option<TextRange> {
         let has_parts = |line| {
             self.foreign.made_from(line).next().is_some() || self.foreign.entries_in(line).next().is_some()
@@ -83,11 +84,16 @@ impl Opened {
         if has_parts(line) {
             return Some(line);
         }
+        let text = self.foreign.text();
+        if text[line].trim_start().starts_with("if ") {
+            let below = line_around(text, line.end() + TextSize::new(1));
+            return (below.start() > line.end() && has_parts(below)).then_some(below);
+        }
         let before = self.foreign.last_before(line.start())?;
-        let between = &self.foreign.text()[TextRange::new(before, line.start())];
+        let between = &text[TextRange::new(before, line.start())];
         let count = |of: [char; 3]| between.chars().filter(|c| of.contains(c)).count();
         let goes_on = count(['(', '[', '{']) > count([')', ']', '}']);
-        let first = line_around(self.foreign.text(), before);
+        let first = line_around(text, before);
         (goes_on && has_parts(first)).then_some(first)
     }
 

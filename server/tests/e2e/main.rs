@@ -1,5 +1,6 @@
 //! Sessions between a small client and the whole server, framework included, over a pipe in the process.
 
+mod click;
 mod client;
 mod companions;
 mod completion;

@@ -159,6 +159,11 @@ async fn the_page_shows_every_command_whole() {
                 is_whole::<notation_messages::Notations>(answer);
                 continue;
             }
+            "preview" => {
+                is_whole::<notation_messages::Preview>(argument);
+                is_whole::<notation_messages::Previewed>(answer);
+                continue;
+            }
             "why" => {
                 is_whole::<messages::OfTag>(argument);
                 is_whole::<messages::Why>(answer);
