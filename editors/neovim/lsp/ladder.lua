@@ -1,7 +1,11 @@
 -- What `vim.lsp.enable('ladder')` starts. Change parts of it with `vim.lsp.config('ladder', { ... })`.
 return {
   cmd = { require('ladder.program').command('ladder'), 'lsp' },
-  filetypes = { 'clad', 'laddertest', 'toml' },
+  filetypes = { 'clad', 'ladderclick', 'laddertest', 'toml' },
+  -- Only what a person has called a Click program is one for the server: files in Python are not sent.
+  get_language_id = function(_, filetype)
+    return filetype == 'ladderclick' and 'ladder-click' or filetype
+  end,
   -- Of all files in TOML only ladder.toml is the server's. A program without a project gets a server too.
   root_dir = function(bufnr, attach)
     local name = vim.fs.basename(vim.api.nvim_buf_get_name(bufnr))
@@ -30,6 +34,9 @@ return {
     ['workspace/diagnostic/refresh'] = function(_, _, context)
       require('ladder.diagnostics').refresh(context.client_id)
       return vim.NIL
+    end,
+    ['ladder/preview'] = function(_, previewed)
+      require('ladder.click').receive(previewed)
     end,
     ['ladder/simulationState'] = function(_, state, context)
       require('ladder.simulation').receive(state, context.client_id)

@@ -13,6 +13,10 @@ if vim.g.ladder_enable ~= false then
   vim.lsp.enable('ladder')
 end
 
+vim.api.nvim_create_user_command('LadderClick', function()
+  require('ladder.click').open(vim.api.nvim_get_current_buf())
+end, { desc = 'Open this Python file as a Click program' })
+
 vim.api.nvim_create_user_command('Ladder', function(arguments)
   require('ladder.command').run(arguments.fargs)
 end, {

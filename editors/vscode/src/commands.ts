@@ -1,6 +1,7 @@
 // The commands of package.json.
 import * as vscode from 'vscode';
 
+import { CLICK, type Click } from './click.ts';
 import { convert, exportAs } from './conversion.ts';
 import { showReferences } from './lenses.ts';
 import { askValue, pickTag } from './prompts.ts';
@@ -74,10 +75,23 @@ async function why(simulation: Simulation, given: Tag | undefined): Promise<void
     }
 }
 
-export function registerCommands(server: Server, simulation: Simulation): vscode.Disposable {
+/** Starts a simulation; of a Click program that of its diagram, which shows the power. */
+async function start(click: Click, simulation: Simulation): Promise<void> {
+    const document = vscode.window.activeTextEditor?.document;
+    if (document?.languageId !== CLICK) {
+        await simulation.start();
+        return;
+    }
+    const drawing = await click.show(document);
+    if (drawing) {
+        await simulation.start(drawing);
+    }
+}
+
+export function registerCommands(server: Server, simulation: Simulation, click: Click): vscode.Disposable {
     // A command comes with the tag of a row, a lens with the address of its file, the palette with nothing.
     const commands: Record<string, (given?: any) => unknown> = {
-        'ladder.simulation.start': () => simulation.start(),
+        'ladder.simulation.start': () => start(click, simulation),
         'ladder.simulation.step': () => simulation.command('step', { scans: 1 }),
         'ladder.simulation.stepBlock': () => simulation.command('stepBlock', {}),
         'ladder.simulation.stepRung': () => simulation.command('stepRung', {}),
@@ -96,6 +110,8 @@ export function registerCommands(server: Server, simulation: Simulation): vscode
         'ladder.simulation.why': (tag) => why(simulation, tag),
         'ladder.convert': (uri) => convert(server, uri),
         'ladder.exportAs': (uri) => exportAs(server, uri),
+        'ladder.click.open': () => click.open(),
+        'ladder.click.preview': () => click.preview(),
         'ladder.toggleComment': () => toggleCommentInEditor(),
         'ladder.restartServer': () => server.restart(),
         'ladder.showLog': () => server.log.show(),

@@ -1,6 +1,7 @@
 // The extension's beginning and end: what there is, and what is wired to what.
 import * as vscode from 'vscode';
 
+import { Click } from './click.ts';
 import { registerCommands } from './commands.ts';
 import { showPower } from './decorations.ts';
 import { showFaults } from './faults.ts';
@@ -21,10 +22,12 @@ export interface Api {
 export async function activate(context: vscode.ExtensionContext): Promise<Api> {
     server = new Server(context.extensionPath);
     const simulation = new Simulation(server);
+    const click = new Click(server);
     context.subscriptions.push(
         server,
         simulation,
-        registerCommands(server, simulation),
+        click,
+        registerCommands(server, simulation, click),
         showPower(simulation),
         showFaults(simulation),
         showStatus(simulation),

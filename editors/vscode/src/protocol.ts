@@ -91,8 +91,17 @@ export interface Converted {
     readonly notes?: readonly string[];
 }
 
+/** What a program of another system becomes: the answer to `ladder.preview`, and later `ladder/preview`. */
+export interface Previewed {
+    readonly uri: string;
+    /** Of the program's text. */
+    readonly version: number;
+    readonly text: string;
+}
+
 /** The commands beside those of the simulator. */
 export interface OtherCommands {
+    'ladder.preview': { argument: { uri: string }; answer: Previewed };
     'ladder.convert': { argument: { uri: string; text?: string; from?: string; to: string }; answer: Converted };
     'ladder.notations': {
         argument: object;
@@ -101,3 +110,4 @@ export interface OtherCommands {
 }
 
 export const stateNotification = 'ladder/simulationState';
+export const previewNotification = 'ladder/preview';

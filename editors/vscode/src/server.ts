@@ -8,7 +8,7 @@ import * as vscode from 'vscode';
 import { LanguageClient, State as ClientState } from 'vscode-languageclient/node';
 
 import { lensCommands } from './lenses.ts';
-import { stateNotification, type OtherCommands, type State } from './protocol.ts';
+import { previewNotification, stateNotification, type OtherCommands, type Previewed, type State } from './protocol.ts';
 import { cannotStart, findServer, type Place } from './serverPath.ts';
 import type { Send } from './session.ts';
 
@@ -33,10 +33,15 @@ export class Server implements vscode.Disposable {
 
     readonly #extensionPath: string;
     readonly #stateReceived = new vscode.EventEmitter<State>();
+    readonly #previewReceived = new vscode.EventEmitter<Previewed>();
+    readonly #started = new vscode.EventEmitter<void>();
     readonly #stopped = new vscode.EventEmitter<void>();
     #client: LanguageClient | undefined;
 
     readonly onDidReceiveState = this.#stateReceived.event;
+    readonly onDidReceivePreview = this.#previewReceived.event;
+    /** The server runs, for the first time or again. */
+    readonly onDidStart = this.#started.event;
     /** The server has ended, wanted or not: its sessions are gone. */
     readonly onDidStop = this.#stopped.event;
 
@@ -83,15 +88,24 @@ export class Server implements vscode.Disposable {
             { command: path, args: ['lsp'], options: { cwd: homedir() } },
             {
                 // Settings and files on disk the server asks for by itself.
-                documentSelector: [{ language: 'clad' }, { language: 'ladder-test' }, { pattern: '**/ladder.toml' }],
+                documentSelector: [
+                    { language: 'clad' },
+                    { language: 'ladder-click' },
+                    { language: 'ladder-test' },
+                    { pattern: '**/ladder.toml' },
+                ],
                 outputChannel: this.log,
             },
         );
         client.registerFeature(lensCommands);
         client.onNotification(stateNotification, (state: State) => this.#stateReceived.fire(state));
+        client.onNotification(previewNotification, (previewed: Previewed) => this.#previewReceived.fire(previewed));
         client.onDidChangeState(({ newState }) => {
             if (newState === ClientState.Stopped) {
                 this.#stopped.fire();
+            } else if (newState === ClientState.Running) {
+                // The documents are told to it first.
+                setTimeout(() => this.#started.fire());
             }
         });
         this.#client = client;
@@ -132,6 +146,8 @@ export class Server implements vscode.Disposable {
 
     dispose(): void {
         this.#stateReceived.dispose();
+        this.#previewReceived.dispose();
+        this.#started.dispose();
         this.#stopped.dispose();
         this.log.dispose();
     }

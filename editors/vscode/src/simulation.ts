@@ -40,9 +40,10 @@ export class Simulation implements vscode.Disposable {
         return this.#lastDocument && this.of(this.#lastDocument);
     }
 
-    /** Starts a simulation of the active document's text as it is now; one that was there is ended. */
-    async start(): Promise<void> {
-        const document = this.#lastDocument;
+    /** Starts a simulation of the document's text as it is now, else of the active one's; one that was there is ended. */
+    async start(given?: vscode.TextDocument): Promise<void> {
+        const document = given ?? this.#lastDocument;
+        this.#lastDocument = document;
         if (!document) {
             void vscode.window.showWarningMessage('Open a ladder program (.clad) to simulate it.');
             return;

@@ -42,7 +42,7 @@ test('an untrusted workspace runs nothing', () => {
     assert.match(read('src/server.ts'), start);
     const commands = manifest.contributes.commands as { command: string; enablement?: string }[];
     for (const { command, enablement } of commands) {
-        if (['ladder.simulation.start', 'ladder.test', 'ladder.convert', 'ladder.exportAs'].includes(command)) {
+        if (/^ladder\.(simulation\.start|test|convert|exportAs|click\..*)$/.test(command)) {
             assert.match(enablement ?? '', /(^|&& )isWorkspaceTrusted$/);
         }
     }
@@ -54,6 +54,7 @@ test('the server gets programs, scenarios and ladder.toml, and no other file in 
     const [, selector] = /documentSelector: (\[.*?\]),\n/s.exec(read('src/server.ts')) ?? [];
     assert.deepEqual(eval(selector ?? ''), [
         { language: 'clad' },
+        { language: 'ladder-click' },
         { language: 'ladder-test' },
         { pattern: '**/ladder.toml' },
     ]);
@@ -66,9 +67,14 @@ test('the schema of ladder.toml is packed', () => {
     assert.ok(read('.vscodeignore').includes('!schema/*.json'));
 });
 
-test('the languages claim .clad and .ladder-test files only', () => {
-    const claimed = manifest.contributes.languages.map(({ extensions }: { extensions: string[] }) => extensions);
-    assert.deepEqual(claimed, [['.clad'], ['.ladder-test']]);
+test('the languages claim .clad and .ladder-test files only, and files in Python are nobody else\'s', () => {
+    const claimed = manifest.contributes.languages.map(({ extensions }: { extensions?: string[] }) => extensions);
+    assert.deepEqual(claimed, [['.clad'], ['.ladder-test'], undefined]);
+    for (const { id, filenames, filenamePatterns, firstLine } of manifest.contributes.languages) {
+        assert.notEqual(id, 'python');
+        assert.deepEqual([filenames, filenamePatterns, firstLine], [undefined, undefined, undefined], id);
+    }
+    assert.ok(manifest.activationEvents.every((event: string) => !event.includes('python')));
 });
 
 test('every grammar and configuration of a language is packed', () => {

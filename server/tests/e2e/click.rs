@@ -102,7 +102,7 @@ async fn what_is_wrong_is_shown_at_its_place_while_a_person_types() {
         assert!(
             found.iter().any(|it| it.starts_with(place)),
             "{place}: {found:#?}"
-        )
+        );
     };
     has("0:4 click-c0201 ");
     has("11:8 click-c1001 ");

@@ -7,12 +7,17 @@ local function buffer()
   return vim.b[bufnr].ladder_source or bufnr
 end
 
+--- The buffer that a command of the simulator is about: of a Click program its diagram.
+local function drawing()
+  return require('ladder.click').drawing(buffer()) or buffer()
+end
+
 local function simulation()
   return require('ladder.simulation')
 end
 
 local function state()
-  return require('ladder').state(buffer())
+  return require('ladder').state(drawing())
 end
 
 --- Thrown as a string without a place: `run` shows it to the user as it is.
@@ -85,38 +90,40 @@ end
 local subcommands = {
   start = {
     run = function()
-      simulation().start(buffer())
+      require('ladder.click').start(buffer())
     end,
   },
   step = {
     run = function(arguments)
-      simulation().command(buffer(), 'step', { scans = count(arguments[1], 1) })
+      simulation().command(drawing(), 'step', { scans = count(arguments[1], 1) })
     end,
   },
   back = {
     run = function(arguments)
-      simulation().command(buffer(), 'back', { scans = count(arguments[1], 1) })
+      simulation().command(drawing(), 'back', { scans = count(arguments[1], 1) })
     end,
   },
   block = {
     run = function()
-      simulation().command(buffer(), 'stepBlock')
+      simulation().command(drawing(), 'stepBlock')
     end,
   },
   rung = {
     run = function()
-      simulation().command(buffer(), 'stepRung')
+      simulation().command(drawing(), 'stepRung')
     end,
   },
   ['break'] = {
     run = function(arguments)
       local breakpoints = require('ladder.breakpoints')
       if arguments[1] then
-        breakpoints.toggle_tag(buffer(), arguments[1])
+        breakpoints.toggle_tag(drawing(), arguments[1])
+      elseif drawing() ~= buffer() then
+        refuse('put the cursor on a rung of the diagram; the Python file has none.')
       else
-        breakpoints.toggle_line(buffer(), vim.api.nvim_win_get_cursor(0)[1] - 1)
+        breakpoints.toggle_line(drawing(), vim.api.nvim_win_get_cursor(0)[1] - 1)
       end
-      simulation().send_breakpoints(buffer())
+      simulation().send_breakpoints(drawing())
     end,
     complete = function(before)
       return #before == 0 and tag_names(any) or {}
@@ -126,7 +133,7 @@ local subcommands = {
     run = function(arguments)
       local why = require('ladder.why')
       local tag = arguments[1] or why.tag_here(state()) or refuse('there is no tag under the cursor.')
-      simulation().ask(buffer(), 'why', { tag = tag }, why.show)
+      simulation().ask(drawing(), 'why', { tag = tag }, why.show)
     end,
     complete = function(before)
       return #before == 0 and tag_names(any) or {}
@@ -134,28 +141,28 @@ local subcommands = {
   },
   warm = {
     run = function()
-      simulation().command(buffer(), 'warmRestart')
+      simulation().command(drawing(), 'warmRestart')
     end,
   },
   run = {
     run = function(arguments)
-      simulation().command(buffer(), 'run', { scans = count(arguments[1], nil) })
+      simulation().command(drawing(), 'run', { scans = count(arguments[1], nil) })
     end,
   },
   pause = {
     run = function()
-      simulation().pause(buffer())
+      simulation().pause(drawing())
     end,
   },
   set = {
     run = function(arguments)
-      simulation().command(buffer(), 'set', assignment(arguments, 'set'))
+      simulation().command(drawing(), 'set', assignment(arguments, 'set'))
     end,
     complete = complete_assignment(is_input),
   },
   toggle = {
     run = function(arguments)
-      require('ladder').toggle(arguments[1] or refuse(':Ladder toggle needs a tag.'), buffer())
+      require('ladder').toggle(arguments[1] or refuse(':Ladder toggle needs a tag.'), drawing())
     end,
     complete = function(before)
       return #before == 0 and tag_names(is_input) or {}
@@ -163,13 +170,13 @@ local subcommands = {
   },
   force = {
     run = function(arguments)
-      simulation().command(buffer(), 'force', assignment(arguments, 'force'))
+      simulation().command(drawing(), 'force', assignment(arguments, 'force'))
     end,
     complete = complete_assignment(any),
   },
   unforce = {
     run = function(arguments)
-      simulation().command(buffer(), 'unforce', { tag = arguments[1] })
+      simulation().command(drawing(), 'unforce', { tag = arguments[1] })
     end,
     complete = function(before)
       return #before == 0 and tag_names(is_forced) or {}
@@ -177,17 +184,17 @@ local subcommands = {
   },
   reset = {
     run = function()
-      simulation().command(buffer(), 'reset')
+      simulation().command(drawing(), 'reset')
     end,
   },
   stop = {
     run = function()
-      simulation().stop(buffer())
+      simulation().stop(drawing())
     end,
   },
   tags = {
     run = function()
-      require('ladder.panel').toggle(buffer())
+      require('ladder.panel').toggle(drawing())
     end,
   },
   check = {
@@ -208,13 +215,18 @@ local subcommands = {
       return #before == 0 and require('ladder.convert').notations(buffer()) or {}
     end,
   },
+  preview = {
+    run = function()
+      require('ladder.click').preview(buffer())
+    end,
+  },
   status = {
     run = function()
       local client = require('ladder.server').of(buffer())
       local info = client and client.server_info or {}
       local server = client and ('%s %s'):format(info.name or client.name, info.version or '')
         or 'no language server attached'
-      local session = require('ladder').status(buffer())
+      local session = require('ladder').status(drawing())
       vim.notify(('ladder: %s; simulation: %s'):format(vim.trim(server), session == '' and 'none' or session))
     end,
   },

@@ -11,7 +11,8 @@ end
 --- @param bufnr integer
 --- @return vim.lsp.Client|nil
 function M.await(bufnr)
-  if vim.bo[bufnr].filetype == 'clad' and vim.lsp.is_enabled('ladder') then
+  local served = vim.bo[bufnr].filetype == 'clad' or vim.bo[bufnr].filetype == 'ladderclick'
+  if served and vim.lsp.is_enabled('ladder') then
     vim.wait(2000, function()
       return M.of(bufnr) ~= nil
     end, 10)

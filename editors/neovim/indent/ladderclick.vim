@@ -1,0 +1,2 @@
+" As Python.
+runtime! indent/python.vim

@@ -1,0 +1,2 @@
+" As Python.
+runtime! syntax/python.vim

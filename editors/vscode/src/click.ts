@@ -1,0 +1,79 @@
+// Click programs in Python: opened as such when a person says so, with their diagram beside them.
+import * as vscode from 'vscode';
+
+import { drawingOf, Drawings, SCHEME } from './drawings.ts';
+import type { Server } from './server.ts';
+
+/** The language of a Python file that is a Click program. */
+export const CLICK = 'ladder-click';
+
+export class Click implements vscode.Disposable {
+    readonly #server: Server;
+    readonly #drawings = new Drawings();
+    readonly #changed = new vscode.EventEmitter<vscode.Uri>();
+    readonly #subscriptions: vscode.Disposable;
+
+    constructor(server: Server) {
+        this.#server = server;
+        this.#subscriptions = vscode.Disposable.from(
+            this.#changed,
+            vscode.workspace.registerTextDocumentContentProvider(SCHEME, {
+                onDidChange: this.#changed.event,
+                provideTextDocumentContent: (uri) => this.#drawings.text(uri.toString()),
+            }),
+            server.onDidReceivePreview((previewed) => {
+                const drawing = this.#drawings.take(previewed);
+                if (drawing !== undefined) {
+                    this.#changed.fire(vscode.Uri.parse(drawing));
+                }
+            }),
+            server.onDidStart(() => void this.#followAgain()),
+            vscode.workspace.onDidCloseTextDocument((document) => this.#drawings.end(document.uri.toString())),
+        );
+    }
+
+    /** The Python file of the active editor is a Click program from now on. */
+    async open(): Promise<void> {
+        const document = vscode.window.activeTextEditor?.document;
+        if (document?.languageId === 'python') {
+            await vscode.languages.setTextDocumentLanguage(document, CLICK);
+        }
+    }
+
+    /** Shows the diagram of the active editor's program beside it. */
+    async preview(): Promise<void> {
+        const document = vscode.window.activeTextEditor?.document;
+        if (document?.languageId === CLICK) {
+            await this.show(document);
+        }
+    }
+
+    /** @returns the document that shows the diagram of a program; none if there is something wrong with it, which is told */
+    async show(program: vscode.TextDocument): Promise<vscode.TextDocument | undefined> {
+        try {
+            const uri = vscode.Uri.from(drawingOf(program.uri));
+            this.#drawings.begin(uri.toString(), await this.#server.execute('ladder.preview', { uri: program.uri.toString() }));
+            this.#changed.fire(uri);
+            const drawing = await vscode.workspace.openTextDocument(uri);
+            await vscode.window.showTextDocument(drawing, { viewColumn: vscode.ViewColumn.Beside, preserveFocus: true });
+            return drawing;
+        } catch (error) {
+            void vscode.window.showErrorMessage(`Ladder: ${error instanceof Error ? error.message : String(error)}`);
+            return undefined;
+        }
+    }
+
+    dispose(): void {
+        this.#subscriptions.dispose();
+    }
+
+    /** A server that was started again knows of no drawing. */
+    async #followAgain(): Promise<void> {
+        for (const { languageId, uri } of vscode.workspace.textDocuments) {
+            if (languageId === CLICK && this.#drawings.has(uri.toString())) {
+                // One that cannot be read now is told by its diagnostics.
+                await this.#server.execute('ladder.preview', { uri: uri.toString() }).catch(() => undefined);
+            }
+        }
+    }
+}
