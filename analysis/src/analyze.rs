@@ -15,13 +15,11 @@ use std::sync::{Arc, OnceLock};
 #[derive(Debug, Clone)]
 pub struct Analysis {
     /// Names, networks and blocks.
-    pub context: Context,
+    pub context: Arc<Context>,
     /// The findings, in the order of their places.
     pub diagnostics: Vec<Diagnostic>,
     /// Errors that settings or comments hide, or count as less: the program does not run all the same.
     pub hidden_errors: Vec<Diagnostic>,
-    /// What messages call the file.
-    pub name: Arc<str>,
     program: OnceLock<Option<Arc<Program>>>,
 }
 
@@ -40,7 +38,7 @@ impl Analysis {
             }
             let alone = Unit {
                 context: &self.context,
-                name: &self.name,
+                name: &self.context.name,
                 bodies: None,
             };
             let Resolved {
@@ -76,7 +74,7 @@ pub fn analyze_with(parse: &Arc<Parse>, name: &str, others: &Others, settings: &
 }
 
 /// As [`analyze_with()`], for a text that came from another one by edits: what both have is taken over from the
-/// analysis of the earlier one. What comes out does not hang on it.
+/// analysis of the earlier one. What comes out does not depend on it.
 pub fn analyze_after(
     before: Option<&Analysis>,
     parse: &Arc<Parse>,
@@ -84,9 +82,14 @@ pub fn analyze_after(
     others: &Others,
     settings: &RuleSettings,
 ) -> Analysis {
-    let mut diagnostics = Vec::new();
-    let before = before.map(|before| &before.context);
-    let context = context_after(before, parse, others, &mut diagnostics);
+    let before = before.map(|before| &*before.context);
+    analyze_context(Arc::new(context_after(before, parse, name, others)), settings)
+}
+
+/// Analyses a file whose names, networks and blocks are known.
+pub fn analyze_context(context: Arc<Context>, settings: &RuleSettings) -> Analysis {
+    let parse = &context.parse;
+    let mut diagnostics = context.found.clone();
     let stamps = stamp::stamps(&context);
     let unresolved = resolve::check_all(&context, &stamps, &mut diagnostics);
     rules::check(&context, &stamps, settings, &mut diagnostics);
@@ -101,7 +104,6 @@ pub fn analyze_after(
         context,
         diagnostics,
         hidden_errors,
-        name: Arc::from(name),
         program: OnceLock::new(),
     };
     if let Some(block) = unresolved.filter(|_| !analysis.has_errors()) {

@@ -28,6 +28,10 @@ use std::sync::{Arc, OnceLock};
 pub struct Context {
     /// The parse that all of it was read off.
     pub parse: Arc<Parse>,
+    /// What messages call the file.
+    pub name: Arc<str>,
+    /// What is wrong with declarations and with the types of tags.
+    pub(crate) found: Vec<Diagnostic>,
     /// Whose arithmetic and timing the program has.
     pub profile: Profile,
     /// The time from one scan to the next that it is made for, in nanoseconds, where it says so.
@@ -106,6 +110,11 @@ pub struct LabelFacts {
 }
 
 impl Context {
+    /// Whether messages call the file so.
+    pub fn is_called(&self, name: &str) -> bool {
+        *self.name == *name
+    }
+
     /// The physical line of an offset, from 1: what messages name.
     pub fn line_number(&self, offset: TextSize) -> usize {
         let Some(line) = self.parse.line_at(offset) else {
@@ -186,43 +195,35 @@ impl Context {
     }
 }
 
-/// Reads a file's names, networks and blocks. What is wrong with declarations goes to `out`.
-pub fn context(parse: &Arc<Parse>, others: &Others, out: &mut Vec<Diagnostic>) -> Context {
-    context_after(None, parse, others, out)
+/// Reads a file's names, networks and blocks. Messages call the file by this name.
+pub fn context(parse: &Arc<Parse>, name: &str, others: &Others) -> Context {
+    context_after(None, parse, name, others)
 }
 
 /// As [`context()`]. What an earlier text had as well is taken from its context.
-pub(crate) fn context_after(
-    before: Option<&Context>,
-    parse: &Arc<Parse>,
-    others: &Others,
-    out: &mut Vec<Diagnostic>,
-) -> Context {
-    let mut context = skeleton(parse, others, before, out);
+pub fn context_after(before: Option<&Context>, parse: &Arc<Parse>, name: &str, others: &Others) -> Context {
+    let mut context = skeleton(parse, name, others, before);
     uses::collect(&mut context);
-    shared::share(&mut context, out);
-    infer::infer(&mut context, out);
+    let mut found = std::mem::take(&mut context.found);
+    shared::share(&mut context, &mut found);
+    infer::infer(&mut context, &mut found);
+    context.found = found;
     context
 }
 
 /// The context before any use of a tag is looked at: declarations, blocks, networks, functions and labels.
-pub(crate) fn skeleton(
-    parse: &Arc<Parse>,
-    others: &Others,
-    before: Option<&Context>,
-    out: &mut Vec<Diagnostic>,
-) -> Context {
+pub(crate) fn skeleton(parse: &Arc<Parse>, name: &str, others: &Others, before: Option<&Context>) -> Context {
     let structure = parse.structure();
     let profile = profile::profile(parse);
     // In another profile the same text means something else.
     let before = before.filter(|before| before.profile == profile);
     let mut kept = before.map(|before| Kept::of(before, parse));
-    let found = out.len();
+    let mut found = Vec::new();
     let scopes = kept
         .as_ref()
         .and_then(|kept| kept.declared(structure))
-        .unwrap_or_else(|| declared(parse, out));
-    let declared_cleanly = out.len() == found;
+        .unwrap_or_else(|| declared(parse, &mut found));
+    let declared_cleanly = found.is_empty();
     let user_blocks: Vec<UserBlockFacts> = structure
         .blocks
         .iter()
@@ -239,6 +240,8 @@ pub(crate) fn skeleton(
     break_neighbours(parse, &mut networks);
     let mut context = Context {
         parse: Arc::clone(parse),
+        name: Arc::from(name),
+        found,
         profile,
         cycle: profile::cycle(parse),
         networks,

@@ -93,7 +93,7 @@ impl Global {
 
 /// What a file shows to the others. `file` is its name in messages.
 pub fn exports(parse: &Arc<Parse>, file: &str) -> Exports {
-    Exports::of(&skeleton(parse, &Others::default(), None, &mut Vec::new()), file)
+    Exports::of(&skeleton(parse, file, &Others::default(), None), file)
 }
 
 impl Exports {

@@ -58,7 +58,7 @@ mod uses;
 pub mod value;
 mod verdict;
 
-pub use analyze::{Analysis, analyze, analyze_after, analyze_in, analyze_with};
+pub use analyze::{Analysis, analyze, analyze_after, analyze_context, analyze_in, analyze_with};
 pub use article::with_article;
 pub use boolean::formula::{Formulas, formulas};
 pub use cplc_draft::is_cplc_draft;

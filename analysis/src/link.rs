@@ -50,7 +50,7 @@ pub fn link(
         return Ok(Arc::clone(program));
     }
     if own.has_errors() {
-        return Err(NotWhole::Errors(Arc::clone(&own.name)));
+        return Err(NotWhole::Errors(Arc::clone(&own.context.name)));
     }
     let reached = Reached::from(own, analysis)?;
     let units: Vec<Unit<'_>> = reached
@@ -58,13 +58,13 @@ pub fn link(
         .iter()
         .map(|(analysis, bodies)| Unit {
             context: &analysis.context,
-            name: &analysis.name,
+            name: &analysis.context.name,
             bodies: bodies.clone(),
         })
         .collect();
     let resolved = resolve::program(&units);
     if resolved.unresolved.is_some() || !resolved.linked {
-        return Err(NotWhole::Missing(Arc::clone(&own.name)));
+        return Err(NotWhole::Missing(Arc::clone(&own.context.name)));
     }
     Ok(Arc::new(resolved.program))
 }
@@ -121,7 +121,7 @@ impl Reached {
 
     fn enter(&mut self, analysis: Arc<Analysis>, bodies: Option<FxHashSet<Body>>) -> usize {
         let file = self.files.len();
-        self.by_name.insert(Arc::clone(&analysis.name), file);
+        self.by_name.insert(Arc::clone(&analysis.context.name), file);
         self.targets.push(targets(&analysis.context));
         self.files.push((analysis, bodies));
         file

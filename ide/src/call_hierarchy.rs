@@ -2,10 +2,9 @@
 
 use crate::body;
 use crate::definition::defined;
-use crate::neighbour::{File, Workspace};
+use crate::neighbour::Workspace;
 use crate::symbol::{Found, Symbol, Usage, everywhere, find};
 use crate::target::Target;
-use ladder_analysis::Analysis;
 use ladder_analysis::context::{Body, Context};
 use ladder_instructions::Op;
 use ladder_syntax::{Name, TextRange, TextSize};
@@ -43,25 +42,25 @@ pub struct Calls {
 }
 
 /// The functions or blocks that are named at an offset.
-pub fn callers_at(analysis: &Analysis, offset: TextSize, workspace: &dyn Workspace) -> Vec<Caller> {
-    let found = find(File::own(analysis), offset);
+pub fn callers_at(context: &Context, offset: TextSize, workspace: &dyn Workspace) -> Vec<Caller> {
+    let found = find(context, offset);
     let Some(Found { symbol, .. }) = found else {
         return Vec::new();
     };
-    callees(analysis, &symbol, workspace)
+    callees(context, &symbol, workspace)
 }
 
 /// Everything that calls a function, or holds a block; nothing calls a program.
-pub fn incoming_calls(analysis: &Analysis, of: &Caller, workspace: &dyn Workspace) -> Vec<Calls> {
+pub fn incoming_calls(context: &Context, of: &Caller, workspace: &dyn Workspace) -> Vec<Calls> {
     let Some(symbol) = symbol(of) else {
         return Vec::new();
     };
     let mut calls: Vec<Calls> = Vec::new();
-    for (file, places) in everywhere(analysis, &symbol, workspace) {
-        with_file(analysis, &file, workspace, |file| {
+    for (file, places) in everywhere(context, &symbol, workspace) {
+        with_file(context, &file, workspace, |file| {
             for place in places.iter().filter(|place| place.usage == Usage::Mention) {
-                if let Some(network) = network_at(file.context, place.range.start()) {
-                    let caller = caller(file, file.context.bodies[network]);
+                if let Some(network) = network_at(file, place.range.start()) {
+                    let caller = caller(file, file.bodies[network]);
                     enter(&mut calls, caller, place.range);
                 }
             }
@@ -71,10 +70,10 @@ pub fn incoming_calls(analysis: &Analysis, of: &Caller, workspace: &dyn Workspac
 }
 
 /// All functions and blocks that one calls or holds.
-pub fn outgoing_calls(analysis: &Analysis, of: &Caller, workspace: &dyn Workspace) -> Vec<Calls> {
+pub fn outgoing_calls(context: &Context, of: &Caller, workspace: &dyn Workspace) -> Vec<Calls> {
     let mut named: Vec<(Symbol, TextRange)> = Vec::new();
-    with_file(analysis, &of.target.file, workspace, |file| {
-        let context = file.context;
+    with_file(context, &of.target.file, workspace, |file| {
+        let context = file;
         let Some(wanted) = body_of(context, of) else {
             return;
         };
@@ -99,7 +98,7 @@ pub fn outgoing_calls(analysis: &Analysis, of: &Caller, workspace: &dyn Workspac
     });
     let mut calls = Vec::new();
     for (symbol, place) in named {
-        for callee in callees(analysis, &symbol, workspace) {
+        for callee in callees(context, &symbol, workspace) {
             enter(&mut calls, callee, place);
         }
     }
@@ -117,19 +116,19 @@ fn enter(calls: &mut Vec<Calls>, other: Caller, place: TextRange) {
 }
 
 /// What calls of a function, or uses of a block, lead to.
-fn callees(analysis: &Analysis, symbol: &Symbol, workspace: &dyn Workspace) -> Vec<Caller> {
+fn callees(context: &Context, symbol: &Symbol, workspace: &dyn Workspace) -> Vec<Caller> {
     let kind = match symbol {
         Symbol::Function { .. } => CallerKind::Function,
         Symbol::Block { .. } => CallerKind::Block,
         _ => return Vec::new(),
     };
     // Of several of one name the first counts.
-    let targets = defined(analysis, symbol, workspace).into_iter().take(1);
+    let targets = defined(context, symbol, workspace).into_iter().take(1);
     let mut callers = Vec::new();
     for target in targets {
         let file = Arc::clone(&target.file);
-        with_file(analysis, &file, workspace, |file| {
-            let name = crate::outline::text_of(&file.context.parse, target.focus);
+        with_file(context, &file, workspace, |file| {
+            let name = crate::outline::text_of(&file.parse, target.focus);
             callers.push(Caller {
                 kind,
                 name,
@@ -161,8 +160,8 @@ fn body_of(context: &Context, of: &Caller) -> Option<Body> {
     }
 }
 
-fn caller(file: File<'_>, body: Body) -> Caller {
-    let context = file.context;
+fn caller(file: &Context, body: Body) -> Caller {
+    let context = file;
     let whole = TextRange::up_to(context.parse.text_len());
     let (kind, name, focus) = match body {
         Body::Main => (
@@ -188,7 +187,7 @@ fn caller(file: File<'_>, body: Body) -> Caller {
         kind,
         name,
         target: Target {
-            file: Arc::clone(file.name),
+            file: Arc::clone(&file.name),
             range,
             focus,
         },
@@ -205,13 +204,13 @@ fn network_at(context: &Context, offset: TextSize) -> Option<usize> {
         .then_some(number)
 }
 
-fn with_file(analysis: &Analysis, name: &str, workspace: &dyn Workspace, act: impl FnOnce(File<'_>)) {
-    let own = File::own(analysis);
+fn with_file(context: &Context, name: &str, workspace: &dyn Workspace, act: impl FnOnce(&Context)) {
+    let own = context;
     if own.is_called(name) {
         return act(own);
     }
     if let Some(neighbour) = workspace.file(name) {
-        act(neighbour.file());
+        act(&neighbour);
     }
 }
 
@@ -223,9 +222,9 @@ mod tests {
 
     fn check(text: &str, expected: Expect) {
         let fixture = Fixture::new(text);
-        let (analysis, offset, others) = fixture.ask();
+        let (context, offset, others) = fixture.ask();
         let mut shown = String::new();
-        for item in callers_at(analysis, offset, &others) {
+        for item in callers_at(context, offset, &others) {
             let target = &item.target;
             shown += &format!("{:?} {}\n", item.kind, fixture.show(&target.file, target.focus));
             let mut list = |way: &str, calls: Vec<Calls>, file: Option<&str>| {
@@ -240,8 +239,8 @@ mod tests {
                     shown += "\n";
                 }
             };
-            list("from", incoming_calls(analysis, &item, &others), None);
-            let outgoing = outgoing_calls(analysis, &item, &others);
+            list("from", incoming_calls(context, &item, &others), None);
+            let outgoing = outgoing_calls(context, &item, &others);
             list("to", outgoing, Some(&target.file));
         }
         expected.assert_eq(&shown);

@@ -12,10 +12,9 @@
 //! | a user-defined block | its first line | as definition | its first line | its body |
 
 use crate::body;
-use crate::neighbour::{File, Workspace};
+use crate::neighbour::Workspace;
 use crate::symbol::{Found, Occurrence, Symbol, Usage, declared_names, files_of, find, occurrences};
 use crate::target::Target;
-use ladder_analysis::Analysis;
 use ladder_analysis::context::{Body, Context};
 use ladder_analysis::network::Formal;
 use ladder_analysis::scope::{Origin, SectionKind};
@@ -24,60 +23,60 @@ use ladder_syntax::{Name, TextRange, TextSize};
 use std::sync::Arc;
 
 /// Where the thing at an offset is defined.
-pub fn definition(analysis: &Analysis, offset: TextSize, workspace: &dyn Workspace) -> Vec<Target> {
-    let Some(Found { symbol, .. }) = find(File::own(analysis), offset) else {
+pub fn definition(context: &Context, offset: TextSize, workspace: &dyn Workspace) -> Vec<Target> {
+    let Some(Found { symbol, .. }) = find(context, offset) else {
         return Vec::new();
     };
-    defined(analysis, &symbol, workspace)
+    defined(context, &symbol, workspace)
 }
 
 /// Where the thing at an offset is declared.
-pub fn declaration(analysis: &Analysis, offset: TextSize, workspace: &dyn Workspace) -> Vec<Target> {
-    let own = File::own(analysis);
+pub fn declaration(context: &Context, offset: TextSize, workspace: &dyn Workspace) -> Vec<Target> {
+    let own = context;
     let Some(Found { symbol, .. }) = find(own, offset) else {
         return Vec::new();
     };
     let symbol = tag_behind(symbol);
     let external = of_file(own, &symbol, |usage| usage == Usage::Declaration);
     if external.is_empty() {
-        return defined(analysis, &symbol, workspace);
+        return defined(context, &symbol, workspace);
     }
     external
 }
 
 /// The type of the thing at an offset: a user-defined block's definition, or the block that a timer or counter
 /// belongs to.
-pub fn type_definition(analysis: &Analysis, offset: TextSize, workspace: &dyn Workspace) -> Vec<Target> {
-    let own = File::own(analysis);
+pub fn type_definition(context: &Context, offset: TextSize, workspace: &dyn Workspace) -> Vec<Target> {
+    let own = context;
     let Some(Found { symbol, .. }) = find(own, offset) else {
         return Vec::new();
     };
     match tag_behind(symbol) {
-        symbol @ Symbol::Block { .. } => defined(analysis, &symbol, workspace),
+        symbol @ Symbol::Block { .. } => defined(context, &symbol, workspace),
         symbol @ (Symbol::Tag { .. } | Symbol::Global(_)) => {
-            each_file(analysis, &symbol, workspace, |file| states(file, &symbol))
+            each_file(context, &symbol, workspace, |file| states(file, &symbol))
         }
         _ => Vec::new(),
     }
 }
 
 /// Where the thing at an offset is done: a function's networks, a block's body, the places that write a tag.
-pub fn implementation(analysis: &Analysis, offset: TextSize, workspace: &dyn Workspace) -> Vec<Target> {
-    let Some(Found { symbol, .. }) = find(File::own(analysis), offset) else {
+pub fn implementation(context: &Context, offset: TextSize, workspace: &dyn Workspace) -> Vec<Target> {
+    let Some(Found { symbol, .. }) = find(context, offset) else {
         return Vec::new();
     };
     let symbol = tag_behind(symbol);
     match &symbol {
         Symbol::Function { .. } | Symbol::Block { .. } | Symbol::Label { .. } => {
-            defined(analysis, &symbol, workspace)
+            defined(context, &symbol, workspace)
                 .into_iter()
                 .map(|target| Target {
-                    focus: body_of(analysis, &symbol, &target, workspace).unwrap_or(target.focus),
+                    focus: body_of(context, &symbol, &target, workspace).unwrap_or(target.focus),
                     ..target
                 })
                 .collect()
         }
-        _ => each_file(analysis, &symbol, workspace, |file| {
+        _ => each_file(context, &symbol, workspace, |file| {
             of_file(file, &symbol, Usage::writes)
         }),
     }
@@ -91,19 +90,19 @@ fn tag_behind(symbol: Symbol) -> Symbol {
     }
 }
 
-pub(crate) fn defined(analysis: &Analysis, symbol: &Symbol, workspace: &dyn Workspace) -> Vec<Target> {
+pub(crate) fn defined(context: &Context, symbol: &Symbol, workspace: &dyn Workspace) -> Vec<Target> {
     let symbol = &tag_behind(symbol.clone());
     if matches!(symbol, Symbol::Instruction(_) | Symbol::System(_)) {
         return Vec::new();
     }
-    let found = each_file(analysis, symbol, workspace, |file| {
+    let found = each_file(context, symbol, workspace, |file| {
         of_file(file, symbol, |usage| usage == Usage::Definition)
     });
     if !found.is_empty() {
         return found;
     }
     if let Symbol::Address(address) = symbol {
-        let declared = at_address(File::own(analysis), address);
+        let declared = at_address(context, address);
         if !declared.is_empty() {
             return declared;
         }
@@ -114,31 +113,31 @@ pub(crate) fn defined(analysis: &Analysis, symbol: &Symbol, workspace: &dyn Work
     ) {
         return Vec::new();
     }
-    let written = each_file(analysis, symbol, workspace, |file| {
+    let written = each_file(context, symbol, workspace, |file| {
         of_file(file, symbol, Usage::writes)
     });
     if !written.is_empty() {
         return written;
     }
-    let mut all = of_file(File::own(analysis), symbol, |_| true);
+    let mut all = of_file(context, symbol, |_| true);
     all.truncate(1);
     all
 }
 
 fn each_file(
-    analysis: &Analysis,
+    context: &Context,
     symbol: &Symbol,
     workspace: &dyn Workspace,
-    give: impl Fn(File<'_>) -> Vec<Target>,
+    give: impl Fn(&Context) -> Vec<Target>,
 ) -> Vec<Target> {
-    let mut targets = give(File::own(analysis));
-    for neighbour in files_of(analysis, symbol, workspace) {
-        targets.extend(give(neighbour.file()));
+    let mut targets = give(context);
+    for neighbour in files_of(context, symbol, workspace) {
+        targets.extend(give(&neighbour));
     }
     targets
 }
 
-fn of_file(file: File<'_>, symbol: &Symbol, fits: impl Fn(Usage) -> bool) -> Vec<Target> {
+fn of_file(file: &Context, symbol: &Symbol, fits: impl Fn(Usage) -> bool) -> Vec<Target> {
     let places = occurrences(file, symbol);
     places
         .into_iter()
@@ -147,13 +146,13 @@ fn of_file(file: File<'_>, symbol: &Symbol, fits: impl Fn(Usage) -> bool) -> Vec
         .collect()
 }
 
-fn target(file: File<'_>, symbol: &Symbol, place: Occurrence) -> Target {
+fn target(file: &Context, symbol: &Symbol, place: Occurrence) -> Target {
     let range = place
         .usage
         .declares()
-        .then(|| surroundings(file.context, symbol, place.range));
+        .then(|| surroundings(file, symbol, place.range));
     Target {
-        file: Arc::clone(file.name),
+        file: Arc::clone(&file.name),
         range: range.flatten().unwrap_or(place.range),
         focus: place.range,
     }
@@ -185,12 +184,12 @@ fn surroundings(context: &Context, symbol: &Symbol, at: TextRange) -> Option<Tex
 }
 
 /// The declarations of tags that lie at an address.
-fn at_address(file: File<'_>, address: &Name) -> Vec<Target> {
-    let tags = file.context.scopes.iter().flat_map(|scope| &scope.tags);
+fn at_address(file: &Context, address: &Name) -> Vec<Target> {
+    let tags = file.scopes.iter().flat_map(|scope| &scope.tags);
     tags.filter(|tag| tag.is_declared() && tag.origin != Origin::Declared(SectionKind::External))
         .filter(|tag| tag.address.as_ref().is_some_and(|it| Name::new(it) == *address))
         .map(|tag| Target {
-            file: Arc::clone(file.name),
+            file: Arc::clone(&file.name),
             range: tag.at,
             focus: tag.at,
         })
@@ -198,10 +197,10 @@ fn at_address(file: File<'_>, address: &Name) -> Vec<Target> {
 }
 
 /// The blocks that keep their state on a tag.
-fn states(file: File<'_>, symbol: &Symbol) -> Vec<Target> {
+fn states(file: &Context, symbol: &Symbol) -> Vec<Target> {
     let mut targets = Vec::new();
     let places = occurrences(file, symbol);
-    for network in &file.context.networks {
+    for network in &file.networks {
         for block in &network.blocks {
             for (operand, formal) in block.facts.operands.iter().zip(block.formals.iter()) {
                 let at = block.absolute(operand.value.range);
@@ -209,7 +208,7 @@ fn states(file: File<'_>, symbol: &Symbol) -> Vec<Target> {
                     matches!(formal, Formal::Operand(row) if matches!(row.accepts, Accepts::State(_)));
                 if keeps && places.iter().any(|place| place.range == at) {
                     targets.push(Target {
-                        file: Arc::clone(file.name),
+                        file: Arc::clone(&file.name),
                         range: block.range(),
                         focus: block.head_range(),
                     });
@@ -222,20 +221,20 @@ fn states(file: File<'_>, symbol: &Symbol) -> Vec<Target> {
 
 /// Where the body of a definition stands.
 fn body_of(
-    analysis: &Analysis,
+    context: &Context,
     symbol: &Symbol,
     target: &Target,
     workspace: &dyn Workspace,
 ) -> Option<TextRange> {
-    let own = File::own(analysis);
+    let own = context;
     let neighbour;
     let file = if own.is_called(&target.file) {
         own
     } else {
         neighbour = workspace.file(&target.file)?;
-        neighbour.file()
+        &neighbour
     };
-    let context = file.context;
+    let context = file;
     match symbol {
         Symbol::Function { .. } => {
             let function = context.functions.iter().position(|it| it.at == target.focus)?;

@@ -1,6 +1,7 @@
 //! Texts of tests: several files, a cursor, and how places are shown.
 
-use crate::{Neighbour, ScenarioFile, Workspace, mentions};
+use crate::{ScenarioFile, Workspace, mentions};
+use ladder_analysis::context::Context;
 use ladder_analysis::{Analysis, Exported, analyze_in, exports};
 use ladder_syntax::{Name, TextRange, TextSize, parse};
 use std::sync::Arc;
@@ -68,9 +69,9 @@ impl Fixture {
     }
 
     /// The file with the cursor, the offset in it, and the others.
-    pub(crate) fn ask(&self) -> (&Analysis, TextSize, Others<'_>) {
+    pub(crate) fn ask(&self) -> (&Context, TextSize, Others<'_>) {
         let (file, offset) = self.cursor.expect("a cursor");
-        (&self.files[file].0, offset, self.others(file))
+        (&self.files[file].0.context, offset, self.others(file))
     }
 
     pub(crate) fn others(&self, own: usize) -> Others<'_> {
@@ -79,7 +80,7 @@ impl Fixture {
 
     pub(crate) fn text(&self, file: &str) -> &str {
         let mut files = self.files.iter();
-        if let Some((_, text)) = files.find(|(analysis, _)| *analysis.name == *file) {
+        if let Some((_, text)) = files.find(|(analysis, _)| *analysis.context.name == *file) {
             return text;
         }
         let mut scenarios = self.scenarios.iter();
@@ -108,21 +109,21 @@ pub(crate) struct Others<'f> {
 }
 
 impl Workspace for Others<'_> {
-    fn file(&self, name: &str) -> Option<Neighbour> {
+    fn file(&self, name: &str) -> Option<Arc<Context>> {
         let mut files = self.fixture.files.iter();
-        let (analysis, _) = files.find(|(analysis, _)| *analysis.name == *name)?;
-        Some(Neighbour::analysed(Arc::clone(analysis)))
+        let (analysis, _) = files.find(|(analysis, _)| *analysis.context.name == *name)?;
+        Some(Arc::clone(&analysis.context))
     }
 
-    fn mentioning(&self, name: &Name) -> Vec<Neighbour> {
+    fn mentioning(&self, name: &Name) -> Vec<Arc<Context>> {
         let files = self.fixture.files.iter().enumerate();
         files
             .filter(|(index, (_, text))| *index != self.own && mentions(text, name))
-            .map(|(_, (analysis, _))| Neighbour::analysed(Arc::clone(analysis)))
+            .map(|(_, (analysis, _))| Arc::clone(&analysis.context))
             .collect()
     }
 
-    fn all(&self) -> Vec<Neighbour> {
+    fn all(&self) -> Vec<Arc<Context>> {
         self.mentioning(&Name::new(""))
     }
 

@@ -1,8 +1,8 @@
 //! What can be folded away: sections, networks of several lines, functions, block definitions, runs of comments.
 
 use crate::body::without_line_end;
-use ladder_analysis::Analysis;
 use ladder_analysis::context::Body;
+use ladder_analysis::context::Context;
 use ladder_syntax::{Item, LineKind, TextRange};
 
 /// A stretch of several lines that an editor may fold to its first.
@@ -15,8 +15,7 @@ pub struct Fold {
 }
 
 /// The folds of a file by where they begin, outer ones first.
-pub fn folds(analysis: &Analysis) -> Vec<Fold> {
-    let context = &analysis.context;
+pub fn folds(context: &Context) -> Vec<Fold> {
     let parse = &context.parse;
     let structure = parse.structure();
     let of_lines = |lines: std::ops::Range<usize>| {
@@ -30,7 +29,7 @@ pub fn folds(analysis: &Analysis) -> Vec<Fold> {
     ranges.extend(structure.sections.iter().map(|it| of_lines(it.lines.clone())));
     ranges.extend(structure.blocks.iter().map(|it| of_lines(it.lines.clone())));
     ranges.extend(structure.networks.iter().map(|it| of_lines(it.lines.clone())));
-    ranges.extend(functions(analysis));
+    ranges.extend(functions(context));
     let mut folds: Vec<Fold> = ranges
         .into_iter()
         .map(|range| Fold {
@@ -38,7 +37,7 @@ pub fn folds(analysis: &Analysis) -> Vec<Fold> {
             comment: false,
         })
         .collect();
-    folds.extend(comments(analysis).map(|range| Fold { range, comment: true }));
+    folds.extend(comments(context).map(|range| Fold { range, comment: true }));
     folds.retain(|fold| context.line_number(fold.range.start()) < context.line_number(fold.range.end()));
     folds.sort_by_key(|fold| (fold.range.start(), std::cmp::Reverse(fold.range.end())));
     folds.dedup();
@@ -46,8 +45,7 @@ pub fn folds(analysis: &Analysis) -> Vec<Fold> {
 }
 
 /// The stretch of networks that each function takes up, as far as no block definition interrupts it.
-fn functions(analysis: &Analysis) -> Vec<TextRange> {
-    let context = &analysis.context;
+fn functions(context: &Context) -> Vec<TextRange> {
     let mut ranges: Vec<TextRange> = Vec::new();
     let mut open = None;
     for item in &context.parse.structure().items {
@@ -70,8 +68,7 @@ fn functions(analysis: &Analysis) -> Vec<TextRange> {
 }
 
 /// Comments on lines of their own, one below the other.
-fn comments(analysis: &Analysis) -> impl Iterator<Item = TextRange> + '_ {
-    let context = &analysis.context;
+fn comments(context: &Context) -> impl Iterator<Item = TextRange> + '_ {
     let parse = &context.parse;
     let lines = parse.lines();
     let mut next = 0;
@@ -95,7 +92,7 @@ mod tests {
     fn check(text: &str, expected: Expect) {
         let fixture = Fixture::new(text);
         let context = &fixture.files[0].0.context;
-        let shown = folds(&fixture.files[0].0).into_iter().map(|fold| {
+        let shown = folds(&fixture.files[0].0.context).into_iter().map(|fold| {
             let line = |offset| context.line_number(offset);
             let comment = if fold.comment { " comment" } else { "" };
             format!(

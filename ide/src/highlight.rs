@@ -2,9 +2,7 @@
 //! block, the partner of a connector, the rails of a network, the end of a section, the `<NEXT>` of a `<FOR>`.
 
 use crate::locate::{OnRung, on_rung};
-use crate::neighbour::File;
 use crate::symbol::{Found, Symbol, Usage, find, occurrences};
-use ladder_analysis::Analysis;
 use ladder_analysis::context::Context;
 use ladder_instructions::{Op, by_op};
 use ladder_syntax::wiring::PartKind;
@@ -20,11 +18,11 @@ pub struct Highlight {
 }
 
 /// What belongs to the thing at an offset, in the order of the text.
-pub fn highlights(analysis: &Analysis, offset: TextSize) -> Vec<Highlight> {
-    let file = File::own(analysis);
+pub fn highlights(context: &Context, offset: TextSize) -> Vec<Highlight> {
+    let file = context;
     if let Some(Found { symbol, range }) = find(file, offset) {
         return match symbol {
-            Symbol::Instruction(op @ (Op::For | Op::Next)) => loops(&analysis.context, op, range),
+            Symbol::Instruction(op @ (Op::For | Op::Next)) => loops(context, op, range),
             // Every contact of the file, when one is meant, says nothing.
             Symbol::Instruction(op) if by_op(op).mnemonic.len() < 2 => Vec::new(),
             symbol => occurrences(file, &symbol)
@@ -40,8 +38,8 @@ pub fn highlights(analysis: &Analysis, offset: TextSize) -> Vec<Highlight> {
         range,
         usage: Usage::Mention,
     };
-    drawn(&analysis.context, offset)
-        .or_else(|| keywords(&analysis.context, offset))
+    drawn(context, offset)
+        .or_else(|| keywords(context, offset))
         .unwrap_or_default()
         .into_iter()
         .map(mentioned)

@@ -3,7 +3,8 @@
 //! A hint within a rung would shift the columns of everything right of it, so they stand behind the last character of
 //! a line and nowhere else.
 
-use ladder_analysis::{Analysis, formulas};
+use ladder_analysis::context::Context;
+use ladder_analysis::formulas;
 use ladder_instructions::Shape;
 use ladder_syntax::{TextRange, TextSize};
 
@@ -22,8 +23,7 @@ pub struct Inlay {
 const WIDTH: usize = 60;
 
 /// The hints at the lines that touch a range: `run := (start OR run) AND NOT stop`.
-pub fn inlays(analysis: &Analysis, within: TextRange) -> Vec<Inlay> {
-    let context = &analysis.context;
+pub fn inlays(context: &Context, within: TextRange) -> Vec<Inlay> {
     let parse = &context.parse;
     let first = context
         .networks
@@ -93,7 +93,7 @@ mod tests {
         let analysis = ladder_analysis::analyze(&Arc::new(ladder_syntax::parse(text)), "test.clad");
         let mut shown = text.to_owned();
         let all = TextRange::up_to(TextSize::of(text));
-        for inlay in inlays(&analysis, all).iter().rev() {
+        for inlay in inlays(&analysis.context, all).iter().rev() {
             let at = usize::from(inlay.at);
             assert!(
                 text[at..].is_empty() || text[at..].starts_with(['\n', '\r']),
@@ -131,6 +131,6 @@ mod tests {
         let text = "+--[ ]( a )--( )( b )--+\n".repeat(10);
         let analysis = ladder_analysis::analyze(&Arc::new(ladder_syntax::parse(&text)), "test.clad");
         let line = TextRange::at(TextSize::new(25 * 4 + 3), TextSize::new(5));
-        assert_eq!(inlays(&analysis, line).len(), 1);
+        assert_eq!(inlays(&analysis.context, line).len(), 1);
     }
 }

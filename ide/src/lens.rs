@@ -3,7 +3,6 @@
 //! A line between two rungs would cut the verticals of a drawing, so a lens stands at the first line of a network and
 //! nowhere else.
 
-use ladder_analysis::Analysis;
 use ladder_analysis::context::{Body, Context};
 use ladder_syntax::{TextRange, TextSize};
 
@@ -28,8 +27,7 @@ pub enum LensKind {
 }
 
 /// The lenses of a file, from top to bottom.
-pub fn lenses(analysis: &Analysis) -> Vec<Lens> {
-    let context = &analysis.context;
+pub fn lenses(context: &Context) -> Vec<Lens> {
     let mut lenses = Vec::new();
     if let Some(first) = context.bodies.iter().position(|body| *body == Body::Main) {
         lenses.extend(above(context, first, LensKind::Program));
@@ -65,7 +63,7 @@ mod tests {
     /// The lenses above the lines that they stand at.
     fn check(text: &str, expected: Expect) {
         let fixture = Fixture::new(text);
-        let lenses = lenses(&fixture.files[0].0);
+        let lenses = lenses(&fixture.files[0].0.context);
         let mut shown = String::new();
         let mut at = 0;
         for line in text.split_inclusive('\n') {

@@ -1,7 +1,8 @@
 //! What an editor asks of ladder text: one file for each feature.
 //!
-//! Plain types in and out, byte offsets, no protocol: the language server turns them into its messages. All of
-//! it reads an [`Analysis`](ladder_analysis::Analysis), which is kept for each version of a document.
+//! Plain types in and out, byte offsets, no protocol: the language server turns them into its messages. All of it reads
+//! the [`Context`](ladder_analysis::context::Context) of a file: its names, networks and blocks. Only what mends findings
+//! asks for an [`Analysis`](ladder_analysis::Analysis), which takes longer to make.
 
 mod body;
 mod call_hierarchy;
@@ -45,7 +46,7 @@ pub use inlay::{Inlay, inlays};
 pub use ladder_instructions::Profile;
 pub use lens::{Lens, LensKind, lenses};
 pub use links::{Link, LinkTarget, links};
-pub use neighbour::{Alone, Neighbour, ScenarioFile, Workspace, mentions};
+pub use neighbour::{Alone, ScenarioFile, Workspace, mentions};
 pub use on_type::{TRIGGERS, on_type};
 pub use outline::{OutlineKind, Outlined, outline};
 pub use refactor::{Action, ActionKind, fix_all, quick_fixes, refactorings};

@@ -1,7 +1,7 @@
 //! Links in comments: addresses on the web, and names of files beside this one.
 
 use crate::comments;
-use ladder_analysis::Analysis;
+use ladder_analysis::context::Context;
 use ladder_syntax::{TextRange, TextSize};
 
 /// A link.
@@ -23,8 +23,8 @@ pub enum LinkTarget {
 }
 
 /// The links of a file in the order of the text.
-pub fn links(analysis: &Analysis) -> Vec<Link> {
-    let parse = &analysis.context.parse;
+pub fn links(context: &Context) -> Vec<Link> {
+    let parse = &context.parse;
     let mut links = Vec::new();
     for line in 0..parse.lines().len() {
         for (range, text) in comments::of_line(parse, line) {
@@ -88,8 +88,8 @@ mod tests {
 
     fn check(text: &str, expected: Expect) {
         let fixture = Fixture::new(text);
-        let analysis = &fixture.files[0].0;
-        let shown = links(analysis)
+        let context = &fixture.files[0].0.context;
+        let shown = links(context)
             .into_iter()
             .map(|link| format!("{} {:?}\n", fixture.show("main.clad", link.range), link.to));
         expected.assert_eq(&shown.collect::<Vec<_>>().concat());

@@ -1,84 +1,19 @@
-//! The other files of a workspace, as features read them that look beyond one file.
+//! The other files of a workspace, as features read them that look beyond one file: of each its names are enough.
 
-use ladder_analysis::Analysis;
 use ladder_analysis::context::Context;
 use ladder_syntax::Name;
 use std::sync::Arc;
 
-/// Another file of the workspace: its name, as exports and findings know it, and what it says.
-#[derive(Debug, Clone)]
-pub struct Neighbour {
-    name: Arc<str>,
-    facts: Facts,
-}
-
-#[derive(Debug, Clone)]
-enum Facts {
-    /// A file that an editor shows is analysed anyway.
-    Analysed(Arc<Analysis>),
-    /// Of any other the names are enough.
-    Read(Arc<Context>),
-}
-
-impl Neighbour {
-    /// A file that was analysed.
-    pub fn analysed(analysis: Arc<Analysis>) -> Neighbour {
-        Neighbour {
-            name: Arc::clone(&analysis.name),
-            facts: Facts::Analysed(analysis),
-        }
-    }
-
-    /// A file of which only the names were read.
-    pub fn read(name: Arc<str>, context: Arc<Context>) -> Neighbour {
-        Neighbour {
-            name,
-            facts: Facts::Read(context),
-        }
-    }
-
-    pub(crate) fn file(&self) -> File<'_> {
-        let context = match &self.facts {
-            Facts::Analysed(analysis) => &analysis.context,
-            Facts::Read(context) => context,
-        };
-        File {
-            name: &self.name,
-            context,
-        }
-    }
-}
-
-/// One file, whichever it is.
-#[derive(Debug, Clone, Copy)]
-pub(crate) struct File<'f> {
-    pub(crate) name: &'f Arc<str>,
-    pub(crate) context: &'f Context,
-}
-
-impl<'f> File<'f> {
-    pub(crate) fn own(analysis: &'f Analysis) -> File<'f> {
-        File {
-            name: &analysis.name,
-            context: &analysis.context,
-        }
-    }
-
-    pub(crate) fn is_called(self, name: &str) -> bool {
-        **self.name == *name
-    }
-}
-
 /// Where a feature finds the other files of the workspace. It never gives the file that is asked about itself.
 pub trait Workspace {
     /// The file of a name.
-    fn file(&self, name: &str) -> Option<Neighbour>;
+    fn file(&self, name: &str) -> Option<Arc<Context>>;
 
     /// At least all files whose text [`mentions`] a name.
-    fn mentioning(&self, name: &Name) -> Vec<Neighbour>;
+    fn mentioning(&self, name: &Name) -> Vec<Arc<Context>>;
 
     /// All of them.
-    fn all(&self) -> Vec<Neighbour>;
+    fn all(&self) -> Vec<Arc<Context>>;
 
     /// The files of scenarios, which name tags too.
     fn scenarios(&self) -> Vec<ScenarioFile> {
@@ -102,15 +37,15 @@ pub struct ScenarioFile {
 pub struct Alone;
 
 impl Workspace for Alone {
-    fn file(&self, _: &str) -> Option<Neighbour> {
+    fn file(&self, _: &str) -> Option<Arc<Context>> {
         None
     }
 
-    fn mentioning(&self, _: &Name) -> Vec<Neighbour> {
+    fn mentioning(&self, _: &Name) -> Vec<Arc<Context>> {
         Vec::new()
     }
 
-    fn all(&self) -> Vec<Neighbour> {
+    fn all(&self) -> Vec<Arc<Context>> {
         Vec::new()
     }
 }

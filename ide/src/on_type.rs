@@ -8,7 +8,6 @@
 //!
 //! Only blanks, wires and rails change: what was typed stays.
 
-use ladder_analysis::Analysis;
 use ladder_analysis::context::Context;
 use ladder_analysis::network::NetworkFacts;
 use ladder_format::{Edit, Options, display_width, format_ranges};
@@ -22,8 +21,7 @@ pub const TRIGGERS: [char; 5] = ['\n', ')', '/', '+', '>'];
 const INDENT: &str = "    ";
 
 /// The edits after a character was typed; `offset` is right behind it. Sorted, none touching another.
-pub fn on_type(analysis: &Analysis, offset: TextSize, typed: char, options: &Options) -> Vec<Edit> {
-    let context = &analysis.context;
+pub fn on_type(context: &Context, offset: TextSize, typed: char, options: &Options) -> Vec<Edit> {
     match typed {
         '\n' => enter(context, offset, options),
         ')' | '/' | '+' | '>' => completed(context, offset, options).unwrap_or_default(),
@@ -183,14 +181,14 @@ mod tests {
     /// line end.
     fn check(text: &str, expected: Expect) {
         let fixture = Fixture::new(text);
-        let (analysis, offset, _) = fixture.ask();
+        let (context, offset, _) = fixture.ask();
         let before = fixture.text("main.clad");
         let typed = before[..usize::from(offset)]
             .trim_end_matches(' ')
             .chars()
             .next_back();
         let typed = typed.unwrap();
-        let edits = on_type(analysis, offset, typed, &Options::default());
+        let edits = on_type(context, offset, typed, &Options::default());
         let shown = if edits.is_empty() {
             "nothing".to_owned()
         } else {

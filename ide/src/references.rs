@@ -1,8 +1,8 @@
 //! Every place of a thing in the workspace, reads and writes told apart.
 
-use crate::neighbour::{File, Workspace};
+use crate::neighbour::Workspace;
 use crate::symbol::{Found, Usage, everywhere, find};
-use ladder_analysis::Analysis;
+use ladder_analysis::context::Context;
 use ladder_syntax::{TextRange, TextSize};
 use std::sync::Arc;
 
@@ -18,12 +18,12 @@ pub struct Reference {
 }
 
 /// The places of what stands at an offset: those of the file first. Definitions and declarations are among them.
-pub fn references(analysis: &Analysis, offset: TextSize, workspace: &dyn Workspace) -> Vec<Reference> {
-    let Some(Found { symbol, .. }) = find(File::own(analysis), offset) else {
+pub fn references(context: &Context, offset: TextSize, workspace: &dyn Workspace) -> Vec<Reference> {
+    let Some(Found { symbol, .. }) = find(context, offset) else {
         return Vec::new();
     };
     let mut references = Vec::new();
-    for (file, places) in everywhere(analysis, &symbol, workspace) {
+    for (file, places) in everywhere(context, &symbol, workspace) {
         references.extend(places.into_iter().map(|place| Reference {
             file: Arc::clone(&file),
             range: place.range,

@@ -3,14 +3,12 @@
 use crate::body::{self, without_line_end};
 use crate::comments;
 use crate::locate::{OnRung, on_rung};
-use ladder_analysis::Analysis;
 use ladder_analysis::context::Context;
 use ladder_analysis::facts::{Node, NodeKind};
 use ladder_syntax::{LineKind, TextRange, TextSize};
 
 /// The ranges around an offset from the innermost to the whole file, each larger than the one before.
-pub fn selections(analysis: &Analysis, offset: TextSize) -> Vec<TextRange> {
-    let context = &analysis.context;
+pub fn selections(context: &Context, offset: TextSize) -> Vec<TextRange> {
     let parse = &context.parse;
     let mut grown = Grown {
         ranges: Vec::new(),
@@ -203,8 +201,8 @@ mod tests {
 
     fn check(text: &str, expected: Expect) {
         let fixture = Fixture::new(text);
-        let (analysis, offset, _) = fixture.ask();
-        let shown = selections(analysis, offset).into_iter().map(|range| {
+        let (context, offset, _) = fixture.ask();
+        let shown = selections(context, offset).into_iter().map(|range| {
             let text = fixture.text("main.clad")[range].replace('\n', "⏎");
             format!("{text}.\n")
         });

@@ -2,7 +2,7 @@
 
 use crate::typing::{Open, Operand, Place, typing};
 use crate::wanted::{Called, called, function};
-use ladder_analysis::Analysis;
+use ladder_analysis::context::Context;
 use ladder_analysis::program::ParameterKind;
 use ladder_analysis::user_block::UserBlockFacts;
 use ladder_instructions::{Direction, Instruction, Presence, Profile};
@@ -41,8 +41,8 @@ pub struct Parameter {
 }
 
 /// What can be given at an offset: inside the operand list of a block, closed or not, or of an expression's function.
-pub fn signature_help(analysis: &Analysis, offset: TextSize) -> Option<SignatureHelp> {
-    let typing = typing(&analysis.context, offset)?;
+pub fn signature_help(context: &Context, offset: TextSize) -> Option<SignatureHelp> {
+    let typing = typing(context, offset)?;
     let Place::Operand(operand) = &typing.place else {
         return None;
     };
@@ -217,9 +217,9 @@ mod tests {
     /// Each signature with the active parameter in braces, and what that is for.
     fn check(text: &str, expected: Expect) {
         let fixture = Fixture::new(text);
-        let (analysis, offset, _) = fixture.ask();
+        let (context, offset, _) = fixture.ask();
         let mut shown = String::new();
-        match signature_help(analysis, offset) {
+        match signature_help(context, offset) {
             None => shown.push_str("nothing\n"),
             Some(help) => {
                 for (index, signature) in help.signatures.iter().enumerate() {

@@ -1,8 +1,8 @@
 //! Names in all files of a workspace, found by a few of their letters.
 
-use crate::neighbour::{File, Workspace};
+use crate::neighbour::Workspace;
 use crate::outline::{OutlineKind, Outlined, of_context};
-use ladder_analysis::Analysis;
+use ladder_analysis::context::Context;
 use ladder_syntax::{Name, TextRange};
 use std::sync::Arc;
 
@@ -26,16 +26,16 @@ const MOST: usize = 500;
 
 /// The names that have the letters of `query` in their order, the likeliest first; all names for an empty query. They
 /// are those of `own` and of the files beside it.
-pub fn workspace_symbols(query: &str, own: &Analysis, workspace: &dyn Workspace) -> Vec<Named> {
+pub fn workspace_symbols(query: &str, own: &Context, workspace: &dyn Workspace) -> Vec<Named> {
     let wanted: Vec<char> = Name::new(query)
         .as_str()
         .chars()
         .filter(|c| !c.is_whitespace())
         .collect();
     let mut found = Vec::new();
-    gather(File::own(own), &wanted, &mut found);
+    gather(own, &wanted, &mut found);
     for neighbour in workspace.all() {
-        gather(neighbour.file(), &wanted, &mut found);
+        gather(&neighbour, &wanted, &mut found);
     }
     found.sort_by(|(a, named_a), (b, named_b)| {
         b.cmp(a)
@@ -47,8 +47,8 @@ pub fn workspace_symbols(query: &str, own: &Analysis, workspace: &dyn Workspace)
     found.into_iter().map(|(_, named)| named).collect()
 }
 
-fn gather(file: File<'_>, wanted: &[char], found: &mut Vec<(u32, Named)>) {
-    add(file.name, &of_context(file.context), None, wanted, found);
+fn gather(file: &Context, wanted: &[char], found: &mut Vec<(u32, Named)>) {
+    add(&file.name, &of_context(file), None, wanted, found);
 }
 
 fn add(
@@ -120,7 +120,7 @@ mod tests {
 
     fn check(query: &str, expected: Expect) {
         let fixture = Fixture::new(PLANT);
-        let shown = workspace_symbols(query, &fixture.files[0].0, &fixture.others(0))
+        let shown = workspace_symbols(query, &fixture.files[0].0.context, &fixture.others(0))
             .into_iter()
             .map(|it| {
                 let place = fixture.show(&it.file, it.range);

@@ -2,7 +2,8 @@
 
 use std::sync::Arc;
 
-use ladder_analysis::{Diagnostic, Others, RuleSettings, analyze_after};
+use ladder_analysis::context::{Context, context_after};
+use ladder_analysis::{Diagnostic, Others, RuleSettings, analyze_context};
 use ladder_format::{Edit, Options, format};
 use ladder_ide::{Action, ActionKind, fix_all, quick_fixes, refactorings};
 use ladder_ide::{
@@ -12,7 +13,70 @@ use ladder_ide::{Inlay, Lens};
 use ladder_interchange::notation::offer_conversion;
 use ladder_syntax::{TextRange, TextSize, parse};
 
-/// All that is known of one text.
+/// What one text says: its names, networks and blocks. Enough for most that is asked while somebody types.
+#[derive(Debug, Clone)]
+pub(crate) struct Names {
+    context: Arc<Context>,
+    text: Arc<String>,
+}
+
+impl Names {
+    /// Reads a text of at most 24 MiB. Messages of a running program call the file by this name. What an earlier text of
+    /// the document has in common with it is not looked at again.
+    pub(crate) fn of(text: String, before: Option<&Names>, name: &str, others: &Others) -> Self {
+        let parse = match before {
+            Some(before) => before.context.parse.updated(&before.text, &text),
+            None => parse(&text),
+        };
+        let before = before.map(|before| &*before.context);
+        Names {
+            context: Arc::new(context_after(before, &Arc::new(parse), name, others)),
+            text: Arc::new(text),
+        }
+    }
+
+    /// All of it.
+    pub(crate) fn context(&self) -> &Arc<Context> {
+        &self.context
+    }
+
+    /// What can be written at an offset.
+    pub(crate) fn completions(&self, offset: TextSize, trigger: Option<char>) -> Completions {
+        completions(&self.context, offset, trigger)
+    }
+
+    /// What can be given at an offset.
+    pub(crate) fn signature_help(&self, offset: TextSize) -> Option<SignatureHelp> {
+        signature_help(&self.context, offset)
+    }
+
+    /// What each word is, for the colours of an editor.
+    pub(crate) fn semantic_tokens(&self, within: Option<TextRange>) -> Vec<Token> {
+        semantic_tokens(&self.context, within)
+    }
+
+    /// What can be done with its networks.
+    pub(crate) fn lenses(&self) -> Vec<Lens> {
+        ladder_ide::lenses(&self.context)
+    }
+
+    /// What its coils compute, for the lines that touch a range.
+    pub(crate) fn inlays(&self, within: TextRange) -> Vec<Inlay> {
+        ladder_ide::inlays(&self.context, within)
+    }
+
+    /// What a proposal is, in Markdown.
+    pub(crate) fn documentation(&self, topic: &Topic) -> Option<String> {
+        documentation(&self.context, topic)
+    }
+
+    /// The edits that bring the text into its canonical layout: sorted, none touching another.
+    pub(crate) fn format(&self, options: &Options) -> Vec<Edit> {
+        format(&self.context.parse, options)
+    }
+}
+
+/// What one text says, and what is found in it.
 #[derive(Debug, Clone)]
 pub(crate) struct Analysis {
     whole: Arc<ladder_analysis::Analysis>,
@@ -20,25 +84,13 @@ pub(crate) struct Analysis {
 }
 
 impl Analysis {
-    /// Analyses a text of at most 24 MiB. Messages of a running program call the file by this name. What an earlier
-    /// text of the document has in common with it is not looked at again.
-    pub(crate) fn of(
-        text: String,
-        before: Option<&Analysis>,
-        name: &str,
-        others: &Others,
-        rules: &RuleSettings,
-    ) -> Self {
-        let parse = match before {
-            Some(before) => before.whole.context.parse.updated(&before.text, &text),
-            None => parse(&text),
-        };
-        let before = before.map(|before| &*before.whole);
-        let mut whole = analyze_after(before, &Arc::new(parse), name, others, rules);
-        offer_conversion(&mut whole.diagnostics, &text, &Options::default());
+    /// Looks for what is wrong.
+    pub(crate) fn of(names: &Names, rules: &RuleSettings) -> Self {
+        let mut whole = analyze_context(Arc::clone(&names.context), rules);
+        offer_conversion(&mut whole.diagnostics, &names.text, &Options::default());
         Analysis {
             whole: Arc::new(whole),
-            text: Arc::new(text),
+            text: Arc::clone(&names.text),
         }
     }
 
@@ -50,36 +102,6 @@ impl Analysis {
     /// All of it, for those who put the files of a workspace together.
     pub(crate) fn whole(&self) -> &Arc<ladder_analysis::Analysis> {
         &self.whole
-    }
-
-    /// What can be written at an offset.
-    pub(crate) fn completions(&self, offset: TextSize, trigger: Option<char>) -> Completions {
-        completions(&self.whole, offset, trigger)
-    }
-
-    /// What can be given at an offset.
-    pub(crate) fn signature_help(&self, offset: TextSize) -> Option<SignatureHelp> {
-        signature_help(&self.whole, offset)
-    }
-
-    /// What each word is, for the colours of an editor.
-    pub(crate) fn semantic_tokens(&self, within: Option<TextRange>) -> Vec<Token> {
-        semantic_tokens(&self.whole, within)
-    }
-
-    /// What can be done with its networks.
-    pub(crate) fn lenses(&self) -> Vec<Lens> {
-        ladder_ide::lenses(&self.whole)
-    }
-
-    /// What its coils compute, for the lines that touch a range.
-    pub(crate) fn inlays(&self, within: TextRange) -> Vec<Inlay> {
-        ladder_ide::inlays(&self.whole, within)
-    }
-
-    /// What a proposal is, in Markdown.
-    pub(crate) fn documentation(&self, topic: &Topic) -> Option<String> {
-        documentation(&self.whole, topic)
     }
 
     /// The edits of an action, with the drawing around them put straight.
@@ -102,10 +124,5 @@ impl Analysis {
         }
         actions.retain(|action| wants(action.kind));
         actions
-    }
-
-    /// The edits that bring the text into its canonical layout: sorted, none touching another.
-    pub(crate) fn format(&self, options: &Options) -> Vec<Edit> {
-        format(&self.whole.context.parse, options)
     }
 }

@@ -12,7 +12,8 @@
 //!
 //! - `document` holds the editor's texts in ropes. A change makes a new `Revision`, which never changes again:
 //!   whoever works on one works in peace, and whether it is still shown is asked at the end. A revision computes
-//!   its contiguous text and its analysis once, when first asked.
+//!   two layers, each once, when first asked: the names of its text, and what is found in it. Most features ask
+//!   for names only, and wait for no rule.
 //! - `language` is where the server asks about a text: findings, hovers, layout, in bytes.
 //! - `simulation` runs programs for the editor, on the scan engine. It knows the custom messages, but nothing of
 //!   the framework.

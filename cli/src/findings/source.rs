@@ -166,7 +166,7 @@ impl Source {
         let program = self.program.get_or_init(|| {
             let analysis = self.analyze();
             if self.has_errors() {
-                return Err(NotWhole::Errors(Arc::clone(&analysis.name)));
+                return Err(NotWhole::Errors(Arc::clone(&analysis.context.name)));
             }
             match self.workspace() {
                 Some(workspace) => workspace.link(&analysis),

@@ -26,7 +26,7 @@ pub(crate) fn program(source: &Source) -> Option<Arc<Program>> {
             shown::line(&file)
         )),
         NotWhole::Errors(file) => match source.other(&file) {
-            Some(other) if source.analyze().name != file => {
+            Some(other) if source.analyze().context.name != file => {
                 show_errors(&other);
                 terminal::error(&format_args!(
                     "{}: this program uses {}; a program with errors is not run",

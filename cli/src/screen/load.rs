@@ -63,7 +63,7 @@ fn problem(source: &Source, not_whole: &NotWhole) -> String {
     match not_whole {
         NotWhole::Missing(file) => format!("{file}, which this program uses, cannot be read any more"),
         NotWhole::Errors(file) => match source.other(file) {
-            Some(other) if source.analyze().name != *file => first_error(&other),
+            Some(other) if source.analyze().context.name != *file => first_error(&other),
             _ => first_error(source),
         },
     }

@@ -19,14 +19,14 @@ pub use item::{Completion, CompletionKind, Completions, Snippet, Topic};
 use crate::hover;
 use crate::typing::{Declaration, Operand, Place, Typing, typing};
 use crate::wanted::{Called, Kind, called, tag_of, wanted};
-use ladder_analysis::Analysis;
+use ladder_analysis::context::Context;
 use ladder_instructions::by_op;
 use ladder_syntax::{Name, TextSize};
 use proposals::Proposals;
 
 /// What can be written at an offset. `trigger` is the character that was just typed, if that is why it is asked.
-pub fn completions(analysis: &Analysis, offset: TextSize, trigger: Option<char>) -> Completions {
-    let Some(typing) = typing(&analysis.context, offset).filter(|typing| !typing.literal) else {
+pub fn completions(context: &Context, offset: TextSize, trigger: Option<char>) -> Completions {
+    let Some(typing) = typing(context, offset).filter(|typing| !typing.literal) else {
         return Completions::default();
     };
     if trigger.is_some_and(|trigger| !is_welcome(&typing, trigger)) {
@@ -126,8 +126,7 @@ fn required(called: &[Called<'_>]) -> usize {
 }
 
 /// What a proposal is, in Markdown, for the one that somebody looks at.
-pub fn documentation(analysis: &Analysis, topic: &Topic) -> Option<String> {
-    let context = &analysis.context;
+pub fn documentation(context: &Context, topic: &Topic) -> Option<String> {
     match topic {
         Topic::UserBlock(name) => {
             let key = Name::new(name);

@@ -4,12 +4,12 @@ use expect_test::{Expect, expect};
 
 fn check(text: &str, expected: Expect) {
     let fixture = Fixture::new(text);
-    let (analysis, offset, others) = fixture.ask();
+    let (context, offset, others) = fixture.ask();
     let all = [
-        ("definition", definition(analysis, offset, &others)),
-        ("declaration", declaration(analysis, offset, &others)),
-        ("type", type_definition(analysis, offset, &others)),
-        ("implementation", implementation(analysis, offset, &others)),
+        ("definition", definition(context, offset, &others)),
+        ("declaration", declaration(context, offset, &others)),
+        ("type", type_definition(context, offset, &others)),
+        ("implementation", implementation(context, offset, &others)),
     ];
     let mut shown = String::new();
     for (what, targets) in all {

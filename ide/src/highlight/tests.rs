@@ -4,8 +4,8 @@ use expect_test::{Expect, expect};
 
 fn check(text: &str, expected: Expect) {
     let fixture = Fixture::new(text);
-    let (analysis, offset, _) = fixture.ask();
-    let shown: Vec<String> = highlights(analysis, offset)
+    let (context, offset, _) = fixture.ask();
+    let shown: Vec<String> = highlights(context, offset)
         .iter()
         .map(|it| {
             let place = fixture.show("main.clad", it.range);

@@ -3,7 +3,7 @@
 use crate::neighbour::Workspace;
 use crate::references::references;
 use crate::symbol::Usage;
-use ladder_analysis::Analysis;
+use ladder_analysis::context::Context;
 use ladder_syntax::TextSize;
 use std::collections::BTreeMap;
 use std::sync::Arc;
@@ -12,13 +12,13 @@ use std::sync::Arc;
 const MOST: usize = 6;
 
 /// How often each other file writes, reads or names what stands at an offset. None where none does.
-pub fn used_elsewhere(analysis: &Analysis, offset: TextSize, workspace: &dyn Workspace) -> Option<String> {
-    if !analysis.context.others.have_files() {
+pub fn used_elsewhere(context: &Context, offset: TextSize, workspace: &dyn Workspace) -> Option<String> {
+    if !context.others.have_files() {
         return None;
     }
     let mut files: BTreeMap<Arc<str>, [usize; 3]> = BTreeMap::new();
-    for reference in references(analysis, offset, workspace) {
-        if reference.file == analysis.name || reference.usage.declares() {
+    for reference in references(context, offset, workspace) {
+        if reference.file == context.name || reference.usage.declares() {
             continue;
         }
         let count = files.entry(reference.file).or_default();
@@ -62,8 +62,8 @@ mod tests {
 
     fn check(text: &str, expected: Expect) {
         let fixture = Fixture::new(text);
-        let (analysis, offset, others) = fixture.ask();
-        let told = used_elsewhere(analysis, offset, &others);
+        let (context, offset, others) = fixture.ask();
+        let told = used_elsewhere(context, offset, &others);
         expected.assert_eq(&format!("{}\n", told.unwrap_or_else(|| "nothing".to_owned())));
     }
 

@@ -16,7 +16,7 @@ pub(crate) use keyword::card as keyword_card;
 pub(crate) use operand::tag_card;
 
 use crate::locate::on_rung;
-use ladder_analysis::Analysis;
+use ladder_analysis::context::Context;
 use ladder_syntax::wiring::PartKind;
 use ladder_syntax::{LineKind, TextRange, TextSize};
 
@@ -30,8 +30,7 @@ pub struct Hover {
 }
 
 /// What stands at an offset.
-pub fn hover(analysis: &Analysis, offset: TextSize) -> Option<Hover> {
-    let context = &analysis.context;
+pub fn hover(context: &Context, offset: TextSize) -> Option<Hover> {
     let parse = &context.parse;
     let line = parse.line_at(offset)?;
     match parse.lines()[line].kind {

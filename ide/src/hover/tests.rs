@@ -10,7 +10,7 @@ fn check(fixture: &str, expected: Expect) {
     let text = fixture.replacen("$0", "", 1);
     let parse = Arc::new(ladder_syntax::parse(&text));
     let analysis = ladder_analysis::analyze(&parse, "test.clad");
-    let shown = match hover(&analysis, TextSize::new(at as u32)) {
+    let shown = match hover(&analysis.context, TextSize::new(at as u32)) {
         Some(hover) => format!("{}\n\n{}\n", &text[hover.range], hover.markdown),
         None => "nothing\n".to_owned(),
     };
@@ -308,7 +308,7 @@ fn names_of_other_files() {
     let shown: Vec<String> = ["count", "$Hold", "x )", "total"]
         .iter()
         .map(|word| {
-            super::hover(&analysis, (text.find(word).unwrap() as u32).into())
+            super::hover(&analysis.context, (text.find(word).unwrap() as u32).into())
                 .unwrap()
                 .markdown
         })
@@ -360,7 +360,7 @@ fn a_card_tells_how_the_profile_differs() {
         let text = format!("# ladder: profile {profile} #\n+--{block}--( )( y )--+\n");
         let at = TextSize::new(text.find(block).expect("it is there") as u32 + 1);
         let analysis = ladder_analysis::analyze(&Arc::new(ladder_syntax::parse(&text)), "test.clad");
-        let markdown = hover(&analysis, at).expect("there is a card").markdown;
+        let markdown = hover(&analysis.context, at).expect("there is a card").markdown;
         let lines = markdown
             .lines()
             .filter(|line| line.starts_with("[T") || line.contains("In profile"));

@@ -3,7 +3,6 @@
 use crate::body::{line_body, without_line_end};
 use crate::comments;
 use crate::symbol::declared::names_of;
-use ladder_analysis::Analysis;
 use ladder_analysis::context::{Body, Context, LabelFacts};
 use ladder_analysis::facts::NodeKind;
 use ladder_analysis::network::{Formal, Meaning};
@@ -54,8 +53,8 @@ pub enum OutlineKind {
 const NAMED: usize = 3;
 
 /// The parts of a file in the order of the text.
-pub fn outline(analysis: &Analysis) -> Vec<Outlined> {
-    of_context(&analysis.context)
+pub fn outline(context: &Context) -> Vec<Outlined> {
+    of_context(context)
 }
 
 pub(crate) fn of_context(context: &Context) -> Vec<Outlined> {

@@ -4,9 +4,9 @@ use expect_test::{Expect, expect};
 
 fn check(text: &str, expected: Expect) {
     let fixture = Fixture::new(text);
-    let analysis = &fixture.files[0].0;
+    let context = &fixture.files[0].0.context;
     let mut shown = String::new();
-    show(&fixture, &outline(analysis), None, 0, &mut shown);
+    show(&fixture, &outline(context), None, 0, &mut shown);
     expected.assert_eq(&shown);
 }
 

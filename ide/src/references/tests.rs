@@ -4,8 +4,8 @@ use expect_test::{Expect, expect};
 
 fn check(text: &str, expected: Expect) {
     let fixture = Fixture::new(text);
-    let (analysis, offset, others) = fixture.ask();
-    let shown: Vec<String> = references(analysis, offset, &others)
+    let (context, offset, others) = fixture.ask();
+    let shown: Vec<String> = references(context, offset, &others)
         .iter()
         .map(|it| format!("{} {:?}\n", fixture.show(&it.file, it.range), it.usage))
         .collect();

@@ -1,16 +1,17 @@
 //! Names that something else has: after the renaming one of the two would mean the other.
 
 use super::Refused;
-use crate::neighbour::{File, Workspace};
+use crate::neighbour::Workspace;
 use crate::symbol::{Symbol, Usage, declared_names, occurrences, tag_of};
+use ladder_analysis::context::Context;
 use ladder_analysis::scope::{Origin, SectionKind};
-use ladder_analysis::{Analysis, with_article};
+use ladder_analysis::with_article;
 use ladder_syntax::{Name, TextRange};
 use std::sync::Arc;
 
 /// Whether a symbol may get a new name.
 pub(super) fn check(
-    analysis: &Analysis,
+    context: &Context,
     symbol: &Symbol,
     key: &Name,
     new: &str,
@@ -18,42 +19,42 @@ pub(super) fn check(
 ) -> Result<(), Refused> {
     match symbol {
         Symbol::Tag { file, scope, .. } => {
-            in_file(analysis, file, workspace, |file| tag(file, *scope, key, new))
+            in_file(context, file, workspace, |file| tag(file, *scope, key, new))
         }
         Symbol::Global(_) => {
-            global(File::own(analysis), symbol, key, new)?;
+            global(context, symbol, key, new)?;
             let (uses, named) = (
-                crate::symbol::files_of(analysis, symbol, workspace),
+                crate::symbol::files_of(context, symbol, workspace),
                 workspace.mentioning(key),
             );
             for neighbour in uses.iter().chain(&named) {
-                global(neighbour.file(), symbol, key, new)?;
+                global(neighbour, symbol, key, new)?;
             }
             Ok(())
         }
-        Symbol::Label { file, body, .. } => in_file(analysis, file, workspace, |file| {
+        Symbol::Label { file, body, .. } => in_file(context, file, workspace, |file| {
             let other = Symbol::Label {
-                file: Arc::clone(file.name),
+                file: Arc::clone(&file.name),
                 body: *body,
                 name: key.clone(),
             };
             named(file, &other, new, "label", "jump")
         }),
         Symbol::Function { .. } => {
-            let other = |file: File<'_>| Symbol::Function {
-                file: Arc::clone(file.name),
+            let other = |file: &Context| Symbol::Function {
+                file: Arc::clone(&file.name),
                 name: key.clone(),
             };
-            in_all(analysis, key, workspace, |file| {
+            in_all(context, key, workspace, |file| {
                 named(file, &other(file), new, "function", "call")
             })
         }
         Symbol::Block { .. } => {
-            let other = |file: File<'_>| Symbol::Block {
-                file: Arc::clone(file.name),
+            let other = |file: &Context| Symbol::Block {
+                file: Arc::clone(&file.name),
                 name: key.clone(),
             };
-            in_all(analysis, key, workspace, |file| {
+            in_all(context, key, workspace, |file| {
                 named(file, &other(file), new, "user-defined block", "block")
             })
         }
@@ -62,17 +63,17 @@ pub(super) fn check(
 }
 
 fn in_file(
-    analysis: &Analysis,
+    context: &Context,
     name: &str,
     workspace: &dyn Workspace,
-    check: impl FnOnce(File<'_>) -> Result<(), Refused>,
+    check: impl FnOnce(&Context) -> Result<(), Refused>,
 ) -> Result<(), Refused> {
-    let own = File::own(analysis);
+    let own = context;
     if own.is_called(name) {
         return check(own);
     }
     match workspace.file(name) {
-        Some(neighbour) => check(neighbour.file()),
+        Some(neighbour) => check(&neighbour),
         None => Err(Refused(format!(
             "{name}, which declares it, cannot be read: rename it there"
         ))),
@@ -80,21 +81,21 @@ fn in_file(
 }
 
 fn in_all(
-    analysis: &Analysis,
+    context: &Context,
     key: &Name,
     workspace: &dyn Workspace,
-    check: impl Fn(File<'_>) -> Result<(), Refused>,
+    check: impl Fn(&Context) -> Result<(), Refused>,
 ) -> Result<(), Refused> {
-    check(File::own(analysis))?;
+    check(context)?;
     for neighbour in workspace.mentioning(key) {
-        check(neighbour.file())?;
+        check(&neighbour)?;
     }
     Ok(())
 }
 
 /// A tag of one file, or of one block's body.
-fn tag(file: File<'_>, scope: usize, key: &Name, new: &str) -> Result<(), Refused> {
-    let context = file.context;
+fn tag(file: &Context, scope: usize, key: &Name, new: &str) -> Result<(), Refused> {
+    let context = file;
     if let Some(other) = context.scopes[scope].find(key) {
         let other = &context.scopes[scope].tags[other];
         return Err(taken(file, other.foreign.as_deref(), new, other.at, "tag"));
@@ -115,9 +116,9 @@ fn tag(file: File<'_>, scope: usize, key: &Name, new: &str) -> Result<(), Refuse
 }
 
 /// A VAR_GLOBAL tag, as far as one file is concerned.
-fn global(file: File<'_>, symbol: &Symbol, key: &Name, new: &str) -> Result<(), Refused> {
+fn global(file: &Context, symbol: &Symbol, key: &Name, new: &str) -> Result<(), Refused> {
     let Some(old) = symbol.name() else { return Ok(()) };
-    for (number, scope) in file.context.scopes.iter().enumerate() {
+    for (number, scope) in file.scopes.iter().enumerate() {
         let Some(tag) = scope.find(key).map(|tag| &scope.tags[tag]) else {
             continue;
         };
@@ -135,7 +136,7 @@ fn global(file: File<'_>, symbol: &Symbol, key: &Name, new: &str) -> Result<(), 
 }
 
 /// Labels, functions, blocks: defined somewhere, or only named.
-fn named(file: File<'_>, other: &Symbol, new: &str, what: &str, mention: &str) -> Result<(), Refused> {
+fn named(file: &Context, other: &Symbol, new: &str, what: &str, mention: &str) -> Result<(), Refused> {
     let places = occurrences(file, other);
     let defined = places.iter().find(|place| place.usage == Usage::Definition);
     if let Some(place) = defined {
@@ -150,7 +151,7 @@ fn named(file: File<'_>, other: &Symbol, new: &str, what: &str, mention: &str) -
     }
 }
 
-fn taken(file: File<'_>, foreign: Option<&str>, new: &str, at: TextRange, what: &str) -> Refused {
+fn taken(file: &Context, foreign: Option<&str>, new: &str, at: TextRange, what: &str) -> Refused {
     let place = match foreign {
         Some(foreign) => format!("in {foreign}"),
         None => format!("on {}", place_of(file, at)),
@@ -161,6 +162,6 @@ fn taken(file: File<'_>, foreign: Option<&str>, new: &str, at: TextRange, what: 
     ))
 }
 
-fn place_of(file: File<'_>, at: TextRange) -> String {
-    format!("line {} of {}", file.context.line_number(at.start()), file.name)
+fn place_of(file: &Context, at: TextRange) -> String {
+    format!("line {} of {}", file.line_number(at.start()), file.name)
 }

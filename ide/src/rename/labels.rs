@@ -1,7 +1,7 @@
 //! Labels that must go by one name: a jump in a `<$B>` block to a label that the block does not have goes to the
 //! label of that name wherever the block stands (LANGUAGE §5.7).
 
-use crate::neighbour::{File, Workspace};
+use crate::neighbour::Workspace;
 use crate::symbol::{Symbol, Usage, occurrences};
 use ladder_analysis::context::{Body, Context};
 use ladder_analysis::network::Meaning;
@@ -13,7 +13,7 @@ use std::sync::Arc;
 type Place = (Arc<str>, Body);
 
 /// A symbol with all others that must keep its name; they are more than one for labels only.
-pub(super) fn together(own: File<'_>, symbol: &Symbol, workspace: &dyn Workspace) -> Vec<Symbol> {
+pub(super) fn together(own: &Context, symbol: &Symbol, workspace: &dyn Workspace) -> Vec<Symbol> {
     let Symbol::Label { file, body, name } = symbol else {
         return vec![symbol.clone()];
     };
@@ -37,7 +37,7 @@ pub(super) fn together(own: File<'_>, symbol: &Symbol, workspace: &dyn Workspace
 }
 
 struct Search<'s> {
-    own: File<'s>,
+    own: &'s Context,
     name: &'s Name,
     workspace: &'s dyn Workspace,
 }
@@ -61,20 +61,20 @@ impl Search<'_> {
         }
         let mut key = None;
         self.with(file, &mut |file| {
-            key = file.context.user_blocks.get(item).map(|block| block.key.clone());
+            key = file.user_blocks.get(item).map(|block| block.key.clone());
         });
         let Some(key) = key else { return linked };
         let wanted = (Arc::clone(file), *body);
-        let mut hold = |file: File<'_>| {
-            for body in bodies(file.context) {
+        let mut hold = |file: &Context| {
+            for body in bodies(file) {
                 if blocks_in(file, body).contains(&wanted) {
-                    linked.push((Arc::clone(file.name), body));
+                    linked.push((Arc::clone(&file.name), body));
                 }
             }
         };
         hold(self.own);
         for neighbour in self.workspace.mentioning(&key) {
-            hold(neighbour.file());
+            hold(&neighbour);
         }
         linked
     }
@@ -102,18 +102,18 @@ impl Search<'_> {
         passes
     }
 
-    fn with(&self, name: &str, act: &mut dyn FnMut(File<'_>)) {
+    fn with(&self, name: &str, act: &mut dyn FnMut(&Context)) {
         if self.own.is_called(name) {
             act(self.own);
         } else if let Some(neighbour) = self.workspace.file(name) {
-            act(neighbour.file());
+            act(&neighbour);
         }
     }
 }
 
 /// The `<$B>` blocks that stand in a body.
-fn blocks_in(file: File<'_>, body: Body) -> Vec<Place> {
-    let context = file.context;
+fn blocks_in(file: &Context, body: Body) -> Vec<Place> {
+    let context = file;
     let mut places: Vec<Place> = Vec::new();
     if context
         .user_blocks
@@ -133,7 +133,7 @@ fn blocks_in(file: File<'_>, body: Body) -> Vec<Place> {
             }
             let place = match &facts.import {
                 Some(import) => (Arc::clone(&import.file), Body::Block(import.item)),
-                None => (Arc::clone(file.name), Body::Block(user)),
+                None => (Arc::clone(&file.name), Body::Block(user)),
             };
             if !places.contains(&place) {
                 places.push(place);

@@ -10,12 +10,12 @@ mod layout;
 mod scenarios;
 mod spelling;
 
-use crate::neighbour::{File, Neighbour, Workspace};
+use crate::neighbour::Workspace;
 use crate::outline::text_of;
 use crate::symbol::{Found, Occurrence, Symbol, files_of, find, occurrences, tag_of};
 use ladder_analysis::context::{Context, context};
 use ladder_analysis::scope::Origin;
-use ladder_analysis::{Analysis, with_article};
+use ladder_analysis::with_article;
 use ladder_format::{Edit, Options, apply};
 use ladder_syntax::{Name, TextRange, TextSize, parse};
 use std::sync::Arc;
@@ -52,16 +52,16 @@ pub struct Renamed {
 ///
 /// # Errors
 /// It has a name that is not the program's to choose.
-pub fn prepare_rename(analysis: &Analysis, offset: TextSize) -> Result<Option<Renamable>, Refused> {
-    let own = File::own(analysis);
+pub fn prepare_rename(context: &Context, offset: TextSize) -> Result<Option<Renamable>, Refused> {
+    let own = context;
     let Some(Found { symbol, range }) = find(own, offset) else {
         return Ok(None);
     };
     fixed(own, &symbol)?;
-    no_address(analysis, range)?;
+    no_address(context, range)?;
     Ok(Some(Renamable {
         range,
-        name: text_of(&analysis.context.parse, range),
+        name: text_of(&context.parse, range),
     }))
 }
 
@@ -71,29 +71,29 @@ pub fn prepare_rename(analysis: &Analysis, offset: TextSize) -> Result<Option<Re
 /// # Errors
 /// The name is refused.
 pub fn rename(
-    analysis: &Analysis,
+    context: &Context,
     offset: TextSize,
     new: &str,
     workspace: &dyn Workspace,
     options: &Options,
 ) -> Result<Vec<Renamed>, Refused> {
-    let own = File::own(analysis);
+    let own = context;
     let Some(Found { symbol, range }) = find(own, offset) else {
         return Err(Refused("there is nothing to rename here".to_owned()));
     };
     fixed(own, &symbol)?;
-    no_address(analysis, range)?;
+    no_address(context, range)?;
     let new = spelling::checked(&symbol, new)?;
     // All places of all that must go by one name.
     let symbols = labels::together(own, &symbol, workspace);
     let key = Name::new(&new);
     if symbol.name() != Some(&key) {
         for symbol in &symbols {
-            clash::check(analysis, symbol, &key, &new, workspace)?;
+            clash::check(context, symbol, &key, &new, workspace)?;
         }
     }
-    let neighbours = neighbours(analysis, &symbols, workspace);
-    let files = std::iter::once(own).chain(neighbours.iter().map(Neighbour::file));
+    let neighbours = neighbours(context, &symbols, workspace);
+    let files = std::iter::once(own).chain(neighbours.iter().map(|neighbour| &**neighbour));
     let mut renamed = Vec::new();
     for file in files {
         let mut places: Vec<Occurrence> = symbols
@@ -109,43 +109,43 @@ pub fn rename(
         // What is written so already stays, and so does the tag's address where that is written in its stead.
         let edits: Vec<Edit> = edits
             .filter(|edit| {
-                let written = text_of(&file.context.parse, edit.range);
+                let written = text_of(&file.parse, edit.range);
                 written != edit.text && !written.starts_with('%')
             })
             .collect();
         if edits.is_empty() {
             continue;
         }
-        let text = file.context.parse.to_string();
+        let text = file.parse.to_string();
         same_type(file, &symbol, &text, &edits, &new)?;
         renamed.push(Renamed {
-            file: Arc::clone(file.name),
-            edits: layout::laid_out(&file.context.parse, &text, &edits, options),
+            file: Arc::clone(&file.name),
+            edits: layout::laid_out(&file.parse, &text, &edits, options),
         });
     }
     let hides = |program: &str| {
-        let hides = |file: File<'_>| symbol.name().is_some_and(|name| hides(file, &symbol, name));
+        let hides = |file: &Context| symbol.name().is_some_and(|name| hides(file, &symbol, name));
         if own.is_called(program) {
             return hides(own);
         }
-        workspace.file(program).is_some_and(|it| hides(it.file()))
+        workspace.file(program).is_some_and(|it| hides(&it))
     };
     renamed.extend(scenarios::renamed(&symbol, &new, workspace, &hides));
     Ok(renamed)
 }
 
 /// Whether a file has a tag of its own by a symbol's name.
-fn hides(file: File<'_>, symbol: &Symbol, name: &Name) -> bool {
+fn hides(file: &Context, symbol: &Symbol, name: &Name) -> bool {
     tag_of(file, 0, name).is_some_and(|found| found != *symbol)
 }
 
 /// The other files in which the symbols have places, each once.
-fn neighbours(analysis: &Analysis, symbols: &[Symbol], workspace: &dyn Workspace) -> Vec<Neighbour> {
-    let mut all: Vec<Neighbour> = Vec::new();
+fn neighbours(context: &Context, symbols: &[Symbol], workspace: &dyn Workspace) -> Vec<Arc<Context>> {
+    let mut all: Vec<Arc<Context>> = Vec::new();
     for symbol in symbols {
-        for neighbour in files_of(analysis, symbol, workspace) {
-            let name = neighbour.file().name;
-            if all.iter().all(|known| known.file().name != name) {
+        for neighbour in files_of(context, symbol, workspace) {
+            let name = &neighbour.name;
+            if all.iter().all(|known| known.name != *name) {
                 all.push(neighbour);
             }
         }
@@ -154,10 +154,10 @@ fn neighbours(analysis: &Analysis, symbols: &[Symbol], workspace: &dyn Workspace
 }
 
 /// Names that are not the program's to choose.
-fn fixed(file: File<'_>, symbol: &Symbol) -> Result<(), Refused> {
+fn fixed(file: &Context, symbol: &Symbol) -> Result<(), Refused> {
     let why = match symbol {
         Symbol::Tag { scope, name, .. } => {
-            let tags = &file.context.scopes.get(*scope).filter(|_| *scope > 0);
+            let tags = &file.scopes.get(*scope).filter(|_| *scope > 0);
             let implicit = tags.is_some_and(|scope| {
                 scope
                     .find(name)
@@ -182,8 +182,8 @@ fn fixed(file: File<'_>, symbol: &Symbol) -> Result<(), Refused> {
 }
 
 /// A tag that is declared at an address has the name of its declaration, not the address.
-fn no_address(analysis: &Analysis, range: TextRange) -> Result<(), Refused> {
-    let written = text_of(&analysis.context.parse, range);
+fn no_address(context: &Context, range: TextRange) -> Result<(), Refused> {
+    let written = text_of(&context.parse, range);
     if written.starts_with('%') {
         return Err(Refused(is_address(&written)));
     }
@@ -198,7 +198,7 @@ fn is_address(written: &str) -> String {
 }
 
 /// The type of an undeclared tag may follow from its name, and must not become another one.
-fn same_type(file: File<'_>, symbol: &Symbol, text: &str, edits: &[Edit], new: &str) -> Result<(), Refused> {
+fn same_type(file: &Context, symbol: &Symbol, text: &str, edits: &[Edit], new: &str) -> Result<(), Refused> {
     let Symbol::Tag { scope, name, .. } = symbol else {
         return Ok(());
     };
@@ -206,11 +206,11 @@ fn same_type(file: File<'_>, symbol: &Symbol, text: &str, edits: &[Edit], new: &
         let scope = context.scopes.get(*scope)?;
         Some(scope.tags[scope.find(name)?].clone())
     };
-    let Some(before) = tag_in(file.context, name).filter(|tag| !tag.is_declared()) else {
+    let Some(before) = tag_in(file, name).filter(|tag| !tag.is_declared()) else {
         return Ok(());
     };
     let parsed = Arc::new(parse(&apply(text, edits)));
-    let after = context(&parsed, &file.context.others, &mut Vec::new());
+    let after = context(&parsed, &file.name, &file.others);
     let Some(after) = tag_in(&after, &Name::new(new)) else {
         return Ok(());
     };

@@ -5,8 +5,8 @@ use ladder_format::{Options, apply};
 
 fn renamed(text: &str, new: &str) -> String {
     let fixture = Fixture::new(text);
-    let (analysis, offset, others) = fixture.ask();
-    match rename(analysis, offset, new, &others, &Options::default()) {
+    let (context, offset, others) = fixture.ask();
+    match rename(context, offset, new, &others, &Options::default()) {
         Err(refused) => format!("refused: {refused}\n"),
         Ok(files) => {
             let several = fixture.files.len() > 1;
@@ -482,8 +482,8 @@ fn a_type_that_follows_from_the_name() {
 fn what_keeps_its_name() {
     let check = |text: &str, expected: Expect| {
         let fixture = Fixture::new(text);
-        let (analysis, offset, _) = fixture.ask();
-        let prepared = match prepare_rename(analysis, offset) {
+        let (context, offset, _) = fixture.ask();
+        let prepared = match prepare_rename(context, offset) {
             Err(refused) => format!("refused: {refused}\n"),
             Ok(None) => "nothing\n".to_owned(),
             Ok(Some(it)) => format!("{} `{}`\n", fixture.show("main.clad", it.range), it.name),

@@ -9,7 +9,6 @@ mod legend;
 
 pub use legend::{Modifiers, TokenKind};
 
-use ladder_analysis::Analysis;
 use ladder_analysis::context::Context;
 use ladder_analysis::network::{BoundBlock, Formal, Meaning};
 use ladder_analysis::program::ParameterKind;
@@ -30,8 +29,7 @@ pub struct Token {
 }
 
 /// The tokens of a text in their order: of all of it, or of the lines that touch a range.
-pub fn semantic_tokens(analysis: &Analysis, within: Option<TextRange>) -> Vec<Token> {
-    let context = &analysis.context;
+pub fn semantic_tokens(context: &Context, within: Option<TextRange>) -> Vec<Token> {
     let parse = &context.parse;
     let (mut first, mut last) = (0, parse.lines().len());
     if let Some(within) = within {

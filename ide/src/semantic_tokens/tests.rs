@@ -6,7 +6,7 @@ use std::sync::Arc;
 
 fn shown(text: &str, within: Option<TextRange>) -> String {
     let analysis = ladder_analysis::analyze(&Arc::new(ladder_syntax::parse(text)), "test.clad");
-    let tokens = semantic_tokens(&analysis, within);
+    let tokens = semantic_tokens(&analysis.context, within);
     let mut shown = String::new();
     let mut end = TextSize::new(0);
     for token in tokens {
@@ -238,7 +238,7 @@ fn a_range_is_a_part_of_the_whole() {
             .parse
             .line_range(logical)
             .cover(analysis.context.parse.line_range(last));
-        for (token, line) in semantic_tokens(&analysis, None)
+        for (token, line) in semantic_tokens(&analysis.context, None)
             .iter()
             .zip(shown(text, None).lines())
         {

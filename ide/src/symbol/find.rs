@@ -3,7 +3,6 @@
 use super::occurrences::{block_file, block_name, function_file, label_name, member_name, operand_name};
 use super::{DeclaredName, Symbol, declared};
 use crate::locate::{node_at, on_rung};
-use crate::neighbour::File;
 use ladder_analysis::context::Context;
 use ladder_analysis::facts::{Node, NodeKind};
 use ladder_analysis::network::{BoundBlock, Formal, Meaning};
@@ -22,8 +21,8 @@ pub(crate) struct Found {
 }
 
 /// What is named at an offset; a cursor right behind a word counts.
-pub(crate) fn find(file: File<'_>, offset: TextSize) -> Option<Found> {
-    let parse = &file.context.parse;
+pub(crate) fn find(file: &Context, offset: TextSize) -> Option<Found> {
+    let parse = &file.parse;
     let line = parse.line_at(offset)?;
     match parse.lines()[line].kind {
         LineKind::Rung => on_a_rung(file, offset),
@@ -31,12 +30,12 @@ pub(crate) fn find(file: File<'_>, offset: TextSize) -> Option<Found> {
             declared_at(file, line, offset).or_else(|| type_at(file, line, offset))
         }
         LineKind::BlockHeader => {
-            let blocks = file.context.user_blocks[..file.context.own_blocks].iter();
-            let definitions = file.context.parse.structure().blocks.iter();
+            let blocks = file.user_blocks[..file.own_blocks].iter();
+            let definitions = file.parse.structure().blocks.iter();
             let (block, _) = blocks.zip(definitions).find(|(_, it)| it.lines.start == line)?;
-            let range = block_name(file.context, block.at)?;
+            let range = block_name(file, block.at)?;
             let symbol = Symbol::Block {
-                file: Arc::clone(file.name),
+                file: Arc::clone(&file.name),
                 name: block.key.clone(),
             };
             range
@@ -48,8 +47,8 @@ pub(crate) fn find(file: File<'_>, offset: TextSize) -> Option<Found> {
 }
 
 /// The symbol of a tag of a scope, by its name there.
-pub(crate) fn tag_of(file: File<'_>, scope: usize, name: &Name) -> Option<Symbol> {
-    let scopes = &file.context.scopes;
+pub(crate) fn tag_of(file: &Context, scope: usize, name: &Name) -> Option<Symbol> {
+    let scopes = &file.scopes;
     let mut entry = (scope, scopes[scope].find(name)?);
     while let Some(leads_to) = scopes[entry.0].tags[entry.1].shared {
         entry = leads_to;
@@ -61,15 +60,15 @@ pub(crate) fn tag_of(file: File<'_>, scope: usize, name: &Name) -> Option<Symbol
         _ if tag.foreign.is_some() => Symbol::Global(name),
         Origin::Form if tag.address.is_some() => Symbol::Address(name),
         _ => Symbol::Tag {
-            file: Arc::clone(file.name),
+            file: Arc::clone(&file.name),
             scope: entry.0,
             name,
         },
     })
 }
 
-fn on_a_rung(file: File<'_>, offset: TextSize) -> Option<Found> {
-    let context = file.context;
+fn on_a_rung(file: &Context, offset: TextSize) -> Option<Found> {
+    let context = file;
     let place = on_rung(context, offset)?;
     if place.drawn.kind != PartKind::Block {
         return None;
@@ -85,7 +84,7 @@ fn on_a_rung(file: File<'_>, offset: TextSize) -> Option<Found> {
     if let Some(name) = block.user_name() {
         let range = block_name(context, block.head_range())?;
         let name = Name::new(name);
-        let file = block_file(file, &name).unwrap_or_else(|| Arc::clone(file.name));
+        let file = block_file(file, &name).unwrap_or_else(|| Arc::clone(&file.name));
         return Some(Found {
             symbol: Symbol::Block { file, name },
             range,
@@ -98,13 +97,13 @@ fn on_a_rung(file: File<'_>, offset: TextSize) -> Option<Found> {
 }
 
 fn in_operand(
-    file: File<'_>,
+    file: &Context,
     network: usize,
     block: &BoundBlock,
     index: usize,
     within: TextSize,
 ) -> Option<Found> {
-    let context = file.context;
+    let context = file;
     let operand = &block.facts.operands[index];
     let formal = block.formals.get(index).copied();
     if let Some(word) = &operand.name
@@ -133,7 +132,7 @@ fn in_operand(
                 return found(label_name(file, network, name), node.range);
             }
             Accepts::Function if whole => {
-                let file = function_file(file, &name).unwrap_or_else(|| Arc::clone(file.name));
+                let file = function_file(file, &name).unwrap_or_else(|| Arc::clone(&file.name));
                 return found(Symbol::Function { file, name }, node.range);
             }
             Accepts::SearchOperator if whole => return None,
@@ -170,8 +169,8 @@ pub(super) fn is_system(node: &Node) -> bool {
     matches!(&node.kind, NodeKind::Name(name) if name.eq_ignore_ascii_case("SYS"))
 }
 
-fn declared_at(file: File<'_>, line: usize, offset: TextSize) -> Option<Found> {
-    let DeclaredName { name, scope, at, .. } = section_names(file.context, line)
+fn declared_at(file: &Context, line: usize, offset: TextSize) -> Option<Found> {
+    let DeclaredName { name, scope, at, .. } = section_names(file, line)
         .into_iter()
         .find(|declared| declared.at.contains_inclusive(offset))?;
     Some(Found {
@@ -190,8 +189,8 @@ fn section_names(context: &Context, line: usize) -> Vec<DeclaredName> {
 }
 
 /// The instruction that a declared type keeps the state of.
-fn type_at(file: File<'_>, line: usize, offset: TextSize) -> Option<Found> {
-    let parse = &file.context.parse;
+fn type_at(file: &Context, line: usize, offset: TextSize) -> Option<Found> {
+    let parse = &file.parse;
     let start = parse.line_start(line);
     let token = parse.lines()[line]
         .syntax()

@@ -2,7 +2,6 @@
 
 use super::find::{is_system, tag_of_node};
 use super::{Symbol, Usage, declared_names, tag_of};
-use crate::neighbour::File;
 use ladder_analysis::context::{Body, Callee, Context};
 use ladder_analysis::facts::{Node, NodeKind};
 use ladder_analysis::network::{BoundBlock, Formal, Meaning, NetworkFacts};
@@ -21,7 +20,7 @@ pub(crate) struct Occurrence {
 }
 
 /// The places of a symbol in one file, in the order of the text.
-pub(crate) fn occurrences(file: File<'_>, symbol: &Symbol) -> Vec<Occurrence> {
+pub(crate) fn occurrences(file: &Context, symbol: &Symbol) -> Vec<Occurrence> {
     let mut out = Places(Vec::new());
     match symbol {
         Symbol::Tag {
@@ -38,7 +37,7 @@ pub(crate) fn occurrences(file: File<'_>, symbol: &Symbol) -> Vec<Occurrence> {
             }
         }
         Symbol::Global(name) | Symbol::Address(name) => {
-            tag_uses(file, 0..file.context.scopes.len(), symbol, name, &mut out);
+            tag_uses(file, 0..file.scopes.len(), symbol, name, &mut out);
         }
         Symbol::Label { file: of, body, name } if file.is_called(of) => labels(file, *body, name, &mut out),
         Symbol::Label { .. } => {}
@@ -47,7 +46,7 @@ pub(crate) fn occurrences(file: File<'_>, symbol: &Symbol) -> Vec<Occurrence> {
         Symbol::Member { of, name } => members(file, of, name, &mut out),
         Symbol::System(name) => system_tags(file, name, &mut out),
         Symbol::Instruction(op) => {
-            for (_, _, block) in all_blocks(file.context) {
+            for (_, _, block) in all_blocks(file) {
                 if block.op() == Some(*op) {
                     out.add(block.head_range(), Usage::Mention);
                 }
@@ -72,8 +71,8 @@ impl Places {
     }
 }
 
-fn tag_uses(file: File<'_>, scopes: std::ops::Range<usize>, symbol: &Symbol, name: &Name, out: &mut Places) {
-    let context = file.context;
+fn tag_uses(file: &Context, scopes: std::ops::Range<usize>, symbol: &Symbol, name: &Name, out: &mut Places) {
+    let context = file;
     let mut found = false;
     for scope in scopes {
         // What a shadowing tag of the same name does is its own affair.
@@ -103,8 +102,8 @@ fn tag_uses(file: File<'_>, scopes: std::ops::Range<usize>, symbol: &Symbol, nam
 }
 
 /// `raw := button` where a block is used: what is given for an input is written into it.
-fn named_operands(file: File<'_>, symbol: &Symbol, out: &mut Places) {
-    for (_, _, block) in all_blocks(file.context) {
+fn named_operands(file: &Context, symbol: &Symbol, out: &mut Places) {
+    for (_, _, block) in all_blocks(file) {
         let Meaning::User(user) = block.meaning else {
             continue;
         };
@@ -113,7 +112,7 @@ fn named_operands(file: File<'_>, symbol: &Symbol, out: &mut Places) {
                 continue;
             };
             if operand_name(file, user, parameter).as_ref() == Some(symbol) {
-                let usage = match file.context.user_blocks[user].parameters[parameter].kind {
+                let usage = match file.user_blocks[user].parameters[parameter].kind {
                     ParameterKind::Input => Usage::Write,
                     ParameterKind::Output => Usage::Read,
                     ParameterKind::InOut => Usage::ReadWrite,
@@ -125,11 +124,11 @@ fn named_operands(file: File<'_>, symbol: &Symbol, out: &mut Places) {
 }
 
 /// The symbol of a parameter of a user-defined block, by the block's and its own index.
-pub(crate) fn operand_name(file: File<'_>, user: usize, parameter: usize) -> Option<Symbol> {
-    let facts = file.context.user_blocks.get(user)?;
+pub(crate) fn operand_name(file: &Context, user: usize, parameter: usize) -> Option<Symbol> {
+    let facts = file.user_blocks.get(user)?;
     let (of, item) = match &facts.import {
         Some(import) => (&import.file, import.item),
-        None => (file.name, user),
+        None => (&file.name, user),
     };
     Some(Symbol::Tag {
         file: Arc::clone(of),
@@ -138,14 +137,14 @@ pub(crate) fn operand_name(file: File<'_>, user: usize, parameter: usize) -> Opt
     })
 }
 
-fn labels(file: File<'_>, body: Body, name: &Name, out: &mut Places) {
-    for (network, _, block) in all_blocks(file.context) {
+fn labels(file: &Context, body: Body, name: &Name, out: &mut Places) {
+    for (network, _, block) in all_blocks(file) {
         let usage = match block.op() {
             Some(Op::Lbl) => Usage::Definition,
             Some(Op::Jmp) => Usage::Mention,
             _ => continue,
         };
-        if file.context.bodies[network] == body
+        if file.bodies[network] == body
             && let Some(range) = named(block, name)
         {
             out.add(range, usage);
@@ -154,20 +153,20 @@ fn labels(file: File<'_>, body: Body, name: &Name, out: &mut Places) {
 }
 
 /// The label that a name means in a network.
-pub(crate) fn label_name(file: File<'_>, network: usize, name: Name) -> Symbol {
+pub(crate) fn label_name(file: &Context, network: usize, name: Name) -> Symbol {
     Symbol::Label {
-        file: Arc::clone(file.name),
-        body: file.context.bodies[network],
+        file: Arc::clone(&file.name),
+        body: file.bodies[network],
         name,
     }
 }
 
-fn functions(file: File<'_>, of: &Arc<str>, name: &Name, out: &mut Places) {
+fn functions(file: &Context, of: &Arc<str>, name: &Name, out: &mut Places) {
     let leads_there = function_file(file, name).is_some_and(|found| found == *of);
     if !leads_there && !file.is_called(of) {
         return;
     }
-    for (_, _, block) in all_blocks(file.context) {
+    for (_, _, block) in all_blocks(file) {
         let usage = match block.op() {
             Some(Op::Fun) if file.is_called(of) => Usage::Definition,
             Some(Op::Call) => Usage::Mention,
@@ -180,9 +179,9 @@ fn functions(file: File<'_>, of: &Arc<str>, name: &Name, out: &mut Places) {
 }
 
 /// The file whose function a `<CALL>` of a name leads to.
-pub(crate) fn function_file(file: File<'_>, name: &Name) -> Option<Arc<str>> {
-    Some(match file.context.callee(name)? {
-        Callee::Own(_) => Arc::clone(file.name),
+pub(crate) fn function_file(file: &Context, name: &Name) -> Option<Arc<str>> {
+    Some(match file.callee(name)? {
+        Callee::Own(_) => Arc::clone(&file.name),
         Callee::Other(import) => import.file,
     })
 }
@@ -196,8 +195,8 @@ fn named(block: &BoundBlock, name: &Name) -> Option<TextRange> {
     }
 }
 
-fn blocks(file: File<'_>, of: &Arc<str>, name: &Name, out: &mut Places) {
-    let context = file.context;
+fn blocks(file: &Context, of: &Arc<str>, name: &Name, out: &mut Places) {
+    let context = file;
     let own = file.is_called(of);
     if own {
         for block in &context.user_blocks[..context.own_blocks] {
@@ -221,13 +220,13 @@ fn blocks(file: File<'_>, of: &Arc<str>, name: &Name, out: &mut Places) {
 }
 
 /// The file whose user-defined block a name means, in whatever shape it is drawn.
-pub(crate) fn block_file(file: File<'_>, name: &Name) -> Option<Arc<str>> {
-    let context = file.context;
+pub(crate) fn block_file(file: &Context, name: &Name) -> Option<Arc<str>> {
+    let context = file;
     if context.user_blocks[..context.own_blocks]
         .iter()
         .any(|block| block.key == *name)
     {
-        return Some(Arc::clone(file.name));
+        return Some(Arc::clone(&file.name));
     }
     let (exports, _) = context.others.blocks(name).next()?;
     Some(Arc::clone(&exports.file))
@@ -247,15 +246,15 @@ pub(crate) fn block_name(context: &Context, head: TextRange) -> Option<TextRange
     })
 }
 
-fn members(file: File<'_>, of: &Symbol, member: &Name, out: &mut Places) {
+fn members(file: &Context, of: &Symbol, member: &Name, out: &mut Places) {
     let Some(tag) = of.name() else { return };
     let mut usages: HashMap<TextRange, Usage> = HashMap::new();
-    for scope in &file.context.scopes {
+    for scope in &file.scopes {
         let tag = scope.find(tag).map(|tag| &scope.tags[tag]);
         let uses = tag.into_iter().flat_map(|tag| &tag.uses);
         usages.extend(uses.map(|place| (place.range, Usage::from(place.access))));
     }
-    each_operand(file.context, |network, block, _, node| {
+    each_operand(file, |network, block, _, node| {
         let NodeKind::Member(base, word) = &node.kind else {
             return;
         };
@@ -274,8 +273,8 @@ fn members(file: File<'_>, of: &Symbol, member: &Name, out: &mut Places) {
     });
 }
 
-fn system_tags(file: File<'_>, name: &Name, out: &mut Places) {
-    each_operand(file.context, |_, block, _, node| {
+fn system_tags(file: &Context, name: &Name, out: &mut Places) {
+    each_operand(file, |_, block, _, node| {
         if let NodeKind::Member(base, word) = &node.kind
             && is_system(base)
             && Name::new(&word.text) == *name

@@ -42,7 +42,7 @@ pub(super) fn analysis<'a>(
         Cow::Borrowed(analysis)
     } else {
         let parse = ladder_syntax::parse(&aside).into();
-        Cow::Owned(ladder_analysis::analyze(&parse, &analysis.name))
+        Cow::Owned(ladder_analysis::analyze(&parse, &analysis.context.name))
     };
     if analysis.program().is_some() {
         return Ok(analysis);

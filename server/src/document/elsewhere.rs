@@ -7,7 +7,8 @@ use std::path::PathBuf;
 use std::sync::{Arc, OnceLock};
 
 use ladder_analysis::Exported;
-use ladder_ide::{Neighbour, ScenarioFile, Workspace, mentions};
+use ladder_analysis::context::Context;
+use ladder_ide::{ScenarioFile, Workspace, mentions};
 use ladder_syntax::{Name, TextRange};
 use ladder_workspace::Named;
 use ropey::Rope;
@@ -164,7 +165,7 @@ impl Elsewhere {
 
     /// The file of a name as an editor shows it; the document itself too.
     pub(crate) fn text(&self, name: &str) -> Option<FileText> {
-        let own = self.own.analysis().is_some_and(|own| *own.whole().name == *name);
+        let own = self.own.names().is_some_and(|own| own.context().is_called(name));
         let open = if own {
             Some(&self.own)
         } else {
@@ -199,37 +200,34 @@ impl Elsewhere {
         })
     }
 
-    fn which(&self, wanted: impl Fn(&str, &dyn Fn() -> String) -> bool) -> Vec<Neighbour> {
+    fn which(&self, wanted: impl Fn(&str, &dyn Fn() -> String) -> bool) -> Vec<Arc<Context>> {
         let files = self.files();
         let waited_for = || !self.cancel.is_cancelled();
         let open = files.open.iter().take_while(|_| waited_for());
         let open = open.filter(|(name, revision)| wanted(name, &|| revision.rope().to_string()));
-        let mut found: Vec<Neighbour> = open
-            .filter_map(|(_, revision)| {
-                let analysis = revision.analysis()?;
-                Some(Neighbour::analysed(Arc::clone(analysis.whole())))
-            })
+        let mut found: Vec<Arc<Context>> = open
+            .filter_map(|(_, revision)| Some(Arc::clone(revision.names()?.context())))
             .collect();
         let Some(exported) = &files.exported else {
             return found;
         };
         let closed = files.closed.iter().take_while(|_| waited_for());
         let closed = closed.filter(|(_, file)| wanted(&file.name, &|| file.text.clone()));
-        found.extend(closed.map(|(_, file)| Neighbour::read(Arc::clone(&file.name), file.context(exported))));
+        found.extend(closed.map(|(_, file)| file.context(exported)));
         found
     }
 }
 
 impl Workspace for Elsewhere {
-    fn file(&self, name: &str) -> Option<Neighbour> {
+    fn file(&self, name: &str) -> Option<Arc<Context>> {
         self.which(|of, _| of == name).pop()
     }
 
-    fn mentioning(&self, name: &Name) -> Vec<Neighbour> {
+    fn mentioning(&self, name: &Name) -> Vec<Arc<Context>> {
         self.which(|_, text| mentions(&text(), name))
     }
 
-    fn all(&self) -> Vec<Neighbour> {
+    fn all(&self) -> Vec<Arc<Context>> {
         self.which(|_, _| true)
     }
 

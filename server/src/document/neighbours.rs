@@ -67,7 +67,7 @@ impl OnDisk {
             return Arc::clone(context);
         }
         let others = exported.others_of(&self.name);
-        let context = Arc::new(context(&self.parse, &others, &mut Vec::new()));
+        let context = Arc::new(context(&self.parse, &self.name, &others));
         *names = Some((Arc::clone(exported), Arc::clone(&context)));
         context
     }
@@ -91,7 +91,7 @@ impl Neighbours {
 
     /// Enters the analysis of an open file. True if the others see something else now.
     pub(crate) fn analysed(&self, path: &Path, analysis: &Arc<Analysis>) -> bool {
-        let exports = Arc::new(Exports::of(&analysis.context, &analysis.name));
+        let exports = Arc::new(Exports::of(&analysis.context, &analysis.context.name));
         let mut state = self.lock();
         let (_, folder) = state.folder(path);
         let changed = match folder.shown(path).cloned() {

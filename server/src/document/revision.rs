@@ -13,8 +13,15 @@ use ropey::Rope;
 use super::kind::Kind;
 use super::neighbours::Place;
 use super::position::{self, Encoding, Position, Range};
-use crate::language::Analysis;
+use crate::language::{Analysis, Names};
 use crate::notation::Opened;
+
+/// What was made of a text.
+#[derive(Debug, Default)]
+struct Made {
+    names: Option<Names>,
+    analysis: Option<Analysis>,
+}
 
 /// A document as it was between two changes. It never changes, so whoever holds one can work on it in peace
 /// while the editor types on; whether it is still what the editor shows is for the store to say.
@@ -36,13 +43,14 @@ pub(crate) struct Revision {
     edited: usize,
     /// Where the file lies, if it is one.
     place: Option<Place>,
+    names: OnceLock<Names>,
     analysis: OnceLock<Analysis>,
     /// What the text becomes, if it is a program of another system.
     opened: OnceLock<Result<Opened, ReadError>>,
-    /// The analysis that was made last of any revision of the document: the next one begins with it.
-    latest: Arc<Mutex<Option<Analysis>>>,
-    /// The one that this revision's began with. To throw it away takes a while: that can wait.
-    superseded: Mutex<Option<Analysis>>,
+    /// What was made last of any revision of the document: the next one begins with its names.
+    latest: Arc<Mutex<Made>>,
+    /// What this revision began with. To throw it away takes a while: that can wait.
+    superseded: Mutex<Made>,
 }
 
 impl Revision {
@@ -66,6 +74,7 @@ impl Revision {
             rope,
             edited: 0,
             place,
+            names: OnceLock::new(),
             analysis: OnceLock::new(),
             opened: OnceLock::new(),
             latest: Arc::default(),
@@ -97,30 +106,40 @@ impl Revision {
         Revision::new(Arc::from(uri), Kind::Program, 0, 0, encoding, rope, Some(place))
     }
 
-    /// What the language has to say about the text, computed at the first call, or `None` for a text over
-    /// [`MAX_OPEN_BYTES`] or [`MAX_OPEN_LINES`]. Takes milliseconds on a large file: for a blocking thread.
-    pub(crate) fn analysis(&self) -> Option<&Analysis> {
+    /// The names, networks and blocks of the text, read at the first call, or `None` for a text over [`MAX_OPEN_BYTES`] or
+    /// [`MAX_OPEN_LINES`]. Takes milliseconds on a large file: for a blocking thread.
+    pub(crate) fn names(&self) -> Option<&Names> {
         // Offsets of the inner crates are 32 bits wide; they read slices, not ropes.
         self.fits().then(|| {
-            self.analysis.get_or_init(|| {
+            self.names.get_or_init(|| {
                 let text = self.rope.to_string();
-                let before = self.latest().clone();
-                let analysis = match &self.place {
+                let before = self.latest().names.clone();
+                let names = match &self.place {
                     Some(place) => {
                         let (name, others) = place.neighbours.view(&place.path);
-                        let rules = place.neighbours.rules(&place.path);
-                        Analysis::of(text, before.as_ref(), &name, &others, &rules)
+                        Names::of(text, before.as_ref(), &name, &others)
                     }
-                    None => {
-                        let rules = RuleSettings::default();
-                        Analysis::of(text, before.as_ref(), self.name(), &Others::default(), &rules)
-                    }
+                    None => Names::of(text, before.as_ref(), self.name(), &Others::default()),
                 };
-                *self.latest() = Some(analysis.clone());
-                *self.superseded() = before;
-                analysis
+                self.latest().names = Some(names.clone());
+                self.superseded().names = before;
+                names
             })
         })
+    }
+
+    /// The same with all that is found in it: for those who cannot do without.
+    pub(crate) fn analysis(&self) -> Option<&Analysis> {
+        let names = self.names()?;
+        Some(self.analysis.get_or_init(|| {
+            let rules = match &self.place {
+                Some(place) => place.neighbours.rules(&place.path),
+                None => RuleSettings::default(),
+            };
+            let analysis = Analysis::of(names, &rules);
+            self.superseded().analysis = self.latest().analysis.replace(analysis.clone());
+            analysis
+        }))
     }
 
     /// What the text is.
@@ -155,14 +174,14 @@ impl Revision {
 
     /// Throws away what was known of the text before: when its successor has been told, and nobody waits.
     pub(crate) fn forget_superseded(&self) {
-        drop(self.superseded().take());
+        drop(std::mem::take(&mut *self.superseded()));
     }
 
-    fn superseded(&self) -> MutexGuard<'_, Option<Analysis>> {
+    fn superseded(&self) -> MutexGuard<'_, Made> {
         self.superseded.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
-    fn latest(&self) -> MutexGuard<'_, Option<Analysis>> {
+    fn latest(&self) -> MutexGuard<'_, Made> {
         self.latest.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
@@ -197,7 +216,7 @@ impl Revision {
 
     /// The edits that bring the text into the layout that its workspace asks for.
     pub(crate) fn format(&self) -> Option<Vec<Edit>> {
-        Some(self.analysis()?.format(&self.format_options()))
+        Some(self.names()?.format(&self.format_options()))
     }
 
     /// The layout that its workspace asks for.
@@ -277,5 +296,21 @@ impl Revision {
 
     pub(super) fn rope(&self) -> &Rope {
         &self.rope
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::document::Documents;
+
+    #[test]
+    fn who_asks_for_names_waits_for_no_rule() {
+        let documents = Documents::default();
+        let text = "+--[ ]( a )--( )( b )--+\n";
+        let revision = documents.open_at("file:///a.clad", Kind::Program, 1, Encoding::Utf8, text, None);
+        assert_eq!(revision.names().unwrap().context().networks.len(), 1);
+        assert!(revision.analysis.get().is_none());
+        assert!(revision.analysis().is_some());
     }
 }

@@ -47,7 +47,7 @@ impl Engine {
         };
         let program = match revision.program() {
             Some(Ok(program)) => program,
-            Some(Err(NotWhole::Errors(file))) if *file != *analysis.whole().name => {
+            Some(Err(NotWhole::Errors(file))) if *file != *analysis.whole().context.name => {
                 return Err(Failure::Failed(format!(
                     "there are errors in {file}, which the program uses"
                 )));

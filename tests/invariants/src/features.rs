@@ -15,34 +15,44 @@ pub type Ask = fn(&Analysis, TextSize, TextSize);
 
 /// All features that are asked at a place.
 pub const FEATURES: [(&str, Ask); 19] = [
-    ("hover", |it, at, _| drop(hover(it, at))),
+    ("hover", |it, at, _| drop(hover(&it.context, at))),
     ("completion", |it, at, end| {
-        for item in completions(it, at, None).items {
+        for item in completions(&it.context, at, None).items {
             assert!(item.range.contains_inclusive(at) && item.range.end() <= end);
             drop(item.text.snippet());
         }
-        drop(completions(it, at, Some('.')));
+        drop(completions(&it.context, at, Some('.')));
     }),
     ("documentation", |it, at, _| {
-        for item in completions(it, at, None).items.iter().take(5) {
-            drop(documentation(it, &item.topic));
+        for item in completions(&it.context, at, None).items.iter().take(5) {
+            drop(documentation(&it.context, &item.topic));
         }
     }),
-    ("signature help", |it, at, _| drop(signature_help(it, at))),
-    ("definition", |it, at, _| drop(definition(it, at, &Alone))),
-    ("declaration", |it, at, _| drop(declaration(it, at, &Alone))),
-    ("type definition", |it, at, _| {
-        drop(type_definition(it, at, &Alone));
+    ("signature help", |it, at, _| {
+        drop(signature_help(&it.context, at));
     }),
-    ("implementation", |it, at, _| drop(implementation(it, at, &Alone))),
-    ("references", |it, at, _| drop(references(it, at, &Alone))),
+    ("definition", |it, at, _| {
+        drop(definition(&it.context, at, &Alone));
+    }),
+    ("declaration", |it, at, _| {
+        drop(declaration(&it.context, at, &Alone));
+    }),
+    ("type definition", |it, at, _| {
+        drop(type_definition(&it.context, at, &Alone));
+    }),
+    ("implementation", |it, at, _| {
+        drop(implementation(&it.context, at, &Alone));
+    }),
+    ("references", |it, at, _| {
+        drop(references(&it.context, at, &Alone));
+    }),
     ("highlights", |it, at, end| {
-        for highlight in highlights(it, at) {
+        for highlight in highlights(&it.context, at) {
             assert!(highlight.range.end() <= end);
         }
     }),
     ("selections", |it, at, end| {
-        let ranges = selections(it, at);
+        let ranges = selections(&it.context, at);
         assert!(!ranges.is_empty());
         assert!(ranges[0].contains_inclusive(at), "{ranges:?} around {at:?}");
         for pair in ranges.windows(2) {
@@ -54,14 +64,16 @@ pub const FEATURES: [(&str, Ask); 19] = [
         assert_eq!(ranges.last(), Some(&TextRange::up_to(end)));
     }),
     ("calls", |it, at, _| {
-        for caller in callers_at(it, at, &Alone) {
-            drop(incoming_calls(it, &caller, &Alone));
-            drop(outgoing_calls(it, &caller, &Alone));
+        for caller in callers_at(&it.context, at, &Alone) {
+            drop(incoming_calls(&it.context, &caller, &Alone));
+            drop(outgoing_calls(&it.context, &caller, &Alone));
         }
     }),
-    ("prepare rename", |it, at, _| drop(prepare_rename(it, at))),
+    ("prepare rename", |it, at, _| {
+        drop(prepare_rename(&it.context, at));
+    }),
     ("rename", |it, at, end| {
-        if let Ok(files) = rename(it, at, "a_new_name", &Alone, &Options::default()) {
+        if let Ok(files) = rename(&it.context, at, "a_new_name", &Alone, &Options::default()) {
             for file in files {
                 apart(&file.edits, end);
             }
@@ -69,7 +81,7 @@ pub const FEATURES: [(&str, Ask); 19] = [
     }),
     ("while typing", |it, at, end| {
         for typed in TRIGGERS {
-            let edits = on_type(it, at, typed, &Options::default());
+            let edits = on_type(&it.context, at, typed, &Options::default());
             apart(&edits, end);
             nothing_is_lost(it, &edits);
         }
@@ -82,22 +94,22 @@ pub const FEATURES: [(&str, Ask); 19] = [
         }
     }),
     ("hints from there on", |it, at, end| {
-        drop(inlays(it, TextRange::new(at, end)));
+        drop(inlays(&it.context, TextRange::new(at, end)));
     }),
     ("tokens from there on", |it, at, end| {
-        drop(semantic_tokens(it, Some(TextRange::new(at, end))));
+        drop(semantic_tokens(&it.context, Some(TextRange::new(at, end))));
     }),
 ];
 
 /// Those that are asked once for a text.
 pub fn whole(analysis: &Analysis) {
-    drop(folds(analysis));
-    drop(outline(analysis));
-    drop(links(analysis));
-    drop(lenses(analysis));
-    drop(semantic_tokens(analysis, None));
+    drop(folds(&analysis.context));
+    drop(outline(&analysis.context));
+    drop(links(&analysis.context));
+    drop(lenses(&analysis.context));
+    drop(semantic_tokens(&analysis.context, None));
     drop(fix_all(analysis));
-    drop(workspace_symbols("a", analysis, &Alone));
+    drop(workspace_symbols("a", &analysis.context, &Alone));
 }
 
 /// Checks that edits are sorted and disjoint, and end within the text.

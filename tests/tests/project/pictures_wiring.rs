@@ -18,7 +18,7 @@ type End = Option<(usize, usize)>;
 type Ways = BTreeSet<(End, End)>;
 type At = (i32, i32);
 
-fn drawn(text: &str) -> (Context, Scene) {
+fn drawn(text: &str) -> (Arc<Context>, Scene) {
     let context = analyze(&Arc::new(parse(text)), "program").context.clone();
     let scene = scene(&context, &Options::default());
     (context, scene)

@@ -117,8 +117,8 @@ fn sorted_and_apart(edits: &[Edit]) {
 /// Renames what stands at an offset; the old name and the new text, or none if that is refused.
 fn renamed(text: &str, offset: TextSize, new: &str) -> Option<(String, String)> {
     let analysis = analyze(&Arc::new(parse(text)), "program");
-    let old = prepare_rename(&analysis, offset).ok()??.name;
-    let files = rename(&analysis, offset, new, &Alone, &Options::default()).ok()?;
+    let old = prepare_rename(&analysis.context, offset).ok()??.name;
+    let files = rename(&analysis.context, offset, new, &Alone, &Options::default()).ok()?;
     let edits = files.into_iter().next().map_or_else(Vec::new, |file| file.edits);
     sorted_and_apart(&edits);
     Some((old, apply(text, &edits)))

@@ -228,7 +228,7 @@ fn compile(
             vec![Problem::unusable(Place::start(&source.file), &message)]
         }
         NotWhole::Errors(file) => match source.other(&file) {
-            Some(other) if source.analyze().name != file => errors(&other, renderer),
+            Some(other) if source.analyze().context.name != file => errors(&other, renderer),
             _ => errors(source, renderer),
         },
     })?;

@@ -20,7 +20,7 @@ fn at_cursor(fixture: &str) -> (String, TextSize, Analysis) {
 
 fn found(fixture: &str) -> (String, Completions) {
     let (text, offset, analysis) = at_cursor(fixture);
-    let found = completions(&analysis, offset, None);
+    let found = completions(&analysis.context, offset, None);
     (text, found)
 }
 
@@ -92,7 +92,7 @@ fn what_is_accepted_reads() {
                 let before = mistakes(&line);
                 let cursor = TextSize::new((PLANT.len() + cut) as u32);
                 let analysis = analyze(&Arc::new(parse(&text)), "test.clad");
-                for item in completions(&analysis, cursor, None).items {
+                for item in completions(&analysis.context, cursor, None).items {
                     assert!(item.range.contains_inclusive(cursor));
                     assert!(!text[item.range].contains('\n'));
                     let range = item.range - TextSize::of(PLANT);

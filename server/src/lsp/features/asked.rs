@@ -11,13 +11,13 @@ use crate::document::Revision;
 use crate::document::elsewhere::{Elsewhere, FileText};
 use crate::lsp::transport::blocking::blocking;
 use crate::lsp::{convert, shared::Shared};
-use ladder_analysis::Analysis;
+use ladder_analysis::context::Context;
 use ladder_syntax::{TextRange, TextSize};
 
 /// A document that is asked about.
 pub(crate) struct Asked {
     pub(crate) revision: Arc<Revision>,
-    pub(crate) analysis: Arc<Analysis>,
+    pub(crate) context: Arc<Context>,
     pub(crate) elsewhere: Elsewhere,
 }
 
@@ -40,10 +40,10 @@ pub(crate) async fn about<T: Send + 'static>(
     let (documents, companions) = (Arc::clone(&shared.documents), Arc::clone(&shared.companions));
     blocking(move |cancel| {
         let elsewhere = Elsewhere::of(&revision, &documents, &companions, cancel);
-        let analysis = Arc::clone(revision.analysis()?.whole());
+        let context = Arc::clone(revision.names()?.context());
         job(&Asked {
             revision,
-            analysis,
+            context,
             elsewhere,
         })
     })

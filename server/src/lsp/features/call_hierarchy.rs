@@ -29,7 +29,7 @@ pub(crate) async fn prepare(
     params: CallHierarchyPrepareParams,
 ) -> Result<Option<Vec<CallHierarchyItem>>> {
     about_place(shared, params.text_document_position_params, |asked, offset| {
-        let found = callers_at(&asked.analysis, offset, &asked.elsewhere);
+        let found = callers_at(&asked.context, offset, &asked.elsewhere);
         let mut places = Places::of(asked);
         let items: Vec<_> = found
             .iter()
@@ -54,7 +54,7 @@ pub(crate) async fn incoming(
                 from: item(asked, &mut places, &calls.other)?,
             })
         };
-        let calls = incoming_calls(&asked.analysis, caller, &asked.elsewhere);
+        let calls = incoming_calls(&asked.context, caller, &asked.elsewhere);
         calls.into_iter().filter_map(call).collect()
     })
     .await
@@ -74,7 +74,7 @@ pub(crate) async fn outgoing(
                 to: item(asked, &mut places, &calls.other)?,
             })
         };
-        let calls = outgoing_calls(&asked.analysis, caller, &asked.elsewhere);
+        let calls = outgoing_calls(&asked.context, caller, &asked.elsewhere);
         calls.into_iter().filter_map(call).collect()
     })
     .await

@@ -67,7 +67,7 @@ pub(crate) async fn code_lens(shared: &Arc<Shared>, params: CodeLensParams) -> R
         return Ok(None);
     };
     blocking(move |_| {
-        let found = revision.analysis()?.lenses();
+        let found = revision.names()?.lenses();
         let mut lenses = Vec::new();
         for lens in found {
             let range = convert::range_in(&revision, lens.at);
@@ -131,7 +131,7 @@ pub(crate) async fn resolve(shared: &Arc<Shared>, mut lens: CodeLens) -> Result<
         position,
     };
     let places = about_place(shared, place, |asked, offset| {
-        let found = ladder_ide::references(&asked.analysis, offset, &asked.elsewhere);
+        let found = ladder_ide::references(&asked.context, offset, &asked.elsewhere);
         let mut places = Places::of(asked);
         let uses = found.iter().filter(|it| !it.usage.declares());
         Some(

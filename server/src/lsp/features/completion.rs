@@ -38,9 +38,9 @@ pub(crate) async fn completion(
     let trigger = trigger.and_then(|trigger| trigger.chars().next());
     let agreed = shared.agreed();
     blocking(move |_| {
-        let analysis = revision.analysis()?;
+        let names = revision.names()?;
         let offset = revision.offset(convert::our_position(place.position));
-        let found = analysis.completions(offset, trigger);
+        let found = names.completions(offset, trigger);
         let items = found.items.into_iter().enumerate();
         let items = items.map(|(index, item)| proposal(agreed, &revision, index, item));
         Some(CompletionResponse::List(CompletionList {
@@ -148,7 +148,7 @@ async fn documentation(shared: &Arc<Shared>, data: Value) -> Result<Option<Docum
         return Ok(None);
     };
     blocking(move |_| {
-        let card = revision.analysis()?.documentation(&topic)?;
+        let card = revision.names()?.documentation(&topic)?;
         Some(markup::documentation(
             markdown,
             markup::linked(card, &revision.uri),

@@ -20,7 +20,7 @@ pub(crate) async fn folding_ranges(
         .fold_limit
         .map_or(usize::MAX, |limit| limit as usize);
     about(shared, &params.text_document.uri, move |asked| {
-        let found = folds(&asked.analysis).into_iter().take(limit);
+        let found = folds(&asked.context).into_iter().take(limit);
         let fold = found.map(|fold| {
             let range = convert::range_in(&asked.revision, fold.range);
             FoldingRange {
@@ -41,7 +41,7 @@ pub(crate) async fn selection_ranges(
 ) -> Result<Option<Vec<SelectionRange>>> {
     about(shared, &params.text_document.uri, move |asked| {
         let of_position = |position| {
-            let ranges = selections(&asked.analysis, asked.offset(position));
+            let ranges = selections(&asked.context, asked.offset(position));
             let outermost_first = ranges.into_iter().rev();
             let chain = outermost_first.fold(None, |parent: Option<Box<SelectionRange>>, range| {
                 let range = convert::range_in(&asked.revision, range);

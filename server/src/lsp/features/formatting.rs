@@ -58,15 +58,15 @@ pub(crate) async fn on_type_formatting(
         return Ok(None);
     };
     current(shared, &place.text_document.uri, move |revision| {
-        let analysis = revision.analysis()?.whole();
+        let context = revision.names()?.context();
         let offset = revision.offset(convert::our_position(place.position));
-        Some(on_type(analysis, offset, typed, &revision.format_options()))
+        Some(on_type(context, offset, typed, &revision.format_options()))
     })
     .await
 }
 
 fn in_ranges(revision: &Revision, ranges: Vec<Range>) -> Option<Vec<Edit>> {
-    let analysis = revision.analysis()?.whole();
+    let context = revision.names()?.context();
     let range = |range: Range| {
         let range = convert::our_range(range);
         let (a, b) = (revision.offset(range.start), revision.offset(range.end));
@@ -74,7 +74,7 @@ fn in_ranges(revision: &Revision, ranges: Vec<Range>) -> Option<Vec<Edit>> {
     };
     let ranges: Vec<TextRange> = ranges.into_iter().map(range).collect();
     let options = revision.format_options();
-    Some(format_ranges(&analysis.context.parse, &options, &ranges))
+    Some(format_ranges(&context.parse, &options, &ranges))
 }
 
 /// The edits of a document. An answer names no version: edits for a text that has moved on would tear the drawing.

@@ -7,12 +7,12 @@ use tower_lsp::ls_types::{GotoDefinitionParams, GotoDefinitionResponse, Location
 
 use super::asked::{Places, about_place};
 use crate::lsp::{capabilities::Links, shared::Shared};
-use ladder_analysis::Analysis;
+use ladder_analysis::context::Context;
 use ladder_ide::{Target, Workspace};
 use ladder_syntax::TextSize;
 
 /// Which of the four is asked for.
-pub(crate) type Question = fn(&Analysis, TextSize, &dyn Workspace) -> Vec<Target>;
+pub(crate) type Question = fn(&Context, TextSize, &dyn Workspace) -> Vec<Target>;
 
 pub(crate) async fn goto(
     shared: &Arc<Shared>,
@@ -25,7 +25,7 @@ pub(crate) async fn goto(
         shared,
         params.text_document_position_params,
         move |asked, offset| {
-            let targets = question(&asked.analysis, offset, &asked.elsewhere);
+            let targets = question(&asked.context, offset, &asked.elsewhere);
             if targets.is_empty() {
                 return None;
             }

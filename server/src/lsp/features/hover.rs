@@ -20,10 +20,10 @@ pub(crate) async fn hover(shared: &Arc<Shared>, params: HoverParams) -> Result<O
         shared,
         params.text_document_position_params,
         move |asked, offset| {
-            let hover = ladder_ide::hover(&asked.analysis, offset)?;
+            let hover = ladder_ide::hover(&asked.context, offset)?;
             let range = Some(convert::range_in(&asked.revision, hover.range));
             let mut text = markup::linked(hover.markdown, &asked.revision.uri);
-            if let Some(elsewhere) = ladder_ide::used_elsewhere(&asked.analysis, offset, &asked.elsewhere) {
+            if let Some(elsewhere) = ladder_ide::used_elsewhere(&asked.context, offset, &asked.elsewhere) {
                 text = format!("{text}\n\n---\n\n{elsewhere}");
             }
             Some(Hover {

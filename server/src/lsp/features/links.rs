@@ -17,7 +17,7 @@ pub(crate) async fn document_links(
 ) -> Result<Option<Vec<DocumentLink>>> {
     about(shared, &params.text_document.uri, |asked| {
         let path = asked.revision.place().map(|place| place.path.clone());
-        let found = links(&asked.analysis).into_iter().filter_map(|link| {
+        let found = links(&asked.context).into_iter().filter_map(|link| {
             let address = match &link.to {
                 LinkTarget::Web(address) => address.clone(),
                 LinkTarget::File(name) => {

@@ -17,7 +17,7 @@ pub(crate) async fn references(
 ) -> Result<Option<Vec<Location>>> {
     let declarations = params.context.include_declaration;
     about_place(shared, params.text_document_position, move |asked, offset| {
-        let found = ladder_ide::references(&asked.analysis, offset, &asked.elsewhere);
+        let found = ladder_ide::references(&asked.context, offset, &asked.elsewhere);
         let mut places = Places::of(asked);
         let wanted = found.iter().filter(|it| declarations || !it.usage.declares());
         Some(
@@ -34,7 +34,7 @@ pub(crate) async fn highlight(
     params: DocumentHighlightParams,
 ) -> Result<Option<Vec<DocumentHighlight>>> {
     about_place(shared, params.text_document_position_params, |asked, offset| {
-        let found = highlights(&asked.analysis, offset).into_iter();
+        let found = highlights(&asked.context, offset).into_iter();
         let shown = found.map(|it| DocumentHighlight {
             range: convert::range_in(&asked.revision, it.range),
             kind: Some(match it.usage {

@@ -25,7 +25,7 @@ pub(crate) async fn prepare(
     place: TextDocumentPositionParams,
 ) -> Result<Option<PrepareRenameResponse>> {
     let prepared = about_place(shared, place, |asked, offset| {
-        Some(match ladder_ide::prepare_rename(&asked.analysis, offset) {
+        Some(match ladder_ide::prepare_rename(&asked.context, offset) {
             Err(refused) => Err(refused),
             Ok(found) => Ok(found.map(|it| PrepareRenameResponse::RangeWithPlaceholder {
                 range: convert::range_in(&asked.revision, it.range),
@@ -43,7 +43,7 @@ pub(crate) async fn prepare(
 pub(crate) async fn rename(shared: &Arc<Shared>, params: RenameParams) -> Result<Option<WorkspaceEdit>> {
     let renamed = about_place(shared, params.text_document_position, move |asked, offset| {
         let options = asked.revision.format_options();
-        let (analysis, new) = (&asked.analysis, params.new_name);
+        let (analysis, new) = (&asked.context, params.new_name);
         Some(
             ladder_ide::rename(analysis, offset, &new, &asked.elsewhere, &options)
                 .map(|files| changes(asked, files)),

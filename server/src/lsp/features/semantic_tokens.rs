@@ -132,12 +132,12 @@ async fn tokens(
     };
     let several_lines = shared.agreed().multiline_tokens;
     blocking(move |_| {
-        let analysis = revision.analysis()?;
+        let names = revision.names()?;
         let within = range.map(|range| {
             let (start, end) = (revision.offset(range.start), revision.offset(range.end));
             TextRange::new(start.min(end), start.max(end))
         });
-        let tokens = analysis.semantic_tokens(within);
+        let tokens = names.semantic_tokens(within);
         Some(encoded(&revision, &tokens, several_lines).into())
     })
     .await

@@ -32,7 +32,7 @@ pub(crate) async fn signature_help(
     let agreed = shared.agreed();
     blocking(move |_| {
         let offset = revision.offset(convert::our_position(place.position));
-        let help = revision.analysis()?.signature_help(offset)?;
+        let help = revision.names()?.signature_help(offset)?;
         let active = &help.signatures[help.active];
         // One behind the last means that none of them is meant.
         let parameter = active.active.unwrap_or(active.parameters.len()) as u32;

@@ -22,7 +22,7 @@ pub(crate) async fn document_symbols(
 ) -> Result<Option<DocumentSymbolResponse>> {
     let nested = shared.agreed().nested_symbols;
     about(shared, &params.text_document.uri, move |asked| {
-        let found = outline(&asked.analysis);
+        let found = outline(&asked.context);
         Some(if nested {
             DocumentSymbolResponse::Nested(found.iter().map(|it| symbol(&asked.revision, it)).collect())
         } else {
@@ -54,16 +54,16 @@ pub(crate) async fn symbols(
             }
             seen.insert(Arc::clone(&revision.uri));
             seen.extend(elsewhere.open().map(|other| Arc::clone(&other.uri)));
-            let Some(analysis) = revision.analysis() else {
+            let Some(names) = revision.names() else {
                 continue;
             };
             let asked = Asked {
-                analysis: Arc::clone(analysis.whole()),
+                context: Arc::clone(names.context()),
                 revision,
                 elsewhere,
             };
             let mut places = Places::of(&asked);
-            for named in workspace_symbols(&params.query, &asked.analysis, &asked.elsewhere) {
+            for named in workspace_symbols(&params.query, &asked.context, &asked.elsewhere) {
                 if let Some(location) = places.location(&named.file, named.range) {
                     found.push(information(named.name, named.kind, location, named.container));
                 }

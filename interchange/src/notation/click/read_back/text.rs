@@ -20,7 +20,7 @@ pub(super) fn program(analysis: &Analysis, text: &str) -> Result<Arc<Program>, W
         return Ok(Arc::clone(program));
     }
     let aside = stood_in.replace(PROFILE, &" ".repeat(PROFILE.len()));
-    let again = ladder_analysis::analyze(&ladder_syntax::parse(&aside).into(), &analysis.name);
+    let again = ladder_analysis::analyze(&ladder_syntax::parse(&aside).into(), &analysis.context.name);
     if let Some(program) = again.program().or(analysis.program()) {
         return Ok(Arc::clone(program));
     }
