@@ -1,0 +1,140 @@
+//! The language server as a process, spoken to as an editor does, and what the system counts of it.
+
+use serde_json::{Value, json};
+use std::io::{BufRead, BufReader, Read, Write};
+use std::path::PathBuf;
+use std::process::{Child, ChildStdin, ChildStdout, Command, Stdio};
+use std::time::Duration;
+
+/// A running language server.
+pub(super) struct Server {
+    child: Child,
+    stdin: ChildStdin,
+    stdout: BufReader<ChildStdout>,
+    next_id: u64,
+    /// Of which version the last diagnostics are.
+    checked: i64,
+}
+
+impl Server {
+    /// Starts one, and greets it.
+    pub(super) fn start() -> Server {
+        let program = program();
+        let mut child = Command::new(&program)
+            .arg("lsp")
+            .stdin(Stdio::piped())
+            .stdout(Stdio::piped())
+            .stderr(Stdio::null())
+            .spawn()
+            .unwrap_or_else(|error| panic!("cannot start {}: {error}", program.display()));
+        let stdin = child.stdin.take().expect("stdin is piped");
+        let stdout = BufReader::new(child.stdout.take().expect("stdout is piped"));
+        let mut server = Server {
+            child,
+            stdin,
+            stdout,
+            next_id: 0,
+            checked: 0,
+        };
+        server.request(
+            "initialize",
+            &json!({ "processId": null, "rootUri": null, "capabilities": {} }),
+        );
+        server.send(&json!({ "jsonrpc": "2.0", "method": "initialized", "params": {} }));
+        server
+    }
+
+    /// Sends a message.
+    pub(super) fn send(&mut self, message: &Value) {
+        let body = message.to_string();
+        write!(self.stdin, "Content-Length: {}\r\n\r\n{body}", body.len()).expect("the server reads");
+        self.stdin.flush().expect("the server reads");
+    }
+
+    fn receive(&mut self) -> Value {
+        let mut length = 0;
+        loop {
+            let mut line = String::new();
+            let read = self.stdout.read_line(&mut line).expect("the server answers");
+            assert!(read > 0, "the server has ended");
+            if line == "\r\n" {
+                break;
+            }
+            if let Some(value) = line.strip_prefix("Content-Length: ") {
+                length = value.trim().parse().expect("a length is a number");
+            }
+        }
+        let mut body = vec![0; length];
+        self.stdout
+            .read_exact(&mut body)
+            .expect("the server answers whole");
+        let message: Value = serde_json::from_slice(&body).expect("the server answers JSON");
+        if message["method"] == "textDocument/publishDiagnostics" {
+            let version = message["params"]["version"].as_i64();
+            self.checked = version.unwrap_or(self.checked);
+        }
+        message
+    }
+
+    /// Asks, and waits for the answer.
+    pub(super) fn request(&mut self, method: &str, params: &Value) -> Value {
+        self.next_id += 1;
+        let id = self.next_id;
+        self.send(&json!({ "jsonrpc": "2.0", "id": id, "method": method, "params": params }));
+        loop {
+            let message = self.receive();
+            if message["id"] == json!(id) {
+                return message;
+            }
+        }
+    }
+
+    /// Waits for the diagnostics of a version, if they have not come yet.
+    pub(super) fn diagnostics_of(&mut self, version: i64) {
+        while self.checked < version {
+            self.receive();
+        }
+    }
+
+    /// Time of the processor that the server has taken, in all its threads: what else the machine does is not in it.
+    /// Linux only.
+    pub(super) fn processor_time(&self) -> Option<Duration> {
+        let tasks = std::fs::read_dir(format!("/proc/{}/task", self.child.id())).ok()?;
+        let of = |task: std::fs::DirEntry| {
+            let stat = std::fs::read_to_string(task.path().join("schedstat")).ok()?;
+            stat.split_whitespace().next()?.parse::<u64>().ok()
+        };
+        let nanoseconds: u64 = tasks.flatten().filter_map(of).sum();
+        Some(Duration::from_nanos(nanoseconds))
+    }
+
+    /// Memory that the server holds, and has held at most, in bytes. Linux only.
+    pub(super) fn memory(&self) -> Option<[u64; 2]> {
+        let status = std::fs::read_to_string(format!("/proc/{}/status", self.child.id())).ok()?;
+        let of = |name: &str| {
+            let line = status.lines().find(|line| line.starts_with(name))?;
+            line.split_whitespace().nth(1)?.parse::<u64>().ok()
+        };
+        Some([of("VmRSS:")? * 1024, of("VmHWM:")? * 1024])
+    }
+}
+
+impl Drop for Server {
+    fn drop(&mut self) {
+        let _ = self.child.kill();
+        let _ = self.child.wait();
+    }
+}
+
+/// The release build beside this bench, unless `LADDER_BIN` names another.
+fn program() -> PathBuf {
+    if let Some(path) = std::env::var_os("LADDER_BIN") {
+        return path.into();
+    }
+    let bench = std::env::current_exe().expect("a program knows where it is");
+    bench
+        .ancestors()
+        .nth(2)
+        .expect("target/release/deps")
+        .join("ladder")
+}

@@ -1,0 +1,123 @@
+//! The programs that are typed into, and where.
+
+use std::fmt::Write as _;
+
+/// What makes an edit dear.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Kind {
+    /// Nothing: all is declared, and nothing is found.
+    Clean,
+    /// Every network has a warning.
+    Warned,
+    /// Every tag stands in two networks.
+    Shared,
+    /// Every network names a tag twice: its boolean function is worked out.
+    NamedTwice,
+    /// Every network holds a user-defined block.
+    UserBlocks,
+}
+
+pub(super) const KINDS: [(&str, Kind); 5] = [
+    ("clean", Kind::Clean),
+    ("warned", Kind::Warned),
+    ("shared", Kind::Shared),
+    ("twice", Kind::NamedTwice),
+    ("blocks", Kind::UserBlocks),
+];
+
+/// A program, and its networks.
+pub(super) struct Program {
+    pub(super) text: String,
+}
+
+/// A place of one letter: line and column, from 0.
+#[derive(Clone, Copy)]
+pub(super) struct Spot {
+    pub(super) line: usize,
+    pub(super) column: usize,
+}
+
+impl Program {
+    /// About so many rungs, aligned.
+    pub(super) fn new(kind: Kind, rungs: usize) -> Program {
+        let mut sections = [String::new(), String::new(), String::new()];
+        let mut drawn = String::new();
+        let networks = rungs / 2;
+        for n in 0..networks {
+            let next = (n + 1) % networks;
+            let [inputs, outputs, inner] = &mut sections;
+            let _ = writeln!(inputs, "    start_{n}, stop_{n} : BOOL;");
+            let _ = writeln!(outputs, "    run_{n}, ready_{n} : BOOL;");
+            let _ = writeln!(inner, "    timer_{n} : TON;\n    drive_{n} : BOOL;");
+            let _ = match kind {
+                Kind::Clean => writeln!(
+                    drawn,
+                    "+--[ ]( start_{n} )--[/]( stop_{n} )--[TON]( timer_{n}, T#5s )--( )( run_{n} )--+\n\n\
+                     +--[P]( timer_{n}.Q )--( )( ready_{n} )--+\n"
+                ),
+                // A coil in front of a contact.
+                Kind::Warned => writeln!(
+                    drawn,
+                    "+--[ ]( start_{n} )--( )( run_{n} )--[/]( stop_{n} )--( )( ready_{n} )--+\n\n\
+                     +--[ ]( start_{n} )--( )( drive_{n} )--[TON]( timer_{n}, T#5s )--+\n"
+                ),
+                Kind::Shared => writeln!(
+                    drawn,
+                    "+--[ ]( start_{n} )--[/]( stop_{next} )--[TON]( timer_{n}, T#5s )--( )( run_{n} )--+\n\n\
+                     +--[ ]( run_{n} )--[/]( stop_{n} )--[ ]( start_{next} )--( )( ready_{n} )--+\n"
+                ),
+                Kind::NamedTwice => writeln!(
+                    drawn,
+                    "+--\\--[ ]( start_{n} )--\\--[/]( stop_{n} )--[TON]( timer_{n}, T#5s )--( )( run_{n} )--+\n\
+                     |  /--[ ]( run_{n} )----/                                                  |\n\n\
+                     +--[ ]( start_{n} )--\\--[ ]( run_{n} )---\\--( )( ready_{n} )--+\n\
+                     |                    /--[/]( start_{n} )--/                   |\n"
+                ),
+                Kind::UserBlocks => writeln!(
+                    drawn,
+                    "+--[ ]( start_{n} )--[$LATCH]( stop_{n}, run_{n} )--+\n\n\
+                     +--[ ]( run_{n} )--[TON]( timer_{n}, T#5s )--( )( ready_{n} )--+\n"
+                ),
+            };
+        }
+        let [inputs, outputs, inner] = sections;
+        let blocks = if kind == Kind::UserBlocks {
+            "FUNCTION_BLOCK [$LATCH]\nVAR_INPUT\n    off : BOOL;\nEND_VAR\nVAR_IN_OUT\n    held : BOOL;\nEND_VAR\n\
+             +--\\--[ ]( EN )----\\--[/]( off )--( )( held )--+\n|  /--[ ]( held )--/                           |\nEND_FUNCTION_BLOCK\n\n"
+        } else {
+            ""
+        };
+        let text = format!(
+            "{blocks}VAR_INPUT\n{inputs}END_VAR\nVAR_OUTPUT\n{outputs}END_VAR\nVAR\n{inner}END_VAR\n\n{drawn}"
+        );
+        Program {
+            text: ladder_format::format_text(&text, &ladder_format::Options::default()),
+        }
+    }
+
+    /// Behind a word on the line in the middle of those that hold it.
+    fn behind(&self, word: &str, wanted: impl Fn(&str) -> bool) -> Spot {
+        let lines = self.text.lines().enumerate();
+        let all: Vec<(usize, &str)> = lines.filter(|(_, line)| wanted(line)).collect();
+        let (line, row) = all[all.len() / 2];
+        let column = row.find(word).expect("the word stands on the line") + word.len();
+        Spot { line, column }
+    }
+
+    /// In the number of a preset: the program stays clean.
+    pub(super) fn in_a_number(&self) -> Spot {
+        self.behind("T#5", |line| line.contains("T#5"))
+    }
+
+    /// In the name of an operand, which then is not declared.
+    pub(super) fn in_a_name(&self) -> Spot {
+        self.behind("( start", |line| {
+            line.starts_with('+') && line.contains("( start")
+        })
+    }
+
+    /// In the name of a declaration.
+    pub(super) fn in_a_declaration(&self) -> Spot {
+        self.behind("    start", |line| line.starts_with("    start"))
+    }
+}
