@@ -47,6 +47,8 @@ pub struct Context {
     pub user_blocks: Vec<UserBlockFacts>,
     /// How many of them are its own.
     pub own_blocks: usize,
+    /// Stands for what callers see of its own blocks.
+    pub(crate) signatures: u64,
     /// The functions in the order of the text.
     pub functions: Vec<FunctionFacts>,
     /// The labels in the order of the text.
@@ -231,6 +233,10 @@ pub(crate) fn skeleton(parse: &Arc<Parse>, name: &str, others: &Others, before: 
         .map(|(definition, scope)| user_block::user_block(parse, definition, scope))
         .collect();
     let own_blocks = user_blocks.len();
+    let signatures = user_block::signatures(&user_blocks);
+    if let Some(kept) = &mut kept {
+        kept.with_signatures(signatures);
+    }
     let mut known = KnownBlocks::new(user_blocks, others);
     let mut networks: Vec<Arc<NetworkFacts>> = Vec::with_capacity(structure.networks.len());
     for drawn in &structure.networks {
@@ -249,6 +255,7 @@ pub(crate) fn skeleton(parse: &Arc<Parse>, name: &str, others: &Others, before: 
         declared_cleanly,
         user_blocks: known.into_list(),
         own_blocks,
+        signatures,
         others: others.clone(),
         functions: Vec::new(),
         labels: Vec::new(),

@@ -1,11 +1,11 @@
 //! What an edit leaves as it was: the networks on whose lines nothing has changed.
 //!
 //! A line that an edit does not touch keeps its green node ([`Parse::edited`]), and what is known of a network by
-//! itself follows from its lines' nodes. So two texts are compared by their nodes' addresses: the lines that both
+//! itself follows from its lines' nodes, and from the signatures of the user-defined blocks that it holds. So two texts are compared by their nodes' addresses: the lines that both
 //! begin with, and those that both end with.
 
 use crate::context::Context;
-use crate::network::NetworkFacts;
+use crate::network::{NetworkFacts, UserBlocks};
 use crate::scope::Scope;
 use ladder_syntax::{Line, Network, Parse, Structure};
 use std::sync::Arc;
@@ -20,6 +20,8 @@ pub(crate) struct Kept<'c> {
     /// How many more lines, and bytes, the new text has.
     lines: isize,
     bytes: i64,
+    /// The file's own blocks have the signatures that they had.
+    signatures: bool,
     /// The old network to look at next.
     next: usize,
 }
@@ -38,8 +40,14 @@ impl<'c> Kept<'c> {
             below,
             lines: new.len() as isize - old.len() as isize,
             bytes: len(parse) - len(&before.parse),
+            signatures: false,
             next: 0,
         }
+    }
+
+    /// The new text's own blocks have these signatures. To be said before networks are asked for.
+    pub(crate) fn with_signatures(&mut self, signatures: u64) {
+        self.signatures = self.before.signatures == signatures;
     }
 
     /// The scopes with their declared tags, if no declaration has changed, or moved.
@@ -87,7 +95,12 @@ impl<'c> Kept<'c> {
             return None;
         }
         let facts = &self.before.networks[self.next];
-        if !facts.stands_alone() {
+        let means_the_same = match facts.user_blocks {
+            UserBlocks::None => true,
+            UserBlocks::Own => self.signatures,
+            UserBlocks::Others => false,
+        };
+        if !means_the_same {
             return None;
         }
         self.next += 1;

@@ -55,6 +55,11 @@ impl<'o> KnownBlocks<'o> {
         &self.list[index]
     }
 
+    /// All of them, as their indices say.
+    pub(crate) fn list(&self) -> &[UserBlockFacts] {
+        &self.list
+    }
+
     pub(crate) fn into_list(self) -> Vec<UserBlockFacts> {
         self.list
     }

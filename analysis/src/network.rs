@@ -31,13 +31,27 @@ pub struct NetworkFacts {
     pub broken: bool,
     /// As `broken`, by its own text alone.
     pub(crate) broken_by_itself: bool,
-    /// Its operands name tags, and neither labels nor functions nor parameters of user-defined blocks.
+    /// Its operands name tags, and neither labels nor functions, and its blocks are instructions or the file's own: what
+    /// is found in it depends on its lines, its tags and the signatures of those blocks.
     pub(crate) names_tags_only: bool,
-    /// The tags that it names, if it names nothing else: how it uses them then hangs on nothing else.
-    pub(crate) named: Option<Arc<[Named]>>,
+    /// The tags that it names.
+    pub(crate) named: Arc<[Named]>,
+    /// The user-defined blocks that it holds.
+    pub(crate) user_blocks: UserBlocks,
     /// A block of it keeps its state in a tag.
     pub(crate) keeps_state: bool,
     pub(crate) verdict: Verdict,
+}
+
+/// Which user-defined blocks a network holds.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum UserBlocks {
+    /// None: what its blocks are follows from its own lines.
+    None,
+    /// Blocks that the file itself defines.
+    Own,
+    /// Also one of another file, or one that is not known.
+    Others,
 }
 
 /// A block and what it means.
@@ -157,13 +171,6 @@ impl NetworkFacts {
         moved
     }
 
-    /// Whether nothing but its own lines decides what is known of it: it holds no user-defined block, whose meaning
-    /// hangs on its definition.
-    pub(crate) fn stands_alone(&self) -> bool {
-        let user = |bound: &BoundBlock| matches!(bound.facts.head, Head::User(_));
-        !self.blocks.iter().any(user)
-    }
-
     /// A part of a rung, counted from the start of the file.
     pub fn part_range(&self, parse: &Parse, rung: usize, part: usize) -> TextRange {
         self.wiring.rungs[rung].parts[part].range + parse.line_start(self.line(rung))
@@ -194,14 +201,18 @@ pub(crate) fn network(parse: &Parse, network: &Network, known: &mut KnownBlocks<
         parse.line_start(network.lines.start),
         parse.line_range(network.lines.end - 1).end(),
     );
-    let names_tags_only = blocks.iter().all(|bound| {
-        let names_tag = |formal: &Formal| match formal {
-            Formal::Operand(row) => !matches!(row.accepts, Accepts::Label | Accepts::Function),
-            _ => false,
-        };
-        matches!(bound.facts.head, Head::Mnemonic(_)) && bound.formals.iter().all(names_tag)
-    });
-    let named = names_tags_only.then(|| uses::named(&blocks, &[]).into());
+    let user_blocks = user_blocks(&blocks, known);
+    let names_tag = |formal: &Formal| match formal {
+        Formal::Operand(row) => !matches!(row.accepts, Accepts::Label | Accepts::Function),
+        Formal::Parameter(_) => true,
+        Formal::Excess | Formal::UnknownName | Formal::Unknown => false,
+    };
+    let names_tags_only = user_blocks != UserBlocks::Others
+        && blocks
+            .iter()
+            .flat_map(|bound| bound.formals.iter())
+            .all(names_tag);
+    let named = uses::named(&blocks, known.list()).into();
     let mut formals = blocks.iter().flat_map(|bound| bound.formals.iter());
     let keeps_state = formals
         .any(|formal| matches!(formal, Formal::Operand(row) if matches!(row.accepts, Accepts::State(_))));
@@ -216,9 +227,24 @@ pub(crate) fn network(parse: &Parse, network: &Network, known: &mut KnownBlocks<
         broken_by_itself: broken,
         names_tags_only,
         named,
+        user_blocks,
         keeps_state,
         verdict: Verdict::default(),
     }
+}
+
+fn user_blocks(blocks: &[BoundBlock], known: &KnownBlocks<'_>) -> UserBlocks {
+    let mut found = UserBlocks::None;
+    for bound in blocks {
+        match (&bound.facts.head, bound.meaning) {
+            (Head::Mnemonic(_), _) => {}
+            (Head::User(_), Meaning::User(index)) if known.get(index).import.is_none() => {
+                found = UserBlocks::Own;
+            }
+            (Head::User(_), _) => return UserBlocks::Others,
+        }
+    }
+    found
 }
 
 /// Whether a mistake may have changed what is drawn behind it.

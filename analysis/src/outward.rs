@@ -9,7 +9,7 @@ use crate::facts::NodeKind;
 use crate::network::{Meaning, NetworkFacts};
 use crate::rules::syntax_errors::identifiers;
 use crate::scope::{Access, Origin, SectionKind};
-use crate::uses::{self, Named};
+use crate::uses::Named;
 use ladder_instructions::Op;
 use ladder_syntax::{LineKind, Name};
 use rustc_hash::{FxHashMap, FxHashSet};
@@ -57,14 +57,7 @@ impl Outward {
     pub(crate) fn of(context: &Context) -> Outward {
         let mut outward = Outward::default();
         for network in &context.networks {
-            match &network.named {
-                Some(named) => outward.names(context, network, named),
-                None => outward.names(
-                    context,
-                    network,
-                    &uses::named(&network.blocks, &context.user_blocks),
-                ),
-            }
+            outward.names(context, network, &network.named);
             outward.blocks(context, network);
         }
         let unread = |line: &&ladder_syntax::Line| !line.errors.is_empty() || line.kind == LineKind::Stray;

@@ -2,16 +2,18 @@
 //! same, and the lines are, so are the findings.
 
 use crate::context::Context;
+use crate::network::NetworkFacts;
 use crate::scope::{Origin, TagFacts};
 use crate::value::Value;
 use rustc_hash::FxHasher;
 use std::hash::{Hash, Hasher};
+use std::sync::Arc;
 
 /// The stamps of the networks, as in the context.
 pub(crate) fn stamps(context: &Context) -> Vec<u64> {
-    let mut hasher = FxHasher::default();
-    context.profile.hash(&mut hasher);
-    let mut stamps = vec![hasher.finish(); context.networks.len()];
+    let all = (context.profile, context.signatures);
+    let of_scope = |network: &Arc<NetworkFacts>| hash((all, network.scope));
+    let mut stamps: Vec<u64> = context.networks.iter().map(of_scope).collect();
     for tag in context.scopes.iter().flat_map(|scope| &scope.tags) {
         if tag.uses.is_empty() {
             continue;
@@ -19,14 +21,18 @@ pub(crate) fn stamps(context: &Context) -> Vec<u64> {
         let stamp = stamp(tag);
         for place in &tag.uses {
             let within = place.range.start() - context.networks[place.network].range.start();
-            let mut hasher = FxHasher::default();
-            (stamp, u32::from(within)).hash(&mut hasher);
             // A tag of another scope is met twice, here and there: the order does not matter.
             let sum = &mut stamps[place.network];
-            *sum = sum.wrapping_add(hasher.finish());
+            *sum = sum.wrapping_add(hash((stamp, u32::from(within))));
         }
     }
     stamps
+}
+
+fn hash(value: impl Hash) -> u64 {
+    let mut hasher = FxHasher::default();
+    value.hash(&mut hasher);
+    hasher.finish()
 }
 
 /// All of a tag that findings in a network depend on. Its name stands for the tag itself, which other names may lead

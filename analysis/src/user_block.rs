@@ -8,6 +8,8 @@ use crate::types::Type;
 use ladder_instructions::Shape;
 use ladder_syntax::ast::{AstNode, BlockHeader, BlockShape, HeadName};
 use ladder_syntax::{BlockDefinition, Line, LineKind, Name, Parse, TextRange};
+use rustc_hash::FxHasher;
+use std::hash::{Hash, Hasher};
 use std::sync::Arc;
 
 /// A block definition as its header and declarations give it.
@@ -44,8 +46,17 @@ impl UserBlockFacts {
     }
 }
 
+/// A number that stands for what callers see of a file's blocks.
+pub(crate) fn signatures(blocks: &[UserBlockFacts]) -> u64 {
+    let mut hasher = FxHasher::default();
+    for block in blocks {
+        (&block.name, block.shape, block.doubtful, &block.parameters).hash(&mut hasher);
+    }
+    hasher.finish()
+}
+
 /// A parameter of a user-defined block.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Hash)]
 pub struct Parameter {
     /// As declared.
     pub name: String,

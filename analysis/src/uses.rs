@@ -17,12 +17,7 @@ pub(crate) fn collect(context: &mut Context) {
     let law = context.profile.law();
     for (network, facts) in context.networks.iter().enumerate() {
         let scope = &mut context.scopes[facts.scope];
-        if let Some(named) = &facts.named {
-            enter(named, network, facts, law, scope);
-        } else {
-            let named = named(&facts.blocks, &context.user_blocks);
-            enter(&named, network, facts, law, scope);
-        }
+        enter(network, facts, law, scope);
     }
     roles(&mut context.scopes[0], &context.networks);
 }
@@ -165,8 +160,8 @@ impl Part {
 }
 
 /// Enters the uses of a network's tags.
-fn enter(named: &[Named], network: usize, facts: &NetworkFacts, law: &Law, scope: &mut Scope) {
-    for named in named {
+fn enter(network: usize, facts: &NetworkFacts, law: &Law, scope: &mut Scope) {
+    for named in facts.named.iter() {
         let bound = &facts.blocks[named.block as usize];
         let range = bound.absolute(named.range);
         let index = scope.find(&named.key).unwrap_or_else(|| {

@@ -88,6 +88,8 @@ use crate::network::NetworkFacts;
 use crate::rule::{Rule, Severity};
 use crate::rule_settings::RuleSettings;
 use crate::verdict::{self, Pass};
+use rustc_hash::FxHasher;
+use std::hash::{Hash, Hasher};
 use survey::Survey;
 
 type NetworkCheck = fn(&Context, &NetworkFacts, &mut Vec<Diagnostic>);
@@ -167,9 +169,11 @@ fn of_networks(context: &Context, out: &mut Vec<Diagnostic>) {
                 check(context, network, out);
             }
         };
-        // Elsewhere the definition of a block, or what surrounds the network, has a say.
-        if network.names_tags_only && !network.broken && network.scope == 0 {
-            verdict::once(Pass::Form, context.profile as u64 + 1, network, out, look);
+        // Elsewhere what surrounds the network, or another file, has a say.
+        if network.names_tags_only && !network.broken {
+            let mut hasher = FxHasher::default();
+            (context.profile, context.signatures, network.scope).hash(&mut hasher);
+            verdict::once(Pass::Form, hasher.finish(), network, out, look);
         } else {
             look(out);
         }

@@ -13,7 +13,7 @@ use crate::program::Step;
 use crate::rule::Rule;
 use crate::scope::Access;
 use crate::types::Scalar;
-use crate::uses::{self, Named};
+use crate::uses::Named;
 use crate::verdict::{self, Pass};
 use ladder_instructions::{Op, Role};
 use ladder_syntax::TextSize;
@@ -157,20 +157,13 @@ fn is_worth_it(context: &Context, network: &NetworkFacts) -> bool {
     if network.blocks.iter().any(compares) {
         return true;
     }
-    let own;
-    let named: &[Named] = match &network.named {
-        Some(named) => named,
-        None => {
-            own = uses::named(&network.blocks, &context.user_blocks);
-            &own
-        }
-    };
     let scope = &context.scopes[network.scope];
     let tag_of = |named: &Named| {
         let tag = scope.find(&named.key)?;
         Some(scope.tags[tag].shared.unwrap_or((network.scope, tag)))
     };
-    let mut uses: Vec<((usize, usize), &Named)> = named
+    let mut uses: Vec<((usize, usize), &Named)> = network
+        .named
         .iter()
         .filter_map(|named| Some((tag_of(named)?, named)))
         .collect();

@@ -232,6 +232,24 @@ fn findings_whose_reasons_stand_elsewhere() {
     let with_rail = |above| format!("{above}\n+--[ ]( a )--[/]( a )--( )( y )--+\n");
     let profile =
         |name| format!("# ladder: profile {name} #\n\n+--[TON]( t, T#1s, B := T#10ms )--( )( y )--+\n");
+    let called = |parameters| {
+        format!(
+            "FUNCTION_BLOCK [$F]\n{parameters}\n+--[ ]( EN )--( )( ENO )--+\nEND_FUNCTION_BLOCK\n\n\
+             VAR a : INT; END_VAR\n\n+--[$F]( a, b )--( )( y )--+\n\n+--[$F]( a )--[ ]( c )--[/]( c )--( )( z )--+\n"
+        )
+    };
+    let signatures = [
+        "VAR_INPUT p : INT; q : BOOL; END_VAR",
+        "VAR_INPUT p : INT; r : BOOL; END_VAR",
+        "VAR_INPUT p : BOOL; r : BOOL; END_VAR",
+        "VAR_INPUT p : INT; END_VAR\nVAR_OUTPUT q : BOOL; END_VAR",
+        "VAR_INPUT p : INT; q : BOOL := TRUE; END_VAR",
+        "VAR_INPUT p : INT; q : BOOL := TRUE END_VAR",
+        "VAR_INPUT p : INT; END_VAR",
+        "",
+    ]
+    .map(called)
+    .to_vec();
     let constants = ["5", "6", "-32768", "5"].map(constant).to_vec();
     let spellings = ["start", "Start", "stop"].map(spelled).to_vec();
     let types = ["INT", "SINT", "REAL", "BOOL", "LREAL"].map(typed).to_vec();
@@ -239,7 +257,7 @@ fn findings_whose_reasons_stand_elsewhere() {
         .map(with_rail)
         .to_vec();
     let profiles = ["iec", "iot", "ldmicro", "iec"].map(profile).to_vec();
-    for texts in [constants, spellings, types, rails, profiles] {
+    for texts in [constants, spellings, types, rails, profiles, signatures] {
         let mut document = Document::new(String::new());
         for text in texts {
             document.becomes(text);
