@@ -11,13 +11,13 @@ fn notation() -> &'static dyn Notation {
     by_name("ldmicro").expect("the notation is registered")
 }
 
-fn converted(bytes: &[u8]) -> Result<Converted, String> {
+pub(crate) fn converted(bytes: &[u8]) -> Result<Converted, String> {
     let source = Source::alone("test", bytes);
     convert(notation(), &source, &Options::default()).map_err(|error| error.to_string())
 }
 
 /// The ladder text, what there is to say about it, and LDmicro's own findings; or the mistake.
-fn read(text: &str) -> String {
+pub(crate) fn read(text: &str) -> String {
     let converted = match converted(text.as_bytes()) {
         Ok(converted) => converted,
         Err(error) => return format!("{error}\n"),
@@ -38,13 +38,13 @@ fn read(text: &str) -> String {
 }
 
 /// The file that a ladder text gives.
-fn write(ladder: &str) -> Result<String, String> {
+pub(crate) fn write(ladder: &str) -> Result<String, String> {
     let analysis = ladder_analysis::analyze(&ladder_syntax::parse(ladder).into(), "test.clad");
     let writing = notation().write(&analysis).map_err(|error| error.to_string())?;
     String::from_utf8(writing.bytes).map_err(|error| error.to_string())
 }
 
-fn there_and_back(bytes: &[u8]) -> Result<String, String> {
+pub(crate) fn there_and_back(bytes: &[u8]) -> Result<String, String> {
     write(&converted(bytes)?.written.text)
 }
 
@@ -232,12 +232,24 @@ fn the_fork() {
             END_VAR
             VAR
                 Ta : TON;
-                Cn : CTU;
+                Cn : INT;
             END_VAR
 
-            +--[ ]( Xa )--# ldmicro: GOSUB \x23sub #-------[TON]( Ta, T#100ms )--[CTU]( Cn, 10 )--( )( Yout )--+
-            24:1 GOSUB #sub: refused: there is no such instruction here
-            24:1 ldmicro-element: `GOSUB #sub` stays as a comment: there is no such instruction here
+            +--[ ]( Xa )--# ldmicro: GOSUB \x23sub #------[TON]( Ta, T#110ms )--[$CTU]( Cn, 10 )--( )( Yout )--+
+
+            FUNCTION_BLOCK [$CTU]
+            # Counts up to max; there is power from then on. #
+            VAR_IN_OUT
+                c : INT;
+            END_VAR
+            VAR_INPUT
+                max : INT;
+            END_VAR
+            +--[ ]( EN )--[OSR]--[LT]( c, max )----------------------------------------------[ADD]( c, c, 1 )--+
+            +--[GE]( c, max )----------------------------------------------------------------------( )( ENO )--+
+            END_FUNCTION_BLOCK
+            24:1 GOSUB #sub: refused: there is no subprogram `#sub` that could be made a function
+            24:1 ldmicro-element: `GOSUB #sub` stays as a comment: there is no subprogram `#sub` that could be made a function
             24:1 ldmicro-jump: GOSUB '#sub': there is no SUBPROG '#sub'
         "#]],
     );
@@ -427,7 +439,6 @@ fn checks_of_the_fork() {
                 GOTO start\n GOSUB sub\n BCD2BIN n 0x1A\nEND\nRUNG 6\n LABEL here\nEND\nRUNG 7\n LABEL here\nEND\nRUNG 8\n \
                 SUBPROG sub\n OSR\nEND\nRUNG 9\n FORMATTED_STRING n \\t\\x20\\3\\q\nEND\n";
     expect![[r#"
-        5:1 ldmicro-period: Timer period too short (needs faster cycle time).
         5:1 ldmicro-name: Variable for 'Tb' incorrectly assigned: TON: variable can only be used for RES elsewhere.
         8:1 ldmicro-rightmost: RES must be the rightmost element of its rung
         12:1 ldmicro-rightmost: RES must be the rightmost element of its rung
@@ -471,7 +482,11 @@ impl Numbers {
 
 #[test]
 fn broken_files_are_read_or_have_a_place() {
-    let mut sound = vec![program(EVERYTHING).into_bytes(), FORK.as_bytes().to_vec()];
+    let mut sound = vec![
+        program(EVERYTHING).into_bytes(),
+        FORK.as_bytes().to_vec(),
+        crate::ldmicro_fork::EVERYTHING.as_bytes().to_vec(),
+    ];
     if let Some(corpus) = corpus() {
         let real = [files(&corpus.join("programs")), files(&corpus.join("elements"))].concat();
         sound.extend(
@@ -480,7 +495,7 @@ fn broken_files_are_read_or_have_a_place() {
         );
     }
     let mut numbers = Numbers(7);
-    for round in 0..400 {
+    for round in 0..600 {
         let mut bytes = sound[round % sound.len()].clone();
         for _ in 0..=numbers.below(3) {
             let at = numbers.below(bytes.len());

@@ -6,5 +6,6 @@ mod cplc_draft;
 mod hostile;
 mod iot;
 mod ldmicro;
+mod ldmicro_fork;
 mod ldmicro_text;
 mod textbook;

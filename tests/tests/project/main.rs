@@ -7,6 +7,7 @@ mod every_feature;
 mod incremental;
 mod instruction_reference;
 mod iot_traces;
+mod ldmicro_fork;
 mod ldmicro_traces;
 mod notations_back;
 mod pictures_wiring;

@@ -1,5 +1,7 @@
-//! The elements of LDmicro, each beside the instruction that says the same. Import, export and checks read this table.
+//! The elements of LDmicro 2.2, each beside the instruction that says the same. Import, export and checks read this
+//! table. What its fork has beside them is in [`fork`].
 
+use super::fork::{self, Dialect};
 use super::model::Version;
 use ladder_instructions::Op;
 
@@ -115,82 +117,6 @@ pub(super) const ROWS: &[Row] = &[
     last("PERSIST", Form::Values(Op::Persist, &[Slot::Place])),
 ];
 
-/// What the fork added; it has no counterpart here.
-const FORK: &[&str] = &[
-    "RTL",
-    "TCY",
-    "THI",
-    "TLO",
-    "TIME2COUNT",
-    "CTR",
-    "ODR",
-    "ODF",
-    "OSL",
-    "OSC",
-    "BIN2BCD",
-    "BCD2BIN",
-    "OPPOSITE",
-    "SWAP",
-    "BUS",
-    "7SEGMENTS",
-    "9SEGMENTS",
-    "14SEGMENTS",
-    "16SEGMENTS",
-    "MOD",
-    "SHL",
-    "SHR",
-    "SR0",
-    "ROL",
-    "ROR",
-    "AND",
-    "OR",
-    "XOR",
-    "NOT",
-    "NEG",
-    "SET_BIT",
-    "CLEAR_BIT",
-    "IF_BIT_SET",
-    "IF_BIT_CLEAR",
-    "RSFR",
-    "WSFR",
-    "SSFR",
-    "CSFR",
-    "TSFR",
-    "TCSFR",
-    "RANDOM",
-    "SEED_RANDOM",
-    "NPULSE",
-    "NPULSE_OFF",
-    "PULSER",
-    "STEPPER",
-    "QUAD_ENCOD",
-    "UART_SENDn",
-    "UART_RECVn",
-    "UART_SEND_READY",
-    "UART_SEND_BUSY",
-    "UART_UDRE",
-    "UART_RECV_AVAIL",
-    "SPI",
-    "SPI_WR",
-    "I2C_RD",
-    "I2C_WR",
-    "STRING",
-    "DELAY",
-    "SLEEP",
-    "TIME2DELAY",
-    "CLRWDT",
-    "LOCK",
-    "GOTO",
-    "GOSUB",
-    "LABEL",
-    "SUBPROG",
-    "ENDSUB",
-    "RETURN",
-    "SET_PWM_SOFT",
-    "FORMATTED_STR",
-    "PWM_OFF",
-];
-
 /// The row of a line.
 pub(super) fn row_of(text: &str) -> Option<&'static Row> {
     let word = text.split(' ').next()?;
@@ -215,7 +141,11 @@ pub(super) fn normal_blanks(line: &str) -> String {
 pub(super) fn check(text: &str) -> Result<(), String> {
     let word = text.split(' ').next().unwrap_or_default();
     let Some(row) = row_of(text) else {
-        if FORK.contains(&word) {
+        if let Some(row) = fork::table::row_of(text) {
+            let least = row.least();
+            if fields(text).len() < least {
+                return Err(format!("`{word}` has {least} fields or more"));
+            }
             return Ok(());
         }
         let word: String = word.chars().take(40).collect();
@@ -275,12 +205,14 @@ pub(super) fn literal(text: &str) -> Option<i64> {
     Some(sign * i64::from(number))
 }
 
-/// The line that says the same in the plainest way: what export writes. None if it is not one of [`ROWS`] that has a
-/// counterpart.
-pub(super) fn plain(text: &str, version: Version) -> Option<String> {
+/// The line that says the same in the plainest way: what export writes. None if it has no counterpart.
+pub(super) fn plain(text: &str, dialect: Dialect) -> Option<String> {
+    if let Some(read) = fork::read(text, dialect) {
+        return fork::plain(text, &read.ok()?, dialect);
+    }
     let row = row_of(text)?;
     let fields = fields(text);
-    let fork = |line: String, more: &str| match version {
+    let fork = |line: String, more: &str| match dialect.version {
         Version::V01 => line,
         Version::V02 => line + more,
     };
@@ -297,35 +229,66 @@ pub(super) fn plain(text: &str, version: Version) -> Option<String> {
                 line.push(' ');
                 line.push_str(&operand(field)?);
             }
-            line
+            match row.form {
+                Form::Values(Op::Usnd | Op::Urcv, _) => fork(line, " 1 0"),
+                _ => line,
+            }
         }
         Form::Contact => fork(format!("CONTACTS {} {}", fields[0], flag(fields[1])), " 0"),
         Form::Coil => fork(coil(fields[0], Coil::of(&fields)), " 0"),
-        Form::Timer(_) => fork(
-            format!("{} {} {}", row.word, fields[0], fields[1].parse::<u64>().ok()?),
-            " 0",
-        ),
-        Form::Counter(_) => fork(
-            format!("{} {} {}", row.word, fields[0], literal(fields[1])?),
-            " 0 /",
-        ),
-        Form::Reset | Form::Adc => format!("{} {}", row.word, fields[0]),
+        Form::Timer(_) => timer(row.word, fields[0], preset(&fields, dialect)?, dialect),
+        Form::Counter(_) => format!("{} {} {}", row.word, fields[0], literal(fields[1])?),
+        Form::Reset => format!("RES {}", fields[0]),
+        Form::Adc => fork(format!("READ_ADC {}", fields[0]), " 0"),
         Form::Shift => format!("{} {} {}", row.word, fields[0], fields[1].parse::<u32>().ok()?),
         Form::Table => {
-            let values = numbers(fields.get(4..)?)?;
+            let values = numbers(values(fields.get(4..)?))?;
             table(fields[0], &operand(fields[1])?, &values)
         }
         Form::Curve => {
-            let values = numbers(fields.get(3..)?)?;
+            let values = numbers(values(fields.get(3..)?))?;
             curve(fields[0], &operand(fields[1])?, &values)
         }
         Form::Text => {
-            let text = super::text::read(&fields)?;
+            let text = super::text::read(&fields, dialect.version)?;
             super::text::line(fields[0], &text)
         }
         Form::Constant(_) | Form::Placeholder => row.word.to_owned(),
         Form::Comment => return None,
     })
+}
+
+/// The values of a table, without the name that the fork gives it.
+pub(super) fn values<'f, 'l>(fields: &'f [&'l str]) -> &'f [&'l str] {
+    match fields.split_last() {
+        Some((name, values)) if !is_literal(name) => values,
+        _ => fields,
+    }
+}
+
+/// The delay of a timer as `[TON]` has it, in microseconds: the timer counts as many cycles as go into it, less one. The
+/// fork adds its last field to the cycles that go into the delay. None if that is nothing, or too long.
+pub(super) fn preset(fields: &[&str], dialect: Dialect) -> Option<u64> {
+    const LONGEST: i128 = 1 << 53;
+    let adjust: i64 = match (fields.get(2), dialect.version) {
+        (Some(adjust), _) => adjust.parse().ok()?,
+        (None, Version::V01) => -1,
+        (None, Version::V02) => 0,
+    };
+    let delay: u64 = fields[1].parse().ok()?;
+    let preset = i128::from(delay) + (i128::from(adjust) + 1) * i128::from(dialect.cycle);
+    u64::try_from(preset)
+        .ok()
+        .filter(|_| (1..=LONGEST).contains(&preset))
+}
+
+/// The line of a timer.
+pub(super) fn timer(word: &str, name: &str, preset: u64, dialect: Dialect) -> String {
+    match (dialect.version, preset.checked_sub(dialect.cycle)) {
+        (Version::V01, _) => format!("{word} {name} {preset}"),
+        (Version::V02, Some(delay)) if delay > 0 => format!("{word} {name} {delay} 0"),
+        (Version::V02, _) => format!("{word} {name} {preset} -1"),
+    }
 }
 
 /// A number as LDmicro's 16 bits hold it.

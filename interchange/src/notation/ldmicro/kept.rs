@@ -1,5 +1,6 @@
 //! What the comments of a ladder text keep of an LDmicro file: header, names, pins, rungs that are comments.
 
+use super::export::UNSETTLED;
 use super::model::{File, Leaf, Node, Rung, Version};
 use std::collections::HashMap;
 
@@ -76,7 +77,9 @@ impl Head {
                 "LDmicro0.2" => head.file.version = Version::V02,
                 "lines end in CR LF" => head.file.encoding.crlf = true,
                 "Latin-1" => head.file.encoding.latin1 = true,
-                said if said.ends_with(" LIST") => list = Some((said.to_owned(), Vec::new())),
+                said if said.ends_with(" LIST") && !said.starts_with("SUBPROG ") => {
+                    list = Some((said.to_owned(), Vec::new()));
+                }
                 said => {
                     if let Some(entry) = said.strip_prefix("IO ") {
                         head.file.io.push((0, entry.to_owned()));
@@ -120,7 +123,14 @@ pub(super) fn comments(text: &str) -> Vec<Rung> {
     let mut rungs = Vec::new();
     let mut lines: Vec<String> = Vec::new();
     let mut rung = |parts| rungs.push(Rung { line: 0, parts });
+    let mut in_definition = false;
     for line in text.lines().map(str::trim).chain([""]) {
+        // What a block says of itself is no rung.
+        in_definition |= line.starts_with("FUNCTION_BLOCK");
+        in_definition &= !line.starts_with("END_FUNCTION_BLOCK");
+        if in_definition {
+            continue;
+        }
         let kept = kept(line);
         let is_said = line.len() > 1
             && line.starts_with('#')
@@ -137,6 +147,10 @@ pub(super) fn comments(text: &str) -> Vec<Rung> {
         }
         match kept.as_deref() {
             Some("RUNG") => rung(Vec::new()),
+            Some(said) if said.starts_with("SUBPROG ") => {
+                let text = format!("{UNSETTLED}{said}");
+                rung(vec![Node::Leaf(Leaf { line: 0, text })]);
+            }
             Some(said) if said.starts_with("COMMENT") => {
                 rung(vec![comment(said["COMMENT".len()..].trim_start())]);
             }

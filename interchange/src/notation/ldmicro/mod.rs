@@ -15,6 +15,7 @@
 mod drawn;
 mod element;
 mod export;
+mod fork;
 mod kept;
 mod model;
 mod parse;

@@ -1,5 +1,7 @@
 //! An LDmicro program as its file has it.
 
+use super::fork::Dialect;
+
 /// The version of the file format.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub(super) enum Version {
@@ -52,6 +54,14 @@ pub(super) struct File {
 }
 
 impl File {
+    /// What its lines depend on.
+    pub(super) fn dialect(&self) -> Dialect {
+        Dialect {
+            version: self.version,
+            cycle: self.cycle(),
+        }
+    }
+
     /// The length of a cycle in microseconds.
     pub(super) fn cycle(&self) -> u64 {
         let line = self.header.iter().find_map(|line| line.strip_prefix("CYCLE="));

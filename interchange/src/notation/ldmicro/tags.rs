@@ -2,9 +2,10 @@
 
 use super::super::names::Names;
 use super::element::{self, Form, Slot};
+use super::fork::{self, Dialect, Given, What};
 use super::model::{File, Leaf, leaves};
 use ladder_instructions::{Op, by_op};
-use std::collections::{BTreeMap, HashMap};
+use std::collections::{BTreeMap, HashMap, HashSet};
 
 /// The tags of a program. LDmicro keeps bits and variables apart, so one name can be two tags.
 #[derive(Debug, Default)]
@@ -19,6 +20,14 @@ pub(super) struct Tags {
     states: HashMap<String, Op>,
     /// Shift registers: the tag and how many stages it has.
     pub(super) registers: BTreeMap<String, (String, u32)>,
+    /// Where counters of the fork begin, if not at 0.
+    initial: HashMap<String, i64>,
+    /// Inputs that are high when a simulation begins.
+    high: HashSet<String>,
+    /// Outputs of pulses.
+    pulses: HashSet<String>,
+    /// What RES gives a counter of the fork, with the elements that say so, the first one first.
+    resets: HashMap<String, (u8, String)>,
 }
 
 /// A shift register with more stages is not made.
@@ -28,8 +37,9 @@ impl Tags {
     pub(super) fn of(file: &File) -> Tags {
         let all: Vec<&Leaf> = file.rungs.iter().flat_map(|rung| leaves(&rung.parts)).collect();
         let mut tags = Tags::default();
+        let dialect = file.dialect();
         for leaf in &all {
-            tags.kinds(leaf);
+            tags.kinds(leaf, dialect);
         }
         for (_, entry) in &file.io {
             let name = entry.split(' ').next().unwrap_or_default();
@@ -40,7 +50,7 @@ impl Tags {
             }
         }
         for leaf in &all {
-            tags.meet(leaf);
+            tags.meet(leaf, dialect);
         }
         let registers: Vec<String> = tags.registers.keys().cloned().collect();
         for name in registers {
@@ -57,12 +67,24 @@ impl Tags {
     }
 
     /// Notes what an element says about the kind of its name.
-    fn kinds(&mut self, leaf: &Leaf) {
+    fn kinds(&mut self, leaf: &Leaf, dialect: Dialect) {
+        if let Some(read) = fork::read(&leaf.text, dialect) {
+            if let Ok(read) = read {
+                self.counter(&leaf.text, &read);
+                if read.what == What::Instruction(Op::Pwm) {
+                    self.pulses.extend(leaf.text.split(' ').nth(3).map(str::to_owned));
+                }
+            }
+            return;
+        }
         let Some(row) = element::row_of(&leaf.text) else {
             return;
         };
         let fields = element::fields(&leaf.text);
         match row.form {
+            Form::Contact if fields.get(2).is_some_and(|high| *high != "0") => {
+                self.high.insert(fields[0].to_owned());
+            }
             Form::Timer(op) | Form::Counter(op) => {
                 self.states.entry(fields[0].to_owned()).or_insert(op);
             }
@@ -75,14 +97,66 @@ impl Tags {
         }
     }
 
+    /// Notes where a counter of the fork begins.
+    fn counter(&mut self, text: &str, read: &fork::Read<'_>) {
+        let Some((name, init)) = read.counter() else {
+            return;
+        };
+        if let Some(number) = read.initial {
+            self.initial.insert(name.to_owned(), number);
+        }
+        // Of several counters with one name LDmicro takes the first of these.
+        let rank = ["CTU", "CTD", "CTC", "CTR"].map(|word| text.starts_with(word));
+        let rank = rank.iter().position(|is| *is).unwrap_or(4) as u8;
+        let there = self
+            .resets
+            .entry(name.to_owned())
+            .or_insert((u8::MAX, String::new()));
+        if rank < there.0 {
+            *there = (rank, init);
+        }
+    }
+
+    /// The value that a variable of LDmicro's begins with, if it is not 0.
+    pub(super) fn initial(&self, name: &str) -> Option<i64> {
+        self.initial.get(name).copied().filter(|initial| *initial != 0)
+    }
+
+    /// Whether an input is high when a simulation begins.
+    pub(super) fn begins_high(&self, name: &str) -> bool {
+        self.high.contains(name)
+    }
+
+    /// Whether it is an output of pulses.
+    pub(super) fn is_pulses(&self, name: &str) -> bool {
+        self.pulses.contains(name)
+    }
+
+    /// What RES gives a variable: a number, or another variable.
+    pub(super) fn reset(&self, name: &str) -> &str {
+        let counter = self.resets.get(name).filter(|_| name.starts_with('C'));
+        counter.map_or("0", |(_, init)| init)
+    }
+
     /// Notes the names of an element.
-    fn meet(&mut self, leaf: &Leaf) {
+    fn meet(&mut self, leaf: &Leaf, dialect: Dialect) {
+        if let Some(read) = fork::read(&leaf.text, dialect) {
+            for given in read.map(|read| read.given).unwrap_or_default() {
+                match given {
+                    Given::Place(name) | Given::Value(name) | Given::Bit(name, _) => self.meet_variable(name),
+                    Given::Relay(name) => self.meet_bit(name),
+                    Given::Scans(_) | Given::Channel(_) => {}
+                }
+            }
+            return;
+        }
         let Some(row) = element::row_of(&leaf.text) else {
             return;
         };
         let fields = element::fields(&leaf.text);
         match row.form {
             Form::Contact | Form::Coil => self.meet_bit(fields[0]),
+            Form::Reset if self.pulses.contains(fields[0]) => {}
             Form::Timer(_) | Form::Counter(_) | Form::Reset | Form::Adc => self.meet_variable(fields[0]),
             Form::Values(_, slots) => {
                 for (field, slot) in fields.iter().zip(slots) {

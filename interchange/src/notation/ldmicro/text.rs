@@ -1,6 +1,8 @@
 //! The texts of `FORMATTED_STRING`: characters by their codes, with LDmicro's escapes. In the profile `ldmicro` `[FMT]`
 //! reads numbers and backslashes as LDmicro does; other escapes are characters of the text.
 
+use super::model::Version;
+
 /// A part of a text.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Piece {
@@ -10,23 +12,17 @@ pub(super) enum Piece {
     Number { digits: char, signed: bool },
 }
 
-/// The text of `var length c0 c1 ..`. None if LDmicro 2.2 has no such text.
-pub(super) fn read(fields: &[&str]) -> Option<Vec<Piece>> {
-    let length: usize = fields.get(1)?.parse().ok()?;
-    let codes = fields.get(2..)?;
-    if codes.len() != length {
-        return None;
-    }
-    let text: Option<String> = codes
-        .iter()
-        .map(|code| code.parse::<u8>().ok().map(char::from))
-        .collect();
-    let text = text?;
+/// The text of `var length c0 c1 ..`; in the fork's files also as it is read. None if LDmicro has no such text.
+pub(super) fn read(fields: &[&str], version: Version) -> Option<Vec<Piece>> {
+    let text = match version {
+        Version::V01 => by_codes(fields)?,
+        Version::V02 => by_codes(fields).or_else(|| Some(fields.get(1..)?.join(" ")))?,
+    };
     let mut out = Vec::new();
     let mut rest = text.as_str();
     while let Some(c) = rest.chars().next() {
         let (piece, length) = match c {
-            '\\' => escape(&rest[1..])?,
+            '\\' => escape(&rest[1..], version)?,
             c => (Piece::Char(c), 0),
         };
         out.push(piece);
@@ -35,8 +31,20 @@ pub(super) fn read(fields: &[&str]) -> Option<Vec<Piece>> {
     Some(out)
 }
 
+/// A text whose characters are given by their codes, behind their number.
+fn by_codes(fields: &[&str]) -> Option<String> {
+    let length: usize = fields.get(1)?.parse().ok()?;
+    let codes = fields.get(2..)?;
+    let code = |code: &&str| code.parse::<u8>().ok().map(char::from);
+    codes
+        .iter()
+        .map(code)
+        .collect::<Option<String>>()
+        .filter(|_| codes.len() == length)
+}
+
 /// What stands behind a backslash, and how long it is.
-fn escape(text: &str) -> Option<(Piece, usize)> {
+fn escape(text: &str, version: Version) -> Option<(Piece, usize)> {
     if let Some(number) = number(text) {
         return Some(number);
     }
@@ -50,6 +58,11 @@ fn escape(text: &str) -> Option<(Piece, usize)> {
             let code = u8::from_str_radix(text.get(1..3)?, 16).ok()?;
             (Piece::Char(char::from(code)), 3)
         }
+        'a' if version == Version::V02 => (Piece::Char('\u{7}'), 1),
+        'e' if version == Version::V02 => (Piece::Char('\u{1b}'), 1),
+        't' if version == Version::V02 => (Piece::Char('\t'), 1),
+        'v' if version == Version::V02 => (Piece::Char('\u{b}'), 1),
+        c @ ('\'' | '"' | '?') if version == Version::V02 => (Piece::Char(c), 1),
         _ => return None,
     })
 }

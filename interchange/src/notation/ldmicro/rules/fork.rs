@@ -145,9 +145,8 @@ fn jumps(file: &File, all: &[&Leaf], out: &mut Vec<Finding>) {
         let Some((word, name)) = leaf.text.split_once(' ') else {
             continue;
         };
-        let rung = name
-            .parse::<usize>()
-            .is_ok_and(|rung| rung <= file.rungs.len() + 1);
+        // A number behind the last rung leads to the end.
+        let rung = name.parse::<usize>().is_ok_and(|rung| rung > 0);
         let missing = match word {
             "GOTO" if !has("LABEL", name) && !rung => "LABEL",
             "GOSUB" if !has("SUBPROG", name) && !has("LABEL", name) && !rung => "SUBPROG",

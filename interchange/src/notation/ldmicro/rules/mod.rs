@@ -5,6 +5,7 @@ mod texts;
 
 use super::super::{Finding, Place};
 use super::element::{self, Form, Slot};
+use super::fork::table::row_of as forks_row;
 use super::model::{File, Leaf, Node, Version, leaves};
 use super::tags::MOST_STAGES;
 use ladder_analysis::Severity;
@@ -50,6 +51,12 @@ fn unassigned(file: &File, uses: &HashMap<&str, Vec<(&Leaf, Form)>>, out: &mut V
             stages.extend((0..count.min(MOST_STAGES)).map(|stage| format!("{}{stage}", fields[0])));
         }
     }
+    let mut changed: HashSet<&str> = HashSet::new();
+    for leaf in file.rungs.iter().flat_map(|rung| leaves(&rung.parts)) {
+        if forks_row(&leaf.text).is_some() {
+            changed.extend(element::fields(&leaf.text).first());
+        }
+    }
     for (name, uses) in uses {
         let assigns = |(leaf, form): &(&Leaf, Form)| {
             let is_first = element::fields(&leaf.text).first() == Some(name);
@@ -61,7 +68,7 @@ fn unassigned(file: &File, uses: &HashMap<&str, Vec<(&Leaf, Form)>>, out: &mut V
                 _ => false,
             }
         };
-        if *name == "(none)" || stages.contains(*name) || uses.iter().any(assigns) {
+        if *name == "(none)" || stages.contains(*name) || changed.contains(name) || uses.iter().any(assigns) {
             continue;
         }
         let message = format!(
@@ -103,7 +110,7 @@ fn one(file: &File, leaf: &Leaf, form: Form, in_rung: usize, out: &mut Vec<Findi
     let line = leaf.line;
     match form {
         Form::Timer(_) => {
-            let Ok(delay) = fields[1].parse::<u64>() else {
+            let Some(delay) = element::preset(&fields, file.dialect()) else {
                 return;
             };
             let periods = delay / file.cycle();

@@ -1,12 +1,19 @@
 //! From an analysed program to the model of an LDmicro file.
 
-use super::super::circuit::series_parallel;
-use super::super::stand_in;
-use super::super::{Lines, Place, Report, WriteError};
-use super::element::{self, Coil, Form, ROWS};
-use super::kept::{Head, behind, comment, comments, kept};
-use super::model::{File, Leaf, Node, Rung, Version};
-use super::{parse, text};
+mod fork;
+mod rungs;
+
+pub(super) use fork::UNSETTLED;
+
+use crate::notation::circuit::series_parallel;
+use crate::notation::ldmicro::element::{self, Coil, Form, ROWS};
+use crate::notation::ldmicro::fork::Dialect;
+use crate::notation::ldmicro::fork::jumps;
+use crate::notation::ldmicro::kept::{Head, behind, comment, kept};
+use crate::notation::ldmicro::model::{File, Leaf, Node, Rung, Version};
+use crate::notation::ldmicro::{parse, text};
+use crate::notation::stand_in;
+use crate::notation::{Lines, Place, Report, WriteError};
 use ladder_analysis::Analysis;
 use ladder_analysis::program::{
     Argument, Block, BlockKind, Expr, ExprKind, Location, Member, Network, Place as Operand, Program,
@@ -26,22 +33,26 @@ pub(super) fn file(analysis: &Analysis) -> Result<(File, Report), WriteError> {
         return Err(WriteError::new("the program has errors"));
     };
     let head = Head::of(&text);
+    let mut file = head.file;
+    if let Some(cycle) = program.cycle {
+        let microseconds = u64::try_from(cycle / 1_000).unwrap_or(0).max(1);
+        file.set_cycle(microseconds);
+    }
     let mut exporter = Exporter {
         program,
         text: &text,
         lines: Lines::of(&text),
         report: Report::default(),
-        version: head.file.version,
+        dialect: file.dialect(),
+        is_import: head.is_import,
         names: head.names,
+        resets: HashMap::new(),
+        numbered: HashSet::new(),
         in_profile: analysis.context.profile == Profile::Ldmicro,
     };
+    exporter.fork();
     if !head.is_import {
         exporter.letters();
-    }
-    let mut file = head.file;
-    if let Some(cycle) = program.cycle {
-        let microseconds = u64::try_from(cycle / 1_000).unwrap_or(0).max(1);
-        file.set_cycle(microseconds);
     }
     file.header = parse::header(file.version, &file.header);
     if file.io.is_empty() {
@@ -56,8 +67,14 @@ struct Exporter<'p> {
     text: &'p str,
     lines: Lines,
     report: Report,
-    version: Version,
+    dialect: Dialect,
+    /// It was made from an LDmicro file.
+    is_import: bool,
     names: HashMap<String, String>,
+    /// What RES gives the counters of the fork.
+    resets: HashMap<String, String>,
+    /// The labels of rungs that numbers lead to.
+    numbered: HashSet<String>,
     /// The program has LDmicro's own arithmetic and timing.
     in_profile: bool,
 }
@@ -94,24 +111,6 @@ impl Exporter<'_> {
     fn io(&self, pins: &[(String, String)]) -> Vec<(u32, String)> {
         let entry = |(tag, pin): &(String, String)| (0, format!("{} at {pin}", self.ldmicro_name(tag)));
         pins.iter().map(entry).collect()
-    }
-
-    fn rungs(&mut self) -> Vec<Rung> {
-        let program = self.program;
-        let mut rungs = Vec::new();
-        let mut at = 0;
-        for network in program
-            .networks
-            .iter()
-            .filter(|network| network.location.file == 0)
-        {
-            let range = network.location.range;
-            rungs.extend(comments(&self.text[at..usize::from(range.start())]));
-            at = range.end().into();
-            rungs.push(self.network(network));
-        }
-        rungs.extend(comments(&self.text[at..]));
-        rungs
     }
 
     fn network(&mut self, network: &Network) -> Rung {
@@ -183,7 +182,16 @@ impl Exporter<'_> {
                 self.before(usize::from(range.end()), &plain).unwrap_or(plain)
             }
         };
-        self.report.translated(place, text.clone());
+        match block.kind {
+            BlockKind::Instruction(row)
+                if self.dialect.version == Version::V02 && matches!(row.op, Op::Ctu | Op::Ctd | Op::Ctc) =>
+            {
+                let why =
+                    "LDmicro's fork counts no further than the limit, and its CTC gives power for one scan";
+                self.report.approximated(place, text.clone(), why);
+            }
+            _ => self.report.translated(place, text.clone()),
+        }
         Ok(Node::Leaf(Leaf {
             line: place.line,
             text,
@@ -196,24 +204,30 @@ impl Exporter<'_> {
         let length = rest.strip_prefix('#')?.find('#')? + 2;
         let line = behind(&rest[..length], "was:")?;
         element::check(&line).ok()?;
-        let was = element::plain(&line, self.version)?;
+        if jumps::same(&line, plain) {
+            return Some(line);
+        }
+        let was = element::plain(&line, self.dialect)?;
         let is_reset = || {
-            plain
-                .strip_prefix("MOVE ")?
-                .strip_suffix(" 0")
-                .map(|name| format!("RES {name}"))
+            let (name, value) = plain.strip_prefix("MOVE ")?.split_once(' ')?;
+            let reset = self.resets.get(name).map_or("0", String::as_str);
+            (value == reset).then(|| format!("RES {name}"))
         };
         (was == plain || is_reset() == Some(was)).then_some(line)
     }
 
     /// The line of a block.
     fn block(&self, block: &Block) -> Result<String, String> {
-        let BlockKind::Instruction(instruction) = block.kind else {
-            return Err("LDmicro has no blocks of one's own".to_owned());
+        let instruction = match block.kind {
+            BlockKind::Instruction(instruction) => instruction,
+            BlockKind::User(index) => return self.made(block, index),
         };
         let arguments: Vec<&Argument> = block.arguments.iter().map(|bound| &bound.argument).collect();
+        if let Some(line) = self.forks(block, instruction.op)? {
+            return Ok(line);
+        }
         let unknown = || format!("LDmicro has no {} like this", instruction.block());
-        let fork = |line: String, more: &str| match self.version {
+        let fork = |line: String, more: &str| match self.dialect.version {
             Version::V01 => line,
             Version::V02 => line + more,
         };
@@ -247,7 +261,7 @@ impl Exporter<'_> {
                 fork(element::coil(&self.argument(tag)?, coil), " 0")
             }
             (Op::Res, [tag]) => format!("RES {}", self.argument(tag)?),
-            (Op::Adc, [to, _]) => format!("READ_ADC {}", self.argument(to)?),
+            (Op::Adc, [to, _]) => fork(format!("READ_ADC {}", self.argument(to)?), " 0"),
             (Op::Shift, [Argument::Range(range), Argument::Value(first)]) => self.shift(range, first)?,
             (Op::Lut, [to, index, values @ ..]) => {
                 element::table(&self.argument(to)?, &self.argument(index)?, &constants(values)?)
@@ -268,19 +282,25 @@ impl Exporter<'_> {
             Form::Timer(own) | Form::Counter(own) => own == op && arguments.len() == 2,
             _ => false,
         })?;
-        let mut line = row.word.to_owned();
-        for argument in arguments {
-            match self.argument(argument) {
-                Ok(text) => line.push_str(&format!(" {text}")),
-                Err(why) => return Some(Err(why)),
-            }
+        let fields: Result<Vec<String>, String> = arguments.iter().map(|a| self.argument(a)).collect();
+        let fields = match fields {
+            Ok(fields) => fields,
+            Err(why) => return Some(Err(why)),
+        };
+        let word = row.word;
+        if let Form::Timer(_) = row.form {
+            let preset = fields[1]
+                .parse()
+                .map_err(|_| "LDmicro's delays are fixed".to_owned());
+            return Some(preset.map(|preset| element::timer(word, &fields[0], preset, self.dialect)));
         }
-        if self.version == Version::V02 {
-            match row.form {
-                Form::Timer(_) => line.push_str(" 0"),
-                Form::Counter(_) => line.push_str(" 0 /"),
-                _ => {}
-            }
+        let mut line = [&[word.to_owned()][..], &fields].concat().join(" ");
+        if self.dialect.version == Version::V02 {
+            line.push_str(match row.form {
+                Form::Values(Op::Usnd | Op::Urcv, _) => " 1 0",
+                Form::Counter(_) => " 0 /",
+                _ => "",
+            });
         }
         Some(Ok(line))
     }

@@ -1,0 +1,870 @@
+//! What only LDmicro's fork has, read and written.
+
+use crate::ldmicro::{converted, read, there_and_back, write};
+use expect_test::{Expect, expect};
+use ladder_interchange::notation::{Outcome, ldmicro};
+
+#[track_caller]
+fn check(text: &str, expected: Expect) {
+    expected.assert_eq(&read(text));
+}
+
+/// A program with these rungs, each given by its elements.
+fn program(rungs: &[&str]) -> String {
+    let mut text =
+        "LDmicro0.2\nCYCLE=10000\nCRYSTAL=4000000\nBAUD=2400\n\nIO LIST\nEND\n\nPROGRAM\n".to_owned();
+    for (index, rung) in rungs.iter().enumerate() {
+        text.push_str(&format!("RUNG {}\n", index + 1));
+        for line in rung.lines() {
+            text.push_str(&format!("  {line}\n"));
+        }
+        text.push_str("END\n");
+    }
+    text
+}
+
+pub(crate) const EVERYTHING: &str = "\
+LDmicro0.2
+CYCLE=10000 us at Timer1
+CRYSTAL=4000000
+BAUD=2400
+
+VAR LIST
+  2 bytes n
+  4 bytes big
+END
+
+IO LIST
+  Xa at 2 0 0
+  Xb at 3 0 0
+END
+
+PROGRAM
+RUNG 1
+  COMMENT The fork.
+END
+RUNG 2
+  CONTACTS Xa 0 0
+  PARALLEL
+    MOD n m 7
+    SHL n m 3
+    SR0 n m k
+    SHR n n 2
+    ROL n m 4
+    ROR n m 16
+    AND n m 255
+    OR n m 1
+    XOR n n -1
+    NOT n m
+    NEG n m
+    SET_BIT n 3
+    CLEAR_BIT n 15
+    BIN2BCD n m
+    BCD2BIN n m
+    SERIES
+      IF_BIT_SET n 3
+      IF_BIT_CLEAR n 0
+      COIL Yt 0 0 0 1
+    END
+  END
+END
+RUNG 3
+  OSL
+  OSC
+  COIL Yo 0 0 0 0
+END
+RUNG 4
+  CONTACTS Xb 0 1
+  TON Ta 100000 0
+  TON Tb 100000 -1
+  TON Tc n 0
+  TOF Td 50000 2
+  RTL Te 40000 0
+  TCY Tf 30000 1
+  THI Tg 50000 0
+  TLO Th k 0
+  COIL Yo 0 0 0 0
+END
+RUNG 5
+  CTU Ca 10 0 /
+  CTD Cb 0 5 \\
+  CTC Cc n 1 -
+  CTR Cd -3 k o
+  RES Ca
+  RES Cb
+  RES Cd
+END
+RUNG 6
+  CONTACTS Xa 0 0
+  GOTO 11
+END
+RUNG 7
+  COMMENT A part of its own.
+END
+RUNG 8
+  SUBPROG #sub
+END
+RUNG 9
+  CONTACTS Xa 0 0
+  RETURN
+END
+RUNG 10
+  ENDSUB #sub
+END
+RUNG 11
+  COMMENT passed
+END
+RUNG 12
+  LABEL here
+  GOSUB #sub
+END
+RUNG 13
+  CONTACTS Xb 0 0
+  GOTO here
+  GOTO 99
+END
+RUNG 14
+  SWAP n m
+  SET_PWM n 1000 P1 16
+  READ_ADC Ain 1
+  UART_SEND n 1 0
+  UART_SEND n 2 0
+  LOOK_UP_TABLE n m 3 0 1 2 3 tab
+  FORMATTED_STRING n a\\x20\\3\\t
+  RES P1
+  MOVE #PORTA 5
+END
+";
+
+#[test]
+fn every_element() {
+    check(
+        EVERYTHING,
+        expect![[r#"
+        # ldmicro: LDmicro0.2 #
+        # ldmicro: CYCLE=10000 us at Timer1 #
+        # ldmicro: CRYSTAL=4000000 #
+        # ldmicro: BAUD=2400 #
+        # ldmicro: VAR LIST #
+        # ldmicro: 2 bytes n #
+        # ldmicro: 4 bytes big #
+        # ldmicro: END #
+        # ldmicro: NAME _PORTA = \x23PORTA #
+        # ladder: profile ldmicro #
+
+        VAR_INPUT
+            Xa : BOOL;  # pin 2 0 0 #
+            Xb : BOOL := TRUE;  # pin 3 0 0 #
+        END_VAR
+        VAR_OUTPUT
+            Yt : BOOL;
+            Yo : BOOL;
+        END_VAR
+        VAR
+            n      : INT;
+            m      : INT;
+            k      : INT;
+            Ta     : TON;
+            Tb     : TON;
+            Tc     : INT;
+            Td     : TOF;
+            Te     : INT;
+            Tf     : INT;
+            Tg     : INT;
+            Th     : INT;
+            Ca     : INT;
+            Cb     : INT := 5;
+            Cc     : INT := 1;
+            Cd     : INT;
+            Ain    : INT;
+            _PORTA : INT;
+        END_VAR
+
+        # The fork. #
+        +--[ ]( Xa )--\---------------------------------------------------------------------------------------------------------------------------[MOD]( n, m, 7 )--\--+
+        |             /--\---------------------------------------------------------------------------------------------------------------------[SHL]( n, m, 3 )--\--/  |
+        |                /--\---------------------------------------------------------------------------------------------------------------[SHR]( n, m, k )--\--/     |
+        |                   /--\--------------------------------------------------------------------------------------------------------[$SHR]( n, n, 2 )--\--/        |
+        |                      /--\---------------------------------------------------------------------------------------------------[ROL]( n, m, 4 )--\--/           |
+        |                         /--\--------------------------------------------------------------------------------------------[ROR]( n, m, 16 )--\--/              |
+        |                            /--\-------------------------------------------------------------------------------------[AND]( n, m, 255 )--\--/                 |
+        |                               /--\----------------------------------------------------------------------------------[OR]( n, m, 1 )--\--/                    |
+        |                                  /--\--------------------------------------------------------------------------[XOR]( n, n, -1 )--\--/                       |
+        |                                     /--\------------------------------------------------------------------------[NOT]( n, m )--\--/                          |
+        |                                        /--\------------------------------------------------------------------[NEG]( n, m )--\--/                             |
+        |                                           /--\---------------------------------------------------------------(S)( n.3 )--\--/                                |
+        |                                              /--\--------------------------------------------------------(R)( n.15 )--\--/                                   |
+        |                                                 /--\-------------------------------------------[$BIN2BCD]( n, m )--\--/                                      |
+        |                                                    /--\-------------------------------------[$BCD2BIN]( n, m )--\--/                                         |
+        |                                                       /--[ ]( n.3 )--[/]( n.0 )---------------------($T)( Yt )--/                                            |
+
+        +-----------------------------------------------------------------------[$OSL]--[$OSC]--( )( Yo )--+
+
+        +--[ ]( Xb )--# was: CONTACTS Xb 0 1 #---[TON]( Ta, T#110ms )--[TON]( Tb, T#100ms )--# was: TON Tb 100000 -1 #--[$TON]( Tc, n )--[TOF]( Td, T#80ms )--# was: TOF Td 50000 2 #--[$RTL]( Te, 4 )--[$TCY]( Tf, 4 )--# was: TCY Tf 30000 1 #--[$THI]( Tg, 5 )--[$TLO]( Th, k )--( )( Yo )--+
+
+        +--------[$CTU]( Ca, 10 )--[$CTDfall]( Cb, 0 )--[$CTChigh]( Cc, n, 1 )--[$CTRlowfrom]( Cd, -3, k )--[MOV]( Ca, 0 )--# was: RES Ca #--[MOV]( Cb, 5 )--# was: RES Cb #--[MOV]( Cd, k )--# was: RES Cd #--+
+
+        +--[ ]( Xa )----------------------------------------------------<JMP>( rung12 )--# was: GOTO 11 #--+
+
+        # A part of its own. #
+
+        # ldmicro: SUBPROG \x23sub #
+
+        # passed #
+        +--<LBL>( rung12 )--# was: RUNG 12 #--<LBL>( here )--------<CALL>( _sub )--# was: GOSUB \x23sub #--+
+
+        +--[ ]( Xb )-----------------------------------------------<JMP>( here )--<RET>--# was: GOTO 99 #--+
+
+        +--# ldmicro: SWAP n m #---[PWM]( n, 1000, CH := 1 )--# was: SET_PWM n 1000 P1 16 #--[ADC]( Ain, 0 )--# was: READ_ADC Ain 1 #--[USND]( n )--# ldmicro: UART_SEND n 2 0 #--[LUT]( n, m, 1, 2, 3 )--# was: LOOK_UP_TABLE n m 3 0 1 2 3 tab #--[FMT]( 'a \3$09', n )--# was: FORMATTED_STRING n a\x20\3\t #--# ldmicro: RES P1 #--[MOV]( _PORTA, 5 )--+
+
+        +--<FUN>( _sub )-----------------------------------------------------------------------------------+
+
+        +--[ ]( Xa )--------------------------------------------------------------------------------<RET>--+
+
+        FUNCTION_BLOCK ($T)
+        # Each time power comes, the tag changes over. #
+        VAR_IN_OUT
+            q : BOOL;
+        END_VAR
+        +--[ ]( EN )--[OSR]-----------------------------------------------------------[XOR]( q, q, TRUE )--+
+        END_FUNCTION_BLOCK
+
+        FUNCTION_BLOCK [$OSL]
+        # When power goes, its own stays away for one scan. #
+        VAR
+            low, seen : BOOL;
+        END_VAR
+        +--[ ]( low )--[/]( EN )---------------------------------------------------------------(S)( ENO )--+
+        +--[/]( EN )--[ ]( seen )--------------------------------------------------------------( )( low )--+
+        +--[ ]( EN )--------------------------------------------------------------------------(S)( seen )--+
+        END_FUNCTION_BLOCK
+
+        FUNCTION_BLOCK [$OSC]
+        # While power is there, its own comes and goes with each scan. #
+        VAR
+            on : BOOL;
+        END_VAR
+        +--[ ]( EN )--[/]( on )-----------------------------------------------------( )( on )--( )( ENO )--+
+        END_FUNCTION_BLOCK
+
+        FUNCTION_BLOCK [$SHR]
+        # Shifts to the right; the sign stays. #
+        VAR_IN_OUT
+            y : INT;
+        END_VAR
+        VAR_INPUT
+            a, n : INT;
+        END_VAR
+        +--[ ]( EN )--[GE]( a, 0 )-------------------------------------------------------[SHR]( y, a, n )--+
+        +--[ ]( EN )--[LT]( a, 0 )-------------------------[NOT]( y, a )--[SHR]( y, y, n )--[NOT]( y, y )--+
+        END_FUNCTION_BLOCK
+
+        FUNCTION_BLOCK [$BIN2BCD]
+        # The digits of a number, four bits each. #
+        VAR_IN_OUT
+            y : INT;
+        END_VAR
+        VAR_INPUT
+            a : INT;
+        END_VAR
+        +--[ ]( EN )---------------[CALC]( y, a MOD 10 + a / 10 MOD 10 * 16 + a / 100 MOD 10 * 256 + a / 1000 MOD 10 * 4096 )--+
+        END_FUNCTION_BLOCK
+
+        FUNCTION_BLOCK [$BCD2BIN]
+        # The number whose digits are given, four bits each. #
+        VAR_IN_OUT
+            y : INT;
+        END_VAR
+        VAR_INPUT
+            a : INT;
+        END_VAR
+        +--[ ]( EN )------[CALC]( y, (a AND 15) + (a SHR 4 AND 15) * 10 + (a SHR 8 AND 15) * 100 + (a SHR 12 AND 15) * 1000 )--+
+        END_FUNCTION_BLOCK
+
+        FUNCTION_BLOCK [$TON]
+        # Power comes once it has been there for p scans. #
+        VAR_IN_OUT
+            t : INT;
+        END_VAR
+        VAR_INPUT
+            p : INT;
+        END_VAR
+        +--[ ]( EN )--[GE]( t, p )-------------------------------------------------------------( )( ENO )--+
+        +--[ ]( EN )--[/]( ENO )---------------------------------------------------------[ADD]( t, t, 1 )--+
+        +--[/]( EN )------------------------------------------------------------------------[MOV]( t, 0 )--+
+        END_FUNCTION_BLOCK
+
+        FUNCTION_BLOCK [$RTL]
+        # Counts scans without power; its own comes after p of them, and stays. #
+        VAR_IN_OUT
+            t : INT;
+        END_VAR
+        VAR_INPUT
+            p : INT;
+        END_VAR
+        +--[GE]( t, p )------------------------------------------------------------------------( )( ENO )--+
+        +--[/]( EN )--[LT]( t, p )-------------------------------------------------------[ADD]( t, t, 1 )--+
+        END_FUNCTION_BLOCK
+
+        FUNCTION_BLOCK [$TCY]
+        # While power is there, its own changes over every p + 1 scans. #
+        VAR_IN_OUT
+            t : INT;
+        END_VAR
+        VAR_INPUT
+            p : INT;
+        END_VAR
+        VAR
+            on, over : BOOL;
+        END_VAR
+        +--[ ]( EN )--[GE]( t, p )------------------------------------------------------------( )( over )--+
+        +--[/]( EN )------------------------------------------------------------------------[MOV]( t, 0 )--+
+        +--[ ]( over )-----------------------------------------------[MOV]( t, 0 )--[XOR]( on, on, TRUE )--+
+        +--[ ]( EN )--[/]( over )--------------------------------------------------------[ADD]( t, t, 1 )--+
+        +--[ ]( EN )--[ ]( on )----------------------------------------------------------------( )( ENO )--+
+        END_FUNCTION_BLOCK
+
+        FUNCTION_BLOCK [$THI]
+        # When power comes, its own is there for p scans. #
+        VAR_IN_OUT
+            t : INT;
+        END_VAR
+        VAR_INPUT
+            p : INT;
+        END_VAR
+        VAR
+            run : BOOL;
+        END_VAR
+        +--[ ]( EN )---------------------------------------------------------------------------(S)( run )--+
+        +--[ ]( run )--[LT]( t, p )------------------------------------------( )( ENO )--[ADD]( t, t, 1 )--+
+        +--[ ]( run )--[/]( ENO )--[/]( EN )------------------------------------[MOV]( t, 0 )--(R)( run )--+
+        END_FUNCTION_BLOCK
+
+        FUNCTION_BLOCK [$TLO]
+        # When power goes, its own is away for p scans. #
+        VAR_IN_OUT
+            t : INT;
+        END_VAR
+        VAR_INPUT
+            p : INT;
+        END_VAR
+        VAR
+            seen, run, low : BOOL;
+        END_VAR
+        +--[/]( EN )--[ ]( seen )--------------------------------------------------------------(S)( run )--+
+        +--[ ]( EN )--------------------------------------------------------------------------(S)( seen )--+
+        +--[ ]( run )--[LT]( t, p )------------------------------------------( )( low )--[ADD]( t, t, 1 )--+
+        +--[ ]( seen )--[/]( low )-------------------------------------------------------------( )( ENO )--+
+        +--[ ]( run )--[/]( low )--[ ]( EN )------------------------------------[MOV]( t, 0 )--(R)( run )--+
+        END_FUNCTION_BLOCK
+
+        FUNCTION_BLOCK [$CTU]
+        # Counts up to max; there is power from then on. #
+        VAR_IN_OUT
+            c : INT;
+        END_VAR
+        VAR_INPUT
+            max : INT;
+        END_VAR
+        +--[ ]( EN )--[OSR]--[LT]( c, max )----------------------------------------------[ADD]( c, c, 1 )--+
+        +--[GE]( c, max )----------------------------------------------------------------------( )( ENO )--+
+        END_FUNCTION_BLOCK
+
+        FUNCTION_BLOCK [$CTDfall]
+        # Counts down to max; there is power until then. #
+        VAR_IN_OUT
+            c : INT;
+        END_VAR
+        VAR_INPUT
+            max : INT;
+        END_VAR
+        +--[ ]( EN )--[OSF]--[GT]( c, max )----------------------------------------------[SUB]( c, c, 1 )--+
+        +--[GT]( c, max )----------------------------------------------------------------------( )( ENO )--+
+        END_FUNCTION_BLOCK
+
+        FUNCTION_BLOCK [$CTChigh]
+        # Counts up; beyond max it begins anew at init, with power for one scan. #
+        VAR_IN_OUT
+            c : INT;
+        END_VAR
+        VAR_INPUT
+            max, init : INT;
+        END_VAR
+        +--[ ]( EN )--[ADD]( c, c, 1 )--[GT]( c, max )-----------------------( )( ENO )--[MOV]( c, init )--+
+        END_FUNCTION_BLOCK
+
+        FUNCTION_BLOCK [$CTRlowfrom]
+        # Counts down; below max it begins anew at init, with power for one scan. #
+        VAR_IN_OUT
+            c : INT;
+        END_VAR
+        VAR_INPUT
+            max, init : INT;
+        END_VAR
+        VAR
+            begun : BOOL;
+        END_VAR
+        +--[/]( begun )----------------------------------------------------[MOV]( c, init )--(S)( begun )--+
+        +--[/]( EN )--[SUB]( c, c, 1 )--[LT]( c, max )-----------------------( )( ENO )--[MOV]( c, init )--+
+        END_FUNCTION_BLOCK
+        1:1 #PORTA: approximated: it is spelled `_PORTA` here
+        1:1 big: approximated: it has 4 bytes in LDmicro, and 16 bits here
+        25:1 SR0 n m k: approximated: where the number of bits is below 0, there is a fault here
+        26:1 SHR n n 2: approximated: that the sign of a number below 0 stays is what SR0 beside it suggests
+        36:1 BIN2BCD n m: approximated: here for numbers from 0 to 9999; what LDmicro makes of others is not documented
+        37:1 BCD2BIN n m: approximated: here for numbers from 0 to 9999; what LDmicro makes of others is not documented
+        101:1 SWAP n m: refused: which bit goes where is not documented
+        105:1 UART_SEND n 2 0: refused: it is about several bytes; here a block sends or takes one
+        107:1 FORMATTED_STRING n a\x20\3\t: approximated: here it is also sent once at the start; the fork waits until power comes
+        108:1 RES P1: refused: there is no block here that ends pulses
+        109:1 MOVE #PORTA 5: approximated: #PORTA is a register of the controller; here it is a tag
+        65:1 ldmicro-rightmost: CTC must be the rightmost element of its rung
+        67:1 ldmicro-rightmost: RES must be the rightmost element of its rung
+        68:1 ldmicro-rightmost: RES must be the rightmost element of its rung
+        101:1 ldmicro-element: `SWAP n m` stays as a comment: which bit goes where is not documented
+        102:1 ldmicro-rightmost: SET_PWM must be the rightmost element of its rung
+        103:1 ldmicro-rightmost: READ_ADC must be the rightmost element of its rung
+        105:1 ldmicro-element: `UART_SEND n 2 0` stays as a comment: it is about several bytes; here a block sends or takes one
+        106:1 ldmicro-rightmost: LOOK_UP_TABLE must be the rightmost element of its rung
+        106:1 ldmicro-unassigned: Variable 'm' not assigned to, e.g. with a MOV statement, an ADD statement, etc. This is probably a programming error; now it will always be zero.
+        108:1 ldmicro-element: `RES P1` stays as a comment: there is no block here that ends pulses
+        108:1 ldmicro-rightmost: RES must be the rightmost element of its rung
+    "#]],
+    );
+}
+
+#[test]
+fn every_element_comes_back() {
+    assert_eq!(
+        ldmicro::resaved(EVERYTHING.as_bytes()).as_deref(),
+        Ok(EVERYTHING.as_bytes())
+    );
+    assert_eq!(there_and_back(EVERYTHING.as_bytes()).as_deref(), Ok(EVERYTHING));
+    // Version 0.1 with the fork's elements.
+    let older = EVERYTHING.replace("LDmicro0.2", "LDmicro0.1");
+    let older = ldmicro::resaved(older.as_bytes()).expect("it can be read");
+    let older = String::from_utf8(older).expect("it is text");
+    assert_eq!(there_and_back(older.as_bytes()), Ok(older));
+}
+
+/// What becomes of one element, and that it comes back.
+#[test]
+fn one_by_one() {
+    let elements = [
+        "TON Ta 100000 0",
+        "TON Ta 100000 -1",
+        "TON Ta 100000",
+        "TON Ta 5000 0",
+        "TON Ta v 0",
+        "TOF Ta v 0",
+        "RTO Ta 20000 3",
+        "TCY Ta 20000",
+        "THI Ta 25000 0",
+        "TLO Ta 1000 0",
+        "RTL Ta v 0",
+        "CTU Ca 5",
+        "CTU Ca 5 2",
+        "CTU Ca v 0 o",
+        "CTD Ca 5 v \\",
+        "CTC Ca 5 0 -",
+        "CTR Ca 0 5 /",
+        "CTR Ca 0 5 x",
+        "CTU Ca 70000 0 /",
+        "COIL Ya 0 0 0 1",
+        "COIL Ya 1 0 0 1",
+        "CONTACTS Xa 1 1",
+        "CONTACTS ROverflowFlagV 0 0",
+        "SHL n m 17",
+        "SHL n m -1",
+        "SET_BIT n 16",
+        "SET_BIT n v",
+        "SET_BIT 5 1",
+        "AND 5 n m",
+        "MOD n m 0x1F",
+        "NOT n 'A'",
+        "OSL",
+        "ODF",
+        "UART_SEND n",
+        "UART_SEND n 1 1",
+        "UART_RECV n 1 1",
+        "SET_PWM d 1000 P1 8",
+        "SET_PWM d f P1 8",
+        "SET_PWM d 1000 P99 8",
+        "READ_ADC Aa",
+        "READ_ADC Aa 2",
+        "PIECEWISE_LINEAR n m 2 0 0 5 9 tab",
+        "FORMATTED_STRING (none) a\\x20b\\?",
+        "RETURN",
+        "GOSUB 2",
+    ];
+    let mut out = String::new();
+    for element in elements {
+        let text = program(&[element]);
+        let converted = converted(text.as_bytes()).expect("it can be read");
+        let ladder = converted.written.text;
+        let networks = ladder
+            .lines()
+            .filter(|line| line.starts_with('+') && line.contains("--"));
+        let network = networks.take(1).collect::<String>();
+        let network = network.trim_matches(['+', '-', ' ']).to_owned();
+        out.push_str(&format!("{element}: {network}\n"));
+        for entry in &converted.report.entries {
+            match &entry.outcome {
+                Outcome::Translated => {}
+                Outcome::Approximated(why) => out.push_str(&format!("    nearly: {why}\n")),
+                Outcome::Refused(why) => out.push_str(&format!("    not: {why}\n")),
+            }
+        }
+        assert_eq!(write(&ladder), Ok(text), "{ladder}");
+    }
+    expect![[r#"
+        TON Ta 100000 0: [TON]( Ta, T#110ms )
+        TON Ta 100000 -1: [TON]( Ta, T#100ms )--# was: TON Ta 100000 -1 #
+        TON Ta 100000: [TON]( Ta, T#110ms )--# was: TON Ta 100000 #
+        TON Ta 5000 0: [TON]( Ta, T#15ms )
+        TON Ta v 0: [$TON]( Ta, v )
+        TOF Ta v 0: # ldmicro: TOF Ta v 0 #
+            not: what it begins with is not documented where its delay is a variable
+        RTO Ta 20000 3: [RTO]( Ta, T#60ms )--# was: RTO Ta 20000 3 #
+        TCY Ta 20000: [$TCY]( Ta, 2 )--# was: TCY Ta 20000 #
+        THI Ta 25000 0: [$THI]( Ta, 2 )--# was: THI Ta 25000 0 #
+        TLO Ta 1000 0: # ldmicro: TLO Ta 1000 0 #
+            not: its delay is 0 cycles: 1 to 32767 are possible
+        RTL Ta v 0: # ldmicro: RTL Ta v 0 #
+            not: its delay is no number
+        CTU Ca 5: [$CTU]( Ca, 5 )--# was: CTU Ca 5 #
+        CTU Ca 5 2: [$CTU]( Ca, 5 )--# was: CTU Ca 5 2 #
+        CTU Ca v 0 o: [$CTUlow]( Ca, v )
+        CTD Ca 5 v \: [$CTDfallfrom]( Ca, 5, v )
+        CTC Ca 5 0 -: [$CTChigh]( Ca, 5, 0 )
+        CTR Ca 0 5 /: [$CTR]( Ca, 0, 5 )
+        CTR Ca 0 5 x: # ldmicro: CTR Ca 0 5 x #
+            not: its last field is none of `/`, `\`, `-` and `o`
+        CTU Ca 70000 0 /: # ldmicro: CTU Ca 70000 0 / #
+            not: 70000 does not fit 16 bits
+        COIL Ya 0 0 0 1: ($T)( Ya )
+        COIL Ya 1 0 0 1: (/)( Ya )--# was: COIL Ya 1 0 0 1 #
+        CONTACTS Xa 1 1: [/]( Xa )--# was: CONTACTS Xa 1 1 #
+        CONTACTS ROverflowFlagV 0 0: [ ]( ROverflowFlagV )
+            nearly: LDmicro's fork makes it high when a sum or difference does not fit; here nothing does
+        SHL n m 17: # ldmicro: SHL n m 17 #
+            not: 17 is no number of bits to shift 16 bits by: 0 to 16
+        SHL n m -1: # ldmicro: SHL n m -1 #
+            not: -1 is no number of bits to shift 16 bits by: 0 to 16
+        SET_BIT n 16: # ldmicro: SET_BIT n 16 #
+            not: bit 16 is outside of 16 bits
+        SET_BIT n v: # ldmicro: SET_BIT n v #
+            not: which bit it is, is a variable
+        SET_BIT 5 1: # ldmicro: SET_BIT 5 1 #
+            not: 5 is a number and has no bits to change
+        AND 5 n m: # ldmicro: AND 5 n m #
+            not: 5 is a number and cannot be written
+        MOD n m 0x1F: [MOD]( n, m, 31 )--# was: MOD n m 0x1F #
+        NOT n 'A': [NOT]( n, 65 )--# was: NOT n 'A' #
+        OSL: [$OSL]
+        ODF: [$OSL]--# was: ODF #
+        UART_SEND n: [USND]( n )--# was: UART_SEND n #
+        UART_SEND n 1 1: # ldmicro: UART_SEND n 1 1 #
+            not: it waits within the cycle until the line is free
+        UART_RECV n 1 1: [URCV]( n )--# was: UART_RECV n 1 1 #
+        SET_PWM d 1000 P1 8: [PWM]( d, 1000, CH := 1 )
+        SET_PWM d f P1 8: # ldmicro: SET_PWM d f P1 8 #
+            not: its frequency is a variable
+        SET_PWM d 1000 P99 8: # ldmicro: SET_PWM d 1000 P99 8 #
+            not: the name of its output is not P and a number below 64
+        READ_ADC Aa: [ADC]( Aa, 0 )--# was: READ_ADC Aa #
+        READ_ADC Aa 2: [ADC]( Aa, 0 )--# was: READ_ADC Aa 2 #
+        PIECEWISE_LINEAR n m 2 0 0 5 9 tab: [PWL]( n, m, 0, 0, 5, 9 )--# was: PIECEWISE_LINEAR n m 2 0 0 5 9 tab #
+        FORMATTED_STRING (none) a\x20b\?: [FMT]( 'a b?' )--# was: FORMATTED_STRING (none) a\x20b\? #
+            nearly: here it is also sent once at the start; the fork waits until power comes
+        RETURN: # ldmicro: RETURN #
+            not: it stands in no subprogram
+        GOSUB 2: # ldmicro: GOSUB 2 #
+            not: there is no subprogram `2` that could be made a function
+    "#]].assert_eq(&out);
+}
+
+#[test]
+fn what_has_no_counterpart_stays() {
+    let elements = [
+        "ODR",
+        "TIME2COUNT n 5000",
+        "DELAY d",
+        "SLEEP",
+        "CLRWDT",
+        "LOCK",
+        "OPPOSITE n m",
+        "SWAP n m",
+        "BUS n m 7 6 5 4 3 2 1 0",
+        "7SEGMENTS n m C",
+        "RSFR n 5",
+        "RANDOM n",
+        "SEED_RANDOM n 5",
+        "NPULSE n 5 Ya",
+        "PULSER 1 1 1 n Ya",
+        "STEPPER s 5 1 1 1 Ya",
+        "QUAD_ENCOD n 0 Xa Xb Xz Ya / 5",
+        "SPI a b c d e f g h",
+        "I2C_RD a b c d e f g h",
+        "UART_RECV_AVAIL",
+        "STRING s n 3 97 98 99",
+    ];
+    let mut out = String::new();
+    for element in elements {
+        let text = program(&[&format!("CONTACTS Xa 0 0\n{element}\nCOIL Yb 0 0 0 0")]);
+        let converted = converted(text.as_bytes()).expect("it can be read");
+        let refused = converted
+            .report
+            .entries
+            .iter()
+            .find_map(|entry| match &entry.outcome {
+                Outcome::Refused(why) => Some(why.clone()),
+                _ => None,
+            });
+        out.push_str(&format!("{element}: {}\n", refused.expect("it is refused")));
+        assert_eq!(write(&converted.written.text), Ok(text));
+    }
+    expect![[r#"
+        ODR: when its power is low for one scan is not documented
+        TIME2COUNT n 5000: how many scans or loops it counts is not documented
+        DELAY d: it is about the hardware of the controller, and there is no such port here
+        SLEEP: it is about the hardware of the controller, and there is no such port here
+        CLRWDT: it is about the hardware of the controller, and there is no such port here
+        LOCK: it is about the hardware of the controller, and there is no such port here
+        OPPOSITE n m: which bit goes where is not documented
+        SWAP n m: which bit goes where is not documented
+        BUS n m 7 6 5 4 3 2 1 0: which bit goes where is not documented
+        7SEGMENTS n m C: which segments each character lights is not documented
+        RSFR n 5: it is about a register of the controller
+        RANDOM n: there are no random numbers here
+        SEED_RANDOM n 5: there are no random numbers here
+        NPULSE n 5 Ya: it is about the hardware of the controller, and there is no such port here
+        PULSER 1 1 1 n Ya: it is about the hardware of the controller, and there is no such port here
+        STEPPER s 5 1 1 1 Ya: it is about the hardware of the controller, and there is no such port here
+        QUAD_ENCOD n 0 Xa Xb Xz Ya / 5: it is about the hardware of the controller, and there is no such port here
+        SPI a b c d e f g h: it is about the hardware of the controller, and there is no such port here
+        I2C_RD a b c d e f g h: it is about the hardware of the controller, and there is no such port here
+        UART_RECV_AVAIL: there is no port here that tells whether the line is free or a byte has come
+        STRING s n 3 97 98 99: LDmicro writes a number into a text as C does, and there is no such instruction here
+    "#]].assert_eq(&out);
+}
+
+#[test]
+fn jumps_that_lead_nowhere() {
+    let rungs = [
+        "GOTO nowhere\nGOTO inside\nGOTO 4\nGOTO 0",
+        "LABEL twice\nGOTO twice",
+        "SUBPROG sub",
+        "LABEL inside\nGOTO twice\nGOTO 1\nGOTO 5",
+        "ENDSUB sub",
+        "LABEL twice\nGOSUB other",
+        "SUBPROG outer",
+        "SUBPROG inner",
+        "ENDSUB inner",
+        "ENDSUB outer",
+        "SUBPROG beside\nOSR",
+        "ENDSUB beside",
+        "MASTER_RELAY",
+    ];
+    let text = program(&rungs);
+    check(
+        &text,
+        expect![[r#"
+            # ldmicro: LDmicro0.2 #
+            # ldmicro: CYCLE=10000 #
+            # ldmicro: CRYSTAL=4000000 #
+            # ldmicro: BAUD=2400 #
+            # ladder: profile ldmicro #
+
+            +--# ldmicro: GOTO nowhere #--# ldmicro: GOTO inside #--# ldmicro: GOTO 4 #--# ldmicro: GOTO 0 #---+
+
+            +--<LBL>( twice )------------------------------------------------------------------<JMP>( twice )--+
+
+            # ldmicro: SUBPROG sub #
+
+            +--# ldmicro: LABEL twice #--# ldmicro: GOSUB other #----------------------------------------------+
+
+            +--# ldmicro: SUBPROG outer #----------------------------------------------------------------------+
+
+            # ldmicro: SUBPROG inner #
+
+            +--# ldmicro: ENDSUB outer #-----------------------------------------------------------------------+
+
+            +--# ldmicro: SUBPROG beside #--[OSR]--------------------------------------------------------------+
+
+            +--# ldmicro: ENDSUB beside #----------------------------------------------------------------------+
+
+            +-------------------------------------------------------------------------------------------<MCR>--+
+
+            +--<FUN>( sub )------------------------------------------------------------------------------------+
+
+            +--<LBL>( inside )--# ldmicro: GOTO twice #--# ldmicro: GOTO 1 #-----------<RET>--# was: GOTO 5 #--+
+
+            +--<FUN>( inner )----------------------------------------------------------------------------------+
+            11:1 GOTO nowhere: refused: there is no label `nowhere`
+            12:1 GOTO inside: refused: it leads out of its subprogram, or into one, to `inside`
+            13:1 GOTO 4: refused: rung 4 is in another subprogram, or in none
+            14:1 GOTO 0: refused: rungs are counted from 1
+            25:1 GOTO twice: refused: it leads out of its subprogram, or into one, to `twice`
+            26:1 GOTO 1: refused: rung 1 is in another subprogram, or in none
+            33:1 LABEL twice: refused: there is another label `twice`, which the jumps lead to
+            34:1 GOSUB other: refused: there is no subprogram `other` that could be made a function
+            37:1 SUBPROG outer: refused: a function is made of one SUBPROG and one ENDSUB behind it, each alone in its rung, with no other between them
+            46:1 ENDSUB outer: refused: a function is made of one SUBPROG and one ENDSUB behind it, each alone in its rung, with no other between them
+            49:1 SUBPROG beside: refused: a function is made of one SUBPROG and one ENDSUB behind it, each alone in its rung, with no other between them
+            53:1 ENDSUB beside: refused: a function is made of one SUBPROG and one ENDSUB behind it, each alone in its rung, with no other between them
+            11:1 ldmicro-element: `GOTO nowhere` stays as a comment: there is no label `nowhere`
+            11:1 ldmicro-jump: GOTO 'nowhere': there is no LABEL 'nowhere'
+            12:1 ldmicro-element: `GOTO inside` stays as a comment: it leads out of its subprogram, or into one, to `inside`
+            13:1 ldmicro-element: `GOTO 4` stays as a comment: rung 4 is in another subprogram, or in none
+            14:1 ldmicro-element: `GOTO 0` stays as a comment: rungs are counted from 1
+            14:1 ldmicro-jump: GOTO '0': there is no LABEL '0'
+            25:1 ldmicro-element: `GOTO twice` stays as a comment: it leads out of its subprogram, or into one, to `twice`
+            26:1 ldmicro-element: `GOTO 1` stays as a comment: rung 1 is in another subprogram, or in none
+            33:1 ldmicro-element: `LABEL twice` stays as a comment: there is another label `twice`, which the jumps lead to
+            33:1 ldmicro-jump: LABEL 'twice' is there already, on line 17
+            34:1 ldmicro-element: `GOSUB other` stays as a comment: there is no subprogram `other` that could be made a function
+            34:1 ldmicro-jump: GOSUB 'other': there is no SUBPROG 'other'
+            37:1 ldmicro-element: `SUBPROG outer` stays as a comment: a function is made of one SUBPROG and one ENDSUB behind it, each alone in its rung, with no other between them
+            46:1 ldmicro-element: `ENDSUB outer` stays as a comment: a function is made of one SUBPROG and one ENDSUB behind it, each alone in its rung, with no other between them
+            49:1 ldmicro-element: `SUBPROG beside` stays as a comment: a function is made of one SUBPROG and one ENDSUB behind it, each alone in its rung, with no other between them
+            49:1 ldmicro-jump: SUBPROG must be alone in its rung
+            53:1 ldmicro-element: `ENDSUB beside` stays as a comment: a function is made of one SUBPROG and one ENDSUB behind it, each alone in its rung, with no other between them
+        "#]],
+    );
+    assert_eq!(there_and_back(text.as_bytes()), Ok(text));
+}
+
+#[test]
+fn a_relay_in_a_subprogram_and_branches_that_go_on() {
+    let rungs = [
+        "SUBPROG sub",
+        "CONTACTS Xa 0 0\nMASTER_RELAY",
+        "ENDSUB sub",
+        "PARALLEL\nCOIL Ya 0 0 0 0\nCOIL Yb 0 0 0 0\nEND\nCOIL Yc 0 0 0 0",
+    ];
+    check(
+        &program(&rungs),
+        expect![[r#"
+            # ldmicro: LDmicro0.2 #
+            # ldmicro: CYCLE=10000 #
+            # ldmicro: CRYSTAL=4000000 #
+            # ldmicro: BAUD=2400 #
+            # ladder: profile ldmicro #
+
+            VAR_INPUT
+                Xa : BOOL;
+            END_VAR
+            VAR_OUTPUT
+                Ya : BOOL;
+                Yb : BOOL;
+                Yc : BOOL;
+            END_VAR
+
+            # ldmicro: SUBPROG sub #
+
+            +--\----------( )( Ya )--\--( )( Yc )--+
+            |  /----------( )( Yb )--/             |
+
+            +--<FUN>( sub )------------------------+
+
+            +--[ ]( Xa )--------------------<MCR>--+
+            11:1 SUBPROG sub: approximated: what its MASTER_RELAY does ends with the function here
+            22:1 PARALLEL: approximated: what stands behind these branches has the power that comes out of any of them here; in LDmicro's fork it has what goes in
+            22:1 ldmicro-rightmost: COIL must be the rightmost element of its rung
+            23:1 ldmicro-rightmost: COIL must be the rightmost element of its rung
+        "#]],
+    );
+}
+
+#[test]
+fn only_its_own_definitions_are_elements() {
+    let text = program(&["CONTACTS Xa 0 0\nTCY Ta 30000 0\nCOIL Ya 0 0 0 0"]);
+    let ladder = converted(text.as_bytes()).expect("it can be read").written.text;
+    assert_eq!(write(&ladder), Ok(text));
+    let other = ladder.replace("[ADD]( t, t, 1 )", "[ADD]( t, t, 2 )");
+    assert_ne!(other, ladder);
+    let written = write(&other).expect("it can be written");
+    assert!(written.contains("COMMENT +--[ ]( Xa )--"), "{written}");
+}
+
+#[test]
+fn a_line_says_what_it_was_only_while_it_is() {
+    let text = program(&[
+        "CONTACTS Xa 0 0\nTON Ta 100000 -1\nRES Ca",
+        "GOTO 1",
+        "CTU Ca 5 2 /",
+    ]);
+    let ladder = converted(text.as_bytes()).expect("it can be read").written.text;
+    assert_eq!(write(&ladder), Ok(text));
+    let changed = ladder
+        .replace("T#100ms", "T#200ms")
+        .replace("INT := 2", "INT := 3")
+        .replace("+--<JMP>", "+--[ ]( Xa )--( )( Ya )--+\n\n+--<JMP>");
+    let written = write(&changed).expect("it can be written");
+    let rungs = written.split("PROGRAM\n").nth(1).unwrap_or_default();
+    expect![[r#"
+        RUNG 1
+          CONTACTS Xa 0 0
+          TON Ta 190000 0
+          MOVE Ca 2
+        END
+        RUNG 2
+          GOTO 1
+        END
+        RUNG 3
+          CTU Ca 5 3 /
+        END
+    "#]]
+    .assert_eq(rungs);
+}
+
+#[test]
+fn ladder_programs_become_programs_of_the_fork() {
+    let rungs = "VAR\n    n : INT;\nEND_VAR\n+--[ ]( Xa )--[AND]( n, n, 15 )--(S)( n.3 )--<CALL>( part )--+\n\n\
+                 +--[ ]( Xa )--[TON]( Ta, T#1s )--( )( Ya )--<JMP>( over )--+\n\n+--<LBL>( over )--<RET>--+\n\n\
+                 +--<FUN>( part )--+\n+--[ ]( Xa )--<RET>--+\n";
+    let fork = write(&format!(
+        "# ldmicro: LDmicro0.2 #\n# ladder: profile ldmicro #\n{rungs}"
+    ));
+    expect![[r#"
+        LDmicro0.2
+        CYCLE=10000
+        CRYSTAL=4000000
+        BAUD=2400
+
+        IO LIST
+        END
+
+        PROGRAM
+        RUNG 1
+          CONTACTS Xa 0 0
+          AND n n 15
+          SET_BIT n 3
+          GOSUB part
+        END
+        RUNG 2
+          CONTACTS Xa 0 0
+          TON Ta 990000 0
+          COIL Ya 0 0 0 0
+          GOTO over
+        END
+        RUNG 3
+          LABEL over
+          GOTO 7
+        END
+        RUNG 4
+          SUBPROG part
+        END
+        RUNG 5
+          CONTACTS Xa 0 0
+          RETURN
+        END
+        RUNG 6
+          ENDSUB part
+        END
+    "#]]
+    .assert_eq(&fork.expect("it can be written"));
+    let older = write(&format!("# ladder: profile ldmicro #\n{rungs}")).expect("it can be written");
+    assert!(older.contains("COMMENT +--[ ]( Xa )--[AND]"), "{older}");
+}
