@@ -331,3 +331,125 @@ fn stored_objects_are_refused() {
     let error = converted(b"\xac\xed\x00\x05sr\x00\x1ecom.example.Program").unwrap_err();
     expect!["this is a project of iot-ladder-editor, which Java stored as objects that only the editor can read; open it there, and write its rungs into a text file, one a line: `NO I1 ; TON T1 3 100 ; OUT Q1`"].assert_eq(&error);
 }
+
+const LAMPS: &str = "\
+2. Lamps      (two of them, n = 3..4; I5 lets them go out)
+   rung 0:    0:TMR ON T1 (PRE 30)   1:COUNT UP C1 (PRE 2, AC 1)   2:RESET T1
+   rung n:    0:| |In in parallel with |P|Qn   5:|/|I5   11:( )Qn
+   rung 3:    0:AND C1:AC, 1.0 -> Q1   1:NOT MI01 -> MI02   2:ASSIGNMENT 2.0 -> MF01
+   rung 4:    0:GT MI01, 5   1:TMR OFF T2 (B 50)   2:(SM)Q2   3:SCAN TIME
+
+   (what else there is to say)
+";
+
+#[test]
+fn rungs_in_the_columns_of_the_grid() {
+    check(
+        LAMPS,
+        expect![[r#"
+            # iot: = Lamps (two of them, n = 3..4; I5 lets them go out) #
+            # ladder: profile iot #
+
+            VAR_INPUT
+                I3 : BOOL;
+                I4 : BOOL;
+                I5 : BOOL;
+            END_VAR
+            VAR_OUTPUT
+                Q1 : USINT;
+                Q2 : BOOL;
+                Q3 : BOOL;
+                Q4 : BOOL;
+            END_VAR
+            VAR
+                MI01 : DINT;
+                MI02 : DINT;
+                MF01 : REAL;
+                T1   : TON;
+                T2   : TOF;
+                C1   : CTU;
+            END_VAR
+
+            +---------[TON]( T1, 30, B := T#100ms )--[CTU]( C1, 2, AC := 1 )--(RES)( T1 )--+
+
+            +--\--[ ]( I3 )--\--[/]( I5 )---------------------------------------( )( Q3 )--+
+            |  /--[P]( Q3 )--/                                                             |
+
+            +--\--[ ]( I4 )--\--[/]( I5 )---------------------------------------( )( Q4 )--+
+            |  /--[P]( Q4 )--/                                                             |
+
+            +--------------[AND]( Q1, C1.AC, 1 )--[NOT]( MI02, MI01 )--[MOV]( MF01, 2.0 )--+
+
+            +--[GT]( MI01, 5 )--------[TOF]( T2, 1, B := T#50ms )--(SM)( Q2 )--[SCANTIME]--+
+
+            # (what else there is to say) #
+        "#]],
+    );
+    let converted = converted(LAMPS.as_bytes()).expect("it can be read");
+    assert!(recognise(LAMPS.as_bytes()).is_some_and(|notation| notation.name() == "iot"));
+    assert_eq!(errors(&converted.written.text), Vec::<String>::new());
+    let (again, remarks) = write(&converted.written.text).expect("it can be written");
+    expect![[r#"
+        = Lamps (two of them, n = 3..4; I5 lets them go out)
+        TON T1 30 100 ; CTU C1 2 1 ; RESET T1
+        NO I3 | P Q3 ; NC I5 ; OUT Q3
+        NO I4 | P Q4 ; NC I5 ; OUT Q4
+        AND Q1 C1:AC 1 ; NOT MI02 MI01 ; MOV MF01 2.0
+        GT MI01 5 ; TOF T2 1 50 ; SM Q2 ; SCANTIME
+        # (what else there is to say)
+    "#]]
+    .assert_eq(&again);
+    assert_eq!(remarks, "");
+}
+
+#[test]
+fn what_is_wrong_in_the_columns_has_a_place() {
+    for (text, expected) in [
+        (
+            "1. a\n rung 0:  0:| |I1  1:( )Q1\n2. b\n",
+            "3:1: another program begins here, the first one on line 1: put each into a file of its own",
+        ),
+        (
+            "1. a\n rung 0:  0:| |I1  1:( )Q1\n rung 1:  0:| |I1  1:( )X1\n",
+            "3:22: `X1` is no number and no variable: those are called I1, Q1, MI01, MF01, T1 and C1",
+        ),
+        (
+            "1. a\n rung 0:  0:| |I1\n rung 1:  0:TMR ON T1 (AC 3)\n",
+            "3:13: `TMR ON T1 (AC 3)` is no element of the IoT ladder language",
+        ),
+        (
+            "1. a\n rung 0:  0:| |I1\n rung n:  0:| |In\n",
+            "3:1: for which numbers this rung is there, the title does not say: `n = 1..8`",
+        ),
+    ] {
+        assert_eq!(read(text).trim_end(), expected);
+    }
+}
+
+#[test]
+fn the_examples_of_the_editor() {
+    let Some(folder) = std::env::var_os("LADDER_CORPUS") else {
+        eprintln!("skipped: LADDER_CORPUS names no folder of real programs");
+        return;
+    };
+    let file = std::path::Path::new(&folder).join("iot/examples.txt");
+    let text = std::fs::read_to_string(file).expect("the examples can be read");
+    let mut programs: Vec<String> = Vec::new();
+    for line in text.lines() {
+        if line.starts_with(|c: char| c.is_ascii_digit()) {
+            programs.push(String::new());
+        }
+        if let Some(program) = programs.last_mut() {
+            program.push_str(&format!("{line}\n"));
+        }
+    }
+    assert_eq!(programs.len(), 6);
+    for program in programs {
+        let converted = converted(program.as_bytes()).expect("it can be read");
+        assert_eq!(converted.report.remarks().count(), 0, "{program}");
+        assert_eq!(errors(&converted.written.text), Vec::<String>::new(), "{program}");
+        let (again, remarks) = write(&converted.written.text).expect("it can be written");
+        assert_eq!(remarks, "", "{program}");
+        println!("{again}");
+    }
+}

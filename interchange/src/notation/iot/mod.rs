@@ -9,6 +9,8 @@
 //! element  = word { operand }                   NO I1, TON T1 3 100, ADD MI01 MI01 1, EQ T1:AC 3
 //! ```
 //!
+//! A second form, with the editor's symbols in the columns of its grid, is read too: see [`prose`].
+//!
 //! The editor itself has no text: its projects (`.ld`) are Java objects, which are told from texts and refused. The
 //! words are those of [`word::ROWS`]; parentheses are for branches of several elements, which nobody else writes yet.
 //!
@@ -19,6 +21,7 @@ mod kinds;
 mod model;
 mod names;
 mod parse;
+mod prose;
 mod rules;
 mod sketch;
 mod word;

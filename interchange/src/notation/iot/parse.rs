@@ -2,11 +2,12 @@
 
 use super::super::{Place, ReadError, Source};
 use super::model::{Element, Family, File, Member, Number, Operand, Part, Variable};
+use super::prose;
 use super::word::{Form, Row, row_of};
 use ladder_format::Circuit;
 
 /// A longer line is not read.
-const LONGEST_LINE: usize = 64 << 10;
+pub(super) const LONGEST_LINE: usize = 64 << 10;
 /// Parentheses nest no deeper.
 pub(super) const DEEPEST: usize = 64;
 /// As many parts are beside each other at most; each branch is a line of the drawing, and moves the next one right.
@@ -21,9 +22,29 @@ pub(super) fn begins(bytes: &[u8]) -> bool {
         Ok(text) => text,
         Err(error) => std::str::from_utf8(&head[..error.valid_up_to()]).unwrap_or_default(),
     };
-    let mut lines = text.trim_start_matches('\u{feff}').lines().map(str::trim);
+    let text = text.trim_start_matches('\u{feff}');
+    let mut lines = text.lines().map(str::trim);
     let first = lines.find(|line| !line.is_empty() && !line.starts_with(['#', '=', '>']));
-    first.is_some_and(|line| rung(line, 1).is_ok())
+    first.is_some_and(|line| rung(line, 1).is_ok()) || prose::begins(text)
+}
+
+/// The element that a text is, which another form of it says at a place.
+pub(super) fn element_at(text: &str, place: Place) -> Result<Element, ReadError> {
+    match rung(text, place.line) {
+        Ok(Circuit::Element(element)) => Ok(Element { place, ..element }),
+        Ok(_) => Err(ReadError::at(place, "one element is expected here")),
+        Err(error) => Err(ReadError::at(place, error.message)),
+    }
+}
+
+/// Why a long line is not read.
+pub(super) fn long_line() -> String {
+    format!("the line is longer than {LONGEST_LINE} bytes")
+}
+
+/// Why a second program in a file is not read.
+pub(super) fn another(first: u32) -> String {
+    format!("another program begins here, the first one on line {first}: put each into a file of its own")
 }
 
 /// The element that a text is, if it is one.
@@ -37,13 +58,15 @@ pub(super) fn element(text: &str) -> Option<Element> {
 /// Reads a program.
 pub(super) fn parse(source: &Source<'_>) -> Result<File, ReadError> {
     let text = source.text()?;
+    if prose::begins(text.trim_start_matches('\u{feff}')) {
+        return prose::parse(text.trim_start_matches('\u{feff}'));
+    }
     let mut file = File::default();
     let mut title = None;
     for (index, line) in text.trim_start_matches('\u{feff}').lines().enumerate() {
         let number = index as u32 + 1;
         if line.len() > LONGEST_LINE {
-            let message = format!("the line is longer than {LONGEST_LINE} bytes");
-            return Err(ReadError::at(Place::line(number), message));
+            return Err(ReadError::at(Place::line(number), long_line()));
         }
         let said = line.trim();
         file.parts.push(match said.chars().next() {
@@ -51,10 +74,7 @@ pub(super) fn parse(source: &Source<'_>) -> Result<File, ReadError> {
             Some('#') => Part::Comment(said[1..].trim().to_owned()),
             Some('=') => {
                 if let Some(first) = title.replace(number) {
-                    let message = format!(
-                        "another program begins here, the first one on line {first}: put each into a file of its own"
-                    );
-                    return Err(ReadError::at(Place::line(number), message));
+                    return Err(ReadError::at(Place::line(number), another(first)));
                 }
                 Part::Beside(said.to_owned())
             }
