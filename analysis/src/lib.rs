@@ -15,6 +15,7 @@
 
 mod analyze;
 mod article;
+mod asked;
 mod boolean;
 pub mod constant;
 pub mod context;

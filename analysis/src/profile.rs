@@ -1,25 +1,19 @@
 //! What a file says of itself before its first network: its profile, `# ladder: profile ldmicro #` (LANGUAGE §5.8), and
 //! the time from one scan to the next that it is made for, `# ladder: cycle 5ms #`.
 
+use crate::asked::asked;
 use crate::literal::{Literal, literal};
 use ladder_instructions::Profile;
 use ladder_syntax::{Item, NodeOrToken, Parse};
 
-/// What stands behind a word in a comment that speaks to the tools.
-fn behind<'c>(comment: &'c str, word: &str) -> Option<&'c str> {
-    let words = comment.trim_matches('#').trim().strip_prefix("ladder:")?;
-    let rest = words.trim_start().strip_prefix(word)?;
-    rest.starts_with([' ', '\t']).then(|| rest.trim())
-}
-
 /// The profile of a file: what the first such comment before its first network selects, else `iec`.
 pub(crate) fn profile(parse: &Parse) -> Profile {
-    said(parse, |comment| Profile::from_name(behind(comment, "profile")?)).unwrap_or_default()
+    said(parse, "profile", Profile::from_name).unwrap_or_default()
 }
 
 /// The time from one scan to the next that a file is made for, in nanoseconds, where it says so.
 pub(crate) fn cycle(parse: &Parse) -> Option<i64> {
-    said(parse, |comment| cycle_time(behind(comment, "cycle")?))
+    said(parse, "cycle", cycle_time)
 }
 
 /// A time that scans can follow each other in: more than nothing, and a day at most.
@@ -31,8 +25,8 @@ pub(crate) fn cycle_time(text: &str) -> Option<i64> {
     }
 }
 
-/// The first answer that a comment before the first network gives.
-fn said<T>(parse: &Parse, answer: impl Fn(&str) -> Option<T>) -> Option<T> {
+/// The first answer to a word that a comment before the first network gives.
+fn said<T>(parse: &Parse, word: &str, answer: impl Fn(&str) -> Option<T>) -> Option<T> {
     let before = parse
         .structure()
         .items
@@ -44,7 +38,8 @@ fn said<T>(parse: &Parse, answer: impl Fn(&str) -> Option<T>) -> Option<T> {
             let NodeOrToken::Token(token) = child else {
                 continue;
             };
-            if let Some(found) = answer(token.text()) {
+            let asked = asked(token.text()).filter(|asked| asked.word == word);
+            if let Some(found) = asked.and_then(|asked| answer(asked.behind)) {
                 return Some(found);
             }
         }

@@ -1,5 +1,6 @@
 //! Comments that speak to the tools: `# ladder: allow(double-coil): two modes, only one is wired #`.
 
+use crate::asked::{Asked, asked};
 use crate::diagnostic::Diagnostic;
 use crate::profile;
 use crate::rule::{Rule, Severity};
@@ -18,19 +19,17 @@ pub(super) enum Directive {
 
 /// Reads a comment that stands at `at`. None: it does not speak to the tools. What is wrong goes to `out`.
 pub(super) fn read(comment: &str, at: TextSize, out: &mut Vec<Diagnostic>) -> Option<Directive> {
-    let inside = comment.trim_matches('#').trim();
-    let words = inside.strip_prefix("ladder:")?.trim();
+    let Asked { word: name, behind } = asked(comment)?;
     let place = TextRange::at(at, TextSize::of(comment));
-    let (name, behind) = words.split_at(words.find(|c: char| !is_word(c)).unwrap_or(words.len()));
     let file = match name {
         "allow" => false,
         "allow-file" => true,
-        "fmt" if matches!(behind.trim(), "on" | "off") => return Some(Directive::Known),
+        "fmt" if matches!(behind, "on" | "off") => return Some(Directive::Known),
         "fmt" => {
             out.push(bad(place, "`fmt` is followed by `on` or `off`"));
             return None;
         }
-        "cycle" if profile::cycle_time(behind.trim()).is_some() => return Some(Directive::Known),
+        "cycle" if profile::cycle_time(behind).is_some() => return Some(Directive::Known),
         "cycle" => {
             out.push(
                 bad(place, "`cycle` is followed by the time from one scan to the next")
@@ -38,7 +37,7 @@ pub(super) fn read(comment: &str, at: TextSize, out: &mut Vec<Diagnostic>) -> Op
             );
             return None;
         }
-        "profile" => return selected(behind.trim(), place, out),
+        "profile" => return selected(behind, place, out),
         _ => {
             out.push(unknown(name, place));
             return None;
@@ -48,18 +47,10 @@ pub(super) fn read(comment: &str, at: TextSize, out: &mut Vec<Diagnostic>) -> Op
     Some(Directive::Allow { rules, file })
 }
 
-fn is_word(c: char) -> bool {
-    c.is_ascii_alphanumeric() || c == '-' || c == '_'
-}
-
 /// `(double-coil, never-read): the second belongs to the panel`
 fn rules(text: &str, place: TextRange, out: &mut Vec<Diagnostic>) -> Option<Vec<Rule>> {
     const FORM: &str = "write it as in `# ladder: allow(double-coil): reason #`";
-    let Some((names, reason)) = text
-        .trim_start()
-        .strip_prefix('(')
-        .and_then(|text| text.split_once(')'))
-    else {
+    let Some((names, reason)) = text.strip_prefix('(').and_then(|text| text.split_once(')')) else {
         out.push(bad(place, "the rules to switch off stand in parentheses").help(FORM));
         return None;
     };

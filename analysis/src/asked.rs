@@ -1,0 +1,46 @@
+//! What a comment that speaks to the tools asks for: `# ladder: profile ldmicro #`. Whoever looks for one kind of it
+//! reads it here.
+
+/// A word, and what stands behind it without the blanks around it.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) struct Asked<'c> {
+    pub(crate) word: &'c str,
+    pub(crate) behind: &'c str,
+}
+
+/// Reads a comment with its signs. None: it does not speak to the tools.
+pub(crate) fn asked(comment: &str) -> Option<Asked<'_>> {
+    let words = comment.trim_matches('#').trim().strip_prefix("ladder:")?.trim();
+    let end = words.find(|c: char| !is_word(c)).unwrap_or(words.len());
+    let (word, behind) = words.split_at(end);
+    Some(Asked {
+        word,
+        behind: behind.trim(),
+    })
+}
+
+fn is_word(c: char) -> bool {
+    c.is_ascii_alphanumeric() || c == '-' || c == '_'
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_word_and_the_rest() {
+        for (comment, expected) in [
+            ("# ladder: profile iot #", Some(("profile", "iot"))),
+            ("#ladder:cycle  5ms#", Some(("cycle", "5ms"))),
+            (
+                "# ladder: allow-file(a, b): why #",
+                Some(("allow-file", "(a, b): why")),
+            ),
+            ("# ladder: #", Some(("", ""))),
+            ("# the ladder: it leans #", None),
+        ] {
+            let found = asked(comment).map(|asked| (asked.word, asked.behind));
+            assert_eq!(found, expected, "{comment}");
+        }
+    }
+}
