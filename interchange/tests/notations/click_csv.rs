@@ -98,7 +98,8 @@ fn bridges() {
         expect![[r#"
             4:3 C5: approximated: power goes through it both ways; the rung is written as the paths that this makes
             8:3 X005: approximated: power goes through it both ways; the rung is written as the paths that this makes
-            3:1 click-c0201: the main program needs an unconditional end(): write it under `if True:` at its end
+            3:1 click-c0201: the main program needs an unconditional end(): write it on a rung without contacts at its end
+            4:64 click-c000a: the inputs of this instruction come from different branches: its pins begin at the left rail, and its rung has other instructions; give it a rung of its own
         "#]],
     );
 }
@@ -111,6 +112,7 @@ fn every_instruction() {
             2:3 immediate(X001): approximated: it reads the input itself; here all inputs are read before the scan
             25:68 send(target=plc1,remote_start="DS1",source=DS3,count=1): refused: ladder text has no counterpart for `send`
             26:68 event_drum(outputs=[Y001],events=[X001],pattern=[[1]],current_step=DS10,completion_flag=C10): refused: ladder text has no counterpart for `event_drum`
+            23:65 click-c0107: Click itself wants a contact before this instruction: SC1 always conducts
             25:68 click-element: `send(target=plc1,remote_start="DS1",source=DS3,count=1)` stays as a comment: ladder text has no counterpart for `send`
             26:68 click-grid: the rung stays as a comment, for `event_drum(outputs=[Y001],events=[X001],pattern=[[1]],curren`: ladder text has no counterpart for `event_drum`
         "#]],
@@ -330,7 +332,7 @@ fn what_is_wrong_has_a_place() {
             format!("R{wires},out(Y\u{1f600}001)"),
             expect![[r#"
                 2:65 out(Y😀001): refused: `Y😀001` is neither an address nor a value
-                2:1 click-c0201: the main program needs an unconditional end(): write it under `if True:` at its end
+                2:1 click-c0201: the main program needs an unconditional end(): write it on a rung without contacts at its end
                 2:65 click-element: `out(Y😀001)` stays as a comment: `Y😀001` is neither an address nor a value
             "#]],
         ),

@@ -35,6 +35,7 @@ mod uses;
 use super::{Finding, Notation, Outcome, ReadError, Reading, Source, WriteError, Writing};
 use ladder_analysis::{Analysis, Severity};
 
+use checks::Words;
 pub(super) use grid::ClickGrid;
 
 /// The Python DSL.
@@ -67,7 +68,7 @@ impl Notation for Click {
         let mut nicknames = nicknames::beside(source)?;
         program.nicknames = std::mem::take(&mut nicknames.all);
         nicknames.unused(&program);
-        let mut reading = reading(&program);
+        let mut reading = reading(&program, Words::Dsl);
         reading.report.entries.splice(0..0, nicknames.report.entries);
         reading.findings.splice(0..0, nicknames.findings);
         Ok(reading)
@@ -89,9 +90,9 @@ impl Notation for Click {
 }
 
 /// A program of either notation as ladder text, with what Click itself would complain about.
-fn reading(program: &model::Program) -> Reading {
+fn reading(program: &model::Program, words: Words) -> Reading {
     let mut reading = sketch::sketch(program);
-    let mut findings = checks::findings(program);
+    let mut findings = checks::findings(program, words);
     for entry in &reading.report.entries {
         let Outcome::Refused(why) = &entry.outcome else {
             continue;

@@ -58,8 +58,13 @@ fn every_construct_becomes_ladder_text() {
         1:1 `ds.Temperature`: Approximated("it is spelled `Temperature_2` here")
         115:12 `sc.FirstScan`: Approximated("Click's controller sets it, and nothing does here")
         81:9 `shift(c[301:317])`: Approximated("nothing says what enters it: the rung shifts, and the first bit stays")
+        33:9 Info click-c000a: the inputs of this instruction come from different branches: its pins begin at the left rail, and its rung has other instructions; give it a rung of its own
         34:9 Info click-rtof: Click itself keeps time with the on-delay alone: it has no rtof
+        34:9 Info click-c000a: the inputs of this instruction come from different branches: its pins begin at the left rail, and its rung has other instructions; give it a rung of its own
+        43:9 Info click-c000a: the inputs of this instruction come from different branches: its pins begin at the left rail, and its rung has other instructions; give it a rung of its own
         44:9 Info click-c0208: Click itself wants a reset here: reset=lambda: ..
+        44:9 Info click-c000a: the inputs of this instruction come from different branches: its pins begin at the left rail, and its rung has other instructions; give it a rung of its own
+        45:9 Info click-c000a: the inputs of this instruction come from different branches: its pins begin at the left rail, and its rung has other instructions; give it a rung of its own
         81:9 Info click-shift-clock: Click itself wants a clock here, and shifts on its rise: clock=lambda: ..
     "#]].assert_eq(&remarks(&converted));
     expect![""].assert_eq(&complaints(&converted.written.text));

@@ -5,6 +5,7 @@ use super::super::bank::Bank;
 use super::super::model::{
     Action, Bits, Condition, ContactKind, CounterKind, Instruction, Program, Routine, Rung, TimerKind,
 };
+use super::words::Pin;
 use super::{Found, actions};
 use crate::notation::Place;
 use std::collections::{HashMap, HashSet};
@@ -42,11 +43,14 @@ fn end(routine: &Routine, out: &mut Found) {
                     found |= is_unconditional(rung, action);
                 }
                 (Instruction::End, false) => {
-                    let message = "end() is for the main program: a subroutine goes back with return";
+                    let back = out.words.back();
+                    let message =
+                        format!("end() is for the main program: a subroutine goes back with {back}");
                     out.error(action.place, "click-end", message);
                 }
                 (Instruction::Return, true) => {
-                    let message = "return is for subroutines: the main program ends with end()";
+                    let back = out.words.back();
+                    let message = format!("{back} is for subroutines: the main program ends with end()");
                     out.error(action.place, "click-end", message);
                 }
                 _ => {}
@@ -56,14 +60,18 @@ fn end(routine: &Routine, out: &mut Found) {
     match (found, is_main) {
         (true, _) => {}
         (false, true) => {
-            let message =
-                "the main program needs an unconditional end(): write it under `if True:` at its end";
+            let message = format!(
+                "the main program needs an unconditional end(): write it {} at its end",
+                out.words.alone()
+            );
             out.error(routine.place, "click-c0201", message);
         }
         (false, false) => {
             let name = &routine.name;
             let message = format!(
-                "the subroutine `{name}` needs an unconditional return: write it under `if True:` at its end"
+                "the subroutine `{name}` needs an unconditional {}: write it {} at its end",
+                out.words.back(),
+                out.words.alone()
             );
             out.error(routine.place, "click-c0105", message);
         }
@@ -77,24 +85,20 @@ fn loops(routine: &Routine, out: &mut Found) {
         for action in &rung.actions {
             match &action.what {
                 Instruction::For(_) if open.is_some() => {
-                    out.error(
-                        action.place,
-                        "click-c0103",
-                        "loops do not nest: end the loop above with next_loop() first",
+                    let message = format!(
+                        "loops do not nest: end the loop above with {} first",
+                        out.words.next()
                     );
+                    out.error(action.place, "click-c0103", message);
                 }
                 Instruction::For(_) => open = Some(action.place),
                 Instruction::Next => {
                     if open.take().is_none() {
-                        out.error(
-                            action.place,
-                            "click-c0102",
-                            "there is no loop that this next_loop() could end",
-                        );
+                        let message = format!("there is no loop that this {} could end", out.words.next());
+                        out.error(action.place, "click-c0102", message);
                     }
                     if rung.actions.len() > 1 || !is_unconditional(rung, action) {
-                        let message =
-                            "next_loop() stands alone on its rung, without contacts: under `if True:`";
+                        let message = format!("{} stands {}", out.words.next(), out.words.alone_on_rung());
                         out.error(action.place, "click-c0009", message);
                     }
                 }
@@ -107,11 +111,12 @@ fn loops(routine: &Routine, out: &mut Found) {
         }
     }
     if let Some(place) = open {
-        out.error(
-            place,
-            "click-c0101",
-            "the loop has no end: write next_loop() under `if True:` behind what it repeats",
+        let message = format!(
+            "the loop has no end: write {} {} behind what it repeats",
+            out.words.next(),
+            out.words.alone()
         );
+        out.error(place, "click-c0101", message);
     }
 }
 
@@ -132,7 +137,7 @@ fn calls(program: &Program, out: &mut Found) {
             continue;
         };
         if !names.contains(name.as_str()) {
-            let message = format!("there is no subroutine `{name}`: write it with @sub above it");
+            let message = format!("there is no subroutine `{name}`: {}", out.words.subroutine());
             out.error(action.place, "click-c010c", message);
         }
         if routine.name != "main" {
@@ -158,7 +163,7 @@ fn outputs(program: &Program, out: &mut Found) {
                 Some(address) => (address.bank, address.number, address.number),
                 None => {
                     if let Some(before) = named.get(tag) {
-                        twice(place, &tag.dsl(), *before, out);
+                        twice(place, &out.words.tag(tag), *before, out);
                     }
                     named.entry(tag).or_insert(place);
                     continue;
@@ -175,7 +180,12 @@ fn outputs(program: &Program, out: &mut Found) {
             first.get_or_insert(place);
         }
         if let Some((number, first)) = before {
-            twice(place, &Tag::number(bank, number as u16).dsl(), first, out);
+            twice(
+                place,
+                &out.words.tag(&Tag::number(bank, number as u16)),
+                first,
+                out,
+            );
         }
     }
 }
@@ -192,11 +202,8 @@ fn blocks(program: &Program, out: &mut Found) {
         let (tag, check, what) = match &action.what {
             Instruction::Timer(timer) => {
                 if timer.kind.is_retentive() && timer.reset.is_none() {
-                    out.warning(
-                        action.place,
-                        "click-c0205",
-                        "a retentive timer needs its reset: reset=lambda: ..",
-                    );
+                    let message = format!("a retentive timer needs its reset: {}", out.words.pin(Pin::Reset));
+                    out.warning(action.place, "click-c0205", message);
                 }
                 if timer.kind == TimerKind::RetentiveOff {
                     let message = "Click itself keeps time with the on-delay alone: it has no rtof";
@@ -207,38 +214,36 @@ fn blocks(program: &Program, out: &mut Found) {
             Instruction::Counter(counter) => {
                 let both = counter.kind == CounterKind::UpDown;
                 if both && counter.count_down.is_none() {
-                    out.warning(
-                        action.place,
-                        "click-c0207",
-                        "a counter of both directions needs count_down=lambda: ..",
-                    );
+                    let message = format!("a counter of both directions needs {}", out.words.pin(Pin::Down));
+                    out.warning(action.place, "click-c0207", message);
                 }
+                let reset = out.words.pin(Pin::Reset);
                 match (both, counter.reset.is_none()) {
                     (_, false) => {}
                     // The page gives ctud no reset.
-                    (true, true) => out.info(
-                        action.place,
-                        "click-c0208",
-                        "Click itself wants a reset here: reset=lambda: ..",
-                    ),
+                    (true, true) => {
+                        let message = format!("Click itself wants a reset here: {reset}");
+                        out.info(action.place, "click-c0208", message);
+                    }
                     (false, true) => {
-                        out.warning(
-                            action.place,
-                            "click-c0208",
-                            "a counter needs its reset: reset=lambda: ..",
-                        );
+                        let message = format!("a counter needs its reset: {reset}");
+                        out.warning(action.place, "click-c0208", message);
                     }
                 }
                 if !has_edge(&rung.condition) && !has_edge(&action.condition) {
-                    let message = "whether Click counts the rise of a rung or every scan depends on who is asked: \
-                                   write re(..) in its condition";
+                    let message = format!(
+                        "whether Click counts the rise of a rung or every scan depends on who is asked: write {} in its \
+                         condition",
+                        out.words.rise()
+                    );
                     out.info(action.place, "click-counter-level", message);
                 }
                 (&counter.tag, "click-c010b", "counter")
             }
             Instruction::Shift(shift) => {
                 if shift.clock.is_none() {
-                    let message = "Click itself wants a clock here, and shifts on its rise: clock=lambda: ..";
+                    let clock = out.words.pin(Pin::Clock);
+                    let message = format!("Click itself wants a clock here, and shifts on its rise: {clock}");
                     out.info(action.place, "click-shift-clock", message);
                 }
                 continue;
@@ -248,7 +253,7 @@ fn blocks(program: &Program, out: &mut Found) {
         if let Some(place) = first.get(tag) {
             let message = format!(
                 "the {what} {} stands at {place} already: it has one place in a program",
-                tag.dsl()
+                out.words.tag(tag)
             );
             out.error(action.place, check, message);
         }

@@ -1,15 +1,11 @@
 //! What kinds of values go together: in contacts, comparisons, set points, copies and formulas.
 
 use super::super::bank::{Bank, Kind};
-use super::super::calc;
-use super::super::dsl::spell;
-use super::super::formula;
 use super::super::model::{
-    Action, Bits, Coil, Comparison, Condition, Constant, Instruction, Math, MathKind, Operand, Relation,
-    Search,
+    Action, Bits, Coil, Comparison, Condition, Constant, Instruction, Operand, Relation, Search,
 };
 use super::super::operand::{fits, kind};
-use super::Found;
+use super::{Found, copies, mathematics};
 use crate::notation::Place;
 
 pub(super) fn condition(condition: &Condition, out: &mut Found) {
@@ -21,10 +17,10 @@ pub(super) fn condition(condition: &Condition, out: &mut Found) {
         }
         Condition::Contact(contact) => {
             if contact.bits.bank().kind() != Kind::Bit {
-                let shown = spell::bits(&contact.bits);
+                let shown = out.words.bits(&contact.bits);
                 let message = format!(
                     "a contact is a bit, and {shown} is {}: compare it",
-                    words(contact.bits.bank().kind())
+                    sort(contact.bits.bank().kind())
                 );
                 out.error(contact.place, "click-contact", message);
             }
@@ -33,7 +29,7 @@ pub(super) fn condition(condition: &Condition, out: &mut Found) {
     }
 }
 
-const fn words(kind: Kind) -> &'static str {
+pub(super) const fn sort(kind: Kind) -> &'static str {
     match kind {
         Kind::Bit => "a bit",
         Kind::Int | Kind::Int2 => "an integer",
@@ -45,14 +41,14 @@ const fn words(kind: Kind) -> &'static str {
 
 /// What a comparison can hold: decimal numbers, words or texts.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum Family {
+pub(super) enum Family {
     Decimal,
     Hex,
     Text,
     Bit,
 }
 
-const fn family(kind: Kind) -> Family {
+pub(super) const fn family(kind: Kind) -> Family {
     match kind {
         Kind::Int | Kind::Int2 | Kind::Float => Family::Decimal,
         Kind::Hex => Family::Hex,
@@ -77,7 +73,7 @@ fn compare(comparison: &Comparison, out: &mut Found) {
         (None, None) => true,
     };
     if !goes {
-        let shown = spell::condition(&Condition::Compare(comparison.clone()));
+        let shown = out.words.comparison(comparison);
         let message = format!(
             "`{shown}` compares what cannot be compared: numbers go with numbers, words with words, texts with texts"
         );
@@ -96,7 +92,7 @@ fn compare(comparison: &Comparison, out: &mut Found) {
     {
         let message = format!(
             "`{}` is a pointer, and Click has them in copy() alone",
-            spell::operand(pointer)
+            out.words.operand(pointer)
         );
         out.warning(place, "click-pointer", message);
     }
@@ -124,7 +120,11 @@ pub(super) fn action(action: &Action, out: &mut Found) {
                 out.error(
                     place,
                     "click-timer",
-                    format!("a timer is an address of t, and {} is none", timer.tag.dsl()),
+                    format!(
+                        "a timer is an address of {}, and {} is none",
+                        out.words.bank(Bank::T),
+                        out.words.tag(&timer.tag)
+                    ),
                 );
             }
             setpoint(place, "set point", &timer.setpoint, Kind::Int, &[Bank::Ds], out);
@@ -132,7 +132,11 @@ pub(super) fn action(action: &Action, out: &mut Found) {
         }
         Instruction::Counter(counter) => {
             if counter.tag.bank != Bank::Ct {
-                let message = format!("a counter is an address of ct, and {} is none", counter.tag.dsl());
+                let message = format!(
+                    "a counter is an address of {}, and {} is none",
+                    out.words.bank(Bank::Ct),
+                    out.words.tag(&counter.tag)
+                );
                 out.error(place, "click-counter", message);
             }
             setpoint(
@@ -147,36 +151,37 @@ pub(super) fn action(action: &Action, out: &mut Found) {
             counter.count_down.iter().for_each(|pin| condition(pin, out));
         }
         Instruction::Copy { source, target, .. } => match kind(target) {
-            Some(to) => copied(place, source, to, out),
+            Some(to) => copies::copied(place, source, to, out),
             None => out.error(
                 place,
                 "click-copy",
                 "a constant cannot be written: the destination is an address",
             ),
         },
-        Instruction::Fill { source, target, .. } => copied(place, source, target.bank.kind(), out),
+        Instruction::Fill { source, target, .. } => copies::copied(place, source, target.bank.kind(), out),
         Instruction::BlockCopy { source, target, .. } => {
             let (from, to) = (source.bank.kind(), target.bank.kind());
             if from != to {
                 let message = format!(
                     "a block copies addresses of one kind, and this goes from {} to {}",
-                    source.bank.row().dsl,
-                    target.bank.row().dsl
+                    out.words.bank(source.bank),
+                    out.words.bank(target.bank)
                 );
                 out.error(place, "click-copy", message);
             }
         }
         Instruction::Pack { source, target, .. } => {
-            packed(place, source.bank, source.len(), target.bank, out);
+            copies::packed(place, source.bank, source.len(), target.bank, out);
         }
         Instruction::Unpack { source, target, .. } => {
-            unpacked(place, source.bank, target.bank, target.len(), out);
+            copies::unpacked(place, source.bank, target.bank, target.len(), out);
         }
         Instruction::Shift(shift) => {
             if shift.bits.bank != Bank::C {
                 let message = format!(
-                    "a shift register is a range of c, and {} is none",
-                    shift.bits.dsl()
+                    "a shift register is a range of {}, and {} is none",
+                    out.words.bank(Bank::C),
+                    out.words.span(&shift.bits)
                 );
                 out.error(place, "click-shift", message);
             }
@@ -184,7 +189,7 @@ pub(super) fn action(action: &Action, out: &mut Found) {
             shift.reset.iter().for_each(|pin| condition(pin, out));
         }
         Instruction::Search(search) => self::search(place, search, out),
-        Instruction::Math(math) => self::math(place, math, out),
+        Instruction::Math(math) => mathematics::check(place, math, out),
         Instruction::For(count) => setpoint(place, "number of loops", count, Kind::Int, &[Bank::Ds], out),
         Instruction::Call(_)
         | Instruction::Next
@@ -199,8 +204,11 @@ fn coil(place: Place, coil: &Coil, out: &mut Found) {
     let bank = coil.bits.bank();
     if !matches!(bank, Bank::Y | Bank::C | Bank::Sc) {
         let message = format!(
-            "a coil is an address of y, c or sc, and {} is none",
-            spell::bits(&coil.bits)
+            "a coil is an address of {}, {} or {}, and {} is none",
+            out.words.bank(Bank::Y),
+            out.words.bank(Bank::C),
+            out.words.bank(Bank::Sc),
+            out.words.bits(&coil.bits)
         );
         out.error(place, "click-coil", message);
     }
@@ -220,112 +228,30 @@ fn setpoint(place: Place, what: &str, value: &Operand, most: Kind, banks: &[Bank
         Operand::Pointer(_) => true,
     };
     if !goes {
-        let banks: Vec<&str> = banks.iter().map(|bank| bank.row().dsl).collect();
+        let banks: Vec<&str> = banks.iter().map(|bank| out.words.bank(*bank)).collect();
         let largest = if most == Kind::Int { "32767" } else { "2147483647" };
         let message = format!(
             "{} is no {what}: write a whole number from 0 to {largest}, or an address of {}",
-            spell::operand(value),
+            out.words.operand(value),
             banks.join(" or ")
         );
         out.error(place, "click-setpoint", message);
     }
 }
 
-/// The page's table of what turns into what in a copy.
-fn copied(place: Place, source: &Operand, to: Kind, out: &mut Found) {
-    let number = |kind: Kind| !matches!(kind, Kind::Bit | Kind::Text);
-    if let Operand::Constant(constant) = source {
-        let sort = match constant {
-            Constant::Bit(_) => to == Kind::Bit,
-            Constant::Text(_) => to == Kind::Text,
-            Constant::Int(_) => number(to) || fits(constant, to),
-            Constant::Hex(_) | Constant::Float(_) => number(to),
-        };
-        let shown = spell::operand(source);
-        if !sort {
-            let message = format!("{shown} does not turn into {}", words(to));
-            out.error(place, "click-copy", message);
-        } else if matches!(constant, Constant::Int(_) | Constant::Hex(_)) && !fits(constant, to) {
-            let message =
-                format!("{shown} does not fit its destination, which takes the nearest value that does");
-            out.warning(place, "click-constant", message);
-        }
-        return;
-    }
-    let Some(from) = kind(source) else { return };
-    if from != to && !(number(from) && number(to)) {
-        let message = format!(
-            "{} does not turn into {}: {}",
-            words(from),
-            words(to),
-            spell::operand(source)
-        );
-        out.error(place, "click-copy", message);
-    }
-}
-
-/// What may be packed into what, and how much of it.
-fn packed(place: Place, from: Bank, count: usize, to: Bank, out: &mut Found) {
-    use Bank::{C, Ct, Ctd, Dd, Df, Dh, Ds, Sc, T, Td, Txt, X, Y};
-    let most = match (from, to) {
-        (X | Y | T | Ct | Sc, Dh) | (C, Ds | Dh) => 16,
-        (C, Dd | Df) => 32,
-        (Ds | Dh, Dd | Df) => 2,
-        (Txt, Ds | Dd | Dh | Df | Td | Ctd) => 1_000,
-        _ => 0,
-    };
-    complain(
-        place,
-        most,
-        count,
-        &format!("{} is not packed into {}", from.row().dsl, to.row().dsl),
-        out,
-    );
-}
-
-fn unpacked(place: Place, from: Bank, to: Bank, count: usize, out: &mut Found) {
-    use Bank::{C, Dd, Df, Dh, Ds, Y};
-    let most = match (from, to) {
-        (Ds | Dh, C | Y) => 16,
-        (Dd | Df, C | Y) => 32,
-        (Dd | Df, Ds | Dh) => 2,
-        _ => 0,
-    };
-    complain(
-        place,
-        most,
-        count,
-        &format!("{} is not unpacked into {}", from.row().dsl, to.row().dsl),
-        out,
-    );
-}
-
-fn complain(place: Place, most: usize, count: usize, never: &str, out: &mut Found) {
-    match most {
-        0 => out.error(place, "click-pack", never),
-        most if count > most => {
-            out.error(
-                place,
-                "click-pack",
-                format!("no more than {most} addresses go into it, and these are {count}"),
-            );
-        }
-        _ => {}
-    }
-}
-
 fn search(place: Place, search: &Search, out: &mut Found) {
     if search.flag.bank != Bank::C {
         let message = format!(
-            "the flag of a search is an address of c, and {} is none",
-            search.flag.dsl()
+            "the flag of a search is an address of {}, and {} is none",
+            out.words.bank(Bank::C),
+            out.words.tag(&search.flag)
         );
         out.error(place, "click-search", message);
     }
     if !search.result.bank.kind().is_decimal() || search.result.bank == Bank::Df {
         let message = format!(
             "the result of a search is a number of an address, and {} holds none",
-            search.result.dsl()
+            out.words.tag(&search.result)
         );
         out.error(place, "click-search", message);
     }
@@ -337,57 +263,14 @@ fn search(place: Place, search: &Search, out: &mut Found) {
     if !goes || among == Kind::Bit {
         let message = format!(
             "{} is not found among {}",
-            spell::operand(&search.value),
-            search.among.dsl()
+            out.words.operand(&search.value),
+            out.words.span(&search.among)
         );
         out.error(place, "click-search", message);
     }
     if among == Kind::Text && !matches!(search.relation, Relation::Eq | Relation::Ne) {
-        out.error(place, "click-search", "texts are searched with eq and ne only");
-    }
-}
-
-fn math(place: Place, math: &Math, out: &mut Found) {
-    let Some(target) = kind(&math.target) else {
-        return out.error(
-            place,
-            "click-math",
-            "a constant cannot be written: the result goes into an address",
-        );
-    };
-    let mut kinds = calc::parts(&math.formula);
-    kinds.push(target);
-    let wanted = match math.kind {
-        MathKind::Decimal => Family::Decimal,
-        MathKind::Hex => Family::Hex,
-    };
-    if let Some(odd) = kinds.into_iter().find(|kind| family(*kind) != wanted) {
-        let (word, instead) = match math.kind {
-            MathKind::Decimal => ("calc", "decimal numbers"),
-            MathKind::Hex => ("math_hex", "hexadecimal words"),
-        };
-        let message = format!("{word}() computes with {instead}, and this is {}", words(odd));
-        out.error(place, "click-math", message);
-    }
-    let text = spell::formula(&math.formula);
-    if formula::nesting(&text) > 8 {
-        out.error(
-            place,
-            "click-math",
-            "Click has no more than eight parentheses in one another",
-        );
-    }
-    let operators = formula::foreign(&math.formula, math.kind);
-    if let Some(word) = operators {
-        let where_it_is = match math.kind {
-            MathKind::Decimal => "math_hex",
-            MathKind::Hex => "calc",
-        };
-        out.error(
-            place,
-            "click-math",
-            format!("{word} is for {where_it_is}() alone"),
-        );
+        let message = format!("texts are searched with {} only", out.words.equalities());
+        out.error(place, "click-search", message);
     }
 }
 

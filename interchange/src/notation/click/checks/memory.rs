@@ -5,7 +5,8 @@ use super::super::bank::{Bank, Writer};
 use super::super::model::{Instruction, Program};
 use super::super::uses::{Access, What, uses};
 use super::{Found, actions};
-use std::collections::HashSet;
+use crate::notation::Place;
+use std::collections::{HashMap, HashSet};
 
 pub(super) fn check(program: &Program, out: &mut Found) {
     let mut owned: HashSet<&Tag> = HashSet::new();
@@ -22,7 +23,7 @@ pub(super) fn check(program: &Program, out: &mut Found) {
                 if let Some(address) = tag.address()
                     && !tag.bank.has(address.number)
                 {
-                    missing(place, tag.bank, &tag.dsl(), out);
+                    missing(place, tag.bank, &out.words.tag(tag), out);
                     continue;
                 }
                 if one.access == Access::Write {
@@ -33,13 +34,13 @@ pub(super) fn check(program: &Program, out: &mut Found) {
                     && !owned.contains(tag)
                 {
                     let what = if tag.bank == Bank::T { "timer" } else { "counter" };
-                    let message = format!("no {what} of the program has the bit {}", tag.dsl());
+                    let message = format!("no {what} of the program has the bit {}", out.words.tag(tag));
                     out.warning(place, "click-c1002", message);
                 }
             }
             What::Many(span) => {
                 if !span.exists() {
-                    missing(place, span.bank, &span.dsl(), out);
+                    missing(place, span.bank, &out.words.span(&span), out);
                     continue;
                 }
                 if one.access == Access::Write {
@@ -55,7 +56,7 @@ pub(super) fn check(program: &Program, out: &mut Found) {
                         last,
                     };
                     if !span.exists() {
-                        missing(place, tag.bank, &span.dsl(), out);
+                        missing(place, tag.bank, &out.words.span(&span), out);
                         continue;
                     }
                 }
@@ -63,29 +64,67 @@ pub(super) fn check(program: &Program, out: &mut Found) {
             }
             What::Somewhere(pointer) => {
                 if pointer.by.bank != Bank::Ds {
-                    let message = format!("a pointer is an address of ds, and {} is none", pointer.by.dsl());
+                    let message = format!(
+                        "a pointer is an address of {}, and {} is none",
+                        out.words.bank(Bank::Ds),
+                        out.words.tag(&pointer.by)
+                    );
                     out.error(place, "click-pointer", message);
                 }
                 if matches!(
                     pointer.bank,
                     Bank::X | Bank::Y | Bank::T | Bank::Ct | Bank::Sc | Bank::Sd
                 ) {
-                    let message = format!("a pointer does not lead into the bank {}", pointer.bank.row().dsl);
+                    let message = format!(
+                        "a pointer does not lead into the bank {}",
+                        out.words.bank(pointer.bank)
+                    );
                     out.error(place, "click-pointer", message);
                 }
             }
         }
     }
     pointers(program, out);
+    registers(program, out);
 }
 
-fn missing(place: super::super::super::Place, bank: Bank, what: &str, out: &mut Found) {
-    let message = format!("{what} does not exist: {} has {}", bank.row().dsl, bank.extent());
+/// No bit is in two shift registers: each would move what the other holds.
+fn registers(program: &Program, out: &mut Found) {
+    let mut taken: HashMap<Bank, Vec<Option<Place>>> = HashMap::new();
+    for (_, _, action) in actions(program) {
+        let Instruction::Shift(shift) = &action.what else {
+            continue;
+        };
+        let bank = shift.bits.bank;
+        let length = usize::from(bank.last()) + 1;
+        let there = taken.entry(bank).or_insert_with(|| vec![None; length]);
+        let (low, high) = shift.bits.bounds();
+        // What does not exist is said elsewhere.
+        let bits = usize::from(low).min(length)..(usize::from(high) + 1).min(length);
+        let mut shared = None;
+        for (number, first) in there[bits.clone()].iter_mut().enumerate() {
+            shared = shared.or_else(|| first.map(|first| (bits.start + number, first)));
+            first.get_or_insert(action.place);
+        }
+        if let Some((number, first)) = shared {
+            let tag = out.words.tag(&Tag::number(bank, number as u16));
+            let message = format!("{tag} is in the shift register at {first} already");
+            out.warning(action.place, "click-c0204", message);
+        }
+    }
+}
+
+fn missing(place: Place, bank: Bank, what: &str, out: &mut Found) {
+    let message = format!(
+        "{what} does not exist: {} has {}",
+        out.words.bank(bank),
+        bank.extent()
+    );
     out.error(place, "click-address", message);
 }
 
 /// What the program must not write.
-fn writes(place: super::super::super::Place, tag: &Tag, out: &mut Found) {
+fn writes(place: Place, tag: &Tag, out: &mut Found) {
     let why = match (tag.bank.row().writer, tag.address()) {
         (Writer::Program, _) => return,
         (Writer::World, _) => "it is an input",
@@ -95,11 +134,8 @@ fn writes(place: super::super::super::Place, tag: &Tag, out: &mut Found) {
         (Writer::System(_), None) => return,
         (Writer::System(_), Some(_)) => "the controller alone writes it",
     };
-    out.error(
-        place,
-        "click-read-only",
-        format!("{} cannot be written: {why}", tag.dsl()),
-    );
+    let message = format!("{} cannot be written: {why}", out.words.tag(tag));
+    out.error(place, "click-read-only", message);
 }
 
 /// Pointers are for the single copy.

@@ -2,19 +2,29 @@
 //!
 //! Checks that the vendor numbers have its number: `click-c0201`.
 
+mod copies;
+mod drawing;
 mod flow;
 mod kinds;
+mod mathematics;
 mod memory;
+mod words;
+
+pub(super) use words::Words;
 
 use super::super::{Finding, Place};
 use super::model::{Action, Program, Routine, Rung};
 use ladder_analysis::Severity;
 
-/// All that Click would complain about, from the top to the bottom.
-pub(super) fn findings(program: &Program) -> Vec<Finding> {
-    let mut out = Found::default();
+/// All that Click would complain about, from the top to the bottom, in the words of the notation that the program is in.
+pub(super) fn findings(program: &Program, words: Words) -> Vec<Finding> {
+    let mut out = Found {
+        words,
+        all: Vec::new(),
+    };
     flow::check(program, &mut out);
     memory::check(program, &mut out);
+    drawing::check(program, &mut out);
     for (_, _, action) in actions(program) {
         kinds::action(action, &mut out);
     }
@@ -34,8 +44,8 @@ fn actions(program: &Program) -> impl Iterator<Item = (&Routine, &Rung, &Action)
 }
 
 /// What was found so far.
-#[derive(Default)]
 struct Found {
+    words: Words,
     all: Vec<Finding>,
 }
 
@@ -61,3 +71,6 @@ impl Found {
         });
     }
 }
+
+#[cfg(test)]
+mod tests;

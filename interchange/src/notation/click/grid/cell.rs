@@ -3,7 +3,7 @@
 use super::super::super::Place;
 
 /// How many condition cells a row has: the columns A to AE.
-pub(super) const COLUMNS: usize = 31;
+pub(in super::super) const COLUMNS: usize = 31;
 
 /// A text of the file and where it begins.
 #[derive(Debug, Clone, PartialEq, Eq)]

@@ -35,8 +35,17 @@ mod token;
 mod write;
 
 use super::super::{Notation, ReadError, Reading, Source, WriteError, Writing};
+use super::model::Operand;
 use super::{nicknames, read_back};
+use addresses::Addresses;
 use ladder_analysis::Analysis;
+
+pub(super) use cell::COLUMNS;
+
+/// A value as the grid writes it. None: an address has only a nickname.
+pub(super) fn operand(operand: &Operand) -> Option<String> {
+    operand::operand_text(operand, &Addresses::default())
+}
 
 /// See the module.
 #[derive(Debug)]

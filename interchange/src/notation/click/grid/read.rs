@@ -1,6 +1,7 @@
 //! From the files of a program to the model, and from there to ladder text.
 
 use super::super::super::{Finding, Outcome, Place, ReadError, Reading, Report, Source};
+use super::super::checks::Words;
 use super::super::model::{Instruction, Program, Routine};
 use super::super::nicknames;
 use super::cell::{Body, Grid};
@@ -83,7 +84,7 @@ pub(super) fn read(source: &Source<'_>) -> Result<Reading, ReadError> {
     let mut nicknames = nicknames::beside(source)?;
     program.nicknames = std::mem::take(&mut nicknames.all);
     nicknames.unused(&program);
-    let mut reading = super::super::reading(&program);
+    let mut reading = super::super::reading(&program, Words::Grid);
     reading.report = texts.joined(reading.report, reader.report);
     reading.findings.extend(reader.findings);
     if program.main.rungs.is_empty() && !program.subroutines.is_empty() {

@@ -39,7 +39,35 @@ struct Powered<'r> {
 /// Why a rung is kept as it is.
 struct Refusal<'r> {
     at: &'r Text,
+    /// What Click itself would say.
+    check: &'static str,
     why: String,
+}
+
+/// What stands where the name of Click's check would, if it has none for it.
+const KEPT_RUNG: &str = "click-grid";
+
+impl<'r> Refusal<'r> {
+    fn new(at: &'r Text, why: impl Into<String>) -> Refusal<'r> {
+        Refusal {
+            at,
+            check: KEPT_RUNG,
+            why: why.into(),
+        }
+    }
+
+    /// There is no circuit to an output.
+    fn unwired(at: &'r Text, why: NoCircuit) -> Refusal<'r> {
+        let check = match why {
+            NoCircuit::Unfed => "click-c0202",
+            NoCircuit::ManyPaths | NoCircuit::Deep | NoCircuit::TooLarge => "click-c0005",
+        };
+        Refusal {
+            at,
+            check,
+            why: reason(why),
+        }
+    }
 }
 
 impl Default for Reader {
@@ -67,14 +95,14 @@ impl Reader {
         self.above
             .extend(rung.comments.iter().map(|comment| comment.text.clone()));
         let entries = self.report.entries.len();
-        if let Err(Refusal { at, why }) = self.wired(rung) {
+        if let Err(Refusal { at, check, why }) = self.wired(rung) {
             self.report.entries.truncate(entries);
             self.report.refused(at.place, at.text.as_str(), why.as_str());
             let shown: String = at.text.chars().take(60).collect();
             self.findings.push(Finding {
                 place: at.place,
                 severity: Severity::Error,
-                check: "click-grid",
+                check,
                 message: format!("the rung stays as a comment, for `{shown}`: {why}"),
             });
             let kept = file::kept(&rung.rows)
@@ -89,7 +117,7 @@ impl Reader {
         let mut read = Vec::with_capacity(netlist.contacts.len());
         for wired in &netlist.contacts {
             let text = wired.contact;
-            let cell = contact::read(&text.text, text.place).map_err(|why| Refusal { at: text, why })?;
+            let cell = contact::read(&text.text, text.place).map_err(|why| Refusal::new(text, why))?;
             read.push(cell);
         }
         let mut directions = Directions::default();
@@ -100,15 +128,11 @@ impl Reader {
                 Some((same, part)) if same == net => part.clone(),
                 _ => circuit(&netlist, *net, &mut self.budget)
                     .and_then(shallow)
-                    .map_err(|why| Refusal {
-                        at: output,
-                        why: reason(why),
-                    })?,
+                    .map_err(|why| Refusal::unwired(output, why))?,
             };
-            self.budget.spend(part.contacts() * 8).map_err(|why| Refusal {
-                at: output,
-                why: reason(why),
-            })?;
+            self.budget
+                .spend(part.contacts() * 8)
+                .map_err(|why| Refusal::unwired(output, why))?;
             directions.note(&part);
             last = Some((*net, part.clone()));
             powered.push(Powered { output, part });
@@ -121,6 +145,12 @@ impl Reader {
                 let why =
                     "no output depends on it: what it lets through leads nowhere, or a wire leads round it";
                 self.report.refused(*place, text.as_str(), why);
+                self.findings.push(Finding {
+                    place: *place,
+                    severity: Severity::Error,
+                    check: "click-c0202",
+                    message: format!("a line is missing at `{text}`: {why}"),
+                });
                 self.above
                     .push(format!("click: without effect in the grid: {text}"));
                 continue;
@@ -201,7 +231,7 @@ fn grouped<'r>(
 ) -> Result<Vec<Rung>, Refusal<'r>> {
     let mut groups: Vec<Group<'r>> = Vec::new();
     for Powered { output, part } in powered {
-        let refusal = |why| Refusal { at: output, why };
+        let refusal = |why: String| Refusal::new(output, why);
         if output.text.starts_with('.') {
             let group = groups.last_mut();
             let Some((acting, has_pins)) =
@@ -210,10 +240,7 @@ fn grouped<'r>(
                 return Err(refusal("there is no output above this pin".to_owned()));
             };
             if let Instruction::Kept { why, .. } = &acting.what {
-                return Err(Refusal {
-                    at: acting.output,
-                    why: why.clone(),
-                });
+                return Err(Refusal::new(acting.output, why.as_str()));
             }
             action::pin(&mut acting.what, &output.text, condition(&part, conditions)).map_err(refusal)?;
             *has_pins = true;
