@@ -40,7 +40,7 @@ fn asked(context: &Context, bound: &BoundBlock, formal: Formal) -> Option<Type> 
         Formal::Operand(operand) => match operand.accepts {
             Accepts::Bool | Accepts::BoolOrRange => Some(Type::BOOL),
             Accepts::State(state) => Some(Type::State(state)),
-            Accepts::Duration if law.timing == Timing::Ticks => Some(counted),
+            Accepts::Duration if matches!(law.timing, Timing::Ticks | Timing::Units) => Some(counted),
             Accepts::Duration | Accepts::Time => Some(Type::Scalar(Scalar::Time)),
             Accepts::Count => Some(counted),
             Accepts::String | Accepts::Result(TypeClass::String) => {

@@ -382,6 +382,7 @@ impl Member {
     pub const fn ty(self, law: &Law) -> Scalar {
         match (self, law.timing) {
             (Member::Pt | Member::Et, Timing::Clock) => Scalar::Time,
+            (Member::Pt | Member::Et, Timing::Units) => Scalar::Int,
             (Member::Pt | Member::Et | Member::Pv | Member::Cv, _) => Scalar::integer_of(law),
             _ => Scalar::Bool,
         }

@@ -22,6 +22,12 @@ pub struct Law {
     pub arithmetic: Arithmetic,
     /// What an integer divided by zero gives.
     pub division: Division,
+    /// The sign of a remainder.
+    pub remainder: Remainder,
+    /// What becomes of a number that does not fit where `[TYP]` puts it.
+    pub conversion: Conversion,
+    /// Where the controller tells of itself.
+    pub controller: Controller,
     /// What a contact, or anything else that asks for a BOOL, takes.
     pub truth: Truth,
     /// Where the memory of an edge is kept.
@@ -45,6 +51,8 @@ pub enum Timing {
     Scans,
     /// Steps of a time base `B`, at most one in each scan: PT and ET are integers.
     Ticks,
+    /// Time in a unit `B`, from the scan in which it starts, and on beyond PT: PT and ET are integers of 16 bits.
+    Units,
 }
 
 /// How counters count.
@@ -56,6 +64,8 @@ pub enum Counting {
     Wrapping,
     /// In 32 bits that wrap; that PV was reached is kept until a reset, and shows only while EN is high.
     Latching,
+    /// To the limits of DINT; the output compares, from PV on up, at PV and below down, and is low while R is high.
+    Comparing,
 }
 
 /// Who may use the tag of a timer or counter.
@@ -63,8 +73,17 @@ pub enum Counting {
 pub enum States {
     /// One block, and what clears it.
     OneBlock,
+    /// One block, and instructions that write the count.
+    Writable,
     /// Any: several blocks of one sort, and instructions that write the count.
     Shared,
+}
+
+impl States {
+    /// Whether instructions may write what a timer or counter counts.
+    pub const fn are_written(self) -> bool {
+        !matches!(self, States::OneBlock)
+    }
 }
 
 /// How wide numbers are.
@@ -83,6 +102,8 @@ pub enum Arithmetic {
     OfResult,
     /// As in C: in that of the operands, 32 bits at least; the value is then cut to the result's type.
     OfOperands,
+    /// A formula in the widest type of its parts and its result; the value is then cut to the result's type.
+    OfFormula,
 }
 
 /// What an integer divided by zero gives.
@@ -92,6 +113,36 @@ pub enum Division {
     Fault,
     /// 0; the scan is the last one.
     ZeroAndEnd,
+    /// The whole result is 0, of reals too.
+    Zero,
+}
+
+/// The sign of a remainder.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum Remainder {
+    /// That of the dividend.
+    OfDividend,
+    /// That of the divisor.
+    OfDivisor,
+}
+
+/// What becomes of a number that does not fit where `[TYP]` puts it.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum Conversion {
+    /// A fault; reals are rounded.
+    Fault,
+    /// It is held at the limit, in bit strings it loses its upper bits; reals lose their fraction.
+    Clamped,
+}
+
+/// Where the controller tells of itself, and of what goes wrong.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum Controller {
+    /// In `SYS`; what goes wrong is a fault.
+    System,
+    /// In the arrays SC and SD too, where a program has them: errors of numbers and addresses are relays there, and no
+    /// faults.
+    Banks,
 }
 
 /// What may stand where a BOOL is asked for.
@@ -159,6 +210,9 @@ impl Law {
         reals: Width::Bits64,
         arithmetic: Arithmetic::OfResult,
         division: Division::Fault,
+        remainder: Remainder::OfDividend,
+        conversion: Conversion::Fault,
+        controller: Controller::System,
         truth: Truth::Bool,
         edges: Edges::OfPlace,
         set_power: SetPower::Tag,
@@ -181,6 +235,20 @@ impl Law {
         ..Law::IEC
     };
 
+    /// Click controllers, as their maker describes them.
+    pub const CLICK: Law = Law {
+        timing: Timing::Units,
+        counting: Counting::Comparing,
+        states: States::Writable,
+        arithmetic: Arithmetic::OfFormula,
+        division: Division::Zero,
+        remainder: Remainder::OfDivisor,
+        conversion: Conversion::Clamped,
+        controller: Controller::Banks,
+        reals: Width::Bits32,
+        ..Law::IEC
+    };
+
     /// iot-ladder-editor, as the code that it generates does it.
     pub const IOT: Law = Law {
         timing: Timing::Ticks,
@@ -199,14 +267,10 @@ impl Profile {
     /// What its programs do otherwise.
     pub const fn law(self) -> &'static Law {
         match self {
-            Profile::Iec | Profile::Click => &Law::IEC,
+            Profile::Iec => &Law::IEC,
             Profile::Ldmicro => &Law::LDMICRO,
+            Profile::Click => &Law::CLICK,
             Profile::Iot => &Law::IOT,
         }
-    }
-
-    /// Whether programs of this profile can run.
-    pub const fn runs(self) -> bool {
-        !matches!(self, Profile::Click)
     }
 }

@@ -35,7 +35,8 @@ mod spelling;
 mod table;
 
 pub use law::{
-    Arithmetic, Counting, Division, Edges, Law, Relay, Serial, SetPower, States, Tables, Timing, Truth, Width,
+    Arithmetic, Controller, Conversion, Counting, Division, Edges, Law, Relay, Remainder, Serial, SetPower,
+    States, Tables, Timing, Truth, Width,
 };
 pub use lookup::{by_op, closest, in_other_shape, lookup};
 pub use op::Op;
@@ -267,8 +268,8 @@ impl Instruction {
 
     /// Those profiles in which there is something to say of it, with what it is.
     pub fn in_profiles(&self) -> impl Iterator<Item = (Profile, &'static str)> + '_ {
-        let known = Profile::ALL.into_iter().filter(|profile| profile.runs());
-        known.filter_map(|profile| Some((profile, self.in_profile(profile)?)))
+        let all = Profile::ALL.into_iter();
+        all.filter_map(|profile| Some((profile, self.in_profile(profile)?)))
     }
 
     /// The block without its operands, as it is written: `[TON]`, `( )`, `<RET>`.

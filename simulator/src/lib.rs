@@ -44,6 +44,7 @@
 
 mod code;
 mod compile;
+mod controller;
 mod counters;
 pub mod coverage;
 mod diagram;

@@ -104,6 +104,22 @@ impl Width {
         }
     }
 
+    /// A number cut to the width.
+    pub(crate) fn wrap_number(self, number: i128) -> i64 {
+        self.wrap(number as i64)
+    }
+
+    /// A number held at the ends of the width.
+    pub(crate) fn clamp_number(self, number: i128) -> i64 {
+        match self {
+            Width::U64 => number.clamp(0, u64::MAX.into()) as u64 as i64,
+            _ => {
+                let (least, most) = self.ends();
+                number.clamp(least.into(), most.into()) as i64
+            }
+        }
+    }
+
     /// The number as it is held, if the width has room for it.
     pub(crate) fn hold(self, number: i128) -> Result<i64, Trouble> {
         let held = self.wrap(number as i64);

@@ -1,8 +1,10 @@
 //! Routines: the work that is too rare or too long to be an instruction of its own. Each takes its operands, slots
 //! and numbers, from the code's operand pool.
 
+mod controller;
 mod curve;
 mod cycles;
+mod formula;
 mod numerals;
 mod ports;
 mod ranges;
@@ -12,6 +14,9 @@ mod slow_serial;
 mod strings;
 mod tables;
 mod ticks;
+mod units;
+
+pub(crate) use formula::Step;
 
 use crate::fault::Trouble;
 use crate::memory::{Bit, Memory, TextSlot, Word};
@@ -128,6 +133,27 @@ pub(crate) enum Routine {
     LatchingCtd,
     /// As `TickReset`.
     LatchingReset,
+
+    // Timers that count time in a unit: power, EN, PT, where the tag's bits and words begin, unit, interval, a word of the
+    // block's own.
+    UnitTon,
+    UnitTof,
+    UnitRto,
+    UnitRtof,
+    // Counters whose output compares: power, EN, PV, where the tag's bits and words begin.
+    ComparingCtu,
+    ComparingCtd,
+    ComparingCtud,
+
+    /// A step of a formula that goes on where it slips: to, operation, type, a, b, and the bits that note a division by
+    /// zero and a wrap.
+    Step,
+    /// The result of such a formula: to, its type, from, its type, the bits.
+    Cut,
+    /// A number held in another type: as `Cut`.
+    Clamp,
+    /// What the controller tells of itself: slot of the array SC, its first index, how many, the same of SD, interval.
+    Controller,
 
     /// An entry of a table: to, whether there is one, type, index, list.
     OpenTable,
@@ -300,6 +326,17 @@ pub(crate) fn run<const FORCED: bool>(
         Routine::LatchingCtu => ticks::counter::<FORCED>(memory, with, true),
         Routine::LatchingCtd => ticks::counter::<FORCED>(memory, with, false),
         Routine::LatchingReset => ticks::reset_counter::<FORCED>(memory, with),
+        Routine::UnitTon => units::timer::<FORCED>(memory, with, clock, units::Delay::On),
+        Routine::UnitTof => units::timer::<FORCED>(memory, with, clock, units::Delay::Off),
+        Routine::UnitRto => units::timer::<FORCED>(memory, with, clock, units::Delay::RetentiveOn),
+        Routine::UnitRtof => units::timer::<FORCED>(memory, with, clock, units::Delay::RetentiveOff),
+        Routine::ComparingCtu => units::counter::<FORCED>(memory, with, units::Way::Up),
+        Routine::ComparingCtd => units::counter::<FORCED>(memory, with, units::Way::Down),
+        Routine::ComparingCtud => units::counter::<FORCED>(memory, with, units::Way::Both),
+        Routine::Step => formula::step(memory, with)?,
+        Routine::Cut => formula::cut(memory, with),
+        Routine::Clamp => formula::clamp(memory, with),
+        Routine::Controller => controller::tell::<FORCED>(memory, with, clock),
         Routine::OpenTable => tables::entry(memory, with),
         Routine::OpenCurve => tables::point(memory, with),
         Routine::EndOnDivision => {

@@ -3,7 +3,7 @@
 use crate::asked::{Asked, asked};
 use crate::diagnostic::Diagnostic;
 use crate::profile;
-use crate::rule::{Rule, Severity};
+use crate::rule::Rule;
 use crate::rules::did_you_mean::closest;
 use ladder_instructions::Profile;
 use ladder_syntax::{TextRange, TextSize};
@@ -70,17 +70,7 @@ fn rules(text: &str, place: TextRange, out: &mut Vec<Diagnostic>) -> Option<Vec<
 
 fn selected(name: &str, place: TextRange, out: &mut Vec<Diagnostic>) -> Option<Directive> {
     match Profile::from_name(name) {
-        Some(profile) if profile.runs() => Some(Directive::Known),
-        Some(profile) => {
-            let mut found = bad(place, format!("programs of the profile `{profile}` cannot run here yet")).help(
-                "take this comment out to run it with the profile `iec`; its timers, counters and arithmetic may \
-                 then behave otherwise",
-            );
-            // Better no simulation than one of another program.
-            found.severity = Severity::Error;
-            out.push(found);
-            None
-        }
+        Some(_) => Some(Directive::Known),
         None => {
             let names = Profile::ALL.map(|profile| format!("`{profile}`"));
             out.push(

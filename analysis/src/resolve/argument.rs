@@ -67,7 +67,10 @@ impl Resolver<'_, '_> {
                     None => None,
                 },
                 Accepts::Expression => match works_in {
-                    Some(ty) => self.expression(&written.value, ty).map(Argument::Value),
+                    Some(ty) => {
+                        let ty = self.formula_type(&written.value, ty);
+                        self.expression(&written.value, ty).map(Argument::Value)
+                    }
                     None => None,
                 },
                 Accepts::Compared => {
@@ -392,7 +395,7 @@ impl Resolver<'_, '_> {
     /// Whether a tag of a type can hold the state of a block.
     fn is_state_for(&self, found: StateType, block: StateType) -> bool {
         match self.law().states {
-            States::OneBlock => found == block,
+            States::OneBlock | States::Writable => found == block,
             States::Shared => found.is_of_one_sort_with(block),
         }
     }
@@ -427,7 +430,7 @@ impl Resolver<'_, '_> {
             _ => return self.value(node, Scalar::Time),
         };
         // There a plain number counts steps.
-        if self.law().timing == Timing::Ticks {
+        if matches!(self.law().timing, Timing::Ticks | Timing::Units) {
             return Some(milliseconds);
         }
         if let ExprKind::Constant(Value::Int(n)) = milliseconds.kind {

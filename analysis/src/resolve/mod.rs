@@ -6,6 +6,7 @@
 
 mod argument;
 mod expression;
+mod formula_type;
 pub(crate) mod numbers;
 mod place;
 mod search;

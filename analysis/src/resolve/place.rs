@@ -9,7 +9,7 @@ use crate::rules::{bad_operand, constant_write, type_mismatch, unknown_member};
 use crate::scope::{Access, Origin, type_by_form};
 use crate::types::{Scalar, Type};
 use crate::value::Value;
-use ladder_instructions::{StateType, States};
+use ladder_instructions::StateType;
 use ladder_syntax::{Name, TextRange};
 
 impl Resolver<'_, '_> {
@@ -273,7 +273,7 @@ impl Resolver<'_, '_> {
                 return false;
             }
             // There what they count is a variable like any other.
-            Place::Member(_, Member::Et | Member::Cv) if self.law().states == States::Shared => return true,
+            Place::Member(_, Member::Et | Member::Cv) if self.law().states.are_written() => return true,
             Place::Member(..) => {
                 let message = "a member of a timer or counter is written by its own block only: use (RES) or R := to \
                                clear it";

@@ -58,8 +58,10 @@ fn of_another_profile(
     operand: &OperandFacts,
     name: &Word,
 ) -> Diagnostic {
-    let known = Profile::ALL.into_iter().find(|profile| known.contain(*profile));
-    let known = known.unwrap_or_default();
+    let known = Profile::ALL.into_iter().filter(|profile| known.contain(*profile));
+    let known: Vec<String> = known
+        .map(|profile| format!("# ladder: profile {profile} #"))
+        .collect();
     wrong(
         bound.absolute(operand.range),
         format!(
@@ -69,7 +71,8 @@ fn of_another_profile(
         ),
     )
     .help(format!(
-        "leave it out, or say above the first network whose arithmetic the program has: # ladder: profile {known} #"
+        "leave it out, or say above the first network whose arithmetic the program has: {}",
+        known.join(" or ")
     ))
 }
 

@@ -17,6 +17,9 @@ const MILLISECOND: i128 = 1_000_000;
 /// What 16 bits count, and one scan more.
 const MOST_SCANS: i128 = 32_768;
 
+/// What 16 bits count.
+const MOST_UNITS: i128 = 32_767;
+
 /// The time base of a timer that names none, in nanoseconds.
 const DEFAULT_TIME_BASE: i128 = 100_000_000;
 
@@ -41,6 +44,10 @@ pub(super) fn check(place: &Place<'_>, out: &mut Vec<Diagnostic>) {
         Timing::Clock => {}
         Timing::Scans => return out.extend(in_scans(preset, scan, at)),
         Timing::Ticks => return out.extend(in_ticks(place, plain.then_some(value), scan, at)),
+        Timing::Units => {
+            let base = time_base(place, MILLISECOND);
+            return out.extend(base.and_then(|base| in_units(value, plain, base, at)));
+        }
     }
     if !(0..scan).contains(&preset) {
         return;
@@ -97,15 +104,8 @@ fn in_ticks(place: &Place<'_>, count: Option<i128>, scan: i128, at: TextRange) -
         let message = "the preset is 0 or less: the first step reaches it";
         return Some(Diagnostic::new(Rule::ShortPreset, at, message).help("count one step or more"));
     }
-    let bound = place.bound;
-    let mut operands = bound.facts.operands.iter().zip(bound.formals.iter());
-    let base = operands
-        .find(|(_, formal)| matches!(formal, Formal::Operand(row) if row.accepts == Accepts::Time))
-        .map_or(Some(Number::Int(DEFAULT_TIME_BASE)), |(operand, _)| {
-            number(place.context, place.network.scope, &operand.value)
-        });
-    match base {
-        Some(Number::Int(base)) if base < scan => {
+    match time_base(place, DEFAULT_TIME_BASE) {
+        Some(base) if base < scan => {
             let message = format!(
                 "the time base is {} and a scan {}: a timer counts one step in a scan at most, and runs slow",
                 milliseconds(base),
@@ -116,6 +116,38 @@ fn in_ticks(place: &Place<'_>, count: Option<i128>, scan: i128, at: TextRange) -
         }
         _ => None,
     }
+}
+
+/// The time base of a timer in nanoseconds, if it is a fixed number.
+fn time_base(place: &Place<'_>, unless_named: i128) -> Option<i128> {
+    let bound = place.bound;
+    let mut operands = bound.facts.operands.iter().zip(bound.formals.iter());
+    let named =
+        operands.find(|(_, formal)| matches!(formal, Formal::Operand(row) if row.accepts == Accepts::Time));
+    let Some((operand, _)) = named else {
+        return Some(unless_named);
+    };
+    match number(place.context, place.network.scope, &operand.value) {
+        Some(Number::Int(base)) => Some(base),
+        _ => None,
+    }
+}
+
+/// A timer that counts time in a unit: its count has 16 bits. The simulator refuses what is longer.
+fn in_units(value: i128, plain: bool, base: i128, at: TextRange) -> Option<Diagnostic> {
+    let units = if plain { value } else { value / base.max(1) };
+    let (message, help) = match units {
+        ..1 => (
+            "the preset is less than one unit of the timer: it does not wait".to_owned(),
+            "give at least one unit; B := T#1s sets the unit, 1 ms unless given",
+        ),
+        1..=MOST_UNITS => return None,
+        _ => (
+            format!("the preset is {units} units: timers of this profile count to {MOST_UNITS}"),
+            "count in a longer unit, as in: B := T#1s",
+        ),
+    };
+    Some(Diagnostic::new(Rule::ShortPreset, at, message).help(help))
 }
 
 fn is_integer(place: &Place<'_>, node: &Node) -> bool {

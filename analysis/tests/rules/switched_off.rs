@@ -141,9 +141,7 @@ fn comments_that_the_tools_do_not_understand() {
         (
             "profile click",
             expect![[r#"
-                1 error bad-directive: programs of the profile `click` cannot run here yet <# ladder: profile click #>
                 3 warning double-coil: `y` is written by 2 coils: the last one alone decides <y>
-                does not run
             "#]],
         ),
         (

@@ -276,7 +276,7 @@ fn the_time_base_belongs_to_another_profile() {
         expect![[r#"
             > +--[TON]( t, 5s, R := r, B := T#1s )--( )( y )--+
                                        ^^^^^^^^^ error[bad-operand]: [TON] has no operand `B` in the profile `iec`
-                help: leave it out, or say above the first network whose arithmetic the program has: # ladder: profile iot #
+                help: leave it out, or say above the first network whose arithmetic the program has: # ladder: profile click # or # ladder: profile iot #
         "#]],
     );
 }
@@ -303,6 +303,24 @@ fn times_that_a_profile_cannot_count() {
             > +--[TON]( t, 0 )--[TON]( u, 3, B := 5ms )--[TOF]( v, 3 )--( )( y )--+
                                           ^ warning[short-preset]: the time base is 5 ms and a scan 10 ms: a timer counts one step in a scan at most, and runs slow
                 help: take a longer time base, or a shorter scan
+        "#]],
+    );
+}
+
+#[test]
+fn units_of_a_timer() {
+    check(
+        "# ladder: profile click #\n+--[TON]( t, 1m )--[TON]( u, 40000, B := 1s )--[TOF]( v, 3s, B := 1m )--[RTO]( w, 2m, B := 1s )--( )( y )--+\n",
+        expect![[r#"
+            > +--[TON]( t, 1m )--[TON]( u, 40000, B := 1s )--[TOF]( v, 3s, B := 1m )--[RTO]( w, 2m, B := 1s )--( )( y )--+
+                           ^^ warning[short-preset]: the preset is 60000 units: timers of this profile count to 32767
+                help: count in a longer unit, as in: B := T#1s
+            > +--[TON]( t, 1m )--[TON]( u, 40000, B := 1s )--[TOF]( v, 3s, B := 1m )--[RTO]( w, 2m, B := 1s )--( )( y )--+
+                                           ^^^^^ warning[short-preset]: the preset is 40000 units: timers of this profile count to 32767
+                help: count in a longer unit, as in: B := T#1s
+            > +--[TON]( t, 1m )--[TON]( u, 40000, B := 1s )--[TOF]( v, 3s, B := 1m )--[RTO]( w, 2m, B := 1s )--( )( y )--+
+                                                                       ^^ warning[short-preset]: the preset is less than one unit of the timer: it does not wait
+                help: give at least one unit; B := T#1s sets the unit, 1 ms unless given
         "#]],
     );
 }

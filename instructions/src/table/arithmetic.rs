@@ -25,10 +25,16 @@ pub(super) const ROWS: &[Instruction] = &[
     Instruction {
         op: Op::Add,
         mnemonic: "ADD",
-        differs: &[(
-            Profile::Iot,
-            "Computes as C does: in 32 bits, or in REAL where an operand is real, and cuts the result to the type of y. A REAL may become infinite, and nothing is a fault.",
-        )],
+        differs: &[
+            (
+                Profile::Iot,
+                "Computes as C does: in 32 bits, or in REAL where an operand is real, and cuts the result to the type of y. A REAL may become infinite, and nothing is a fault.",
+            ),
+            (
+                Profile::Click,
+                "What does not fit wraps round and sets SC43; a real that is too large is 0.",
+            ),
+        ],
         title: "Add",
         operands: &[
             Operand::output("y", Accepts::Result(TypeClass::NumberOrTime), "The result."),
@@ -56,10 +62,16 @@ END_VAR
     Instruction {
         op: Op::Mul,
         mnemonic: "MUL",
-        differs: &[(
-            Profile::Iot,
-            "Computes as C does: in 32 bits, or in REAL where an operand is real, and cuts the result to the type of y. A REAL may become infinite, and nothing is a fault.",
-        )],
+        differs: &[
+            (
+                Profile::Iot,
+                "Computes as C does: in 32 bits, or in REAL where an operand is real, and cuts the result to the type of y. A REAL may become infinite, and nothing is a fault.",
+            ),
+            (
+                Profile::Click,
+                "What does not fit wraps round and sets SC43; a real that is too large is 0.",
+            ),
+        ],
         title: "Multiply",
         operands: &[
             Operand::output("y", Accepts::Result(TypeClass::NumberOrTime), "The result."),
@@ -86,10 +98,16 @@ END_VAR
     Instruction {
         op: Op::Sub,
         mnemonic: "SUB",
-        differs: &[(
-            Profile::Iot,
-            "Computes as C does: in 32 bits, or in REAL where an operand is real, and cuts the result to the type of y. A REAL may become infinite, and nothing is a fault.",
-        )],
+        differs: &[
+            (
+                Profile::Iot,
+                "Computes as C does: in 32 bits, or in REAL where an operand is real, and cuts the result to the type of y. A REAL may become infinite, and nothing is a fault.",
+            ),
+            (
+                Profile::Click,
+                "What does not fit wraps round and sets SC43; a real that is too large is 0.",
+            ),
+        ],
         title: "Subtract",
         operands: &[
             Operand::output("y", Accepts::Result(TypeClass::NumberOrTime), "The result."),
@@ -125,6 +143,10 @@ END_VAR
                 Profile::Iot,
                 "Computes as C does: two integers give an integer, 7 / 2 is 3, also where y is real. A REAL divided by 0 is infinite; an integer is a fault.",
             ),
+            (
+                Profile::Click,
+                "A division by 0 gives 0 and sets SC40, of reals too.",
+            ),
         ],
         title: "Divide",
         operands: &[
@@ -158,6 +180,10 @@ END_VAR
         op: Op::Mod,
         mnemonic: "MOD",
         profiles: Profiles::WITHOUT_IOT,
+        differs: &[(
+            Profile::Click,
+            "The remainder has the sign of b: -7 MOD 2 is 1. By 0 it is 0, and SC40 is set.",
+        )],
         title: "Remainder",
         operands: &[
             Operand::output("y", Accepts::Result(TypeClass::Number), "The result."),
@@ -186,6 +212,10 @@ END_VAR
         mnemonic: "EXP",
         aliases: &["EXPT"],
         profiles: Profiles::OWN,
+        differs: &[(
+            Profile::Click,
+            "What does not fit wraps round and sets SC43. A negative power of an integer is what is left of it without fraction.",
+        )],
         title: "Power",
         operands: &[
             Operand::output("y", Accepts::Result(TypeClass::Number), "The result."),

@@ -50,6 +50,10 @@ pub(super) const ROWS: &[Instruction] = &[
                 Profile::Iot,
                 "CV counts once while EN is high, and wraps. That PV was reached is kept in Q until `(RES)`; the power behind the block is EN and Q. `AC` is what CV begins with, and what `(RES)` gives it. CC is high while EN is.",
             ),
+            (
+                Profile::Click,
+                "Q is low while R is high. Other instructions may write CV.",
+            ),
         ],
         title: "Up counter",
         operands: &[
@@ -97,6 +101,10 @@ END_VAR
                 Profile::Iot,
                 "As CTU, but down: Q is set when CV is PV or less. `AC` is what CV begins with, and what `(RES)` gives it.",
             ),
+            (
+                Profile::Click,
+                "Q is high while CV is PV or less and R is low: a reset gives 0, and then Q is high. Other instructions write the CV that is counted from.",
+            ),
         ],
         title: "Down counter",
         operands: &[
@@ -139,6 +147,10 @@ END_VAR
         op: Op::Ctud,
         mnemonic: "CTUD",
         profiles: Profiles::OWN,
+        differs: &[(
+            Profile::Click,
+            "Q is low while R is high. Other instructions may write CV.",
+        )],
         title: "Up-down counter",
         operands: &[
             Operand::in_out(
@@ -179,7 +191,7 @@ END_VAR
     Instruction {
         op: Op::Ctc,
         mnemonic: "CTC",
-        profiles: Profiles::WITHOUT_IOT,
+        profiles: Profiles::only(Profile::Iec).and(Profile::Ldmicro),
         differs: &[(
             Profile::Ldmicro,
             "The power behind it is EN, and so is Q. CV is an INT; other instructions may write it, and several blocks count in one tag.",

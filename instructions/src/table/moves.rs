@@ -27,10 +27,16 @@ pub(super) const ROWS: &[Instruction] = &[
         mnemonic: "MOV",
         synonyms: &["SET"],
         aliases: &["MOVE"],
-        differs: &[(
-            Profile::Iot,
-            "The value is cut to the type of y as in C: a real loses its fraction, an integer its upper bits.",
-        )],
+        differs: &[
+            (
+                Profile::Iot,
+                "The value is cut to the type of y as in C: a real loses its fraction, an integer its upper bits.",
+            ),
+            (
+                Profile::Click,
+                "An index outside its array sets SC44, and nothing is written.",
+            ),
+        ],
         title: "Move",
         operands: &[
             Operand::output("y", Accepts::Result(TypeClass::Any), "The tag that is written."),
@@ -57,6 +63,10 @@ END_VAR
         op: Op::Typ,
         mnemonic: "TYP",
         profiles: Profiles::OWN,
+        differs: &[(
+            Profile::Click,
+            "A number that does not fit is held at the limit, in a WORD it loses its upper bits, and SC43 is set; a real loses its fraction. None of it is a fault.",
+        )],
         title: "Convert type",
         operands: &[
             Operand::output(

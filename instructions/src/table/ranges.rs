@@ -1,6 +1,6 @@
 //! Instructions on array ranges (LANGUAGE §5.2).
 
-use crate::{Accepts, Acts, Group, Instruction, Op, Operand, Profiles, Role, Shape, TypeClass};
+use crate::{Accepts, Acts, Group, Instruction, Op, Operand, Profile, Profiles, Role, Shape, TypeClass};
 
 /// What the rows of this section share.
 const BASE: Instruction = Instruction {
@@ -78,6 +78,10 @@ END_VAR
         op: Op::Pack,
         mnemonic: "PACK",
         profiles: Profiles::OWN,
+        differs: &[(
+            Profile::Click,
+            "A text that is no number sets SC43, and nothing is written.",
+        )],
         title: "Pack a range",
         operands: &[
             Operand::output("y", Accepts::Result(TypeClass::Any), "The result."),

@@ -1,6 +1,6 @@
 //! Choosing among values, and expressions (LANGUAGE §5.2).
 
-use crate::{Accepts, Acts, Group, Instruction, Op, Operand, Profiles, Role, Shape, TypeClass};
+use crate::{Accepts, Acts, Group, Instruction, Op, Operand, Profile, Profiles, Role, Shape, TypeClass};
 
 /// What the rows of this section share.
 const BASE: Instruction = Instruction {
@@ -148,6 +148,10 @@ END_VAR
         op: Op::Calc,
         mnemonic: "CALC",
         profiles: Profiles::OWN,
+        differs: &[(
+            Profile::Click,
+            "The formula is computed in the widest type of its parts and of y: 16 bits where all have 16, REAL where one is real, LREAL with a DINT beside it; words as unsigned integers. The result is cut to y's type. What does not fit wraps round and sets SC43, a division by 0 makes all of it 0 and sets SC40, MOD takes the sign of the divisor. A function outside its domain sets SC46, and the scan is the last one.",
+        )],
         title: "Calculate",
         operands: &[
             Operand::output("y", Accepts::Result(TypeClass::Any), "The result."),

@@ -32,10 +32,10 @@ const RESET: Operand = Operand::input("R", Accepts::Bool, "The reset, while it i
 const BASE_TIME: Operand = Operand::input(
     "B",
     Accepts::Time,
-    "The time base that PT and ET count, in profile `iot` only.",
+    "The time base that PT and ET count, in profiles `iot` and `click` only.",
 )
 .named()
-.known_to(Profiles::only(Profile::Iot));
+.known_to(Profiles::only(Profile::Iot).and(Profile::Click));
 
 pub(super) const ROWS: &[Instruction] = &[
     Instruction {
@@ -49,6 +49,10 @@ pub(super) const ROWS: &[Instruction] = &[
             (
                 Profile::Iot,
                 "ET counts the time base `B` (100 ms unless given) and is a DINT, at most one step in a scan; a plain PT counts it too. Q is high from the step that reaches PT.",
+            ),
+            (
+                Profile::Click,
+                "ET counts the unit `B` (1 ms unless given) and is an INT; a plain PT counts it too. The scan in which EN rises counts already. Q is high while EN is and ET is PT or more: ET runs on to 32767, and a longer PT takes Q back. Other instructions may write ET.",
             ),
         ],
         title: "On-delay timer",
@@ -105,6 +109,10 @@ END_VAR
                 Profile::Iot,
                 "No off-delay: the power behind it is EN until the time is over, and then low. It counts as TON does; Q is that the time is over.",
             ),
+            (
+                Profile::Click,
+                "ET counts the unit `B` (1 ms unless given) from the scan on in which EN falls, and runs on to 32767. Q is high with EN, and then while ET is below PT: a longer PT brings it back. It starts low.",
+            ),
         ],
         title: "Off-delay timer",
         operands: &[
@@ -152,7 +160,7 @@ END_VAR
     Instruction {
         op: Op::Tp,
         mnemonic: "TP",
-        profiles: Profiles::OWN,
+        profiles: Profiles::only(Profile::Iec),
         title: "Pulse timer",
         operands: &[
             Operand::in_out("t", Accepts::State(StateType::Tp), "The timer's tag, of type TP."),
@@ -195,10 +203,16 @@ END_VAR
         op: Op::Rto,
         mnemonic: "RTO",
         profiles: Profiles::WITHOUT_IOT,
-        differs: &[(
-            Profile::Ldmicro,
-            "ET counts scans with power and is an integer, to one less than PT has scan intervals; Q is high from the scan behind that on, until `(RES)`. PT is 2 scan intervals at least. Other instructions may write ET, and several blocks use one tag.",
-        )],
+        differs: &[
+            (
+                Profile::Ldmicro,
+                "ET counts scans with power and is an integer, to one less than PT has scan intervals; Q is high from the scan behind that on, until `(RES)`. PT is 2 scan intervals at least. Other instructions may write ET, and several blocks use one tag.",
+            ),
+            (
+                Profile::Click,
+                "ET counts the unit `B` (1 ms unless given), each scan with power as a whole, and runs on to 32767; what is less than a unit is kept over a pause. Q is high while ET is PT or more and R is low.",
+            ),
+        ],
         title: "Retentive on-delay timer",
         operands: &[
             Operand::in_out(
@@ -246,6 +260,10 @@ END_VAR
         op: Op::Rtof,
         mnemonic: "RTOF",
         profiles: Profiles::OWN,
+        differs: &[(
+            Profile::Click,
+            "The controller itself has none. ET counts the unit `B` (1 ms unless given), each scan without power as a whole, and runs on to 32767; Q is high with EN, and then while ET is below PT.",
+        )],
         title: "Retentive off-delay timer",
         operands: &[
             Operand::in_out(

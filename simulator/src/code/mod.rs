@@ -5,8 +5,10 @@ mod instr;
 
 pub(crate) use instr::{Instr, NOTHING_SAVED};
 
+use crate::controller::Relays;
 use crate::memory::Bit;
 use ladder_analysis::program::{ElementKind, Location};
+use ladder_instructions::Controller;
 
 /// One result of a few boolean instructions: the bit of a truth table that three bits select.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -37,6 +39,8 @@ pub(crate) struct Code {
     pub(crate) operands: Vec<u32>,
     /// Powers that a call which can come back to the same network must keep.
     pub(crate) saved: Vec<Vec<Bit>>,
+    /// Where errors are told that are no faults.
+    pub(crate) relays: Relays,
     /// Most frames that can be open at once.
     pub(crate) depth: usize,
 }
@@ -112,6 +116,8 @@ pub(crate) struct BlockPlace {
     pub(crate) out: Bit,
     /// Where it is drawn.
     pub(crate) location: Location,
+    /// Where its errors are told.
+    pub(crate) controller: Controller,
 }
 
 /// An array that is indexed while scanning.

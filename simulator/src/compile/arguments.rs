@@ -3,7 +3,7 @@
 use super::{CompileError, Result};
 use ladder_analysis::program::{Argument, Block, Bound, Expr, Place, RangeRef, TagId};
 use ladder_analysis::types::Scalar;
-use ladder_instructions::Presence;
+use ladder_instructions::{Op, Presence};
 
 /// The arguments of one block.
 #[derive(Clone, Copy)]
@@ -63,6 +63,14 @@ impl<'b> Arguments<'b> {
         self.named(name)
             .map(|argument| self.as_value(argument))
             .transpose()
+    }
+
+    /// The type of a block's value before it is brought to that of its result.
+    pub(super) fn formula_type(self, op: Op, result: Scalar) -> Scalar {
+        match self.value(1) {
+            Ok(formula) if op == Op::Calc => formula.ty,
+            _ => result,
+        }
     }
 
     pub(super) fn place(self, n: usize) -> Result<(&'b Place, Scalar)> {

@@ -116,7 +116,7 @@ impl Compiler<'_> {
             return Err(arguments.mistaken());
         };
         match self.law.timing {
-            Timing::Clock => {}
+            Timing::Clock | Timing::Units => {}
             Timing::Scans if state.is_timer() => return Ok(self.clear_count(en, words.offset(timer::ET))),
             Timing::Scans => return Ok(self.clear_count(en, words.offset(counter::CV))),
             Timing::Ticks => return self.reset_ticks(arguments, en),

@@ -18,8 +18,11 @@ impl Compiler<'_> {
         let (place, ty) = arguments.place(0)?;
         let (out, start) = self.begin_powered(en);
         let spot = self.spot(place)?;
+        self.begin_slips(op);
         let value = self.function_of_block(op, ty, arguments)?;
+        let value = self.without_slips(value, arguments.formula_type(op, ty), ty);
         self.write_result(spot, value);
+        self.end_slips();
         for bit in std::mem::take(&mut self.complaints) {
             self.routine(Routine::EndOnDivision, &[bit.0]);
         }
@@ -227,6 +230,9 @@ impl Compiler<'_> {
 
     /// One step of arithmetic in a type.
     pub(super) fn pair(&mut self, op: Op, ty: Scalar, a: Word, b: Word) -> Word {
+        if let Some(value) = self.step_noted(op, ty, a, b) {
+            return value;
+        }
         if ty.is_real() {
             let op = match op {
                 Op::Add => RealOp::Add,
@@ -347,7 +353,10 @@ impl Compiler<'_> {
                 });
                 Some(Slot::Bit(bit))
             }
-            (Slot::Word(word), _) if !to.is_string() => self.convert_word(to, from, word),
+            (Slot::Word(word), _) if !to.is_string() => match self.clamped(to, from, word) {
+                Some(word) => Some(Slot::Word(word)),
+                None => self.convert_word(to, from, word),
+            },
             (Slot::Text(text), _) => Some(self.read_text(text, to)),
             (_, _) => Some(Slot::Text(self.as_text(value, from))),
         }

@@ -37,6 +37,10 @@ impl Compiler<'_> {
                     None => Err(self.unknown_expression()),
                 }
             }
+            ExprKind::Sum(range) if self.notes_slips() && !expr.ty.is_real() => {
+                let sum = self.sum(Scalar::Lint, range)?;
+                Ok(Slot::Word(self.sum_noted(expr.ty, sum)))
+            }
             ExprKind::Sum(range) => Ok(Slot::Word(self.sum(expr.ty, range)?)),
         }
     }
@@ -144,7 +148,7 @@ impl Compiler<'_> {
             }
             (Slot::Word(a), UnaryOperator::Minus) => {
                 let zero = self.constant(0);
-                Slot::Word(self.integer(IntegerOp::Sub, ty, zero, a))
+                Slot::Word(self.pair(Op::Sub, ty, zero, a))
             }
             (Slot::Word(a), UnaryOperator::Not) => {
                 let ones = self.constant(-1);

@@ -11,10 +11,12 @@ mod c_arithmetic;
 mod call_graph;
 mod coils;
 mod conditions;
+mod controller;
 mod cycles;
 mod data;
 mod expression;
 mod flow;
+mod formula;
 mod number_coils;
 mod place;
 mod ports;
@@ -27,6 +29,7 @@ mod state;
 mod strings;
 mod tables;
 mod ticks;
+mod units;
 mod user_block;
 
 use crate::code::{ArrayPlace, BlockPlace, Code, ElementPlace, Instr, NetworkPlace};
@@ -46,6 +49,7 @@ pub(crate) use ports::{CHANNELS, Ports};
 use std::collections::HashMap;
 use std::ops::Range;
 pub(crate) use ticks::COUNT as COUNT_OF_TICKS;
+pub(crate) use units::MOST_UNITS;
 
 /// Why a program cannot run in the simulator.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -137,9 +141,11 @@ pub(crate) fn compile(program: &Program, interval: i64) -> Result<Compiled> {
         edges: HashMap::new(),
         starts: HashMap::new(),
         complaints: Vec::new(),
+        slips: None,
         line_free: None,
     };
     compiler.starting_counts();
+    compiler.controller();
     compiler.regions()?;
     Ok(compiler.finish())
 }
@@ -187,6 +193,8 @@ struct Compiler<'p> {
     starts: HashMap<TagId, Word>,
     /// The bits that tell, when the block that is being compiled is done, whether it divided by zero.
     complaints: Vec<Bit>,
+    /// What notes that the block that is being compiled went wrong, where it goes on all the same.
+    slips: Option<formula::Slips>,
     /// The scan from which on the serial port is free, where sending takes time.
     line_free: Option<Word>,
 }
@@ -353,6 +361,7 @@ impl Compiler<'_> {
             work_through: 0,
             out: en,
             location: block.location,
+            controller: self.law.controller,
         });
         let out = match block.kind {
             BlockKind::Instruction(row) => self.instruction(row, block, en)?,
@@ -438,11 +447,13 @@ impl Compiler<'_> {
                 Timing::Clock => self.timer(row.op, arguments, en),
                 Timing::Scans => self.scan_timer(row.op, arguments, en),
                 Timing::Ticks => self.tick_timer(row.op, arguments, en),
+                Timing::Units => self.unit_timer(row.op, arguments, en),
             },
             Op::Ctu | Op::Ctd | Op::Ctud | Op::Ctc => match self.law.counting {
                 Counting::Saturating => self.counter(row.op, arguments, en),
                 Counting::Wrapping => self.wrapping_counter(row.op, arguments, en),
                 Counting::Latching => self.latching_counter(row.op, arguments, en),
+                Counting::Comparing => self.comparing_counter(row.op, arguments, en),
             },
             Op::Sr | Op::Rs => self.bistable(row.op, arguments, en),
 

@@ -21,7 +21,7 @@ impl Compiler<'_> {
     }
 
     /// Copies named operands into members, once all of them are read. A block without one leaves its member low.
-    fn inputs(&mut self, arguments: Arguments, inputs: &[(&str, Bit)]) -> Result<()> {
+    pub(super) fn inputs(&mut self, arguments: Arguments, inputs: &[(&str, Bit)]) -> Result<()> {
         let mut moves = Vec::new();
         for &(name, member) in inputs {
             if let Some(value) = arguments.named_value(name)? {

@@ -38,7 +38,7 @@ impl Compiler<'_> {
     }
 
     /// PT: a plain integer counts the base, a time is brought to it.
-    fn ticks(&mut self, preset: &Expr, base: Word) -> Result<Word> {
+    pub(super) fn ticks(&mut self, preset: &Expr, base: Word) -> Result<Word> {
         let word = self.word(preset)?;
         if preset.ty != Scalar::Time {
             return Ok(word);

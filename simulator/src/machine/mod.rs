@@ -6,12 +6,14 @@ mod position;
 mod state;
 
 use crate::code::{Code, Instr};
+use crate::controller::Relay;
 use crate::fault::Trouble;
 use crate::memory::{Bit, Memory};
 use crate::timers::Clock;
 use crate::work::{Brake, UNBRAKED};
 use execute::{Step, execute};
 use flow::{Flow, Frame};
+use ladder_instructions::Controller;
 use position::Position;
 pub(crate) use position::Until;
 pub(crate) use state::MachineState;
@@ -219,8 +221,11 @@ impl Machine {
     #[cold]
     fn fault(&mut self, code: &Code, pc: usize, trouble: Trouble, clock: Clock) -> usize {
         let block = block_at(code, pc);
-        self.record(trouble, block, clock.scan);
         let place = &code.blocks[block as usize];
+        let is_told = place.controller == Controller::Banks && self.tell(code, trouble);
+        if !is_told {
+            self.record(trouble, block, clock.scan);
+        }
         if trouble.is_remark() {
             self.ending = true;
             return place.end as usize;
@@ -229,6 +234,21 @@ impl Machine {
             self.memory.set_bit(place.out, false);
         }
         place.end as usize
+    }
+
+    /// Tells an error in the controller's relays; gives whether that is all there is to say of it. A function outside its
+    /// domain stops the controller.
+    fn tell(&mut self, code: &Code, trouble: Trouble) -> bool {
+        let Some(relay) = Relay::of(trouble) else {
+            return false;
+        };
+        if let Some(slot) = code.relays.slot(relay)
+            && self.memory.held.bits.get(slot.0 as usize) != Some(&1)
+        {
+            self.memory.set_bit(slot, true);
+        }
+        self.ending |= relay == Relay::Math;
+        relay != Relay::Math
     }
 
     pub(crate) fn record(&mut self, trouble: Trouble, block: u32, scan: i64) {

@@ -66,7 +66,10 @@ pub(super) fn acts(tags: &mut Tags<'_>, what: &Instruction, oneshot: bool) -> Re
             self::shift(tags, &mut acts, shift);
         }
         Instruction::Search(search) => self::search(tags, chain, search)?,
-        Instruction::Math(math) => *chain = calc::math(tags, math)?,
+        Instruction::Math(math) => {
+            pointed(&math.target)?;
+            *chain = calc::math(tags, math)?;
+        }
         Instruction::Call(name) => chain.push(format!("<CALL>( {name} )")),
         Instruction::For(count) => {
             let count = chain.value(tags, count, Some(Kind::Int));
@@ -90,13 +93,22 @@ fn array(span: &Span) -> Result<(), Refusal> {
     }
 }
 
+/// A pointer into a bank that is an array here.
+fn pointed(operand: &Operand) -> Result<(), Refusal> {
+    match operand {
+        Operand::Pointer(pointer) => array(&Span {
+            bank: pointer.bank,
+            first: 1,
+            last: 1,
+        }),
+        _ => Ok(()),
+    }
+}
+
 /// A place that the program may write by itself.
 fn written(tag: &Tag) -> Result<(), Refusal> {
     match tag.bank {
         Bank::T | Bank::Ct => Err("only its own block writes the bit of a timer or counter".to_owned()),
-        Bank::Td | Bank::Ctd => {
-            Err("only its own block and (RES) write the value of a timer or counter".to_owned())
-        }
         Bank::Sc if matches!(tag.which, super::address::Which::Number(number) if super::tags::system(number).is_some()) => {
             Err("the controller alone writes it".to_owned())
         }
@@ -152,24 +164,16 @@ fn timer(tags: &mut Tags<'_>, acts: &mut Acts, timer: &Timer) -> Result<(), Refu
     let setpoint = match &timer.setpoint {
         Operand::Constant(Constant::Int(number)) => format!("T#{number}{}", timer.unit.suffix()),
         Operand::Constant(_) => return Err("a set point is a whole number or a DS address".to_owned()),
-        // A plain integer counts milliseconds.
-        other if timer.unit == Unit::Milliseconds => acts.chain.value(tags, other, None),
-        other => {
-            let what = format!("set point of {name} in {}", timer.unit.name());
-            let helper = tags.helper(&format!("{name}_setpoint"), "TIME", what);
-            let mut above = Chain::default();
-            let value = above.value(tags, other, None);
-            above.push(format!("[MUL]( {helper}, T#1{}, {value} )", timer.unit.suffix()));
-            acts.above.push(Above {
-                condition: Condition::ALWAYS,
-                blocks: above.blocks,
-            });
-            helper
-        }
+        // A plain integer counts the unit.
+        other => acts.chain.value(tags, other, None),
     };
     let mut operands = format!("{name}, {setpoint}");
     if let Some(reset) = &timer.reset {
         operands.push_str(&format!(", R := {}", pin(tags, acts, &name, "reset", reset)));
+    }
+    // A millisecond goes without saying.
+    if timer.unit != Unit::Milliseconds {
+        operands.push_str(&format!(", B := T#1{}", timer.unit.suffix()));
     }
     acts.chain.push(format!("{head}( {operands} )"));
     Ok(())
@@ -207,13 +211,10 @@ fn copy(tags: &mut Tags<'_>, chain: &mut Chain, source: &Operand, target: &Opera
         return Err("a constant cannot be written".to_owned());
     };
     if let Operand::Tag(tag) = target {
-        if let (Bank::Td | Bank::Ctd, Operand::Constant(Constant::Int(0))) = (tag.bank, source) {
-            let name = state(tags, tag)?;
-            chain.push(format!("(RES)( {name} )"));
-            return Ok(());
-        }
         written(tag)?;
     }
+    pointed(source)?;
+    pointed(target)?;
     if let (Operand::Constant(Constant::Text(text)), Kind::Text, Operand::Tag(tag)) = (source, to, target) {
         return texts(tags, chain, text, tag);
     }
@@ -266,6 +267,9 @@ fn texts(tags: &Tags<'_>, chain: &mut Chain, text: &str, first: &Tag) -> Result<
 fn block_copy(tags: &Tags<'_>, chain: &mut Chain, source: &Span, target: &Tag) -> Result<(), Refusal> {
     array(source)?;
     written(target)?;
+    if matches!(target.bank, Bank::Td | Bank::Ctd) {
+        return Err("values of timers and counters belong to their blocks, and are no range".to_owned());
+    }
     if source.bank.kind() != target.bank.kind() {
         return Err("a block is copied between addresses of one kind".to_owned());
     }
@@ -285,6 +289,7 @@ fn block_copy(tags: &Tags<'_>, chain: &mut Chain, source: &Span, target: &Tag) -
 
 fn fill(tags: &mut Tags<'_>, chain: &mut Chain, source: &Operand, target: &Span) -> Result<(), Refusal> {
     array(target)?;
+    pointed(source)?;
     let to = target.bank.kind();
     let direct = match (source, kind(source)) {
         (Operand::Constant(constant), _) => fits(constant, to),

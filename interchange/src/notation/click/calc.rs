@@ -13,32 +13,18 @@ pub(super) fn math(tags: &mut Tags<'_>, math: &Math) -> Result<Chain, String> {
     let Some(target) = kind(&math.target) else {
         return Err("a constant cannot be written".to_owned());
     };
-    let (ty, like) = match math.kind {
+    let constants = match math.kind {
         MathKind::Decimal => decimal(&math.formula, target)?,
-        MathKind::Hex => hex(&math.formula, target),
+        MathKind::Hex => Kind::Hex,
     };
-    let is_direct = ty == target.iec();
-    let expression = expression(tags, &mut chain, &math.formula, literal_kind(ty))?;
+    let expression = expression(tags, &mut chain, &math.formula, constants)?;
     let place = chain.place(tags, &math.target);
-    if is_direct {
-        chain.push(format!("[CALC]( {place}, {expression} )"));
-        return Ok(chain);
-    }
-    let result = tags.helper(like, ty, format!("results of formulas in {ty}"));
-    chain.push(format!("[CALC]( {result}, {expression} )"));
-    match ty {
-        "UINT" => chain.push(format!("[MOV]( {place}, {result} )")),
-        _ => {
-            chain.push(format!("[TYP]( {place}, {result} )"));
-            let why = "a result that does not fit wraps round in Click, and not in [TYP]";
-            chain.remark = Some(why.to_owned());
-        }
-    }
+    chain.push(format!("[CALC]( {place}, {expression} )"));
     Ok(chain)
 }
 
-/// The type in which a decimal formula is computed: wide enough for all of its parts.
-fn decimal(formula: &Formula, target: Kind) -> Result<(&'static str, &'static str), String> {
+/// What a decimal formula is computed in: wide enough for all of its parts.
+fn decimal(formula: &Formula, target: Kind) -> Result<Kind, String> {
     let mut kinds = parts(formula);
     kinds.push(target);
     if let Some(odd) = kinds.iter().find(|kind| matches!(kind, Kind::Bit | Kind::Text)) {
@@ -51,28 +37,10 @@ fn decimal(formula: &Formula, target: Kind) -> Result<(&'static str, &'static st
     let wide = kinds.contains(&Kind::Int2);
     let real = kinds.contains(&Kind::Float) || is_real(formula);
     Ok(match (real, wide) {
-        (true, true) => ("LREAL", "calc_lreal"),
-        (true, false) => ("REAL", "calc_real"),
-        (false, true) => ("DINT", "calc_dint"),
-        (false, false) => ("INT", "calc_int"),
+        (true, _) => Kind::Float,
+        (false, true) => Kind::Int2,
+        (false, false) => Kind::Int,
     })
-}
-
-/// Bit operations work on words; arithmetic needs the integers of their width.
-fn hex(formula: &Formula, target: Kind) -> (&'static str, &'static str) {
-    match target {
-        Kind::Hex if !has_arithmetic(formula) => ("WORD", "calc_word"),
-        _ => ("UINT", "calc_uint"),
-    }
-}
-
-const fn literal_kind(ty: &str) -> Kind {
-    match ty.as_bytes() {
-        b"INT" => Kind::Int,
-        b"DINT" => Kind::Int2,
-        b"WORD" | b"UINT" => Kind::Hex,
-        _ => Kind::Float,
-    }
 }
 
 /// The kinds of what a formula reads.
@@ -96,22 +64,6 @@ fn is_real(formula: &Formula) -> bool {
         Formula::Call(function, arguments) => {
             !matches!(function, Function::RotateLeft | Function::RotateRight) || arguments.iter().any(is_real)
         }
-    }
-}
-
-fn has_arithmetic(formula: &Formula) -> bool {
-    use Operator::{Add, Divide, Modulo, Multiply, Power, Subtract};
-    match formula {
-        Formula::Pi | Formula::Value(_) => false,
-        Formula::Negated(_) | Formula::Sum(_) => true,
-        Formula::Not(inside) => has_arithmetic(inside),
-        Formula::Binary(left, operator, right) => {
-            matches!(operator, Add | Subtract | Multiply | Divide | Modulo | Power)
-                || has_arithmetic(left)
-                || has_arithmetic(right)
-        }
-        // Rotates are made with a difference.
-        Formula::Call(..) => true,
     }
 }
 

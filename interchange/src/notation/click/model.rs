@@ -334,10 +334,6 @@ impl Unit {
         Unit::ALL[self as usize].2
     }
 
-    pub(super) fn milliseconds(self) -> i64 {
-        Unit::ALL[self as usize].3
-    }
-
     pub(super) fn named(name: &str) -> Option<Unit> {
         let row = Unit::ALL.iter().find(|(_, own, ..)| *own == name)?;
         Some(row.0)

@@ -1,8 +1,7 @@
 //! Values and places as ladder text writes them.
 
-use super::address::Tag;
-use super::bank::{Bank, Kind};
-use super::model::{Constant, Operand, Unit};
+use super::bank::Kind;
+use super::model::{Constant, Operand};
 use super::tags::Tags;
 
 /// What a value is, if it is no constant.
@@ -100,11 +99,6 @@ impl Chain {
 
     /// A value where a kind of value is asked for, or none in particular.
     pub(super) fn value(&mut self, tags: &mut Tags<'_>, operand: &Operand, kind: Option<Kind>) -> String {
-        if let Operand::Tag(tag) = operand
-            && tag.bank == Bank::Td
-        {
-            self.refresh(tags, tag);
-        }
         match operand {
             Operand::Constant(constant) => literal(constant, kind),
             other => self.place(tags, other),
@@ -135,20 +129,6 @@ impl Chain {
                 format!("{}[{index}]", pointer.bank.row().name)
             }
         }
-    }
-
-    /// Brings the number that Click shows as a timer's current value up to date.
-    fn refresh(&mut self, tags: &mut Tags<'_>, tag: &Tag) {
-        let Some(state) = tags.state(tag) else { return };
-        let (block, unit) = (state.name.clone(), state.unit);
-        let value = tags.text(tag);
-        if unit == Unit::Milliseconds {
-            return self.push(format!("[TYP]( {value}, {block}.ACC )"));
-        }
-        let elapsed = tags.helper("elapsed", "DINT", "milliseconds of a timer");
-        self.push(format!("[TYP]( {elapsed}, {block}.ACC )"));
-        self.push(format!("[DIV]( {elapsed}, {elapsed}, {} )", unit.milliseconds()));
-        self.push(format!("[TYP]( {value}, {elapsed} )"));
     }
 }
 

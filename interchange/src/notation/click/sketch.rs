@@ -92,11 +92,10 @@ impl Sketcher<'_> {
                 What::Somewhere(pointer) => (pointer.bank, Some(pointer.bank.row().name.to_owned())),
             };
             let Some(name) = name else { continue };
-            let is_refreshed = bank == Bank::Td && one.access == Access::Read;
             if one.access == Access::Read {
                 read.insert(name.clone(), bank);
             }
-            if one.access == Access::Write || is_refreshed {
+            if one.access == Access::Write {
                 written.insert(name, bank);
             }
         }
@@ -132,7 +131,9 @@ impl Sketcher<'_> {
                 Bank::Xd | Bank::Yd => {
                     "it holds the bits of a module in Click, and is a word of its own here"
                 }
-                Bank::Sc if number.and_then(super::tags::system).is_some() => continue,
+                Bank::Sc | Bank::Sd if number.is_some_and(|number| super::tags::is_told(bank, number)) => {
+                    continue;
+                }
                 Bank::Sc | Bank::Sd => "Click's controller sets it, and nothing does here",
                 _ => continue,
             };

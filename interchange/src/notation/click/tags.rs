@@ -3,8 +3,8 @@
 use super::super::names::Names;
 use super::address::{Address, Span, Tag, Which};
 use super::bank::{Bank, Writer};
-use super::model::{Constant, CounterKind, Instruction, Nickname, Program, TimerKind, Unit};
-use super::uses::{Access, What, uses};
+use super::model::{Constant, CounterKind, Instruction, Nickname, Program, TimerKind};
+use super::uses::{What, uses};
 use ladder_format::program::{Declaration, Qualifier, Section, SectionKind};
 use ladder_instructions::{Op, by_op};
 use std::collections::{BTreeMap, HashMap, HashSet};
@@ -14,8 +14,6 @@ use std::collections::{BTreeMap, HashMap, HashSet};
 pub(super) struct State {
     pub(super) name: String,
     op: Op,
-    /// What a timer counts.
-    pub(super) unit: Unit,
 }
 
 /// The tags of a program.
@@ -51,6 +49,15 @@ const SYSTEM: &[(u16, &str)] = &[
     (8, "SYS.CLOCK_1M"),
     (9, "SYS.CLOCK_1H"),
 ];
+
+/// Whether the profile writes an address of the controller itself in the arrays SC and SD.
+pub(super) const fn is_told(bank: Bank, number: u16) -> bool {
+    match bank {
+        Bank::Sc => matches!(number, 1..=11 | 40 | 43 | 44 | 46),
+        Bank::Sd => matches!(number, 9..=12),
+        _ => false,
+    }
+}
 
 /// The system bit with a number, as ladder text has it.
 pub(super) fn system(number: u16) -> Option<&'static str> {
@@ -111,12 +118,8 @@ impl<'p> Tags<'p> {
         tags.blocks(program);
         for one in &uses {
             match one.what {
-                // The value of a timer that is only written is its reset.
-                What::One(tag) if tag.bank == Bank::Td && one.access == Access::Write => {
-                    tags.state_of(tag, Op::Ton, Unit::Milliseconds);
-                }
                 What::One(tag) | What::From(tag, _) => tags.meet(tag),
-                What::Many(span) if matches!(span.bank, Bank::T | Bank::Ct | Bank::Ctd) => {
+                What::Many(span) if matches!(span.bank, Bank::T | Bank::Ct | Bank::Td | Bank::Ctd) => {
                     let (first, last) = span.bounds();
                     for number in (first..=last).filter(|number| span.bank.has(*number)) {
                         tags.meet(&Tag::number(span.bank, number));
@@ -163,7 +166,7 @@ impl<'p> Tags<'p> {
     fn blocks(&mut self, program: &'p Program) {
         let rungs = program.routines().flat_map(|routine| &routine.rungs);
         for action in rungs.flat_map(|rung| &rung.actions) {
-            let (tag, op, unit) = match &action.what {
+            let (tag, op) = match &action.what {
                 Instruction::Timer(timer) => {
                     let op = match timer.kind {
                         TimerKind::On => Op::Ton,
@@ -171,7 +174,7 @@ impl<'p> Tags<'p> {
                         TimerKind::RetentiveOn => Op::Rto,
                         TimerKind::RetentiveOff => Op::Rtof,
                     };
-                    (&timer.tag, op, timer.unit)
+                    (&timer.tag, op)
                 }
                 Instruction::Counter(counter) => {
                     let op = match counter.kind {
@@ -179,15 +182,15 @@ impl<'p> Tags<'p> {
                         CounterKind::Down => Op::Ctd,
                         CounterKind::UpDown => Op::Ctud,
                     };
-                    (&counter.tag, op, Unit::Milliseconds)
+                    (&counter.tag, op)
                 }
                 _ => continue,
             };
-            self.state_of(tag, op, unit);
+            self.state_of(tag, op);
         }
     }
 
-    fn state_of(&mut self, tag: &Tag, op: Op, unit: Unit) {
+    fn state_of(&mut self, tag: &Tag, op: Op) {
         let Some(key) = self.state_key(tag).filter(|key| !self.states.contains_key(key)) else {
             return;
         };
@@ -200,7 +203,7 @@ impl<'p> Tags<'p> {
         };
         let name = self.names.fresh(&like);
         self.state_order.push(key.clone());
-        self.states.insert(key, State { name, op, unit });
+        self.states.insert(key, State { name, op });
     }
 
     fn nickname_of(&self, tag: &Tag) -> Option<&'p Nickname> {
@@ -211,14 +214,15 @@ impl<'p> Tags<'p> {
     /// Whether an address is reached as an element of its bank too, so that it cannot be a tag of its own.
     fn is_shared(&self, address: Address) -> bool {
         let in_range = self.ranged.get(&address.bank);
-        self.pointed.contains(&address.bank)
+        is_told(address.bank, address.number)
+            || self.pointed.contains(&address.bank)
             || in_range.is_some_and(|there| there.get(usize::from(address.number)) == Some(&true))
     }
 
     fn meet(&mut self, tag: &Tag) {
         match tag.bank {
-            Bank::T => return self.state_of(tag, Op::Ton, Unit::Milliseconds),
-            Bank::Ct | Bank::Ctd => return self.state_of(tag, Op::Ctu, Unit::Milliseconds),
+            Bank::T | Bank::Td => return self.state_of(tag, Op::Ton),
+            Bank::Ct | Bank::Ctd => return self.state_of(tag, Op::Ctu),
             _ => {}
         }
         let tag = self.canonical(tag);
@@ -226,7 +230,6 @@ impl<'p> Tags<'p> {
             return;
         }
         let like = match &tag.which {
-            Which::Nickname(name) if tag.bank == Bank::Td => format!("{name}_value"),
             Which::Nickname(name) => name.clone(),
             Which::Number(number) => {
                 if tag.bank == Bank::Sc && system(*number).is_some() {
@@ -255,7 +258,7 @@ impl<'p> Tags<'p> {
     pub(super) fn text(&self, tag: &Tag) -> String {
         match (tag.bank, self.state(tag)) {
             (Bank::T | Bank::Ct, Some(state)) => return format!("{}.DN", state.name),
-            (Bank::Ctd, Some(state)) => return format!("{}.ACC", state.name),
+            (Bank::Td | Bank::Ctd, Some(state)) => return format!("{}.ACC", state.name),
             _ => {}
         }
         let tag = self.canonical(tag);
@@ -274,7 +277,7 @@ impl<'p> Tags<'p> {
     /// The name of the tag, or of the array, that an address is part of. None: a timer or counter, or the system's.
     pub(super) fn declared(&self, tag: &Tag) -> Option<String> {
         match tag.bank {
-            Bank::T | Bank::Ct | Bank::Ctd => return None,
+            Bank::T | Bank::Ct | Bank::Td | Bank::Ctd => return None,
             _ => {}
         }
         let tag = self.canonical(tag);
@@ -313,7 +316,7 @@ impl<'p> Tags<'p> {
             .iter()
             .map(|tag| (tag, self.states[tag].name.as_str()));
         let mut out = Vec::new();
-        for (tag, name) in own.chain(states).filter(|(tag, _)| tag.bank != Bank::Td) {
+        for (tag, name) in own.chain(states) {
             let nickname = match &tag.which {
                 Which::Nickname(nickname) => Some(nickname.as_str()),
                 Which::Number(_) => self.nickname_of(tag).map(|nickname| nickname.name.as_str()),
@@ -329,7 +332,7 @@ impl<'p> Tags<'p> {
     pub(super) fn sections(&self) -> Vec<Section> {
         let mut sections = Sections::default();
         for (bank, (first, last)) in &self.arrays {
-            if matches!(bank, Bank::T | Bank::Ct | Bank::Ctd) {
+            if matches!(bank, Bank::T | Bank::Ct | Bank::Td | Bank::Ctd) {
                 continue;
             }
             let ty = format!("ARRAY[{first}..{last}] OF {}", bank.kind().iec());
@@ -377,10 +380,7 @@ impl<'p> Tags<'p> {
     fn said(&self, tag: &Tag, name: &str) -> Option<String> {
         let nickname = match &tag.which {
             Which::Nickname(nickname) => {
-                let usual = !matches!(
-                    tag.bank,
-                    Bank::Sc | Bank::Sd | Bank::Xd | Bank::Yd | Bank::Td | Bank::Ctd
-                );
+                let usual = !matches!(tag.bank, Bank::Sc | Bank::Sd | Bank::Xd | Bank::Yd);
                 let like_number = Address::parse(nickname).is_some();
                 return (!usual || like_number || nickname != name).then(|| tag.dsl());
             }
@@ -415,7 +415,7 @@ impl<'p> Tags<'p> {
             if !nickname.name.is_empty() && self.is_shared(nickname.address) {
                 out.push((
                     nickname,
-                    "ranges or pointers reach it as an element of its bank, so its nickname is left out",
+                    "it is reached as an element of its bank, so its nickname is left out",
                 ));
             }
             let bank = nickname.address.bank.row().retentive;

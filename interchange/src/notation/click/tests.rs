@@ -29,10 +29,9 @@ fn remarks(converted: &Converted) -> String {
     out
 }
 
-/// What the analysis says about a converted program, whose profile does not run yet.
+/// What the analysis says about a converted program.
 fn complaints(text: &str) -> String {
-    let text = text.replace("# ladder: profile click #", "");
-    let analysis = ladder_analysis::analyze(&ladder_syntax::parse(&text).into(), "test.clad");
+    let analysis = ladder_analysis::analyze(&ladder_syntax::parse(text).into(), "test.clad");
     let mut out = String::new();
     for diagnostic in &analysis.diagnostics {
         let line = text[..usize::from(diagnostic.range.start())].lines().count();

@@ -12,7 +12,7 @@ use crate::notation::click::model::{
 use ladder_analysis::program::{Argument, BinaryOperator, Block, BlockKind, Bound, ExprKind, Place, TagId};
 use ladder_analysis::types::Scalar;
 use ladder_analysis::value::Value;
-use ladder_instructions::Op;
+use ladder_instructions::{Op, Timing};
 
 /// The instruction of a block, if it is one of the table.
 pub(super) fn op(block: &Block) -> Option<Op> {
@@ -53,18 +53,6 @@ impl Back<'_> {
         }
     }
 
-    /// Whether a block only brings a number up to date that Click shows of a timer.
-    pub(super) fn is_refresh(&self, block: &Block) -> bool {
-        let Some(first) = block.arguments.first() else {
-            return false;
-        };
-        if let Some((_, what)) = self.helper(Some(first)) {
-            return what == "milliseconds of a timer";
-        }
-        let is_value = matches!(self.operand(first), Ok(Operand::Tag(tag)) if tag.bank == Bank::Td);
-        op(block) == Some(Op::Typ) && is_value
-    }
-
     /// Blocks one behind the other as actions.
     pub(super) fn actions(&mut self, blocks: &[&Block]) -> Result<Vec<Action>, Refusal> {
         let mut out = Vec::new();
@@ -72,9 +60,6 @@ impl Back<'_> {
         let mut rest = blocks;
         while let [block, behind @ ..] = rest {
             rest = behind;
-            if self.is_refresh(block) {
-                continue;
-            }
             if let Some(kept) = self.kept(block) {
                 out.push(kept);
                 continue;
@@ -221,7 +206,7 @@ impl Back<'_> {
                 }
             }
             (Op::Search, _) => alone(self.search(arguments)?),
-            (Op::Calc, [target, formula]) => self.math(target, formula, behind),
+            (Op::Calc, [target, formula]) => alone(self.math(target, formula)?),
             (
                 Op::Add | Op::Sub | Op::Mul | Op::Div | Op::Mod | Op::And | Op::Or | Op::Xor,
                 [target, parts @ ..],
@@ -362,8 +347,13 @@ impl Back<'_> {
             return Err("the timer lacks operands".to_owned());
         };
         let tag = self.tag(state)?;
-        let (setpoint, unit) = self.setpoint(setpoint)?;
-        let reset = self.pins(pins, &["R"])?.pop().flatten();
+        let is_unit = |bound: &&Bound| bound.operand.is_some_and(|operand| operand.name == "B");
+        let (setpoint, unit) = match pins.iter().find(is_unit) {
+            Some(unit) => self.setpoint_in(setpoint, unit)?,
+            None => self.setpoint(setpoint)?,
+        };
+        let pins: Vec<Bound> = pins.iter().filter(|bound| !is_unit(bound)).cloned().collect();
+        let reset = self.pins(&pins, &["R"])?.pop().flatten();
         if reset.is_some() && !kind.is_retentive() {
             return Err("Click resets retentive timers only".to_owned());
         }
@@ -376,15 +366,30 @@ impl Back<'_> {
         }))
     }
 
+    /// A set point where the timer names its unit.
+    fn setpoint_in(&self, bound: &Bound, unit: &Bound) -> Result<(Operand, Unit), Refusal> {
+        let unit = time(unit).and_then(|size| {
+            let mut all = Unit::ALL.iter();
+            all.find(|(.., milliseconds)| *milliseconds * MILLISECOND == size)
+        });
+        let (unit, .., size) =
+            unit.ok_or("Click's timers count milliseconds, seconds, minutes, hours or days")?;
+        let setpoint = match time(bound) {
+            Some(time) => Operand::Constant(Constant::Int(time / (size * MILLISECOND))),
+            None => self.operand(bound)?,
+        };
+        Ok((setpoint, *unit))
+    }
+
     fn setpoint(&self, bound: &Bound) -> Result<(Operand, Unit), Refusal> {
-        if let Some((tag, _)) = self.helper(Some(bound)) {
-            let found = self.setpoints.get(&tag).cloned();
-            return found.ok_or_else(|| "the rung that computes the set point is missing".to_owned());
-        }
-        if let Argument::Value(expr) = &bound.argument
-            && let ExprKind::Constant(Value::Int(value)) = stripped(expr).kind
-            && expr.ty == Scalar::Time
-        {
+        if let Some(value) = time(bound) {
+            // Where timers count milliseconds, they do so however the time is written.
+            if self.program.law(self.program.networks[0].location).timing == Timing::Units {
+                return Ok((
+                    Operand::Constant(Constant::Int(value / MILLISECOND)),
+                    Unit::Milliseconds,
+                ));
+            }
             let written = self.written(bound.range);
             return duration(written, value)
                 .ok_or_else(|| "Click counts whole milliseconds up to 32767 days".to_owned());
@@ -477,38 +482,20 @@ impl Back<'_> {
         }))
     }
 
-    fn math(
-        &self,
-        target: &Bound,
-        formula: &Bound,
-        behind: &[&Block],
-    ) -> Result<(Instruction, usize), Refusal> {
+    fn math(&self, target: &Bound, formula: &Bound) -> Result<Instruction, Refusal> {
         let Argument::Value(expr) = &formula.argument else {
             return Err("Click has no such formula".to_owned());
         };
         let formula = self.formula(expr)?;
-        let (target, used) = match self.helper(Some(target)) {
-            None => (self.operand(target)?, 0),
-            Some((tag, _)) => {
-                let next = behind.first().map(|block| &block.arguments[..]);
-                let Some([target, source]) = next.filter(|next| helper_tag(next.get(1)) == Some(tag)) else {
-                    return Err("the block behind it that takes the result is missing".to_owned());
-                };
-                let _ = source;
-                (self.operand(target)?, 1)
-            }
-        };
+        let target = self.operand(target)?;
         let is_hex = super::super::operand::kind(&target) == Some(Kind::Hex)
             || calc::parts(&formula).contains(&Kind::Hex);
         let kind = if is_hex { MathKind::Hex } else { MathKind::Decimal };
-        Ok((
-            Instruction::Math(Math {
-                kind,
-                formula,
-                target,
-            }),
-            used,
-        ))
+        Ok(Instruction::Math(Math {
+            kind,
+            formula,
+            target,
+        }))
     }
 
     /// `[ADD]( y, a, b )` and its like are formulas in Click.
@@ -550,37 +537,24 @@ impl Back<'_> {
     }
 
     /// A rung of the importer's own: what it computes is kept for the rung that needs it.
-    pub(super) fn above(&mut self, condition: &Condition, blocks: &[&Block]) -> Result<Above, Refusal> {
-        let meaningful: Vec<&&Block> = blocks.iter().filter(|block| !self.is_refresh(block)).collect();
-        let [block] = meaningful[..] else {
-            return Ok(Above::No);
+    pub(super) fn above(&mut self, condition: &Condition, blocks: &[&Block]) -> Above {
+        let [block] = blocks else {
+            return Above::No;
         };
         let first = block.arguments.first();
         match op(block) {
             Some(Op::Coil) => match self.helper(first) {
                 Some((tag, what)) if !what.starts_with("data of ") => {
                     self.conditions.insert(tag, condition.clone());
-                    Ok(Above::Yes)
+                    Above::Yes
                 }
-                _ => Ok(Above::No),
+                _ => Above::No,
             },
-            Some(Op::Mul) => {
-                let Some((tag, what)) = self.helper(first) else {
-                    return Ok(Above::No);
-                };
-                let unit = what.rsplit(' ').next().and_then(Unit::named);
-                let (Some(unit), Some(value)) = (unit, block.arguments.get(2)) else {
-                    return Ok(Above::No);
-                };
-                let value = self.operand(value)?;
-                self.setpoints.insert(tag, (value, unit));
-                Ok(Above::Yes)
-            }
             Some(Op::Shift) => match self.helper(block.arguments.get(1)) {
-                Some((tag, _)) => Ok(Above::Clock(tag)),
-                None => Ok(Above::No),
+                Some((tag, _)) => Above::Clock(tag),
+                None => Above::No,
             },
-            _ => Ok(Above::No),
+            _ => Above::No,
         }
     }
 }
@@ -597,6 +571,19 @@ pub(super) fn relation_of(op: Op) -> Option<Relation> {
     })
 }
 
+const MILLISECOND: i64 = 1_000_000;
+
+/// The value of an operand that is a fixed time, in nanoseconds.
+fn time(bound: &Bound) -> Option<i64> {
+    let Argument::Value(expr) = &bound.argument else {
+        return None;
+    };
+    match stripped(expr).kind {
+        ExprKind::Constant(Value::Int(value)) if expr.ty == Scalar::Time => Some(value),
+        _ => None,
+    }
+}
+
 /// A duration in the unit in which it is written, or in the largest that counts it whole.
 fn duration(written: &str, nanoseconds: i64) -> Option<(Operand, Unit)> {
     let of = |number: i64, unit| Some((Operand::Constant(Constant::Int(number)), unit));
@@ -608,10 +595,10 @@ fn duration(written: &str, nanoseconds: i64) -> Option<(Operand, Unit)> {
     if let (Some((unit, ..)), Ok(number)) = (row, number.parse()) {
         return of(number, *unit);
     }
-    if nanoseconds % 1_000_000 != 0 {
+    if nanoseconds % MILLISECOND != 0 {
         return None;
     }
-    let milliseconds = nanoseconds / 1_000_000;
+    let milliseconds = nanoseconds / MILLISECOND;
     let mut units = Unit::ALL.iter().rev();
     let whole =
         units.find(|(.., size)| milliseconds % size == 0 && (1..=32_767).contains(&(milliseconds / size)));

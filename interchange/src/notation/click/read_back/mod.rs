@@ -10,7 +10,7 @@ mod text;
 mod value;
 
 use super::address::Tag;
-use super::model::{self, Condition, Instruction, Operand, Unit};
+use super::model::{self, Condition, Instruction};
 use crate::notation::{Lines, Place, Report, WriteError};
 use ladder_analysis::Analysis;
 use ladder_analysis::program::{Location, Program, TagId};
@@ -27,9 +27,8 @@ struct Back<'p> {
     meanings: Vec<Meaning>,
     report: Report,
     in_subroutine: bool,
-    /// What the importer's own rungs compute: pins, set points, pointers with something added.
+    /// What the importer's own rungs compute: pins, pointers with something added.
     conditions: HashMap<TagId, Condition>,
-    setpoints: HashMap<TagId, (Operand, Unit)>,
     pointers: HashMap<TagId, (Tag, i32)>,
     /// The data tags of the shift registers in the last rung.
     registers: Vec<TagId>,
@@ -65,7 +64,6 @@ pub(super) fn program(analysis: &Analysis) -> Result<(model::Program, Report), W
         report,
         in_subroutine: false,
         conditions: HashMap::new(),
-        setpoints: HashMap::new(),
         pointers: HashMap::new(),
         registers: Vec::new(),
     };

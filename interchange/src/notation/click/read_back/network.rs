@@ -141,15 +141,15 @@ impl Back<'_> {
         let place = self.place_of(network.location);
         let split = parts
             .iter()
-            .position(|part| !self.lets_through(network, part))
+            .position(|part| !Self::lets_through(network, part))
             .unwrap_or(parts.len());
         let mut conditions = Vec::new();
         for part in &parts[..split] {
-            conditions.extend(self.condition(network, part)?);
+            conditions.push(self.condition(network, part)?);
         }
         let condition = all(conditions);
         if let Some(blocks) = series(network, &parts[split..]) {
-            match self.above(&condition, &blocks)? {
+            match self.above(&condition, &blocks) {
                 Above::Yes => return Ok(Vec::new()),
                 Above::Clock(tag) if registers.contains(&tag) => {
                     let given =
@@ -204,11 +204,11 @@ impl Back<'_> {
             });
             let more = rest
                 .iter()
-                .position(|part| !self.lets_through(network, part))
+                .position(|part| !Self::lets_through(network, part))
                 .unwrap_or(rest.len());
             let mut conditions = vec![contact];
             for part in &rest[..more] {
-                conditions.extend(self.condition(network, part)?);
+                conditions.push(self.condition(network, part)?);
             }
             condition = all(conditions);
             rest = &rest[more..];
@@ -229,45 +229,35 @@ impl Back<'_> {
     }
 
     /// Whether a part of a network is a condition.
-    fn lets_through(&self, network: &Network, part: &Circuit<usize>) -> bool {
+    fn lets_through(network: &Network, part: &Circuit<usize>) -> bool {
         match part {
-            Circuit::Element(block) => {
-                let block = &network.blocks[*block];
-                is_condition(block) || self.is_refresh(block)
-            }
+            Circuit::Element(block) => is_condition(&network.blocks[*block]),
             // A bare wire decides nothing, and is not what something begins with.
             Circuit::Series(parts) => {
-                !parts.is_empty() && parts.iter().all(|part| self.lets_through(network, part))
+                !parts.is_empty() && parts.iter().all(|part| Self::lets_through(network, part))
             }
             Circuit::Parallel(parts) => parts
                 .iter()
-                .all(|part| is_bare(part) || self.lets_through(network, part)),
+                .all(|part| is_bare(part) || Self::lets_through(network, part)),
         }
     }
 
-    fn condition(&self, network: &Network, part: &Circuit<usize>) -> Result<Option<Condition>, Refusal> {
+    fn condition(&self, network: &Network, part: &Circuit<usize>) -> Result<Condition, Refusal> {
         match part {
-            Circuit::Element(block) => {
-                let block = &network.blocks[*block];
-                if self.is_refresh(block) {
-                    Ok(None)
-                } else {
-                    self.contact(block).map(Some)
-                }
-            }
+            Circuit::Element(block) => self.contact(&network.blocks[*block]),
             Circuit::Series(parts) => {
                 let mut out = Vec::new();
                 for part in parts {
-                    out.extend(self.condition(network, part)?);
+                    out.push(self.condition(network, part)?);
                 }
-                Ok(Some(all(out)))
+                Ok(all(out))
             }
             Circuit::Parallel(parts) => {
                 let mut out = Vec::new();
                 for part in parts {
-                    out.push(self.condition(network, part)?.unwrap_or(Condition::ALWAYS));
+                    out.push(self.condition(network, part)?);
                 }
-                Ok(Some(Condition::Any(out)))
+                Ok(Condition::Any(out))
             }
         }
     }
@@ -339,11 +329,11 @@ impl Back<'_> {
                         flatten(branch.clone(), &mut parts);
                         let split = parts
                             .iter()
-                            .position(|part| !self.lets_through(network, part))
+                            .position(|part| !Self::lets_through(network, part))
                             .unwrap_or(parts.len());
                         let mut conditions = Vec::new();
                         for part in &parts[..split] {
-                            conditions.extend(self.condition(network, part)?);
+                            conditions.push(self.condition(network, part)?);
                         }
                         let own = all(conditions);
                         for mut action in self.branch(network, &parts[split..])? {

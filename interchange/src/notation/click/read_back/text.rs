@@ -7,11 +7,8 @@ use ladder_analysis::program::{Block, Program, TagId};
 use std::collections::HashMap;
 use std::sync::Arc;
 
-/// The directive that says whose arithmetic holds.
-const PROFILE: &str = "# ladder: profile click #";
-
-/// The program, also of a text whose profile cannot run yet and that keeps instructions without a counterpart in
-/// comments: the profile is set aside, and coils stand in for the comments, with every byte at its place.
+/// The program, also of a text that keeps instructions without a counterpart in comments: coils stand in for them, with
+/// every byte at its place.
 pub(super) fn program(analysis: &Analysis, text: &str) -> Result<Arc<Program>, WriteError> {
     let stood_in = with_stand_ins(text);
     if stood_in == text
@@ -19,8 +16,7 @@ pub(super) fn program(analysis: &Analysis, text: &str) -> Result<Arc<Program>, W
     {
         return Ok(Arc::clone(program));
     }
-    let aside = stood_in.replace(PROFILE, &" ".repeat(PROFILE.len()));
-    let again = ladder_analysis::analyze(&ladder_syntax::parse(&aside).into(), &analysis.context.name);
+    let again = ladder_analysis::analyze(&ladder_syntax::parse(&stood_in).into(), &analysis.context.name);
     if let Some(program) = again.program().or(analysis.program()) {
         return Ok(Arc::clone(program));
     }

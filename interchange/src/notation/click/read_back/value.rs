@@ -117,6 +117,7 @@ impl Back<'_> {
                 let mut found = self.state(*tag)?;
                 match member {
                     Member::Q | Member::Qu => {}
+                    Member::Et => found.bank = Bank::Td,
                     Member::Cv => found.bank = Bank::Ctd,
                     _ => return Err("Click has a timer's or counter's bit and current value only".to_owned()),
                 }

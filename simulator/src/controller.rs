@@ -1,0 +1,62 @@
+//! Errors of numbers and addresses in programs whose controller has relays for them
+//! ([`Controller::Banks`](ladder_instructions::Controller)).
+
+use crate::fault::Trouble;
+use crate::memory::Bit;
+
+/// A relay that tells of an error in a scan.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Relay {
+    /// A division by zero.
+    Zero,
+    /// A number that does not fit.
+    Range,
+    /// An address that is not there.
+    Address,
+    /// A function outside its domain: the controller stops.
+    Math,
+}
+
+impl Relay {
+    /// Its number among the controller's relays.
+    pub(crate) const fn number(self) -> u32 {
+        match self {
+            Relay::Zero => 40,
+            Relay::Range => 43,
+            Relay::Address => 44,
+            Relay::Math => 46,
+        }
+    }
+
+    /// The relay that tells of a trouble.
+    pub(crate) const fn of(trouble: Trouble) -> Option<Relay> {
+        Some(match trouble {
+            Trouble::DivisionByZero => Relay::Zero,
+            Trouble::OutOfRange | Trouble::Unparsable => Relay::Range,
+            Trouble::Index { .. } | Trouble::EmptyRange { .. } | Trouble::Lengths { .. } => Relay::Address,
+            Trouble::Domain(_) | Trouble::NotFinite => Relay::Math,
+            _ => return None,
+        })
+    }
+}
+
+/// Where the relays of a program are, as far as it has them.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
+pub(crate) struct Relays {
+    pub(crate) zero: Option<Bit>,
+    pub(crate) range: Option<Bit>,
+    pub(crate) address: Option<Bit>,
+    pub(crate) math: Option<Bit>,
+}
+
+impl Relays {
+    /// Where one of them is.
+    pub(crate) const fn slot(&self, relay: Relay) -> Option<Bit> {
+        match relay {
+            Relay::Zero => self.zero,
+            Relay::Range => self.range,
+            Relay::Address => self.address,
+            Relay::Math => self.math,
+        }
+    }
+}
