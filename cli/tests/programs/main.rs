@@ -6,6 +6,7 @@ mod check;
 mod check_formats;
 mod check_stdin;
 mod check_watch;
+mod click;
 mod convert;
 mod escapes;
 mod explain;
