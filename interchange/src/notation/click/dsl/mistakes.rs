@@ -127,7 +127,6 @@ pub(super) fn expression(expression: &Expr) -> &'static str {
 
 #[cfg(test)]
 mod tests {
-    use super::*;
     use expect_test::expect;
 
     /// What is said of a statement that stands where none of its kind can, at its place.

@@ -1,6 +1,7 @@
 //! The Python DSL: `def main():` with a rung under each `if`. Python is parsed by ruff's parser and never run.
 
 mod act;
+mod arguments;
 mod comments;
 mod condition;
 mod depth;

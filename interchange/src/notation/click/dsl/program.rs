@@ -1,7 +1,8 @@
 //! A Python file as a program: `main`, the subroutines, and the rungs in them.
 
 use super::super::model::{Action, Condition, Program, Routine, Rung};
-use super::act::{act, is_instruction};
+use super::act::act;
+use super::arguments::is_instruction;
 use super::comments::Comments;
 use super::condition::{condition, shown};
 use super::depth;

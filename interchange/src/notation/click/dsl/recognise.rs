@@ -1,7 +1,7 @@
 //! Whether a file is a Click program in Python: `def main():` whose first rung is one of the DSL.
 
 use super::super::bank::Bank;
-use super::act::is_instruction;
+use super::arguments::is_instruction;
 
 /// What lies further down in a file is not looked at, in bytes.
 const LOOKED_AT: usize = 64 * 1024;

@@ -4,6 +4,7 @@
 //! date, texts that go into several addresses. Networks that Click cannot say stay as comments.
 
 mod act;
+mod condition;
 mod meaning;
 mod network;
 mod text;

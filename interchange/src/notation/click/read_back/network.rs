@@ -1,12 +1,13 @@
 //! Networks as rungs.
 
-use super::act::{is_condition, op, relation_of};
+use super::act::{is_condition, op};
+use super::condition::all;
 use super::value::Refusal;
 use super::{Above, Back, pin_of_register, text};
 use crate::notation::circuit::series_parallel;
 use crate::notation::click::dsl;
 use crate::notation::click::model::{
-    Action, Bits, Comparison, Condition, Contact, ContactKind, Instruction, Program, Routine, Rung,
+    Action, Bits, Condition, Contact, ContactKind, Instruction, Program, Routine, Rung,
 };
 use ladder_analysis::program::{Block, Network};
 use ladder_format::Circuit;
@@ -228,65 +229,6 @@ impl Back<'_> {
         is_state.then_some(block)
     }
 
-    /// Whether a part of a network is a condition.
-    fn lets_through(network: &Network, part: &Circuit<usize>) -> bool {
-        match part {
-            Circuit::Element(block) => is_condition(&network.blocks[*block]),
-            // A bare wire decides nothing, and is not what something begins with.
-            Circuit::Series(parts) => {
-                !parts.is_empty() && parts.iter().all(|part| Self::lets_through(network, part))
-            }
-            Circuit::Parallel(parts) => parts
-                .iter()
-                .all(|part| is_bare(part) || Self::lets_through(network, part)),
-        }
-    }
-
-    fn condition(&self, network: &Network, part: &Circuit<usize>) -> Result<Condition, Refusal> {
-        match part {
-            Circuit::Element(block) => self.contact(&network.blocks[*block]),
-            Circuit::Series(parts) => {
-                let mut out = Vec::new();
-                for part in parts {
-                    out.push(self.condition(network, part)?);
-                }
-                Ok(all(out))
-            }
-            Circuit::Parallel(parts) => {
-                let mut out = Vec::new();
-                for part in parts {
-                    out.push(self.condition(network, part)?);
-                }
-                Ok(Condition::Any(out))
-            }
-        }
-    }
-
-    fn contact(&self, block: &Block) -> Result<Condition, Refusal> {
-        let place = self.place_of(block.location);
-        let kind = match op(block) {
-            Some(Op::Contact) => ContactKind::Open,
-            Some(Op::NegatedContact) => ContactKind::Closed,
-            Some(Op::RisingContact) => ContactKind::Rising,
-            Some(Op::FallingContact) => ContactKind::Falling,
-            other => {
-                let relation = other.and_then(relation_of).ok_or("it is no contact")?;
-                let [left, right] = &block.arguments[..] else {
-                    return Err("Click compares two values".to_owned());
-                };
-                return Ok(Condition::Compare(Comparison {
-                    place,
-                    left: self.operand(left)?,
-                    relation,
-                    right: self.operand(right)?,
-                }));
-            }
-        };
-        let bound = block.arguments.first().ok_or("the contact has no operand")?;
-        let bits = self.bits(bound)?;
-        Ok(Condition::Contact(Contact { place, kind, bits }))
-    }
-
     /// The actions of what stands in series behind a condition; the last part may be branches.
     fn branch(&mut self, network: &Network, parts: &[Circuit<usize>]) -> Result<Vec<Action>, Refusal> {
         let mut out = Vec::new();
@@ -388,18 +330,6 @@ fn nop(place: crate::notation::Place) -> Action {
         oneshot: false,
         comment: None,
     }
-}
-
-/// Conditions in series.
-fn all(mut conditions: Vec<Condition>) -> Condition {
-    match conditions.len() {
-        1 => conditions.remove(0),
-        _ => Condition::All(conditions),
-    }
-}
-
-fn is_bare(part: &Circuit<usize>) -> bool {
-    matches!(part, Circuit::Series(parts) if parts.is_empty())
 }
 
 /// What stands in series, without nesting.

@@ -1,10 +1,9 @@
-//! Formulas of `calc` and `math_hex`, as Click and the DSL write them.
-//!
-//! Loosest first: `OR`, `XOR`, `AND`, `SHL SHR`, `+ -`, `* / MOD`, `^` (to the right), a sign or `NOT`.
+//! From the text of a formula to what it computes.
 
-use super::address::{Address, Span, Tag};
-use super::bank::Bank;
-use super::model::{Constant, Formula, Function, MathKind, Operand, Operator, Pointer};
+use super::super::address::{Address, Span, Tag};
+use super::super::bank::Bank;
+use super::super::model::{Constant, Formula, Operand, Operator, Pointer};
+use super::{FUNCTIONS, OPERATORS};
 
 /// Deeper parentheses are not read. Click itself allows eight.
 const DEEPEST: usize = 32;
@@ -12,73 +11,16 @@ const DEEPEST: usize = 32;
 /// A longer formula is not read.
 const LONGEST: usize = 4_096;
 
-const OPERATORS: &[(Operator, &str, u8)] = &[
-    (Operator::Or, "OR", 1),
-    (Operator::Xor, "XOR", 2),
-    (Operator::And, "AND", 3),
-    (Operator::ShiftLeft, "SHL", 4),
-    (Operator::ShiftRight, "SHR", 4),
-    (Operator::Add, "+", 5),
-    (Operator::Subtract, "-", 5),
-    (Operator::Multiply, "*", 6),
-    (Operator::Divide, "/", 6),
-    (Operator::Modulo, "MOD", 6),
-    (Operator::Power, "^", 7),
-];
-
-const FUNCTIONS: &[(Function, &str, usize)] = &[
-    (Function::Sin, "SIN", 1),
-    (Function::Cos, "COS", 1),
-    (Function::Tan, "TAN", 1),
-    (Function::Asin, "ASIN", 1),
-    (Function::Acos, "ACOS", 1),
-    (Function::Atan, "ATAN", 1),
-    (Function::Log, "LOG", 1),
-    (Function::Ln, "LN", 1),
-    (Function::Sqrt, "SQRT", 1),
-    (Function::Rad, "RAD", 1),
-    (Function::Deg, "DEG", 1),
-    (Function::RotateLeft, "LRO", 2),
-    (Function::RotateRight, "RRO", 2),
-];
-
-/// Of signs and `NOT`.
-const PREFIX: u8 = 8;
-/// Of what stands for itself.
-const ATOM: u8 = 9;
-
-impl Operator {
-    /// As a formula writes it.
-    pub(super) fn sign(self) -> &'static str {
-        OPERATORS[self.row()].1
-    }
-
-    fn precedence(self) -> u8 {
-        OPERATORS[self.row()].2
-    }
-
-    fn row(self) -> usize {
-        OPERATORS.iter().position(|row| row.0 == self).unwrap_or(0)
-    }
-}
-
-impl Function {
-    /// As a formula writes it.
-    pub(super) fn name(self) -> &'static str {
-        FUNCTIONS.iter().find(|row| row.0 == self).map_or("", |row| row.1)
-    }
-}
-
 /// What is wrong in a formula, and how many bytes stand before it.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub(super) struct Mistake {
-    pub(super) at: usize,
-    pub(super) message: String,
+pub(in super::super) struct Mistake {
+    pub(in super::super) at: usize,
+    pub(in super::super) message: String,
 }
 
 /// Reads a formula. Addresses may be written in Click's way (`DS1`, `DS[DS1+99]`, `SUM(DS1..DS4)`) and in the DSL's
 /// (`ds[1]`, `ds.Level`, `ds[ds.Step]`, `SUM(ds[1:5])`), numbers as `42`, `1.5`, `0x1F` and `1Fh`.
-pub(super) fn parse(text: &str) -> Result<Formula, Mistake> {
+pub(in super::super) fn parse(text: &str) -> Result<Formula, Mistake> {
     if text.len() > LONGEST {
         return Err(Mistake {
             at: 0,
@@ -394,152 +336,6 @@ fn slice(text: &str) -> Option<Span> {
         first,
         last: end - 1,
     })
-}
-
-/// An operator with its two sides as something else than that.
-pub(super) type Binary = dyn Fn(Operator, &str, &str) -> Option<String>;
-
-/// How a formula writes what it computes with.
-#[derive(Clone, Copy)]
-pub(super) struct Spelling<'s> {
-    pub(super) operand: &'s dyn Fn(&Operand) -> String,
-    pub(super) span: &'s dyn Fn(&Span) -> String,
-    /// What has no spelling of its own: Click's own words for shifts, for example. None: as the DSL.
-    pub(super) binary: Option<&'s Binary>,
-}
-
-/// The text of a formula, with no more parentheses than it needs.
-pub(super) fn write(formula: &Formula, spelling: Spelling<'_>) -> String {
-    part(formula, spelling).0
-}
-
-/// A text and how tightly it holds together.
-fn part(formula: &Formula, spelling: Spelling<'_>) -> (String, u8) {
-    let inside = |formula: &Formula, loosest: u8| {
-        let (text, precedence) = part(formula, spelling);
-        if precedence < loosest {
-            format!("({text})")
-        } else {
-            text
-        }
-    };
-    match formula {
-        Formula::Value(operand) => {
-            let text = (spelling.operand)(operand);
-            let precedence = if text.starts_with('-') { PREFIX } else { ATOM };
-            (text, precedence)
-        }
-        Formula::Pi => ("PI".to_owned(), ATOM),
-        // `--a` is nothing anybody reads, and `-5` is a number.
-        Formula::Negated(value) => {
-            let negative = matches!(**value, Formula::Value(Operand::Constant(_)));
-            let loosest = if negative { ATOM + 1 } else { ATOM };
-            (format!("-{}", inside(value, loosest)), PREFIX)
-        }
-        Formula::Not(value) => (format!("NOT {}", inside(value, PREFIX)), PREFIX),
-        Formula::Binary(left, operator, right) => {
-            if let Some(binary) = spelling.binary
-                && let Some(text) = binary(*operator, &inside(left, 0), &inside(right, 0))
-            {
-                return (text, ATOM);
-            }
-            let precedence = operator.precedence();
-            let (before, behind) = match operator {
-                Operator::Power => (precedence + 1, precedence),
-                _ => (precedence, precedence + 1),
-            };
-            let text = format!(
-                "{} {} {}",
-                inside(left, before),
-                operator.sign(),
-                inside(right, behind)
-            );
-            (text, precedence)
-        }
-        Formula::Call(function, arguments) => {
-            let arguments: Vec<String> = arguments.iter().map(|argument| inside(argument, 0)).collect();
-            (format!("{}({})", function.name(), arguments.join(", ")), ATOM)
-        }
-        Formula::Sum(span) => (format!("SUM({})", (spelling.span)(span)), ATOM),
-    }
-}
-
-/// The addresses and pointers that a formula reads, from left to right.
-pub(super) fn operands<'f>(formula: &'f Formula, out: &mut Vec<&'f Operand>) {
-    match formula {
-        Formula::Value(operand) => out.push(operand),
-        Formula::Pi | Formula::Sum(_) => {}
-        Formula::Negated(inside) | Formula::Not(inside) => operands(inside, out),
-        Formula::Binary(left, _, right) => {
-            operands(left, out);
-            operands(right, out);
-        }
-        Formula::Call(_, arguments) => arguments.iter().for_each(|argument| operands(argument, out)),
-    }
-}
-
-/// The ranges that a formula adds up.
-pub(super) fn sums<'f>(formula: &'f Formula, out: &mut Vec<&'f Span>) {
-    match formula {
-        Formula::Sum(span) => out.push(span),
-        Formula::Value(_) | Formula::Pi => {}
-        Formula::Negated(inside) | Formula::Not(inside) => sums(inside, out),
-        Formula::Binary(left, _, right) => {
-            sums(left, out);
-            sums(right, out);
-        }
-        Formula::Call(_, arguments) => arguments.iter().for_each(|argument| sums(argument, out)),
-    }
-}
-
-/// An operator or function that the other kind of math has and this one has not.
-pub(super) fn foreign(formula: &Formula, kind: MathKind) -> Option<&'static str> {
-    let of_parts = |parts: &[&Formula]| parts.iter().find_map(|part| foreign(part, kind));
-    match formula {
-        Formula::Value(_) | Formula::Sum(_) => None,
-        Formula::Pi => (kind == MathKind::Hex).then_some("PI"),
-        Formula::Negated(inside) => foreign(inside, kind),
-        Formula::Not(inside) if kind == MathKind::Hex => foreign(inside, kind),
-        Formula::Not(_) => Some("NOT"),
-        Formula::Binary(left, operator, right) => {
-            use Operator::{And, Or, Power, ShiftLeft, ShiftRight, Xor};
-            let own = match operator {
-                And | Or | Xor | ShiftLeft | ShiftRight => MathKind::Hex,
-                Power => MathKind::Decimal,
-                _ => kind,
-            };
-            if own != kind {
-                return Some(operator.sign());
-            }
-            of_parts(&[left, right])
-        }
-        Formula::Call(function, arguments) => {
-            let own = match function {
-                Function::RotateLeft | Function::RotateRight => MathKind::Hex,
-                _ => MathKind::Decimal,
-            };
-            if own == kind {
-                arguments.iter().find_map(|argument| foreign(argument, kind))
-            } else {
-                Some(function.name())
-            }
-        }
-    }
-}
-
-/// How many parentheses stand in one another in the text of a formula.
-pub(super) fn nesting(text: &str) -> usize {
-    let mut depth = 0usize;
-    let mut deepest = 0;
-    for c in text.chars() {
-        match c {
-            '(' => depth += 1,
-            ')' => depth = depth.saturating_sub(1),
-            _ => {}
-        }
-        deepest = deepest.max(depth);
-    }
-    deepest
 }
 
 #[cfg(test)]

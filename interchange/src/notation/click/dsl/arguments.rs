@@ -1,0 +1,208 @@
+//! The instructions of the DSL, and the arguments of their calls by name.
+
+use super::super::address::{Span, Tag};
+use super::super::model::{Condition, CopyOptions, Operand};
+use super::condition::{self, operand, shown, span, tag};
+use super::mistakes::{Mistakes, Unread, expression};
+use ruff_python_ast::{Expr, ExprCall};
+
+/// The instructions and the names of their arguments, in the order in which they may be given by place. The first ones
+/// must be given; how many says the number.
+const SIGNATURES: &[(&str, usize, &[&str])] = &[
+    ("out", 1, &["address", "oneshot"]),
+    ("set", 1, &["address", "oneshot"]),
+    ("reset", 1, &["address", "oneshot"]),
+    ("ton", 3, &["timer", "setpoint", "unit"]),
+    ("tof", 3, &["timer", "setpoint", "unit"]),
+    ("rton", 3, &["timer", "setpoint", "unit", "reset"]),
+    ("rtof", 3, &["timer", "setpoint", "unit", "reset"]),
+    ("ctu", 2, &["counter", "setpoint", "reset"]),
+    ("ctd", 2, &["counter", "setpoint", "reset"]),
+    ("ctud", 2, &["counter", "setpoint", "count_down", "reset"]),
+    ("copy", 2, &["source", "destination", "oneshot", "options"]),
+    (
+        "copy_block",
+        2,
+        &["source_range", "destination_start", "oneshot", "options"],
+    ),
+    (
+        "copy_fill",
+        2,
+        &["source", "destination_range", "oneshot", "options"],
+    ),
+    (
+        "copy_pack",
+        2,
+        &["source_range", "destination", "oneshot", "options"],
+    ),
+    (
+        "copy_unpack",
+        2,
+        &["source", "destination_range", "oneshot", "options"],
+    ),
+    ("shift", 1, &["range", "clock", "reset"]),
+    (
+        "search",
+        6,
+        &[
+            "condition",
+            "search_value",
+            "start_address",
+            "end_address",
+            "result_address",
+            "result_flag",
+            "continuous",
+            "oneshot",
+        ],
+    ),
+    ("calc", 2, &["formula", "result_destination", "one_shot"]),
+    ("math_hex", 2, &["formula", "result_destination", "one_shot"]),
+    ("call", 1, &["subroutine_name"]),
+    ("next_loop", 0, &[]),
+    ("end", 0, &[]),
+];
+
+/// Whether the DSL has an instruction of this name.
+pub(super) fn is_instruction(name: &str) -> bool {
+    SIGNATURES.iter().any(|(own, ..)| *own == name)
+}
+
+/// The arguments of a call by name.
+pub(super) struct Arguments<'e> {
+    call: &'e ExprCall,
+    given: Vec<(&'static str, &'e Expr)>,
+}
+
+impl<'e> Arguments<'e> {
+    pub(super) fn of(
+        mistakes: &mut Mistakes<'_>,
+        call: &'e ExprCall,
+    ) -> Result<(&'static str, Arguments<'e>), Unread> {
+        let word = match &*call.func {
+            Expr::Name(name) => name.id.as_str(),
+            _ => "",
+        };
+        let Some((word, least, names)) = SIGNATURES.iter().find(|(own, ..)| *own == word) else {
+            let shown = shown(mistakes.source(&*call.func));
+            return Err(mistakes.note(call, format!("`{shown}` is no instruction of the DSL")));
+        };
+        let mut given: Vec<(&'static str, &Expr)> = Vec::with_capacity(names.len());
+        for (place, argument) in call.arguments.args.iter().enumerate() {
+            if let Expr::Starred(_) = argument {
+                return Err(mistakes.note(argument, "`*` is not in the DSL: give the arguments one by one"));
+            }
+            let Some(name) = names.get(place) else {
+                let message = format!("`{word}` has no more than {} arguments", names.len());
+                return Err(mistakes.note(argument, message));
+            };
+            given.push((name, argument));
+        }
+        for keyword in &call.arguments.keywords {
+            let written = keyword.arg.as_ref().map_or("**", |name| name.as_str());
+            // The page writes it both ways.
+            let meant = match written {
+                "oneshot" if names.contains(&"one_shot") => "one_shot",
+                "one_shot" if names.contains(&"oneshot") => "oneshot",
+                written => written,
+            };
+            let Some(name) = names.iter().find(|name| **name == meant) else {
+                return Err(mistakes.note(keyword, format!("`{word}` has no argument `{written}`")));
+            };
+            if given.iter().any(|(there, _)| there == name) {
+                return Err(mistakes.note(keyword, format!("`{written}` is given twice")));
+            }
+            given.push((name, &keyword.value));
+        }
+        for name in &names[..*least] {
+            if !given.iter().any(|(there, _)| there == name) {
+                return Err(mistakes.note(call, format!("`{word}` lacks its argument `{name}`")));
+            }
+        }
+        Ok((word, Arguments { call, given }))
+    }
+
+    pub(super) fn get(&self, name: &str) -> Option<&'e Expr> {
+        let row = self.given.iter().find(|(own, _)| *own == name)?;
+        Some(row.1)
+    }
+
+    /// An argument that is known to be given.
+    pub(super) fn must(&self, mistakes: &mut Mistakes<'_>, name: &str) -> Result<&'e Expr, Unread> {
+        let lacks = || format!("the argument `{name}` is missing");
+        self.get(name).ok_or_else(|| mistakes.note(self.call, lacks()))
+    }
+
+    pub(super) fn operand(&self, mistakes: &mut Mistakes<'_>, name: &str) -> Result<Operand, Unread> {
+        let argument = self.must(mistakes, name)?;
+        operand(mistakes, argument)
+    }
+
+    pub(super) fn tag(&self, mistakes: &mut Mistakes<'_>, name: &str) -> Result<Tag, Unread> {
+        let argument = self.must(mistakes, name)?;
+        tag(mistakes, argument)
+    }
+
+    pub(super) fn span(&self, mistakes: &mut Mistakes<'_>, name: &str) -> Result<Span, Unread> {
+        let argument = self.must(mistakes, name)?;
+        span(mistakes, argument)
+    }
+
+    pub(super) fn flag(&self, mistakes: &mut Mistakes<'_>, name: &str) -> Result<bool, Unread> {
+        match self.get(name) {
+            None => Ok(false),
+            Some(Expr::BooleanLiteral(literal)) => Ok(literal.value),
+            Some(other) => Err(mistakes.note(other, format!("`{name}` is True or False"))),
+        }
+    }
+
+    /// A condition under a lambda, so that Python does not look at it at once.
+    pub(super) fn pin(&self, mistakes: &mut Mistakes<'_>, name: &str) -> Result<Option<Condition>, Unread> {
+        match self.get(name) {
+            None => Ok(None),
+            Some(Expr::Lambda(lambda)) if lambda.parameters.is_none() => {
+                condition::condition(mistakes, &lambda.body).map(Some)
+            }
+            Some(other) => Err(mistakes.note(
+                other,
+                format!("`{name}` is a condition under a lambda: {name}=lambda: c.Name"),
+            )),
+        }
+    }
+
+    pub(super) fn options(&self, mistakes: &mut Mistakes<'_>) -> Result<CopyOptions, Unread> {
+        match self.get("options") {
+            None | Some(Expr::NoneLiteral(_)) => Ok(CopyOptions::default()),
+            Some(Expr::StringLiteral(literal)) => {
+                let parts = literal
+                    .value
+                    .to_str()
+                    .split(',')
+                    .map(str::trim)
+                    .filter(|part| !part.is_empty());
+                let named = parts.map(|part| match part.split_once('=') {
+                    Some((name, value)) => (name.trim().to_owned(), value.trim().to_owned()),
+                    None => (part.to_owned(), "True".to_owned()),
+                });
+                Ok(CopyOptions {
+                    named: named.collect(),
+                })
+            }
+            Some(other) => Err(mistakes.note(other, "`options` is None or a text")),
+        }
+    }
+
+    /// A text that Python does not put together itself.
+    pub(super) fn text(
+        &self,
+        mistakes: &mut Mistakes<'_>,
+        name: &str,
+    ) -> Result<(&'e str, &'e Expr), Unread> {
+        match self.must(mistakes, name)? {
+            argument @ Expr::StringLiteral(literal) => Ok((literal.value.to_str(), argument)),
+            other => {
+                let what = expression(other);
+                Err(mistakes.note(other, format!("`{name}` is a text in quotes, and this is {what}")))
+            }
+        }
+    }
+}
