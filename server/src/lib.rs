@@ -17,7 +17,8 @@
 //! - `language` is where the server asks about a text: findings, hovers, layout, in bytes.
 //! - `simulation` runs programs for the editor, on the scan engine. It knows the custom messages, but nothing of
 //!   the framework.
-//! - `notation` translates programs of other systems for the editor; it knows the custom messages of that.
+//! - `notation` translates programs of other systems for the editor, and reads those that are open; it knows the custom
+//!   messages of that.
 //! - `recording` and `replay` keep what a client sent, and play it again.
 //! - `lsp` speaks the protocol. It is the only folder that names `tower-lsp`, and its page has the rules that
 //!   keep a server on it alive, in order and answering.

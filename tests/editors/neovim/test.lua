@@ -549,6 +549,30 @@ t.step('the diagram of a Click program stands beside it, and follows what is typ
   t.equal('the same diagram', drawing, click.drawing(program))
 end)
 
+t.step('the simulation of a Click program shows the power in its diagram', function()
+  local program = vim.fn.bufnr(vim.env.LADDER_SCRATCH .. '/tank.py')
+  local drawing = require('ladder.click').drawing(program)
+  vim.cmd('Ladder start')
+  t.eventually('a simulation', function()
+    return ladder.state(drawing)
+  end)
+  vim.cmd('Ladder set Limit 5')
+  vim.cmd('Ladder set Start 1')
+  vim.cmd('Ladder step')
+  assert(ladder.wait(drawing), 'no answer')
+  local powered = table.concat(t.highlighted(drawing, 'LadderPowerOn'), '\n')
+  assert(powered:find('( )( Valve )', 1, true), powered)
+  assert(not powered:find('( )( Idle )', 1, true), powered)
+  t.equal('the status', true, vim.startswith(ladder.status(drawing), 'paused'))
+  -- What is typed changes the diagram, which the simulation does not run any more.
+  vim.api.nvim_buf_set_lines(program, 6, 7, false, { '        out(y.Lamp)' })
+  t.eventually('the grey drawing', function()
+    return require('ladder.session').of(drawing).stale
+  end)
+  vim.cmd('Ladder stop')
+  vim.cmd('only | bwipeout!')
+end)
+
 t.step('the outline names networks by the comments above them', function()
   t.open('motor.clad')
   vim.lsp.buf.document_symbol({
