@@ -2,7 +2,7 @@
 //! ([`Controller::Banks`](ladder_instructions::Controller)).
 
 use crate::fault::Trouble;
-use crate::memory::Bit;
+use crate::memory::{Bit, Memory};
 
 /// A relay that tells of an error in a scan.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -40,6 +40,9 @@ impl Relay {
     }
 }
 
+/// The relay that stops the controller behind a scan that leaves it on; the program may set it.
+pub(crate) const STOP: u32 = 50;
+
 /// Where the relays of a program are, as far as it has them.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
 pub(crate) struct Relays {
@@ -47,6 +50,8 @@ pub(crate) struct Relays {
     pub(crate) range: Option<Bit>,
     pub(crate) address: Option<Bit>,
     pub(crate) math: Option<Bit>,
+    /// That of [`STOP`].
+    pub(crate) stop: Option<Bit>,
 }
 
 impl Relays {
@@ -58,5 +63,10 @@ impl Relays {
             Relay::Address => self.address,
             Relay::Math => self.math,
         }
+    }
+
+    /// Whether the controller stops behind the scan that has just run.
+    pub(crate) fn stops(&self, memory: &Memory) -> bool {
+        self.stop.is_some_and(|stop| memory.bit(stop))
     }
 }

@@ -3,15 +3,15 @@
 use super::survey::Place;
 use crate::diagnostic::Diagnostic;
 use crate::facts::{Node, NodeKind, Operator};
-use crate::network::BoundBlock;
 use crate::operand_value::{Number, each_node, number};
 use crate::rule::Rule;
+use ladder_instructions::Division;
 
 pub(super) fn check(place: &Place<'_>, out: &mut Vec<Diagnostic>) {
     // The result, then the dividend.
     for operand in place.bound.facts.operands.iter().skip(2) {
         if is_zero(place, &operand.value) {
-            out.push(found(place.bound, &operand.value));
+            out.push(found(place, &operand.value));
         }
     }
 }
@@ -23,7 +23,7 @@ pub(super) fn in_expression(place: &Place<'_>, out: &mut Vec<Diagnostic>) {
             if let NodeKind::Binary(Operator::Div | Operator::Mod, _, right) = &node.kind
                 && is_zero(place, right)
             {
-                out.push(found(place.bound, right));
+                out.push(found(place, right));
             }
         });
     }
@@ -33,11 +33,16 @@ fn is_zero(place: &Place<'_>, node: &Node) -> bool {
     number(place.context, place.network.scope, node).is_some_and(Number::is_zero)
 }
 
-fn found(bound: &BoundBlock, divisor: &Node) -> Diagnostic {
+fn found(place: &Place<'_>, divisor: &Node) -> Diagnostic {
+    let what = match place.context.profile.law().division {
+        Division::Fault => "it is a fault, and no result is written",
+        Division::ZeroAndEnd => "the result is 0, and the scan is the last one",
+        Division::Zero => "the result is 0, and the controller tells of an error",
+    };
     Diagnostic::new(
         Rule::DivisionByZero,
-        bound.absolute(divisor.range),
-        "this divides by zero: every time it runs it is a fault, and no result is written",
+        place.bound.absolute(divisor.range),
+        format!("this divides by zero: every time it runs {what}"),
     )
     .help("divide by another number, or run the block only while the divisor is not zero")
 }

@@ -308,6 +308,33 @@ fn times_that_a_profile_cannot_count() {
 }
 
 #[test]
+fn a_division_by_zero_in_a_profile() {
+    for (profile, expected) in [
+        (
+            "ldmicro",
+            expect![[r#"
+        > +--[DIV]( n, m, 0 )--+
+                          ^ warning[division-by-zero]: this divides by zero: every time it runs the result is 0, and the scan is the last one
+            help: divide by another number, or run the block only while the divisor is not zero
+    "#]],
+        ),
+        (
+            "click",
+            expect![[r#"
+        > +--[DIV]( n, m, 0 )--+
+                          ^ warning[division-by-zero]: this divides by zero: every time it runs the result is 0, and the controller tells of an error
+            help: divide by another number, or run the block only while the divisor is not zero
+    "#]],
+        ),
+    ] {
+        check(
+            &format!("# ladder: profile {profile} #\n+--[DIV]( n, m, 0 )--+\n"),
+            expected,
+        );
+    }
+}
+
+#[test]
 fn units_of_a_timer() {
     check(
         "# ladder: profile click #\n+--[TON]( t, 1m )--[TON]( u, 40000, B := 1s )--[TOF]( v, 3s, B := 1m )--[RTO]( w, 2m, B := 1s )--( )( y )--+\n",

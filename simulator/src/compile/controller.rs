@@ -1,7 +1,7 @@
 //! The arrays in which a Click controller tells of itself ([`Controller::Banks`](ladder_instructions::Controller)).
 
 use super::Compiler;
-use crate::controller::{Relay, Relays};
+use crate::controller::{Relay, Relays, STOP};
 use crate::layout::Home;
 use crate::memory::Bit;
 use crate::routine::Routine;
@@ -35,16 +35,18 @@ impl Compiler<'_> {
         if bits.is_none() && words.is_none() {
             return;
         }
-        let relay = |relay: Relay| {
+        let numbered = |number: u32| {
             let [at, first, len] = bits?;
-            let index = relay.number().checked_sub(first)?;
+            let index = number.checked_sub(first)?;
             (index < len).then_some(Bit(at + index))
         };
+        let relay = |relay: Relay| numbered(relay.number());
         self.code.relays = Relays {
             zero: relay(Relay::Zero),
             range: relay(Relay::Range),
             address: relay(Relay::Address),
             math: relay(Relay::Math),
+            stop: numbered(STOP),
         };
         let interval = self.constant(self.interval);
         let mut operands = [bits.unwrap_or_default(), words.unwrap_or_default()].concat();

@@ -242,13 +242,15 @@ impl Machine {
         let Some(relay) = Relay::of(trouble) else {
             return false;
         };
-        if let Some(slot) = code.relays.slot(relay)
-            && self.memory.held.bits.get(slot.0 as usize) != Some(&1)
-        {
-            self.memory.set_bit(slot, true);
+        let stops = relay == Relay::Math;
+        let told = [code.relays.slot(relay), code.relays.stop.filter(|_| stops)];
+        for slot in told.into_iter().flatten() {
+            if self.memory.held.bits.get(slot.0 as usize) != Some(&1) {
+                self.memory.set_bit(slot, true);
+            }
         }
-        self.ending |= relay == Relay::Math;
-        relay != Relay::Math
+        self.ending |= stops;
+        !stops
     }
 
     pub(crate) fn record(&mut self, trouble: Trouble, block: u32, scan: i64) {

@@ -145,7 +145,8 @@ impl Simulation {
             return Stepped::Stopped;
         }
         self.machine.finish(self.options.interval);
-        if halt == Halt::Ended || self.machine.ending {
+        let stops = self.compiled.code.relays.stops(&self.machine.memory);
+        if halt == Halt::Ended || self.machine.ending || stops {
             self.status = Status::Ended;
         }
         Stepped::Done

@@ -300,6 +300,20 @@ fn outside_its_domain_a_function_stops_the_controller() {
 }
 
 #[test]
+fn a_program_can_stop_the_controller() {
+    let mut simulation = simulation(&click(
+        "VAR_INPUT halt : BOOL; END_VAR\nVAR SC : ARRAY[50..50] OF BOOL; END_VAR\n+--[ ]( halt )--(S)( SC[50] )--+\n",
+    ));
+    assert!(simulation.scan());
+    let halt = simulation.resolve("halt").expect("it is there");
+    simulation
+        .set(&halt, ladder_analysis::value::Value::Bool(true))
+        .expect("it is a BOOL");
+    assert!(simulation.scan());
+    assert_eq!(simulation.status(), Status::Ended);
+}
+
+#[test]
 fn a_forced_relay_stays_as_it_is_forced() {
     let mut simulation = simulation(&click(
         "VAR_INPUT SC : ARRAY[40..46] OF BOOL; END_VAR\nVAR y, z : INT; END_VAR\n+--[CALC]( y, 1 / z )--+\n",

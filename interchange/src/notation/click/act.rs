@@ -60,8 +60,8 @@ pub(super) fn acts(tags: &mut Tags<'_>, what: &Instruction, oneshot: bool) -> Re
         }
         Instruction::Shift(shift) => {
             array(&shift.bits)?;
-            if shift.bits.first > shift.bits.last {
-                return Err("[SHIFT] moves bits up, not down".to_owned());
+            if runs_down(&shift.bits) && shift.clock.is_none() {
+                return Err("nothing says what enters it, and [SHIFT] moves bits up".to_owned());
             }
             self::shift(tags, &mut acts, shift);
         }
@@ -358,6 +358,27 @@ fn shift(tags: &mut Tags<'_>, acts: &mut Acts, shift: &super::model::Shift) {
     }
 }
 
+/// Whether a register shifts to lower numbers.
+const fn runs_down(bits: &Span) -> bool {
+    bits.first > bits.last
+}
+
+/// `[SHIFT]` moves bits up only: downwards they are copied, and what enters is written behind them.
+fn shift_down(tags: &Tags<'_>, bits: &Span, data: &str) -> Vec<String> {
+    let (bank, name) = (bits.bank, bits.bank.row().name);
+    let (low, high) = (bits.last, bits.first);
+    let first = tags.text(&Tag::number(bank, high));
+    vec![
+        "[OSR]".to_owned(),
+        format!(
+            "[BMOV]( {name}[{low}..{}], {name}[{}..{high}] )",
+            high - 1,
+            low + 1
+        ),
+        format!("[MOV]( {first}, {data} )"),
+    ]
+}
+
 /// The rungs behind a shift register's own: its clock and its reset.
 pub(super) fn behind(tags: &mut Tags<'_>, what: &Instruction) -> Vec<Above> {
     let Instruction::Shift(shift) = what else {
@@ -369,10 +390,20 @@ pub(super) fn behind(tags: &mut Tags<'_>, what: &Instruction) -> Vec<Above> {
         let data = tags.helper("shift_data", "BOOL", format!("data of {bits}"));
         out.push(Above {
             condition: clock.clone(),
-            blocks: vec![format!("[SHIFT]( {bits}, {data} )")],
+            blocks: if runs_down(&shift.bits) {
+                shift_down(tags, &shift.bits, &data)
+            } else {
+                vec![format!("[SHIFT]( {bits}, {data} )")]
+            },
         });
     }
     if let Some(reset) = &shift.reset {
+        let (first, last) = shift.bits.bounds();
+        let bits = range(&Span {
+            bank: shift.bits.bank,
+            first,
+            last,
+        });
         out.push(Above {
             condition: reset.clone(),
             blocks: vec![format!("(R)( {bits} )")],

@@ -291,8 +291,12 @@ fn instruction() -> impl Strategy<Value = Instruction> {
                     continuous,
                 })
             }),
-        (span(&[Bank::C], 9), pin(), pin())
-            .prop_map(|(bits, clock, reset)| { Instruction::Shift(Shift { bits, clock, reset }) }),
+        (span(&[Bank::C], 9), pin(), pin(), any::<bool>()).prop_map(|(mut bits, clock, reset, down)| {
+            if down && clock.is_some() {
+                (bits.first, bits.last) = (bits.last, bits.first);
+            }
+            Instruction::Shift(Shift { bits, clock, reset })
+        }),
         Just(Instruction::Call("step".to_owned())),
         Just(Instruction::End),
         Just(Instruction::Nop),

@@ -4,7 +4,7 @@ use super::super::names::Names;
 use super::address::{Address, Span, Tag, Which};
 use super::bank::{Bank, Writer};
 use super::model::{Constant, CounterKind, Instruction, Nickname, Program, TimerKind};
-use super::uses::{What, uses};
+use super::uses::{Access, Use, What, uses};
 use ladder_format::program::{Declaration, Qualifier, Section, SectionKind};
 use ladder_instructions::{Op, by_op};
 use std::collections::{BTreeMap, HashMap, HashSet};
@@ -36,6 +36,8 @@ pub(super) struct Tags<'p> {
     /// Addresses that lie in ranges.
     ranged: HashMap<Bank, Vec<bool>>,
     pointed: HashSet<Bank>,
+    /// Banks of the controller that the program writes.
+    written: HashSet<Bank>,
 }
 
 /// Bits of the controller that ladder text has of its own.
@@ -50,10 +52,10 @@ const SYSTEM: &[(u16, &str)] = &[
     (9, "SYS.CLOCK_1H"),
 ];
 
-/// Whether the profile writes an address of the controller itself in the arrays SC and SD.
+/// Whether the profile knows an address of the controller itself in the arrays SC and SD.
 pub(super) const fn is_told(bank: Bank, number: u16) -> bool {
     match bank {
-        Bank::Sc => matches!(number, 1..=11 | 40 | 43 | 44 | 46),
+        Bank::Sc => matches!(number, 1..=11 | 40 | 43 | 44 | 46 | 50),
         Bank::Sd => matches!(number, 9..=12),
         _ => false,
     }
@@ -104,6 +106,15 @@ impl<'p> Tags<'p> {
                 What::Somewhere(pointer) => _ = tags.pointed.insert(pointer.bank),
                 What::One(_) => {}
             }
+        }
+        let is_written = |one: &&Use<'_>| one.access == Access::Write;
+        for one in uses.iter().filter(is_written) {
+            let bank = match one.what {
+                What::One(tag) | What::From(tag, _) => tag.bank,
+                What::Many(span) => span.bank,
+                What::Somewhere(pointer) => pointer.bank,
+            };
+            tags.written.insert(bank);
         }
         for span in &spans {
             let (first, last) = span.bounds();
@@ -337,7 +348,7 @@ impl<'p> Tags<'p> {
             }
             let ty = format!("ARRAY[{first}..{last}] OF {}", bank.kind().iec());
             let retentive = bank.row().retentive;
-            sections.push(*bank, retentive, Declaration::new(bank.row().name, ty));
+            sections.push(*bank, retentive, Declaration::new(bank.row().name, ty), self);
         }
         for tag in &self.state_order {
             let state = &self.states[tag];
@@ -351,7 +362,7 @@ impl<'p> Tags<'p> {
         for (name, ty, what) in &self.helpers {
             let mut declaration = Declaration::new(name, ty);
             declaration.comment = Some(format!("helper: {what}"));
-            sections.push(Bank::C, false, declaration);
+            sections.push(Bank::C, false, declaration, self);
         }
         sections.all()
     }
@@ -372,6 +383,7 @@ impl<'p> Tags<'p> {
             tag.bank,
             retentive.unwrap_or(tag.bank.row().retentive),
             declaration,
+            self,
         );
     }
 
@@ -475,9 +487,10 @@ struct Sections {
 }
 
 impl Sections {
-    fn push(&mut self, bank: Bank, retentive: bool, declaration: Declaration) {
+    fn push(&mut self, bank: Bank, retentive: bool, declaration: Declaration, tags: &Tags<'_>) {
         let section = match bank.row().writer {
             _ if retentive => &mut self.kept,
+            Writer::System(_) if tags.written.contains(&bank) => &mut self.others,
             Writer::World | Writer::System(_) => &mut self.inputs,
             _ if matches!(bank, Bank::Y | Bank::Yd) => &mut self.outputs,
             _ => &mut self.others,

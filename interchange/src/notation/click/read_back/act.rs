@@ -538,6 +538,13 @@ impl Back<'_> {
 
     /// A rung of the importer's own: what it computes is kept for the rung that needs it.
     pub(super) fn above(&mut self, condition: &Condition, blocks: &[&Block]) -> Above {
+        // A register that shifts downwards.
+        if let [pulse, copy, enter] = blocks
+            && let (Some(Op::OneShotRising), Some(Op::Bmov), Some(Op::Mov)) = (op(pulse), op(copy), op(enter))
+            && let Some((tag, _)) = self.helper(enter.arguments.get(1))
+        {
+            return Above::Clock(tag);
+        }
         let [block] = blocks else {
             return Above::No;
         };
