@@ -1,9 +1,9 @@
 //! What lets power through: contacts, comparisons, and what they stand in.
 
 use super::Back;
-use super::act::{is_condition, op, relation_of};
+use super::act::{is_condition, op};
 use super::value::Refusal;
-use crate::notation::click::model::{Comparison, Condition, Contact, ContactKind};
+use crate::notation::click::model::{Comparison, Condition, Contact, ContactKind, Relation};
 use ladder_analysis::program::{Block, Network};
 use ladder_format::Circuit;
 use ladder_instructions::Op;
@@ -79,4 +79,16 @@ pub(super) fn all(mut conditions: Vec<Condition>) -> Condition {
 
 pub(super) fn is_bare(part: &Circuit<usize>) -> bool {
     matches!(part, Circuit::Series(parts) if parts.is_empty())
+}
+
+pub(super) fn relation_of(op: Op) -> Option<Relation> {
+    Some(match op {
+        Op::Eq => Relation::Eq,
+        Op::Ne => Relation::Ne,
+        Op::Lt => Relation::Lt,
+        Op::Le => Relation::Le,
+        Op::Gt => Relation::Gt,
+        Op::Ge => Relation::Ge,
+        _ => return None,
+    })
 }

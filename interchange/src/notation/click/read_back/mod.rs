@@ -4,9 +4,12 @@
 //! date, texts that go into several addresses. Networks that Click cannot say stay as comments.
 
 mod act;
+mod compute;
 mod condition;
+mod copies;
 mod meaning;
 mod network;
+mod pins;
 mod text;
 mod value;
 
