@@ -2,6 +2,7 @@
 
 use super::{Lines, WriteError};
 use ladder_analysis::Analysis;
+use ladder_syntax::{NodeOrToken, SyntaxKind};
 use std::borrow::Cow;
 
 /// What holds the place of a comment; a parenthesis closes it.
@@ -18,25 +19,23 @@ pub(super) fn analysis<'a>(
     text: &str,
     is_element: impl Fn(&str) -> bool,
 ) -> Result<Cow<'a, Analysis>, WriteError> {
-    let mut aside = String::with_capacity(text.len());
-    for line in text.split_inclusive('\n') {
-        let mut rest = line;
-        let in_rung = line.starts_with(['+', '|', '/', '\\']);
-        while let Some(start) = rest.find('#') {
-            let Some(length) = rest[start + 1..].find('#').map(|at| at + 2) else {
-                break;
-            };
-            let comment = &rest[start..start + length];
-            aside.push_str(&rest[..start]);
-            if in_rung && length > STAND_IN.len() && is_element(comment) {
-                let blanks = length - STAND_IN.len() - 1;
-                aside.push_str(&format!("{STAND_IN}{:blanks$})", ""));
-            } else {
-                aside.push_str(comment);
-            }
-            rest = &rest[start + length..];
+    let parse = &analysis.context.parse;
+    let mut aside = text.to_owned();
+    for line in 0..parse.lines().len() {
+        let start = usize::from(parse.line_start(line));
+        if !text[start..].starts_with(['+', '|', '/', '\\']) {
+            continue;
         }
-        aside.push_str(rest);
+        let tokens = parse.lines()[line].syntax().descendants_with_tokens();
+        let tokens = tokens.filter_map(NodeOrToken::into_token);
+        for token in tokens.filter(|token| token.kind() == SyntaxKind::COMMENT) {
+            let comment = token.text();
+            if comment.len() > STAND_IN.len() && is_element(comment) {
+                let blanks = comment.len() - STAND_IN.len() - 1;
+                let at = start + usize::from(token.text_range().start());
+                aside.replace_range(at..at + comment.len(), &format!("{STAND_IN}{:blanks$})", ""));
+            }
+        }
     }
     let analysis = if aside == text {
         Cow::Borrowed(analysis)

@@ -1,6 +1,6 @@
 //! What only LDmicro's fork has, read and written.
 
-use crate::ldmicro::{converted, read, there_and_back, write};
+use crate::ldmicro::{Numbers, converted, read, there_and_back, write};
 use expect_test::{Expect, expect};
 use ladder_interchange::notation::{Outcome, ldmicro};
 
@@ -611,7 +611,7 @@ fn what_has_no_counterpart_stays() {
     ];
     let mut out = String::new();
     for element in elements {
-        let text = program(&[&format!("CONTACTS Xa 0 0\n{element}\nCOIL Yb 0 0 0 0")]);
+        let text = program(&[&format!("CONTACTS Xa 0 0\nTON Ta 100000 0\n{element}\nCOIL Yb 0 0 0 0")]);
         let converted = converted(text.as_bytes()).expect("it can be read");
         let refused = converted
             .report
@@ -867,4 +867,77 @@ fn ladder_programs_become_programs_of_the_fork() {
     .assert_eq(&fork.expect("it can be written"));
     let older = write(&format!("# ladder: profile ldmicro #\n{rungs}")).expect("it can be written");
     assert!(older.contains("COMMENT +--[ ]( Xa )--[AND]"), "{older}");
+}
+
+/// What stands between rungs' ends; `#` is a number of a name, so that some are met twice.
+const ELEMENTS: &[&str] = &[
+    "CONTACTS Xa 0 0",
+    "CONTACTS Xa 1 1",
+    "OSL",
+    "OSC",
+    "OSR",
+    "IF_BIT_SET n# 3",
+    "IF_BIT_CLEAR n# 15",
+    "EQU n# 0x1F",
+    "TON Ta# 100000 0",
+    "TON Tb# n# 0",
+    "RTL Tc# 40000 0",
+    "TCY Td# 30000 1",
+    "THI Te# n# 0",
+    "TLO Tf# 50000 0",
+    "CTU Ca# 5 # /",
+    "CTD Ca# -5 # \\",
+    "CTC Cb# n# # -",
+    "CTR Cc# 0 n# o",
+    "GOTO here",
+    "GOTO #",
+    "GOTO 99",
+    "GOSUB part#",
+    "GOSUB no",
+    "RETURN",
+    "SWAP n# n1",
+    "PARALLEL\nCOIL Ya 0 0 0 1\nSERIES\nOSR\nSET_BIT n# 2\nEND\nGOTO #\nEND",
+    "SET_PWM n# 1000 P# 8",
+    "RES Ca#",
+    "RES P1",
+    "MOD n# n1 7",
+    "SHL n# n1 3",
+    "SHR n# n# 1",
+    "BIN2BCD n1 n#",
+    "COIL Ya# 0 0 0 0",
+    "COIL Yb 0 1 0 0",
+    "MASTER_RELAY",
+];
+
+#[test]
+fn any_program_comes_back() {
+    for seed in 0..200 {
+        let mut numbers = Numbers(seed);
+        let mut rungs: Vec<String> = Vec::new();
+        for part in 0..4 {
+            let is_sub = numbers.below(3) == 0;
+            let (begin, end) = (format!("SUBPROG part{part}"), format!("ENDSUB part{part}"));
+            rungs.extend(is_sub.then_some(begin));
+            for _ in 0..numbers.below(4) {
+                let mut elements: Vec<String> = Vec::new();
+                for _ in 0..=numbers.below(4) {
+                    let element = ELEMENTS[numbers.below(ELEMENTS.len())];
+                    elements.push(element.replace('#', &(1 + numbers.below(9)).to_string()));
+                }
+                rungs.push(elements.join("\n"));
+            }
+            rungs.extend((numbers.below(4) == 0).then(|| format!("COMMENT Part {part}.")));
+            rungs.extend(is_sub.then_some(end));
+            rungs.extend((part == numbers.below(4)).then(|| "LABEL here".to_owned()));
+        }
+        let rungs: Vec<&str> = rungs.iter().map(String::as_str).collect();
+        let text = ldmicro::resaved(program(&rungs).as_bytes()).expect("it can be read");
+        let shown = String::from_utf8_lossy(&text).into_owned();
+        let converted = converted(&text).expect("it can be read");
+        let ladder = converted.written.text;
+        let analysis = ladder_analysis::analyze(&ladder_syntax::parse(&ladder).into(), "test.clad");
+        let errors: Vec<String> = analysis.errors().map(|error| error.message.clone()).collect();
+        assert!(errors.is_empty(), "{errors:?}\n{ladder}");
+        assert_eq!(write(&ladder), Ok(shown), "{ladder}");
+    }
 }

@@ -17,15 +17,22 @@ pub(in super::super) const UNSETTLED: char = '\0';
 /// In the place of a label: the end of the subprogram that the jump is in. None is the end of the program.
 pub(super) const OWN_END: &str = "\0";
 
+const FOREIGN: &str = "LDmicro has no blocks of one's own";
+
 impl Exporter<'_> {
     /// Notes what the blocks of the fork say of the whole program.
     pub(super) fn fork(&mut self) {
-        let networks = self.program.networks.iter();
+        let program = self.program;
+        self.made = program
+            .blocks
+            .iter()
+            .map(|block| self.definition_of(&block.name))
+            .collect();
+        let networks = program.networks.iter();
         for block in networks.flat_map(|network| &network.blocks) {
             match block.kind {
                 BlockKind::User(index) => {
-                    let made = self.program.blocks.get(index);
-                    if let Some(Made::Counter(_)) = made.and_then(|made| Made::named(&made.name))
+                    if let Some(Ok(Made::Counter(_))) = self.made.get(index)
                         && let Ok((name, init)) = self.counter(block)
                     {
                         self.resets.entry(name).or_insert(init);
@@ -72,17 +79,24 @@ impl Exporter<'_> {
 
     /// The line of a block that the program brought along.
     pub(super) fn made(&self, block: &Block, index: usize) -> Result<String, String> {
-        let name = self.program.blocks.get(index).map_or("", |block| &block.name);
-        let own = || "LDmicro has no blocks of one's own".to_owned();
-        let made = Made::named(name).ok_or_else(own)?;
-        let text = self.definition(&made.head()).ok_or_else(own)?;
-        if !made.is_defined_by(text) {
-            return Err(format!("`{name}` is defined otherwise than LDmicro's own"));
-        }
+        let made = match self.made.get(index) {
+            Some(made) => made.clone()?,
+            None => return Err(FOREIGN.to_owned()),
+        };
         let given: Result<Vec<String>, String> = (0..block.arguments.len())
             .map(|index| self.given(block, index))
             .collect();
         Ok(made.line(&given?, self.initial(block), self.dialect))
+    }
+
+    /// What a block of this name is an element of, if it is defined so.
+    fn definition_of(&self, name: &str) -> Result<Made, String> {
+        let made = Made::named(name).ok_or(FOREIGN)?;
+        let text = self.definition(&made.head()).ok_or(FOREIGN)?;
+        if !made.is_defined_by(text) {
+            return Err(format!("`{name}` is defined otherwise than LDmicro's own"));
+        }
+        Ok(made)
     }
 
     /// The text that defines a block.
@@ -191,10 +205,8 @@ impl Exporter<'_> {
     }
 
     fn in_function(&self, block: &Block) -> bool {
-        let main = &self.program.networks[self.program.main.clone()];
-        !main.iter().any(|network| {
-            let range = network.location.range;
-            network.location.file == 0 && range.contains_range(block.location.range)
-        })
+        let first = self.program.networks.get(self.program.main.end);
+        let first = first.filter(|network| network.location.file == 0);
+        first.is_some_and(|first| block.location.range.start() >= first.location.range.start())
     }
 }

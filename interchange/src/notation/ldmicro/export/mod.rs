@@ -9,6 +9,7 @@ use crate::notation::circuit::series_parallel;
 use crate::notation::ldmicro::element::{self, Coil, Form, ROWS};
 use crate::notation::ldmicro::fork::Dialect;
 use crate::notation::ldmicro::fork::jumps;
+use crate::notation::ldmicro::fork::made::Made;
 use crate::notation::ldmicro::kept::{Head, behind, comment, kept};
 use crate::notation::ldmicro::model::{File, Leaf, Node, Rung, Version};
 use crate::notation::ldmicro::{parse, text};
@@ -46,6 +47,7 @@ pub(super) fn file(analysis: &Analysis) -> Result<(File, Report), WriteError> {
         dialect: file.dialect(),
         is_import: head.is_import,
         names: head.names,
+        made: Vec::new(),
         resets: HashMap::new(),
         numbered: HashSet::new(),
         in_profile: analysis.context.profile == Profile::Ldmicro,
@@ -71,6 +73,8 @@ struct Exporter<'p> {
     /// It was made from an LDmicro file.
     is_import: bool,
     names: HashMap<String, String>,
+    /// For each user-defined block the element of the fork that it is.
+    made: Vec<Result<Made, String>>,
     /// What RES gives the counters of the fork.
     resets: HashMap<String, String>,
     /// The labels of rungs that numbers lead to.

@@ -8,6 +8,7 @@ use crate::notation::ldmicro::kept::comments;
 use crate::notation::ldmicro::model::{Leaf, Node, Rung, leaves};
 use ladder_analysis::program::{BlockKind, Network};
 use ladder_instructions::Op;
+use std::collections::HashMap;
 
 /// A function on its way to be a subprogram.
 struct Subprogram {
@@ -23,13 +24,11 @@ impl Exporter<'_> {
         let mut main = Vec::new();
         let mut subprograms: Vec<Subprogram> = Vec::new();
         let mut at = 0;
-        for network in program
-            .networks
-            .iter()
-            .filter(|network| network.location.file == 0)
-        {
+        let own = program.networks.iter().enumerate();
+        for (index, network) in own.filter(|(_, network)| network.location.file == 0) {
             let range = network.location.range;
-            if self.is_in_definition(network) {
+            // What defines a block is no rung.
+            if program.blocks.iter().any(|block| block.networks.contains(&index)) {
                 continue;
             }
             let between = comments(&self.text[at..usize::from(range.start())]);
@@ -51,17 +50,6 @@ impl Exporter<'_> {
         let mut rungs = placed(main, subprograms);
         settle(&mut rungs);
         rungs
-    }
-
-    /// Whether a network is part of a block's definition.
-    fn is_in_definition(&self, network: &Network) -> bool {
-        let at = self
-            .program
-            .networks
-            .iter()
-            .position(|own| std::ptr::eq(own, network));
-        let mut blocks = self.program.blocks.iter();
-        at.is_some_and(|at| blocks.any(|block| block.networks.contains(&at)))
     }
 
     /// The function that a network begins, where nothing else stands in it.
@@ -120,10 +108,13 @@ fn placed(main: Vec<Rung>, mut subprograms: Vec<Subprogram>) -> Vec<Rung> {
     out
 }
 
+/// A number that leads to a rung farther on is not looked at.
+const MOST_PASSED: usize = 1_000;
+
 /// Gives the jumps to rungs their numbers, and takes the labels out that only they lead to.
 fn settle(rungs: &mut [Rung]) {
     let count = rungs.len();
-    let mut labels: Vec<(String, usize)> = Vec::new();
+    let mut labels: HashMap<String, usize> = HashMap::new();
     for (index, rung) in rungs.iter_mut().enumerate() {
         retain(&mut rung.parts, &mut |text| {
             let label = text
@@ -147,10 +138,7 @@ fn settle(rungs: &mut [Rung]) {
             let found = match label {
                 "" => None,
                 OWN_END => subprogram.iter().rposition(|sub| *sub == subprogram[at]),
-                label => labels
-                    .iter()
-                    .find(|(own, _)| own == label)
-                    .map(|(_, index)| *index),
+                label => labels.get(label).copied(),
             };
             if found.is_none() && !label.is_empty() {
                 // The rung could not be written.
@@ -168,7 +156,7 @@ fn settle(rungs: &mut [Rung]) {
                 .and_then(|was| was.parse::<usize>().ok());
             let same = |was: &usize| {
                 let was = (*was).min(count + 1);
-                (1..=to).contains(&was) && (was..to).all(|rung| passed(rung - 1))
+                (1..=to).contains(&was) && to - was < MOST_PASSED && (was..to).all(|rung| passed(rung - 1))
             };
             *text = match was.filter(same) {
                 None if label == OWN_END => "RETURN".to_owned(),

@@ -19,6 +19,10 @@ pub(in crate::notation::ldmicro) struct Jumps {
     pub(in crate::notation::ldmicro) numbered: BTreeMap<usize, String>,
     /// The block for each element, by its line, or why there is none.
     blocks: HashMap<u32, Result<String, String>>,
+    /// For each rung, and the end behind them, the subprogram that it is in.
+    within: Vec<Option<usize>>,
+    /// For each rung the first one from there on that becomes a network.
+    networks: Vec<usize>,
 }
 
 /// The rungs from `SUBPROG` to `ENDSUB`, both included.
@@ -42,6 +46,16 @@ impl Jumps {
             .collect();
         if all.is_empty() {
             return jumps;
+        }
+        let count = file.rungs.len();
+        jumps.within = vec![None; count + 1];
+        jumps.networks = vec![count; count + 1];
+        for index in (0..count).rev() {
+            jumps.networks[index] = if is_network(&file.rungs[index]) {
+                index
+            } else {
+                jumps.networks[index + 1]
+            };
         }
         let mut names = Names::default();
         jumps.subprograms(file, &all, &mut names);
@@ -90,20 +104,19 @@ impl Jumps {
 
     /// The subprogram that a rung is in.
     fn subprogram(&self, rung: usize) -> Option<usize> {
-        self.subprograms.iter().position(|sub| sub.rungs.contains(&rung))
+        self.within.get(rung).copied().flatten()
     }
 
     fn subprograms(&mut self, file: &File, all: &[(usize, &Leaf, Jump)], names: &mut Names) {
-        let count = |jump: Jump, name: &str| {
-            let same = all
-                .iter()
-                .filter(|(_, leaf, own)| *own == jump && operand(leaf) == name);
-            same.count()
-        };
         let borders: Vec<&(usize, &Leaf, Jump)> = all
             .iter()
             .filter(|(.., jump)| matches!(jump, Jump::Subprog | Jump::Endsub))
             .collect();
+        let mut counts: HashMap<(Jump, &str), usize> = HashMap::new();
+        for (_, leaf, jump) in &borders {
+            *counts.entry((*jump, operand(leaf))).or_default() += 1;
+        }
+        let is_only = |jump: Jump, name: &str| counts.get(&(jump, name)) == Some(&1);
         let alone = |rung: usize| matches!(&file.rungs[rung].parts[..], [Node::Leaf(_)]);
         for (at, (index, leaf, jump)) in borders.iter().enumerate() {
             let name = operand(leaf);
@@ -111,9 +124,10 @@ impl Jumps {
                 && operand(closing) == name
                 && alone(*index)
                 && alone(*end)
-                && count(Jump::Subprog, name) == 1
-                && count(Jump::Endsub, name) == 1
+                && is_only(Jump::Subprog, name)
+                && is_only(Jump::Endsub, name)
             {
+                self.within[*index..*end + 1].fill(Some(self.subprograms.len()));
                 self.subprograms.push(Subprogram {
                     name: name.to_owned(),
                     function: names.spell(name).to_owned(),
@@ -154,13 +168,6 @@ impl Jumps {
         let within = self.subprogram(from);
         loop {
             let into = self.subprogram(to);
-            let at_end = match within {
-                Some(own) => to + 1 == self.subprograms[own].rungs.end,
-                None => to == file.rungs.len(),
-            };
-            if at_end {
-                return Ok("<RET>".to_owned());
-            }
             match into {
                 _ if into == within => {}
                 // What is there passes over the subprogram.
@@ -170,10 +177,17 @@ impl Jumps {
                 }
                 _ => return Err(format!("rung {number} is in another subprogram, or in none")),
             }
-            if is_network(&file.rungs[to]) {
+            let at_end = match within {
+                Some(own) => to + 1 == self.subprograms[own].rungs.end,
+                None => to == file.rungs.len(),
+            };
+            if at_end {
+                return Ok("<RET>".to_owned());
+            }
+            if self.networks[to] == to {
                 break;
             }
-            to += 1;
+            to = self.networks[to];
         }
         if within.is_some_and(|own| to == self.subprograms[own].rungs.start) {
             return Err(format!("rung {number} is where its own subprogram begins"));

@@ -33,7 +33,7 @@ pub(super) enum Form {
 }
 
 /// What leads on to another rung, or is a place where that leads.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub(in crate::notation::ldmicro) enum Jump {
     Label,
     Goto,

@@ -30,14 +30,8 @@ impl<'f> Importer<'f> {
     pub(super) fn comes_back(&self, leaf: &Leaf, block: &str) -> bool {
         if self.jumps.block(leaf).is_some() {
             let label = leaf.text.split(' ').nth(1);
-            let is_numbered = self.jumps.numbered.values();
-            let is_numbered = is_numbered
-                .into_iter()
-                .any(|label| *block == format!("<JMP>( {label} )"));
-            return match label {
-                None => true,
-                Some(label) => !is_numbered && block.split(' ').nth(1) == Some(label),
-            };
+            return label
+                .is_none_or(|label| !element::is_literal(label) && block.split(' ').nth(1) == Some(label));
         }
         // RES of a variable is a MOV here.
         let variable = leaf.text.strip_prefix("RES ");
