@@ -1,6 +1,8 @@
 //! How LDmicro draws an element: two lines, and how many cells they take.
 
 use super::super::element::{self, Coil, Form};
+use super::super::fork;
+use super::super::model::File;
 use super::{CELL, TOO_LONG};
 use ladder_instructions::Op;
 
@@ -194,7 +196,9 @@ fn string(variable: &str, fields: &[&str]) -> Symbol {
 
 /// What the symbol of an element does not say, if there is something.
 pub(super) fn loss(text: &str) -> Option<String> {
-    let Some(row) = element::row_of(text) else {
+    let dialect = File::default().dialect();
+    let row = element::row_of(text).filter(|_| fork::read(text, dialect).is_none());
+    let Some(row) = row else {
         return Some("LDmicro 2.2 has no such element".to_owned());
     };
     let fields = element::fields(text);
@@ -208,6 +212,9 @@ pub(super) fn loss(text: &str) -> Option<String> {
     };
     match row.form {
         Form::Table | Form::Curve => Some("the drawing does not hold its table".to_owned()),
+        Form::Timer(_) if fields.get(2).is_some_and(|adjust| *adjust != "-1") => {
+            Some("the drawing does not hold how many cycles are added to its delay".to_owned())
+        }
         Form::Timer(_) => {
             let text = delay(fields[1]);
             let kept = shown(&text, &[("s", 1e6), ("ms", 1e3)]);

@@ -127,7 +127,7 @@ impl Jumps {
                 && is_only(Jump::Subprog, name)
                 && is_only(Jump::Endsub, name)
             {
-                self.within[*index..*end + 1].fill(Some(self.subprograms.len()));
+                self.within[*index..=*end].fill(Some(self.subprograms.len()));
                 self.subprograms.push(Subprogram {
                     name: name.to_owned(),
                     function: names.spell(name).to_owned(),

@@ -47,7 +47,7 @@ impl Made {
                 &[
                     "[ ]( low )--[/]( EN )--(S)( ENO )",
                     "[/]( EN )--[ ]( seen )--( )( low )",
-                    "[ ]( EN )--(S)( seen )",
+                    "[ ]( EN )--[MOV]( seen, TRUE )",
                 ],
             )
             .own(&["low, seen : BOOL"]),
@@ -135,7 +135,7 @@ impl MadeTimer {
                 "t : INT",
                 &[
                     "[/]( EN )--[ ]( seen )--(S)( run )",
-                    "[ ]( EN )--(S)( seen )",
+                    "[ ]( EN )--[MOV]( seen, TRUE )",
                     "[ ]( run )--[LT]( t, p )--( )( low )--[ADD]( t, t, 1 )",
                     "[ ]( seen )--[/]( low )--( )( ENO )",
                     "[ ]( run )--[/]( low )--[ ]( EN )--[MOV]( t, 0 )--(R)( run )",
@@ -152,7 +152,7 @@ impl MadeCounter {
         let counts = self.kind.contacts();
         let mut networks = Vec::new();
         if self.from_variable {
-            networks.push("[/]( begun )--[MOV]( c, init )--(S)( begun )".to_owned());
+            networks.push("[/]( begun )--[MOV]( c, init )--[MOV]( begun, TRUE )".to_owned());
         }
         let says = match self.count {
             Count::Up => {
