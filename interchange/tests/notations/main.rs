@@ -7,5 +7,6 @@ mod hostile;
 mod iot;
 mod ldmicro;
 mod ldmicro_fork;
+mod ldmicro_fork_lines;
 mod ldmicro_text;
 mod textbook;
