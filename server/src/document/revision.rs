@@ -1,5 +1,7 @@
 //! One state of one open document.
 
+use std::borrow::Cow;
+use std::path::Path;
 use std::sync::atomic::{AtomicU64, Ordering};
 use std::sync::{Arc, Mutex, MutexGuard, OnceLock, PoisonError};
 
@@ -153,15 +155,16 @@ impl Revision {
         let notation = self.kind.notation()?;
         self.fits().then(|| {
             self.opened.get_or_init(|| {
-                let stem = self.name().rsplit_once('.').map_or(self.name(), |(stem, _)| stem);
                 let file = self.place.as_ref().map(|place| &*place.path);
-                Opened::read(notation, stem, &self.text(), file, |parse| match &self.place {
-                    Some(place) => {
-                        let (name, others) = place.neighbours.view(&place.path);
-                        let rules = place.neighbours.rules(&place.path);
-                        analyze_with(parse, &name, &others, &rules)
+                Opened::read(notation, &self.stem(), &self.text(), file, |parse| {
+                    match &self.place {
+                        Some(place) => {
+                            let (name, others) = place.neighbours.view(&place.path);
+                            let rules = place.neighbours.rules(&place.path);
+                            analyze_with(parse, &name, &others, &rules)
+                        }
+                        None => analyze(parse, self.name()),
                     }
-                    None => analyze(parse, self.name()),
                 })
             })
         })
@@ -230,6 +233,13 @@ impl Revision {
     /// What messages call the file: the last part of its address.
     pub(crate) fn name(&self) -> &str {
         self.uri.rsplit('/').next().unwrap_or(&self.uri)
+    }
+
+    /// The name without its ending, which names the program of another system.
+    pub(crate) fn stem(&self) -> Cow<'_, str> {
+        let stem = self.place.as_ref().and_then(|place| place.path.file_stem());
+        stem.unwrap_or_else(|| Path::new(self.name()).file_stem().unwrap_or_default())
+            .to_string_lossy()
     }
 
     /// The text.

@@ -271,24 +271,37 @@ async fn what_runs_is_the_ladder_text() {
 }
 
 #[tokio::test]
-async fn an_open_program_is_converted_with_the_nicknames_beside_it() {
-    let nicknames = "Address,Data Type,Modbus Address,Function Code,Nickname,Initial Value,Retentive,Address Comment\n\
-                     Y1,BIT,108193,FC=02,Valve,0,No,\n";
-    let plant = Plant::with(&[("tank.csv", nicknames)]);
+async fn an_open_program_has_the_nicknames_that_lie_beside_it() {
+    let nicknames =
+        "Address,Data Type,Nickname,Initial Value,Retentive,Address Comment\nY001,BIT,Valve,0,No,\n";
+    let plant = Plant::with(&[("my tank_nicknames.csv", nicknames)]);
     let mut client = Client::new().await;
-    let uri = plant.uri("tank.py");
+    let uri = plant.uri("my%20tank.py");
     // Nothing in it says that it is a program: the language does.
     let text = "def main():\n    if x[1]:\n        out(y[1])\n    if True:\n        end()\n";
     open(&mut client, &uri, "ladder-click", text).await;
     let answer = command(&mut client, "ladder.convert", json!({"uri": uri}))
         .await
         .unwrap();
-    assert_eq!(answer["from"], "click");
-    assert_eq!(answer["refused"], 0);
+    assert_eq!(
+        (&answer["from"], &answer["refused"]),
+        (&json!("click"), &json!(0))
+    );
     let preview = command(&mut client, "ladder.preview", json!({"uri": uri}))
         .await
         .unwrap();
     assert_eq!(preview["text"], answer["text"]);
+    assert!(
+        preview["text"].as_str().unwrap().contains("( )( Valve )"),
+        "{preview}"
+    );
+    // The file is another one now.
+    plant.write("my tank_nicknames.csv", &nicknames.replace("Valve", "Inlet"));
+    let changed = json!({"changes": [{"uri": plant.uri("my%20tank_nicknames.csv"), "type": 2}]});
+    client.notify("workspace/didChangeWatchedFiles", changed).await;
+    let told = client.notification("ladder/preview", |_| true).await;
+    assert_eq!(told["version"], 1);
+    assert!(told["text"].as_str().unwrap().contains("( )( Inlet )"), "{told}");
     client.finish().await;
 }
 

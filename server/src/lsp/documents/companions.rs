@@ -1,6 +1,6 @@
 //! Diagnostics of open texts that are not ladder text: settings files, scenarios, and programs of other systems.
 
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use ladder_analysis::{Diagnostic as Finding, Severity};
@@ -10,7 +10,7 @@ use ladder_syntax::TextRange;
 use ladder_workspace::{Named, Settings};
 use tower_lsp::ls_types::{Diagnostic, DiagnosticSeverity, NumberOrString};
 
-use super::{diagnostics, foreign, settings_file};
+use super::{diagnostics, foreign, pull, settings_file};
 use crate::busy::Work;
 use crate::document::{Kind, Revision, address};
 use crate::lsp::transport::blocking::blocking;
@@ -35,6 +35,23 @@ pub(crate) fn refresh_scenarios(shared: &Arc<Shared>) {
     for companion in shared.companions.all() {
         if companion.kind() == Kind::Scenarios && shared.companions.touch(&companion.uri) {
             refresh(shared, &companion.uri);
+        }
+    }
+}
+
+/// Looks once more at the open programs of other systems that changed files belong to.
+pub(crate) fn refresh_programs(shared: &Arc<Shared>, changed: &[PathBuf]) {
+    for program in shared.companions.all() {
+        let belongs = |file: &PathBuf| {
+            let (Some(notation), Some(place)) = (program.kind().notation(), program.place()) else {
+                return false;
+            };
+            let name = file.file_name().unwrap_or_default().to_string_lossy();
+            file.parent() == place.path.parent() && notation.has_companion(&program.stem(), &name)
+        };
+        if changed.iter().any(belongs) && shared.companions.touch(&program.uri) {
+            refresh(shared, &program.uri);
+            pull::refresh(shared);
         }
     }
 }

@@ -118,6 +118,7 @@ pub(crate) fn files_changed(shared: &Arc<Shared>, paths: &[PathBuf]) {
             }
         }
     }
+    companions::refresh_programs(shared, paths);
     companions::refresh_scenarios(shared);
 }
 
