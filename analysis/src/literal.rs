@@ -45,6 +45,9 @@ fn out_of_range<T>(message: impl Into<String>) -> Parsed<T> {
 }
 
 /// Reads a literal token.
+///
+/// # Errors
+/// It is no literal of its kind, or its value does not fit into any type.
 pub fn literal(text: &str) -> Parsed<Literal> {
     if let Some(rest) = text.strip_prefix('\'') {
         return string(rest.strip_suffix('\'').unwrap_or(rest)).map(Literal::Text);
