@@ -65,7 +65,7 @@ fn one_by_one() {
         "UART_RECV n 1 1",
         "SET_PWM d 1000 P1 8",
         "SET_PWM d f P1 8",
-        "SET_PWM d 1000 P99 8",
+        "SET_PWM d 1000 Pled 0-100%",
         "READ_ADC Aa",
         "READ_ADC Aa 2",
         "PIECEWISE_LINEAR n m 2 0 0 5 9 tab",
@@ -143,11 +143,11 @@ fn one_by_one() {
         UART_SEND n 1 1: # ldmicro: UART_SEND n 1 1 #
             not: it waits within the cycle until the line is free
         UART_RECV n 1 1: [URCV]( n )--# was: UART_RECV n 1 1 #
-        SET_PWM d 1000 P1 8: [PWM]( d, 1000, CH := 1 )
+        SET_PWM d 1000 P1 8: [PWM]( d, 1000, CH := 1 )--# was: SET_PWM d 1000 P1 8 #
+            nearly: its duty is not in percent in LDmicro; here it is
         SET_PWM d f P1 8: # ldmicro: SET_PWM d f P1 8 #
             not: its frequency is a variable
-        SET_PWM d 1000 P99 8: # ldmicro: SET_PWM d 1000 P99 8 #
-            not: the name of its output is not P and a number below 64
+        SET_PWM d 1000 Pled 0-100%: [PWM]( d, 1000, CH := 0 )
         READ_ADC Aa: [ADC]( Aa, 0 )--# was: READ_ADC Aa #
         READ_ADC Aa 2: [ADC]( Aa, 0 )--# was: READ_ADC Aa 2 #
         PIECEWISE_LINEAR n m 2 0 0 5 9 tab: [PWL]( n, m, 0, 0, 5, 9 )--# was: PIECEWISE_LINEAR n m 2 0 0 5 9 tab #

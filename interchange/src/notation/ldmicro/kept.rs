@@ -49,6 +49,8 @@ pub(super) struct Head {
     pub(super) is_import: bool,
     /// LDmicro's names for tags that are spelled otherwise.
     pub(super) names: HashMap<String, String>,
+    /// LDmicro's names for outputs of pulses, by their numbers.
+    pub(super) pulses: HashMap<String, String>,
     /// The pins that declarations name, in their order.
     pub(super) pins: Vec<(String, String)>,
 }
@@ -87,6 +89,10 @@ impl Head {
                         said.strip_prefix("NAME ").and_then(|s| s.split_once(" = "))
                     {
                         head.names.insert(tag.to_owned(), name.to_owned());
+                    } else if let Some((number, name)) =
+                        said.strip_prefix("PULSES ").and_then(|s| s.split_once(" = "))
+                    {
+                        head.pulses.insert(number.to_owned(), name.to_owned());
                     } else if !said.starts_with("COMMENT") && said.contains('=') {
                         head.file.header.push(said.to_owned());
                     }

@@ -24,11 +24,14 @@ pub(super) struct Tags {
     initial: HashMap<String, i64>,
     /// Inputs that are high when a simulation begins.
     high: HashSet<String>,
-    /// Outputs of pulses.
-    pulses: HashSet<String>,
+    /// Outputs of pulses, with their numbers.
+    pub(super) pulses: BTreeMap<String, u32>,
     /// What RES gives a counter of the fork, with the elements that say so, the first one first.
     resets: HashMap<String, (u8, String)>,
 }
+
+/// There are no more outputs of pulses here.
+const MOST_PULSES: u32 = 64;
 
 /// A shift register with more stages is not made.
 pub(super) const MOST_STAGES: u32 = 10_000;
@@ -72,7 +75,7 @@ impl Tags {
             if let Ok(read) = read {
                 self.counter(&leaf.text, &read);
                 if read.what == What::Instruction(Op::Pwm) {
-                    self.pulses.extend(leaf.text.split(' ').nth(3).map(str::to_owned));
+                    self.pulse(leaf.text.split(' ').nth(3).unwrap_or_default());
                 }
             }
             return;
@@ -127,9 +130,24 @@ impl Tags {
         self.high.contains(name)
     }
 
+    /// Gives an output of pulses a number: its own, or the first that is free.
+    fn pulse(&mut self, name: &str) {
+        if self.pulses.contains_key(name) {
+            return;
+        }
+        let own = name
+            .strip_prefix('P')
+            .and_then(|number| number.parse::<u32>().ok());
+        let is_free = |number: &u32| self.pulses.values().all(|taken| taken != number);
+        let own = own.filter(|number| *number < MOST_PULSES && is_free(number));
+        if let Some(number) = own.or_else(|| (0..MOST_PULSES).find(is_free)) {
+            self.pulses.insert(name.to_owned(), number);
+        }
+    }
+
     /// Whether it is an output of pulses.
     pub(super) fn is_pulses(&self, name: &str) -> bool {
-        self.pulses.contains(name)
+        self.pulses.contains_key(name)
     }
 
     /// What RES gives a variable: a number, or another variable.
@@ -145,7 +163,7 @@ impl Tags {
                 match given {
                     Given::Place(name) | Given::Value(name) | Given::Bit(name, _) => self.meet_variable(name),
                     Given::Relay(name) => self.meet_bit(name),
-                    Given::Scans(_) | Given::Channel(_) => {}
+                    Given::Scans(_) | Given::Pulses(_) => {}
                 }
             }
             return;
@@ -156,7 +174,7 @@ impl Tags {
         let fields = element::fields(&leaf.text);
         match row.form {
             Form::Contact | Form::Coil => self.meet_bit(fields[0]),
-            Form::Reset if self.pulses.contains(fields[0]) => {}
+            Form::Reset if self.is_pulses(fields[0]) => {}
             Form::Timer(_) | Form::Counter(_) | Form::Reset | Form::Adc => self.meet_variable(fields[0]),
             Form::Values(_, slots) => {
                 for (field, slot) in fields.iter().zip(slots) {

@@ -162,7 +162,9 @@ impl Exporter<'_> {
                 if !element::is_literal(&frequency) || !element::is_literal(&number) {
                     return Err("LDmicro's pulse outputs and their frequencies are fixed".to_owned());
                 }
-                format!("SET_PWM {duty} {frequency} P{number} {RESOLUTION}")
+                let name = self.pulses.get(&number).cloned();
+                let name = name.unwrap_or_else(|| format!("P{number}"));
+                format!("SET_PWM {duty} {frequency} {name} {RESOLUTION}")
             }
             Op::Lbl if self.numbered.contains(label) => format!("{UNSETTLED}LABEL {label}"),
             Op::Jmp if self.numbered.contains(label) => {

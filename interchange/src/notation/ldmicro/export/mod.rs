@@ -47,6 +47,7 @@ pub(super) fn file(analysis: &Analysis) -> Result<(File, Report), WriteError> {
         dialect: file.dialect(),
         is_import: head.is_import,
         names: head.names,
+        pulses: head.pulses,
         made: Vec::new(),
         resets: HashMap::new(),
         numbered: HashSet::new(),
@@ -73,6 +74,8 @@ struct Exporter<'p> {
     /// It was made from an LDmicro file.
     is_import: bool,
     names: HashMap<String, String>,
+    /// LDmicro's names for outputs of pulses, by their numbers.
+    pulses: HashMap<String, String>,
     /// For each user-defined block the element of the fork that it is.
     made: Vec<Result<Made, String>>,
     /// What RES gives the counters of the fork.

@@ -54,8 +54,8 @@ pub(super) enum Given<'l> {
     Relay(&'l str),
     /// One bit of a variable.
     Bit(&'l str, u8),
-    /// An output of pulses, by its number.
-    Channel(u32),
+    /// An output of pulses, by its name.
+    Pulses(&'l str),
 }
 
 impl<'l> Read<'l> {
@@ -111,8 +111,8 @@ pub(super) fn read(text: &str, dialect: Dialect) -> Option<Result<Read<'_>, Stri
     }
 }
 
-/// Bits of a pulse's length, where nothing else is known.
-pub(super) const RESOLUTION: &str = "8";
+/// How finely a duty is given, where it is in percent.
+pub(super) const RESOLUTION: &str = "0-100%";
 
 /// Why a block of the serial port cannot be had.
 fn serial(text: &str, fields: &[&str]) -> Option<String> {
@@ -125,17 +125,17 @@ fn serial(text: &str, fields: &[&str]) -> Option<String> {
 
 /// `SET_PWM duty frequency P1 resolution`
 fn pulses<'l>(fields: &[&'l str]) -> Result<Read<'l>, String> {
-    let number = fields[2].strip_prefix('P').and_then(|number| number.parse().ok());
-    let number: u32 = number
-        .filter(|number| *number < 64)
-        .ok_or("the name of its output is not P and a number below 64")?;
     element::literal(fields[1]).ok_or("its frequency is a variable")?;
     let given = vec![
         Given::Value(fields[0]),
         Given::Value(fields[1]),
-        Given::Channel(number),
+        Given::Pulses(fields[2]),
     ];
-    Ok(Read::new(What::Instruction(Op::Pwm), given))
+    let mut read = Read::new(What::Instruction(Op::Pwm), given);
+    if fields.get(3).is_some_and(|resolution| *resolution != RESOLUTION) {
+        read.remark = Some("its duty is not in percent in LDmicro; here it is");
+    }
+    Ok(read)
 }
 
 fn is_number(field: &str) -> bool {
@@ -267,7 +267,7 @@ pub(super) fn plain(text: &str, read: &Read<'_>, dialect: Dialect) -> Option<Str
             Given::Place(name) | Given::Value(name) | Given::Relay(name) => (*name).to_owned(),
             Given::Scans(scans) => scans.to_string(),
             Given::Bit(name, bit) => format!("{name} {bit}"),
-            Given::Channel(number) => format!("P{number} {RESOLUTION}"),
+            Given::Pulses(name) => format!("{name} {RESOLUTION}"),
         });
     }
     Some(match read.what {

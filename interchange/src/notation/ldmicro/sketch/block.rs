@@ -178,7 +178,10 @@ impl<'f> Importer<'f> {
                 Given::Scans(scans) => scans.to_string(),
                 Given::Relay(name) => self.tags.bit(name).to_owned(),
                 Given::Bit(name, bit) => format!("{}.{bit}", self.tags.variable(name)),
-                Given::Channel(number) => format!("CH := {number}"),
+                Given::Pulses(name) => {
+                    let number = self.tags.pulses.get(*name);
+                    format!("CH := {}", number.ok_or("there are no more pulse outputs here")?)
+                }
             });
         }
         // A count of a timer is a number only where it is read.

@@ -34,6 +34,11 @@ impl Importer<'_> {
             let why = format!("it is spelled `{tag}` here");
             self.reading.report.approximated(Place::START, name, why);
         }
+        for (name, number) in &self.tags.pulses {
+            if *name != format!("P{number}") {
+                lines.push(format!("PULSES {number} = {name}"));
+            }
+        }
         self.sizes();
         let items = &mut self.reading.program.items;
         items.extend(
@@ -56,9 +61,10 @@ impl Importer<'_> {
     fn sizes(&mut self) {
         let entries = self.file.lists.iter().filter(|(title, _)| title == "VAR LIST");
         for entry in entries.flat_map(|(_, entries)| entries) {
-            let mut words = entry.split_whitespace();
-            if let (Some(size @ ("1" | "3" | "4")), Some("bytes" | "byte"), Some(name)) =
-                (words.next(), words.next(), words.next())
+            let words: Vec<&str> = entry.split_whitespace().collect();
+            // The sizes of timers and counters suit their limits.
+            if let [size @ ("1" | "3" | "4"), "bytes", name] = words[..]
+                && !name.starts_with(['T', 'C'])
             {
                 let why = format!("it has {size} bytes in LDmicro, and 16 bits here");
                 self.reading.report.approximated(Place::START, name, why);
