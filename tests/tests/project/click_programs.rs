@@ -258,3 +258,32 @@ def main():
     assert_eq!(get(&simulation, "SC[40]"), Value::Bool(false));
     assert!(simulation.take_faults().is_empty());
 }
+
+#[test]
+fn all_contacts_of_a_rung_are_looked_at_before_it_acts() {
+    let wire = ",-".repeat(29);
+    let grid = format!(
+        "marker,A,B,C,D,E,F,G,H,I,J,K,L,M,N,O,P,Q,R,S,T,U,V,W,X,Y,Z,AA,AB,AC,AD,AE,AF\n\
+         R,X001,T{wire},out(C1)\n,,C1{wire},out(Y001)\n,C1,-{wire},out(Y002)\nR,-,-{wire},end()\n"
+    );
+    let (converted, program) = program_of("click-csv", &Source::alone("main", grid.as_bytes()));
+    let mut simulation = Simulation::new(program, Options::default()).expect("it runs");
+    set(&mut simulation, "X[1]", Value::Bool(true));
+    let mut shown = Vec::new();
+    for _ in 0..2 {
+        assert!(simulation.scan());
+        shown.push(["C[1]", "Y[1]", "Y[2]"].map(|name| get(&simulation, name) == Value::Bool(true)));
+    }
+    // As pyrung has it.
+    assert_eq!(shown, [[true, false, false], [true, true, true]]);
+    let analysis = analyze(&ladder_syntax::parse(&converted.written.text).into(), "main.clad");
+    let write = |notation: &str| {
+        let notation = by_name(notation).expect("the notation is registered");
+        let writing = notation.write(&analysis).expect("it is written");
+        let remarks = writing.report.remarks().count();
+        (String::from_utf8(writing.bytes).expect("it is text"), remarks)
+    };
+    assert_eq!(write("click-csv"), (grid, 0));
+    // The DSL has no branches: two conditions, and that a branch becomes a rung.
+    assert_eq!(write("click").1, 3);
+}

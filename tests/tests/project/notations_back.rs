@@ -427,7 +427,15 @@ impl Maker<'_> {
             let end = self.block(dice, end);
             let condition_behind = self.says.rungs != Rungs::ConditionFirst && dice.one_in(3);
             ends.push(if condition_behind {
-                Circuit::Series(vec![self.condition(dice, 0), end])
+                // Click looks at it before the rung acts: where that makes a difference the writer says so.
+                let condition = match self.says.rungs {
+                    Rungs::BranchesBehind => {
+                        let input = dice.of(self.says.inputs);
+                        self.block(dice, &format!("[/]( {input} )"))
+                    }
+                    _ => self.condition(dice, 0),
+                };
+                Circuit::Series(vec![condition, end])
             } else {
                 end
             });

@@ -373,6 +373,7 @@ fn program() -> impl Strategy<Value = Program> {
             nicknames: Vec::new(),
             main: routine("main", main),
             subroutines: vec![routine("step", sub)],
+            seen_first: Vec::new(),
         };
         // Each timer and counter has one block, and only the main program ends.
         let mut number = 0;

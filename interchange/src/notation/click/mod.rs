@@ -27,6 +27,7 @@ mod grid;
 mod model;
 mod nicknames;
 mod operand;
+mod order;
 mod read_back;
 mod sketch;
 mod tags;
@@ -76,6 +77,7 @@ impl Notation for Click {
 
     fn write(&self, analysis: &Analysis) -> Result<Writing, WriteError> {
         let (mut program, mut report) = read_back::program(analysis)?;
+        order::remarks(&program, order::Look::InPlace, &mut report);
         let text = dsl::write(&program, &mut report);
         report.entries.sort_by_key(|entry| entry.place);
         for nickname in &mut program.nicknames {

@@ -13,6 +13,8 @@ pub(super) struct Program {
     pub(super) main: Routine,
     /// The subroutines, in their order.
     pub(super) subroutines: Vec<Routine>,
+    /// Of a ladder text: conditions of branches that it looks at before their rung acts, as Click does.
+    pub(super) seen_first: Vec<Condition>,
 }
 
 impl Program {

@@ -1,11 +1,13 @@
 //! From the model to the sketch of a ladder program.
 
+mod contacts;
+
 use super::super::{Place, Reading};
 use super::act::{self, Above};
 use super::bank::{Bank, Writer};
 use super::dsl::spell;
-use super::model::{Action, Bits, Condition, Contact, ContactKind, Instruction, Program, Routine, Rung};
-use super::operand::{Chain, kind};
+use super::model::{Action, Condition, Instruction, Program, Routine, Rung};
+use super::order;
 use super::tags::Tags;
 use super::uses::{Access, What, uses};
 use crate::notation::names::Names;
@@ -25,6 +27,8 @@ pub(super) fn sketch(program: &Program) -> Reading {
         blocks: HashMap::new(),
         items: Vec::new(),
         reading: Reading::default(),
+        seen_first: 0,
+        late: Vec::new(),
     };
     sketcher.remarks(program);
     for routine in program.routines() {
@@ -41,6 +45,10 @@ struct Sketcher<'p> {
     /// The networks: the declarations before them are known only when these are.
     items: Vec<Item>,
     reading: Reading,
+    /// How many conditions were looked at before their rung.
+    seen_first: usize,
+    /// Those of the rung that is being made, and the tags that hold them.
+    late: Vec<(Condition, String)>,
 }
 
 impl Sketcher<'_> {
@@ -165,8 +173,8 @@ impl Sketcher<'_> {
                 drawing: Drawing::Circuit(Circuit::Element(block)),
             }));
         }
-        for rung in &routine.rungs {
-            self.rung(rung);
+        for rungs in routine.rungs.chunk_by(|_, next| order::goes_on(next)) {
+            self.rungs(rungs);
         }
         if !routine.behind.is_empty() {
             self.items.push(Item::Blank);
@@ -175,17 +183,35 @@ impl Sketcher<'_> {
         }
     }
 
-    fn rung(&mut self, rung: &Rung) {
+    /// A rung of Click, which may be several networks: all of its contacts are looked at before it acts.
+    fn rungs(&mut self, rungs: &[Rung]) {
+        let mut above = Vec::new();
+        for condition in order::late(&self.tags, rungs) {
+            self.seen_first += 1;
+            let what = format!("what a branch sees before its rung acts, {}", self.seen_first);
+            let helper = self.tags.helper("seen", "BOOL", what);
+            above.push(Above {
+                condition: condition.clone(),
+                blocks: vec![format!("( )( {helper} )")],
+            });
+            self.late.push((condition.clone(), helper));
+        }
+        for rung in rungs {
+            self.rung(rung, std::mem::take(&mut above));
+        }
+        self.late.clear();
+    }
+
+    fn rung(&mut self, rung: &Rung, mut above: Vec<Above>) {
         let mut comments = rung.comments.clone();
         let mut branches = Vec::with_capacity(rung.actions.len());
-        let mut above = Vec::new();
         let mut behind = Vec::new();
-        let condition = self.condition(&rung.condition);
+        let condition = self.seen(&rung.condition, rung.place);
         // Actions that follow each other behind the same condition share it.
         let same =
             |one: &Action, other: &Action| !one.condition.is_always() && one.condition == other.condition;
         for actions in rung.actions.chunk_by(same) {
-            let before = self.condition(&actions[0].condition);
+            let before = self.seen(&actions[0].condition, actions[0].place);
             let mut parts = if before_is_bare(&before) {
                 Vec::new()
             } else {
@@ -243,67 +269,6 @@ impl Sketcher<'_> {
             comments,
             drawing: Drawing::Circuit(Circuit::Series(parts)),
         }));
-    }
-
-    fn condition(&mut self, condition: &Condition) -> Circuit<Element> {
-        match condition {
-            Condition::All(parts) => Circuit::Series(parts.iter().map(|part| self.condition(part)).collect()),
-            Condition::Any(parts) if parts.len() == 1 => self.condition(&parts[0]),
-            // Where one branch is a bare wire the others decide nothing, but stay.
-            Condition::Any(parts) => {
-                let mut branches = Vec::with_capacity(parts.len());
-                for part in parts {
-                    match self.condition(part) {
-                        Circuit::Parallel(inside) => branches.extend(inside),
-                        other => branches.push(other),
-                    }
-                }
-                Circuit::Parallel(branches)
-            }
-            Condition::Contact(contact) => self.contact(contact),
-            Condition::Compare(comparison) => {
-                let mut chain = Chain::default();
-                let sides = [&comparison.left, &comparison.right];
-                let left = chain.value(&mut self.tags, sides[0], kind(sides[1]));
-                let right = chain.value(&mut self.tags, sides[1], kind(sides[0]));
-                chain.push(format!("[{}]( {left}, {right} )", comparison.relation.mnemonic()));
-                let text = spell::condition(condition);
-                self.reading.report.translated(comparison.place, text);
-                self.series(comparison.place, chain.blocks)
-            }
-        }
-    }
-
-    fn series(&mut self, place: Place, blocks: Vec<String>) -> Circuit<Element> {
-        let origin = Some(self.reading.origin(place));
-        let elements = blocks
-            .into_iter()
-            .map(|block| Circuit::Element(Element::block(block, origin)));
-        Circuit::Series(elements.collect())
-    }
-
-    fn contact(&mut self, contact: &Contact) -> Circuit<Element> {
-        let head = match contact.kind {
-            ContactKind::Open => "[ ]",
-            ContactKind::Closed => "[/]",
-            ContactKind::Rising => "[P]",
-            ContactKind::Falling => "[N]",
-        };
-        let shown = spell::condition(&Condition::Contact(contact.clone()));
-        self.reading.report.translated(contact.place, shown);
-        let blocks = match &contact.bits {
-            Bits::One(tag) => vec![format!("{head}( {} )", self.tags.text(tag))],
-            // Each timer is a tag of its own, and no part of an array.
-            Bits::Many(span) if matches!(span.bank, Bank::T | Bank::Ct) => {
-                let (first, last) = span.bounds();
-                let numbers = (first..=last).filter(|number| span.bank.has(*number));
-                let tags = numbers.map(|number| super::address::Tag::number(span.bank, number));
-                tags.map(|tag| format!("{head}( {} )", self.tags.text(&tag)))
-                    .collect()
-            }
-            Bits::Many(span) => vec![format!("{head}( {} )", act::range(span))],
-        };
-        self.series(contact.place, blocks)
     }
 
     /// What stands behind the condition of an action.

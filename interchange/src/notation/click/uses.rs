@@ -43,6 +43,20 @@ pub(super) fn uses(program: &Program) -> Vec<Use<'_>> {
     out.all
 }
 
+/// What a condition reads.
+pub(super) fn of_condition(condition: &Condition) -> Vec<Use<'_>> {
+    let mut out = Uses::default();
+    out.condition(condition);
+    out.all
+}
+
+/// What an instruction uses.
+pub(super) fn of_instruction(instruction: &Instruction) -> Vec<Use<'_>> {
+    let mut out = Uses::default();
+    out.instruction(instruction);
+    out.all
+}
+
 #[derive(Default)]
 struct Uses<'p> {
     place: Option<Place>,

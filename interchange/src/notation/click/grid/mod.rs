@@ -36,11 +36,12 @@ mod write;
 
 use super::super::{Notation, ReadError, Reading, Source, WriteError, Writing};
 use super::model::Operand;
-use super::{nicknames, read_back};
+use super::{nicknames, order, read_back};
 use addresses::Addresses;
 use ladder_analysis::Analysis;
 
 pub(super) use cell::COLUMNS;
+pub(super) use rungs::CONTINUES;
 
 /// A value as the grid writes it. None: an address has only a nickname.
 pub(super) fn operand(operand: &Operand) -> Option<String> {
@@ -78,6 +79,7 @@ impl Notation for ClickGrid {
 
     fn write(&self, analysis: &Analysis) -> Result<Writing, WriteError> {
         let (program, mut report) = read_back::program(analysis)?;
+        order::remarks(&program, order::Look::Before, &mut report);
         let (text, companions) = write::write(&program, &mut report);
         report.entries.sort_by_key(|entry| entry.place);
         Ok(Writing {

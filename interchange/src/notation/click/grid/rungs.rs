@@ -11,7 +11,7 @@ use super::{action, contact};
 use ladder_analysis::Severity;
 
 /// What is said above a rung of the model that a rung of the grid goes on with.
-pub(super) const CONTINUES: &str = "click: goes on in the same rung of the grid";
+pub(in super::super) const CONTINUES: &str = "click: goes on in the same rung of the grid";
 
 /// What a line of the grid begins with that is kept as a comment.
 pub(super) const KEPT: &str = "click: grid ";

@@ -73,6 +73,7 @@ pub(super) fn program(analysis: &Analysis) -> Result<(model::Program, Report), W
     };
     let mut out = back.routines();
     out.nicknames = nicknames;
+    out.seen_first = back.conditions.values().cloned().collect();
     Ok((out, back.report))
 }
 
