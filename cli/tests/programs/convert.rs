@@ -184,6 +184,15 @@ fn folders_and_several_files() {
 }
 
 #[test]
+fn a_name_keeps_its_dots() {
+    let folder = Folder::with(&[("in/line.1_a.rung", RUNG), ("in/line.1_b.rung", RUNG)]);
+    let run = folder.ladder(&["convert", "in", "-o", "out"]);
+    assert_eq!(run.status, Some(0), "{run}");
+    assert!(folder.read("out/line.1_a.clad").contains("Q0"));
+    assert!(folder.read("out/line.1_b.clad").contains("Q0"));
+}
+
+#[test]
 fn what_cannot_be_read_is_not_written() {
     let folder = Folder::with(&[
         ("bad.rung", "start open contact I0.1 & end\n"),

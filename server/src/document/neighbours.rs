@@ -42,6 +42,17 @@ struct Folder {
     disk: BTreeMap<PathBuf, Arc<OnDisk>>,
     open: HashMap<PathBuf, Open>,
     exported: Option<Arc<Exported>>,
+    /// How often what an open file shows has become something else.
+    changes: u64,
+}
+
+/// Which files see something else once a file has told what it says.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub(crate) struct News {
+    /// The other ones.
+    pub(crate) for_others: bool,
+    /// The file itself: others have changed since it was read, when they could not know that it concerns it.
+    pub(crate) for_itself: bool,
 }
 
 /// A file that no editor shows.
@@ -83,14 +94,21 @@ struct Open {
 impl Neighbours {
     /// What a file is called in messages, and what it sees of the others.
     pub(crate) fn view(&self, path: &Path) -> (Arc<str>, Others) {
+        let (name, others, _) = self.view_now(path);
+        (name, others)
+    }
+
+    /// As [`Neighbours::view`], with the number of changes that it has in it.
+    fn view_now(&self, path: &Path) -> (Arc<str>, Others, u64) {
         let mut state = self.lock();
         let (root, folder) = state.folder(path);
         let name = name_in(&root, path);
-        (Arc::clone(&name), folder.exported().others_of(&name))
+        let others = folder.exported().others_of(&name);
+        (name, others, folder.changes)
     }
 
-    /// Enters the analysis of an open file. True if the others see something else now.
-    pub(crate) fn analysed(&self, path: &Path, analysis: &Arc<Analysis>) -> bool {
+    /// Enters the analysis of an open file, which was read when there had been so many changes.
+    fn analysed(&self, path: &Path, analysis: &Arc<Analysis>, read_at: Option<u64>) -> News {
         let exports = Arc::new(Exports::of(&analysis.context, &analysis.context.name));
         let mut state = self.lock();
         let (_, folder) = state.folder(path);
@@ -98,6 +116,10 @@ impl Neighbours {
             Some(before) => folder.exported().concerns(&before, &exports),
             None => true,
         };
+        let for_itself = changed && read_at.is_some_and(|read_at| read_at != folder.changes);
+        if !same(folder.shown(path).map(|exports| &**exports), Some(&exports)) {
+            folder.changes += 1;
+        }
         let open = Open {
             exports,
             analysis: Arc::clone(analysis),
@@ -106,7 +128,10 @@ impl Neighbours {
         if changed {
             folder.exported = None;
         }
-        changed
+        News {
+            for_others: changed,
+            for_itself,
+        }
     }
 
     /// The editor has closed a file: the text on disk counts again. True if the others see something else now.
@@ -376,6 +401,7 @@ impl Folder {
             disk: BTreeMap::new(),
             open: HashMap::new(),
             exported: None,
+            changes: 0,
         };
         let Ok(found) = Root::of(path) else {
             return folder;
@@ -469,6 +495,8 @@ pub(crate) struct Place {
     pub(crate) neighbours: Arc<Neighbours>,
     /// Whether what the file says was told to the others.
     told: Arc<OnceLock<()>>,
+    /// How many changes there had been when it was read.
+    read_at: Arc<OnceLock<u64>>,
 }
 
 impl Place {
@@ -477,7 +505,15 @@ impl Place {
             path,
             neighbours: Arc::clone(neighbours),
             told: Arc::default(),
+            read_at: Arc::default(),
         }
+    }
+
+    /// As [`Neighbours::view`], for the text that is to be told.
+    pub(super) fn view(&self) -> (Arc<str>, Others) {
+        let (name, others, changes) = self.neighbours.view_now(&self.path);
+        let _ = self.read_at.set(changes);
+        (name, others)
     }
 
     /// The same file, with a text that nobody was told of.
@@ -485,8 +521,38 @@ impl Place {
         Place::new(self.path.clone(), &self.neighbours)
     }
 
-    /// Tells the others what the file says now. True, once, if they see something else than before.
-    pub(super) fn tell(&self, analysis: &Arc<Analysis>) -> bool {
-        self.told.set(()).is_ok() && self.neighbours.analysed(&self.path, analysis)
+    /// Tells the others what the file says now. Gives, once, who sees something else than before.
+    pub(super) fn tell(&self, analysis: &Arc<Analysis>) -> News {
+        if self.told.set(()).is_err() {
+            return News::default();
+        }
+        let read_at = self.read_at.get().copied();
+        self.neighbours.analysed(&self.path, analysis, read_at)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::document::position::Encoding;
+    use crate::document::revision::Revision;
+
+    #[test]
+    fn a_new_file_is_looked_at_again_if_another_has_changed_meanwhile() {
+        let folder = tempfile::tempdir().unwrap();
+        std::fs::write(folder.path().join("ladder.toml"), "").unwrap();
+        let neighbours = Arc::<Neighbours>::default();
+        let open = |name: &str, text: &str| {
+            let place = Place::new(folder.path().join(name), &neighbours);
+            Revision::on_disk(name, Encoding::Utf8, text, place)
+        };
+        let caller = open("caller.clad", "+--( )( z )--<CALL>( count )--+\n");
+        let called = open("called.clad", "+--( )( y )--+\n+--<FUN>( count )--( )( y )--+\n");
+        assert!(called.analysis().is_some());
+        // Nobody knows of the function yet: the call concerns no other file.
+        caller.tell_neighbours();
+        let news = called.tell_neighbours();
+        assert!(news.for_others && news.for_itself, "{news:?}");
+        assert_eq!(called.tell_neighbours(), News::default());
     }
 }

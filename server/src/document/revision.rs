@@ -13,7 +13,7 @@ use ladder_syntax::{MAX_OPEN_BYTES, MAX_OPEN_LINES, TextRange, TextSize};
 use ropey::Rope;
 
 use super::kind::Kind;
-use super::neighbours::Place;
+use super::neighbours::{News, Place};
 use super::position::{self, Encoding, Position, Range};
 use crate::language::{Analysis, Names};
 use crate::notation::Opened;
@@ -118,7 +118,7 @@ impl Revision {
                 let before = self.latest().names.clone();
                 let names = match &self.place {
                     Some(place) => {
-                        let (name, others) = place.neighbours.view(&place.path);
+                        let (name, others) = place.view();
                         Names::of(text, before.as_ref(), &name, &others)
                     }
                     None => Names::of(text, before.as_ref(), self.name(), &Others::default()),
@@ -188,12 +188,12 @@ impl Revision {
         self.latest.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
-    /// Tells the other files of the workspace what this one says now. True, once, if they see something else than
-    /// before. As costly as [`Revision::analysis`].
-    pub(crate) fn tell_neighbours(&self) -> bool {
+    /// Tells the other files of the workspace what this one says now. Gives, once, who sees something else than before.
+    /// As costly as [`Revision::analysis`].
+    pub(crate) fn tell_neighbours(&self) -> News {
         match (self.analysis(), &self.place) {
             (Some(analysis), Some(place)) => place.tell(analysis.whole()),
-            _ => false,
+            _ => News::default(),
         }
     }
 

@@ -145,8 +145,11 @@ fn job(
         if !several && !output.is_dir() {
             return output.to_owned();
         }
-        let stem = input.file_stem().unwrap_or_default();
-        output.join(stem).with_extension(to.extension())
+        // A stem may have dots of its own.
+        let mut name = input.file_stem().unwrap_or_default().to_owned();
+        name.push(".");
+        name.push(to.extension());
+        output.join(name)
     });
     Ok(Some(Job {
         input: input.to_owned(),

@@ -60,8 +60,12 @@ pub(crate) fn look_at(shared: &Arc<Shared>, revision: &Revision) -> Vec<Diagnost
 /// Has the other open files of a program's workspace looked at again if they see something else in it than before.
 fn tell_others(shared: &Arc<Shared>, revision: &Revision) {
     if let Some(place) = revision.place().filter(|_| shared.documents.is_current(revision)) {
-        if revision.tell_neighbours() {
+        let news = revision.tell_neighbours();
+        if news.for_others {
             refresh_others(shared, &place.path, Some(&revision.uri));
+        }
+        if news.for_itself {
+            look_again(shared, &revision.uri);
         }
         settings_file::tell(shared);
         companions::refresh_scenarios(shared);
