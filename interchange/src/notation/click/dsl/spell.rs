@@ -244,11 +244,11 @@ impl Call {
 
     fn options(&mut self, options: &CopyOptions) {
         if !options.named.is_empty() {
-            let named: Vec<String> = options
-                .named
-                .iter()
-                .map(|(name, value)| format!("{name}={value}"))
-                .collect();
+            let spelled = |(name, value): &(String, String)| match value.as_str() {
+                "True" => name.clone(),
+                _ => format!("{name}={value}"),
+            };
+            let named: Vec<String> = options.named.iter().map(spelled).collect();
             self.named("options", quoted(&named.join(", ")));
         }
     }
