@@ -132,6 +132,37 @@ async function session() {
         assert.equal(document.getText(), motor.getText());
     });
 
+    const shut = () => vscode.commands.executeCommand('workbench.action.revertAndCloseActiveEditor');
+
+    await step('a program of another system becomes ladder text', async () => {
+        await open('motor.rung');
+        // The command ends when the message that sums it up is gone.
+        void vscode.commands.executeCommand('ladder.convert');
+        const document = await eventually('the ladder text', () =>
+            vscode.workspace.textDocuments.find(({ languageId, isUntitled, getText }) =>
+                languageId === 'clad' && isUntitled && getText().includes('( )( Q0 )')));
+        assert.match(document.getText(), /\[ \]\( I0 \)/);
+        await eventually('its editor', () => vscode.window.activeTextEditor?.document === document);
+        await shut();
+        await shut();
+    });
+
+    await step('a Python file is a Click program when a person asks, with its diagram beside it', async () => {
+        const before = await open('tank.py');
+        assert.equal(before.languageId, 'python');
+        await vscode.commands.executeCommand('ladder.click.open');
+        const document = await eventually('the language', () =>
+            vscode.workspace.textDocuments.find(({ languageId }) => languageId === 'ladder-click'));
+        const line = document.positionAt(document.getText().indexOf('out('));
+        const hovers = await vscode.commands.executeCommand('vscode.executeHoverProvider', document.uri, line);
+        assert.match(hovers.flatMap(({ contents }) => contents.map((content) => content.value ?? content)).join('\n'), /\( \)\( Valve \)/);
+        await vscode.commands.executeCommand('ladder.click.preview');
+        const drawing = vscode.workspace.textDocuments.find(({ uri }) => uri.scheme === 'ladder-click');
+        assert.match(drawing.getText(), /\[LT\]\( Level, Limit \)/);
+        await vscode.commands.executeCommand('workbench.action.closeEditorsInOtherGroups');
+        await shut();
+    });
+
     await step('three scans with start high give power to exactly these cells', async () => {
         const document = await open('motor.clad');
         await run('start');
