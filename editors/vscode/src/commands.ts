@@ -108,7 +108,8 @@ export function registerCommands(server: Server, simulation: Simulation, click: 
         'ladder.test': (uri?: unknown) => runScenarios(server.program(), typeof uri === 'string' ? uri : undefined),
         'ladder.simulation.breakOnChange': (tag) => breakOnChange(simulation, tag),
         'ladder.simulation.why': (tag) => why(simulation, tag),
-        'ladder.convert': (uri) => convert(server, uri),
+        // Not `ladder.convert`: the client registers the server's commands under their own names.
+        'ladder.convertFile': (uri) => convert(server, uri),
         'ladder.exportAs': (uri) => exportAs(server, uri),
         'ladder.click.open': () => click.open(),
         'ladder.click.preview': () => click.preview(),

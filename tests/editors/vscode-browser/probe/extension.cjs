@@ -137,7 +137,7 @@ async function session() {
     await step('a program of another system becomes ladder text', async () => {
         await open('motor.rung');
         // The command ends when the message that sums it up is gone.
-        void vscode.commands.executeCommand('ladder.convert');
+        void vscode.commands.executeCommand('ladder.convertFile');
         const document = await eventually('the ladder text', () =>
             vscode.workspace.textDocuments.find(({ languageId, isUntitled, getText }) =>
                 languageId === 'clad' && isUntitled && getText().includes('( )( Q0 )')));
