@@ -50,17 +50,7 @@ pub(super) fn packed(place: Place, from: Bank, count: usize, to: Bank, out: &mut
         (Txt, Ds | Dd | Dh | Df | Td | Ctd) => 1_000,
         _ => 0,
     };
-    complain(
-        place,
-        most,
-        count,
-        &format!(
-            "{} is not packed into {}",
-            out.words.bank(from),
-            out.words.bank(to)
-        ),
-        out,
-    );
+    no_more_than(most, count, place, (from, "packed", to), out);
 }
 
 pub(super) fn unpacked(place: Place, from: Bank, to: Bank, count: usize, out: &mut Found) {
@@ -71,29 +61,25 @@ pub(super) fn unpacked(place: Place, from: Bank, to: Bank, count: usize, out: &m
         (Dd | Df, Ds | Dh) => 2,
         _ => 0,
     };
-    complain(
-        place,
-        most,
-        count,
-        &format!(
-            "{} is not unpacked into {}",
-            out.words.bank(from),
-            out.words.bank(to)
-        ),
-        out,
-    );
+    no_more_than(most, count, place, (from, "unpacked", to), out);
 }
 
-fn complain(place: Place, most: usize, count: usize, never: &str, out: &mut Found) {
-    match most {
-        0 => out.error(place, "click-pack", never),
-        most if count > most => {
-            out.error(
-                place,
-                "click-pack",
-                format!("no more than {most} addresses go into it, and these are {count}"),
-            );
-        }
-        _ => {}
+/// What goes into what, and by which way: none of it may, or so many addresses.
+fn no_more_than(
+    most: usize,
+    count: usize,
+    place: Place,
+    (from, way, to): (Bank, &str, Bank),
+    out: &mut Found,
+) {
+    if most == 0 {
+        let (from, to) = (out.words.bank(from), out.words.bank(to));
+        out.error(place, "click-pack", format!("{from} is not {way} into {to}"));
+    } else if count > most {
+        out.error(
+            place,
+            "click-pack",
+            format!("no more than {most} addresses go into it, and these are {count}"),
+        );
     }
 }
