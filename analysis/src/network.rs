@@ -8,7 +8,7 @@ use crate::uses::{self, Named};
 use crate::verdict::Verdict;
 use ladder_instructions::{Accepts, Instruction, Op, Operand, lookup};
 use ladder_syntax::wiring::{PartKind, Wiring, wiring};
-use ladder_syntax::{Name, Network, Parse, Place, SyntaxError, SyntaxErrorKind, TextRange, TextSize};
+use ladder_syntax::{Name, Network, Parse, Surroundings, SyntaxError, SyntaxErrorKind, TextRange, TextSize};
 use std::sync::Arc;
 
 /// A network, its wiring, order and blocks.
@@ -258,7 +258,7 @@ pub(crate) fn breaks_drawing(error: &SyntaxError) -> bool {
             | SyntaxErrorKind::TooMany(_)
             | SyntaxErrorKind::BadDeclaration(_)
             | SyntaxErrorKind::UnexpectedCharacter {
-                place: Place::Rung,
+                place: Surroundings::Rung,
                 ..
             }
     )

@@ -57,7 +57,7 @@ pub(crate) struct Named {
     pub(crate) block: u32,
     operand: u32,
     pub(crate) access: Access,
-    part: Part,
+    part: Extent,
 }
 
 /// The tags that blocks name, in the order in which they stand.
@@ -91,7 +91,7 @@ impl Names {
     fn walk(&mut self, node: &Node, access: Access, whole: bool) {
         match &node.kind {
             NodeKind::Name(name) | NodeKind::Address(name) => {
-                self.add(name, node.range, access, Part::of(whole));
+                self.add(name, node.range, access, Extent::of(whole));
             }
             NodeKind::Member(base, _) => {
                 let system = matches!(&base.kind, NodeKind::Name(name) if name.eq_ignore_ascii_case("SYS"));
@@ -125,12 +125,12 @@ impl Names {
     /// The base of an index.
     fn walk_indexed(&mut self, base: &Node, access: Access) {
         match &base.kind {
-            NodeKind::Name(name) => self.add(name, base.range, access, Part::Elements),
+            NodeKind::Name(name) => self.add(name, base.range, access, Extent::Elements),
             _ => self.walk(base, access, false),
         }
     }
 
-    fn add(&mut self, name: &str, range: TextRange, access: Access, part: Part) {
+    fn add(&mut self, name: &str, range: TextRange, access: Access, part: Extent) {
         if name.eq_ignore_ascii_case("SYS") || name.eq_ignore_ascii_case("PI") {
             return;
         }
@@ -147,15 +147,15 @@ impl Names {
 
 /// Which part of a tag is meant.
 #[derive(Debug, Clone, Copy, PartialEq)]
-enum Part {
+enum Extent {
     Whole,
     Member,
     Elements,
 }
 
-impl Part {
-    const fn of(whole: bool) -> Part {
-        if whole { Part::Whole } else { Part::Member }
+impl Extent {
+    const fn of(whole: bool) -> Extent {
+        if whole { Extent::Whole } else { Extent::Member }
     }
 }
 
@@ -178,8 +178,8 @@ fn enter(network: usize, facts: &NetworkFacts, law: &Law, scope: &mut Scope) {
             operand: named.operand as usize,
             range,
             access: named.access,
-            whole: named.part == Part::Whole,
-            indexed: named.part == Part::Elements,
+            whole: named.part == Extent::Whole,
+            indexed: named.part == Extent::Elements,
         });
     }
 }

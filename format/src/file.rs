@@ -76,7 +76,7 @@ struct File<'f, S> {
 }
 
 /// A part of a file, as far as it is known before it is written.
-struct Part<'p> {
+struct PendingPart<'p> {
     source: Source<'p>,
     stays: Stays,
     networks: &'p mut Networks,
@@ -121,7 +121,7 @@ impl<S: Sink> File<'_, S> {
             if is_first && self.text.starts_with('\u{feff}') {
                 self.pen.keep(0, '\u{feff}'.len_utf8());
             }
-            let mut part = Part {
+            let mut part = PendingPart {
                 source,
                 stays,
                 networks,
@@ -133,7 +133,7 @@ impl<S: Sink> File<'_, S> {
         Ok(())
     }
 
-    fn item(&mut self, part: &mut Part<'_>, item: Item) {
+    fn item(&mut self, part: &mut PendingPart<'_>, item: Item) {
         let lines = item_lines(part.source.lines, item);
         let line = lines.start;
         if !self.begun && self.text[part.source.range(line).start..].starts_with('\u{feff}') {
@@ -177,7 +177,7 @@ impl<S: Sink> File<'_, S> {
         }
     }
 
-    fn network(&mut self, part: &mut Part<'_>, number: usize) {
+    fn network(&mut self, part: &mut PendingPart<'_>, number: usize) {
         let Some(Placed { rungs, outline }) = part.networks.placed[number].clone() else {
             return;
         };
@@ -214,7 +214,7 @@ impl<S: Sink> File<'_, S> {
 
     /// Writes what belongs between the last thing and the one that comes: a blank line if one was blank, a
     /// rail line if only those stood there, else nothing. Before the first thing stands nothing.
-    fn begin(&mut self, part: &Part<'_>) {
+    fn begin(&mut self, part: &PendingPart<'_>) {
         let begun = std::mem::replace(&mut self.begun, true);
         let Some(&first) = self.between.first().filter(|_| begun) else {
             self.between.clear();
@@ -235,14 +235,14 @@ impl<S: Sink> File<'_, S> {
     }
 
     /// Keeps lines to the letter.
-    fn keep(&mut self, part: &Part<'_>, lines: Range<usize>) {
+    fn keep(&mut self, part: &PendingPart<'_>, lines: Range<usize>) {
         if let Some(last) = lines.clone().next_back() {
             self.pen
                 .keep(part.source.range(lines.start).start, part.source.range(last).end);
         }
     }
 
-    fn keep_line_end(&mut self, part: &Part<'_>, line: usize) {
+    fn keep_line_end(&mut self, part: &PendingPart<'_>, line: usize) {
         if let Some(line_end) = part.source.line_end(line) {
             self.pen.keep(line_end, part.source.range(line).end);
         }

@@ -6,7 +6,7 @@ use crate::sketch::{ElementKind, Sketch};
 use crate::stays::directive;
 use crate::width::display_width;
 use ladder_syntax::SyntaxKind::COIL_BLOCK;
-use ladder_syntax::wiring::{self, Part, PartKind};
+use ladder_syntax::wiring::{self, PartKind, RungPart};
 use ladder_syntax::{Line, Network};
 
 /// A rung cannot be drawn anew without changing what it says (LANGUAGE §8 rule 10, and the few texts whose
@@ -100,7 +100,7 @@ impl Reader {
             check_leading_comments(source, parts, first)?;
         }
         self.sketch.begin_rung();
-        let mut push = |kind, joined, width, part: &Part, form| {
+        let mut push = |kind, joined, width, part: &RungPart, form| {
             self.sketch.push(kind, joined, width);
             self.atoms.push(Atom {
                 node: part.child,
@@ -168,13 +168,13 @@ impl Reader {
 }
 
 /// What stands beside the drawing: bars and comments that join nothing.
-fn is_aside(part: &Part) -> bool {
+fn is_aside(part: &RungPart) -> bool {
     part.kind == PartKind::Bar || (part.kind == PartKind::Comment && part.segment.is_none())
 }
 
 /// A comment before the first element goes onto a line of its own; it must not become a directive there.
-fn check_leading_comments(source: Source<'_>, parts: &[Part], first: usize) -> Result<(), Stays> {
-    let is_directive = |part: &Part| {
+fn check_leading_comments(source: Source<'_>, parts: &[RungPart], first: usize) -> Result<(), Stays> {
+    let is_directive = |part: &RungPart| {
         part.kind == PartKind::Comment && directive(&source.text[source.node(part.child).range()]).is_some()
     };
     if parts[..first].iter().any(is_directive) {
@@ -185,7 +185,7 @@ fn check_leading_comments(source: Source<'_>, parts: &[Part], first: usize) -> R
 }
 
 /// Whether a `|` stands first on the line and touches the wire there.
-fn begins_at_bar(parts: &[Part], first: usize) -> bool {
+fn begins_at_bar(parts: &[RungPart], first: usize) -> bool {
     first > 0
         && parts[first].kind == PartKind::Wire
         && parts[first].touches
@@ -193,7 +193,7 @@ fn begins_at_bar(parts: &[Part], first: usize) -> bool {
 }
 
 /// Whether a `|` stands last on the line and touches the wire there.
-fn ends_at_bar(parts: &[Part], last: usize) -> bool {
+fn ends_at_bar(parts: &[RungPart], last: usize) -> bool {
     parts[last].kind == PartKind::Wire
         && parts
             .get(last + 1)
@@ -217,7 +217,7 @@ fn is_between(drawing: &wiring::Rung, index: usize, first: usize, last: usize) -
 }
 
 /// Whether a block has a mistake that formatting does not stop at; it is moved, but not touched.
-fn has_mistake<N>(line: &Line<N>, block: &Part) -> bool {
+fn has_mistake<N>(line: &Line<N>, block: &RungPart) -> bool {
     let place = block.range;
     line.errors
         .iter()

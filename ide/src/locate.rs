@@ -4,7 +4,7 @@ use ladder_analysis::context::Context;
 use ladder_analysis::facts::{Node, NodeKind};
 use ladder_analysis::network::BoundBlock;
 use ladder_syntax::TextSize;
-use ladder_syntax::wiring::Part;
+use ladder_syntax::wiring::RungPart;
 
 /// A place on a rung.
 #[derive(Clone, Copy)]
@@ -16,7 +16,7 @@ pub(crate) struct OnRung<'c> {
     /// The part of the rung's drawing.
     pub(crate) part: usize,
     /// The part itself.
-    pub(crate) drawn: &'c Part,
+    pub(crate) drawn: &'c RungPart,
     /// The block, if the part is one.
     pub(crate) block: Option<&'c BoundBlock>,
 }
@@ -57,7 +57,7 @@ pub(crate) fn on_rung(context: &Context, offset: TextSize) -> Option<OnRung<'_>>
     })
 }
 
-fn preference(part: &Part) -> u8 {
+fn preference(part: &RungPart) -> u8 {
     use ladder_syntax::wiring::PartKind;
     match part.kind {
         PartKind::Block => 2,

@@ -47,7 +47,7 @@ pub enum SyntaxErrorKind {
     /// Characters that mean nothing where they stand.
     UnexpectedCharacter {
         /// What they stand in.
-        place: Place,
+        place: Surroundings,
         /// They stand right behind a comment that ended inside what looks like a literal (`T# 5s #`).
         behind_comment: bool,
     },
@@ -105,7 +105,7 @@ impl Many {
 
 /// What something stands in.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-pub enum Place {
+pub enum Surroundings {
     /// On a line, outside blocks.
     Rung,
     /// In a block's first part.

@@ -44,7 +44,7 @@ pub mod wiring;
 
 pub use builder::Builder;
 pub use dump::dump;
-pub use error::{DeclarationProblem, Many, OperandPlace, Place, SyntaxError, SyntaxErrorKind};
+pub use error::{DeclarationProblem, Many, OperandPlace, Surroundings, SyntaxError, SyntaxErrorKind};
 pub use grammar::is_declaration_keyword;
 pub use kind::{LadderLanguage, SyntaxElement, SyntaxKind, SyntaxNode, SyntaxToken};
 pub use line::{Line, LineKind, Mode};

@@ -45,7 +45,7 @@ impl PartKind {
 
 /// One thing on a rung. White space between parts is not a part.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct Part {
+pub struct RungPart {
     /// What it is.
     pub kind: PartKind,
     /// Where, counted from the start of its line.
@@ -71,7 +71,7 @@ pub struct Segment {
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
 pub struct Rung {
     /// The parts from left to right.
-    pub parts: Vec<Part>,
+    pub parts: Vec<RungPart>,
     /// The segments from left to right.
     pub segments: Vec<Segment>,
 }
@@ -178,7 +178,7 @@ pub fn rung(line: &Line) -> Rung {
 }
 
 /// Reads the parts and segments of a rung from its line's children: their kinds, lengths, and numbers for
-/// [`Part::child`]. What the rung held before goes, its memory stays: a walk over a file needs no other.
+/// [`RungPart::child`]. What the rung held before goes, its memory stays: a walk over a file needs no other.
 pub fn read_rung(children: impl Iterator<Item = (SyntaxKind, TextSize, u32)>, rung: &mut Rung) {
     rung.parts.clear();
     rung.segments.clear();
@@ -188,7 +188,7 @@ pub fn read_rung(children: impl Iterator<Item = (SyntaxKind, TextSize, u32)>, ru
     segments(&mut rung.parts, &mut rung.segments);
 }
 
-fn parts(children: impl Iterator<Item = (SyntaxKind, TextSize, u32)>, parts: &mut Vec<Part>) {
+fn parts(children: impl Iterator<Item = (SyntaxKind, TextSize, u32)>, parts: &mut Vec<RungPart>) {
     let mut at = TextSize::new(0);
     let mut touches = false;
     for (kind, len, child) in children {
@@ -216,7 +216,7 @@ fn parts(children: impl Iterator<Item = (SyntaxKind, TextSize, u32)>, parts: &mu
             last.range = last.range.cover(range);
             continue;
         }
-        parts.push(Part {
+        parts.push(RungPart {
             kind,
             range,
             child,
@@ -229,8 +229,8 @@ fn parts(children: impl Iterator<Item = (SyntaxKind, TextSize, u32)>, parts: &mu
 
 /// The first `+` of a line is the left rail's if nothing but comments and `|` stand before it, the last one
 /// the right rail's likewise. Characters that mean nothing are one mistake and make no second.
-fn classify_rails(parts: &mut [Part]) {
-    let aside = |part: &Part| matches!(part.kind, PartKind::Comment | PartKind::Bar | PartKind::Junk);
+fn classify_rails(parts: &mut [RungPart]) {
+    let aside = |part: &RungPart| matches!(part.kind, PartKind::Comment | PartKind::Bar | PartKind::Junk);
     let first = parts.iter().position(|part| !aside(part));
     let last = parts.iter().rposition(|part| !aside(part));
     if let Some(first) = first.filter(|&n| parts[n].kind == PartKind::StrayRail) {
@@ -241,7 +241,7 @@ fn classify_rails(parts: &mut [Part]) {
     }
 }
 
-fn classify_bars(parts: &mut [Part]) {
+fn classify_bars(parts: &mut [RungPart]) {
     for index in 1..parts.len().saturating_sub(1) {
         let touched = parts[index].touches && parts[index + 1].touches;
         if parts[index].kind == PartKind::Bar
@@ -254,10 +254,10 @@ fn classify_bars(parts: &mut [Part]) {
     }
 }
 
-fn segments(parts: &mut [Part], segments: &mut Vec<Segment>) {
+fn segments(parts: &mut [RungPart], segments: &mut Vec<Segment>) {
     let mut start = 0;
     while start < parts.len() {
-        let is_bar = |part: &Part| matches!(part.kind, PartKind::Bar | PartKind::StrayBar);
+        let is_bar = |part: &RungPart| matches!(part.kind, PartKind::Bar | PartKind::StrayBar);
         if is_bar(&parts[start]) {
             start += 1;
             continue;
@@ -280,7 +280,7 @@ fn segments(parts: &mut [Part], segments: &mut Vec<Segment>) {
             });
         // Characters that mean nothing and touch nothing are no wire either.
         let drawn = |range: &Range<usize>| {
-            let means = |part: &Part| !matches!(part.kind, PartKind::Junk | PartKind::Comment);
+            let means = |part: &RungPart| !matches!(part.kind, PartKind::Junk | PartKind::Comment);
             parts[range.clone()].iter().any(means)
         };
         if let Some(inner) = inner.filter(drawn) {

@@ -64,8 +64,9 @@ pub(super) fn allows(context: &Context, out: &mut Vec<Diagnostic>) -> Vec<Allow>
         }
         for (number, rung) in facts.wiring.rungs.iter().enumerate() {
             let line = facts.line(number);
-            let aside =
-                |part: &ladder_syntax::wiring::Part| part.kind == PartKind::Comment && part.segment.is_none();
+            let aside = |part: &ladder_syntax::wiring::RungPart| {
+                part.kind == PartKind::Comment && part.segment.is_none()
+            };
             if rung.parts.iter().any(aside) {
                 read_line(parse, line, || facts.range, &mut allows, out);
             }

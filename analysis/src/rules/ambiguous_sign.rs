@@ -1,6 +1,6 @@
 //! `ambiguous-sign`: `-a ^ b`, which people read in two ways.
 
-use super::survey::Place;
+use super::survey::SurveyedBlock;
 use crate::diagnostic::{Applicability, Diagnostic, Fix};
 use crate::facts::{Node, NodeKind, Operator};
 use crate::literal::Literal;
@@ -9,7 +9,7 @@ use crate::rule::Rule;
 use ladder_format::Edit;
 use ladder_syntax::TextRange;
 
-pub(super) fn check(place: &Place<'_>, out: &mut Vec<Diagnostic>) {
+pub(super) fn check(place: &SurveyedBlock<'_>, out: &mut Vec<Diagnostic>) {
     for operand in &place.bound.facts.operands {
         each_node(&operand.value, &mut |node| {
             let NodeKind::Binary(Operator::Power, base, _) = &node.kind else {

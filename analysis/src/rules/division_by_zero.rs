@@ -1,13 +1,13 @@
 //! `division-by-zero`: a divisor that is always zero.
 
-use super::survey::Place;
+use super::survey::SurveyedBlock;
 use crate::diagnostic::Diagnostic;
 use crate::facts::{Node, NodeKind, Operator};
 use crate::operand_value::{Number, each_node, number};
 use crate::rule::Rule;
 use ladder_instructions::Division;
 
-pub(super) fn check(place: &Place<'_>, out: &mut Vec<Diagnostic>) {
+pub(super) fn check(place: &SurveyedBlock<'_>, out: &mut Vec<Diagnostic>) {
     // The result, then the dividend.
     for operand in place.bound.facts.operands.iter().skip(2) {
         if is_zero(place, &operand.value) {
@@ -17,7 +17,7 @@ pub(super) fn check(place: &Place<'_>, out: &mut Vec<Diagnostic>) {
 }
 
 /// `/` and `MOD` in a `[CALC]`.
-pub(super) fn in_expression(place: &Place<'_>, out: &mut Vec<Diagnostic>) {
+pub(super) fn in_expression(place: &SurveyedBlock<'_>, out: &mut Vec<Diagnostic>) {
     for operand in &place.bound.facts.operands {
         each_node(&operand.value, &mut |node| {
             if let NodeKind::Binary(Operator::Div | Operator::Mod, _, right) = &node.kind
@@ -29,11 +29,11 @@ pub(super) fn in_expression(place: &Place<'_>, out: &mut Vec<Diagnostic>) {
     }
 }
 
-fn is_zero(place: &Place<'_>, node: &Node) -> bool {
+fn is_zero(place: &SurveyedBlock<'_>, node: &Node) -> bool {
     number(place.context, place.network.scope, node).is_some_and(Number::is_zero)
 }
 
-fn found(place: &Place<'_>, divisor: &Node) -> Diagnostic {
+fn found(place: &SurveyedBlock<'_>, divisor: &Node) -> Diagnostic {
     let what = match place.context.profile.law().division {
         Division::Fault => "it is a fault, and no result is written",
         Division::ZeroAndEnd => "the result is 0, and the scan is the last one",

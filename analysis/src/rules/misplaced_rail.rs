@@ -7,11 +7,11 @@ use crate::excerpt::columns;
 use crate::network::{NetworkFacts, breaks_drawing};
 use crate::rule::Rule;
 use ladder_syntax::TextRange;
-use ladder_syntax::wiring::{Part, PartKind};
+use ladder_syntax::wiring::{PartKind, RungPart};
 
 pub(crate) fn check(context: &Context, network: &NetworkFacts, out: &mut Vec<Diagnostic>) {
     for (rung, drawing) in network.wiring.rungs.iter().enumerate() {
-        let is_stray = |part: &Part| matches!(part.kind, PartKind::StrayRail | PartKind::StrayBar);
+        let is_stray = |part: &RungPart| matches!(part.kind, PartKind::StrayRail | PartKind::StrayBar);
         let line = &context.parse.lines()[network.line(rung)];
         if !drawing.parts.iter().any(is_stray) || line.errors.iter().any(breaks_drawing) {
             continue;

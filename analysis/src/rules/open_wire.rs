@@ -10,7 +10,7 @@ use crate::network::NetworkFacts;
 use crate::program::Step;
 use crate::rule::Rule;
 use ladder_format::Edit;
-use ladder_syntax::wiring::{Part, PartKind, Segment};
+use ladder_syntax::wiring::{PartKind, RungPart, Segment};
 use ladder_syntax::{TextRange, TextSize};
 
 pub(crate) fn check(context: &Context, network: &NetworkFacts, out: &mut Vec<Diagnostic>) {
@@ -63,7 +63,7 @@ impl<'c> Reach<'c> {
         }
     }
 
-    fn part(&self, rung: usize, part: usize) -> &Part {
+    fn part(&self, rung: usize, part: usize) -> &RungPart {
         &self.network.wiring.rungs[rung].parts[part]
     }
 

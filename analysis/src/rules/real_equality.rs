@@ -1,6 +1,6 @@
 //! `real-equality`: real numbers are compared for being exactly equal.
 
-use super::survey::Place;
+use super::survey::SurveyedBlock;
 use crate::diagnostic::Diagnostic;
 use crate::facts::{Node, NodeKind, Operator};
 use crate::operand_value::{Number, each_node, is_real, number};
@@ -8,7 +8,7 @@ use crate::rule::Rule;
 use ladder_instructions::Op;
 use ladder_syntax::TextRange;
 
-pub(super) fn check(place: &Place<'_>, out: &mut Vec<Diagnostic>) {
+pub(super) fn check(place: &SurveyedBlock<'_>, out: &mut Vec<Diagnostic>) {
     let operands = || place.bound.facts.operands.iter().map(|operand| &operand.value);
     if compares_reals(place, operands()) {
         let negated = place.bound.op() == Some(Op::Ne);
@@ -17,7 +17,7 @@ pub(super) fn check(place: &Place<'_>, out: &mut Vec<Diagnostic>) {
 }
 
 /// `=` and `<>` in a `[CALC]`.
-pub(super) fn in_expression(place: &Place<'_>, out: &mut Vec<Diagnostic>) {
+pub(super) fn in_expression(place: &SurveyedBlock<'_>, out: &mut Vec<Diagnostic>) {
     for operand in &place.bound.facts.operands {
         each_node(&operand.value, &mut |node| {
             let NodeKind::Binary(operator @ (Operator::Equal | Operator::NotEqual), left, right) = &node.kind
@@ -33,7 +33,7 @@ pub(super) fn in_expression(place: &Place<'_>, out: &mut Vec<Diagnostic>) {
 }
 
 /// Zero is exact: nothing is wrong with guarding a division.
-fn compares_reals<'n>(place: &Place<'_>, mut nodes: impl Iterator<Item = &'n Node> + Clone) -> bool {
+fn compares_reals<'n>(place: &SurveyedBlock<'_>, mut nodes: impl Iterator<Item = &'n Node> + Clone) -> bool {
     let (context, scope) = (place.context, place.network.scope);
     let is_zero = |node: &Node| number(context, scope, node).is_some_and(Number::is_zero);
     nodes.clone().any(|node| is_real(context, scope, node)) && !nodes.any(is_zero)

@@ -1,6 +1,6 @@
 //! `short-preset`: a timer's time is shorter than a scan.
 
-use super::survey::Place;
+use super::survey::SurveyedBlock;
 use crate::diagnostic::Diagnostic;
 use crate::facts::{Node, NodeKind};
 use crate::literal::Literal;
@@ -23,7 +23,7 @@ const MOST_UNITS: i128 = 32_767;
 /// The time base of a timer that names none, in nanoseconds.
 const DEFAULT_TIME_BASE: i128 = 100_000_000;
 
-pub(super) fn check(place: &Place<'_>, out: &mut Vec<Diagnostic>) {
+pub(super) fn check(place: &SurveyedBlock<'_>, out: &mut Vec<Diagnostic>) {
     let bound = place.bound;
     let mut operands = bound.facts.operands.iter().zip(bound.formals.iter());
     let Some((operand, _)) = operands
@@ -99,7 +99,7 @@ fn in_scans(preset: i128, scan: i128, at: TextRange) -> Option<Diagnostic> {
 }
 
 /// A timer that counts steps of a time base, at most one in a scan.
-fn in_ticks(place: &Place<'_>, count: Option<i128>, scan: i128, at: TextRange) -> Option<Diagnostic> {
+fn in_ticks(place: &SurveyedBlock<'_>, count: Option<i128>, scan: i128, at: TextRange) -> Option<Diagnostic> {
     if count.is_some_and(|count| count <= 0) {
         let message = "the preset is 0 or less: the first step reaches it";
         return Some(Diagnostic::new(Rule::ShortPreset, at, message).help("count one step or more"));
@@ -119,7 +119,7 @@ fn in_ticks(place: &Place<'_>, count: Option<i128>, scan: i128, at: TextRange) -
 }
 
 /// The time base of a timer in nanoseconds, if it is a fixed number.
-fn time_base(place: &Place<'_>, unless_named: i128) -> Option<i128> {
+fn time_base(place: &SurveyedBlock<'_>, unless_named: i128) -> Option<i128> {
     let bound = place.bound;
     let mut operands = bound.facts.operands.iter().zip(bound.formals.iter());
     let named =
@@ -150,7 +150,7 @@ fn in_units(value: i128, plain: bool, base: i128, at: TextRange) -> Option<Diagn
     Some(Diagnostic::new(Rule::ShortPreset, at, message).help(help))
 }
 
-fn is_integer(place: &Place<'_>, node: &Node) -> bool {
+fn is_integer(place: &SurveyedBlock<'_>, node: &Node) -> bool {
     match &node.kind {
         NodeKind::Literal(Ok(Literal::Int(_))) => true,
         NodeKind::Literal(_) => false,

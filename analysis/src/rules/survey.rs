@@ -29,7 +29,7 @@ pub(super) struct Survey {
 }
 
 /// What a rule about single blocks is asked with.
-pub(super) struct Place<'c> {
+pub(super) struct SurveyedBlock<'c> {
     pub(super) context: &'c Context,
     pub(super) network: &'c NetworkFacts,
     pub(super) bound: &'c BoundBlock,
@@ -66,7 +66,7 @@ pub(super) fn survey(context: &Context, settings: &RuleSettings, out: &mut Vec<D
             if bound.faulty {
                 continue;
             }
-            let place = Place {
+            let place = SurveyedBlock {
                 context,
                 network,
                 bound,

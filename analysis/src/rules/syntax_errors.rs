@@ -12,8 +12,8 @@ use crate::diagnostic::Diagnostic;
 use crate::excerpt::{self, Excerpts, blanks_before_drawing};
 use crate::foreign_comment::ForeignComments;
 use ladder_syntax::{
-    DeclarationProblem, LineKind, Many, Parse, Place, SyntaxError, SyntaxErrorKind, TextRange, TextSize,
-    is_identifier,
+    DeclarationProblem, LineKind, Many, Parse, Surroundings, SyntaxError, SyntaxErrorKind, TextRange,
+    TextSize, is_identifier,
 };
 
 pub(crate) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
@@ -162,7 +162,7 @@ impl Line {
                 let typographic = unexpected_character::is_typographic(text);
                 (self.misread && !typographic)
                     || error.range.start() < self.unclosed_to
-                    || (place == Place::Operands && same_list)
+                    || (place == Surroundings::Operands && same_list)
             }
             SyntaxErrorKind::MissingOperand { .. } | SyntaxErrorKind::MissingComma => {
                 same_list || error.range.start() < self.unclosed_to
@@ -181,7 +181,7 @@ impl Line {
                 self.last_operand = Some(end);
             }
             SyntaxErrorKind::UnexpectedCharacter { place, .. } => match place {
-                Place::Operands => self.last_operand = Some(end),
+                Surroundings::Operands => self.last_operand = Some(end),
                 _ => self.misread = true,
             },
             SyntaxErrorKind::MissingOperand { .. } | SyntaxErrorKind::MissingComma => {

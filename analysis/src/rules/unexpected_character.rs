@@ -4,16 +4,21 @@ use super::frame_keyword;
 use crate::diagnostic::{Applicability, Diagnostic};
 use crate::excerpt::shortened;
 use crate::rule::Rule;
-use ladder_syntax::{Many, Place, TextRange, is_identifier};
+use ladder_syntax::{Many, Surroundings, TextRange, is_identifier};
 
-pub(crate) fn unexpected(place: Place, behind_comment: bool, text: &str, range: TextRange) -> Diagnostic {
+pub(crate) fn unexpected(
+    place: Surroundings,
+    behind_comment: bool,
+    text: &str,
+    range: TextRange,
+) -> Diagnostic {
     let shown = shortened(text, 30);
     let message = match place {
-        Place::Rung if is_identifier(text) => format!("`{shown}` stands outside of any block"),
-        Place::Rung => format!("`{shown}` means nothing on a rung"),
-        Place::Head => format!("`{shown}` means nothing in the first part of a block"),
-        Place::Operands => format!("`{shown}` means nothing among operands"),
-        Place::Declaration => format!("`{shown}` means nothing in a declaration"),
+        Surroundings::Rung if is_identifier(text) => format!("`{shown}` stands outside of any block"),
+        Surroundings::Rung => format!("`{shown}` means nothing on a rung"),
+        Surroundings::Head => format!("`{shown}` means nothing in the first part of a block"),
+        Surroundings::Operands => format!("`{shown}` means nothing among operands"),
+        Surroundings::Declaration => format!("`{shown}` means nothing in a declaration"),
     };
     let found = Diagnostic::new(Rule::UnexpectedCharacter, range, message);
     if behind_comment {
@@ -40,10 +45,12 @@ pub(crate) fn unexpected(place: Place, behind_comment: bool, text: &str, range: 
         );
     }
     match place {
-        Place::Rung if is_identifier(text) => found.help(format!(
+        Surroundings::Rung if is_identifier(text) => found.help(format!(
             "a contact is written [ ]( {shown} ), a coil ( )( {shown} )"
         )),
-        Place::Rung => found.help("a rung is drawn with - + | \\ / and blocks; text stands in # comments #"),
+        Surroundings::Rung => {
+            found.help("a rung is drawn with - + | \\ / and blocks; text stands in # comments #")
+        }
         _ => found,
     }
 }

@@ -8,7 +8,7 @@ use ladder_analysis::network::NetworkFacts;
 use ladder_analysis::order::order;
 use ladder_analysis::program::Step;
 use ladder_format::Edit;
-use ladder_syntax::wiring::{Part, PartKind, wiring};
+use ladder_syntax::wiring::{PartKind, RungPart, wiring};
 use ladder_syntax::{Parse, TextRange, TextSize};
 use std::ops::Range;
 
@@ -403,8 +403,8 @@ fn items(
 }
 
 /// Whether a wire of the row reaches to a `|`.
-fn touches_wire(parts: &[Part], index: usize) -> bool {
-    let wire = |part: &Part| part.segment.is_some();
+fn touches_wire(parts: &[RungPart], index: usize) -> bool {
+    let wire = |part: &RungPart| part.segment.is_some();
     let before = parts[index].touches && index > 0 && wire(&parts[index - 1]);
     let behind = parts
         .get(index + 1)

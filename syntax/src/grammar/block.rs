@@ -6,7 +6,7 @@
 use super::{Parser, expression, plain, recovery};
 use crate::builder::Builder;
 use crate::lexer;
-use crate::{Many, OperandPlace, Place, SyntaxErrorKind, SyntaxKind};
+use crate::{Many, OperandPlace, Surroundings, SyntaxErrorKind, SyntaxKind};
 use std::ops::Range;
 
 /// The block that begins with the bracket `open`.
@@ -157,7 +157,7 @@ fn junk<B: Builder>(p: &mut Parser<'_, '_, B>, from: usize, to: usize) {
     blanks_token(p, from);
     let to = from + p.text[from..to].trim_end_matches([' ', '\t']).len();
     p.token((SyntaxKind::ERROR, to));
-    p.unexpected(Place::Head, from, to);
+    p.unexpected(Surroundings::Head, from, to);
 }
 
 /// The name of a user-defined block is `$`, a letter, then letters and digits.

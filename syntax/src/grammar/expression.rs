@@ -9,7 +9,7 @@
 use super::{MAX_DEPTH, MAX_TERMS, Parser, recovery};
 use crate::builder::Builder;
 use crate::lexer;
-use crate::{Many, OperandPlace, Place, SyntaxErrorKind, SyntaxKind};
+use crate::{Many, OperandPlace, Surroundings, SyntaxErrorKind, SyntaxKind};
 
 /// Whether a token can begin an operand. Operators and `:=` count: what they lack before them is named then.
 pub(super) const fn begins_operand(kind: SyntaxKind) -> bool {
@@ -169,7 +169,7 @@ fn prefix<B: Builder>(p: &mut Parser<'_, '_, B>) {
         SyntaxKind::WORD_OPERATOR if p.next_is_word("NOT") => unary(p),
         // `+5`: the sign says nothing, and no literal has it.
         SyntaxKind::PLUS => {
-            p.unexpected(Place::Operands, p.ahead.start, p.ahead.end);
+            p.unexpected(Surroundings::Operands, p.ahead.start, p.ahead.end);
             p.bump_as(SyntaxKind::ERROR);
             if !ends_operand(p) {
                 prefix_behind_plus(p);
@@ -254,7 +254,7 @@ fn index<B: Builder>(p: &mut Parser<'_, '_, B>, from: usize) {
         while p.ahead.start < end {
             p.bump_as(SyntaxKind::ERROR);
         }
-        p.unexpected(Place::Operands, junk, p.last_end);
+        p.unexpected(Surroundings::Operands, junk, p.last_end);
     }
     close(p, SyntaxKind::R_BRACKET, from);
 }
@@ -365,7 +365,7 @@ pub(super) fn junk<B: Builder>(p: &mut Parser<'_, '_, B>, closing: SyntaxKind) {
             break;
         }
     }
-    p.unexpected(Place::Operands, from, p.last_end);
+    p.unexpected(Surroundings::Operands, from, p.last_end);
 }
 
 /// Takes the rest of a list that holds too many operands, as one mistake. Iterative on purpose.

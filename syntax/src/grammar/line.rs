@@ -6,7 +6,7 @@ use crate::builder::Builder;
 use crate::lexer;
 use crate::line::{Line, LineKind, Mode};
 use crate::line_index::line_ends;
-use crate::{DeclarationProblem, Many, Place, SyntaxErrorKind, SyntaxKind};
+use crate::{DeclarationProblem, Many, Surroundings, SyntaxErrorKind, SyntaxKind};
 use rowan::TextSize;
 
 /// What a line's parse depends on besides its text.
@@ -183,7 +183,7 @@ fn rung<B: Builder>(p: &mut Parser<'_, '_, B>, marks: &mut Marks) -> LineKind {
                 marks.mistake = true;
                 let from = p.at;
                 p.token((SyntaxKind::ERROR, token.1));
-                p.unexpected(Place::Rung, from, token.1);
+                p.unexpected(Surroundings::Rung, from, token.1);
             }
         }
     }

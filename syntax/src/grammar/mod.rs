@@ -17,7 +17,7 @@ pub(crate) use line::{Entry, line};
 
 use crate::builder::Builder;
 use crate::lexer::{self, Token};
-use crate::{DeclarationProblem, Place, SyntaxError, SyntaxErrorKind, SyntaxKind};
+use crate::{DeclarationProblem, Surroundings, SyntaxError, SyntaxErrorKind, SyntaxKind};
 use rowan::{TextRange, TextSize};
 
 /// How deep expressions may nest, and how many operators one operand may have. Both bound the depth of the
@@ -231,8 +231,12 @@ impl<'t, 'b, B: Builder> Parser<'t, 'b, B> {
     }
 
     /// Records characters that mean nothing where they stand. What only blanks part is one mistake.
-    fn unexpected(&mut self, place: Place, from: usize, to: usize) {
-        let place = if self.free_form { Place::Declaration } else { place };
+    fn unexpected(&mut self, place: Surroundings, from: usize, to: usize) {
+        let place = if self.free_form {
+            Surroundings::Declaration
+        } else {
+            place
+        };
         if let Some(last) = self.errors.last_mut()
             && matches!(last.kind, SyntaxErrorKind::UnexpectedCharacter { place: p, .. } if p == place)
         {

@@ -50,7 +50,7 @@ fn place(dice: &mut Dice, analysis: &Analysis) -> Option<TextRange> {
             let last = same[dice.below(same.len())];
             let range = first.range().cover(last.range());
             let rung = &network.wiring.rungs[first.facts.rung];
-            let wider = |part: &&ladder_syntax::wiring::Part| {
+            let wider = |part: &&ladder_syntax::wiring::RungPart| {
                 let part = part.range + first.base;
                 part.end() + TextSize::new(4) >= range.start()
                     && part.start() <= range.end() + TextSize::new(4)
