@@ -70,7 +70,7 @@ pub use compile::CompileError;
 pub use diagram::{diagram, diagram_of};
 pub use fault::Fault;
 pub use retain::Kept;
-pub use session::{Breakpoint, Cause, HistoryLimits, Hit, Reason, Session, Since, Stop, Why, Write};
+pub use session::{Breakpoint, Cause, HistoryLimits, Hit, Reason, Session, Since, Stop, Why, Wording, Write};
 pub use simulation::{Options, Refused, Simulation, State, Status, Stepped};
 pub use tags::{Point, UnknownTag};
 pub use work::Brake;

@@ -1,6 +1,6 @@
-//! What a simulation tells about its past and its reasons.
+//! What a simulation tells about its past, and where it stops.
 
-use ladder_simulator::{Breakpoint, Cause, Hit, Write, value_text};
+use ladder_simulator::{Breakpoint, Hit, value_text};
 
 use super::engine::{Engine, point};
 use super::messages;
@@ -9,37 +9,6 @@ use super::value::to_json;
 use crate::document::position::Range;
 
 impl Engine {
-    /// Why a tag holds what it holds.
-    pub(super) fn why(&mut self, tag: &str) -> Result<messages::Why, Failure> {
-        let point = point(self.session.simulation(), tag)?;
-        let why = self.session.why(&point);
-        let mut blocks = Vec::new();
-        let then = match &why.cause {
-            Cause::Block(write) => Some(write),
-            _ => None,
-        };
-        for write in then.into_iter().chain(&why.now) {
-            self.blocks_of(write, &mut blocks);
-        }
-        let texts = self.revision.texts(&self.session.simulation().program().files);
-        let texts: Vec<&str> = texts.iter().map(String::as_str).collect();
-        Ok(messages::Why {
-            tag: point.name,
-            text: why.text(&texts),
-            blocks,
-        })
-    }
-
-    fn blocks_of(&self, write: &Write, blocks: &mut Vec<Range>) {
-        let reasons = write.reasons.iter().flatten().map(|reason| reason.block);
-        for block in std::iter::once(write.block).chain(reasons) {
-            let (uri, range) = self.place(block);
-            if uri.is_none() && !blocks.contains(&range) {
-                blocks.push(range);
-            }
-        }
-    }
-
     /// What tags held after each of the last scans.
     pub(super) fn past(&self, tags: &[String], scans: u64) -> Result<messages::History, Failure> {
         let simulation = self.session.simulation();

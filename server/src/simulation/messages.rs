@@ -1,11 +1,14 @@
 //! What travels between editor and simulator. `docs/protocol.md` shows each message.
 
+mod why;
+
 use std::collections::BTreeMap;
 
 use serde::{Deserialize, Serialize, Serializer};
 use serde_json::Value;
 
 use crate::document::position::Range;
+pub use why::{CauseKind, PassOrStop, Reading, Since, TagReason, Why, WriteReason};
 
 /// The argument of `ladder.simulate.start`.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -147,19 +150,6 @@ pub struct Started {
     /// What a person should know, as that the retentive file was damaged.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub notes: Vec<String>,
-}
-
-/// The answer of `ladder.simulate.why`.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-#[serde(rename_all = "camelCase", deny_unknown_fields)]
-pub struct Why {
-    /// The tag, as declared.
-    pub tag: String,
-    /// The reasons, a line for each tag; what lies deeper is indented.
-    pub text: String,
-    /// The blocks that the first line speaks of: the one that wrote the tag, then those that passed power on to it
-    /// or blocked it.
-    pub blocks: Vec<Range>,
 }
 
 /// The answer of `ladder.simulate.history`.

@@ -8,6 +8,7 @@
 mod engine;
 mod inquiry;
 pub mod messages;
+mod reasons;
 mod request;
 mod retention;
 mod session;

@@ -85,7 +85,7 @@ pub(crate) enum Answer {
     /// How it stands.
     State(Box<State>),
     /// Reasons.
-    Why(Why),
+    Why(Box<Why>),
     /// Values of the past.
     History(History),
 }
@@ -292,7 +292,11 @@ impl Runner {
             Next::Stay
         };
         let outcome = match action {
-            Action::Why(tag) => self.simulation.engine.why(&tag).map(Answer::Why),
+            Action::Why(tag) => self
+                .simulation
+                .engine
+                .why(&tag)
+                .map(|why| Answer::Why(Box::new(why))),
             Action::History(tags, scans) => {
                 let past = self.simulation.engine.past(&tags, scans);
                 past.map(Answer::History)

@@ -154,6 +154,24 @@ async fn why() {
         why["text"].as_str().unwrap().lines().next().unwrap(),
         "lamp is 0 since the start: line 3, ( )( lamp ) wrote it; blocked by [ ]( run ) (line 3, column 4): run is 0"
     );
+    let reason = &why["reason"];
+    assert_eq!(
+        reason["text"],
+        why["text"].as_str().unwrap().lines().next().unwrap()
+    );
+    assert_eq!(reason["since"], json!({"kind": "start"}));
+    let write = &reason["write"];
+    assert_eq!(write["range"], span([2, 15, 2, 26]));
+    let stop = &write["ways"][0][0];
+    assert_eq!(
+        (&stop["range"], &stop["stops"]),
+        (&span([2, 3, 2, 13]), &json!(true))
+    );
+    // What it depends on hangs below it, with places of its own.
+    let run = &stop["because"][0];
+    assert_eq!((&run["tag"], &run["cause"]), (&json!("run"), &json!("block")));
+    assert_eq!(run["write"]["block"], "( )( run )");
+    assert_eq!(run["write"]["ways"][0][0]["because"][0]["cause"], "initial");
     client.finish().await;
 }
 

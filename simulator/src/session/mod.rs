@@ -28,7 +28,7 @@ use ladder_analysis::program::{Program, Role};
 use ladder_analysis::value::Value;
 use std::collections::VecDeque;
 use std::sync::Arc;
-pub use why::{Cause, Reason, Since, Why, Write};
+pub use why::{Cause, Reason, Since, Why, Wording, Write};
 
 /// So many faults are kept: those that happened last.
 const FAULTS: usize = 4096;

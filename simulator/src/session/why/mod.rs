@@ -17,6 +17,7 @@ use ladder_analysis::program::{Location, Network, Role, Step};
 use ladder_analysis::types::Scalar;
 use ladder_analysis::value::Value;
 use reasons::Blocker;
+pub use text::Wording;
 use trace::{Limit, Targets, Traced};
 
 /// Why a point holds its value.

@@ -1,4 +1,4 @@
-//! Reasons in words.
+//! Reasons in words: each node of the tree has a sentence, and the text for a terminal is made of them.
 
 use super::{Cause, Reason, Since, Why, Write};
 use crate::tags::Point;
@@ -12,21 +12,37 @@ impl Why {
     /// The reasons for people, a line for each tag: `run is 0 since scan 12 (120 ms): line 3, ( )( run ) wrote it;
     /// blocked by [/]( stop ) (line 3, column 20): stop is 1`. `texts` are those of the program's files.
     pub fn text(&self, texts: &[&str]) -> String {
-        let indexes = texts.iter().map(|text| LineIndex::new(text)).collect();
-        let words = Words { texts, indexes };
         let mut lines = Vec::new();
-        words.why(self, 0, &mut lines);
+        Wording::new(texts).lines(self, 0, &mut lines);
         lines.join("\n")
+    }
+
+    /// What wrote the tag, then what keeps it off now.
+    pub fn writes(&self) -> impl Iterator<Item = &Write> {
+        let then = match &self.cause {
+            Cause::Block(write) => Some(write),
+            _ => None,
+        };
+        then.into_iter().chain(&self.now).map(AsRef::as_ref)
     }
 }
 
-struct Words<'t> {
+/// Puts the nodes of a tree of reasons into words.
+#[derive(Debug)]
+pub struct Wording<'t> {
     texts: &'t [&'t str],
     indexes: Vec<LineIndex>,
 }
 
-impl Words<'_> {
-    fn why(&self, why: &Why, depth: usize, lines: &mut Vec<String>) {
+impl<'t> Wording<'t> {
+    /// For a program whose files have these texts.
+    pub fn new(texts: &'t [&'t str]) -> Wording<'t> {
+        let indexes = texts.iter().map(|text| LineIndex::new(text)).collect();
+        Wording { texts, indexes }
+    }
+
+    /// Why a tag holds what it holds: one sentence, without what lies deeper.
+    pub fn why(&self, why: &Why) -> String {
         let since = match why.since {
             Since::Start => "since the start".to_owned(),
             Since::Longer => "since before the scans that are kept".to_owned(),
@@ -48,20 +64,21 @@ impl Words<'_> {
         if let Some(now) = &why.now {
             line.push_str(&format!("; now, in scan {}, it is {}", now.scan, self.way(now)));
         }
+        line
+    }
+
+    fn lines(&self, why: &Why, depth: usize, lines: &mut Vec<String>) {
+        let line = self.why(why);
         // The same tag may stand in several contacts.
         if lines.iter().any(|known| known.trim_start() == line) {
             return;
         }
         lines.push(format!("{:indent$}{line}", "", indent = depth * 2));
-        let then = match &why.cause {
-            Cause::Block(write) => Some(write),
-            _ => None,
-        };
-        for write in then.into_iter().chain(&why.now) {
+        for write in why.writes() {
             let reasons = write.reasons.iter().flatten();
             let because = reasons.flat_map(|reason| &reason.because);
             for because in because.chain(&write.because) {
-                self.why(because, depth + 1, lines);
+                self.lines(because, depth + 1, lines);
             }
         }
     }
@@ -95,7 +112,8 @@ impl Words<'_> {
         }
     }
 
-    fn reason(&self, reason: &Reason) -> String {
+    /// What passes power on or stops it, and what it looked at: `[ ]( start ) (line 1, column 7): start is 1`.
+    pub fn reason(&self, reason: &Reason) -> String {
         let (line, column, block) = self.place(reason.block);
         if reason.is_rail {
             return format!("the left rail (line {line}): an <MCR> has switched it off");
@@ -108,8 +126,13 @@ impl Words<'_> {
         }
     }
 
+    /// A block as it is drawn.
+    pub fn drawn(&self, block: Location) -> &'t str {
+        self.place(block).2
+    }
+
     /// Line, column and text of a block.
-    fn place(&self, location: Location) -> (u32, u32, &str) {
+    fn place(&self, location: Location) -> (u32, u32, &'t str) {
         let file = location.file as usize;
         let (Some(text), Some(index)) = (self.texts.get(file), self.indexes.get(file)) else {
             return (0, 0, "");
