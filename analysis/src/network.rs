@@ -6,7 +6,7 @@ use crate::known_blocks::KnownBlocks;
 use crate::order::{Order, order};
 use crate::uses::{self, Named};
 use crate::verdict::Verdict;
-use ladder_instructions::{Accepts, Instruction, Op, Operand, lookup};
+use ladder_instructions::{Accepts, Coil, Instruction, Op, Operand, lookup};
 use ladder_syntax::wiring::{PartKind, Wiring, wiring};
 use ladder_syntax::{Name, Network, Parse, Surroundings, SyntaxError, SyntaxErrorKind, TextRange, TextSize};
 use std::sync::Arc;
@@ -109,6 +109,11 @@ impl BoundBlock {
     /// Which instruction, if it is one.
     pub fn op(&self) -> Option<Op> {
         self.instruction().map(|row| row.op)
+    }
+
+    /// What it writes as a coil, if it is one that writes bits.
+    pub fn coil(&self) -> Option<Coil> {
+        self.instruction().and_then(|row| row.coil)
     }
 
     /// A range of the block's line, counted from the start of the file.

@@ -8,7 +8,7 @@ use crate::program::{ParameterKind, Role};
 use crate::scope::{Access, Origin, Scope, TagFacts, Use, type_by_form};
 use crate::types::{Scalar, Type};
 use crate::user_block::UserBlockFacts;
-use ladder_instructions::{Accepts, Direction, Law, Op};
+use ladder_instructions::{Accepts, Direction, Law};
 use ladder_syntax::{Name, TextRange};
 use std::sync::Arc;
 
@@ -239,10 +239,11 @@ fn roles(scope: &mut Scope, networks: &[Arc<NetworkFacts>]) {
         }
         let read = tag.uses.iter().any(|u| u.access.reads());
         let written = tag.uses.iter().any(|u| u.access.writes());
-        let by_coils = tag.uses.iter().filter(|u| u.access.writes()).all(|u| {
-            let op = networks[u.network].blocks[u.block].op();
-            op.is_some_and(|op| (Op::Coil..=Op::RetentiveReset).contains(&op))
-        });
+        let by_coils = tag
+            .uses
+            .iter()
+            .filter(|u| u.access.writes())
+            .all(|u| networks[u.network].blocks[u.block].coil().is_some());
         tag.role = match (read, written) {
             (true, false) => Role::Input,
             (false, true) if by_coils => Role::Output,

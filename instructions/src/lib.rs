@@ -30,6 +30,7 @@ mod lookup;
 mod op;
 mod operand;
 mod origin;
+mod power;
 mod profile;
 mod spelling;
 mod table;
@@ -42,6 +43,7 @@ pub use lookup::{by_op, closest, in_other_shape, lookup};
 pub use op::Op;
 pub use operand::{Accepts, Direction, Operand, Presence, StateType, TypeClass};
 pub use origin::{Origin, origin};
+pub use power::{Coil, Edge, Power};
 pub use profile::{Profile, Profiles};
 pub use table::TABLE;
 
@@ -156,6 +158,10 @@ pub struct Instruction {
     pub profiles: Profiles,
     /// How it differs in other profiles than `iec`: a sentence or two in Markdown for each.
     pub differs: &'static [(Profile, &'static str)],
+    /// What power leaves the block.
+    pub power: Power,
+    /// What it writes as a coil. None for all that is no coil, and for `(RES)`, which writes no bit.
+    pub coil: Option<Coil>,
     /// What power leaves the block, in a few words: `EN and tag`.
     pub eno: &'static str,
     /// A name of two or three words: "Open contact".
@@ -168,6 +174,22 @@ pub struct Instruction {
 }
 
 impl Instruction {
+    /// The timer, counter or bistable that it runs, if it is the block of one.
+    pub const fn state(&self) -> Option<StateType> {
+        match self.operands {
+            [first, ..] => match first.accepts {
+                Accepts::State(state) => Some(state),
+                _ => None,
+            },
+            [] => None,
+        }
+    }
+
+    /// Whether it is a timer.
+    pub const fn is_timer(&self) -> bool {
+        matches!(self.state(), Some(state) if state.is_timer())
+    }
+
     /// Number of operands that must be given by place.
     pub fn required(&self) -> usize {
         self.operands

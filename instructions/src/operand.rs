@@ -183,6 +183,14 @@ impl StateType {
         }
     }
 
+    /// The member that is its output, and the power behind its block.
+    pub const fn output(self) -> &'static str {
+        match self {
+            StateType::Sr | StateType::Rs => "Q1",
+            _ => "Q",
+        }
+    }
+
     /// Whether it is a timer (`TON TOF TP RTO RTOF`).
     pub const fn is_timer(self) -> bool {
         matches!(

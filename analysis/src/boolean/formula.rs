@@ -10,7 +10,7 @@ use crate::network::{BoundBlock, Meaning, NetworkFacts};
 use crate::operand_value::tag;
 use crate::program::Step;
 use crate::types::Type;
-use ladder_instructions::{Op, SetPower, Timing};
+use ladder_instructions::{Coil, Edge, Op, Power, SetPower, StateType, Timing};
 use std::fmt;
 
 /// A formula with more parts than this helps nobody.
@@ -115,27 +115,28 @@ impl Formulas<'_> {
         let Meaning::Instruction(row) = bound.meaning else {
             return conditionally();
         };
-        match row.op {
-            Op::Coil | Op::RetentiveCoil => Some(format!("{} := {en}", first()?)),
-            Op::NegatedCoil => Some(format!("{} := {}", first()?, not(en.clone()))),
-            Op::SetCoil | Op::RetentiveSet => {
+        match row.coil {
+            Some(Coil::Follows) => Some(format!("{} := {en}", first()?)),
+            Some(Coil::Negated) => Some(format!("{} := {}", first()?, not(en.clone()))),
+            Some(Coil::Sets) => {
                 let tag = first()?;
                 let text = or(Formula::Name(tag.clone()), en.clone());
                 Some(format!("{tag} := {text}"))
             }
             // A timer or counter is cleared.
-            Op::ResetCoil if self.is_state(bound) => conditionally(),
-            Op::ResetCoil | Op::RetentiveReset => {
+            Some(Coil::Resets) if self.is_state(bound) => conditionally(),
+            Some(Coil::Resets) => {
                 let tag = first()?;
                 let text = and(Formula::Name(tag.clone()), not(en.clone()));
                 Some(format!("{tag} := {text}"))
             }
-            Op::RisingCoil => Some(format!("{} := RISE({en})", first()?)),
-            Op::FallingCoil => Some(format!("{} := FALL({en})", first()?)),
-            op if (Op::Ton..=Op::Rtof).contains(&op) => Some(format!("{}.IN := {en}", first()?)),
-            op if (Op::Ctu..=Op::Ctc).contains(&op) => Some(format!("{}.CU := {en}", first()?)),
-            _ if row.role == ladder_instructions::Role::Condition => None,
-            _ => conditionally(),
+            Some(Coil::OnEdge(edge)) => Some(format!("{} := {}({en})", first()?, change(edge))),
+            None => match row.state() {
+                Some(state) if state.is_timer() => Some(format!("{}.IN := {en}", first()?)),
+                Some(state) if state.is_counter() => Some(format!("{}.CU := {en}", first()?)),
+                _ if row.role == ladder_instructions::Role::Condition => None,
+                _ => conditionally(),
+            },
         }
     }
 }
@@ -176,14 +177,13 @@ fn behind(
         Meaning::Unknown | Meaning::UnknownUser => return None,
     };
     let law = context.profile.law();
-    let condition = match row.op {
-        Op::Contact if is_range => Formula::Name(format!("ALL({})", text(0)?)),
-        Op::Contact => Formula::Name(text(0)?),
-        Op::NegatedContact if is_range => Formula::Name(format!("NONE({})", text(0)?)),
-        Op::NegatedContact => not(Formula::Name(text(0)?)),
-        Op::RisingContact => Formula::Name(format!("RISE({})", text(0)?)),
-        Op::FallingContact => Formula::Name(format!("FALL({})", text(0)?)),
-        Op::Eq | Op::Ne | Op::Gt | Op::Ge | Op::Lt | Op::Le => {
+    let condition = match row.power {
+        Power::Level { high: true } if is_range => Formula::Name(format!("ALL({})", text(0)?)),
+        Power::Level { high: true } => Formula::Name(text(0)?),
+        Power::Level { high: false } if is_range => Formula::Name(format!("NONE({})", text(0)?)),
+        Power::Level { high: false } => not(Formula::Name(text(0)?)),
+        Power::TagEdge(edge) => Formula::Name(format!("{}({})", change(edge), text(0)?)),
+        Power::Compares => {
             let mut all = Formula::Always;
             for index in 1..bound.facts.operands.len() {
                 let pair = format!("{} {} {}", text(index - 1)?, sign(row.op), text(index)?);
@@ -191,22 +191,32 @@ fn behind(
             }
             all
         }
-        Op::Inverter => return Some(not(en?.clone())),
-        Op::OneShotRising => return Some(Formula::Name(format!("RISE({})", en?))),
-        Op::OneShotFalling => return Some(Formula::Name(format!("FALL({})", en?))),
-        Op::SetCoil | Op::RetentiveSet if law.set_power == SetPower::Tag => {
-            return text(0).map(Formula::Name);
+        Power::Inverts => return Some(not(en?.clone())),
+        Power::EnEdge(edge) => return Some(Formula::Name(format!("{}({})", change(edge), en?))),
+        Power::SetTag if law.set_power == SetPower::Tag => return text(0).map(Formula::Name),
+        Power::Output => {
+            let state = row.state()?;
+            let output = Formula::Name(format!("{}.{}", text(0)?, state.output()));
+            let is_bistable = !state.is_timer() && !state.is_counter();
+            if is_bistable || law.timing != Timing::Ticks {
+                return Some(output);
+            }
+            // There the output means that the time is over or the count reached, also while EN is low.
+            match state {
+                StateType::Tof => not(output),
+                _ => output,
+            }
         }
-        Op::Sr | Op::Rs => return Some(Formula::Name(format!("{}.Q1", text(0)?))),
-        // There the output tells that the time is over or the count reached, also while EN is low.
-        Op::Tof if law.timing == Timing::Ticks => not(Formula::Name(format!("{}.Q", text(0)?))),
-        op if (Op::Ton..=Op::Ctc).contains(&op) && law.timing == Timing::Ticks => {
-            Formula::Name(format!("{}.Q", text(0)?))
-        }
-        op if (Op::Ton..=Op::Ctc).contains(&op) => return Some(Formula::Name(format!("{}.Q", text(0)?))),
-        _ => return en.cloned(),
+        Power::Passes | Power::PassesIfDone | Power::SetTag => return en.cloned(),
     };
     Some(and(en?.clone(), condition))
+}
+
+const fn change(edge: Edge) -> &'static str {
+    match edge {
+        Edge::Rising => "RISE",
+        Edge::Falling => "FALL",
+    }
 }
 
 const fn sign(op: Op) -> &'static str {

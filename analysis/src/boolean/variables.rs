@@ -11,7 +11,7 @@ use crate::program::Step;
 use crate::scope::Access;
 use crate::types::Scalar;
 use crate::uses::access;
-use ladder_instructions::{Op, SetPower, Timing};
+use ladder_instructions::{Coil, Edge, Instruction, Op, Power, SetPower, Timing};
 use rustc_hash::{FxHashMap, FxHashSet};
 use std::fmt::Write;
 
@@ -152,56 +152,37 @@ impl Reader<'_> {
             return Draft::Done(self.output(consumed));
         };
         let law = self.context.profile.law();
-        let gate = match row.op {
-            Op::Contact | Op::NegatedContact => match operand(0) {
-                Some(node) => Gate::If(vec![self.contact(node, row.op == Op::NegatedContact)]),
+        let gate = match row.power {
+            Power::Level { high } => match operand(0) {
+                Some(node) => Gate::If(vec![self.contact(node, !high)]),
                 None => Gate::Pass,
             },
-            Op::RisingContact | Op::FallingContact => match operand(0) {
+            Power::TagEdge(edge) => match operand(0) {
                 Some(node) => {
-                    let tag = self.contact(node, row.op == Op::FallingContact);
+                    let tag = self.contact(node, edge == Edge::Falling);
                     Gate::If(vec![tag, self.unknown()])
                 }
                 None => Gate::Pass,
             },
-            Op::Inverter => Gate::Inverter,
-            Op::OneShotRising => Gate::If(vec![self.unknown()]),
-            Op::OneShotFalling => Gate::IfNot(self.unknown()),
-            Op::Eq | Op::Ne | Op::Gt | Op::Ge | Op::Lt | Op::Le => return self.comparison(bound, row.op),
-            Op::Coil | Op::RetentiveCoil => self.coil(CoilKind::Power, operand(0), consumed),
-            Op::NegatedCoil => self.coil(CoilKind::Negated, operand(0), consumed),
-            Op::SetCoil | Op::RetentiveSet => {
-                let gate = self.coil(CoilKind::Set, operand(0), consumed);
-                match law.set_power {
-                    SetPower::Tag => gate,
-                    SetPower::En => Gate::Pass,
-                }
-            }
-            Op::ResetCoil | Op::RetentiveReset => self.coil(CoilKind::Reset, operand(0), consumed),
-            Op::Call => {
-                self.epoch += 1;
-                Gate::Pass
-            }
-            op if (Op::Ton..=Op::Rs).contains(&op) => {
+            Power::Inverts => Gate::Inverter,
+            Power::EnEdge(Edge::Rising) => Gate::If(vec![self.unknown()]),
+            Power::EnEdge(Edge::Falling) => Gate::IfNot(self.unknown()),
+            Power::Compares => return self.comparison(bound, row.op),
+            Power::Output => {
                 self.writes(bound);
                 let gate = self.output(consumed);
                 if let (Gate::Gives(ask), Some(node)) = (&gate, operand(0))
                     // There the power is not the output.
                     && law.timing != Timing::Ticks
+                    && let Some(state) = row.state()
                     && let Some((key, tags)) = self.key(node)
                 {
-                    let member = if matches!(op, Op::Sr | Op::Rs) { "Q1" } else { "Q" };
-                    let key = self.versioned(&format!("{key}.{member}"), &tags);
+                    let key = self.versioned(&format!("{key}.{}", state.output()), &tags);
                     self.by_key.insert(key, ask.variable);
                 }
                 gate
             }
-            Op::Mov | Op::RisingCoil | Op::FallingCoil | Op::Res => {
-                self.writes(bound);
-                Gate::Pass
-            }
-            // A fault takes the power away.
-            op if (Op::Typ..=Op::Pwl).contains(&op) || op >= Op::Adc => {
+            Power::PassesIfDone => {
                 self.writes(bound);
                 if consumed {
                     Gate::If(vec![self.unknown()])
@@ -209,9 +190,33 @@ impl Reader<'_> {
                     Gate::Pass
                 }
             }
-            _ => Gate::Pass,
+            Power::Passes | Power::SetTag => self.passing(row, bound, consumed),
         };
         Draft::Done(gate)
+    }
+
+    /// What passes on its EN, or the tag that it sets.
+    fn passing(&mut self, row: &Instruction, bound: &BoundBlock, consumed: bool) -> Gate {
+        let kind = match row.coil {
+            Some(Coil::Follows) => CoilKind::Power,
+            Some(Coil::Negated) => CoilKind::Negated,
+            Some(Coil::Sets) => CoilKind::Set,
+            Some(Coil::Resets) => CoilKind::Reset,
+            Some(Coil::OnEdge(_)) | None => {
+                self.epoch += u32::from(row.op == Op::Call);
+                self.writes(bound);
+                return Gate::Pass;
+            }
+        };
+        let gate = self.coil(
+            kind,
+            bound.facts.operands.first().map(|operand| &operand.value),
+            consumed,
+        );
+        if kind == CoilKind::Set && self.context.profile.law().set_power == SetPower::En {
+            return Gate::Pass;
+        }
+        gate
     }
 
     fn unknown(&mut self) -> Ask {

@@ -7,7 +7,7 @@
 use super::power_rules::is_condition;
 use super::wiring_walk::Walk;
 use crate::program::Step;
-use ladder_instructions::Op;
+use ladder_instructions::{Op, Power};
 
 /// How many steps a network may have: nobody draws more by hand.
 const MOST_STEPS: usize = 400;
@@ -96,10 +96,9 @@ fn absorbed(
 fn limits_power(walk: &Walk<'_>, block: usize) -> bool {
     let bound = walk.block(block);
     is_condition(bound)
-        && !matches!(
-            bound.op(),
-            Some(Op::Inverter | Op::OneShotRising | Op::OneShotFalling)
-        )
+        && bound
+            .instruction()
+            .is_none_or(|row| !matches!(row.power, Power::Inverts | Power::EnEdge(_)))
 }
 
 /// For each step the first one with the very same power: the left rail is one, and a coil passes on what it gets.
@@ -117,22 +116,9 @@ fn same_power(walk: &Walk<'_>) -> Vec<usize> {
 }
 
 fn passes(walk: &Walk<'_>, block: usize) -> bool {
-    use Op::{
-        Coil, FallingCoil, Lbl, NegatedCoil, Res, ResetCoil, RetentiveCoil, RetentiveReset, RisingCoil,
-    };
-    matches!(
-        walk.block(block).op(),
-        Some(
-            Coil | NegatedCoil
-                | RisingCoil
-                | FallingCoil
-                | ResetCoil
-                | RetentiveCoil
-                | RetentiveReset
-                | Res
-                | Lbl
-        )
-    )
+    walk.block(block).instruction().is_some_and(|row| {
+        row.power == Power::Passes && (row.coil.is_some() || matches!(row.op, Op::Res | Op::Lbl))
+    })
 }
 
 /// Whether a power that is used twice comes to a connector by way of wire alone: no wire leads round anything

@@ -1,7 +1,7 @@
 //! What networks have of program flow: the rules about the whole program look no further where there is none.
 
 use crate::network::{BoundBlock, Meaning};
-use ladder_instructions::{Op, Shape};
+use ladder_instructions::{Coil, Op, Shape};
 
 /// What in a network moves the program on to another place than the next network, or can, as bits; and its coils.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
@@ -49,10 +49,12 @@ impl ControlFlow {
                 Op::Next => ControlFlow::NEXT,
                 Op::Mcr => ControlFlow::MCR,
                 Op::Call => ControlFlow::CALL,
-                Op::SetCoil | Op::RetentiveSet => ControlFlow::SET,
-                Op::ResetCoil | Op::RetentiveReset => ControlFlow::RESET,
-                Op::Coil | Op::NegatedCoil | Op::RetentiveCoil => ControlFlow::COIL,
-                _ => ControlFlow::default(),
+                _ => match row.coil {
+                    Some(Coil::Sets) => ControlFlow::SET,
+                    Some(Coil::Resets) => ControlFlow::RESET,
+                    Some(Coil::Follows | Coil::Negated) => ControlFlow::COIL,
+                    Some(Coil::OnEdge(_)) | None => ControlFlow::default(),
+                },
             },
             Meaning::User(_) | Meaning::UnknownUser if bound.facts.shape == Shape::Function => {
                 ControlFlow::FLOW_BLOCK

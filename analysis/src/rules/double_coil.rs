@@ -7,7 +7,7 @@ use crate::literal::Literal;
 use crate::network::{Meaning, NetworkFacts};
 use crate::rule::Rule;
 use crate::scope::Use;
-use ladder_instructions::{Op, Shape};
+use ladder_instructions::{Coil, Op, Shape};
 use std::collections::HashMap;
 
 pub(crate) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
@@ -64,8 +64,8 @@ fn is_plain_coil(context: &Context, place: &Use) -> bool {
         && !network.broken
         && !network.blocks[place.block].faulty
         && matches!(
-            network.blocks[place.block].op(),
-            Some(Op::Coil | Op::NegatedCoil | Op::RetentiveCoil)
+            network.blocks[place.block].coil(),
+            Some(Coil::Follows | Coil::Negated)
         )
 }
 

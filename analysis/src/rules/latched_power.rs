@@ -5,7 +5,7 @@ use crate::boolean::written::{written, written_block};
 use crate::diagnostic::Diagnostic;
 use crate::program::Step;
 use crate::rule::Rule;
-use ladder_instructions::{Op, SetPower};
+use ladder_instructions::{Coil, SetPower};
 
 pub(super) fn check(walk: &Walk<'_>, out: &mut Vec<Diagnostic>) {
     if walk.context.profile.law().set_power == SetPower::En {
@@ -23,8 +23,8 @@ pub(super) fn check(walk: &Walk<'_>, out: &mut Vec<Diagnostic>) {
                     told[coil] = true;
                     out.push(found(walk, coil, block));
                 }
-                match walk.block(block).op() {
-                    Some(Op::SetCoil | Op::RetentiveSet) => Some(block),
+                match walk.block(block).coil() {
+                    Some(Coil::Sets) => Some(block),
                     _ => latched[en],
                 }
             }

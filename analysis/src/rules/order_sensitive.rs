@@ -6,7 +6,7 @@ use crate::boolean::power::Question;
 use crate::boolean::written::written;
 use crate::diagnostic::Diagnostic;
 use crate::rule::Rule;
-use ladder_instructions::Op;
+use ladder_instructions::Coil;
 
 pub(super) fn check(table: &Table<'_>, out: &mut Vec<Diagnostic>) {
     let power = &table.power;
@@ -32,14 +32,11 @@ pub(super) fn check(table: &Table<'_>, out: &mut Vec<Diagnostic>) {
         let name = tag.map_or_else(String::new, |o| {
             written(table.context, table.network.scope, &o.value)
         });
-        let is_coil = bound
-            .op()
-            .is_some_and(|op| (Op::Coil..=Op::RetentiveReset).contains(&op));
         // The other way round is another finding: all values that decide which way it is are named.
         let this_way = &differing & if on { now } else { then };
         let values = power.says(point, &this_way);
-        let result = if is_coil {
-            let value = if matches!(bound.op(), Some(Op::Coil | Op::RetentiveCoil | Op::NegatedCoil)) || on {
+        let result = if let Some(coil) = bound.coil() {
+            let value = if matches!(coil, Coil::Follows | Coil::Negated) || on {
                 u8::from(on)
             } else {
                 0

@@ -15,7 +15,7 @@ use crate::scope::Access;
 use crate::types::Scalar;
 use crate::uses::Named;
 use crate::verdict::{self, Pass};
-use ladder_instructions::{Op, Role};
+use ladder_instructions::{Op, Power, Role};
 use ladder_syntax::TextSize;
 use rustc_hash::FxHasher;
 use std::hash::{Hash, Hasher};
@@ -194,7 +194,10 @@ fn is_asked_again(network: &NetworkFacts, uses: &[((usize, usize), &Named)]) -> 
 
 /// A comparison of two numbers, or with a number at the end of its type.
 fn compares_numbers(context: &Context, network: &NetworkFacts, bound: &BoundBlock) -> bool {
-    if !bound.op().is_some_and(|op| (Op::Eq..=Op::Le).contains(&op)) {
+    if !bound
+        .instruction()
+        .is_some_and(|row| row.power == Power::Compares)
+    {
         return false;
     }
     let mut types = bound

@@ -10,6 +10,7 @@ use crate::boolean::written::written_block;
 use crate::diagnostic::Diagnostic;
 use crate::network::BoundBlock;
 use crate::rule::Rule;
+use ladder_instructions::Power;
 use rustc_hash::FxHashSet;
 
 /// Tells of the contacts round which a wire leads, together where it joins their lines at one place; but for those
@@ -91,11 +92,9 @@ pub(super) fn check(table: &Table<'_>, out: &mut Vec<Diagnostic>) {
 }
 
 fn remembers(bound: &BoundBlock) -> bool {
-    use ladder_instructions::Op::*;
-    matches!(
-        bound.op(),
-        Some(RisingContact | FallingContact | OneShotRising | OneShotFalling)
-    )
+    bound
+        .instruction()
+        .is_some_and(|row| matches!(row.power, Power::TagEdge(_) | Power::EnEdge(_)))
 }
 
 fn each_variable(gate: &Gate, mut give: impl FnMut(usize)) {

@@ -15,7 +15,7 @@ use crate::program::Step;
 use crate::rule::Rule;
 use crate::scope::Use;
 use crate::types::Type;
-use ladder_instructions::{Op, Role};
+use ladder_instructions::{Coil, Power, Role};
 use rustc_hash::FxHashSet;
 
 /// How many coils of one tag are compared with each other.
@@ -33,25 +33,19 @@ pub(super) fn check(context: &Context, survey: &Survey, out: &mut Vec<Diagnostic
         .with(ControlFlow::CALL)
         .with(ControlFlow::FLOW_BLOCK);
     for tag in context.own_tags().filter(|tag| tag.ty == Some(Type::BOOL)) {
-        let op = |place: &Use| context.networks[place.network].blocks[place.block].op();
+        let coil = |place: &Use| context.networks[place.network].blocks[place.block].coil();
         let writers = || tag.uses.iter().filter(|place| place.access.writes());
-        let is_coil = |place: &&Use| {
-            use Op::*;
-            matches!(
-                op(place),
-                Some(SetCoil | RetentiveSet | ResetCoil | RetentiveReset)
-            ) && place.whole
-        };
-        let sets = |place: &Use| matches!(op(place), Some(Op::SetCoil | Op::RetentiveSet));
+        let is_latch = |place: &&Use| matches!(coil(place), Some(Coil::Sets | Coil::Resets)) && place.whole;
+        let sets = |place: &Use| coil(place) == Some(Coil::Sets);
         if writers().take(MOST).filter(|&place| sets(place)).count() == 0
             || !writers().any(|place| !sets(place))
         {
             continue;
         }
-        let coils: Vec<Coil<'_>> = writers()
-            .filter(is_coil)
+        let coils: Vec<Latch<'_>> = writers()
+            .filter(is_latch)
             .take(MOST)
-            .filter_map(|place| Coil::new(context, place, sets(place)))
+            .filter_map(|place| Latch::new(context, place, sets(place)))
             .collect();
         for (index, earlier) in coils.iter().enumerate() {
             let undone = coils[index + 1..].iter().find(|later| {
@@ -69,7 +63,7 @@ pub(super) fn check(context: &Context, survey: &Survey, out: &mut Vec<Diagnostic
     }
 }
 
-struct Coil<'c> {
+struct Latch<'c> {
     place: &'c Use,
     sets: bool,
     /// Where it stands in its network's order of evaluation.
@@ -80,9 +74,9 @@ struct Coil<'c> {
     asked: Vec<(usize, usize)>,
 }
 
-impl<'c> Coil<'c> {
+impl<'c> Latch<'c> {
     /// None unless its conditions stand in series behind the left rail.
-    fn new(context: &'c Context, place: &'c Use, sets: bool) -> Option<Coil<'c>> {
+    fn new(context: &'c Context, place: &'c Use, sets: bool) -> Option<Latch<'c>> {
         let network = &context.networks[place.network];
         if network.broken {
             return None;
@@ -90,7 +84,7 @@ impl<'c> Coil<'c> {
         let steps = &network.order.steps;
         let is_it = |step: &Step| matches!(*step, Step::Block { block, .. } if block == place.block);
         let step = steps.iter().position(is_it)?;
-        let mut coil = Coil {
+        let mut coil = Latch {
             place,
             sets,
             step,
@@ -115,12 +109,9 @@ impl<'c> Coil<'c> {
     fn pass(&mut self, context: &Context, network: &NetworkFacts, block: usize) -> Option<()> {
         let bound = &network.blocks[block];
         let row = bound.instruction().filter(|_| !bound.faulty)?;
-        match row.op {
-            // They pass on what they get.
-            Op::Coil | Op::NegatedCoil | Op::ResetCoil | Op::RetentiveCoil | Op::RetentiveReset => {
-                return Some(());
-            }
-            Op::OneShotRising | Op::OneShotFalling | Op::Inverter => return None,
+        match row.power {
+            Power::Passes if row.coil.is_some() => return Some(()),
+            Power::EnEdge(_) | Power::Inverts => return None,
             _ if row.role != Role::Condition => return None,
             _ => {}
         }
@@ -145,7 +136,7 @@ fn same_text(context: &Context, scope: usize, node: &Node) -> Option<String> {
 }
 
 /// Whether a block from the earlier coil to the later one writes what the two ask for.
-fn is_changed_between(context: &Context, earlier: &Coil<'_>, later: &Coil<'_>) -> bool {
+fn is_changed_between(context: &Context, earlier: &Latch<'_>, later: &Latch<'_>) -> bool {
     let networks = earlier.place.network..=later.place.network;
     // In one network the order of the text is not that of evaluation.
     if earlier.place.network == later.place.network && later.step < earlier.step {
@@ -158,7 +149,7 @@ fn is_changed_between(context: &Context, earlier: &Coil<'_>, later: &Coil<'_>) -
     })
 }
 
-fn found(context: &Context, name: &str, earlier: &Coil<'_>, later: &Coil<'_>) -> Diagnostic {
+fn found(context: &Context, name: &str, earlier: &Latch<'_>, later: &Latch<'_>) -> Diagnostic {
     let line = context.line_number(later.place.range.start());
     let (does, undoes) = if earlier.sets {
         ("sets", "resets")

@@ -73,7 +73,7 @@ pub(super) fn survey(context: &Context, settings: &RuleSettings, out: &mut Vec<D
                 settings,
             };
             match row.op {
-                Op::Ton | Op::Tof | Op::Tp | Op::Rto | Op::Rtof => short_preset::check(&place, out),
+                _ if row.is_timer() => short_preset::check(&place, out),
                 Op::Eq | Op::Ne => real_equality::check(&place, out),
                 Op::Div | Op::Mod => division_by_zero::check(&place, out),
                 Op::Calc => {

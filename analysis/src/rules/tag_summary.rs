@@ -8,7 +8,7 @@ use crate::outward::TagUse;
 use crate::program::Role;
 use crate::scope::{Origin, SectionKind, TagFacts, Use};
 use crate::types::Type;
-use ladder_instructions::Op;
+use ladder_instructions::Coil;
 use ladder_syntax::Name;
 
 /// How a tag is used, counted over all its places.
@@ -52,9 +52,9 @@ impl<'c> Summary<'c> {
             if place.access.writes() {
                 summary.writes += 1;
                 if can_be_set {
-                    match summary.op(place) {
-                        Some(Op::SetCoil | Op::RetentiveSet) => summary.sets += 1,
-                        Some(Op::ResetCoil | Op::RetentiveReset) => summary.resets += 1,
+                    match summary.coil(place) {
+                        Some(Coil::Sets) => summary.sets += 1,
+                        Some(Coil::Resets) => summary.resets += 1,
                         _ => {}
                     }
                 }
@@ -63,8 +63,8 @@ impl<'c> Summary<'c> {
         summary
     }
 
-    fn op(&self, place: &Use) -> Option<Op> {
-        self.context.networks[place.network].blocks[place.block].op()
+    fn coil(&self, place: &Use) -> Option<Coil> {
+        self.context.networks[place.network].blocks[place.block].coil()
     }
 
     /// Whether something reads it, in whichever file.

@@ -20,23 +20,16 @@ pub(crate) fn two_answers(name: &str, first: (Type, TextRange), second: (Type, T
             .help(format!(
                 "for the output of the {} write `{name}.{}`",
                 state.name(),
-                output(state)
+                state.output()
             ))
             .fix(
                 Applicability::Unsafe,
                 format!("Use the output of `{name}`"),
                 TextRange::empty(second.1.end()),
-                format!(".{}", output(state)),
+                format!(".{}", state.output()),
             ),
         (Type::State(_), Type::State(_)) => found.help("give each of the two blocks a tag of its own"),
         _ => found.help("declare it with the type it should have, and use another tag for the other"),
-    }
-}
-
-const fn output(state: StateType) -> &'static str {
-    match state {
-        StateType::Sr | StateType::Rs => "Q1",
-        _ => "Q",
     }
 }
 

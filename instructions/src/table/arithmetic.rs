@@ -1,6 +1,8 @@
 //! The six operations of arithmetic (LANGUAGE §5.2).
 
-use crate::{Accepts, Acts, Group, Instruction, Op, Operand, Profile, Profiles, Role, Shape, TypeClass};
+use crate::{
+    Accepts, Acts, Group, Instruction, Op, Operand, Power, Profile, Profiles, Role, Shape, TypeClass,
+};
 
 /// What the rows of this section share.
 const BASE: Instruction = Instruction {
@@ -15,6 +17,8 @@ const BASE: Instruction = Instruction {
     operands: &[],
     profiles: Profiles::ALL,
     differs: &[],
+    power: Power::PassesIfDone,
+    coil: None,
     eno: "EN, low on a fault",
     title: "",
     doc: "",

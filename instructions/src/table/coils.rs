@@ -1,6 +1,8 @@
 //! Coils (LANGUAGE §5.4).
 
-use crate::{Accepts, Acts, Group, Instruction, Op, Operand, Profile, Profiles, Role, Shape};
+use crate::{
+    Accepts, Acts, Coil, Edge, Group, Instruction, Op, Operand, Power, Profile, Profiles, Role, Shape,
+};
 
 /// What the rows of this section share.
 const BASE: Instruction = Instruction {
@@ -15,6 +17,8 @@ const BASE: Instruction = Instruction {
     operands: &[],
     profiles: Profiles::ALL,
     differs: &[],
+    power: Power::Passes,
+    coil: Some(Coil::Follows),
     eno: "EN",
     title: "",
     doc: "",
@@ -56,6 +60,7 @@ END_VAR
     },
     Instruction {
         op: Op::NegatedCoil,
+        coil: Some(Coil::Negated),
         mnemonic: "/",
         differs: &[
             (Profile::Iot, "A number becomes 0 or 1."),
@@ -83,6 +88,8 @@ END_VAR
     },
     Instruction {
         op: Op::SetCoil,
+        power: Power::SetTag,
+        coil: Some(Coil::Sets),
         mnemonic: "S",
         differs: &[
             (Profile::Ldmicro, "The power behind it is EN."),
@@ -117,6 +124,7 @@ END_VAR
     },
     Instruction {
         op: Op::ResetCoil,
+        coil: Some(Coil::Resets),
         mnemonic: "R",
         differs: &[
             (Profile::Iot, "A number becomes 0."),
@@ -149,6 +157,7 @@ END_VAR
     },
     Instruction {
         op: Op::RisingCoil,
+        coil: Some(Coil::OnEdge(Edge::Rising)),
         mnemonic: "P",
         profiles: Profiles::WITHOUT_LDMICRO,
         differs: &[
@@ -178,6 +187,7 @@ END_VAR
     },
     Instruction {
         op: Op::FallingCoil,
+        coil: Some(Coil::OnEdge(Edge::Falling)),
         mnemonic: "N",
         profiles: Profiles::WITHOUT_LDMICRO,
         differs: &[
@@ -234,6 +244,8 @@ END_VAR
     },
     Instruction {
         op: Op::RetentiveSet,
+        power: Power::SetTag,
+        coil: Some(Coil::Sets),
         mnemonic: "SM",
         profiles: Profiles::WITHOUT_LDMICRO,
         differs: &[
@@ -266,6 +278,7 @@ END_VAR
     },
     Instruction {
         op: Op::RetentiveReset,
+        coil: Some(Coil::Resets),
         mnemonic: "RM",
         profiles: Profiles::WITHOUT_LDMICRO,
         differs: &[
@@ -296,6 +309,7 @@ END_VAR
     },
     Instruction {
         op: Op::Res,
+        coil: None,
         mnemonic: "RES",
         differs: &[
             (Profile::Ldmicro, "ET or CV becomes 0. Q follows when the block is next evaluated."),

@@ -1,6 +1,6 @@
 //! Comparisons (LANGUAGE §5.1).
 
-use crate::{Accepts, Acts, Group, Instruction, Op, Operand, Profiles, Role, Shape};
+use crate::{Accepts, Acts, Group, Instruction, Op, Operand, Power, Profiles, Role, Shape};
 
 /// What the rows of this section share.
 const BASE: Instruction = Instruction {
@@ -15,6 +15,8 @@ const BASE: Instruction = Instruction {
     operands: &[],
     profiles: Profiles::ALL,
     differs: &[],
+    power: Power::Compares,
+    coil: None,
     eno: "EN and the comparison holds",
     title: "",
     doc: "",

@@ -1,6 +1,6 @@
 //! Contacts, edges and the inverter (LANGUAGE §5.1).
 
-use crate::{Accepts, Acts, Group, Instruction, Op, Operand, Profile, Profiles, Role, Shape};
+use crate::{Accepts, Acts, Edge, Group, Instruction, Op, Operand, Power, Profile, Profiles, Role, Shape};
 
 /// What the rows of this section share.
 const BASE: Instruction = Instruction {
@@ -15,6 +15,8 @@ const BASE: Instruction = Instruction {
     operands: &[],
     profiles: Profiles::ALL,
     differs: &[],
+    power: Power::Level { high: true },
+    coil: None,
     eno: "EN and tag",
     title: "",
     doc: "",
@@ -55,6 +57,7 @@ END_VAR
     },
     Instruction {
         op: Op::NegatedContact,
+        power: Power::Level { high: false },
         mnemonic: "/",
         differs: &[(
             Profile::Iot,
@@ -88,6 +91,7 @@ END_VAR
     },
     Instruction {
         op: Op::RisingContact,
+        power: Power::TagEdge(Edge::Rising),
         mnemonic: "P",
         acts: Acts::Always,
         profiles: Profiles::WITHOUT_LDMICRO,
@@ -125,6 +129,7 @@ END_VAR
     },
     Instruction {
         op: Op::FallingContact,
+        power: Power::TagEdge(Edge::Falling),
         mnemonic: "N",
         acts: Acts::Always,
         profiles: Profiles::WITHOUT_LDMICRO,
@@ -162,6 +167,7 @@ END_VAR
     },
     Instruction {
         op: Op::Inverter,
+        power: Power::Inverts,
         mnemonic: "NOT",
         acts: Acts::Always,
         profiles: Profiles::OWN,
@@ -185,6 +191,7 @@ END_VAR
     },
     Instruction {
         op: Op::OneShotRising,
+        power: Power::EnEdge(Edge::Rising),
         mnemonic: "OSR",
         aliases: &["R_TRIG"],
         acts: Acts::Always,
@@ -211,6 +218,7 @@ END_VAR
     },
     Instruction {
         op: Op::OneShotFalling,
+        power: Power::EnEdge(Edge::Falling),
         mnemonic: "OSF",
         aliases: &["F_TRIG"],
         acts: Acts::Always,

@@ -1,6 +1,6 @@
 //! Program flow (LANGUAGE §5.5).
 
-use crate::{Accepts, Acts, Group, Instruction, Op, Operand, Profile, Profiles, Role, Shape};
+use crate::{Accepts, Acts, Group, Instruction, Op, Operand, Power, Profile, Profiles, Role, Shape};
 
 /// What the rows of this section share.
 const BASE: Instruction = Instruction {
@@ -15,6 +15,8 @@ const BASE: Instruction = Instruction {
     operands: &[],
     profiles: Profiles::ALL,
     differs: &[],
+    power: Power::Passes,
+    coil: None,
     eno: "EN",
     title: "",
     doc: "",

@@ -46,6 +46,7 @@ static ROWS: [Instruction; Op::COUNT] = join();
 
 /// Joins the sections. Does not compile when an [`Op`] has no row, two rows, or its row in another place:
 /// [`by_op`](crate::by_op) indexes by the variant.
+#[allow(clippy::large_stack_arrays, reason = "it runs in the compiler only")]
 const fn join() -> [Instruction; Op::COUNT] {
     let mut rows = [SECTIONS[0][0]; Op::COUNT];
     let mut next = 0;

@@ -1,6 +1,8 @@
 //! Ports to the world outside (LANGUAGE §5.6).
 
-use crate::{Accepts, Acts, Group, Instruction, Op, Operand, Profile, Profiles, Role, Shape, TypeClass};
+use crate::{
+    Accepts, Acts, Group, Instruction, Op, Operand, Power, Profile, Profiles, Role, Shape, TypeClass,
+};
 
 /// What the rows of this section share.
 const BASE: Instruction = Instruction {
@@ -15,6 +17,8 @@ const BASE: Instruction = Instruction {
     operands: &[],
     profiles: Profiles::ALL,
     differs: &[],
+    power: Power::PassesIfDone,
+    coil: None,
     eno: "EN",
     title: "",
     doc: "",
@@ -158,6 +162,7 @@ END_VAR
     },
     Instruction {
         op: Op::Persist,
+        power: Power::Passes,
         mnemonic: "PERSIST",
         profiles: Profiles::WITHOUT_IOT,
         title: "Make retentive",

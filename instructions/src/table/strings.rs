@@ -1,6 +1,6 @@
 //! String functions (LANGUAGE §5.2, as in IEC 61131-3).
 
-use crate::{Accepts, Acts, Group, Instruction, Op, Operand, Profiles, Role, Shape, TypeClass};
+use crate::{Accepts, Acts, Group, Instruction, Op, Operand, Power, Profiles, Role, Shape, TypeClass};
 
 /// What the rows of this section share.
 const BASE: Instruction = Instruction {
@@ -15,6 +15,8 @@ const BASE: Instruction = Instruction {
     operands: &[],
     profiles: Profiles::ALL,
     differs: &[],
+    power: Power::PassesIfDone,
+    coil: None,
     eno: "EN, low on a fault",
     title: "",
     doc: "",

@@ -1,6 +1,8 @@
 //! Timers (LANGUAGE §5.3).
 
-use crate::{Accepts, Acts, Group, Instruction, Op, Operand, Profile, Profiles, Role, Shape, StateType};
+use crate::{
+    Accepts, Acts, Group, Instruction, Op, Operand, Power, Profile, Profiles, Role, Shape, StateType,
+};
 
 /// What the rows of this section share.
 const BASE: Instruction = Instruction {
@@ -15,6 +17,8 @@ const BASE: Instruction = Instruction {
     operands: &[],
     profiles: Profiles::ALL,
     differs: &[],
+    power: Power::Output,
+    coil: None,
     eno: "Q",
     title: "",
     doc: "",

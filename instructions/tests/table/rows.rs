@@ -2,7 +2,10 @@
 
 use std::collections::HashMap;
 
-use ladder_instructions::{Accepts, Direction, Instruction, Op, Presence, Role, Shape, TABLE, by_op, lookup};
+use ladder_instructions::{
+    Accepts, Coil, Direction, Edge, Group, Instruction, Op, Power, Presence, Role, Shape, StateType, TABLE,
+    by_op, lookup,
+};
 
 fn row(shape: Shape, spelling: &str, count: usize) -> &'static Instruction {
     lookup(shape, spelling)
@@ -141,4 +144,44 @@ fn named_operands_are_found_without_case() {
     );
     assert!(search.named("y").is_none(), "given by place");
     assert!(search.named("R").is_none());
+}
+
+#[test]
+fn what_becomes_of_power_agrees_with_the_rest_of_the_row() {
+    for row in TABLE {
+        let name = row.block();
+        let is_coil = row.group == Group::Coil && row.op != Op::Res;
+        assert_eq!(row.coil.is_some(), is_coil, "{name} writes bits as a coil");
+        assert_eq!(
+            row.power == Power::Output,
+            row.state().is_some(),
+            "{name} has an output"
+        );
+        assert_eq!(
+            row.power == Power::SetTag,
+            row.coil == Some(Coil::Sets),
+            "{name} gives the tag that it sets"
+        );
+        let is_condition = !matches!(
+            row.power,
+            Power::Passes | Power::PassesIfDone | Power::Output | Power::SetTag
+        );
+        assert_eq!(
+            is_condition,
+            row.group == Group::Condition,
+            "{name} decides about power"
+        );
+        let says = match row.power {
+            Power::Passes | Power::PassesIfDone | Power::Compares => row.eno.starts_with("EN"),
+            Power::Level { high } => row.eno == if high { "EN and tag" } else { "EN and not tag" },
+            Power::TagEdge(Edge::Rising) => row.eno == "EN and tag rose",
+            Power::TagEdge(Edge::Falling) => row.eno == "EN and tag fell",
+            Power::Inverts => row.eno == "not EN",
+            Power::EnEdge(Edge::Rising) => row.eno == "EN rose",
+            Power::EnEdge(Edge::Falling) => row.eno == "EN fell",
+            Power::Output => row.state().map(StateType::output) == Some(row.eno),
+            Power::SetTag => row.eno == "the tag",
+        };
+        assert!(says, "ENO of {name}: {}", row.eno);
+    }
 }

@@ -1,17 +1,31 @@
 //! Coils (LANGUAGE §5.4). They act at every evaluation, so what they write is found at every evaluation too.
 
 use super::arguments::Arguments;
+use super::number_coils::is_number_coil;
 use super::place::{Slot, Spot};
 use super::{Compiler, Result};
 use crate::code::Instr;
 use crate::layout::{Home, counter, timer};
 use crate::memory::Bit;
 use ladder_analysis::program::Argument;
-use ladder_instructions::{SetPower, Timing};
+use ladder_instructions::{Coil, Edge, Instruction, SetPower, Timing};
 
 impl Compiler<'_> {
+    /// A coil, by what it writes.
+    pub(super) fn coil(&mut self, row: &Instruction, arguments: Arguments, en: Bit) -> Result<Bit> {
+        match row.coil {
+            Some(coil) if is_number_coil(arguments) => self.coil_on_number(coil, arguments, en),
+            Some(Coil::Follows) => self.plain_coil(arguments, en, true),
+            Some(Coil::Negated) => self.plain_coil(arguments, en, false),
+            Some(Coil::Sets) => self.set_coil(arguments, en),
+            Some(Coil::Resets) => self.reset_coil(arguments, en),
+            Some(Coil::OnEdge(edge)) => self.edge_coil(arguments, en, edge == Edge::Rising),
+            None => Ok(en),
+        }
+    }
+
     /// `( )` and `(/)`
-    pub(super) fn coil(&mut self, arguments: Arguments, en: Bit, follows: bool) -> Result<Bit> {
+    fn plain_coil(&mut self, arguments: Arguments, en: Bit, follows: bool) -> Result<Bit> {
         if let Argument::Range(range) = arguments.get(0)? {
             return self.coil_on_range(range, en);
         }
@@ -36,7 +50,7 @@ impl Compiler<'_> {
     }
 
     /// `(S)`: its power is the tag's, or EN.
-    pub(super) fn set_coil(&mut self, arguments: Arguments, en: Bit) -> Result<Bit> {
+    fn set_coil(&mut self, arguments: Arguments, en: Bit) -> Result<Bit> {
         if let Argument::Range(range) = arguments.get(0)? {
             return self.set_coil_on_range(range, en);
         }
@@ -74,7 +88,7 @@ impl Compiler<'_> {
     }
 
     /// `(R)`, on timers and counters too.
-    pub(super) fn reset_coil(&mut self, arguments: Arguments, en: Bit) -> Result<Bit> {
+    fn reset_coil(&mut self, arguments: Arguments, en: Bit) -> Result<Bit> {
         match arguments.get(0)? {
             Argument::Range(range) => return self.reset_coil_on_range(range, en),
             Argument::State(_) => return self.clear(arguments, en),
@@ -96,7 +110,7 @@ impl Compiler<'_> {
     }
 
     /// `(P)` and `(N)`
-    pub(super) fn edge_coil(&mut self, arguments: Arguments, en: Bit, rising: bool) -> Result<Bit> {
+    fn edge_coil(&mut self, arguments: Arguments, en: Bit, rising: bool) -> Result<Bit> {
         // The edge first: a fault in finding the place must not leave the memory behind.
         let memory = self.edge_memory(arguments.place(0).ok().map(|(place, _)| place))?;
         let edge = self.edge_with(memory, Bit::HIGH, en, rising);

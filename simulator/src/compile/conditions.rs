@@ -8,11 +8,23 @@ use crate::memory::Bit;
 use crate::operation::{Test, Width};
 use ladder_analysis::program::{Argument, Expr, ExprKind, Place};
 use ladder_analysis::types::{Scalar, common};
-use ladder_instructions::{Edges, Op};
+use ladder_instructions::{Edge, Edges, Instruction, Op, Power};
 
 impl Compiler<'_> {
+    /// What lets power through or not, as the table of instructions has it.
+    pub(super) fn condition(&mut self, row: &Instruction, arguments: Arguments, en: Bit) -> Result<Bit> {
+        match row.power {
+            Power::Level { high } => self.contact(arguments, en, high),
+            Power::TagEdge(edge) => self.edge_contact(arguments, en, edge == Edge::Rising),
+            Power::Compares => self.comparison(row.op, arguments, en),
+            Power::Inverts => Ok(self.inverter(en)),
+            Power::EnEdge(edge) => Ok(self.edge(Bit::HIGH, en, edge == Edge::Rising)),
+            Power::Passes | Power::PassesIfDone | Power::Output | Power::SetTag => Ok(en),
+        }
+    }
+
     /// `[ ]` and `[/]`
-    pub(super) fn contact(&mut self, arguments: Arguments, en: Bit, open: bool) -> Result<Bit> {
+    fn contact(&mut self, arguments: Arguments, en: Bit, open: bool) -> Result<Bit> {
         let value = match arguments.get(0)? {
             Argument::Range(range) => return self.contact_on_range(range, en, open),
             argument => arguments.as_value(argument)?,
@@ -39,7 +51,7 @@ impl Compiler<'_> {
     }
 
     /// `[P]` and `[N]`: the tag is read at every evaluation.
-    pub(super) fn edge_contact(&mut self, arguments: Arguments, en: Bit, rising: bool) -> Result<Bit> {
+    fn edge_contact(&mut self, arguments: Arguments, en: Bit, rising: bool) -> Result<Bit> {
         let value = arguments.value(0)?;
         let memory = self.edge_memory(read_place(value))?;
         let tag = self.bit(value)?;
@@ -82,14 +94,14 @@ impl Compiler<'_> {
         Ok(Some(memory))
     }
 
-    pub(super) fn inverter(&mut self, en: Bit) -> Bit {
+    fn inverter(&mut self, en: Bit) -> Bit {
         let out = self.layout.bit();
         self.emit(Instr::Invert { out, en });
         out
     }
 
     /// `[EQ]` to `[LE]`: each neighbouring pair.
-    pub(super) fn comparison(&mut self, op: Op, arguments: Arguments, en: Bit) -> Result<Bit> {
+    fn comparison(&mut self, op: Op, arguments: Arguments, en: Bit) -> Result<Bit> {
         let values = arguments.values_from(0)?;
         let (out, start) = self.begin_powered(en);
         let slots: Vec<(Slot, Scalar)> = values

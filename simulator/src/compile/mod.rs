@@ -44,7 +44,6 @@ pub(crate) use cycles::COUNT as COUNT_OF_SCANS;
 use flow::Region;
 use ladder_analysis::program::{Block, BlockKind, Location, Program, Step, TagId};
 use ladder_instructions::{Counting, Instruction, Law, Op, Relay, Serial, Tables, Timing};
-use number_coils::is_number_coil;
 pub(crate) use ports::{CHANNELS, Ports};
 use std::collections::HashMap;
 use std::ops::Range;
@@ -377,14 +376,19 @@ impl Compiler<'_> {
     fn instruction(&mut self, row: &Instruction, block: &Block, en: Bit) -> Result<Bit> {
         let arguments = Arguments::of(block);
         match row.op {
-            Op::Contact => self.contact(arguments, en, true),
-            Op::NegatedContact => self.contact(arguments, en, false),
-            Op::RisingContact => self.edge_contact(arguments, en, true),
-            Op::FallingContact => self.edge_contact(arguments, en, false),
-            Op::Inverter => Ok(self.inverter(en)),
-            Op::OneShotRising => Ok(self.edge(Bit::HIGH, en, true)),
-            Op::OneShotFalling => Ok(self.edge(Bit::HIGH, en, false)),
-            Op::Eq | Op::Ne | Op::Gt | Op::Ge | Op::Lt | Op::Le => self.comparison(row.op, arguments, en),
+            Op::Contact
+            | Op::NegatedContact
+            | Op::RisingContact
+            | Op::FallingContact
+            | Op::Inverter
+            | Op::OneShotRising
+            | Op::OneShotFalling
+            | Op::Eq
+            | Op::Ne
+            | Op::Gt
+            | Op::Ge
+            | Op::Lt
+            | Op::Le => self.condition(row, arguments, en),
 
             op if self.is_as_in_c(op) => self.c_arithmetic(op, arguments, en),
             Op::Lut | Op::Pwl if self.law.tables == Tables::Open => self.open_table(row.op, arguments, en),
@@ -457,14 +461,16 @@ impl Compiler<'_> {
             },
             Op::Sr | Op::Rs => self.bistable(row.op, arguments, en),
 
-            op if is_number_coil(op, arguments) => self.coil_on_number(op, arguments, en),
             // That the tag is retentive is known from its declaration or from the coil, when the program starts.
-            Op::Coil | Op::RetentiveCoil => self.coil(arguments, en, true),
-            Op::NegatedCoil => self.coil(arguments, en, false),
-            Op::SetCoil | Op::RetentiveSet => self.set_coil(arguments, en),
-            Op::ResetCoil | Op::RetentiveReset => self.reset_coil(arguments, en),
-            Op::RisingCoil => self.edge_coil(arguments, en, true),
-            Op::FallingCoil => self.edge_coil(arguments, en, false),
+            Op::Coil
+            | Op::NegatedCoil
+            | Op::SetCoil
+            | Op::ResetCoil
+            | Op::RisingCoil
+            | Op::FallingCoil
+            | Op::RetentiveCoil
+            | Op::RetentiveSet
+            | Op::RetentiveReset => self.coil(row, arguments, en),
             Op::Res => self.clear(arguments, en),
 
             // What PERSIST does is known when the program starts.

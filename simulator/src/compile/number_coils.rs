@@ -6,32 +6,21 @@ use super::{Compiler, Result};
 use crate::code::Instr;
 use crate::memory::Bit;
 use ladder_analysis::types::Scalar;
-use ladder_instructions::Op;
+use ladder_instructions::{Coil, Edge};
 
-/// Whether a block is a coil, and what it writes is a number.
-pub(super) fn is_number_coil(op: Op, arguments: Arguments) -> bool {
-    matches!(
-        op,
-        Op::Coil
-            | Op::RetentiveCoil
-            | Op::NegatedCoil
-            | Op::SetCoil
-            | Op::RetentiveSet
-            | Op::ResetCoil
-            | Op::RetentiveReset
-            | Op::RisingCoil
-            | Op::FallingCoil
-    ) && arguments.place(0).is_ok_and(|(_, ty)| ty.is_number())
+/// Whether what a coil writes is a number.
+pub(super) fn is_number_coil(arguments: Arguments) -> bool {
+    arguments.place(0).is_ok_and(|(_, ty)| ty.is_number())
 }
 
 impl Compiler<'_> {
     /// Writes 1 for high and 0 for low.
-    pub(super) fn coil_on_number(&mut self, op: Op, arguments: Arguments, en: Bit) -> Result<Bit> {
+    pub(super) fn coil_on_number(&mut self, coil: Coil, arguments: Arguments, en: Bit) -> Result<Bit> {
         let (place, ty) = arguments.place(0)?;
-        let constant = match op {
-            Op::SetCoil | Op::RetentiveSet => Some(1),
-            Op::ResetCoil | Op::RetentiveReset => Some(0),
-            _ => None,
+        let constant = match coil {
+            Coil::Sets => Some(1),
+            Coil::Resets => Some(0),
+            Coil::Follows | Coil::Negated | Coil::OnEdge(_) => None,
         };
         if let Some(number) = constant {
             let (out, start) = self.begin_powered(en);
@@ -42,17 +31,17 @@ impl Compiler<'_> {
             self.end_powered(start);
             return Ok(out);
         }
-        let high = match op {
-            Op::NegatedCoil => {
+        let high = match coil {
+            Coil::Negated => {
                 let to = self.layout.bit();
                 self.emit(Instr::NotBit { to, a: en });
                 to
             }
-            Op::RisingCoil | Op::FallingCoil => {
+            Coil::OnEdge(edge) => {
                 let memory = self.edge_memory(Some(place))?;
-                self.edge_with(memory, Bit::HIGH, en, op == Op::RisingCoil)
+                self.edge_with(memory, Bit::HIGH, en, edge == Edge::Rising)
             }
-            _ => en,
+            Coil::Follows | Coil::Sets | Coil::Resets => en,
         };
         let spot = self.spot(place)?;
         let word = self.layout.word();

@@ -12,7 +12,7 @@ mod watch;
 use crate::code::ElementPlace;
 use crate::simulation::Simulation;
 use ladder_analysis::program::{BlockKind, ElementKind, Location, Step};
-use ladder_instructions::{Group, Op};
+use ladder_instructions::{Group, Power};
 use std::collections::HashMap;
 use watch::Watch;
 
@@ -204,10 +204,10 @@ fn kind(block: BlockKind) -> Option<PartKind> {
     let BlockKind::Instruction(row) = block else {
         return None;
     };
-    match (row.group, row.op) {
+    match (row.group, row.power) {
         // An inverter decides nothing.
-        (Group::Condition, Op::Inverter) => None,
-        (Group::Condition, Op::Eq | Op::Ne | Op::Gt | Op::Ge | Op::Lt | Op::Le) => Some(PartKind::Comparison),
+        (Group::Condition, Power::Inverts) => None,
+        (Group::Condition, Power::Compares) => Some(PartKind::Comparison),
         (Group::Condition, _) => Some(PartKind::Contact),
         (Group::Coil, _) => Some(PartKind::Coil),
         _ => None,

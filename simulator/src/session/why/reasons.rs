@@ -1,7 +1,7 @@
 //! The boolean network before a block: how power came to it, or what it would take.
 
 use ladder_analysis::program::{BlockKind, Network, Step};
-use ladder_instructions::Op;
+use ladder_instructions::Power;
 use std::collections::HashMap;
 
 /// What passes power on, or blocks it.
@@ -79,7 +79,7 @@ pub(super) fn missing(
 
 /// Whether a block gives power when none reaches it.
 pub(super) fn inverts(network: &Network, block: usize) -> bool {
-    matches!(network.blocks[block].kind, BlockKind::Instruction(row) if row.op == Op::Inverter)
+    matches!(network.blocks[block].kind, BlockKind::Instruction(row) if row.power == Power::Inverts)
 }
 
 /// Only the sets that hold no other, the small ones first.
@@ -132,7 +132,7 @@ mod tests {
             let coil = network
                 .blocks
                 .iter()
-                .position(|block| matches!(block.kind, BlockKind::Instruction(row) if row.op == Op::Coil));
+                .position(|block| matches!(block.kind, BlockKind::Instruction(row) if row.coil.is_some()));
             let coil = coil.unwrap();
             let en = network.steps.iter().find_map(|step| match *step {
                 Step::Block { block, en } if block == coil => Some(en),

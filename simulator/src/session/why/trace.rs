@@ -8,7 +8,7 @@ use crate::simulation::{Simulation, Stepped};
 use crate::tags::Point;
 use ladder_analysis::program::{Block, BlockKind, Location, ParameterKind, Step, TagId};
 use ladder_analysis::value::Value;
-use ladder_instructions::{Acts, Direction, Group, Op};
+use ladder_instructions::{Acts, Coil, Direction, Group, Op};
 use std::collections::HashMap;
 
 /// How far a scan is run again.
@@ -199,8 +199,9 @@ fn has_written(simulation: &Simulation, point: &Point, ran: &Next, power: bool) 
     }
     let acts = match block.kind {
         BlockKind::User(_) => true,
-        BlockKind::Instruction(row) => match row.op {
-            Op::SetCoil | Op::ResetCoil | Op::RetentiveSet | Op::RetentiveReset | Op::Res => power,
+        BlockKind::Instruction(row) => match row.coil {
+            Some(Coil::Sets | Coil::Resets) => power,
+            _ if row.op == Op::Res => power,
             _ => row.acts == Acts::Always || power,
         },
     };
