@@ -275,6 +275,17 @@ impl Revision {
         TextSize::try_from(self.rope.line_to_byte(line)).unwrap_or(TextSize::from(u32::MAX))
     }
 
+    /// The line of an offset, counted from 0.
+    pub(crate) fn line_of(&self, offset: TextSize) -> u32 {
+        self.rope
+            .byte_to_line(usize::from(offset).min(self.rope.len_bytes())) as u32
+    }
+
+    /// The number of the last line, counted from 0.
+    pub(crate) fn last_line(&self) -> u32 {
+        self.rope.len_lines().saturating_sub(1) as u32
+    }
+
     /// The texts of a program's files, this one's own first.
     pub(crate) fn texts(&self, files: &[String]) -> Vec<String> {
         let others = files.iter().skip(1).map(|name| {

@@ -53,6 +53,7 @@ use crate::lsp::{
     capabilities::{self, Agreed},
     shared::Shared,
 };
+use crate::simulation::messages::OfSession;
 
 /// The server as the framework sees it.
 #[derive(Debug)]
@@ -83,6 +84,12 @@ impl Backend {
         params: DocumentRangesFormattingParams,
     ) -> Result<Option<Vec<TextEdit>>> {
         formatting::ranges_formatting(&self.shared, params).await
+    }
+
+    /// `ladder/simulationShown`, a notification of the client.
+    #[expect(clippy::unused_async, reason = "the framework asks for it")]
+    pub(crate) async fn simulation_shown(&self, params: OfSession) {
+        simulate::has_shown(&self.shared, params);
     }
 }
 

@@ -1,19 +1,25 @@
 //! One running program in the words of the messages: the place where the server meets the scan engine.
 
+use std::cell::OnceCell;
 use std::sync::Arc;
 use std::time::Duration;
 
 use ladder_analysis::program::{Location, Role};
+use ladder_analysis::types::Scalar;
 use ladder_analysis::value::Value;
 use ladder_analysis::{Analysis, NotWhole};
-use ladder_simulator::{Brake, Breakpoint, HistoryLimits, Point, Session, Simulation, Status, Stop};
-use ladder_syntax::TextRange;
+use ladder_simulator::{
+    Brake, Breakpoint, HistoryLimits, Point, Session, Simulation, Status, Stop, value_text,
+};
+use ladder_syntax::{TextRange, TextSize};
 use serde_json::Value as Json;
 
+use super::drawing::Drawing;
 use super::messages;
 use super::request::Failure;
 use super::retention::Retention;
 use super::value::{from_json, to_json};
+use super::view::View;
 use crate::document::position::Range;
 use crate::document::{Beside, Revision};
 
@@ -31,9 +37,12 @@ pub(super) struct Engine {
     retention: Option<Retention>,
     /// What inputs hold from the first scan on.
     inputs: Vec<(Point, Value)>,
-    /// Where the elements of the drawing stand, in the order in which the engine lists their power. Computed
-    /// once, for the text that runs does not change.
-    places: Vec<Range>,
+    /// Where the elements of the drawing stand, in the order in which the engine lists their power, for a client that
+    /// takes them all. Computed once, for the text that runs does not change.
+    places: OnceCell<Vec<Range>>,
+    drawing: OnceCell<Drawing>,
+    /// What the client shows, if it says so.
+    view: Option<View>,
 }
 
 impl Engine {
@@ -71,18 +80,20 @@ impl Engine {
         let inputs = inputs
             .map(|(tag, value)| assignment(session.simulation(), tag, value))
             .collect::<Result<_, _>>()?;
-        let places = power(session.simulation())
-            .map(|(place, _)| revision.range(place))
-            .collect();
         let (retention, notes) = Retention::begin(settings.retain.as_ref(), revision.name(), &mut session);
         let mut engine = Engine {
             revision,
             session,
             retention,
             inputs,
-            places,
+            places: OnceCell::new(),
+            drawing: OnceCell::new(),
+            view: None,
         };
         engine.set_inputs()?;
+        if let Some(shown) = &options.show {
+            engine.show(shown);
+        }
         Ok((engine, notes))
     }
 
@@ -228,15 +239,83 @@ impl Engine {
         self.session.simulation().time() as f64 / 1e6
     }
 
+    /// Tells from now on only of this.
+    pub(super) fn show(&mut self, shown: &messages::Shown) {
+        let simulation = self.session.simulation();
+        let drawing = self.drawing.get_or_init(|| Drawing::of(simulation));
+        let view = self.view.get_or_insert_default();
+        view.show(shown, drawing, &self.revision, simulation);
+    }
+
+    /// Whether the client says what it shows.
+    pub(super) fn is_shown_in_part(&self) -> bool {
+        self.view.is_some()
+    }
+
+    /// What has changed of what is shown since this was asked last: tags, power, and operands that are new there.
+    pub(super) fn news(&mut self) -> (Vec<messages::Tag>, Vec<messages::Power>, Vec<messages::Operand>) {
+        let Some(view) = &mut self.view else {
+            return (self.tags(), self.power(), Vec::new());
+        };
+        let news = view.news(&self.revision, self.session.simulation());
+        let tags = news.points.iter().map(|point| self.tag(point)).collect();
+        (tags, news.power, news.operands)
+    }
+
+    /// How many tags are forced.
+    pub(super) fn forced(&self) -> usize {
+        self.session.simulation().forced().count()
+    }
+
+    /// The tags whose names hold a text.
+    pub(super) fn search(&self, search: &messages::Search) -> messages::Found {
+        let wanted = search.containing.as_deref().unwrap_or_default().to_lowercase();
+        let fits = |point: &&Point| wanted.is_empty() || point.name.to_lowercase().contains(&wanted);
+        let found: Vec<&Point> = self.all_points().filter(fits).collect();
+        let listed = found.iter().skip(search.first.unwrap_or_default());
+        let listed = listed.take(search.count.unwrap_or(usize::MAX));
+        messages::Found {
+            count: found.len(),
+            tags: listed.map(|point| self.tag(point)).collect(),
+        }
+    }
+
+    /// What the operand at a place in the text holds, in words: `t1.ET is T#1.2s`.
+    pub(super) fn values_at(&self, offset: TextSize) -> Vec<String> {
+        let simulation = self.session.simulation();
+        let drawing = self.drawing.get_or_init(|| Drawing::of(simulation));
+        let line = self.revision.line_of(offset);
+        let stretch = TextRange::new(self.revision.line_start(line), self.revision.line_start(line + 1));
+        let operands = drawing.operands_in(stretch, &self.revision, simulation);
+        let operand = operands.iter().find(|it| it.range.contains_inclusive(offset));
+        let points = operand.map_or(&[][..], |operand| &operand.points);
+        let told = points.iter().map(|point| {
+            let value = simulation.value(point);
+            let value = match point.ty {
+                Scalar::Bool => value_text::cell(&value, point.ty),
+                ty => value_text::display(&value, ty),
+            };
+            let forced = if simulation.is_forced(point) {
+                ", forced"
+            } else {
+                ""
+            };
+            format!("{} is {value}{forced}", point.name)
+        });
+        told.collect()
+    }
+
     /// Every scalar tag, then what else is forced (an element of an array, a bit of a word).
     pub(super) fn tags(&self) -> Vec<messages::Tag> {
+        self.all_points().map(|point| self.tag(point)).collect()
+    }
+
+    fn all_points(&self) -> impl Iterator<Item = &Point> {
         let points = self.session.simulation().points();
-        let others = self
-            .session
-            .simulation()
-            .forced()
-            .filter(|forced| !points.contains(forced));
-        points.iter().chain(others).map(|point| self.tag(point)).collect()
+        let forced = self.session.simulation().forced();
+        points
+            .iter()
+            .chain(forced.filter(|forced| !points.contains(forced)))
     }
 
     fn tag(&self, point: &Point) -> messages::Tag {
@@ -250,17 +329,24 @@ impl Engine {
                 Role::Internal => messages::Role::Internal,
             },
             forced: self.session.simulation().is_forced(point),
+            read_only: point.read_only,
         }
     }
 
     /// Every element of the drawing, with its power in the last scan.
     pub(super) fn power(&self) -> Vec<messages::Power> {
-        let live = power(self.session.simulation()).map(|(_, on)| on);
-        self.places
-            .iter()
-            .zip(live)
-            .map(|(&range, on)| messages::Power { range, on })
-            .collect()
+        let simulation = self.session.simulation();
+        let places = self.places.get_or_init(|| {
+            let places = power(simulation).map(|(place, _)| self.revision.range(place));
+            places.collect()
+        });
+        let live = power(simulation).map(|(_, on)| on);
+        let power = places.iter().zip(live).map(|(&range, on)| messages::Power {
+            range,
+            on,
+            contact: None,
+        });
+        power.collect()
     }
 
     /// What went wrong so far, the newest last. A mistake that repeats in one place stands here once, with the scan it

@@ -44,6 +44,72 @@ pub struct Options {
     /// The client takes notifications with only what has changed.
     #[serde(default, skip_serializing_if = "is_false")]
     pub deltas: bool,
+    /// The client shows only this, and says when it has shown it.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub show: Option<Shown>,
+}
+
+/// What of a program a client shows.
+#[derive(Debug, Clone, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "camelCase", deny_unknown_fields)]
+pub struct Shown {
+    /// Lines of the text, from 0.
+    #[serde(default)]
+    pub lines: Vec<Lines>,
+    /// Tags beside those that these lines name.
+    #[serde(default)]
+    pub tags: Vec<String>,
+}
+
+/// Lines that follow one another.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "camelCase", deny_unknown_fields)]
+pub struct Lines {
+    /// The first of them, from 0.
+    pub first: u32,
+    /// The last of them, which belongs to them.
+    pub last: u32,
+}
+
+/// The argument of `ladder.simulate.show`: all that is shown, in the place of what was shown before.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "camelCase", deny_unknown_fields)]
+pub struct Show {
+    /// The session.
+    pub session: String,
+    /// Lines of the text, from 0.
+    #[serde(default)]
+    pub lines: Vec<Lines>,
+    /// Tags beside those that these lines name.
+    #[serde(default)]
+    pub tags: Vec<String>,
+}
+
+/// The argument of `ladder.simulate.tags`.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "camelCase", deny_unknown_fields)]
+pub struct Search {
+    /// The session.
+    pub session: String,
+    /// Only tags whose names hold this, in any case.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub containing: Option<String>,
+    /// So many of them are left out at the beginning of the list.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub first: Option<usize>,
+    /// No more than so many; all unless given.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub count: Option<usize>,
+}
+
+/// The answer of `ladder.simulate.tags`.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(rename_all = "camelCase", deny_unknown_fields)]
+pub struct Found {
+    /// How many tags there are that were searched for, listed or not.
+    pub count: usize,
+    /// Those that are listed, in the order of first appearance.
+    pub tags: Vec<Tag>,
 }
 
 /// The argument of the commands that need nothing but the session.
@@ -103,7 +169,7 @@ pub struct Past {
 }
 
 /// The argument of `ladder.simulate.run`.
-#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(rename_all = "camelCase", deny_unknown_fields)]
 pub struct Run {
     /// The session.
@@ -114,6 +180,13 @@ pub struct Run {
     /// One scan in each interval of real time (which is what `true`, the default, asks for), or as fast as it goes.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub real_time: Option<bool>,
+    /// So many times as fast as real time: 0.1 is slow motion; 1 unless given.
+    #[serde(
+        default,
+        skip_serializing_if = "Option::is_none",
+        serialize_with = "shortest_if_any"
+    )]
+    pub speed: Option<f64>,
 }
 
 /// The argument of `ladder.simulate.set` and `ladder.simulate.force`.
@@ -218,12 +291,20 @@ pub struct State {
     /// The breakpoints.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub breakpoints: Vec<Breakpoint>,
+    /// How many tags are forced.
+    pub forced: usize,
     /// `tags` and `power` hold only what has changed since the notification before.
     #[serde(default, skip_serializing_if = "is_false")]
     pub delta: bool,
     /// How many answers were given before; not sent.
     #[serde(skip)]
     pub answers: u64,
+    /// For a client that says what it shows: how many commands have taken effect, this answer's own among them.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub commands: Option<u64>,
+    /// For a client that says what it shows: the operands in lines that it had not shown before.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub operands: Vec<Operand>,
     /// Every tag, in the order of first appearance; timers and counters as their members.
     pub tags: Vec<Tag>,
     /// Every wire, block and connector, and whether power flowed there in the last scan.
@@ -301,6 +382,9 @@ pub struct Tag {
     pub role: Role,
     /// Whether it is held at this value.
     pub forced: bool,
+    /// It can be neither set nor forced: a constant or a system tag.
+    #[serde(default, skip_serializing_if = "is_false")]
+    pub read_only: bool,
 }
 
 /// Who writes a tag.
@@ -321,8 +405,38 @@ pub enum Role {
 pub struct Power {
     /// Where the element stands.
     pub range: Range,
-    /// Whether power flowed there.
+    /// Whether power flowed there: for a block, whether it left it.
     pub on: bool,
+    /// What a contact does. Only for a client that says what it shows.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub contact: Option<Contact>,
+}
+
+/// What a contact does with the power that comes to it, or would do.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "camelCase")]
+pub enum Contact {
+    /// It lets power through, whether any comes or not.
+    Closed,
+    /// It would not, and none comes.
+    Open,
+    /// It holds up the power that comes.
+    Blocks,
+}
+
+/// An operand of a block, and what stands for its value.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "camelCase", deny_unknown_fields)]
+pub struct Operand {
+    /// Where the operand stands.
+    pub range: Range,
+    /// Its block.
+    pub block: Range,
+    /// The tags whose values belong beside it, the most telling one first: of a timer `t1.ET` and `t1.Q`.
+    pub tags: Vec<String>,
+    /// The power of the block, or what the contact does, tells the value already.
+    #[serde(default, skip_serializing_if = "is_false")]
+    pub drawn: bool,
 }
 
 /// One thing that went wrong while the program ran.

@@ -5,6 +5,7 @@
 //! between two scans. The folder knows nothing of the protocol's framework: states go out through a channel that keeps
 //! only the newest.
 
+mod drawing;
 mod engine;
 mod inquiry;
 pub mod messages;
@@ -14,6 +15,7 @@ mod retention;
 mod session;
 mod sessions;
 mod value;
+mod view;
 
 pub(crate) use request::{COMMANDS, Failure, Request, argument_of};
 pub(crate) use session::{Action, Answer, REPORT, Session};

@@ -3,10 +3,10 @@
 use serde::de::DeserializeOwned;
 use serde_json::Value;
 
-use super::messages::{Assign, Breakpoints, OfSession, OfTag, Past, Run, Start, Step, Unforce};
+use super::messages::{Assign, Breakpoints, OfSession, OfTag, Past, Run, Search, Show, Start, Step, Unforce};
 
 /// What a client can ask for with `workspace/executeCommand`.
-pub(crate) const COMMANDS: [&str; 17] = [
+pub(crate) const COMMANDS: [&str; 19] = [
     "ladder.simulate.start",
     "ladder.simulate.step",
     "ladder.simulate.stepBlock",
@@ -21,6 +21,8 @@ pub(crate) const COMMANDS: [&str; 17] = [
     "ladder.simulate.force",
     "ladder.simulate.unforce",
     "ladder.simulate.state",
+    "ladder.simulate.show",
+    "ladder.simulate.tags",
     "ladder.simulate.reset",
     "ladder.simulate.warmRestart",
     "ladder.simulate.stop",
@@ -52,6 +54,8 @@ pub(crate) enum Request {
     Force(Assign),
     Unforce(Unforce),
     State(OfSession),
+    Show(Show),
+    Tags(Search),
     Reset(OfSession),
     WarmRestart(OfSession),
     Stop(OfSession),
@@ -76,6 +80,8 @@ impl Request {
             Some("force") => Ok(Request::Force(read(command, argument(arguments)?)?)),
             Some("unforce") => Ok(Request::Unforce(read(command, argument(arguments)?)?)),
             Some("state") => Ok(Request::State(read(command, argument(arguments)?)?)),
+            Some("show") => Ok(Request::Show(read(command, argument(arguments)?)?)),
+            Some("tags") => Ok(Request::Tags(read(command, argument(arguments)?)?)),
             Some("reset") => Ok(Request::Reset(read(command, argument(arguments)?)?)),
             Some("warmRestart") => Ok(Request::WarmRestart(read(command, argument(arguments)?)?)),
             Some("stop") => Ok(Request::Stop(read(command, argument(arguments)?)?)),

@@ -1,23 +1,30 @@
 //! One simulation, on a thread of its own.
 
 use std::sync::Arc;
-use std::sync::atomic::{AtomicUsize, Ordering};
+use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use std::sync::mpsc::{Receiver, RecvTimeoutError, Sender, TryRecvError, channel};
 use std::time::{Duration, Instant};
 
 use ladder_simulator::Brake;
+use ladder_syntax::TextSize;
 use serde::Serialize;
 use serde_json::Value;
 use tokio::sync::{oneshot, watch};
 
 use super::engine::Engine;
-use super::messages::{History, Hit, Options, State, Status, Why};
+use super::messages::{Found, History, Hit, Options, Search, Shown, State, Status, Why};
 use super::request::Failure;
 use crate::cancel::Cancel;
 use crate::document::Revision;
 
 /// How often a run reports: twenty times a second.
 pub(crate) const REPORT: Duration = Duration::from_millis(50);
+
+/// How often a run is shown to a client that says what it shows, if it keeps up: thirty times a second.
+const SHOW: Duration = Duration::from_millis(33);
+
+/// The longest time between two scans: a day.
+const NEVER: Duration = Duration::from_secs(86_400);
 
 /// What a session is asked to do.
 #[derive(Debug)]
@@ -40,8 +47,8 @@ pub(crate) enum Action {
     Run {
         /// Pause after so many scans.
         scans: Option<u64>,
-        /// One scan in each interval of real time.
-        real_time: bool,
+        /// So many times as fast as real time; as fast as it goes if there is no number.
+        speed: Option<f64>,
     },
     /// Stop scanning.
     Pause,
@@ -53,6 +60,14 @@ pub(crate) enum Action {
     Unforce(Option<String>),
     /// Nothing: only answer.
     State,
+    /// Tell only of this from now on.
+    Show(Shown),
+    /// The client has shown what it was told.
+    HasShown,
+    /// List tags.
+    Tags(Search),
+    /// Say what the operand at a place holds.
+    ValuesAt(TextSize),
     /// Start again from cold.
     Reset,
     /// Start again with what is retentive.
@@ -74,7 +89,10 @@ impl Action {
 
     /// Whether the simulation stands differently behind it.
     fn changes(&self) -> bool {
-        !matches!(self, Action::State | Action::Why(_) | Action::History(..))
+        !matches!(
+            self,
+            Action::State | Action::Why(_) | Action::History(..) | Action::Tags(_) | Action::ValuesAt(_)
+        )
     }
 }
 
@@ -88,6 +106,10 @@ pub(crate) enum Answer {
     Why(Box<Why>),
     /// Values of the past.
     History(History),
+    /// Tags that were searched for.
+    Found(Found),
+    /// Values, in words.
+    Values(Vec<String>),
 }
 
 struct Command {
@@ -106,6 +128,8 @@ pub(crate) struct Session {
     commands: Sender<Command>,
     /// How many urgent commands wait.
     urgent: Arc<AtomicUsize>,
+    /// Whether the client has shown what it was told last.
+    has_shown: Arc<AtomicBool>,
 }
 
 impl Session {
@@ -129,12 +153,16 @@ impl Session {
             hit: None,
             answers: 0,
         };
-        let (states, receiver) = watch::channel(simulation.state());
+        let (states, receiver) = watch::channel(simulation.state(Telling::Picture));
+        let has_shown = Arc::new(AtomicBool::new(true));
         let runner = Runner {
             simulation,
             run: None,
             inbox,
             urgent: urgent.clone(),
+            has_shown: has_shown.clone(),
+            owes: false,
+            shown: Instant::now(),
             states,
         };
         std::thread::Builder::new()
@@ -146,6 +174,7 @@ impl Session {
             uri,
             commands,
             urgent,
+            has_shown,
         };
         Ok((session, receiver, notes))
     }
@@ -156,6 +185,10 @@ impl Session {
         let (reply, answer) = oneshot::channel();
         if action.is_urgent() {
             self.urgent.fetch_add(1, Ordering::SeqCst);
+        }
+        if matches!(action, Action::HasShown) {
+            // A long step does not look at what waits.
+            self.has_shown.store(true, Ordering::SeqCst);
         }
         // When the thread is gone, so is the other end of `reply`: the caller sees that.
         let _ = self.commands.send(Command {
@@ -177,9 +210,18 @@ fn brake(urgent: &Arc<AtomicUsize>, cancel: &Cancel) -> Brake {
 #[derive(Debug, Clone, Copy)]
 struct Going {
     left: Option<u64>,
-    /// When the next scan is due, for a run in real time.
-    due: Option<Instant>,
+    /// When the next scan is due, and the time from one to the next, for a run that keeps to a clock.
+    due: Option<(Instant, Duration)>,
     reported: Instant,
+}
+
+/// How much a state tells of the drawing.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Telling {
+    /// Tags and power; to a client that says what it shows what has changed there.
+    Picture,
+    /// Nothing to a client that says what it shows: what has changed comes with the next notification.
+    Answer,
 }
 
 /// The program and how it stands.
@@ -214,8 +256,14 @@ impl Simulation {
         }
     }
 
-    fn state(&mut self) -> State {
+    fn state(&mut self, telling: Telling) -> State {
         let engine = &mut self.engine;
+        let in_part = engine.is_shown_in_part();
+        let (tags, power, operands) = if in_part && telling == Telling::Answer {
+            Default::default()
+        } else {
+            engine.news()
+        };
         State {
             session: self.id.clone(),
             uri: engine.revision().uri.to_string(),
@@ -229,10 +277,13 @@ impl Simulation {
             next: engine.next(),
             hit: self.hit.clone(),
             breakpoints: engine.breakpoints(),
-            delta: false,
+            forced: engine.forced(),
+            delta: in_part,
             answers: self.answers,
-            tags: engine.tags(),
-            power: engine.power(),
+            commands: in_part.then_some(self.answers),
+            operands,
+            tags,
+            power,
             faults: engine.faults(),
         }
     }
@@ -244,6 +295,12 @@ struct Runner {
     run: Option<Going>,
     inbox: Receiver<Command>,
     urgent: Arc<AtomicUsize>,
+    /// Whether the client has shown what it was told last.
+    has_shown: Arc<AtomicBool>,
+    /// There is something that it has not been told yet.
+    owes: bool,
+    /// When it was told last.
+    shown: Instant,
     states: watch::Sender<State>,
 }
 
@@ -256,9 +313,9 @@ impl Runner {
                     TryRecvError::Empty => RecvTimeoutError::Timeout,
                     TryRecvError::Disconnected => RecvTimeoutError::Disconnected,
                 }),
-                Some(Going { due: Some(due), .. }) => self
-                    .inbox
-                    .recv_timeout(due.saturating_duration_since(Instant::now())),
+                Some(Going {
+                    due: Some((due, _)), ..
+                }) => self.wait_until(due),
             };
             match command {
                 Ok(command) => {
@@ -273,6 +330,27 @@ impl Runner {
                 }
             }
         }
+    }
+
+    /// Waits for a command, until the next scan is due. What the client waits for meanwhile it is told in time.
+    fn wait_until(&mut self, due: Instant) -> Result<Command, RecvTimeoutError> {
+        let telling = self.shown + SHOW;
+        if self.may_show() && self.owes && telling < due {
+            let waited = self
+                .inbox
+                .recv_timeout(telling.saturating_duration_since(Instant::now()));
+            if !matches!(waited, Err(RecvTimeoutError::Timeout)) {
+                return waited;
+            }
+            self.publish();
+        }
+        self.inbox
+            .recv_timeout(due.saturating_duration_since(Instant::now()))
+    }
+
+    /// Whether the client takes what it shows, and has shown what it was told before.
+    fn may_show(&self) -> bool {
+        self.simulation.engine.is_shown_in_part() && self.has_shown.load(Ordering::SeqCst)
     }
 
     fn serve(
@@ -301,6 +379,17 @@ impl Runner {
                 let past = self.simulation.engine.past(&tags, scans);
                 past.map(Answer::History)
             }
+            Action::Tags(search) => Ok(Answer::Found(self.simulation.engine.search(&search))),
+            // Places belong to another text then.
+            Action::ValuesAt(_) if self.simulation.stale => Ok(Answer::Values(Vec::new())),
+            Action::ValuesAt(offset) => Ok(Answer::Values(self.simulation.engine.values_at(offset))),
+            Action::HasShown => {
+                // A run tells by itself.
+                if self.owes && self.run.is_none() {
+                    self.publish();
+                }
+                return Next::Stay;
+            }
             action => self.change(action, &cancel),
         };
         let _ = reply.send(outcome);
@@ -311,8 +400,13 @@ impl Runner {
         let changes = action.changes();
         self.act(action, cancel)?;
         self.simulation.answers += 1;
-        let state = self.simulation.state();
-        if changes {
+        let state = self.simulation.state(Telling::Answer);
+        if self.simulation.engine.is_shown_in_part() {
+            self.owes |= changes;
+            if changes {
+                self.publish();
+            }
+        } else if changes {
             self.states.send_replace(state.clone());
         }
         Ok(Answer::State(Box::new(state)))
@@ -343,14 +437,19 @@ impl Runner {
                 self.simulation.engine.set_breakpoints(&lines, &tags)?;
             }
             // They change nothing and are answered where they arrive.
-            Action::Why(_) | Action::History(..) => {}
+            Action::Why(_)
+            | Action::History(..)
+            | Action::Tags(_)
+            | Action::ValuesAt(_)
+            | Action::HasShown => {}
             Action::WarmRestart => {
                 self.run = None;
                 self.simulation.hit = None;
                 self.simulation.engine.warm_restart()?;
                 self.simulation.status = Status::Paused;
             }
-            Action::Run { scans, real_time } => self.start_run(scans, real_time),
+            Action::Run { scans, speed } => self.start_run(scans, speed),
+            Action::Show(shown) => self.simulation.engine.show(&shown),
             Action::Pause => self.pause(),
             Action::Set(tag, value) => self.simulation.engine.set(&tag, &value)?,
             Action::Force(tag, value) => self.simulation.engine.force(&tag, &value)?,
@@ -394,7 +493,8 @@ impl Runner {
                 break;
             }
             self.simulation.scan();
-            if reported.elapsed() >= REPORT {
+            self.owes = true;
+            if reported.elapsed() >= self.report() {
                 reported = Instant::now();
                 self.publish();
             }
@@ -404,14 +504,18 @@ impl Runner {
         self.pause();
     }
 
-    fn start_run(&mut self, scans: Option<u64>, real_time: bool) {
+    fn start_run(&mut self, scans: Option<u64>, speed: Option<f64>) {
         let can_run = matches!(self.simulation.status, Status::Paused | Status::Running);
         if can_run && scans != Some(0) {
             let now = Instant::now();
+            let interval = self.simulation.engine.interval();
+            // An interval that is too long to be counted never ends.
+            let pace =
+                |speed: f64| Duration::try_from_secs_f64(interval.as_secs_f64() / speed).unwrap_or(NEVER);
             self.simulation.status = Status::Running;
             self.run = Some(Going {
                 left: scans,
-                due: real_time.then_some(now),
+                due: speed.map(|speed| (now, pace(speed).min(NEVER))),
                 reported: now,
             });
         } else {
@@ -426,23 +530,37 @@ impl Runner {
         let now = Instant::now();
         run.left = run.left.map(|left| left - 1);
         // A scan that takes longer than its interval makes the simulation slow; it does not make it catch up.
-        run.due = run
-            .due
-            .map(|due| (due + self.simulation.engine.interval()).max(now));
+        run.due = run.due.map(|(due, pace)| ((due + pace).max(now), pace));
+        self.owes = true;
         if self.simulation.status != Status::Running || run.left == Some(0) {
             self.pause();
             self.publish();
             return;
         }
-        if now - run.reported >= REPORT {
+        if now - run.reported >= self.report() {
             run.reported = now;
             self.publish();
         }
         self.run = Some(run);
     }
 
+    /// How often a run reports.
+    fn report(&self) -> Duration {
+        if self.simulation.engine.is_shown_in_part() {
+            SHOW
+        } else {
+            REPORT
+        }
+    }
+
+    /// Tells the client how things stand; one that says what it shows only when it has shown what it was told before.
     fn publish(&mut self) {
-        self.states.send_replace(self.simulation.state());
+        if self.simulation.engine.is_shown_in_part() && !self.has_shown.swap(false, Ordering::SeqCst) {
+            return;
+        }
+        self.owes = false;
+        self.shown = Instant::now();
+        self.states.send_replace(self.simulation.state(Telling::Picture));
     }
 }
 

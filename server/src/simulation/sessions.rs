@@ -48,6 +48,13 @@ impl Sessions {
         self.lock().open.get(id).cloned().ok_or_else(|| unknown(id))
     }
 
+    /// The simulations of a document, the newest last.
+    pub(crate) fn of(&self, uri: &str) -> Vec<Arc<Session>> {
+        let table = self.lock();
+        let these = table.open.values().filter(|session| &*session.uri == uri);
+        these.cloned().collect()
+    }
+
     /// Takes a session off the table, to be stopped.
     pub(crate) fn remove(&self, id: &str) -> Result<Arc<Session>, Failure> {
         self.lock().open.remove(id).ok_or_else(|| unknown(id))

@@ -20,6 +20,7 @@ mod pull;
 mod rename;
 mod semantic_tokens;
 mod several_files;
+mod shown;
 mod simulate;
 mod sync;
 mod untrusted;

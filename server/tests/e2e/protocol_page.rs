@@ -16,7 +16,8 @@ use crate::client::Client;
 const PAGE: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../docs/protocol.md");
 
 /// Notifications that a client sends; all others are the server's.
-const OF_CLIENT: [&str; 4] = [
+const OF_CLIENT: [&str; 5] = [
+    "ladder/simulationShown",
     "initialized",
     "textDocument/didOpen",
     "textDocument/didChange",
@@ -55,8 +56,10 @@ async fn the_page_shows_what_the_server_says() {
                 continue;
             }
             (None, Some(method)) => {
-                // States in between may be left out, the newest comes in any case.
-                let newest = |it: &Value| method != "ladder/simulationState" || *it == last_state;
+                // States in between may be left out, the newest comes in any case; one of what is shown holds less than the answer.
+                let newest = |it: &Value| {
+                    method != "ladder/simulationState" || *it == last_state || it.get("commands").is_some()
+                };
                 let params = client.notification(method, newest).await;
                 json!({"jsonrpc": "2.0", "method": method, "params": params})
             }
@@ -169,6 +172,11 @@ async fn the_page_shows_every_command_whole() {
                 is_whole::<messages::Why>(answer);
                 continue;
             }
+            "tags" => {
+                is_whole::<messages::Search>(argument);
+                is_whole::<messages::Found>(answer);
+                continue;
+            }
             "history" => {
                 is_whole::<messages::Past>(argument);
                 is_whole::<messages::History>(answer);
@@ -177,6 +185,7 @@ async fn the_page_shows_every_command_whole() {
             "breakpoints" => is_whole::<messages::Breakpoints>(argument),
             "step" | "back" => is_whole::<messages::Step>(argument),
             "run" => is_whole::<messages::Run>(argument),
+            "show" => is_whole::<messages::Show>(argument),
             "set" | "force" => is_whole::<messages::Assign>(argument),
             "unforce" => is_whole::<messages::Unforce>(argument),
             _ => is_whole::<messages::OfSession>(argument),

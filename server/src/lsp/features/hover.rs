@@ -6,7 +6,7 @@ use tower_lsp::jsonrpc::Result;
 use tower_lsp::ls_types::{Hover, HoverContents, HoverParams};
 
 use super::asked::about_place;
-use super::foreign_hover;
+use super::{foreign_hover, simulate};
 use crate::lsp::{convert, markup, shared::Shared};
 
 pub(crate) async fn hover(shared: &Arc<Shared>, params: HoverParams) -> Result<Option<Hover>> {
@@ -16,6 +16,7 @@ pub(crate) async fn hover(shared: &Arc<Shared>, params: HoverParams) -> Result<O
     if let Some(revision) = companion.filter(|it| it.kind().notation().is_some()) {
         return foreign_hover::hover(markdown, revision, place.position).await;
     }
+    let values = simulate::values_at(shared, place.text_document.uri.as_str(), place.position).await;
     about_place(
         shared,
         params.text_document_position_params,
@@ -25,6 +26,9 @@ pub(crate) async fn hover(shared: &Arc<Shared>, params: HoverParams) -> Result<O
             let mut text = markup::linked(hover.markdown, &asked.revision.uri);
             if let Some(elsewhere) = ladder_ide::used_elsewhere(&asked.context, offset, &asked.elsewhere) {
                 text = format!("{text}\n\n---\n\n{elsewhere}");
+            }
+            if !values.is_empty() {
+                text = format!("**{}**\n\n---\n\n{text}", values.join("; "));
             }
             Some(Hover {
                 contents: HoverContents::Markup(markup::content(markdown, text)),

@@ -7,16 +7,23 @@ use tokio::sync::watch;
 use tower_lsp::Client;
 use tower_lsp::jsonrpc::{Error, ErrorCode, Result};
 use tower_lsp::ls_types::notification::Notification;
-use tower_lsp::ls_types::{ExecuteCommandParams, LSPAny};
+use tower_lsp::ls_types::{ExecuteCommandParams, LSPAny, Position};
 
 use crate::cancel::Cancel;
+use crate::lsp::convert;
 use crate::lsp::shared::Shared;
 use crate::lsp::transport::blocking::blocking;
-use crate::simulation::messages::{OfSession, Start, Started, State, Status, Stopped};
+use crate::simulation::messages::{OfSession, Run, Show, Shown, Start, Started, State, Status, Stopped};
 use crate::simulation::{Action, Answer, Failure, REPORT, Request, Session};
 
 /// The protocol's code for a request that makes sense but cannot be done.
 const REQUEST_FAILED: i64 = -32803;
+
+/// How many times as fast as real time a run may be.
+const SPEEDS: std::ops::RangeInclusive<f64> = 0.001..=1000.0;
+
+/// A hover does not wait longer for the values of a simulation, which may be in the midst of a long step.
+const PATIENCE: std::time::Duration = std::time::Duration::from_millis(200);
 
 /// The values of so many scans are told unless more are asked for.
 const PAST: u64 = 100;
@@ -45,26 +52,61 @@ pub(crate) async fn execute(shared: &Arc<Shared>, params: ExecuteCommandParams) 
             act(shared, &it.session, Action::History(it.tags, scans)).await
         }
         Request::Run(it) => {
-            let real_time = it.real_time.unwrap_or(true);
-            act(
-                shared,
-                &it.session,
-                Action::Run {
-                    scans: it.scans,
-                    real_time,
-                },
-            )
-            .await
+            let speed = speed(&it)?;
+            let scans = it.scans;
+            act(shared, &it.session, Action::Run { scans, speed }).await
         }
         Request::Pause(it) => act(shared, &it.session, Action::Pause).await,
         Request::Set(it) => act(shared, &it.session, Action::Set(it.tag, it.value)).await,
         Request::Force(it) => act(shared, &it.session, Action::Force(it.tag, it.value)).await,
         Request::Unforce(it) => act(shared, &it.session, Action::Unforce(it.tag)).await,
         Request::State(it) => act(shared, &it.session, Action::State).await,
+        Request::Show(Show { session, lines, tags }) => {
+            act(shared, &session, Action::Show(Shown { lines, tags })).await
+        }
+        Request::Tags(it) => act(shared, &it.session.clone(), Action::Tags(it)).await,
         Request::Reset(it) => act(shared, &it.session, Action::Reset).await,
         Request::WarmRestart(it) => act(shared, &it.session, Action::WarmRestart).await,
         Request::Stop(it) => stop(shared, it).await,
     }
+}
+
+/// How many times as fast as real time a run is to be; none for as fast as it goes.
+fn speed(run: &Run) -> Result<Option<f64>> {
+    match (run.real_time, run.speed) {
+        (Some(false), None) => Ok(None),
+        (Some(false), Some(_)) => Err(error(Failure::Invalid(
+            "a run that is not in real time has no speed: give one of the two".into(),
+        ))),
+        (_, Some(speed)) if !SPEEDS.contains(&speed) => Err(error(Failure::Invalid(format!(
+            "speed is {speed}; it must be from 0.001 to 1000 times real time"
+        )))),
+        (_, speed) => Ok(Some(speed.unwrap_or(1.0))),
+    }
+}
+
+/// The client has shown what a session told it.
+pub(crate) fn has_shown(shared: &Arc<Shared>, OfSession { session }: OfSession) {
+    // One that has ended meanwhile is no mistake.
+    if let Ok(session) = shared.sessions.get(&session) {
+        drop(session.ask(Action::HasShown, Cancel::default()));
+    }
+}
+
+/// What the operand at a place holds in the simulations of a document, in words; nothing of one that is busy.
+pub(crate) async fn values_at(shared: &Arc<Shared>, uri: &str, position: Position) -> Vec<String> {
+    let Some(revision) = shared.documents.get(uri) else {
+        return Vec::new();
+    };
+    let mut told = Vec::new();
+    for session in shared.sessions.of(uri) {
+        let offset = revision.offset(convert::our_position(position));
+        let answer = session.ask(Action::ValuesAt(offset), Cancel::default());
+        if let Ok(Ok(Ok(Answer::Values(values)))) = tokio::time::timeout(PATIENCE, answer).await {
+            told.extend(values);
+        }
+    }
+    told
 }
 
 async fn start(shared: &Arc<Shared>, Start { uri, options }: Start) -> Result<Started> {
@@ -79,6 +121,8 @@ async fn start(shared: &Arc<Shared>, Start { uri, options }: Start) -> Result<St
     // No `await` from here on: a request that is cancelled must not leave a session that nobody knows of.
     let session = shared.sessions.add(session).map_err(error)?;
     let mut state = states.borrow().clone();
+    // All of what is shown.
+    state.delta = false;
     tokio::spawn(report(shared.client.clone(), states, deltas));
     // A change may have come while the program was compiled, when nobody could tell the session.
     if !shared.documents.is_current(&revision) {
@@ -140,6 +184,11 @@ async fn report(client: Client, mut states: watch::Receiver<State>, deltas: bool
     let mut before = states.borrow().clone();
     while states.changed().await.is_ok() {
         let state = states.borrow_and_update().clone();
+        if state.commands.is_some() {
+            // What has changed already, and sent only to a client that waits for it.
+            client.send_notification::<SimulationState>(state).await;
+            continue;
+        }
         let told = if deltas && state.answers == before.answers {
             state.since(&before)
         } else {
@@ -210,8 +259,11 @@ mod tests {
             next: None,
             hit: None,
             breakpoints: Vec::new(),
+            forced: 0,
             delta: false,
             answers: 0,
+            commands: None,
+            operands: Vec::new(),
         };
         let (states, seen) = watch::channel(state.clone());
         tokio::spawn(report(service.inner().shared().client.clone(), seen, false));

@@ -45,6 +45,7 @@ where
 {
     let (service, socket) = LspService::build(|client| Backend::counting(client, busy))
         .custom_method("textDocument/rangesFormatting", Backend::ranges_formatting)
+        .custom_method("ladder/simulationShown", Backend::simulation_shown)
         .finish();
     let shared = service.inner().shared();
     let guard = Guard::new(service, shared.outbox.clone());

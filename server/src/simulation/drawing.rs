@@ -1,0 +1,361 @@
+//! The drawing of the program that runs, line by line: its elements, what its contacts look at, and the tags that its
+//! operands name. Nothing is computed for lines that nobody asks for.
+
+use std::collections::HashMap;
+use std::ops::Range;
+
+use ladder_analysis::program::{
+    Argument, Block, BlockKind, Bound, ElementKind, Expr, ExprKind, Network, Place, Step, TagId,
+};
+use ladder_analysis::types::{Scalar, Type};
+use ladder_analysis::value::Value;
+use ladder_instructions::{Group, Op};
+use ladder_simulator::{Point, Simulation};
+use ladder_syntax::TextRange;
+
+use crate::document::Revision;
+
+/// Where the networks of the program's own text stand.
+#[derive(Debug)]
+pub(super) struct Drawing {
+    /// In the order of the text.
+    networks: Vec<NetworkPlace>,
+}
+
+/// A network of the program's own text.
+#[derive(Debug, Clone, Copy)]
+struct NetworkPlace {
+    range: TextRange,
+    /// Its number in the program.
+    number: usize,
+    /// The engine's number of its first element.
+    first: usize,
+}
+
+/// An element of the drawing.
+#[derive(Debug)]
+pub(super) struct Element {
+    /// The engine's number for it.
+    pub(super) number: usize,
+    /// Where it stands.
+    pub(super) range: TextRange,
+    /// What the contact that it is looks at.
+    pub(super) contact: Option<Contact>,
+}
+
+/// A contact.
+#[derive(Debug)]
+pub(super) struct Contact {
+    /// The engine's number of an element that carries the power which comes to it.
+    comes: Option<usize>,
+    condition: Condition,
+}
+
+/// What a contact looks at.
+#[derive(Debug)]
+enum Condition {
+    /// A bit, and what it must be.
+    Bit(Point, bool),
+    /// Two values.
+    Comparison(Op, Operand, Operand),
+    /// What only the scan itself knows, as an edge.
+    Unknown,
+}
+
+#[derive(Debug)]
+enum Operand {
+    Point(Point),
+    Constant(Value),
+}
+
+/// An operand that has values.
+#[derive(Debug)]
+pub(super) struct Named {
+    pub(super) range: TextRange,
+    pub(super) block: TextRange,
+    /// The most telling one first.
+    pub(super) points: Vec<Point>,
+    /// The power of the block tells the value.
+    pub(super) drawn: bool,
+}
+
+impl Drawing {
+    pub(super) fn of(simulation: &Simulation) -> Drawing {
+        let program = simulation.program();
+        let elements = simulation.power().enumerate();
+        let elements = elements.filter(|(_, (_, location, _))| location.file == 0);
+        // The elements of a network follow one another.
+        let firsts: HashMap<_, _> = elements
+            .map(|(number, (_, location, _))| (location.range.start(), number))
+            .collect();
+        let own = program.networks.iter().enumerate();
+        let own = own.filter(|(_, network)| network.location.file == 0);
+        let mut networks: Vec<NetworkPlace> = own
+            .filter_map(|(number, network)| {
+                let first = network.elements.first()?;
+                Some(NetworkPlace {
+                    range: network.location.range,
+                    number,
+                    first: *firsts.get(&first.range.start())?,
+                })
+            })
+            .collect();
+        networks.sort_by_key(|place| place.range.start());
+        Drawing { networks }
+    }
+
+    /// The networks that have something in a stretch of the text.
+    fn networks_in(&self, stretch: TextRange) -> &[NetworkPlace] {
+        let from = self
+            .networks
+            .partition_point(|it| it.range.end() <= stretch.start());
+        let to = self
+            .networks
+            .partition_point(|it| it.range.start() < stretch.end());
+        &self.networks[from..to.max(from)]
+    }
+
+    /// The elements that stand in a stretch of the text.
+    pub(super) fn elements_in(
+        &self,
+        stretch: TextRange,
+        revision: &Revision,
+        simulation: &Simulation,
+    ) -> Vec<Element> {
+        let mut elements = Vec::new();
+        for place in self.networks_in(stretch) {
+            let network = &simulation.program().networks[place.number];
+            for (index, element) in network.elements.iter().enumerate() {
+                if element.range.start() >= stretch.end() || element.range.end() <= stretch.start() {
+                    continue;
+                }
+                let block = (element.kind == ElementKind::Block)
+                    .then(|| block_at(network, element.range))
+                    .flatten();
+                let contact = block.and_then(|(number, block)| {
+                    let condition = condition(block, revision, simulation)?;
+                    let comes = comes_to(network, number).map(|index| place.first + index);
+                    Some(Contact { comes, condition })
+                });
+                elements.push(Element {
+                    number: place.first + index,
+                    range: element.range,
+                    contact,
+                });
+            }
+        }
+        // A network's own order is that of the evaluation.
+        elements.sort_by_key(|element| element.range.start());
+        elements
+    }
+
+    /// The operands of the blocks that begin in a stretch of the text.
+    pub(super) fn operands_in(
+        &self,
+        stretch: TextRange,
+        revision: &Revision,
+        simulation: &Simulation,
+    ) -> Vec<Named> {
+        let mut operands = Vec::new();
+        for place in self.networks_in(stretch) {
+            let network = &simulation.program().networks[place.number];
+            for block in &network.blocks {
+                if stretch.contains(block.location.range.start()) {
+                    operands_of(block, revision, simulation, &mut operands);
+                }
+            }
+        }
+        operands
+    }
+}
+
+impl Contact {
+    /// Whether it lets power through, or would.
+    pub(super) fn state(&self, on: bool, simulation: &Simulation) -> super::messages::Contact {
+        use super::messages::Contact;
+        let comes = self.comes.is_some_and(|comes| simulation.is_live(comes));
+        match (comes, on) {
+            (true, true) => Contact::Closed,
+            (true, false) => Contact::Blocks,
+            (false, _) if self.condition.holds(simulation).unwrap_or(on) => Contact::Closed,
+            (false, _) => Contact::Open,
+        }
+    }
+}
+
+impl Condition {
+    fn holds(&self, simulation: &Simulation) -> Option<bool> {
+        match self {
+            Condition::Bit(point, wanted) => Some(simulation.value(point) == Value::Bool(*wanted)),
+            Condition::Comparison(op, left, right) => {
+                let order = match (left.value(simulation), right.value(simulation)) {
+                    (Value::Int(left), Value::Real(right)) => (left as f64).partial_cmp(&right)?,
+                    (Value::Real(left), Value::Int(right)) => left.partial_cmp(&(right as f64))?,
+                    (Value::Int(left), Value::Int(right)) => left.cmp(&right),
+                    (Value::Real(left), Value::Real(right)) => left.partial_cmp(&right)?,
+                    (left, right) if left == right => std::cmp::Ordering::Equal,
+                    _ => return None,
+                };
+                match op {
+                    Op::Eq => Some(order.is_eq()),
+                    Op::Ne => Some(order.is_ne()),
+                    Op::Gt => Some(order.is_gt()),
+                    Op::Ge => Some(order.is_ge()),
+                    Op::Lt => Some(order.is_lt()),
+                    Op::Le => Some(order.is_le()),
+                    _ => None,
+                }
+            }
+            Condition::Unknown => None,
+        }
+    }
+}
+
+impl Operand {
+    fn of(bound: &Bound, revision: &Revision, simulation: &Simulation) -> Option<Operand> {
+        let Argument::Value(expr) = &bound.argument else {
+            return None;
+        };
+        let mut expr = expr;
+        while let ExprKind::Pass(inner) = &expr.kind {
+            expr = inner;
+        }
+        // Unsigned numbers past the middle are kept as negative ones: only the scan knows.
+        if matches!(expr.ty, Scalar::Ulint | Scalar::Lword) {
+            return None;
+        }
+        match &expr.kind {
+            ExprKind::Constant(value) => Some(Operand::Constant(value.clone())),
+            ExprKind::Read(place) => point(place, expr.range, revision, simulation).map(Operand::Point),
+            _ => None,
+        }
+    }
+
+    fn value(&self, simulation: &Simulation) -> Value {
+        match self {
+            Operand::Point(point) => simulation.value(point),
+            Operand::Constant(value) => value.clone(),
+        }
+    }
+}
+
+fn block_at(network: &Network, range: TextRange) -> Option<(usize, &Block)> {
+    let mut blocks = network.blocks.iter().enumerate();
+    blocks.find(|(_, block)| block.location.range == range)
+}
+
+/// An element of the network that carries the power which comes to a block.
+fn comes_to(network: &Network, block: usize) -> Option<usize> {
+    let en = network.steps.iter().find_map(|step| match *step {
+        Step::Block { block: this, en } if this == block => Some(en),
+        _ => None,
+    })?;
+    network.elements.iter().position(|element| element.step == en)
+}
+
+/// What a block looks at, if it is a contact.
+fn condition(block: &Block, revision: &Revision, simulation: &Simulation) -> Option<Condition> {
+    let BlockKind::Instruction(row) = block.kind else {
+        return None;
+    };
+    if row.group != Group::Condition {
+        return None;
+    }
+    let operand = |index: usize| Operand::of(block.arguments.get(index)?, revision, simulation);
+    Some(match row.op {
+        Op::Contact | Op::NegatedContact => match operand(0) {
+            Some(Operand::Point(point)) => Condition::Bit(point, row.op == Op::Contact),
+            _ => Condition::Unknown,
+        },
+        Op::Eq | Op::Ne | Op::Gt | Op::Ge | Op::Lt | Op::Le => match (operand(0), operand(1)) {
+            (Some(left), Some(right)) => Condition::Comparison(row.op, left, right),
+            _ => Condition::Unknown,
+        },
+        Op::RisingContact | Op::FallingContact => Condition::Unknown,
+        // What looks at nothing but the wire is no contact.
+        _ => return None,
+    })
+}
+
+fn operands_of(block: &Block, revision: &Revision, simulation: &Simulation, operands: &mut Vec<Named>) {
+    let drawn = matches!(block.kind, BlockKind::Instruction(row)
+        if matches!(row.op, Op::Contact | Op::NegatedContact | Op::Coil | Op::NegatedCoil));
+    for bound in &block.arguments {
+        let named = |range, points| Named {
+            range,
+            block: block.location.range,
+            points,
+            drawn,
+        };
+        if let Argument::State(tag) = bound.argument {
+            operands.push(named(bound.range, members(tag, simulation)));
+            continue;
+        }
+        for (place, range) in places(bound) {
+            let point = point(place, range, revision, simulation);
+            operands.extend(point.map(|point| named(range, vec![point])));
+        }
+    }
+    operands.retain(|operand| !operand.points.is_empty());
+}
+
+/// What shows how far a timer, counter or bistable has come.
+fn members(tag: TagId, simulation: &Simulation) -> Vec<Point> {
+    let tag = &simulation.program().tags[tag.0 as usize];
+    let (Type::State(state), None) = (tag.ty, tag.block) else {
+        return Vec::new();
+    };
+    let names: &[&str] = if state.is_timer() {
+        &["ET", "Q"]
+    } else {
+        &["CV", "Q", "QU", "QD", "Q1"]
+    };
+    let names = names.iter().map(|member| format!("{}.{member}", tag.name));
+    names.filter_map(|name| simulation.resolve(&name).ok()).collect()
+}
+
+/// The places that an argument names, with where they are written.
+fn places(bound: &Bound) -> Vec<(&Place, TextRange)> {
+    let mut found = Vec::new();
+    match &bound.argument {
+        Argument::Value(expression) => read_in(expression, &mut found),
+        Argument::Place(place, _) => found.push((place, bound.range)),
+        _ => {}
+    }
+    found
+}
+
+fn read_in<'e>(expression: &'e Expr, found: &mut Vec<(&'e Place, TextRange)>) {
+    match &expression.kind {
+        ExprKind::Read(place) => found.push((place, expression.range)),
+        ExprKind::Pass(inner) | ExprKind::Unary(_, inner) => read_in(inner, found),
+        ExprKind::Binary(_, left, right) | ExprKind::Compare(_, left, right) => {
+            read_in(left, found);
+            read_in(right, found);
+        }
+        ExprKind::Call(_, arguments) => arguments.iter().for_each(|argument| read_in(argument, found)),
+        ExprKind::Constant(_) | ExprKind::Sum(_) => {}
+    }
+}
+
+/// The value of a place, if it always is the same one: not `a[i]`, and not the tags of a user-defined block's body,
+/// of which every place where the block stands has its own.
+fn point(place: &Place, range: TextRange, revision: &Revision, simulation: &Simulation) -> Option<Point> {
+    let in_body = |tag: TagId| simulation.program().tags[tag.0 as usize].block.is_some();
+    if root(place).is_some_and(in_body) {
+        return None;
+    }
+    simulation.resolve(&revision.stretch(bytes(range))).ok()
+}
+
+fn root(place: &Place) -> Option<TagId> {
+    match place {
+        Place::Tag(tag) | Place::Element(tag, _) | Place::Member(tag, _) => Some(*tag),
+        Place::Bit(inner, ..) => root(inner),
+        Place::System(_) => None,
+    }
+}
+
+fn bytes(range: TextRange) -> Range<usize> {
+    usize::from(range.start())..usize::from(range.end())
+}

@@ -1,0 +1,230 @@
+//! A client that says what it shows: states cost what is seen, and come as fast as it keeps up.
+
+use std::fmt::Write;
+
+use serde_json::{Value, json};
+
+use crate::client::{Client, URI, span};
+
+const SEEN: &str = "ladder/simulationShown";
+const STATE: &str = "ladder/simulationState";
+
+const MOTOR: &str = "\
++--\\--[ ]( start )--\\--[/]( stop )--( )( run )--+
+|  /--[ ]( run )----/                            |
+
++--[ ]( run )--[TON]( warm, 20ms )--( )( lamp )--+
+";
+
+/// A client with a session of this program, of which it shows these lines and tags; the session, and the first state.
+async fn shown(program: &str, lines: [u32; 2], tags: Value) -> (Client, String, Value) {
+    let mut client = Client::new().await;
+    client.open(program).await;
+    let show = json!({"lines": [{"first": lines[0], "last": lines[1]}], "tags": tags});
+    let start = json!({"uri": URI, "options": {"show": show}});
+    let answer = client.simulate("start", start).await.unwrap();
+    let session = answer["session"].as_str().unwrap().to_owned();
+    (client, session, answer["state"].clone())
+}
+
+fn names(state: &Value) -> Vec<&str> {
+    let tags = state["tags"].as_array().unwrap().iter();
+    tags.map(|tag| tag["name"].as_str().unwrap()).collect()
+}
+
+fn lines(list: &Value) -> Vec<u64> {
+    let mut lines: Vec<u64> = list
+        .as_array()
+        .unwrap()
+        .iter()
+        .map(|it| it["range"]["start"]["line"].as_u64().unwrap())
+        .collect();
+    lines.dedup();
+    lines
+}
+
+#[tokio::test]
+async fn only_what_is_shown_is_told() {
+    let (mut client, s, first) = shown(MOTOR, [0, 1], json!(["lamp", "nobody"])).await;
+    assert_eq!(names(&first), ["lamp", "start", "stop", "run"]);
+    assert_eq!(
+        (lines(&first["power"]), lines(&first["operands"])),
+        (vec![0, 1], vec![0, 1])
+    );
+    assert_eq!(first["operands"].as_array().unwrap().len(), 4);
+    assert_eq!(
+        first["operands"][0],
+        json!({"range": span([0, 11, 0, 16]), "block": span([0, 6, 0, 18]), "tags": ["start"], "drawn": true})
+    );
+
+    // The answer says what has been done; what it has changed comes once, with the notification.
+    let set = json!({"session": s, "tag": "start", "value": true});
+    let answer = client.simulate("set", set).await.unwrap();
+    assert_eq!(
+        (&answer["commands"], &answer["tags"], &answer["power"]),
+        (&json!(1), &json!([]), &json!([]))
+    );
+    let state = client.notification(STATE, |_| true).await;
+    assert_eq!(
+        (&state["commands"], names(&state), &state["delta"]),
+        (&json!(1), vec!["start"], &json!(true))
+    );
+    assert_eq!(state.get("operands"), None);
+
+    // Other lines: what is known is not told again.
+    client.notify(SEEN, json!({"session": s})).await;
+    let show = json!({"session": s, "lines": [{"first": 1, "last": 3}], "tags": []});
+    client.simulate("show", show).await.unwrap();
+    let state = client.notification(STATE, |_| true).await;
+    assert_eq!(names(&state), ["warm.ET", "warm.Q"], "the lamp is known");
+    assert_eq!(
+        (lines(&state["power"]), lines(&state["operands"])),
+        (vec![3], vec![3])
+    );
+    let timer = &state["operands"][1];
+    assert_eq!(
+        (&timer["tags"], timer.get("drawn")),
+        (&json!(["warm.ET", "warm.Q"]), None)
+    );
+    client.finish().await;
+}
+
+#[tokio::test]
+async fn the_next_state_comes_when_the_client_has_shown_the_one_before() {
+    let (mut client, s, _) = shown(MOTOR, [0, 3], json!([])).await;
+    let run = json!({"session": s, "realTime": false});
+    client.simulate("run", run).await.unwrap();
+    client.notification(STATE, |_| true).await;
+    // The program goes on, and many answers come, but no state.
+    let mut scans = 0;
+    for _ in 0..20 {
+        let state = client.simulate("state", json!({"session": s})).await.unwrap();
+        scans = state["scan"].as_u64().unwrap();
+    }
+    assert_eq!(client.arrived(STATE), Vec::<Value>::new());
+    client.simulate("pause", json!({"session": s})).await.unwrap();
+    client.notify(SEEN, json!({"session": s})).await;
+    let state = client.notification(STATE, |_| true).await;
+    assert_eq!(state["status"], "paused", "the newest, not the next");
+    assert!(state["scan"].as_u64().unwrap() >= scans);
+    client.finish().await;
+}
+
+#[tokio::test]
+async fn contacts_say_what_they_do() {
+    let program = "\
+VAR  n : DINT := 3;  END_VAR
++--[ ]( a )--[/]( b )--[LT]( n, 5 )--[P]( c )--( )( y )--+
+";
+    let (mut client, s, first) = shown(program, [1, 1], json!([])).await;
+    let contacts = |state: &Value| -> Vec<String> {
+        let power = state["power"].as_array().unwrap().iter();
+        power
+            .filter_map(|it| it["contact"].as_str().map(str::to_owned))
+            .collect()
+    };
+    assert_eq!(contacts(&first), ["open", "closed", "closed", "open"]);
+    client.simulate("step", json!({"session": s})).await.unwrap();
+    let state = client.notification(STATE, |_| true).await;
+    assert_eq!(
+        contacts(&state),
+        ["blocks"],
+        "the first; the others stay as they were"
+    );
+    client.notify(SEEN, json!({"session": s})).await;
+    for (tag, value) in [("a", true), ("b", true)] {
+        let set = json!({"session": s, "tag": tag, "value": value});
+        client.simulate("set", set).await.unwrap();
+    }
+    client.simulate("step", json!({"session": s})).await.unwrap();
+    let mut state = client.notification(STATE, |_| true).await;
+    while state["commands"] != 4 {
+        client.notify(SEEN, json!({"session": s})).await;
+        state = client.notification(STATE, |_| true).await;
+    }
+    assert_eq!(contacts(&state).last().unwrap(), "blocks");
+    client.finish().await;
+}
+
+#[tokio::test]
+async fn ten_thousand_rungs_cost_what_is_shown() {
+    let mut program = String::new();
+    for rung in 0..10_000 {
+        let _ = writeln!(program, "+--[ ]( a{rung} )--[/]( b{rung} )--( )( c{rung} )--+");
+    }
+    let (mut client, s, first) = shown(&program, [5000, 5049], json!([])).await;
+    assert_eq!(
+        (names(&first).len(), first["power"].as_array().unwrap().len()),
+        (150, 450)
+    );
+    let set = json!({"session": s, "tag": "a5007", "value": true});
+    client.simulate("set", set).await.unwrap();
+    client.notify(SEEN, json!({"session": s})).await;
+    client.simulate("step", json!({"session": s})).await.unwrap();
+    let mut told = Vec::new();
+    for commands in [1, 2] {
+        let state = client.notification(STATE, |it| it["commands"] == commands).await;
+        told.extend(names(&state).into_iter().map(str::to_owned));
+    }
+    assert_eq!(told, ["a5007", "c5007"]);
+
+    let search = json!({"session": s, "containing": "C500", "first": 1, "count": 2});
+    let found = client.simulate("tags", search).await.unwrap();
+    assert_eq!(
+        (&found["count"], names(&found)),
+        (&json!(11), vec!["c5000", "c5001"])
+    );
+    client.finish().await;
+}
+
+#[tokio::test]
+async fn a_hover_tells_the_value() {
+    let (mut client, s, _) = shown(MOTOR, [0, 3], json!([])).await;
+    for command in ["set", "force"] {
+        let tag = if command == "set" { "start" } else { "run" };
+        let argument = json!({"session": s, "tag": tag, "value": true});
+        client.simulate(command, argument).await.unwrap();
+    }
+    client
+        .simulate("step", json!({"session": s, "scans": 2}))
+        .await
+        .unwrap();
+    let mut hover = async |line: u32, character: u32| {
+        let place = json!({"textDocument": {"uri": URI}, "position": {"line": line, "character": character}});
+        let hover = client.request("textDocument/hover", place).await.unwrap();
+        let text = hover["contents"]["value"].as_str().unwrap().to_owned();
+        text.lines().next().unwrap().to_owned()
+    };
+    assert_eq!(hover(1, 12).await, "**run is 1, forced**");
+    assert_eq!(hover(3, 23).await, "**warm.ET is T#10ms; warm.Q is 0**");
+    client.finish().await;
+}
+
+#[tokio::test]
+async fn constants_are_read_only_and_runs_have_a_speed() {
+    let program = "VAR CONSTANT  FIVE : DINT := 5;  END_VAR\n+--[EQ]( n, FIVE )--( )( y )--+\n";
+    let (mut client, s, first) = shown(program, [0, 1], json!([])).await;
+    let read_only = |name: &str| {
+        let mut tags = first["tags"].as_array().unwrap().iter();
+        tags.find(|tag| tag["name"] == name).unwrap()["readOnly"] == true
+    };
+    assert_eq!((read_only("FIVE"), read_only("n")), (true, false));
+    for (run, refusal) in [
+        (json!({"session": s, "speed": 0}), "from 0.001 to 1000"),
+        (json!({"session": s, "speed": 2, "realTime": false}), "no speed"),
+    ] {
+        let (code, message) = client.simulate("run", run).await.unwrap_err();
+        assert_eq!(code, -32602);
+        assert!(message.contains(refusal), "{message}");
+    }
+    let run = json!({"session": s, "scans": 30, "speed": 100});
+    client.simulate("run", run).await.unwrap();
+    loop {
+        client.notify(SEEN, json!({"session": s})).await;
+        let state = client.notification(STATE, |_| true).await;
+        if state["scan"] == 30 && state["status"] == "paused" {
+            break;
+        }
+    }
+    client.finish().await;
+}
