@@ -181,10 +181,9 @@ fn first_place(parse: &Parse, block: Option<usize>) -> TextSize {
         .iter()
         .position(|line| !line.kind.is_decoration())
         .unwrap_or(lines.len());
-    let above = lines[..first]
-        .iter()
+    let above = (0..first)
         .rev()
-        .take_while(|line| line.kind == LineKind::Comment)
+        .take_while(|&line| lines[line].kind == LineKind::Comment)
         .count();
     if above == first {
         // Nothing parts the comments at the head of the file from those of the rung.

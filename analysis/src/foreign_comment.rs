@@ -107,8 +107,9 @@ fn on_line(parse: &Parse, line: usize) -> Option<ForeignComment> {
         range,
         text: says.trim_start_matches(opening).to_owned(),
         lines: line..last + 1,
-        ends_section: parse.lines()[line..=last]
-            .iter()
+        ends_section: parse
+            .lines()
+            .range(line..last + 1)
             .flat_map(|line| &line.errors)
             .any(|error| error.kind == section_ends),
     })
@@ -131,7 +132,7 @@ fn up_to(
 ) -> Option<(usize, String, usize)> {
     let mut says = String::new();
     let mut skipped = from;
-    for (next, parsed) in parse.lines().iter().enumerate().skip(line).take(MOST_LINES) {
+    for (next, parsed) in (line..).zip(parse.lines().from(line)).take(MOST_LINES) {
         let text = parsed.syntax().text().to_string();
         let text = &text[std::mem::take(&mut skipped)..];
         if let Some((at, length)) = find(text) {

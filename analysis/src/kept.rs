@@ -7,7 +7,7 @@
 use crate::context::Context;
 use crate::network::{NetworkFacts, UserBlocks};
 use crate::scope::Scope;
-use ladder_syntax::{Line, Network, Parse, Structure};
+use ladder_syntax::{Network, Parse, Structure};
 use std::sync::Arc;
 
 /// What an earlier context has that a new text has as well.
@@ -29,10 +29,8 @@ pub(crate) struct Kept<'c> {
 impl<'c> Kept<'c> {
     pub(crate) fn of(before: &'c Context, parse: &Parse) -> Kept<'c> {
         let (old, new) = (before.parse.lines(), parse.lines());
-        let same = |(old, new): &(&Line, &Line)| is_same(old, new);
-        let above = old.iter().zip(new).take_while(same).count();
-        let rests = old[above..].iter().rev().zip(new[above..].iter().rev());
-        let below = new.len() - rests.take_while(same).count();
+        let (above, below) = new.shared_with(old);
+        let below = new.len() - below;
         let len = |parse: &Parse| i64::from(u32::from(parse.text_len()));
         Kept {
             before,
@@ -118,9 +116,4 @@ impl<'c> Kept<'c> {
         facts.broken = facts.broken_by_itself;
         Some(Arc::new(facts))
     }
-}
-
-/// Whether two lines have one node: then they have one text and mean the same.
-fn is_same(old: &Line, new: &Line) -> bool {
-    std::ptr::eq(&raw const **old.green(), &raw const **new.green())
 }

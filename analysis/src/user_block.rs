@@ -116,7 +116,7 @@ pub(crate) fn user_block(parse: &Parse, definition: &BlockDefinition, scope: &Sc
         .collect();
     UserBlockFacts {
         key: Name::new(&name),
-        doubtful: parse.lines()[definition.lines.clone()].iter().any(is_doubtful),
+        doubtful: parse.lines().range(definition.lines.clone()).any(is_doubtful),
         name,
         shape,
         at,

@@ -218,7 +218,7 @@ impl<'s> Source<'s> {
 
     /// The lines of a network's rungs.
     pub(crate) fn rungs(&self, network: &Network) -> impl Iterator<Item = usize> + use<'s> {
-        network.rungs(self.lines.lines())
+        network.rungs(self.lines)
     }
 
     /// A line in the text, its line end included.

@@ -74,8 +74,8 @@ fn comments(context: &Context) -> impl Iterator<Item = TextRange> + '_ {
     let mut next = 0;
     std::iter::from_fn(move || {
         let first = (next..lines.len()).find(|&line| lines[line].kind == LineKind::Comment)?;
-        let run = lines[first..]
-            .iter()
+        let run = lines
+            .from(first)
             .take_while(|line| line.kind == LineKind::Comment);
         next = first + run.count();
         let range = TextRange::new(parse.line_start(first), parse.line_range(next - 1).end());

@@ -6,10 +6,10 @@
 
 use crate::grammar::Entry;
 use crate::line::{Line, LineKind, Mode};
-use crate::lines::{Lines, entry_behind, line_at};
+use crate::lines::{entry_behind, line_at};
+use crate::parse;
 use crate::parse::Parse;
 use crate::tree_builder::TreeBuilder;
-use crate::{chunks, parse};
 use rowan::{TextRange, TextSize};
 
 /// Enough for the tables of the tree builder: an edit seldom touches more than a few lines.
@@ -34,13 +34,11 @@ impl Parse {
         let first = self.first_touched(edit.start);
         let mut builder = TreeBuilder::new(USUAL_LEN);
         let mut new_lines = Vec::new();
-        let mut new_starts = Vec::new();
-        let mut at = self.lines.starts[first] as usize;
+        let mut at = self.lines.line_start(first) as usize;
         let mut entry = self.entry(first);
         let mut resume = self.lines().len();
         while at < text.len() {
             let line = line_at(text, at, entry, &mut builder);
-            new_starts.push(at as u32);
             at += line.len as usize;
             entry = entry_behind(&line);
             new_lines.push(line);
@@ -52,7 +50,7 @@ impl Parse {
                 break;
             }
         }
-        self.spliced(text, first..resume, new_lines, &new_starts, new_end, edit.end)
+        Parse::new(text, self.lines.spliced(first..resume, new_lines))
     }
 
     /// The parse of a text that came from this one's, `old`, in whatever way: what lies between the beginning and the
@@ -74,9 +72,7 @@ impl Parse {
     /// has looked at.
     fn first_touched(&self, edit: usize) -> usize {
         // A line that ends where the edit begins is touched: its last token may go on.
-        let mut first = self.lines.starts[..self.lines().len()]
-            .partition_point(|&start| (start as usize) < edit)
-            .saturating_sub(1);
+        let mut first = self.lines.count_before(edit as u32).saturating_sub(1);
         while first > 0 && (self.entry(first).mid_line || looks_ahead(&self.lines()[first - 1])) {
             first -= 1;
         }
@@ -91,33 +87,9 @@ impl Parse {
 
     /// The line that starts at an offset, but not the first: there a byte order mark may stand.
     fn line_that_starts(&self, offset: usize) -> Option<usize> {
-        let line = self.lines.starts.binary_search(&(offset as u32)).ok()?;
-        (line > 0 && line < self.lines().len()).then_some(line)
-    }
-
-    /// This parse with `new` lines in the place of the lines `old`.
-    fn spliced(
-        &self,
-        text: &str,
-        old: std::ops::Range<usize>,
-        new: Vec<Line>,
-        new_starts: &[u32],
-        new_end: usize,
-        old_end: usize,
-    ) -> Parse {
-        let count = self.lines().len() - old.len() + new.len();
-        let mut lines = Vec::with_capacity(count);
-        let mut starts = Vec::with_capacity(count + 1);
-        let new_range = old.start..old.start + new.len();
-        lines.extend_from_slice(&self.lines()[..old.start]);
-        lines.extend(new);
-        lines.extend_from_slice(&self.lines()[old.end..]);
-        starts.extend_from_slice(&self.lines.starts[..old.start]);
-        starts.extend_from_slice(new_starts);
-        let moved = |start: &u32| (*start as usize + new_end - old_end) as u32;
-        starts.extend(self.lines.starts[old.end..].iter().map(moved));
-        let root = chunks::edited_root(self.green(), &lines, &old, &new_range);
-        Parse::new(root, Lines::new(text, lines, starts))
+        let line = self.lines.count_before(offset as u32);
+        let starts = line > 0 && line < self.lines.len() && self.lines.line_start(line) as usize == offset;
+        starts.then_some(line)
     }
 }
 

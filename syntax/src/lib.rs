@@ -25,10 +25,10 @@
 
 pub mod ast;
 mod builder;
-mod chunks;
 mod dump;
 mod edit;
 mod error;
+mod file_lines;
 mod grammar;
 mod kind;
 mod lexer;
@@ -37,6 +37,7 @@ mod line_index;
 mod lines;
 mod name;
 mod parse;
+mod part;
 mod structure;
 mod tree_builder;
 mod unclosed_comment;
@@ -45,13 +46,15 @@ pub mod wiring;
 pub use builder::Builder;
 pub use dump::dump;
 pub use error::{DeclarationProblem, Many, OperandPlace, Surroundings, SyntaxError, SyntaxErrorKind};
+pub use file_lines::{AllLines, FileLines};
 pub use grammar::is_declaration_keyword;
 pub use kind::{LadderLanguage, SyntaxElement, SyntaxKind, SyntaxNode, SyntaxToken};
 pub use line::{Line, LineKind, Mode};
 pub use line_index::{LineColumn, LineIndex};
-pub use lines::{LineReader, Lines, read_lines};
+pub use lines::{LineList, LineReader, Lines, read_lines};
 pub use name::{Name, is_identifier, is_reserved};
 pub use parse::{MAX_FILE_BYTES, MAX_OPEN_BYTES, MAX_OPEN_LINES, Parse, parse};
+pub use part::Part;
 pub use structure::{BlockDefinition, Item, Network, Section, Structure};
 
 pub use rowan::{self, NodeOrToken, TextRange, TextSize};

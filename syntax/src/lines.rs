@@ -5,12 +5,43 @@ use crate::grammar::{self, Entry};
 use crate::line::{Line, LineKind};
 use crate::structure::{self, Structure};
 use crate::unclosed_comment::unclosed_comment;
-use rowan::{GreenNode, TextRange, TextSize};
+use rowan::{TextRange, TextSize};
+
+/// Logical lines that can be asked for by their numbers.
+pub trait LineList {
+    /// What a [`Builder`] made of a line.
+    type Node;
+
+    /// How many there are.
+    fn count(&self) -> usize;
+
+    /// A line. Panics where there are not so many.
+    fn line(&self, line: usize) -> &Line<Self::Node>;
+
+    /// Where it starts, in bytes from the start of the text.
+    fn start(&self, line: usize) -> u32;
+}
+
+impl<N> LineList for Lines<N> {
+    type Node = N;
+
+    fn count(&self) -> usize {
+        self.all.len()
+    }
+
+    fn line(&self, line: usize) -> &Line<N> {
+        &self.all[line]
+    }
+
+    fn start(&self, line: usize) -> u32 {
+        self.starts[line]
+    }
+}
 
 /// The lines of a text with what a [`Builder`] made of them, and the networks, sections and block definitions that
 /// they form.
 #[derive(Debug, Clone)]
-pub struct Lines<N = GreenNode> {
+pub struct Lines<N> {
     pub(crate) all: Vec<Line<N>>,
     /// Where each line starts, and at the end the length of the text.
     pub(crate) starts: Vec<u32>,
@@ -23,6 +54,19 @@ pub struct Lines<N = GreenNode> {
 pub fn read_lines<B: Builder>(text: &str, builder: &mut B) -> Lines<B::Line> {
     let mut lines = Lines::with_capacity(text.len());
     LineReader::new(text).read(usize::MAX, builder, &mut lines);
+    lines
+}
+
+/// The lines alone.
+pub(crate) fn read_all<B: Builder>(text: &str, builder: &mut B) -> Vec<Line<B::Line>> {
+    let mut lines = Vec::with_capacity(text.len() / 48 + 1);
+    let (mut at, mut entry) = (0, Entry::START);
+    while at < text.len() {
+        let line = line_at(text, at, entry, builder);
+        at += line.len as usize;
+        entry = entry_behind(&line);
+        lines.push(line);
+    }
     lines
 }
 
@@ -112,17 +156,6 @@ impl<N> Default for Lines<N> {
 }
 
 impl<N> Lines<N> {
-    /// Puts together what is read off the lines.
-    pub(crate) fn new(text: &str, lines: Vec<Line<N>>, starts: Vec<u32>) -> Lines<N> {
-        let mut lines = Lines {
-            all: lines,
-            starts,
-            ..Lines::default()
-        };
-        lines.regroup(text);
-        lines
-    }
-
     /// No lines yet, with room for those of a text of so many bytes.
     fn with_capacity(bytes: usize) -> Lines<N> {
         Lines {
@@ -133,8 +166,8 @@ impl<N> Lines<N> {
     }
 
     fn regroup(&mut self, text: &str) {
-        self.structure = structure::structure(&self.all);
-        self.unclosed_comment = unclosed_comment(text, &self.all, &self.starts);
+        self.structure = structure::structure(self);
+        self.unclosed_comment = unclosed_comment(text, self);
     }
 
     /// The logical lines.

@@ -1,12 +1,13 @@
 //! From a text to its lines, its tree and its structure.
 
-use crate::chunks;
-use crate::line::Line;
-use crate::lines::{Lines, read_lines};
-use crate::structure::Structure;
+use crate::file_lines::FileLines;
+use crate::lines::read_all;
+use crate::structure::{Structure, structure_of_parts};
 use crate::tree_builder::TreeBuilder;
-use crate::{SyntaxError, SyntaxErrorKind, SyntaxNode};
-use rowan::{GreenNode, TextRange, TextSize};
+use crate::unclosed_comment::unclosed_comment;
+use crate::{SyntaxError, SyntaxErrorKind, SyntaxKind, SyntaxNode};
+use rowan::{GreenNode, NodeOrToken, TextRange, TextSize};
+use std::sync::OnceLock;
 
 /// The largest file that the tools read: 64 MiB. Offsets are 32 bit; larger texts are refused where they enter.
 pub const MAX_FILE_BYTES: usize = 64 << 20;
@@ -21,65 +22,78 @@ pub const MAX_OPEN_LINES: usize = 400_000;
 /// A parsed text.
 #[derive(Debug, Clone)]
 pub struct Parse {
-    root: GreenNode,
-    pub(crate) lines: Lines,
+    pub(crate) lines: FileLines,
+    unclosed_comment: Option<TextRange>,
+    /// Put together when it is asked for.
+    root: OnceLock<GreenNode>,
+    structure: OnceLock<Structure>,
 }
 
 /// Parses a text. Every text has a tree that gives it back; mistakes are in [`Parse::errors`].
 pub fn parse(text: &str) -> Parse {
-    let lines = read_lines(text, &mut TreeBuilder::new(text.len()));
-    Parse::new(chunks::root(lines.lines()), lines)
+    let lines = read_all(text, &mut TreeBuilder::new(text.len()));
+    Parse::new(text, FileLines::new(lines))
 }
 
 impl Parse {
-    pub(crate) fn new(root: GreenNode, lines: Lines) -> Parse {
-        Parse { root, lines }
+    pub(crate) fn new(text: &str, lines: FileLines) -> Parse {
+        Parse {
+            unclosed_comment: unclosed_comment(text, &lines),
+            lines,
+            root: OnceLock::new(),
+            structure: OnceLock::new(),
+        }
     }
 
     /// The tree: `SOURCE_FILE`, in it `CHUNK`s, in them the logical lines.
     pub fn syntax(&self) -> SyntaxNode {
-        SyntaxNode::new_root(self.root.clone())
+        SyntaxNode::new_root(self.green().clone())
     }
 
     /// The root's green node.
     pub fn green(&self) -> &GreenNode {
-        &self.root
+        self.root.get_or_init(|| {
+            let chunks = self.lines.parts().iter().map(|part| part.chunk.clone());
+            GreenNode::new(SyntaxKind::SOURCE_FILE.into(), chunks.map(NodeOrToken::Node))
+        })
     }
 
     /// The logical lines.
-    pub fn lines(&self) -> &[Line] {
-        self.lines.lines()
+    pub fn lines(&self) -> &FileLines {
+        &self.lines
     }
 
     /// Where a line starts, in bytes.
     pub fn line_start(&self, line: usize) -> TextSize {
-        self.lines.line_start(line)
+        TextSize::new(self.lines.line_start(line))
     }
 
     /// The range of a line in the text, its line end included.
     pub fn line_range(&self, line: usize) -> TextRange {
-        self.lines.line_range(line)
+        let start = self.line_start(line);
+        TextRange::at(start, TextSize::new(self.lines[line].len))
     }
 
     /// The line that holds an offset; the last one for the end of the text. None for an empty text.
     pub fn line_at(&self, offset: TextSize) -> Option<usize> {
-        self.lines.line_at(offset)
+        let behind = u32::from(offset).saturating_add(1);
+        self.lines.count_before(behind).checked_sub(1)
     }
 
     /// Networks, sections and block definitions.
     pub fn structure(&self) -> &Structure {
-        self.lines.structure()
+        self.structure.get_or_init(|| structure_of_parts(&self.lines))
     }
 
     /// The length of the text in bytes.
     pub fn text_len(&self) -> TextSize {
-        self.lines.text_len()
+        TextSize::new(self.lines.text_len())
     }
 
     /// Where a comment that is never closed is reported: the `#` of the first comment that holds a line of a
     /// drawing, else the last `#`. What stands behind it is not to be relied on.
     pub fn unclosed_comment(&self) -> Option<TextRange> {
-        self.lines.unclosed_comment()
+        self.unclosed_comment
     }
 
     /// All mistakes that the parser found, in the order of their places, counted from the start of the text.
@@ -117,6 +131,9 @@ impl Parse {
 impl std::fmt::Display for Parse {
     /// The text, to the letter.
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        write!(f, "{}", self.root)
+        for part in self.lines.parts() {
+            write!(f, "{}", part.chunk)?;
+        }
+        Ok(())
     }
 }

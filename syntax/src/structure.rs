@@ -1,8 +1,11 @@
 //! What the lines of a file form together: networks, sections, block definitions (LANGUAGE §2, §4, §5.7).
 //!
-//! All of it is read off the lines' summaries, so that it is cheap to regroup after an edit.
+//! All of it is read off the lines' summaries: first the networks of each part, of which an edit makes few anew, and
+//! from these what the file holds.
 
+use crate::file_lines::FileLines;
 use crate::line::{Line, LineKind, Mode};
+use crate::lines::{LineList, Lines};
 use crate::{DeclarationProblem, SyntaxErrorKind};
 use std::ops::Range;
 
@@ -50,9 +53,12 @@ pub struct Network {
 
 impl Network {
     /// The numbers of the lines that are its rungs.
-    pub fn rungs<'l, N>(&self, lines: &'l [Line<N>]) -> impl DoubleEndedIterator<Item = usize> + use<'l, N> {
+    pub fn rungs<'l, L: LineList + ?Sized>(
+        &self,
+        lines: &'l L,
+    ) -> impl DoubleEndedIterator<Item = usize> + use<'l, L> {
         let range = self.lines.clone();
-        range.filter(move |&line| lines[line].kind == LineKind::Rung)
+        range.filter(move |&line| lines.line(line).kind == LineKind::Rung)
     }
 }
 
@@ -76,114 +82,170 @@ pub struct BlockDefinition {
     pub closed: bool,
 }
 
+/// A network, or a line between networks, of some lines that no network leaves. Lines count from their start.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum PartItem {
+    /// The first line of a network, and the one behind its last.
+    Network(u32, u32),
+    /// Any other line.
+    Line(u32),
+}
+
+/// The networks of some lines, and the lines between them.
+pub(crate) fn group<N>(lines: &[Line<N>]) -> Vec<PartItem> {
+    let mut items = Vec::with_capacity(lines.len());
+    // The open network, and whether its last rung has a `\`.
+    let mut network: Option<(u32, u32)> = None;
+    let mut goes_on = false;
+    // Where its rail, comment, blank and stray lines begin in `items`.
+    let mut between = 0;
+    for (index, line) in (0..).zip(lines) {
+        if line.kind == LineKind::Rung {
+            let joins = goes_on && line.ups > 0;
+            goes_on = line.downs > 0;
+            if let Some(network) = network.as_mut().filter(|_| joins) {
+                network.1 = index + 1;
+                items.truncate(between);
+                continue;
+            }
+            end_network(&mut items, between, network.replace((index, index + 1)));
+            // Its own place, which is filled when it is known how far it reaches.
+            items.push(PartItem::Line(index));
+            between = items.len();
+            continue;
+        }
+        if !line.kind.is_decoration() && line.kind != LineKind::Stray {
+            end_network(&mut items, between, network.take());
+        }
+        items.push(PartItem::Line(index));
+    }
+    end_network(&mut items, between, network);
+    items
+}
+
+fn end_network(items: &mut [PartItem], between: usize, network: Option<(u32, u32)>) {
+    if let Some((first, end)) = network {
+        items[between - 1] = PartItem::Network(first, end);
+    }
+}
+
+/// What of a file's lines is read so far.
 #[derive(Default)]
 struct Grouping {
     out: Structure,
-    network: Option<Network>,
-    /// Whether the last rung of the open network has a `\`.
-    goes_on: bool,
-    /// Decoration and stray lines behind the open network's last rung.
-    between: Vec<Item>,
     block: Option<usize>,
+    /// Lines before this one are read: they belong to a section.
+    read_to: usize,
 }
 
 impl Grouping {
-    fn end_network(&mut self) {
-        if let Some(network) = self.network.take() {
-            self.out.items.push(Item::Network(self.out.networks.len()));
-            self.out.networks.push(network);
+    /// Adds the items of some lines, of which the first is line `base` of all `lines`.
+    fn add<L: LineList + ?Sized>(&mut self, lines: &L, base: usize, items: &[PartItem]) {
+        for item in items {
+            match *item {
+                PartItem::Network(first, end) => self.network(base + first as usize..base + end as usize),
+                PartItem::Line(line) => {
+                    let line = base + line as usize;
+                    if line >= self.read_to {
+                        self.line(lines, line);
+                    }
+                }
+            }
         }
-        self.out.items.append(&mut self.between);
     }
 
-    fn rung<N>(&mut self, index: usize, line: &Line<N>) {
-        let joins = self.goes_on && line.ups > 0;
-        self.goes_on = line.downs > 0;
-        if let Some(network) = self.network.as_mut().filter(|_| joins) {
-            network.lines.end = index + 1;
-            self.between.clear();
-            return;
-        }
-        self.end_network();
-        self.network = Some(Network {
-            lines: index..index + 1,
+    fn network(&mut self, lines: Range<usize>) {
+        self.out.items.push(Item::Network(self.out.networks.len()));
+        self.out.networks.push(Network {
+            lines,
             block: self.block,
         });
     }
-}
 
-/// Groups the lines of a file.
-pub(crate) fn structure<N>(lines: &[Line<N>]) -> Structure {
-    let mut g = Grouping::default();
-    let mut index = 0;
-    while let Some(line) = lines.get(index) {
-        match line.kind {
-            LineKind::Rung => g.rung(index, line),
-            LineKind::Rail | LineKind::Comment | LineKind::Blank => g.between.push(Item::Decoration(index)),
-            LineKind::Stray => g.between.push(Item::Stray(index)),
+    fn line<L: LineList + ?Sized>(&mut self, lines: &L, index: usize) {
+        let out = &mut self.out;
+        match lines.line(index).kind {
+            // Groups have made networks of them.
+            LineKind::Rung => {}
+            LineKind::Rail | LineKind::Comment | LineKind::Blank => out.items.push(Item::Decoration(index)),
+            // An END_VAR without a section; the parser said so.
+            LineKind::Stray | LineKind::Declaration | LineKind::SectionEnd => {
+                out.items.push(Item::Stray(index));
+            }
             LineKind::SectionHeader => {
-                g.end_network();
                 let (end, closed) = section_end(lines, index);
+                let last_mode = lines
+                    .count()
+                    .checked_sub(1)
+                    .map(|last| lines.line(last).mode_after);
                 // Where a drawing or a block definition ends it, that line's parse has said so.
-                if !closed && lines.last().is_some_and(|l| l.mode_after == Mode::Section) && {
-                    lines[end..].iter().all(|l| l.kind.is_decoration())
-                } {
-                    g.out
-                        .problems
+                if !closed
+                    && last_mode == Some(Mode::Section)
+                    && (end..lines.count()).all(|line| lines.line(line).kind.is_decoration())
+                {
+                    out.problems
                         .push((index, bad(DeclarationProblem::SectionNotClosed)));
                 }
-                g.out.items.push(Item::Section(g.out.sections.len()));
-                g.out.sections.push(Section {
+                out.items.push(Item::Section(out.sections.len()));
+                out.sections.push(Section {
                     lines: index..end,
                     closed,
-                    block: g.block,
+                    block: self.block,
                 });
-                index = end;
-                continue;
-            }
-            // An END_VAR without a section; the parser said so.
-            LineKind::Declaration | LineKind::SectionEnd => {
-                g.end_network();
-                g.out.items.push(Item::Stray(index));
+                self.read_to = end;
             }
             LineKind::BlockHeader => {
-                g.end_network();
-                if let Some(open) = g.block {
-                    g.out.problems.push((index, bad(DeclarationProblem::NestedBlock)));
-                    g.out.blocks[open].lines.end = index;
+                if let Some(open) = self.block {
+                    out.problems.push((index, bad(DeclarationProblem::NestedBlock)));
+                    out.blocks[open].lines.end = index;
                 }
-                g.block = Some(g.out.blocks.len());
-                g.out.items.push(Item::BlockHeader(g.out.blocks.len()));
-                g.out.blocks.push(BlockDefinition {
-                    lines: index..lines.len(),
+                self.block = Some(out.blocks.len());
+                out.items.push(Item::BlockHeader(out.blocks.len()));
+                out.blocks.push(BlockDefinition {
+                    lines: index..lines.count(),
                     closed: false,
                 });
             }
             LineKind::BlockEnd => {
-                g.end_network();
-                match g.block.take() {
+                match self.block.take() {
                     Some(open) => {
-                        g.out.blocks[open].lines.end = index + 1;
-                        g.out.blocks[open].closed = true;
+                        out.blocks[open].lines.end = index + 1;
+                        out.blocks[open].closed = true;
                     }
-                    None => g
-                        .out
+                    None => out
                         .problems
                         .push((index, bad(DeclarationProblem::EndWithoutBlock))),
                 }
-                g.out.items.push(Item::BlockEnd(index));
+                out.items.push(Item::BlockEnd(index));
             }
         }
-        index += 1;
     }
-    g.end_network();
-    if let Some(open) = g.block {
-        let header = g.out.blocks[open].lines.start;
-        g.out
-            .problems
-            .push((header, bad(DeclarationProblem::BlockNotClosed)));
+
+    fn finish(mut self) -> Structure {
+        if let Some(open) = self.block {
+            let header = self.out.blocks[open].lines.start;
+            self.out
+                .problems
+                .push((header, bad(DeclarationProblem::BlockNotClosed)));
+        }
+        self.out
     }
-    g.out
+}
+
+/// Groups the lines of a text, or of a stretch of it that stands by itself.
+pub(crate) fn structure<N>(lines: &Lines<N>) -> Structure {
+    let mut grouping = Grouping::default();
+    grouping.add(lines, 0, &group(lines.lines()));
+    grouping.finish()
+}
+
+/// Groups the lines of a file, from what its parts know of theirs.
+pub(crate) fn structure_of_parts(lines: &FileLines) -> Structure {
+    let mut grouping = Grouping::default();
+    for (number, part) in lines.parts().iter().enumerate() {
+        grouping.add(lines, lines.first_line(number), &part.items);
+    }
+    grouping.finish()
 }
 
 fn bad(problem: DeclarationProblem) -> SyntaxErrorKind {
@@ -192,10 +254,10 @@ fn bad(problem: DeclarationProblem) -> SyntaxErrorKind {
 
 /// The line behind the section that begins at `header`, and whether END_VAR closes it. One that is not closed
 /// reaches to its last declaration: blank and comment lines behind that may belong to what follows.
-fn section_end<N>(lines: &[Line<N>], header: usize) -> (usize, bool) {
+fn section_end<L: LineList + ?Sized>(lines: &L, header: usize) -> (usize, bool) {
     let mut end = header + 1;
-    for (index, line) in lines.iter().enumerate().skip(header + 1) {
-        match line.kind {
+    for index in header + 1..lines.count() {
+        match lines.line(index).kind {
             LineKind::SectionEnd => return (index + 1, true),
             LineKind::Declaration => end = index + 1,
             LineKind::Comment | LineKind::Blank => {}

@@ -5,32 +5,33 @@
 
 use crate::builder::Builder;
 use crate::grammar::{self, Entry};
-use crate::line::Line;
-use crate::lines::entry_behind;
+use crate::lines::{LineList, entry_behind};
 use crate::{SyntaxErrorKind, SyntaxKind};
 use rowan::{TextRange, TextSize};
 use std::ops::Range;
 
 /// The `#` to show, if the last comment is not closed.
-pub(crate) fn unclosed_comment<N>(text: &str, lines: &[Line<N>], starts: &[u32]) -> Option<TextRange> {
-    let last = lines.last()?;
-    let start = TextSize::new(starts[lines.len() - 1]);
-    let open = last
+pub(crate) fn unclosed_comment<L: LineList>(text: &str, lines: &L) -> Option<TextRange> {
+    let last = lines.count().checked_sub(1)?;
+    let start = TextSize::new(lines.start(last));
+    let open = lines
+        .line(last)
         .errors
         .iter()
         .find(|error| error.kind == SyntaxErrorKind::UnclosedComment)?;
-    let first = (0..lines.len()).find_map(|line| comment_with_drawing(text, lines, line, starts[line]));
+    let first = (0..lines.count()).find_map(|line| comment_with_drawing(text, lines, line));
     Some(first.unwrap_or(open.range + start))
 }
 
 /// The opening `#` of the line's first comment that holds a line of a drawing.
-fn comment_with_drawing<N>(text: &str, lines: &[Line<N>], line: usize, start: u32) -> Option<TextRange> {
-    let line_text = &text[start as usize..(start + lines[line].len) as usize];
+fn comment_with_drawing<L: LineList>(text: &str, lines: &L, line: usize) -> Option<TextRange> {
+    let start = lines.start(line);
+    let line_text = &text[start as usize..(start + lines.line(line).len) as usize];
     // Nearly every line is one physical line.
     memchr::memchr2(b'\n', b'\r', line_text.trim_end_matches(['\n', '\r']).as_bytes())?;
     let entry = line
         .checked_sub(1)
-        .map_or(Entry::START, |before| entry_behind(&lines[before]));
+        .map_or(Entry::START, |before| entry_behind(lines.line(before)));
     let mut comments = Comments { with_drawing: None };
     grammar::line(text, start as usize, entry, &mut comments);
     comments

@@ -46,7 +46,7 @@ fn group(context: &Context, index: usize, section: &Section) -> Group {
         heading.extend(words.map(|word| word.text().to_ascii_uppercase()));
     }
     let mut rows = Vec::new();
-    for line in &lines[section.lines.clone()] {
+    for line in lines.range(section.lines.clone()) {
         if line.kind != LineKind::Declaration {
             continue;
         }

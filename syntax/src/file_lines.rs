@@ -1,0 +1,220 @@
+//! The logical lines of a file, in parts that texts before and behind an edit share.
+
+use crate::line::Line;
+use crate::lines::LineList;
+use crate::part::{self, Part};
+use rowan::TextSize;
+use std::iter::FlatMap;
+use std::ops::{Index, Range};
+use std::slice;
+use std::sync::Arc;
+
+/// The logical lines of a file.
+#[derive(Debug, Clone)]
+pub struct FileLines {
+    parts: Vec<Arc<Part>>,
+    /// How many lines stand before each part, and at the end how many there are.
+    lines_before: Vec<u32>,
+    /// How many bytes stand before each part, and at the end the length of the text.
+    bytes_before: Vec<u32>,
+}
+
+impl FileLines {
+    /// The lines of a text, from its first to its last.
+    pub(crate) fn new(lines: Vec<Line>) -> FileLines {
+        FileLines::of_parts(part::cut(lines))
+    }
+
+    fn of_parts(parts: Vec<Arc<Part>>) -> FileLines {
+        let mut lines_before = Vec::with_capacity(parts.len() + 1);
+        let mut bytes_before = Vec::with_capacity(parts.len() + 1);
+        let (mut lines, mut bytes) = (0, 0);
+        for part in &parts {
+            lines_before.push(lines);
+            bytes_before.push(bytes);
+            lines += part.lines.len() as u32;
+            bytes += part.len();
+        }
+        lines_before.push(lines);
+        bytes_before.push(bytes);
+        FileLines {
+            parts,
+            lines_before,
+            bytes_before,
+        }
+    }
+
+    /// These lines with `new` in the place of `old`. Parts without a changed line are taken over.
+    pub(crate) fn spliced(&self, old: Range<usize>, new: Vec<Line>) -> FileLines {
+        let first = self.part_of(old.start);
+        // Lines that are put in behind the last one of a part belong to the next; at the end of the text to the last.
+        let mut last = if old.is_empty() {
+            first
+        } else {
+            self.part_of(old.end - 1)
+        };
+        let above = &self.parts[first].lines[..old.start - self.first_line(first)];
+        let below = &self.parts[last].lines[old.end - self.first_line(last)..];
+        let mut lines = Vec::with_capacity(above.len() + new.len() + below.len());
+        lines.extend_from_slice(above);
+        lines.extend(new);
+        lines.extend_from_slice(below);
+        while !part::can_end(&lines) && last + 1 < self.parts.len() {
+            last += 1;
+            lines.extend_from_slice(&self.parts[last].lines);
+        }
+        let mut parts = Vec::with_capacity(self.parts.len() + 2);
+        parts.extend_from_slice(&self.parts[..first]);
+        parts.extend(part::cut(lines));
+        parts.extend_from_slice(&self.parts[last + 1..]);
+        FileLines::of_parts(parts)
+    }
+
+    /// How many there are.
+    pub fn len(&self) -> usize {
+        self.lines_before[self.parts.len()] as usize
+    }
+
+    /// Whether the text is empty.
+    pub fn is_empty(&self) -> bool {
+        self.parts.is_empty()
+    }
+
+    /// A line, if there are so many.
+    pub fn get(&self, line: usize) -> Option<&Line> {
+        (line < self.len()).then(|| &self[line])
+    }
+
+    /// The first line.
+    pub fn first(&self) -> Option<&Line> {
+        self.parts.first()?.lines.first()
+    }
+
+    /// The last line.
+    pub fn last(&self) -> Option<&Line> {
+        self.parts.last()?.lines.last()
+    }
+
+    /// All lines, from top to bottom.
+    pub fn iter(&self) -> AllLines<'_> {
+        self.parts.iter().flat_map(|part| part.lines.iter())
+    }
+
+    /// The lines of a range.
+    pub fn range(&self, range: Range<usize>) -> impl Iterator<Item = &Line> {
+        self.from(range.start).take(range.len())
+    }
+
+    /// The lines from one on.
+    pub fn from(&self, line: usize) -> impl Iterator<Item = &Line> {
+        let part = self.part_of(line);
+        let parts = self.parts.get(part..).unwrap_or_default();
+        let skipped = line - self.first_line(part).min(line);
+        parts.iter().flat_map(|part| &part.lines).skip(skipped)
+    }
+
+    /// How many lines this text begins with as an earlier one does, and how many it ends with so, none counted twice:
+    /// the same nodes, as [`Parse::edited`](crate::Parse::edited) keeps them.
+    pub fn shared_with(&self, old: &FileLines) -> (usize, usize) {
+        let is_same =
+            |(new, old): &(&Line, &Line)| std::ptr::eq(&raw const **new.green(), &raw const **old.green());
+        let parts = self.parts.iter().zip(&old.parts);
+        let same = parts.take_while(|(new, old)| Arc::ptr_eq(new, old)).count();
+        let above = self.first_line(same);
+        let above = above + self.from(above).zip(old.from(above)).take_while(is_same).count();
+        let most = self.len().min(old.len()) - above;
+        let parts = self.parts.iter().rev().zip(old.parts.iter().rev());
+        let same = parts.take_while(|(new, old)| Arc::ptr_eq(new, old)).count();
+        let below = (self.len() - self.first_line(self.parts.len() - same)).min(most);
+        let rest = |lines: &'_ FileLines| lines.len() - below;
+        let lines = (0..rest(self)).rev().zip((0..rest(old)).rev()).take(most - below);
+        let lines = lines.map(|(new, line)| (&self[new], &old[line]));
+        (above, below + lines.take_while(is_same).count())
+    }
+
+    /// The parts, from top to bottom.
+    pub fn parts(&self) -> &[Arc<Part>] {
+        &self.parts
+    }
+
+    /// The part that holds a line; the last one behind the end.
+    pub fn part_of(&self, line: usize) -> usize {
+        let starts = &self.lines_before[..self.parts.len()];
+        starts
+            .partition_point(|&first| first as usize <= line)
+            .saturating_sub(1)
+    }
+
+    /// The first line of a part.
+    pub fn first_line(&self, part: usize) -> usize {
+        self.lines_before[part] as usize
+    }
+
+    /// Where a part starts, in bytes.
+    pub fn first_byte(&self, part: usize) -> TextSize {
+        TextSize::new(self.bytes_before[part])
+    }
+
+    /// The length of the text in bytes.
+    pub(crate) fn text_len(&self) -> u32 {
+        self.bytes_before[self.parts.len()]
+    }
+
+    /// Where a line starts, in bytes; behind the last one the length of the text.
+    pub(crate) fn line_start(&self, line: usize) -> u32 {
+        if line == self.len() {
+            return self.text_len();
+        }
+        let part = self.part_of(line);
+        self.bytes_before[part] + self.parts[part].starts[line - self.first_line(part)]
+    }
+
+    /// How many lines start before an offset.
+    pub(crate) fn count_before(&self, offset: u32) -> usize {
+        let behind = self.bytes_before[..self.parts.len()].partition_point(|&start| start < offset);
+        let Some(part) = behind.checked_sub(1) else {
+            return 0;
+        };
+        let within = offset - self.bytes_before[part];
+        let starts = &self.parts[part].starts[..self.parts[part].lines.len()];
+        self.first_line(part) + starts.partition_point(|&start| start < within)
+    }
+}
+
+/// All lines of a file.
+pub type AllLines<'l> =
+    FlatMap<slice::Iter<'l, Arc<Part>>, slice::Iter<'l, Line>, fn(&'l Arc<Part>) -> slice::Iter<'l, Line>>;
+
+impl<'l> IntoIterator for &'l FileLines {
+    type Item = &'l Line;
+    type IntoIter = AllLines<'l>;
+
+    fn into_iter(self) -> AllLines<'l> {
+        self.iter()
+    }
+}
+
+impl Index<usize> for FileLines {
+    type Output = Line;
+
+    fn index(&self, line: usize) -> &Line {
+        let part = self.part_of(line);
+        &self.parts[part].lines[line - self.first_line(part)]
+    }
+}
+
+impl LineList for FileLines {
+    type Node = rowan::GreenNode;
+
+    fn count(&self) -> usize {
+        self.len()
+    }
+
+    fn line(&self, line: usize) -> &Line {
+        &self[line]
+    }
+
+    fn start(&self, line: usize) -> u32 {
+        self.line_start(line)
+    }
+}

@@ -1,0 +1,127 @@
+//! A part of a file: the unit that an edit makes anew. All that it knows counts from its own start, so that what stands
+//! above and below it may change.
+
+use crate::SyntaxKind;
+use crate::line::{Line, LineKind};
+use crate::structure::{PartItem, group};
+use rowan::{GreenNode, NodeOrToken};
+use std::sync::Arc;
+
+/// Where nothing is open a part ends once it has so many lines. Edits let it grow to twice as many.
+const USUAL_LINES: usize = 256;
+
+/// With fewer lines an edited part is joined to the next one.
+const FEWEST_LINES: usize = 64;
+
+/// Some consecutive logical lines of a file. No network reaches from one part into another.
+#[derive(Debug)]
+pub struct Part {
+    pub(crate) lines: Vec<Line>,
+    /// Where each line starts, and at the end the length of the part: in bytes, from its start.
+    pub(crate) starts: Vec<u32>,
+    /// The lines' node in the file's tree.
+    pub(crate) chunk: GreenNode,
+    /// Its networks, and the lines between them.
+    pub(crate) items: Vec<PartItem>,
+    /// How many physical lines end in it.
+    line_ends: u32,
+    /// Whether a line has a mistake.
+    faulty: bool,
+}
+
+impl Part {
+    fn new(lines: Vec<Line>) -> Part {
+        let mut starts = Vec::with_capacity(lines.len() + 1);
+        let mut at = 0;
+        for line in &lines {
+            starts.push(at);
+            at += line.len;
+        }
+        starts.push(at);
+        let nodes = lines.iter().map(|line| NodeOrToken::Node(line.node.clone()));
+        Part {
+            chunk: GreenNode::new(SyntaxKind::CHUNK.into(), nodes),
+            starts,
+            items: group(&lines),
+            line_ends: lines.iter().map(|line| line.line_ends).sum(),
+            faulty: lines.iter().any(|line| !line.errors.is_empty()),
+            lines,
+        }
+    }
+
+    /// The lines.
+    pub fn lines(&self) -> &[Line] {
+        &self.lines
+    }
+
+    /// Where a line starts, in bytes from the start of the part.
+    pub fn line_start(&self, line: usize) -> u32 {
+        self.starts[line]
+    }
+
+    /// Its length in bytes.
+    pub fn len(&self) -> u32 {
+        self.starts[self.lines.len()]
+    }
+
+    /// Whether it holds nothing. Only the part of an empty text would.
+    pub fn is_empty(&self) -> bool {
+        self.lines.is_empty()
+    }
+
+    /// How many physical lines end in it.
+    pub fn line_ends(&self) -> u32 {
+        self.line_ends
+    }
+
+    /// Whether one of its lines has a mistake.
+    pub fn is_faulty(&self) -> bool {
+        self.faulty
+    }
+}
+
+/// Cuts lines into parts.
+pub(crate) fn cut(lines: Vec<Line>) -> Vec<Arc<Part>> {
+    let mut parts = Vec::with_capacity(lines.len() / USUAL_LINES + 1);
+    // What an edit leaves of a part stays one.
+    let usual = if lines.len() > 2 * USUAL_LINES {
+        USUAL_LINES
+    } else {
+        2 * USUAL_LINES
+    };
+    let mut part = Vec::with_capacity(usual.min(lines.len()));
+    let mut open = false;
+    for line in lines {
+        open = is_open_behind(open, &line);
+        let may_end = !open && line.has_line_end;
+        part.push(line);
+        if may_end && part.len() >= usual {
+            let full = std::mem::replace(&mut part, Vec::with_capacity(usual));
+            parts.push(Arc::new(Part::new(full)));
+        }
+    }
+    if !part.is_empty() {
+        parts.push(Arc::new(Part::new(part)));
+    }
+    parts
+}
+
+/// Whether lines that end a part so are whole: they are enough, and what follows joins none of their networks.
+pub(crate) fn can_end(lines: &[Line]) -> bool {
+    lines.len() >= FEWEST_LINES
+        && lines.last().is_none_or(|line| line.has_line_end)
+        && !lines.iter().fold(false, is_open_behind)
+}
+
+/// Whether a network is open behind a line, so that a rung below may join it.
+fn is_open_behind(open: bool, line: &Line) -> bool {
+    match line.kind {
+        LineKind::Rung => line.downs > 0,
+        LineKind::Rail | LineKind::Comment | LineKind::Blank | LineKind::Stray => open,
+        LineKind::SectionHeader
+        | LineKind::Declaration
+        | LineKind::SectionEnd
+        | LineKind::BlockHeader
+        | LineKind::BlockEnd => false,
+    }
+}
