@@ -57,6 +57,62 @@ fn scan(session: &mut Session, scans: usize, inputs: usize, batches: usize) -> f
     fastest
 }
 
+/// Each rung hangs on others above it, as in a sequence with interlocks, so that reasons lead far.
+fn chain(rungs: usize) -> String {
+    let mut text = String::new();
+    for n in 0..rungs {
+        let before = |by: usize| {
+            n.checked_sub(by)
+                .map_or("start".to_owned(), |n| format!("run{n}"))
+        };
+        let _ = writeln!(
+            text,
+            "+--[ ]( {} )--\\--[ ]( {} )--[/]( stop{} )--\\--[ ]( {} )--( )( run{n} )--+\n|  /--[ ]( run{n} )-------------------/",
+            before(1),
+            before(7),
+            n % 20,
+            before(31),
+        );
+        if n % 10 == 0 {
+            let _ = writeln!(text, "+--[ ]( run{n} )--[TON]( t{n}, T#5s )--( )( done{n} )--+");
+        }
+    }
+    text
+}
+
+/// How long it takes to say why, with a full history behind, of the last rung and of one in the middle, on and off.
+fn reasons(rungs: usize, scans: usize) {
+    let text = chain(rungs);
+    let mut session = session(&text, HistoryLimits::default());
+    let point = |session: &Session, name: &str| session.simulation().resolve(name).expect("a tag");
+    let start = point(&session, "start");
+    let stops: Vec<_> = (0..20).map(|n| point(&session, &format!("stop{n}"))).collect();
+    for scan in 0..scans {
+        let set = session.set(&start, Value::Bool(scan % 3_000 < 2_000 && scan > 10));
+        set.expect("a BOOL");
+        if scan % 50 == 0 {
+            let number = scan / 50 % 20;
+            session
+                .set(&stops[number], Value::Bool(scan / 1_000 % 4 == 1))
+                .expect("a BOOL");
+        }
+        session.scan();
+        if scan + 1 == scans || scan == scans / 2 {
+            for tag in [rungs - 1, rungs / 2] {
+                let point = point(&session, &format!("run{tag}"));
+                let begun = Instant::now();
+                let why = session.why(&point);
+                println!(
+                    "{rungs:5} rungs, {:6} bytes kept: run{tag} is {:?}, why in {:.1?}",
+                    session.history_size(),
+                    why.value,
+                    begun.elapsed()
+                );
+            }
+        }
+    }
+}
+
 fn main() {
     let is_test = std::env::args().any(|argument| argument == "--test");
     let sizes: &[usize] = if is_test { &[20] } else { &[100, 1_000, 10_000] };
@@ -88,5 +144,9 @@ fn main() {
                 "{rungs:5}   {inputs:6}   {without:5.0} ns   {with:9.0} ns   {bytes:7} bytes   {gone} in {back:.1?}   {why:.1?}"
             );
         }
+    }
+    println!("reasons that lead far");
+    for &rungs in sizes {
+        reasons(rungs, if is_test { 20 } else { 10_000 });
     }
 }

@@ -46,6 +46,8 @@ pub(crate) enum Until {
     Network,
     /// In front of whichever of them comes first.
     BlockOrNetwork,
+    /// In front of the next instruction that is marked.
+    Marked,
 }
 
 impl Until {
@@ -56,6 +58,7 @@ impl Until {
             Until::Block => stop::BLOCK,
             Until::Network => stop::NETWORK,
             Until::BlockOrNetwork => stop::BLOCK | stop::NETWORK,
+            Until::Marked => stop::MARK,
         }
     }
 
@@ -65,6 +68,7 @@ impl Until {
             Until::End => 0,
             Until::Block | Until::BlockOrNetwork => stop::BLOCK | stop::NETWORK,
             Until::Network => stop::NETWORK,
+            Until::Marked => stop::MARK,
         }
     }
 

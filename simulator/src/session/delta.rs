@@ -7,6 +7,7 @@
 
 use crate::memory::Text;
 use std::collections::VecDeque;
+use std::ops::Range;
 
 /// Which way a difference is gone.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -55,8 +56,13 @@ impl Cell for i64 {
 /// Cells that are compared at once.
 const BLOCK: usize = 64;
 
-/// Writes how `new` differs from `old`, and makes `old` equal to it.
-pub(super) fn write_cells<T: Cell>(out: &mut Vec<u8>, old: &mut [T], new: &[T]) {
+/// Writes how `new` differs from `old`, makes `old` equal to it, and gives each run that differs.
+pub(super) fn write_cells<T: Cell>(
+    out: &mut Vec<u8>,
+    old: &mut [T],
+    new: &[T],
+    mut differs: impl FnMut(Range<usize>),
+) {
     let (mut at, mut behind) = (0, 0);
     while at < new.len() {
         let end = (at + BLOCK).min(new.len());
@@ -75,6 +81,7 @@ pub(super) fn write_cells<T: Cell>(out: &mut Vec<u8>, old: &mut [T], new: &[T]) 
             }
             write_run(out, start - behind, &old[start..at], &new[start..at]);
             old[start..at].copy_from_slice(&new[start..at]);
+            differs(start..at);
             behind = at;
         }
     }
@@ -122,8 +129,8 @@ pub(super) fn move_cells<T: Cell>(bytes: &mut Bytes<'_>, cells: &mut [T]) {
     });
 }
 
-/// Writes how texts differ, and makes `old` equal to `new`.
-pub(super) fn write_texts(out: &mut Vec<u8>, old: &mut [Text], new: &[Text]) {
+/// Writes how texts differ, makes `old` equal to `new`, and gives each one that differs.
+pub(super) fn write_texts(out: &mut Vec<u8>, old: &mut [Text], new: &[Text], mut differs: impl FnMut(usize)) {
     let mut behind = 0;
     for (at, (old, new)) in old.iter_mut().zip(new).enumerate() {
         if old == new {
@@ -133,6 +140,7 @@ pub(super) fn write_texts(out: &mut Vec<u8>, old: &mut [Text], new: &[Text]) {
         write_bytes(out, old.bytes());
         write_bytes(out, new.bytes());
         old.set(new.bytes());
+        differs(at);
         behind = at + 1;
     }
     write_number(out, 0);
@@ -239,7 +247,7 @@ mod tests {
     fn there_and_back<T: Cell + std::fmt::Debug>(old: &[T], new: &[T]) -> usize {
         let mut follows = old.to_vec();
         let mut out = Vec::new();
-        write_cells(&mut out, &mut follows, new);
+        write_cells(&mut out, &mut follows, new, |_| ());
         assert_eq!(follows, new);
         move_cells(&mut Bytes(&out), &mut follows);
         assert_eq!(follows, old);
@@ -299,7 +307,7 @@ mod tests {
         };
         let (old, new) = (texts(["a", "same", ""]), texts(["", "same", "bcd"]));
         let (mut follows, mut out) = (old.clone(), Vec::new());
-        write_texts(&mut out, &mut follows, &new);
+        write_texts(&mut out, &mut follows, &new, |_| ());
         assert_eq!(follows, new);
         move_texts(&mut Bytes(&out), &mut follows, Way::Back);
         assert_eq!(follows, old);

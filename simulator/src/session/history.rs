@@ -10,7 +10,9 @@
 
 use super::banks::Banks;
 use super::delta::{Bytes, Way};
+use super::rewind::Rewind;
 use super::serial::SerialLog;
+use super::touched::Touched;
 use crate::simulation::{Force, Simulation, Status};
 use std::collections::{BTreeMap, VecDeque};
 
@@ -82,7 +84,7 @@ pub(super) type ForceChange = Option<Box<(Forces, Forces)>>;
 #[derive(Debug)]
 pub(super) struct Entry {
     /// Bytes of what was given before it.
-    given: u32,
+    pub(super) given: u32,
     /// Bytes of what it did.
     ran: u32,
     /// Bytes that it sent through the serial port.
@@ -132,6 +134,10 @@ pub(super) struct History {
     waiting: Given,
     serial: SerialLog,
     scratch: Vec<u8>,
+    /// What has changed since this began, in scans that are no longer kept too.
+    pub(super) touched: Touched,
+    /// It began before the first scan.
+    pub(super) is_from_the_start: bool,
 }
 
 impl History {
@@ -150,6 +156,8 @@ impl History {
             given: Given::default(),
             waiting: Given::default(),
             scratch: Vec::new(),
+            touched: Touched::nothing(&simulation.machine.memory),
+            is_from_the_start: simulation.machine.scan == 0,
         }
     }
 
@@ -198,11 +206,6 @@ impl History {
         self.serial.forget_oldest(sent);
     }
 
-    /// The banks after the last scan.
-    pub(super) fn banks(&self) -> &Banks {
-        &self.banks
-    }
-
     /// What lies ahead will not be gone to any more: something else happens from here on.
     pub(super) fn forget_ahead(&mut self) {
         self.entries.truncate(self.here);
@@ -246,7 +249,8 @@ impl History {
             forces: None,
         };
         given.bytes.clear();
-        self.banks.follow(&simulation.machine, &mut given.bytes);
+        self.banks
+            .follow(&simulation.machine, &mut self.touched, &mut given.bytes);
         if self.forces != simulation.forces {
             let before = std::mem::replace(&mut self.forces, simulation.forces.clone());
             given.forces = Some(Box::new((before, simulation.forces.clone())));
@@ -262,7 +266,8 @@ impl History {
         }
         let mut ran = std::mem::take(&mut self.scratch);
         ran.clear();
-        self.banks.follow(&simulation.machine, &mut ran);
+        self.banks
+            .follow(&simulation.machine, &mut self.touched, &mut ran);
         self.bytes.extend(&self.given.bytes);
         self.bytes.extend(&ran);
         self.entries.push_back(Entry {
@@ -314,6 +319,12 @@ impl History {
             Some(last) => self.entries[last].after,
             None => self.base,
         }
+    }
+
+    /// The number of an entry's scan and its clock.
+    pub(super) fn clock_before(&self, entry: usize) -> (u64, i64) {
+        let moment = self.moment_before(entry);
+        (moment.scan as u64, moment.now)
     }
 
     /// Goes back up to so many scans; how many it were. What was given since the last scan (`changed`) is kept for
@@ -390,19 +401,33 @@ impl History {
         self.moment().restore(simulation);
     }
 
-    /// The entries before here, the newest first: of each the bytes of what it did and of what was given before it.
-    pub(super) fn back_from_here(&self, mut each: impl FnMut(Bytes<'_>, Bytes<'_>) -> bool) {
-        let mut end = self.bytes_here;
-        let mut bytes = Vec::new();
-        for entry in self.entries.range(..self.here).rev() {
-            let start = end - entry.bytes();
-            bytes.clear();
-            bytes.extend(self.bytes.range(start..end));
-            let (given, ran) = bytes.split_at(entry.given as usize);
-            if !each(Bytes(ran), Bytes(given)) {
-                return;
-            }
-            end = start;
-        }
+    /// The state from which one can go back scan by scan, without moving the history.
+    pub(super) fn rewind(&self, simulation: &Simulation) -> Rewind<'_> {
+        Rewind::new(self, simulation)
+    }
+
+    /// Where the bytes of the entries before here end.
+    pub(super) fn bytes_here(&self) -> usize {
+        self.bytes_here
+    }
+
+    /// The bytes of an entry that ends there: what was given before it and what it did, in one.
+    pub(super) fn bytes_before(&self, end: usize, entry: usize, into: &mut Vec<u8>) -> usize {
+        let start = end - self.entries[entry].bytes();
+        into.clear();
+        into.extend(self.bytes.range(start..end));
+        start
+    }
+
+    /// The bytes of what was given before the entry ahead.
+    pub(super) fn given_ahead(&self) -> Vec<u8> {
+        let given = self
+            .entries
+            .get(self.here)
+            .map_or(0, |entry| entry.given as usize);
+        self.bytes
+            .range(self.bytes_here..self.bytes_here + given)
+            .copied()
+            .collect()
     }
 }

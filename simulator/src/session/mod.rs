@@ -9,9 +9,10 @@ mod breakpoints;
 mod delta;
 mod history;
 mod past;
-mod reach;
+mod rewind;
 mod serial;
 mod steps;
+mod touched;
 mod why;
 
 use crate::compile::CompileError;
@@ -26,8 +27,10 @@ use history::History;
 pub use history::HistoryLimits;
 use ladder_analysis::program::{Program, Role};
 use ladder_analysis::value::Value;
+use std::cell::OnceCell;
 use std::collections::VecDeque;
 use std::sync::Arc;
+use why::Writers;
 pub use why::{Cause, Reason, Since, Why, Wording, Write};
 
 /// So many faults are kept: those that happened last.
@@ -61,6 +64,8 @@ pub struct Session {
     breakpoints: Vec<Breakpoint>,
     /// The run stopped behind a block, and what stands there has not been looked at yet.
     unseen_network: bool,
+    /// Who writes what, for those who ask why.
+    writers: OnceCell<Writers>,
 }
 
 impl Session {
@@ -90,6 +95,7 @@ impl Session {
             faults,
             breakpoints: Vec::new(),
             unseen_network: false,
+            writers: OnceCell::new(),
         }
     }
 

@@ -1,8 +1,6 @@
 //! What a point held after each of the kept scans.
 
 use super::Session;
-use super::delta::{Way, move_cells, move_texts};
-use crate::memory::Memory;
 use crate::tags::Point;
 use ladder_analysis::value::Value;
 
@@ -16,36 +14,16 @@ impl Session {
         if known == 0 {
             return past;
         }
-        let now = self.history.banks();
-        let mut memory = Memory {
-            bits: now.bits.clone(),
-            words: now.words.clone(),
-            texts: now.texts.clone(),
-            ..Memory::default()
-        };
-        let note = |memory: &Memory, past: &mut Vec<Vec<Value>>| {
-            for (point, values) in points.iter().zip(past) {
-                values.push(point.read(memory));
+        let mut rewind = self.history.rewind(&self.simulation);
+        for _ in 0..known {
+            rewind.undo_given();
+            for (point, values) in points.iter().zip(&mut past) {
+                values.push(rewind.value(point));
             }
-        };
-        note(&memory, &mut past);
-        let mut left = known - 1;
-        self.history.back_from_here(|ran, given| {
-            if left == 0 {
-                return false;
+            if !rewind.undo_scan() {
+                break;
             }
-            left -= 1;
-            for mut bytes in [ran, given] {
-                if bytes.is_empty() {
-                    continue;
-                }
-                move_cells(&mut bytes, &mut memory.bits);
-                move_cells(&mut bytes, &mut memory.words);
-                move_texts(&mut bytes, &mut memory.texts, Way::Back);
-            }
-            note(&memory, &mut past);
-            true
-        });
+        }
         for values in &mut past {
             values.reverse();
         }

@@ -118,7 +118,7 @@ impl Simulation {
             Until::Block | Until::BlockOrNetwork => {
                 code.block_from(pc).map_or_else(network, |block| block.location)
             }
-            Until::Network | Until::End => network(),
+            Until::Network | Until::Marked | Until::End => network(),
         }
     }
 

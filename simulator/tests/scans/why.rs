@@ -115,8 +115,8 @@ fn what_is_not_kept_is_not_known() {
     run(&mut session, "start _-_______");
     expect![[r#"
         run is 1 since before the scans that are kept: line 1, ( )( run ) wrote it; power came through [ ]( run ) (line 2, column 7): run is 1, [/]( stop ) (line 1, column 24): stop is 0
-          stop is 0 since before the scans that are kept: it was given from outside
-        stop is 0 since before the scans that are kept: it was given from outside
+          stop is 0 since the start: nothing else was given
+        stop is 0 since the start: nothing else was given
     "#]].assert_eq(&ask(&mut session, MOTOR, "run stop"));
     let mut session = Session::of(simulation(MOTOR), HistoryLimits::of_scans(0));
     run(&mut session, "start _-_______");

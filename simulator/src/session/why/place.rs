@@ -9,6 +9,7 @@ use ladder_analysis::program::{
 };
 use ladder_analysis::value::Value;
 use ladder_instructions::Group;
+use std::ops::Range;
 
 /// The tag that a point is, or is a part of. None for system tags and ports.
 pub(super) fn tag_of(simulation: &Simulation, point: &Point) -> Option<TagId> {
@@ -174,14 +175,14 @@ fn range_names(simulation: &Simulation, range: &RangeRef, names: &mut Vec<String
 }
 
 /// The slot of each step's power in a network; where nothing is drawn there is no power.
-pub(super) fn slots(simulation: &Simulation, network: usize) -> Vec<Bit> {
+pub(super) fn slots(simulation: &Simulation, network: usize, elements: Range<usize>) -> Vec<Bit> {
     let steps = &simulation.program().networks[network].steps;
     let start = |step: &Step| match step {
         Step::Start { rail: true } => Bit::HIGH,
         _ => Bit::LOW,
     };
     let mut slots: Vec<Bit> = steps.iter().map(start).collect();
-    let elements = simulation.compiled.elements.iter();
+    let elements = simulation.compiled.elements[elements].iter();
     for element in elements.filter(|element| element.network as usize == network) {
         slots[element.step as usize] = element.power;
     }

@@ -1,14 +1,16 @@
-//! One scan again, block by block: the last write of a tag, and the powers around it.
+//! One scan again: the last write of a tag, and the powers around it. The scan runs through but for the networks that
+//! may write the tag: there it halts in front of each block and behind it.
 
-use super::{When, place};
+use super::place;
+use super::writers::{BlockAt, Writers};
+use crate::code::{Code, stop};
 use crate::machine::Until;
 use crate::memory::Bit;
-use crate::session::reach::Reach;
 use crate::simulation::{Simulation, Stepped};
 use crate::tags::Point;
-use ladder_analysis::program::{Block, BlockKind, Location, ParameterKind, Step, TagId};
+use ladder_analysis::program::{Block, BlockKind, Network, Step};
 use ladder_analysis::value::Value;
-use ladder_instructions::{Acts, Coil, Direction, Group, Op};
+use ladder_instructions::{Acts, Coil, Group, Op, Power};
 use std::collections::HashMap;
 
 /// How far a scan is run again.
@@ -16,9 +18,8 @@ use std::collections::HashMap;
 pub(super) enum Limit {
     /// To its end.
     End,
-    /// Up to so many blocks from its start.
-    Blocks(usize),
-    /// Up to where the scan that is open stands.
+    /// Up to where a scan stood: the instruction that came next, and how many blocks it might still evaluate, which tells
+    /// the rounds of a loop apart.
     Position { pc: u32, budget: u64 },
 }
 
@@ -31,75 +32,12 @@ impl Limit {
             budget: open.budget(),
         }
     }
-
-    fn is_reached(self, simulation: &Simulation, blocks: usize) -> bool {
-        match self {
-            Limit::End => false,
-            Limit::Blocks(most) => blocks >= most,
-            Limit::Position { .. } => Limit::of(simulation) == self,
-        }
-    }
-}
-
-/// The blocks that may write a tag, outside the bodies of user-defined blocks.
-#[derive(Debug)]
-pub(super) struct Targets {
-    /// Every block outside bodies: its network, its number there.
-    all: HashMap<Location, (usize, usize)>,
-    /// The tag.
-    pub(super) tag: Option<TagId>,
-    /// Those that may write it.
-    writers: Vec<(usize, usize)>,
-}
-
-impl Targets {
-    pub(super) fn of(simulation: &Simulation, point: &Point) -> Targets {
-        let program = simulation.program();
-        let tag = place::tag_of(simulation, point);
-        let mut targets = Targets {
-            all: HashMap::new(),
-            tag,
-            writers: Vec::new(),
-        };
-        for (number, network) in program.networks.iter().enumerate() {
-            if program
-                .blocks
-                .iter()
-                .any(|block| block.networks.contains(&number))
-            {
-                continue;
-            }
-            for (index, block) in network.blocks.iter().enumerate() {
-                targets.all.insert(block.location, (number, index));
-                let writes = block.arguments.iter().any(|bound| {
-                    let written = match block.kind {
-                        BlockKind::Instruction(_) => bound
-                            .operand
-                            .is_some_and(|operand| operand.direction != Direction::In),
-                        BlockKind::User(user) => bound.parameter.is_some_and(|parameter| {
-                            program.blocks[user].parameters[parameter].1 != ParameterKind::Input
-                        }),
-                    };
-                    written && tag.is_some() && place::argument_tag(&bound.argument) == tag
-                });
-                if writes {
-                    targets.writers.push((number, index));
-                }
-            }
-        }
-        targets
-    }
-
-    pub(super) fn is_empty(&self) -> bool {
-        self.writers.is_empty()
-    }
 }
 
 /// A write that was found.
 #[derive(Debug)]
 pub(super) struct Traced {
-    pub(super) network: usize,
-    pub(super) block: usize,
+    pub(super) at: BlockAt,
     /// The step that is its EN, and whether that was high.
     pub(super) en: usize,
     pub(super) power: bool,
@@ -109,82 +47,60 @@ pub(super) struct Traced {
     pub(super) conducts: HashMap<usize, bool>,
     /// What blocks of the network looked at.
     pub(super) values: HashMap<usize, Vec<(Point, Value)>>,
-    /// How many blocks had run before them.
-    pub(super) counts: HashMap<usize, usize>,
-}
-
-impl Traced {
-    /// When a block of the network was about to run.
-    pub(super) fn moment(&self, block: usize, reach: Reach) -> When {
-        When {
-            reach,
-            blocks: Limit::Blocks(self.counts.get(&block).copied().unwrap_or_default()),
-        }
-    }
+    /// Where the scan stood in front of them.
+    pub(super) positions: HashMap<usize, Limit>,
 }
 
 /// A block that is about to run.
 struct Next {
-    network: usize,
-    block: usize,
+    at: BlockAt,
     before: Value,
 }
 
-/// Runs a scan up to a moment.
-pub(super) fn run_up_to(simulation: &mut Simulation, limit: Limit) {
-    let mut blocks = 0;
-    simulation.begin_scan();
-    while !limit.is_reached(simulation, blocks) {
-        if !matches!(simulation.step(Until::BlockOrNetwork), Stepped::At(_)) {
-            return;
-        }
-        blocks += 1;
-    }
-}
-
-/// Runs a scan up to a moment; the last write of the point in it.
+/// Runs the scan at whose start a simulation stands, up to a limit; the last write of the point in it.
 pub(super) fn last_write(
     simulation: &mut Simulation,
-    targets: &Targets,
+    writers: &Writers,
+    blocks: &[BlockAt],
+    point: &Point,
+    limit: Limit,
+) -> Option<Traced> {
+    let halts = Halts::of(simulation, blocks, limit);
+    halts.mark(&mut simulation.compiled.code, true);
+    let found = run(simulation, writers, blocks, &halts, point, limit);
+    halts.mark(&mut simulation.compiled.code, false);
+    found
+}
+
+fn run(
+    simulation: &mut Simulation,
+    writers: &Writers,
+    blocks: &[BlockAt],
+    halts: &Halts,
     point: &Point,
     limit: Limit,
 ) -> Option<Traced> {
     let mut found = None;
     let mut next: Option<Next> = None;
     let mut seen = Seen::default();
-    let mut blocks = 0;
     simulation.begin_scan();
-    while !limit.is_reached(simulation, blocks) {
-        let stepped = simulation.step(Until::BlockOrNetwork);
-        blocks += 1;
-        let here = match stepped {
-            Stepped::At(_) => simulation.next_block(),
-            _ => None,
-        };
-        let known = here.and_then(|location| targets.all.get(&location).copied());
-        // Inside a body the block that it belongs to is still running.
-        if (known.is_some() || !matches!(stepped, Stepped::At(_)))
-            && let Some(ran) = next.take()
-        {
-            let traced = seen.traced(simulation, &ran);
+    while Limit::of(simulation) != limit {
+        let stepped = simulation.step(Until::Marked);
+        if let Some(ran) = next.take() {
+            let traced = seen.traced(simulation, writers, &ran);
             if has_written(simulation, point, &ran, traced.power) {
                 found = Some(traced);
             }
         }
-        let Some((network, block)) = known else {
-            if matches!(stepped, Stepped::At(_)) {
-                continue;
-            }
-            break;
+        let Stepped::At(_) = stepped else { break };
+        let pc = simulation.machine.open_scan().pc();
+        let Some(&at) = halts.blocks.get(&pc) else {
+            continue;
         };
-        let concerned = targets.writers.iter().any(|&(writer, _)| writer == network);
-        if concerned {
-            seen.look(simulation, network, block, blocks);
-        }
-        if targets.writers.contains(&(network, block)) {
+        seen.look(simulation, at);
+        if blocks.contains(&at) {
             next = Some(Next {
-                network,
-                block,
+                at,
                 before: simulation.value(point),
             });
         }
@@ -192,8 +108,65 @@ pub(super) fn last_write(
     found
 }
 
+/// Where the scan halts.
+struct Halts {
+    /// The first instruction of each block of the networks in question.
+    blocks: HashMap<u32, BlockAt>,
+    /// All instructions to halt at.
+    all: Vec<u32>,
+}
+
+impl Halts {
+    fn of(simulation: &Simulation, writers: &[BlockAt], limit: Limit) -> Halts {
+        let compiled = &simulation.compiled;
+        let mut halts = Halts {
+            blocks: HashMap::new(),
+            all: Vec::new(),
+        };
+        if let Limit::Position { pc, .. } = limit {
+            halts.all.push(pc);
+        }
+        let mut networks: Vec<usize> = writers.iter().map(|at| at.network).collect();
+        networks.dedup();
+        for network in networks {
+            let blocks = &simulation.program().networks[network].blocks;
+            let stretch = &compiled.stretches[network];
+            let first = compiled
+                .code
+                .blocks
+                .partition_point(|place| place.start < stretch.start);
+            let places = compiled.code.blocks[first..].iter();
+            for place in places.take_while(|place| place.start < stretch.end) {
+                if place.start == place.end {
+                    continue;
+                }
+                // Those of bodies in between are not drawn here.
+                let drawn = blocks.iter().position(|block| block.location == place.location);
+                if let Some(block) = drawn {
+                    halts.blocks.insert(place.start, BlockAt { network, block });
+                    halts.all.extend([place.start, place.end]);
+                }
+            }
+        }
+        halts
+    }
+
+    fn mark(&self, code: &mut Code, on: bool) {
+        for &pc in &self.all {
+            // The last block of a program has nothing behind it.
+            if let Some(stops) = code.stops.get_mut(pc as usize) {
+                *stops = if on {
+                    *stops | stop::MARK
+                } else {
+                    *stops & !stop::MARK
+                };
+            }
+        }
+    }
+}
+
 fn has_written(simulation: &Simulation, point: &Point, ran: &Next, power: bool) -> bool {
-    let block = &simulation.program().networks[ran.network].blocks[ran.block];
+    let block = &simulation.program().networks[ran.at.network].blocks[ran.at.block];
     if simulation.value(point) != ran.before {
         return true;
     }
@@ -222,66 +195,68 @@ fn writes_all_of(simulation: &Simulation, point: &Point, block: &Block) -> bool 
 /// What was seen of the networks with writers.
 #[derive(Default)]
 struct Seen {
-    conducts: HashMap<(usize, usize), bool>,
-    values: HashMap<(usize, usize), Vec<(Point, Value)>>,
-    counts: HashMap<(usize, usize), usize>,
-    slots: HashMap<usize, Vec<Bit>>,
+    networks: HashMap<usize, SeenNetwork>,
+}
+
+#[derive(Default)]
+struct SeenNetwork {
+    conducts: HashMap<usize, bool>,
+    values: HashMap<usize, Vec<(Point, Value)>>,
+    positions: HashMap<usize, Limit>,
+    slots: Vec<Bit>,
 }
 
 impl Seen {
     /// A block that is about to run looks at its operands.
-    fn look(&mut self, simulation: &Simulation, network: usize, block: usize, count: usize) {
-        let key = (network, block);
-        let this = &simulation.program().networks[network].blocks[block];
+    fn look(&mut self, simulation: &Simulation, at: BlockAt) {
+        let seen = self.networks.entry(at.network).or_default();
+        let key = at.block;
+        let this = &simulation.program().networks[at.network].blocks[at.block];
         let values = place::values_read(simulation, this);
         if let BlockKind::Instruction(row) = this.kind {
             let value = match values.as_slice() {
                 [(_, Value::Bool(high))] => Some(*high),
                 _ => None,
             };
-            match (row.op, value) {
-                (Op::Contact, Some(high)) => self.conducts.insert(key, high),
-                (Op::NegatedContact, Some(high)) => self.conducts.insert(key, !high),
-                _ if row.group == Group::State => self.conducts.insert(key, false),
-                _ => self.conducts.remove(&key),
+            match (row.power, value) {
+                (Power::Level { high: wanted }, Some(high)) => seen.conducts.insert(key, high == wanted),
+                _ if row.group == Group::State => seen.conducts.insert(key, false),
+                _ => seen.conducts.remove(&key),
             };
         }
-        self.values.insert(key, values);
-        self.counts.insert(key, count);
+        seen.values.insert(key, values);
+        seen.positions.insert(key, Limit::of(simulation));
     }
 
     /// The powers of the network of a block that has run.
-    fn traced(&mut self, simulation: &Simulation, ran: &Next) -> Traced {
-        let network = &simulation.program().networks[ran.network];
-        let slots = self
+    fn traced(&mut self, simulation: &Simulation, writers: &Writers, ran: &Next) -> Traced {
+        let network = &simulation.program().networks[ran.at.network];
+        let seen = self.networks.entry(ran.at.network).or_default();
+        if seen.slots.is_empty() {
+            seen.slots = place::slots(simulation, ran.at.network, writers.elements(ran.at.network));
+        }
+        let powers: Vec<bool> = seen
             .slots
-            .entry(ran.network)
-            .or_insert_with(|| place::slots(simulation, ran.network));
-        let powers: Vec<bool> = slots
             .iter()
             .map(|&slot| simulation.machine.memory.bit(slot))
             .collect();
-        let en = network.steps.iter().find_map(|step| match *step {
-            Step::Block { block, en } if block == ran.block => Some(en),
-            _ => None,
-        });
-        let en = en.unwrap_or_default();
-        let of_network = |key: &(usize, usize)| key.0 == ran.network;
+        let en = en_of(network, ran.at.block).unwrap_or_default();
         Traced {
-            network: ran.network,
-            block: ran.block,
+            at: ran.at,
             en,
             power: powers.get(en).copied().unwrap_or_default(),
             powers,
-            conducts: (self.conducts.iter().filter(|(key, _)| of_network(key)))
-                .map(|(key, value)| (key.1, *value))
-                .collect(),
-            values: (self.values.iter().filter(|(key, _)| of_network(key)))
-                .map(|(key, values)| (key.1, values.clone()))
-                .collect(),
-            counts: (self.counts.iter().filter(|(key, _)| of_network(key)))
-                .map(|(key, count)| (key.1, *count))
-                .collect(),
+            conducts: seen.conducts.clone(),
+            values: seen.values.clone(),
+            positions: seen.positions.clone(),
         }
     }
+}
+
+/// The step whose power is a block's EN.
+pub(super) fn en_of(network: &Network, block: usize) -> Option<usize> {
+    network.steps.iter().find_map(|step| match *step {
+        Step::Block { block: this, en } if this == block => Some(en),
+        _ => None,
+    })
 }

@@ -1,0 +1,568 @@
+//! How the reasons are found: questions that lead back in time, and one way back over the kept scans for all of them.
+//!
+//! ```text
+//! question --value was another before scan e--> changed in e --that scan again--> the block, and new questions in e
+//!        \--it never was another--> the scan of the question again --> the block that keeps it so, and new questions
+//! ```
+//!
+//! Every question is about a moment, and its answer lies at that moment or before it. So the scans are gone back over
+//! once, with all questions that are open, instead of once for each. A question whose tag has never changed leads to a
+//! scan that was passed by already; such scans wait for the next way back, of which there are few.
+
+use super::reasons::{self, Blocker};
+use super::trace::{self, Limit, Traced, en_of};
+use super::writers::Writers;
+use super::{Cause, Reason, Since, Why, Write, place};
+use crate::session::history::History;
+use crate::session::rewind::Rewind;
+use crate::simulation::Simulation;
+use crate::tags::Point;
+use ladder_analysis::program::{Location, Network, Role};
+use ladder_analysis::types::Scalar;
+use ladder_analysis::value::Value;
+
+/// So many scans are run again at most for one question.
+const MOST_TRACES: usize = 60;
+/// So far the chain is followed.
+const DEEPEST: usize = 4;
+
+/// A moment in a scan: an entry of the history, or the one that is open, and how far it had come.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+struct When {
+    entry: usize,
+    limit: Limit,
+}
+
+/// Why a point had a value at a moment.
+#[derive(Debug)]
+struct Question {
+    point: Point,
+    value: Value,
+    /// Before the first scan there is no moment.
+    when: Option<When>,
+    /// The question that led to this one.
+    asker: Option<usize>,
+    depth: usize,
+    forced: bool,
+    change: Change,
+    cause: Found,
+    now: Option<FoundWrite>,
+}
+
+/// When a value came to be.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Change {
+    /// It was there at the start.
+    Never,
+    /// Before the kept scans; also as long as it was not looked for.
+    NotKept,
+    /// Given from outside before the scan of this entry of the history; or before the next scan, which is not run yet.
+    Given(usize),
+    /// In the scan of this entry; or in the one that is open.
+    In(usize),
+}
+
+#[derive(Debug)]
+enum Found {
+    Plain(Cause),
+    Block(FoundWrite),
+}
+
+/// As [`Write`], with questions where that has their answers.
+#[derive(Debug)]
+struct FoundWrite {
+    scan: u64,
+    block: Location,
+    power: bool,
+    ways: Vec<Vec<FoundReason>>,
+    read: Vec<(Point, Value)>,
+    because: Vec<usize>,
+}
+
+#[derive(Debug)]
+struct FoundReason {
+    block: Location,
+    is_rail: bool,
+    values: Vec<(Point, Value)>,
+    because: Vec<usize>,
+}
+
+/// A scan that is to be run again for a question.
+#[derive(Debug)]
+struct Job {
+    question: usize,
+    when: When,
+    purpose: Purpose,
+}
+
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Purpose {
+    /// Which block wrote it, where its value did not change.
+    Cause,
+    /// What keeps it off now.
+    Now,
+}
+
+pub(super) struct Inquiry<'s> {
+    simulation: &'s mut Simulation,
+    history: &'s History,
+    writers: &'s Writers,
+    traces: usize,
+    questions: Vec<Question>,
+    /// Those whose last change is looked for on this way back.
+    open: Vec<usize>,
+    jobs: Vec<Job>,
+}
+
+impl Inquiry<'_> {
+    /// Why a point holds what it holds now. The simulation is left anywhere.
+    pub(super) fn answer(
+        simulation: &mut Simulation,
+        history: &History,
+        writers: &Writers,
+        point: &Point,
+    ) -> Why {
+        let when = if simulation.is_open() {
+            Some(When {
+                entry: history.here,
+                limit: Limit::of(simulation),
+            })
+        } else {
+            history.here.checked_sub(1).map(|entry| When {
+                entry,
+                limit: Limit::End,
+            })
+        };
+        let value = simulation.value(point);
+        let present = history.rewind(simulation);
+        let mut inquiry = Inquiry {
+            simulation,
+            history,
+            writers,
+            traces: 0,
+            questions: Vec::new(),
+            open: Vec::new(),
+            jobs: Vec::new(),
+        };
+        inquiry.ask(point, value, when, None, DEEPEST);
+        while !inquiry.is_done() {
+            inquiry.go_back(&mut present.clone());
+        }
+        let mut questions = inquiry.questions.into_iter().map(Some).collect::<Vec<_>>();
+        written_out(&mut questions, history, 0)
+    }
+
+    fn is_done(&self) -> bool {
+        self.open.is_empty() && self.jobs.is_empty()
+    }
+
+    /// One way back over the kept scans, as far as there is anything to find.
+    fn go_back(&mut self, rewind: &mut Rewind<'_>) {
+        loop {
+            self.at_start(rewind);
+            rewind.undo_given();
+            self.at_end_before(rewind);
+            if self.is_done() || !rewind.undo_scan() {
+                break;
+            }
+        }
+        for question in std::mem::take(&mut self.open) {
+            let change = if self.history.is_on() && self.history.base.scan == 0 {
+                Change::Never
+            } else {
+                Change::NotKept
+            };
+            self.has_not_changed(question, change);
+        }
+    }
+
+    /// The start of a scan, with what was given for it: what was another value here has changed in this scan.
+    fn at_start(&mut self, rewind: &Rewind<'_>) {
+        let entry = rewind.entry();
+        let mut at = 0;
+        loop {
+            if let Some(job) = self.jobs.iter().position(|job| job.when.entry == entry) {
+                let job = self.jobs.swap_remove(job);
+                self.do_job(rewind, job);
+                continue;
+            }
+            let Some(&question) = self.open.get(at) else {
+                return;
+            };
+            let this = &self.questions[question];
+            // The value of now is not that of a scan that has not begun.
+            let is_run = entry < self.history.here || self.simulation_was_open(this);
+            if is_run && rewind.value(&this.point) != this.value {
+                self.open.swap_remove(at);
+                self.has_changed_in(rewind, question);
+            } else {
+                at += 1;
+            }
+        }
+    }
+
+    fn simulation_was_open(&self, question: &Question) -> bool {
+        question.when.is_some_and(|when| when.entry == self.history.here)
+    }
+
+    /// The end of a scan: what was another value here was given behind it.
+    fn at_end_before(&mut self, rewind: &Rewind<'_>) {
+        let entry = rewind.entry();
+        let mut at = 0;
+        while let Some(&question) = self.open.get(at) {
+            let this = &mut self.questions[question];
+            if rewind.value(&this.point) != this.value {
+                self.open.swap_remove(at);
+                this.change = Change::Given(entry);
+                if this.takes_a_cause() {
+                    this.cause = Found::Plain(Cause::Given);
+                }
+            } else if self.history.is_on() && !self.history.touched.holds(&this.point) {
+                self.open.swap_remove(at);
+                let change = if self.history.is_from_the_start {
+                    Change::Never
+                } else {
+                    Change::NotKept
+                };
+                self.has_not_changed(question, change);
+            } else {
+                at += 1;
+            }
+        }
+    }
+
+    fn ask(
+        &mut self,
+        point: &Point,
+        value: Value,
+        when: Option<When>,
+        asker: Option<usize>,
+        depth: usize,
+    ) -> usize {
+        let forced = self.simulation.is_forced(point);
+        let cause = match () {
+            () if forced => Cause::Forced,
+            () if point.is_system() => Cause::System,
+            () => Cause::Unknown,
+        };
+        self.questions.push(Question {
+            point: point.clone(),
+            value,
+            when,
+            asker,
+            depth,
+            forced,
+            change: Change::NotKept,
+            cause: Found::Plain(cause),
+            now: None,
+        });
+        let question = self.questions.len() - 1;
+        if self.history.is_on() {
+            self.open.push(question);
+        } else {
+            self.has_not_changed(question, Change::NotKept);
+        }
+        question
+    }
+
+    /// It changed in the scan at whose start this stands.
+    fn has_changed_in(&mut self, rewind: &Rewind<'_>, question: usize) {
+        let entry = rewind.entry();
+        let this = &mut self.questions[question];
+        this.change = Change::In(entry);
+        if !this.takes_a_cause() || self.blocks_for(question).is_empty() {
+            return;
+        }
+        let this = &self.questions[question];
+        let Some(when) = this.when else { return };
+        let changed = When {
+            entry,
+            limit: if entry == when.entry {
+                when.limit
+            } else {
+                Limit::End
+            },
+        };
+        let is_off = this.point.ty == Scalar::Bool && this.value == Value::Bool(false);
+        let is_later = changed != when;
+        if is_off && is_later && this.asker.is_none() {
+            self.jobs.push(Job {
+                question,
+                when,
+                purpose: Purpose::Now,
+            });
+        }
+        match self.written(rewind, question, changed) {
+            Some(write) => self.questions[question].cause = Found::Block(write),
+            None if is_later => self.look_in(question, when),
+            None => {
+                if let Some(before) = before(when) {
+                    self.look_in(question, before);
+                }
+            }
+        }
+    }
+
+    /// It held its value before, as far as is known.
+    fn has_not_changed(&mut self, question: usize, change: Change) {
+        self.questions[question].change = change;
+        if !self.questions[question].takes_a_cause() {
+            return;
+        }
+        let has_writers = !self.blocks_for(question).is_empty();
+        let this = &mut self.questions[question];
+        this.cause = Found::Plain(match change {
+            Change::Never => Cause::Initial,
+            _ if !has_writers && this.point.role == Role::Input => Cause::Given,
+            _ => Cause::Unknown,
+        });
+        if let Some(when) = this.when
+            && has_writers
+        {
+            self.look_in(question, when);
+        }
+    }
+
+    /// Which block wrote it is to be found in that scan.
+    fn look_in(&mut self, question: usize, when: When) {
+        self.jobs.push(Job {
+            question,
+            when,
+            purpose: Purpose::Cause,
+        });
+    }
+
+    fn do_job(&mut self, rewind: &Rewind<'_>, job: Job) {
+        let write = self.written(rewind, job.question, job.when);
+        match (write, job.purpose) {
+            (Some(write), Purpose::Cause) => self.questions[job.question].cause = Found::Block(write),
+            // It was not written yet at this moment of the scan: in the one before.
+            (None, Purpose::Cause) => {
+                if let Some(before) = before(job.when)
+                    && self.questions[job.question].change != Change::In(before.entry)
+                {
+                    self.look_in(job.question, before);
+                }
+            }
+            (write, Purpose::Now) => self.questions[job.question].now = write.filter(|write| !write.power),
+        }
+    }
+
+    /// The blocks that may write what a question is about.
+    fn blocks_for(&self, question: usize) -> &[super::writers::BlockAt] {
+        let tag = place::tag_of(self.simulation, &self.questions[question].point);
+        self.writers.of_tag(tag)
+    }
+
+    /// The last write in the scan at whose start this stands, up to a moment.
+    fn written(&mut self, rewind: &Rewind<'_>, question: usize, when: When) -> Option<FoundWrite> {
+        if self.traces == MOST_TRACES {
+            return None;
+        }
+        self.traces += 1;
+        let point = self.questions[question].point.clone();
+        let tag = place::tag_of(self.simulation, &point);
+        let blocks = self.writers.of_tag(tag);
+        self.simulation.open = false;
+        self.simulation.machine.faults.clear();
+        rewind.restore(self.simulation);
+        let scan = self.simulation.scans();
+        let traced = trace::last_write(self.simulation, self.writers, blocks, &point, when.limit)?;
+        let program = self.simulation.program().clone();
+        let network = &program.networks[traced.at.network];
+        let lists: Vec<Vec<Blocker>> = if traced.power {
+            vec![reasons::passed(network, traced.en, &traced.powers)]
+        } else {
+            reasons::missing(network, traced.en, &traced.powers, &traced.conducts)
+        };
+        let mut ways = Vec::with_capacity(lists.len());
+        for list in lists {
+            let mut way = Vec::with_capacity(list.len());
+            for blocker in list {
+                way.push(self.reason(network, &traced, blocker, when.entry, question));
+            }
+            ways.push(way);
+        }
+        // What a coil writes is its power; other blocks write what they make of their operands.
+        let of_itself = |(read, _): &(Point, Value)| place::tag_of(self.simulation, read) == tag;
+        let mut read = traced.values.get(&traced.at.block).cloned().unwrap_or_default();
+        read.retain(|value| !of_itself(value));
+        let because = if traced.power {
+            self.because(&read, &traced, traced.at.block, when.entry, question)
+        } else {
+            read.clear();
+            Vec::new()
+        };
+        Some(FoundWrite {
+            scan,
+            block: network.blocks[traced.at.block].location,
+            power: traced.power,
+            ways,
+            read,
+            because,
+        })
+    }
+
+    fn reason(
+        &mut self,
+        network: &Network,
+        traced: &Traced,
+        blocker: Blocker,
+        entry: usize,
+        asker: usize,
+    ) -> FoundReason {
+        let Blocker::Block(index) = blocker else {
+            return FoundReason {
+                block: network.location,
+                is_rail: true,
+                values: Vec::new(),
+                because: Vec::new(),
+            };
+        };
+        let mut looked_at = vec![index];
+        if let Some(en) = en_of(network, index)
+            && reasons::inverts(network, index)
+            && traced.powers[en]
+        {
+            // It passes nothing on because power reaches it.
+            looked_at = reasons::passed(network, en, &traced.powers)
+                .into_iter()
+                .filter_map(|blocker| match blocker {
+                    Blocker::Block(index) => Some(index),
+                    Blocker::Rail => None,
+                })
+                .collect();
+        }
+        let mut values = Vec::new();
+        let mut because = Vec::new();
+        for index in looked_at {
+            let of_block = traced.values.get(&index).cloned().unwrap_or_default();
+            because.extend(self.because(&of_block, traced, index, entry, asker));
+            values.extend(of_block);
+        }
+        FoundReason {
+            block: network.blocks[index].location,
+            is_rail: false,
+            values,
+            because,
+        }
+    }
+
+    /// Why points had their values when a block was about to run.
+    fn because(
+        &mut self,
+        values: &[(Point, Value)],
+        traced: &Traced,
+        block: usize,
+        entry: usize,
+        asker: usize,
+    ) -> Vec<usize> {
+        let depth = self.questions[asker].depth;
+        let Some(&limit) = traced.positions.get(&block) else {
+            return Vec::new();
+        };
+        let mut because = Vec::new();
+        for (point, value) in values.iter().filter(|_| depth > 0) {
+            // A seal-in asks for itself.
+            if !self.is_asked(asker, point, value) {
+                let when = Some(When { entry, limit });
+                because.push(self.ask(point, value.clone(), when, Some(asker), depth - 1));
+            }
+        }
+        because
+    }
+
+    /// Whether a question, or one that led to it, is this very one.
+    fn is_asked(&self, question: usize, point: &Point, value: &Value) -> bool {
+        let this = &self.questions[question];
+        (this.point == *point && this.value == *value)
+            || this.asker.is_some_and(|asker| self.is_asked(asker, point, value))
+    }
+}
+
+impl Question {
+    /// Whether it is for a block, or for the outside, to have given the value.
+    fn takes_a_cause(&self) -> bool {
+        !self.forced && !self.point.is_system()
+    }
+}
+
+/// The scan before a moment in the midst of one.
+fn before(when: When) -> Option<When> {
+    let entry = when.entry.checked_sub(1).filter(|_| when.limit != Limit::End)?;
+    Some(When {
+        entry,
+        limit: Limit::End,
+    })
+}
+
+/// The tree of a question and those that it led to.
+fn written_out(questions: &mut [Option<Question>], history: &History, question: usize) -> Why {
+    let Question {
+        point,
+        value,
+        change,
+        cause,
+        now,
+        ..
+    } = questions[question].take().expect("each question is asked by one");
+    let since = match change {
+        Change::Never => Since::Start,
+        Change::NotKept => Since::Longer,
+        Change::Given(entry) | Change::In(entry) => {
+            let (scan, time) = history.clock_before(entry);
+            Since::Scan { scan, time }
+        }
+    };
+    let cause = match cause {
+        Found::Plain(cause) => cause,
+        Found::Block(write) => Cause::Block(Box::new(write_of(questions, history, write))),
+    };
+    let now = now.map(|now| Box::new(write_of(questions, history, now)));
+    let then = match &cause {
+        Cause::Block(write) => obstacles(write),
+        _ => Vec::new(),
+    };
+    Why {
+        point,
+        value,
+        since,
+        now: now.filter(|now| obstacles(now) != then),
+        cause,
+    }
+}
+
+fn obstacles(write: &Write) -> Vec<Vec<Location>> {
+    let ways = write.reasons.iter();
+    ways.map(|way| way.iter().map(|reason| reason.block).collect())
+        .collect()
+}
+
+fn write_of(questions: &mut [Option<Question>], history: &History, found: FoundWrite) -> Write {
+    let mut answers = |because: Vec<usize>| -> Vec<Why> {
+        let answers = because.into_iter();
+        answers
+            .map(|question| written_out(questions, history, question))
+            .collect()
+    };
+    let ways = found.ways.into_iter();
+    let reasons = ways
+        .map(|way| {
+            let reasons = way.into_iter().map(|reason| Reason {
+                block: reason.block,
+                is_rail: reason.is_rail,
+                values: reason.values,
+                because: answers(reason.because),
+            });
+            reasons.collect()
+        })
+        .collect();
+    Write {
+        scan: found.scan,
+        block: found.block,
+        power: found.power,
+        reasons,
+        read: found.read,
+        because: answers(found.because),
+    }
+}
