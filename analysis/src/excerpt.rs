@@ -103,33 +103,9 @@ pub(crate) fn columns(parse: &Parse, line: usize, offsets: impl Iterator<Item = 
         .collect()
 }
 
-/// `1st`, `2nd`, `3rd`, `4th`; `ordinal` counts from 0.
-pub(crate) fn nth(ordinal: usize) -> String {
-    let n = ordinal + 1;
-    let suffix = match (n % 100, n % 10) {
-        (11..=13, _) => "th",
-        (_, 1) => "st",
-        (_, 2) => "nd",
-        (_, 3) => "rd",
-        _ => "th",
-    };
-    format!("{n}{suffix}")
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    #[test]
-    fn ordinals() {
-        let spelled: Vec<String> = [0, 1, 2, 3, 10, 11, 12, 20, 110, 121].map(nth).to_vec();
-        assert_eq!(
-            spelled,
-            [
-                "1st", "2nd", "3rd", "4th", "11th", "12th", "13th", "21st", "111th", "122nd"
-            ]
-        );
-    }
 
     #[test]
     fn long_texts_are_cut() {

@@ -51,7 +51,7 @@ pub use on_type::{TRIGGERS, on_type};
 pub use outline::{OutlineKind, Outlined, outline};
 pub use refactor::{Action, ActionKind, fix_all, quick_fixes, refactorings};
 pub use references::{Reference, references};
-pub use rename::{Refused, Renamable, Renamed, prepare_rename, rename};
+pub use rename::{Renamable, RenameRefused, Renamed, prepare_rename, rename};
 pub use selection::selections;
 pub use semantic_tokens::{Modifiers, Token, TokenKind, semantic_tokens};
 pub use signature::{Parameter, Signature, SignatureHelp, signature_help};

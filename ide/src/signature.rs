@@ -1,6 +1,6 @@
 //! Signature help: the operands of the block, or the arguments of the function, that is being written.
 
-use crate::typing::{Open, Operand, Place, typing};
+use crate::typing::{CursorContext, Open, Operand, typing};
 use crate::wanted::{Called, called, function};
 use ladder_analysis::context::Context;
 use ladder_analysis::program::ParameterKind;
@@ -43,7 +43,7 @@ pub struct Parameter {
 /// What can be given at an offset: inside the operand list of a block, closed or not, or of an expression's function.
 pub fn signature_help(context: &Context, offset: TextSize) -> Option<SignatureHelp> {
     let typing = typing(context, offset)?;
-    let Place::Operand(operand) = &typing.place else {
+    let CursorContext::Operand(operand) = &typing.place else {
         return None;
     };
     let innermost = operand.open.iter().rev().find_map(|open| match open {

@@ -71,6 +71,6 @@ pub use diagram::{diagram, diagram_of};
 pub use fault::Fault;
 pub use retain::Kept;
 pub use session::{Breakpoint, Cause, HistoryLimits, Hit, Reason, Session, Since, Stop, Why, Wording, Write};
-pub use simulation::{Options, Refused, Simulation, State, Status, Stepped};
+pub use simulation::{Options, Simulation, State, Status, Stepped, ValueRefused};
 pub use tags::{Point, UnknownTag};
 pub use work::Brake;

@@ -16,7 +16,7 @@ mod tables;
 mod ticks;
 mod units;
 
-pub(crate) use formula::Step;
+pub(crate) use formula::Operation;
 
 use crate::fault::Trouble;
 use crate::memory::{Bit, Memory, TextSlot, Word};

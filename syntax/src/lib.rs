@@ -36,12 +36,14 @@ mod line;
 mod line_index;
 mod lines;
 mod name;
+pub mod numeral;
 mod parse;
 mod part;
 mod structure;
 mod tree_builder;
 mod unclosed_comment;
 pub mod wiring;
+pub mod xml;
 
 pub use builder::Builder;
 pub use dump::dump;

@@ -1,6 +1,7 @@
 //! Byte offsets and physical lines: for people (line and column from 1) and for protocols.
 
 use rowan::{TextRange, TextSize};
+use std::fmt;
 
 /// A place as people count it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -9,6 +10,22 @@ pub struct LineColumn {
     pub line: u32,
     /// The column in characters, from 1.
     pub column: u32,
+}
+
+impl LineColumn {
+    /// Where a text begins.
+    pub const START: LineColumn = LineColumn { line: 1, column: 1 };
+
+    /// The beginning of a line, from 1.
+    pub const fn line(line: u32) -> LineColumn {
+        LineColumn { line, column: 1 }
+    }
+}
+
+impl fmt::Display for LineColumn {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{}:{}", self.line, self.column)
+    }
 }
 
 /// Where each physical line starts. LF, CRLF and a lone CR end a line (LANGUAGE §1); nothing else does.
@@ -65,10 +82,19 @@ pub(crate) fn line_ends(text: &[u8]) -> impl Iterator<Item = usize> + '_ {
 impl LineIndex {
     /// The index of a text.
     pub fn new(text: &str) -> LineIndex {
+        LineIndex::with_line_ends(text, line_ends(text.as_bytes()))
+    }
+
+    /// The index of a text in which LF alone ends a line.
+    pub fn of_line_feeds(text: &str) -> LineIndex {
+        LineIndex::with_line_ends(text, memchr::memchr_iter(b'\n', text.as_bytes()))
+    }
+
+    fn with_line_ends(text: &str, ends: impl Iterator<Item = usize>) -> LineIndex {
         let mut starts = vec![0];
         let mut long = Vec::new();
         let mut start = 0;
-        for end in line_ends(text.as_bytes()) {
+        for end in ends {
             if end - start > STRIDE {
                 long.push(LongLine::of(text, start, end));
             }
@@ -114,6 +140,18 @@ impl LineIndex {
             line: line as u32 + 1,
             column: before + characters_of(&text[known as usize..end]) + 1,
         }
+    }
+
+    /// The other way: the offset of a place, brought back into its line and into the text if it lies outside.
+    pub fn offset(&self, text: &str, place: LineColumn) -> TextSize {
+        let line = self.range((place.line.max(1) as usize - 1).min(self.starts.len() - 1));
+        let content = text[line].trim_end_matches(['\r', '\n']);
+        let before = place.column.max(1) - 1;
+        let mut characters = content.char_indices().filter(|&(_, c)| c != '\u{feff}');
+        let at = characters
+            .nth(before as usize)
+            .map_or(content.len(), |(at, _)| at);
+        line.start() + TextSize::new(at as u32)
     }
 
     /// The nearest place before an offset whose column is known, and the characters before it on its line.

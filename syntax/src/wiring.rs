@@ -106,7 +106,7 @@ pub struct Point {
     pub down: usize,
     /// The part of the `/` on the next rung.
     pub up: usize,
-    /// The how-manieth pair between the two rungs it is, from 0.
+    /// Its number among the pairs between the two rungs, from 0.
     pub ordinal: usize,
 }
 

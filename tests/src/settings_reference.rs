@@ -3,25 +3,25 @@
 
 use crate::rule_index::summary;
 use ladder_analysis::{Rule, Severity};
-use ladder_workspace::table::{Kind, LEVELS, LINT, Place, SECTIONS, Section, Setting};
+use ladder_workspace::table::{Kind, LEVELS, LINT, SECTIONS, Section, SetBy, Setting};
 use serde_json::{Map, Value, json};
 use std::fmt::Write;
 
 /// The tables of the page about settings: those of the file, and those of an editor.
 pub fn tables() -> [String; 2] {
     [
-        table("in `ladder.toml`", Place::is_in_file, |section, setting| {
+        table("in `ladder.toml`", SetBy::is_in_file, |section, setting| {
             format!("`[{}]` `{}`", section.name, setting.key)
         }),
         table(
             "in an editor",
-            |place| matches!(place, Place::FileOrEditor | Place::Editor),
+            |place| matches!(place, SetBy::FileOrEditor | SetBy::Editor),
             |section, setting| format!("`{}.{}`", section.name, setting.key),
         ),
     ]
 }
 
-fn table(title: &str, shown: impl Fn(Place) -> bool, name: impl Fn(&Section, &Setting) -> String) -> String {
+fn table(title: &str, shown: impl Fn(SetBy) -> bool, name: impl Fn(&Section, &Setting) -> String) -> String {
     let mut out = format!("| {title} | takes | default | |\n| --- | --- | --- | --- |\n");
     for section in SECTIONS {
         if section.name == LINT.name {
@@ -137,7 +137,7 @@ pub fn extension_settings() -> String {
                 "type": "object",
                 "default": {},
                 "scope": "window",
-                "markdownDescription": about(section.about, Place::FileOrEditor),
+                "markdownDescription": about(section.about, SetBy::FileOrEditor),
                 "properties": rules(&json!({ "enum": LEVELS })),
                 "additionalProperties": false
             });
@@ -182,12 +182,12 @@ pub fn extension_settings() -> String {
     out.replace('\n', "\n    ")
 }
 
-fn about(about: &str, place: Place) -> String {
+fn about(about: &str, place: SetBy) -> String {
     match place {
-        Place::FileOrEditor => {
+        SetBy::FileOrEditor => {
             format!("{about} For programs that no `ladder.toml` stands above; otherwise that file says it.")
         }
-        Place::File | Place::Editor | Place::Extension => about.to_owned(),
+        SetBy::File | SetBy::Editor | SetBy::Extension => about.to_owned(),
     }
 }
 

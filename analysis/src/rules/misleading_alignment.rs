@@ -2,10 +2,11 @@
 
 use crate::context::Context;
 use crate::diagnostic::{Applicability, Diagnostic};
-use crate::excerpt::{columns, nth};
+use crate::excerpt::columns;
 use crate::network::NetworkFacts;
 use crate::rule::Rule;
 use ladder_syntax::TextRange;
+use ladder_syntax::numeral::nth;
 use ladder_syntax::wiring::{PartKind, Point};
 
 pub(crate) fn check(context: &Context, network: &NetworkFacts, out: &mut Vec<Diagnostic>) {
@@ -51,9 +52,9 @@ fn misleading(context: &Context, network: &NetworkFacts, points: &[Point]) -> Op
             down,
             format!(
                 "the {} `\\` stands above the {} `/`, but pairs with the {}",
-                nth(pair),
-                nth(looks_like),
-                nth(pair)
+                nth(pair + 1),
+                nth(looks_like + 1),
+                nth(pair + 1)
             ),
         )
         .help("connectors pair in their order from left to right, whatever their columns")

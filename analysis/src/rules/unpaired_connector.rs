@@ -4,9 +4,10 @@ pub(super) mod completion;
 
 use crate::context::{Context, rung_above, rung_below};
 use crate::diagnostic::Diagnostic;
-use crate::excerpt::{columns, nth, trimmed_line};
+use crate::excerpt::{columns, trimmed_line};
 use crate::network::{NetworkFacts, breaks_drawing};
 use crate::rule::Rule;
+use ladder_syntax::numeral::nth;
 use ladder_syntax::wiring::{self, PartKind, Rung};
 use ladder_syntax::{Parse, TextRange};
 
@@ -104,7 +105,7 @@ fn unpaired(context: &Context, line: usize, kind: PartKind, out: &mut Vec<Diagno
                 .help(format!(
                     "connectors pair in their order from left to right, whatever their columns: the partner is probably \
                      missing at the {} `{name}`",
-                    nth(suspect)
+                    nth(suspect + 1)
                 ))
                 .related(
                     own.range(parse, suspect),
@@ -169,7 +170,7 @@ fn message(context: &Context, own: &Side, other: Option<&Side>, ordinal: usize) 
     let which = if own.parts.len() == 1 {
         format!("the `{name}` on line {here} has no partner")
     } else {
-        format!("the {} `{name}` on line {here} has no partner", nth(ordinal))
+        format!("the {} `{name}` on line {here} has no partner", nth(ordinal + 1))
     };
     let Some(other) = other else {
         return format!("{which}: there is no rung {} it", beside(own.kind));

@@ -1,6 +1,6 @@
 //! Findings for machines: one array of objects.
 
-use super::place::{Place, place};
+use super::place::{LineColumnRange, place};
 use super::source::Source;
 use ladder_analysis::{Diagnostic, Fix, Related};
 use serde::Serialize;
@@ -14,7 +14,7 @@ pub(crate) struct Finding<'a> {
     severity: &'static str,
     message: &'a str,
     #[serde(flatten)]
-    place: Place,
+    place: LineColumnRange,
     #[serde(skip_serializing_if = "Option::is_none")]
     help: Option<&'a str>,
     #[serde(skip_serializing_if = "Vec::is_empty")]
@@ -28,7 +28,7 @@ struct RelatedPlace<'a> {
     file: Cow<'a, str>,
     message: &'a str,
     #[serde(flatten)]
-    place: Place,
+    place: LineColumnRange,
 }
 
 #[derive(Serialize)]
@@ -41,7 +41,7 @@ struct Mend<'a> {
 #[derive(Serialize)]
 struct Change<'a> {
     #[serde(flatten)]
-    place: Place,
+    place: LineColumnRange,
     text: &'a str,
 }
 

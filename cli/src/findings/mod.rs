@@ -14,6 +14,6 @@ mod workspaces;
 
 pub(crate) use beside::companions;
 pub(crate) use mistake::render_settings;
-pub(crate) use problem::{Place, Problem, annotation};
+pub(crate) use problem::{FileRange, Problem, annotation};
 pub(crate) use source::{NotRead, Source, with_line_feeds};
 pub(crate) use workspaces::Workspaces;

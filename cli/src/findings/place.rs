@@ -6,16 +6,16 @@ use serde::Serialize;
 
 /// Lines and columns from 1, columns in characters; the end is behind the last character.
 #[derive(Serialize)]
-pub(super) struct Place {
+pub(super) struct LineColumnRange {
     pub(super) line: u32,
     pub(super) column: u32,
     pub(super) end_line: u32,
     pub(super) end_column: u32,
 }
 
-pub(super) fn place(source: &Source, range: TextRange) -> Place {
+pub(super) fn place(source: &Source, range: TextRange) -> LineColumnRange {
     let (start, end) = (source.place(range.start()), source.place(range.end()));
-    Place {
+    LineColumnRange {
         line: start.line,
         column: start.column,
         end_line: end.line,

@@ -17,7 +17,7 @@ use std::fmt::Display;
 
 /// A place in a file: lines and columns from 1, columns in characters.
 #[derive(Debug, Clone, Serialize)]
-pub(crate) struct Place {
+pub(crate) struct FileRange {
     pub(crate) file: String,
     pub(crate) line: u32,
     pub(crate) column: u32,
@@ -25,10 +25,10 @@ pub(crate) struct Place {
     pub(crate) end_column: u32,
 }
 
-impl Place {
-    pub(crate) fn of(source: &Source, range: TextRange) -> Place {
+impl FileRange {
+    pub(crate) fn of(source: &Source, range: TextRange) -> FileRange {
         let (start, end) = (source.place(range.start()), source.place(range.end()));
-        Place {
+        FileRange {
             file: source.file.clone(),
             line: start.line,
             column: start.column,
@@ -38,8 +38,8 @@ impl Place {
     }
 
     /// The beginning of a file.
-    pub(crate) fn start(file: &str) -> Place {
-        Place {
+    pub(crate) fn start(file: &str) -> FileRange {
+        FileRange {
             file: file.to_owned(),
             line: 1,
             column: 1,
@@ -53,7 +53,7 @@ impl Place {
 #[derive(Serialize)]
 pub(crate) struct Problem {
     #[serde(flatten)]
-    pub(crate) place: Place,
+    pub(crate) place: FileRange,
     /// The rule, or what stands for one.
     pub(crate) rule: &'static str,
     #[serde(serialize_with = "by_name")]
@@ -73,7 +73,7 @@ impl Problem {
     /// A mistake in a scenario file.
     pub(crate) fn of(source: &Source, found: &Mistake, renderer: &Renderer) -> Problem {
         Problem {
-            place: Place::of(source, found.range),
+            place: FileRange::of(source, found.range),
             rule: mistake::NAME,
             severity: Severity::Error,
             message: found.message.clone(),
@@ -86,7 +86,7 @@ impl Problem {
     /// What there is to say about a program of another system.
     pub(crate) fn remark(source: &Source, remark: Mark, renderer: &Renderer) -> Problem {
         Problem {
-            place: Place::of(source, remark.range),
+            place: FileRange::of(source, remark.range),
             rule: remark.check,
             severity: remark.severity,
             shown: full::remark(source, &remark, renderer),
@@ -100,7 +100,7 @@ impl Problem {
     }
 
     /// Something that keeps the command from doing its work.
-    pub(crate) fn unusable(place: Place, error: &impl Display) -> Problem {
+    pub(crate) fn unusable(place: FileRange, error: &impl Display) -> Problem {
         let message = error.to_string();
         Problem {
             place,
@@ -115,7 +115,7 @@ impl Problem {
 
     /// `a.ladder-test:3:1: error[bad-scenario] message`
     pub(crate) fn concise(&self) -> String {
-        let Place {
+        let FileRange {
             file, line, column, ..
         } = &self.place;
         let (file, message) = (shown::line(file), shown::line(&self.message));
@@ -171,8 +171,8 @@ fn by_name<S: serde::Serializer>(severity: &Severity, serializer: S) -> Result<S
 }
 
 /// A workflow command of GitHub Actions, which shows a message at a place in a change.
-pub(crate) fn annotation(kind: &str, place: &Place, title: &str, message: &str) -> String {
-    let Place {
+pub(crate) fn annotation(kind: &str, place: &FileRange, title: &str, message: &str) -> String {
+    let FileRange {
         file,
         line,
         column,

@@ -9,7 +9,7 @@ use crate::form::{self, Form};
 use crate::outcome::Failure;
 use ladder_analysis::program::{Location, Program};
 use ladder_analysis::{Analysis, Diagnostic, NotWhole};
-use ladder_interchange::notation::{self, Foreign, Mark, Place, ReadError, offer_conversion};
+use ladder_interchange::notation::{self, Foreign, Mark, ReadError, offer_conversion};
 use ladder_syntax::{LineColumn, LineIndex, TextRange, TextSize};
 use ladder_workspace::{Workspace, shown};
 use std::borrow::Cow;
@@ -258,7 +258,7 @@ impl Source {
 /// Why a file that was there cannot be taken for a program.
 pub(crate) struct NotRead {
     /// Where it is broken, if it is at one place.
-    pub(crate) place: Option<Place>,
+    pub(crate) place: Option<LineColumn>,
     /// What is wrong, with the name of the file.
     pub(crate) failure: Failure,
 }

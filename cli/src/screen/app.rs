@@ -2,7 +2,7 @@
 
 use super::draw::{self, Scene};
 use super::load::{self, Request};
-use super::plant::{Part, Plant, Ran, Restart};
+use super::plant::{Plant, Ran, Restart, StepUnit};
 use super::theme::Theme;
 use super::update::Command;
 use super::view::{Mode, Reasons, View};
@@ -75,11 +75,11 @@ impl<'r> App<'r> {
                 Ok(())
             }
             Command::StepBlock => {
-                self.step_part(Part::Block);
+                self.step_part(StepUnit::Block);
                 Ok(())
             }
             Command::StepRung => {
-                self.step_part(Part::Rung);
+                self.step_part(StepUnit::Rung);
                 Ok(())
             }
             Command::Back => {

@@ -314,7 +314,7 @@ pub(super) struct Split {
 
 /// Where a column of the drawing is.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Place {
+pub(super) enum ColumnPlace {
     /// In this column of the pane.
     Seen(usize),
     /// Folded away: nothing is missing there.
@@ -329,27 +329,27 @@ pub(super) enum Place {
 
 impl Window {
     /// Where a column of the drawing is.
-    pub(super) fn place(&self, column: usize) -> Place {
+    pub(super) fn place(&self, column: usize) -> ColumnPlace {
         if self
             .cut_from(column)
             .is_some_and(|cut| cut.columns.contains(&column))
         {
-            return Place::Folded;
+            return ColumnPlace::Folded;
         }
         let column = self.column(column);
         if let Some(split) = self.split
             && column >= split.tail
         {
             return match split.at + 1 + column - split.tail {
-                seen if seen < self.pane => Place::Seen(seen),
-                _ => Place::Behind,
+                seen if seen < self.pane => ColumnPlace::Seen(seen),
+                _ => ColumnPlace::Behind,
             };
         }
         match column.checked_sub(self.left) {
-            None => Place::Before,
-            Some(seen) if seen < self.left_part() => Place::Seen(seen),
-            Some(_) if self.split.is_some() => Place::Between,
-            Some(_) => Place::Behind,
+            None => ColumnPlace::Before,
+            Some(seen) if seen < self.left_part() => ColumnPlace::Seen(seen),
+            Some(_) if self.split.is_some() => ColumnPlace::Between,
+            Some(_) => ColumnPlace::Behind,
         }
     }
 
@@ -388,7 +388,7 @@ impl Window {
         // Nothing is left out within a block.
         matches!(
             (self.place(first), self.place(last)),
-            (Place::Seen(from), Place::Seen(to)) if to - from == last - first
+            (ColumnPlace::Seen(from), ColumnPlace::Seen(to)) if to - from == last - first
         )
     }
 

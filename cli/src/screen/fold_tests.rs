@@ -1,6 +1,6 @@
 //! How wide networks are shown on narrow panes.
 
-use super::fold::{Band, Content, Folding, LineShape, Place, cuts};
+use super::fold::{Band, ColumnPlace, Content, Folding, LineShape, cuts};
 use expect_test::{Expect, expect};
 use std::ops::Range;
 
@@ -50,7 +50,7 @@ fn shown(drawing: &str, pane: usize, left: usize) -> String {
             cells[split.at] = '»';
         }
         for (column, letter) in line.chars().enumerate() {
-            if let Place::Seen(at) = window.place(column) {
+            if let ColumnPlace::Seen(at) = window.place(column) {
                 cells[at] = letter;
                 assert_eq!(window.drawn_at(at), Some(column), "{line} {at}");
             }
@@ -176,7 +176,7 @@ fn a_block_is_scrolled_into_sight_from_wherever_one_is() {
                 let window = folding.window(&band, left);
                 // Of one that is wider than the left part the beginning is seen.
                 let whole = block.len() <= window.left_part();
-                let seen = matches!(window.place(block.start), Place::Seen(_));
+                let seen = matches!(window.place(block.start), ColumnPlace::Seen(_));
                 assert!(
                     window.shows(block) || !whole && seen,
                     "{pane} {from} {block:?} {left}"

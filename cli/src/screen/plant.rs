@@ -39,7 +39,7 @@ pub(super) enum Ran {
 
 /// A part of a scan.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Part {
+pub(super) enum StepUnit {
     Block,
     Rung,
 }
@@ -128,10 +128,10 @@ impl Plant {
     }
 
     /// Runs a part of a scan. Gives what runs next in it.
-    pub(super) fn step(&mut self, part: Part) -> Stepped {
+    pub(super) fn step(&mut self, part: StepUnit) -> Stepped {
         self.recorded(match part {
-            Part::Block => Session::step_block,
-            Part::Rung => Session::step_network,
+            StepUnit::Block => Session::step_block,
+            StepUnit::Rung => Session::step_network,
         })
     }
 

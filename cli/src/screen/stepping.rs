@@ -1,7 +1,7 @@
 //! Steps, breakpoints, and the way back.
 
 use super::app::App;
-use super::plant::Part;
+use super::plant::StepUnit;
 use ladder_analysis::program::Location;
 use ladder_analysis::value::Value;
 use ladder_simulator::{Breakpoint, Hit, Status, Stepped, value_text};
@@ -29,7 +29,7 @@ impl App<'_> {
     }
 
     /// To the next block or rung.
-    pub(super) fn step_part(&mut self, part: Part) {
+    pub(super) fn step_part(&mut self, part: StepUnit) {
         if !self.is_ready() {
             return;
         }

@@ -6,7 +6,7 @@ use ladder_analysis::{Severity, analyze};
 use ladder_format::{Options, format_text};
 use ladder_syntax::{NodeOrToken, SyntaxKind, parse};
 use ladder_tests::generator::{Mode, program};
-use ladder_tests::reference::{Boolean, Part, networks};
+use ladder_tests::reference::{Boolean, DrawnPart, networks};
 use ladder_tests::trace::{Engine, Stimulus, compare, difference, trace};
 use std::path::Path;
 use std::process::Command;
@@ -120,8 +120,9 @@ fn tokens(text: &str) -> Vec<String> {
 /// As the independent reader of the reference sees it.
 #[test]
 fn formatting_keeps_the_wiring() {
-    let wiring = |text: &str| -> Vec<Vec<Vec<Part>>> {
-        let without_wires = |rung: Vec<Part>| rung.into_iter().filter(|part| *part != Part::Wire).collect();
+    let wiring = |text: &str| -> Vec<Vec<Vec<DrawnPart>>> {
+        let without_wires =
+            |rung: Vec<DrawnPart>| rung.into_iter().filter(|part| *part != DrawnPart::Wire).collect();
         networks(text)
             .into_iter()
             .map(|(rungs, _)| rungs.into_iter().map(without_wires).collect())

@@ -17,7 +17,7 @@ mod tags;
 pub use item::{Completion, CompletionKind, Completions, Snippet, Topic};
 
 use crate::hover;
-use crate::typing::{Declaration, Operand, Place, Typing, typing};
+use crate::typing::{CursorContext, Declaration, Operand, Typing, typing};
 use crate::wanted::{Called, Kind, called, tag_of, wanted};
 use ladder_analysis::context::Context;
 use ladder_instructions::by_op;
@@ -35,14 +35,14 @@ pub fn completions(context: &Context, offset: TextSize, trigger: Option<char>) -
     let mut out = Proposals::new(&typing);
     let mut behind = Snippet::default();
     match &typing.place {
-        Place::LineStart => keywords::at_line_start(&typing, &mut out),
-        Place::Wire => blocks::on_wire(&typing, &mut out),
-        Place::Head(head) => blocks::in_head(&typing, head, &mut out),
-        Place::Declaration(place) => keywords::in_declaration(&typing, *place, &mut out),
-        Place::Operand(operand) => behind = in_operand(&typing, operand, &mut out),
+        CursorContext::LineStart => keywords::at_line_start(&typing, &mut out),
+        CursorContext::Wire => blocks::on_wire(&typing, &mut out),
+        CursorContext::Head(head) => blocks::in_head(&typing, head, &mut out),
+        CursorContext::Declaration(place) => keywords::in_declaration(&typing, *place, &mut out),
+        CursorContext::Operand(operand) => behind = in_operand(&typing, operand, &mut out),
     }
     // `[TON]($0` gets the blanks that its layout has.
-    let crowded = matches!(&typing.place, Place::Operand(operand) if operand.first_word)
+    let crowded = matches!(&typing.place, CursorContext::Operand(operand) if operand.first_word)
         && typing.text[..typing.word.start].ends_with(['(', ',']);
     out.finish(if crowded { " " } else { "" }, &behind)
 }
@@ -51,19 +51,19 @@ pub fn completions(context: &Context, offset: TextSize, trigger: Option<char>) -
 /// is not.
 fn is_welcome(typing: &Typing<'_>, trigger: char) -> bool {
     match &typing.place {
-        Place::Head(_) => matches!(trigger, '[' | '(' | '<' | '$'),
-        Place::Operand(operand) => match trigger {
+        CursorContext::Head(_) => matches!(trigger, '[' | '(' | '<' | '$'),
+        CursorContext::Operand(operand) => match trigger {
             '.' => operand.member_of.is_some(),
             '%' | '(' | ',' | '[' => true,
             ':' | '$' => false,
             _ => operand.open.is_empty() && operand.first_word,
         },
-        Place::Declaration(place) => match trigger {
+        CursorContext::Declaration(place) => match trigger {
             ':' => *place == Declaration::Type,
             '%' => *place == Declaration::Address,
             _ => false,
         },
-        Place::LineStart | Place::Wire => false,
+        CursorContext::LineStart | CursorContext::Wire => false,
     }
 }
 

@@ -4,6 +4,7 @@ use super::uses::line_link;
 use super::{Hover, wire};
 use crate::locate::OnRung;
 use ladder_analysis::context::Context;
+use ladder_syntax::numeral::nth;
 use ladder_syntax::wiring::{PartKind, Wiring};
 
 pub(super) fn hover(context: &Context, place: &OnRung<'_>) -> Hover {
@@ -18,7 +19,7 @@ pub(super) fn hover(context: &Context, place: &OnRung<'_>) -> Hover {
             point.upper + 1 == place.rung && point.up == place.part
         }
     });
-    let nth = ordinal_on_line(wiring, place) + 1;
+    let number = ordinal_on_line(wiring, place) + 1;
     let range = network.part_range(&context.parse, place.rung, place.part);
     let markdown = match point {
         Some(point) => {
@@ -28,13 +29,13 @@ pub(super) fn hover(context: &Context, place: &OnRung<'_>) -> Hover {
             format!(
                 "Connector: the {} `{own}` of this line is joined with the {} `{partner}` of line {there} {way}.\n\n\
                  Both wires behind the pair carry power if one of the wires before it does.",
-                ordinal(nth),
-                ordinal(point.ordinal + 1)
+                nth(number),
+                nth(point.ordinal + 1)
             )
         }
         None => format!(
             "Connector without a partner: this is the {} `{own}` of its line, and the rung {} has fewer `{partner}`.",
-            ordinal(nth),
+            nth(number),
             if down { "below" } else { "above" }
         ),
     };
@@ -45,22 +46,10 @@ pub(super) fn hover(context: &Context, place: &OnRung<'_>) -> Hover {
     Hover { range, markdown }
 }
 
-/// The how-manieth connector of its kind on its line it is, from 0.
+/// The number of the connector among those of its kind on its line, from 0.
 fn ordinal_on_line(wiring: &Wiring, place: &OnRung<'_>) -> usize {
     wiring.rungs[place.rung]
         .connectors(place.drawn.kind)
         .take_while(|&part| part < place.part)
         .count()
-}
-
-/// `1st`, `2nd`, `3rd`, `11th`
-fn ordinal(n: usize) -> String {
-    let ending = match (n % 10, n % 100) {
-        (_, 11..=13) => "th",
-        (1, _) => "st",
-        (2, _) => "nd",
-        (3, _) => "rd",
-        _ => "th",
-    };
-    format!("{n}{ending}")
 }

@@ -1,6 +1,6 @@
 //! All tags that no declaration names get one, with the types and sections that follow from their uses.
 
-use super::place::Place;
+use super::place::Selected;
 use super::{Action, ActionKind, Work};
 use ladder_analysis::context::Context;
 use ladder_analysis::declaration_fix::{Places, can_be_declared, undeclared};
@@ -8,7 +8,7 @@ use ladder_analysis::facts::{Node, NodeKind};
 use ladder_format::Edit;
 use ladder_syntax::Name;
 
-pub(super) fn offer(place: &Place<'_>, out: &mut Vec<Action>) {
+pub(super) fn offer(place: &Selected<'_>, out: &mut Vec<Action>) {
     let context = place.context;
     let Some(scope) = place
         .networks

@@ -4,7 +4,7 @@
 use super::drawing::{Drawing, Item, line_end, lines_text};
 use super::flow::is_flow;
 use super::names::new_block;
-use super::place::{OnNetwork, Place};
+use super::place::{OnNetwork, Selected};
 use super::region::Region;
 use super::{Action, ActionKind};
 use ladder_analysis::context::Context;
@@ -21,7 +21,7 @@ struct Parameter {
     ty: Type,
 }
 
-pub(super) fn offer(place: &Place<'_>, out: &mut Vec<Action>) {
+pub(super) fn offer(place: &Selected<'_>, out: &mut Vec<Action>) {
     let Some(on) = place.on.as_ref().filter(|_| !place.range.is_empty()) else {
         return;
     };

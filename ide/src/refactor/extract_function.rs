@@ -3,7 +3,7 @@
 use super::drawing::{Drawing, Item, ItemKind, line_end, lines_text};
 use super::flow::{has_mcr, is_flow};
 use super::names::new_function;
-use super::place::Place;
+use super::place::Selected;
 use super::{Action, ActionKind};
 use ladder_analysis::context::{Body, Context};
 use ladder_format::Edit;
@@ -11,7 +11,7 @@ use ladder_instructions::Op;
 use ladder_syntax::{LineKind, TextRange, TextSize};
 use std::ops::Range;
 
-pub(super) fn offer(place: &Place<'_>, out: &mut Vec<Action>) {
+pub(super) fn offer(place: &Selected<'_>, out: &mut Vec<Action>) {
     let networks = place.networks.clone();
     if networks.is_empty() {
         return;

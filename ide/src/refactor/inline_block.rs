@@ -5,7 +5,7 @@ use super::drawing::{Drawing, ItemKind, Row};
 use super::flow::is_flow;
 use super::names::{new_tag, operand};
 use super::passing::splice;
-use super::place::{OnNetwork, Place};
+use super::place::{OnNetwork, Selected};
 use super::region::Region;
 use super::{Action, ActionKind};
 use ladder_analysis::context::{Body, Context};
@@ -19,7 +19,7 @@ use ladder_format::Edit;
 use ladder_instructions::Op;
 use ladder_syntax::Name;
 
-pub(super) fn offer(place: &Place<'_>, out: &mut Vec<Action>) {
+pub(super) fn offer(place: &Selected<'_>, out: &mut Vec<Action>) {
     let Some(on) = &place.on else { return };
     let Some(block) = on.block() else { return };
     let Meaning::User(definition) = block.meaning else {
@@ -33,7 +33,7 @@ pub(super) fn offer(place: &Place<'_>, out: &mut Vec<Action>) {
 }
 
 fn inlined(
-    place: &Place<'_>,
+    place: &Selected<'_>,
     on: &OnNetwork<'_>,
     call: &BoundBlock,
     definition: usize,
@@ -170,7 +170,7 @@ fn in_place(on: &OnNetwork<'_>, mut rows: Vec<Row>) -> Option<Drawing> {
 
 /// What the names of the body become.
 struct Words<'a> {
-    place: &'a Place<'a>,
+    place: &'a Selected<'a>,
     inner: &'a Scope,
     outer: &'a Scope,
     /// New tags, for what the block keeps to itself.

@@ -3,7 +3,7 @@
 use super::drawing::{Drawing, Item, ItemKind, lines_text};
 use super::extract_function::{lines_with_comments, starts_with_mark};
 use super::flow::{has_mcr, is_flow};
-use super::place::Place;
+use super::place::Selected;
 use super::{Action, ActionKind};
 use ladder_analysis::context::{Body, Context};
 use ladder_analysis::facts::NodeKind;
@@ -12,7 +12,7 @@ use ladder_instructions::Op;
 use ladder_syntax::{LineKind, Name, TextRange};
 use std::ops::Range;
 
-pub(super) fn offer(place: &Place<'_>, out: &mut Vec<Action>) {
+pub(super) fn offer(place: &Selected<'_>, out: &mut Vec<Action>) {
     let Some(on) = &place.on else { return };
     let Some(block) = on.block().filter(|block| block.op() == Some(Op::Call)) else {
         return;

@@ -4,14 +4,14 @@ use super::drawing::{Drawing, Item, ItemKind};
 use super::names::{called, new_tag};
 use super::parallel::Parallel;
 use super::passing::insert_rows;
-use super::place::{OnNetwork, Place};
+use super::place::{OnNetwork, Selected};
 use super::region::Region;
 use super::{Action, ActionKind};
 use ladder_analysis::declaration_fix::Places;
 use ladder_analysis::scope::SectionKind;
 use ladder_instructions::Shape;
 
-pub(super) fn offer(place: &Place<'_>, out: &mut Vec<Action>) {
+pub(super) fn offer(place: &Selected<'_>, out: &mut Vec<Action>) {
     let Some(on) = &place.on else { return };
     let Some(region) = on.region() else { return };
     let name = first_name(on, &region);

@@ -4,7 +4,7 @@
 use super::circuits::{Rung, items};
 use super::drawing::{Drawing, Item, ItemKind, lines_text};
 use super::flow::{has_mcr, is_flow};
-use super::place::Place;
+use super::place::Selected;
 use super::wrap_branch::only_reads;
 use super::{Action, ActionKind};
 use ladder_analysis::context::Context;
@@ -196,7 +196,7 @@ fn action(title: String, why: Option<String>, edits: Vec<Edit>) -> Action {
 }
 
 /// Two networks, one behind the other: a set coil and a reset coil of one tag.
-pub(super) fn offer_seal_in(place: &Place<'_>, out: &mut Vec<Action>) {
+pub(super) fn offer_seal_in(place: &Selected<'_>, out: &mut Vec<Action>) {
     let context = place.context;
     let networks = place.networks.clone();
     let pairs: &[usize] = match networks.len() {
@@ -282,7 +282,7 @@ fn between(context: &Context, first: usize) -> Option<String> {
 }
 
 /// A seal-in: the tag of the coil in parallel to what sets it.
-pub(super) fn offer_set_and_reset(place: &Place<'_>, out: &mut Vec<Action>) {
+pub(super) fn offer_set_and_reset(place: &Selected<'_>, out: &mut Vec<Action>) {
     let Some(on) = &place.on else { return };
     out.extend(set_and_reset(place.context, on.network));
 }

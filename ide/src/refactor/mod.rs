@@ -35,7 +35,7 @@ pub use fixes::{fix_all, quick_fixes};
 use ladder_analysis::{Analysis, Applicability, Fix, fix};
 use ladder_format::{Edit, Options};
 use ladder_syntax::TextRange;
-use place::Place;
+use place::Selected;
 
 /// What an action is for.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
@@ -127,7 +127,7 @@ impl Action {
 /// The refactorings that are offered for a selection, or a cursor where it is empty.
 pub fn refactorings(analysis: &Analysis, range: TextRange) -> Vec<Action> {
     let mut actions = Vec::new();
-    let place = Place::find(analysis, range);
+    let place = Selected::find(analysis, range);
     for offer in [
         toggle::offer,
         insert_branch::offer,

@@ -9,7 +9,7 @@ use ladder_syntax::TextRange;
 use std::ops::Range;
 
 /// A place in a file that actions are asked for.
-pub(crate) struct Place<'a> {
+pub(crate) struct Selected<'a> {
     pub(crate) analysis: &'a Analysis,
     pub(crate) context: &'a Context,
     pub(crate) range: TextRange,
@@ -28,14 +28,14 @@ pub(crate) struct OnNetwork<'a> {
     pub(crate) items: Option<(usize, Range<usize>)>,
 }
 
-impl<'a> Place<'a> {
-    pub(crate) fn find(analysis: &'a Analysis, range: TextRange) -> Place<'a> {
+impl<'a> Selected<'a> {
+    pub(crate) fn find(analysis: &'a Analysis, range: TextRange) -> Selected<'a> {
         let context = &analysis.context;
         let networks = touched(context, range);
         let on = (networks.len() == 1)
             .then(|| on_network(context, networks.start, range))
             .flatten();
-        Place {
+        Selected {
             analysis,
             context,
             range,

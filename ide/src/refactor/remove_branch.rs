@@ -3,12 +3,12 @@
 use super::drawing::{Drawing, Item, ItemKind};
 use super::insert_branch::first_name;
 use super::parallel::Parallel;
-use super::place::{OnNetwork, Place};
+use super::place::{OnNetwork, Selected};
 use super::region::Region;
 use super::{Action, ActionKind};
 use std::ops::Range;
 
-pub(super) fn offer(place: &Place<'_>, out: &mut Vec<Action>) {
+pub(super) fn offer(place: &Selected<'_>, out: &mut Vec<Action>) {
     let Some(on) = &place.on else { return };
     let Some((row, items)) = on.trimmed() else { return };
     let Some((drawing, name)) = removed(on, row, items) else {

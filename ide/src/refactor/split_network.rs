@@ -4,7 +4,7 @@
 use super::drawing::{Drawing, Item, ItemKind, Row, comments};
 use super::flow::{is_flow, is_mark, leaves};
 use super::names::{called, new_tag};
-use super::place::{OnNetwork, Place};
+use super::place::{OnNetwork, Selected};
 use super::{Action, ActionKind};
 use ladder_analysis::declaration_fix::Places;
 use ladder_analysis::network::BoundBlock;
@@ -20,7 +20,7 @@ struct Split {
     carries: Option<String>,
 }
 
-pub(super) fn offer(place: &Place<'_>, out: &mut Vec<Action>) {
+pub(super) fn offer(place: &Selected<'_>, out: &mut Vec<Action>) {
     let Some(on) = &place.on else { return };
     let Some((row, items)) = on.trimmed() else { return };
     if on.facts.blocks.iter().any(|block| block.op() == Some(Op::Mcr)) {
@@ -66,7 +66,7 @@ fn on_first_row(drawing: &Drawing, mut row: usize, mut item: usize) -> (usize, u
     (row, item)
 }
 
-fn action(place: &Place<'_>, on: &OnNetwork<'_>, title: &str, split: &Split) -> Option<Action> {
+fn action(place: &Selected<'_>, on: &OnNetwork<'_>, title: &str, split: &Split) -> Option<Action> {
     // Every block runs when it ran before.
     let mut order = split.first.old_order()?;
     order.extend(split.second.old_order()?);
@@ -93,7 +93,7 @@ fn action(place: &Place<'_>, on: &OnNetwork<'_>, title: &str, split: &Split) -> 
 }
 
 /// The declaration of a new BOOL where the scope declares its tags.
-pub(super) fn declare(place: &Place<'_>, scope: usize, tag: &str) -> Option<Vec<Edit>> {
+pub(super) fn declare(place: &Selected<'_>, scope: usize, tag: &str) -> Option<Vec<Edit>> {
     if scope == 0 && !place.context.scopes[0].declares() {
         return Some(Vec::new());
     }

@@ -1,7 +1,7 @@
 //! One block in the place of another of its kind: open and closed contacts, edges, set and reset, comparisons.
 
 use super::names::called;
-use super::place::Place;
+use super::place::Selected;
 use super::{Action, ActionKind};
 use ladder_analysis::facts::NodeKind;
 use ladder_analysis::network::BoundBlock;
@@ -9,7 +9,7 @@ use ladder_analysis::types::Type;
 use ladder_format::Edit;
 use ladder_instructions::Op;
 
-pub(super) fn offer(place: &Place<'_>, out: &mut Vec<Action>) {
+pub(super) fn offer(place: &Selected<'_>, out: &mut Vec<Action>) {
     let Some(on) = &place.on else { return };
     let Some(block) = on.block().filter(|block| !block.faulty) else {
         return;
@@ -86,7 +86,7 @@ fn others(block: &BoundBlock) -> &'static [(&'static str, &'static str)] {
 }
 
 /// Whether the operand can stand in the other block: edges take no range, and only a bit can be set or inverted.
-fn may_be(place: &Place<'_>, block: &BoundBlock, head: &str) -> bool {
+fn may_be(place: &Selected<'_>, block: &BoundBlock, head: &str) -> bool {
     let Some(operand) = block.facts.operands.first() else {
         return true;
     };
@@ -99,7 +99,7 @@ fn may_be(place: &Place<'_>, block: &BoundBlock, head: &str) -> bool {
 }
 
 /// Whether the operand is a timer, counter or bistable.
-fn is_state(place: &Place<'_>, block: &BoundBlock) -> bool {
+fn is_state(place: &Selected<'_>, block: &BoundBlock) -> bool {
     let range = block.absolute(block.facts.operands[0].value.range);
     let tags = place.context.scopes.iter().flat_map(|scope| &scope.tags);
     let states = tags.filter(|tag| matches!(tag.ty, Some(Type::State(_))));

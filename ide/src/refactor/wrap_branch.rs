@@ -2,14 +2,14 @@
 
 use super::drawing::{Drawing, Item, ItemKind, Row};
 use super::insert_branch::{first_name, with_branch};
-use super::place::{OnNetwork, Place};
+use super::place::{OnNetwork, Selected};
 use super::region::Region;
 use super::{Action, ActionKind};
 use ladder_analysis::facts::{Node, NodeKind};
 use ladder_analysis::network::BoundBlock;
 use ladder_instructions::Op;
 
-pub(super) fn offer(place: &Place<'_>, out: &mut Vec<Action>) {
+pub(super) fn offer(place: &Selected<'_>, out: &mut Vec<Action>) {
     let Some(on) = &place.on else { return };
     let Some(region) = on.region() else { return };
     if !on.blocks(&region.blocks(&on.drawing)).all(only_reads) {

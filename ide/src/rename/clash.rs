@@ -1,6 +1,6 @@
 //! Names that something else has: after the renaming one of the two would mean the other.
 
-use super::Refused;
+use super::RenameRefused;
 use crate::neighbour::Workspace;
 use crate::symbol::{Symbol, Usage, declared_names, occurrences, tag_of};
 use ladder_analysis::context::Context;
@@ -16,7 +16,7 @@ pub(super) fn check(
     key: &Name,
     new: &str,
     workspace: &dyn Workspace,
-) -> Result<(), Refused> {
+) -> Result<(), RenameRefused> {
     match symbol {
         Symbol::Tag { file, scope, .. } => {
             in_file(context, file, workspace, |file| tag(file, *scope, key, new))
@@ -66,15 +66,15 @@ fn in_file(
     context: &Context,
     name: &str,
     workspace: &dyn Workspace,
-    check: impl FnOnce(&Context) -> Result<(), Refused>,
-) -> Result<(), Refused> {
+    check: impl FnOnce(&Context) -> Result<(), RenameRefused>,
+) -> Result<(), RenameRefused> {
     let own = context;
     if own.is_called(name) {
         return check(own);
     }
     match workspace.file(name) {
         Some(neighbour) => check(&neighbour),
-        None => Err(Refused(format!(
+        None => Err(RenameRefused(format!(
             "{name}, which declares it, cannot be read: rename it there"
         ))),
     }
@@ -84,8 +84,8 @@ fn in_all(
     context: &Context,
     key: &Name,
     workspace: &dyn Workspace,
-    check: impl Fn(&Context) -> Result<(), Refused>,
-) -> Result<(), Refused> {
+    check: impl Fn(&Context) -> Result<(), RenameRefused>,
+) -> Result<(), RenameRefused> {
     check(context)?;
     for neighbour in workspace.mentioning(key) {
         check(&neighbour)?;
@@ -94,7 +94,7 @@ fn in_all(
 }
 
 /// A tag of one file, or of one block's body.
-fn tag(file: &Context, scope: usize, key: &Name, new: &str) -> Result<(), Refused> {
+fn tag(file: &Context, scope: usize, key: &Name, new: &str) -> Result<(), RenameRefused> {
     let context = file;
     if let Some(other) = context.scopes[scope].find(key) {
         let other = &context.scopes[scope].tags[other];
@@ -116,7 +116,7 @@ fn tag(file: &Context, scope: usize, key: &Name, new: &str) -> Result<(), Refuse
 }
 
 /// A VAR_GLOBAL tag, as far as one file is concerned.
-fn global(file: &Context, symbol: &Symbol, key: &Name, new: &str) -> Result<(), Refused> {
+fn global(file: &Context, symbol: &Symbol, key: &Name, new: &str) -> Result<(), RenameRefused> {
     let Some(old) = symbol.name() else { return Ok(()) };
     for (number, scope) in file.scopes.iter().enumerate() {
         let Some(tag) = scope.find(key).map(|tag| &scope.tags[tag]) else {
@@ -136,14 +136,14 @@ fn global(file: &Context, symbol: &Symbol, key: &Name, new: &str) -> Result<(), 
 }
 
 /// Labels, functions, blocks: defined somewhere, or only named.
-fn named(file: &Context, other: &Symbol, new: &str, what: &str, mention: &str) -> Result<(), Refused> {
+fn named(file: &Context, other: &Symbol, new: &str, what: &str, mention: &str) -> Result<(), RenameRefused> {
     let places = occurrences(file, other);
     let defined = places.iter().find(|place| place.usage == Usage::Definition);
     if let Some(place) = defined {
         return Err(taken(file, None, new, place.range, what));
     }
     match places.first() {
-        Some(place) => Err(Refused(format!(
+        Some(place) => Err(RenameRefused(format!(
             "the {mention} on {} names `{new}`, which is not there: it would mean this one",
             place_of(file, place.range)
         ))),
@@ -151,12 +151,12 @@ fn named(file: &Context, other: &Symbol, new: &str, what: &str, mention: &str) -
     }
 }
 
-fn taken(file: &Context, foreign: Option<&str>, new: &str, at: TextRange, what: &str) -> Refused {
+fn taken(file: &Context, foreign: Option<&str>, new: &str, at: TextRange, what: &str) -> RenameRefused {
     let place = match foreign {
         Some(foreign) => format!("in {foreign}"),
         None => format!("on {}", place_of(file, at)),
     };
-    Refused(format!(
+    RenameRefused(format!(
         "there is {} `{new}` {place} already: both would become one",
         with_article(what)
     ))

@@ -10,7 +10,7 @@ use ladder_syntax::Name;
 use std::sync::Arc;
 
 /// A body of a file.
-type Place = (Arc<str>, Body);
+type FileBody = (Arc<str>, Body);
 
 /// A symbol with all others that must keep its name; they are more than one for labels only.
 pub(super) fn together(own: &Context, symbol: &Symbol, workspace: &dyn Workspace) -> Vec<Symbol> {
@@ -18,7 +18,7 @@ pub(super) fn together(own: &Context, symbol: &Symbol, workspace: &dyn Workspace
         return vec![symbol.clone()];
     };
     let search = Search { own, name, workspace };
-    let mut found: Vec<Place> = vec![(Arc::clone(file), *body)];
+    let mut found: Vec<FileBody> = vec![(Arc::clone(file), *body)];
     let mut next = 0;
     while let Some(place) = found.get(next).cloned() {
         next += 1;
@@ -44,7 +44,7 @@ struct Search<'s> {
 
 impl Search<'_> {
     /// The bodies that share the label with one, directly.
-    fn linked(&self, (file, body): &Place) -> Vec<Place> {
+    fn linked(&self, (file, body): &FileBody) -> Vec<FileBody> {
         let mut linked = Vec::new();
         // The blocks that stand in it and jump out.
         self.with(file, &mut |file| {
@@ -81,7 +81,7 @@ impl Search<'_> {
 
     /// Whether jumps to the label leave a block: it has none, and it, or a block in it, jumps there. `depth`
     /// bounds the walk through blocks that hold themselves, which is a mistake.
-    fn passes(&self, (file, body): &Place, depth: usize) -> bool {
+    fn passes(&self, (file, body): &FileBody, depth: usize) -> bool {
         let label = Symbol::Label {
             file: Arc::clone(file),
             body: *body,
@@ -112,9 +112,9 @@ impl Search<'_> {
 }
 
 /// The `<$B>` blocks that stand in a body.
-fn blocks_in(file: &Context, body: Body) -> Vec<Place> {
+fn blocks_in(file: &Context, body: Body) -> Vec<FileBody> {
     let context = file;
-    let mut places: Vec<Place> = Vec::new();
+    let mut places: Vec<FileBody> = Vec::new();
     if context
         .user_blocks
         .iter()

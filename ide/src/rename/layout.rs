@@ -92,20 +92,20 @@ impl<'e> Shift<'e> {
 /// the first ones make.
 fn compose(text: &str, first: &[Edit], between: &str, second: &[Edit]) -> Vec<Edit> {
     /// An edit by the range that it has in the text between, and what it adds to the length of that text.
-    struct Step<'e> {
+    struct GrownEdit<'e> {
         start: usize,
         end: usize,
         grows: i64,
         second: Option<&'e Edit>,
     }
     let mut grown = 0i64;
-    let mut steps: Vec<Step<'_>> = first
+    let mut steps: Vec<GrownEdit<'_>> = first
         .iter()
         .map(|edit| {
             let start = (i64::from(u32::from(edit.range.start())) + grown) as usize;
             let grows = edit.text.len() as i64 - i64::from(u32::from(edit.range.len()));
             grown += grows;
-            Step {
+            GrownEdit {
                 start,
                 end: start + edit.text.len(),
                 grows,
@@ -113,7 +113,7 @@ fn compose(text: &str, first: &[Edit], between: &str, second: &[Edit]) -> Vec<Ed
             }
         })
         .collect();
-    steps.extend(second.iter().map(|edit| Step {
+    steps.extend(second.iter().map(|edit| GrownEdit {
         start: edit.range.start().into(),
         end: edit.range.end().into(),
         grows: 0,

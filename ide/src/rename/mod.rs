@@ -31,9 +31,9 @@ pub struct Renamable {
 
 /// Why something cannot be renamed, or not in this way.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Refused(pub String);
+pub struct RenameRefused(pub String);
 
-impl std::fmt::Display for Refused {
+impl std::fmt::Display for RenameRefused {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         f.write_str(&self.0)
     }
@@ -52,7 +52,7 @@ pub struct Renamed {
 ///
 /// # Errors
 /// It has a name that is not the program's to choose.
-pub fn prepare_rename(context: &Context, offset: TextSize) -> Result<Option<Renamable>, Refused> {
+pub fn prepare_rename(context: &Context, offset: TextSize) -> Result<Option<Renamable>, RenameRefused> {
     let own = context;
     let Some(Found { symbol, range }) = find(own, offset) else {
         return Ok(None);
@@ -76,10 +76,10 @@ pub fn rename(
     new: &str,
     workspace: &dyn Workspace,
     options: &Options,
-) -> Result<Vec<Renamed>, Refused> {
+) -> Result<Vec<Renamed>, RenameRefused> {
     let own = context;
     let Some(Found { symbol, range }) = find(own, offset) else {
-        return Err(Refused("there is nothing to rename here".to_owned()));
+        return Err(RenameRefused("there is nothing to rename here".to_owned()));
     };
     fixed(own, &symbol)?;
     no_address(context, range)?;
@@ -154,7 +154,7 @@ fn neighbours(context: &Context, symbols: &[Symbol], workspace: &dyn Workspace) 
 }
 
 /// Names that are not the program's to choose.
-fn fixed(file: &Context, symbol: &Symbol) -> Result<(), Refused> {
+fn fixed(file: &Context, symbol: &Symbol) -> Result<(), RenameRefused> {
     let why = match symbol {
         Symbol::Tag { scope, name, .. } => {
             let tags = &file.scopes.get(*scope).filter(|_| *scope > 0);
@@ -178,14 +178,14 @@ fn fixed(file: &Context, symbol: &Symbol) -> Result<(), Refused> {
         Symbol::System(_) => "the tags of SYS keep their names".to_owned(),
         Symbol::Instruction(_) => "instructions keep their names".to_owned(),
     };
-    Err(Refused(why))
+    Err(RenameRefused(why))
 }
 
 /// A tag that is declared at an address has the name of its declaration, not the address.
-fn no_address(context: &Context, range: TextRange) -> Result<(), Refused> {
+fn no_address(context: &Context, range: TextRange) -> Result<(), RenameRefused> {
     let written = text_of(&context.parse, range);
     if written.starts_with('%') {
-        return Err(Refused(is_address(&written)));
+        return Err(RenameRefused(is_address(&written)));
     }
     Ok(())
 }
@@ -198,7 +198,13 @@ fn is_address(written: &str) -> String {
 }
 
 /// The type of an undeclared tag may follow from its name, and must not become another one.
-fn same_type(file: &Context, symbol: &Symbol, text: &str, edits: &[Edit], new: &str) -> Result<(), Refused> {
+fn same_type(
+    file: &Context,
+    symbol: &Symbol,
+    text: &str,
+    edits: &[Edit],
+    new: &str,
+) -> Result<(), RenameRefused> {
     let Symbol::Tag { scope, name, .. } = symbol else {
         return Ok(());
     };
@@ -226,7 +232,7 @@ fn same_type(file: &Context, symbol: &Symbol, text: &str, edits: &[Edit], new: &
         };
         format!("{role} of type {ty}")
     };
-    Err(Refused(format!(
+    Err(RenameRefused(format!(
         "`{}` is not declared, and is {}; the name `{new}` would make it {}: declare it first",
         before.name,
         with_article(what(&before)),

@@ -1,14 +1,14 @@
 //! Which spellings are names.
 
-use super::Refused;
+use super::RenameRefused;
 use crate::symbol::Symbol;
 use ladder_syntax::{is_declaration_keyword, is_identifier, is_reserved, parse};
 
 /// The new name as it will be written. A block's name may be given without its `$`.
-pub(super) fn checked(symbol: &Symbol, new: &str) -> Result<String, Refused> {
+pub(super) fn checked(symbol: &Symbol, new: &str) -> Result<String, RenameRefused> {
     let new = new.trim();
     if new.is_empty() {
-        return Err(Refused("a name is needed".to_owned()));
+        return Err(RenameRefused("a name is needed".to_owned()));
     }
     if let Symbol::Block { .. } = symbol {
         let name = if new.starts_with('$') {
@@ -18,26 +18,26 @@ pub(super) fn checked(symbol: &Symbol, new: &str) -> Result<String, Refused> {
         };
         let header = parse(&format!("FUNCTION_BLOCK [{name}]\nEND_FUNCTION_BLOCK\n"));
         if new.contains(['\n', '\r', '#']) || !header.errors().is_empty() {
-            return Err(Refused(format!(
+            return Err(RenameRefused(format!(
                 "`{new}` cannot name a block: write `$`, a letter, then letters and digits"
             )));
         }
         return Ok(name);
     }
     if !is_identifier(new) {
-        return Err(Refused(format!(
+        return Err(RenameRefused(format!(
             "`{new}` is no name: write a letter or `_`, then letters, digits and `_`"
         )));
     }
     let tag = matches!(symbol, Symbol::Tag { .. } | Symbol::Global(_));
     if is_reserved(new) || (tag && is_declaration_keyword(new)) {
-        return Err(Refused(format!(
+        return Err(RenameRefused(format!(
             "`{new}` is a word of the language: choose another name"
         )));
     }
     let in_block = matches!(symbol, Symbol::Tag { scope, .. } if *scope > 0);
     if in_block && ["EN", "ENO"].iter().any(|word| word.eq_ignore_ascii_case(new)) {
-        return Err(Refused(format!(
+        return Err(RenameRefused(format!(
             "a block has `{new}` of its own: choose another name"
         )));
     }

@@ -34,12 +34,12 @@ pub(crate) struct Typing<'c> {
     pub(crate) body: Option<Body>,
     /// Whether the cursor is in a string or a number: nobody's to complete.
     pub(crate) literal: bool,
-    pub(crate) place: Place,
+    pub(crate) place: CursorContext,
 }
 
 /// What is being written.
 #[derive(Debug)]
-pub(crate) enum Place {
+pub(crate) enum CursorContext {
     /// An empty line outside of sections, or the first word on one.
     LineStart,
     /// A rung, outside of blocks.
@@ -101,11 +101,11 @@ pub(crate) fn typing(context: &Context, offset: TextSize) -> Option<Typing<'_>> 
         scope: scope_of(context, line),
         body: None,
         literal: false,
-        place: Place::LineStart,
+        place: CursorContext::LineStart,
     };
     let Some(found) = parse.lines().get(line) else {
         if in_section {
-            typing.place = Place::Declaration(Declaration::Names(true));
+            typing.place = CursorContext::Declaration(Declaration::Names(true));
         }
         return Some(typing);
     };
@@ -139,15 +139,15 @@ pub(crate) fn typing(context: &Context, offset: TextSize) -> Option<Typing<'_>> 
                 return None;
             }
             if in_section {
-                typing.place = Place::Declaration(Declaration::Names(true));
+                typing.place = CursorContext::Declaration(Declaration::Names(true));
             }
         }
         LineKind::SectionHeader => {
             if !typing.text[..typing.word.start].trim().is_empty() {
-                typing.place = Place::Declaration(Declaration::Header);
+                typing.place = CursorContext::Declaration(Declaration::Header);
             }
         }
-        _ => typing.place = Place::Declaration(declaration(&tokens, &typing)?),
+        _ => typing.place = CursorContext::Declaration(declaration(&tokens, &typing)?),
     }
     Some(typing)
 }
@@ -242,7 +242,7 @@ fn is_inside(kind: SyntaxKind, quote: char, tokens: &[Token], text: &str, at: us
     these.any(|token| at < token.end || at == token.end && open(token))
 }
 
-fn on_rung(line: &GreenNodeData, typing: &mut Typing<'_>) -> Option<Place> {
+fn on_rung(line: &GreenNodeData, typing: &mut Typing<'_>) -> Option<CursorContext> {
     let cursor = typing.cursor;
     let mut at = 0;
     let mut block = None;
@@ -264,7 +264,7 @@ fn on_rung(line: &GreenNodeData, typing: &mut Typing<'_>) -> Option<Place> {
         typing.text[typing.word.clone()]
             .chars()
             .all(|c| c.is_alphabetic() || c == '_')
-            .then_some(Place::Wire)
+            .then_some(CursorContext::Wire)
     };
     let Some((kind, node, start, end)) = block else {
         return on_wire(typing);
@@ -311,7 +311,7 @@ fn on_rung(line: &GreenNodeData, typing: &mut Typing<'_>) -> Option<Place> {
             operand.shape = Some(shape);
             let head = typing.text[start..head_end].trim_matches([open, close, ' ', '\t']);
             operand.head.push_str(head);
-            Some(Place::Operand(operand))
+            Some(CursorContext::Operand(operand))
         }
         _ if !head_closed && gap_is_blank || cursor < head_end => {
             // All of the first part is one word, `/` too.
@@ -327,7 +327,7 @@ fn on_rung(line: &GreenNodeData, typing: &mut Typing<'_>) -> Option<Place> {
                 let last = start + 1 + inner.trim_end().len();
                 (start + 1 + first).min(cursor)..last.max(cursor)
             };
-            Some(Place::Head(Head {
+            Some(CursorContext::Head(Head {
                 shape,
                 closed: head_closed.then_some(head_end),
                 has_list: list.is_some(),

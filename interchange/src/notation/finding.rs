@@ -1,13 +1,13 @@
 //! What a system says about a program in its own notation: its design-rule checks.
 
-use super::Place;
+use super::LineColumn;
 use ladder_analysis::Severity;
 
 /// A finding in a foreign file.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Finding {
     /// Where.
-    pub place: Place,
+    pub place: LineColumn,
     /// How bad it is. With an error the program is read, but not run.
     pub severity: Severity,
     /// Which check found it: `textbook-precedence`.

@@ -1,7 +1,7 @@
 //! A program of another system, beside the ladder text that it becomes: what is found in that text is shown in the
 //! file that a person wrote.
 
-use super::{Converted, Entry, Lines, Notation, Outcome, Place, ReadError, Source, convert};
+use super::{Converted, Entry, LineColumn, Lines, Notation, Outcome, ReadError, Source, convert};
 use ladder_analysis::{Diagnostic, Severity};
 use ladder_syntax::{TextRange, TextSize};
 use std::collections::{HashMap, HashSet};
@@ -18,9 +18,9 @@ pub struct Foreign {
     lines: Lines,
     converted: Converted,
     /// How many bytes what stands at a place takes.
-    lengths: HashMap<Place, usize>,
+    lengths: HashMap<LineColumn, usize>,
     /// Where each name of the ladder text is used first.
-    uses: HashMap<String, Place>,
+    uses: HashMap<String, LineColumn>,
 }
 
 /// What there is to say about a foreign program before it is ladder text.
@@ -88,7 +88,7 @@ impl Foreign {
 
     /// Of a name in something that was made from nothing, such as the declaration of a tag that the other system does not
     /// declare: where that name is used first.
-    fn first_use(&self, of_ladder: TextRange) -> Option<Place> {
+    fn first_use(&self, of_ladder: TextRange) -> Option<LineColumn> {
         if self.converted.written.origin_around(of_ladder.start()).is_some() {
             return None;
         }
@@ -97,7 +97,7 @@ impl Foreign {
     }
 
     /// Where each name of the ladder text is used first.
-    fn used(&self) -> HashMap<String, Place> {
+    fn used(&self) -> HashMap<String, LineColumn> {
         let mut uses = HashMap::new();
         let is_name = |c: char| c.is_alphanumeric() || c == '_';
         for (range, origin) in &self.converted.written.places {
@@ -114,7 +114,7 @@ impl Foreign {
     }
 
     /// Line and column that a part of the ladder text was made from.
-    pub fn place(&self, of_ladder: TextRange) -> Place {
+    pub fn place(&self, of_ladder: TextRange) -> LineColumn {
         let start = usize::from(self.range(of_ladder).start());
         self.lines.place(&self.text, start)
     }
@@ -122,7 +122,7 @@ impl Foreign {
     /// What the other system itself complains about, and what has no counterpart here; in the order of the file.
     pub fn remarks(&self) -> Vec<Mark> {
         let found = &self.converted.findings;
-        let told: HashSet<Place> = found.iter().map(|found| found.place).collect();
+        let told: HashSet<LineColumn> = found.iter().map(|found| found.place).collect();
         let found = found.iter().map(|found| Mark {
             range: self.range_at(found.place),
             check: found.check,
@@ -200,12 +200,12 @@ impl Foreign {
         entries.filter(move |entry| self.begins_in(entry.place, stretch))
     }
 
-    fn begins_in(&self, place: Place, stretch: TextRange) -> bool {
+    fn begins_in(&self, place: LineColumn, stretch: TextRange) -> bool {
         let at = self.lines.offset(&self.text, place);
         stretch.contains(TextSize::new(at as u32))
     }
 
-    fn range_at(&self, place: Place) -> TextRange {
+    fn range_at(&self, place: LineColumn) -> TextRange {
         let word = self.lines.word(&self.text, place);
         let length = self.lengths.get(&place).copied();
         let length = length.map_or(word.len(), |length| TextSize::new(length as u32));
@@ -213,8 +213,8 @@ impl Foreign {
     }
 
     /// The lengths of the elements that stand in the file as the report has them.
-    fn measured(&self) -> HashMap<Place, usize> {
-        let mut lengths: HashMap<Place, usize> = HashMap::new();
+    fn measured(&self) -> HashMap<LineColumn, usize> {
+        let mut lengths: HashMap<LineColumn, usize> = HashMap::new();
         for entry in &self.converted.report.entries {
             let start = usize::from(self.range_at(entry.place).start());
             if !entry.element.is_empty() && self.text[start..].starts_with(&entry.element) {

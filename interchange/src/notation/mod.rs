@@ -31,8 +31,9 @@ pub use cplc_draft::offer_conversion;
 pub use finding::Finding;
 pub use foreign::{Foreign, Mark};
 pub use form::Form;
+pub use ladder_syntax::LineColumn;
 pub use names::Names;
-pub use place::{Lines, Place};
+pub use place::Lines;
 pub use remark::{Remark, remarks};
 pub use report::{Entry, Outcome, Report, Tally};
 pub use source::{Companion, Source};
@@ -105,7 +106,7 @@ pub struct Reading {
     /// The program, ready to be written.
     pub program: ProgramSketch,
     /// Where in the foreign file things are: the origins in the sketch are indices into this.
-    pub places: Vec<Place>,
+    pub places: Vec<LineColumn>,
     /// What became of each element.
     pub report: Report,
     /// What the other system itself would complain about.
@@ -114,7 +115,7 @@ pub struct Reading {
 
 impl Reading {
     /// Notes a place of the foreign file; what is made from it gets the number that comes back.
-    pub fn origin(&mut self, place: Place) -> u32 {
+    pub fn origin(&mut self, place: LineColumn) -> u32 {
         self.places.push(place);
         self.places.len() as u32 - 1
     }
@@ -135,11 +136,11 @@ pub struct Writing {
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct ReadError {
     /// Where it is wrong, if it is at one place.
-    pub place: Option<Place>,
+    pub place: Option<LineColumn>,
     /// What is wrong and what to do.
     pub message: String,
     /// What is wrong besides, at other places.
-    pub more: Vec<(Place, String)>,
+    pub more: Vec<(LineColumn, String)>,
 }
 
 /// No more than so many places are told in one sentence.
@@ -147,7 +148,7 @@ const MOST_TOLD: usize = 20;
 
 impl ReadError {
     /// Something is wrong at a place.
-    pub fn at(place: Place, message: impl Into<String>) -> ReadError {
+    pub fn at(place: LineColumn, message: impl Into<String>) -> ReadError {
         ReadError {
             place: Some(place),
             message: message.into(),
@@ -177,8 +178,8 @@ impl ReadError {
     }
 
     /// Everything that is wrong, each with its place.
-    pub fn all(&self) -> impl Iterator<Item = (Place, &str)> {
-        let first = (self.place.unwrap_or(Place::START), self.message.as_str());
+    pub fn all(&self) -> impl Iterator<Item = (LineColumn, &str)> {
+        let first = (self.place.unwrap_or(LineColumn::START), self.message.as_str());
         let more = self
             .more
             .iter()
@@ -255,7 +256,7 @@ pub struct Converted {
     /// The text, and the places in it that were made from something.
     pub written: WrittenProgram,
     /// Where in the foreign file that something is.
-    pub places: Vec<Place>,
+    pub places: Vec<LineColumn>,
     /// What became of each element.
     pub report: Report,
     /// What the other system itself would complain about.
@@ -265,11 +266,11 @@ pub struct Converted {
 impl Converted {
     /// The place of the foreign file that the text at an offset was made from; its beginning if it was made from
     /// nothing.
-    pub fn place_of(&self, offset: TextSize) -> Place {
+    pub fn place_of(&self, offset: TextSize) -> LineColumn {
         self.written
             .origin_at(offset)
             .and_then(|origin| self.places.get(origin as usize).copied())
-            .unwrap_or(Place::START)
+            .unwrap_or(LineColumn::START)
     }
 }
 

@@ -1,13 +1,13 @@
 //! What there is to say about a conversion, for a list of it.
 
-use super::{Finding, Outcome, Place, Report};
+use super::{Finding, LineColumn, Outcome, Report};
 use std::collections::HashSet;
 
 /// An element that did not become the same, or something that the other system itself would complain about.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Remark<'r> {
     /// Where.
-    pub place: Place,
+    pub place: LineColumn,
     /// `approximated`, `refused`, or the severity of what the other system says.
     pub outcome: &'static str,
     /// The element as it is written, or the name of the other system's check.
@@ -33,7 +33,7 @@ pub fn remarks<'r>(report: &'r Report, findings: &'r [Finding]) -> Vec<Remark<'r
     });
     let elements: Vec<Remark<'r>> = elements.collect();
     let refused = elements.iter().filter(|remark| remark.outcome == "refused");
-    let told: HashSet<Place> = refused.map(|remark| remark.place).collect();
+    let told: HashSet<LineColumn> = refused.map(|remark| remark.place).collect();
     let found = findings
         .iter()
         .filter(|found| !told.contains(&found.place))

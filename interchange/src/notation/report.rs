@@ -1,6 +1,6 @@
 //! What became of each element of a program on its way to another notation.
 
-use super::Place;
+use super::LineColumn;
 
 /// An account of a conversion.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
@@ -13,7 +13,7 @@ pub struct Report {
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Entry {
     /// Where it is in the source.
-    pub place: Place,
+    pub place: LineColumn,
     /// What it is, as the source writes it: `TON Ta 40000`.
     pub element: String,
     /// What became of it.
@@ -44,21 +44,21 @@ pub struct Tally {
 
 impl Report {
     /// An element that says the same.
-    pub fn translated(&mut self, place: Place, element: impl Into<String>) {
+    pub fn translated(&mut self, place: LineColumn, element: impl Into<String>) {
         self.push(place, element.into(), Outcome::Translated);
     }
 
     /// An element that says nearly the same.
-    pub fn approximated(&mut self, place: Place, element: impl Into<String>, why: impl Into<String>) {
+    pub fn approximated(&mut self, place: LineColumn, element: impl Into<String>, why: impl Into<String>) {
         self.push(place, element.into(), Outcome::Approximated(why.into()));
     }
 
     /// An element without a counterpart.
-    pub fn refused(&mut self, place: Place, element: impl Into<String>, why: impl Into<String>) {
+    pub fn refused(&mut self, place: LineColumn, element: impl Into<String>, why: impl Into<String>) {
         self.push(place, element.into(), Outcome::Refused(why.into()));
     }
 
-    fn push(&mut self, place: Place, element: String, outcome: Outcome) {
+    fn push(&mut self, place: LineColumn, element: String, outcome: Outcome) {
         self.entries.push(Entry {
             place,
             element,

@@ -1,6 +1,6 @@
 //! A file in some notation, with the files beside it that belong to it.
 
-use super::{Lines, Place, ReadError};
+use super::{LineColumn, Lines, ReadError};
 
 /// A larger file is not read.
 const MOST_BYTES: usize = 4 << 20;
@@ -66,7 +66,7 @@ impl<'s> Source<'s> {
 pub(super) fn text_of(bytes: &[u8]) -> Result<&str, ReadError> {
     std::str::from_utf8(bytes).map_err(|error| {
         let good = String::from_utf8_lossy(&bytes[..error.valid_up_to()]).into_owned();
-        let place: Place = Lines::of(&good).place(&good, good.len());
+        let place: LineColumn = Lines::of(&good).place(&good, good.len());
         ReadError::at(place, "the file is not text in UTF-8 from here on")
     })
 }

@@ -2,7 +2,7 @@
 
 use super::columns::Layout;
 use super::figure::{Drawn, Figure};
-use super::glyph::{self, Place};
+use super::glyph::{self, WireEnds};
 use super::grid::{Kind, Slot};
 use super::nodes::point_of;
 use super::paper::Paper;
@@ -198,7 +198,7 @@ impl Drawing<'_> {
                 paper,
                 rung,
                 slot,
-                Place { left, right, y },
+                WireEnds { left, right, y },
                 (arriving, own),
                 goes_on,
             );
@@ -221,11 +221,11 @@ impl Drawing<'_> {
         paper: &mut Paper,
         rung: usize,
         slot: &Slot,
-        place: Place,
+        place: WireEnds,
         flow: (Flow, Flow),
         goes_on: bool,
     ) {
-        let Place { left, right, y } = place;
+        let WireEnds { left, right, y } = place;
         let (arriving, own) = flow;
         let rows = |over: i32, under: i32| (y - over, y + under);
         match &self.figure.rungs[rung][slot.items.start].drawn {

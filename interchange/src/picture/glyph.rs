@@ -2,27 +2,27 @@
 
 use super::draw::Flow;
 use super::paper::Paper;
-use super::scene::{Anchor, Step};
+use super::scene::{Anchor, PathStep};
 use super::style::{HALF, LINE, Look, UNIT};
 use super::symbol::{Label, Mark, NAME, ROWS, Symbol, width};
 
 /// Where a symbol stands: its ends on the wire.
 #[derive(Clone, Copy)]
-pub(super) struct Place {
+pub(super) struct WireEnds {
     pub(super) left: i32,
     pub(super) right: i32,
     pub(super) y: i32,
 }
 
-impl Place {
+impl WireEnds {
     const fn middle(self) -> i32 {
         i32::midpoint(self.left, self.right)
     }
 }
 
 /// Draws a block: power `arriving` at its left, and `own` leaving it.
-pub(super) fn draw(paper: &mut Paper, symbol: &Symbol, place: Place, arriving: Flow, own: Flow) {
-    let Place { left, right, y } = place;
+pub(super) fn draw(paper: &mut Paper, symbol: &Symbol, place: WireEnds, arriving: Flow, own: Flow) {
+    let WireEnds { left, right, y } = place;
     let middle = place.middle();
     match symbol {
         Symbol::Contact { mark, over, under } => {
@@ -43,8 +43,8 @@ pub(super) fn draw(paper: &mut Paper, symbol: &Symbol, place: Place, arriving: F
             for (end, bow) in [(middle - half, -6), (middle + half, 6)] {
                 let (upper, lower) = (y - HALF, y + HALF);
                 let bowed = end + bow;
-                let bow = Step::Bow((bowed, y), (end, lower));
-                paper.path(Look::Line, [Step::Move((end, upper)), bow]);
+                let bow = PathStep::Bow((bowed, y), (end, lower));
+                paper.path(Look::Line, [PathStep::Move((end, upper)), bow]);
             }
             draw_mark(paper, mark, middle, y);
             draw_label(paper, over, middle, y - HALF - 5);
@@ -99,9 +99,9 @@ pub(super) fn draw(paper: &mut Paper, symbol: &Symbol, place: Place, arriving: F
                 let (upper, lower) = (y - 6, y + 6);
                 let tip = at + 7;
                 let steps = [
-                    Step::Move((at, upper)),
-                    Step::Line((tip, y)),
-                    Step::Line((at, lower)),
+                    PathStep::Move((at, upper)),
+                    PathStep::Line((tip, y)),
+                    PathStep::Line((at, lower)),
                 ];
                 paper.path(arriving.line(), steps);
             }
@@ -113,13 +113,13 @@ pub(super) fn draw(paper: &mut Paper, symbol: &Symbol, place: Place, arriving: F
             let (upper, lower) = (y - HALF - 2, y + HALF + 2);
             let (inner_left, inner_right) = (left + UNIT, right - UNIT);
             let steps = [
-                Step::Move((left, y)),
-                Step::Line((inner_left, upper)),
-                Step::Line((inner_right, upper)),
-                Step::Line((right, y)),
-                Step::Line((inner_right, lower)),
-                Step::Line((inner_left, lower)),
-                Step::Close,
+                PathStep::Move((left, y)),
+                PathStep::Line((inner_left, upper)),
+                PathStep::Line((inner_right, upper)),
+                PathStep::Line((right, y)),
+                PathStep::Line((inner_right, lower)),
+                PathStep::Line((inner_left, lower)),
+                PathStep::Close,
             ];
             paper.path(Look::Box, steps);
             paper.text(Look::Name, (middle, y + 4), Anchor::Middle, width(word), word);

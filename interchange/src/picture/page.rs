@@ -19,7 +19,7 @@ const WIDEST: u32 = 100;
 const LEAST: u32 = 40;
 
 /// One thing on the page.
-enum Part {
+enum PageItem {
     Comment(Vec<String>),
     Heading(String),
     /// The index of a network, and what it looks like.
@@ -41,7 +41,7 @@ pub(super) fn draw(context: &Context, options: &Options<'_>) -> Scene {
     let mut parts = parts(context, &words);
     // As in the text: one right rail for all networks but those that are wider than a page.
     let least_rails = parts.iter().filter_map(|part| match part {
-        Part::Network(_, drawn) => drawn.1.least_rail,
+        PageItem::Network(_, drawn) => drawn.1.least_rail,
         _ => None,
     });
     let rail = least_rails.filter(|&rail| rail <= WIDEST).max();
@@ -50,25 +50,25 @@ pub(super) fn draw(context: &Context, options: &Options<'_>) -> Scene {
     let mut y = MARGIN;
     let mut close = true;
     for part in &mut parts {
-        if !matches!(part, Part::Section(..)) {
-            if !close || matches!(part, Part::Comment(_)) {
+        if !matches!(part, PageItem::Section(..)) {
+            if !close || matches!(part, PageItem::Comment(_)) {
                 y += APART;
             }
-            close = matches!(part, Part::Comment(_) | Part::Heading(_));
+            close = matches!(part, PageItem::Comment(_) | PageItem::Heading(_));
         }
         let top = y;
         let kind = match part {
-            Part::Comment(lines) => {
+            PageItem::Comment(lines) => {
                 y = texts(&mut paper, Look::Comment, lines, y);
                 BlockKind::Comment(std::mem::take(lines))
             }
-            Part::Heading(heading) => {
+            PageItem::Heading(heading) => {
                 y += LINE + 4;
                 let at = (MARGIN, y - 4);
                 paper.text(Look::Name, at, Anchor::Start, width(heading), heading);
                 BlockKind::Heading
             }
-            Part::Network(index, drawn) => {
+            PageItem::Network(index, drawn) => {
                 y += 4;
                 let (figure, layout) = &mut **drawn;
                 let rail = layout.least_rail.map(|least| least.max(rail));
@@ -87,11 +87,11 @@ pub(super) fn draw(context: &Context, options: &Options<'_>) -> Scene {
                 y = drawing.draw(&mut paper, y);
                 network(context, *index)
             }
-            Part::Text(index, lines) => {
+            PageItem::Text(index, lines) => {
                 y = texts(&mut paper, Look::Text, lines, y);
                 network(context, *index)
             }
-            Part::Section(section, noted) => {
+            PageItem::Section(section, noted) => {
                 let (section, noted) = (*section, *noted);
                 BlockKind::Declarations { section, noted }
             }
@@ -116,9 +116,9 @@ fn texts(paper: &mut Paper, look: Look, lines: &[String], mut y: i32) -> i32 {
     y
 }
 
-fn parts(context: &Context, words: &Words<'_>) -> Vec<Part> {
+fn parts(context: &Context, words: &Words<'_>) -> Vec<PageItem> {
     let parse = &context.parse;
-    let mut parts: Vec<Part> = Vec::new();
+    let mut parts: Vec<PageItem> = Vec::new();
     // Comments on lines that follow each other are one text.
     let mut goes_on = false;
     for item in &parse.structure().items {
@@ -127,33 +127,33 @@ fn parts(context: &Context, words: &Words<'_>) -> Vec<Part> {
             Item::Network(index) if context.networks[index].broken => {
                 let range = context.networks[index].range;
                 let lines = words.text_of(range).lines().map(str::to_owned);
-                parts.push(Part::Text(index, lines.collect()));
+                parts.push(PageItem::Text(index, lines.collect()));
             }
             Item::Network(index) => {
                 let figure = figure(&context.networks[index], words);
                 let layout = layout(&figure);
-                parts.push(Part::Network(index, Box::new((figure, layout))));
+                parts.push(PageItem::Network(index, Box::new((figure, layout))));
             }
             Item::BlockHeader(block) => {
                 let name = context
                     .user_blocks
                     .get(block)
                     .map_or("", |block| block.name.as_str());
-                parts.push(Part::Heading(format!("FUNCTION_BLOCK {name}")));
+                parts.push(PageItem::Heading(format!("FUNCTION_BLOCK {name}")));
             }
-            Item::BlockEnd(_) => parts.push(Part::Heading("END_FUNCTION_BLOCK".to_owned())),
+            Item::BlockEnd(_) => parts.push(PageItem::Heading("END_FUNCTION_BLOCK".to_owned())),
             Item::Decoration(line) if parse.lines()[line].kind == LineKind::Comment => {
                 let lines = words.comments_of(line);
                 goes_on = true;
                 match parts.last_mut() {
-                    Some(Part::Comment(before)) if follows => before.extend(lines),
+                    Some(PageItem::Comment(before)) if follows => before.extend(lines),
                     _ if lines.is_empty() => {}
-                    _ => parts.push(Part::Comment(lines)),
+                    _ => parts.push(PageItem::Comment(lines)),
                 }
             }
             Item::Section(section) => {
-                let noted = follows && matches!(parts.last(), Some(Part::Comment(_)));
-                parts.push(Part::Section(section, noted));
+                let noted = follows && matches!(parts.last(), Some(PageItem::Comment(_)));
+                parts.push(PageItem::Section(section, noted));
             }
             Item::Decoration(_) | Item::Stray(_) => {}
         }

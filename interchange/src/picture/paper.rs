@@ -1,6 +1,6 @@
 //! The sheet that is drawn on: gathers shapes into a scene.
 
-use super::scene::{Anchor, At, Block, BlockKind, Element, Form, Placed, Role, Scene, Shape, Step};
+use super::scene::{Anchor, At, Block, BlockKind, Element, Form, PathStep, Placed, Role, Scene, Shape};
 use super::style::Look;
 
 /// A scene that is being drawn.
@@ -53,7 +53,7 @@ impl Paper {
         self.shape(Look::Rail, Role::Rail, Form::Line(from, to));
     }
 
-    pub(super) fn path(&mut self, look: Look, steps: impl Into<Vec<Step>>) {
+    pub(super) fn path(&mut self, look: Look, steps: impl Into<Vec<PathStep>>) {
         self.shape(look, Role::Symbol, Form::Path(steps.into()));
     }
 

@@ -115,7 +115,7 @@ pub enum Form {
     /// From one place to another.
     Line(At, At),
     /// Several lines in one go.
-    Path(Vec<Step>),
+    Path(Vec<PathStep>),
     /// A rectangle with slightly rounded corners.
     Rect {
         /// Its upper left corner.
@@ -142,7 +142,7 @@ pub enum Form {
 
 /// A step of a path.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Step {
+pub enum PathStep {
     /// Begins here.
     Move(At),
     /// A line to here.
@@ -198,9 +198,9 @@ impl Shape {
         match &self.form {
             Form::Line(from, to) => around(&mut [*from, *to].into_iter()),
             Form::Path(steps) => around(&mut steps.iter().flat_map(|step| match *step {
-                Step::Move(at) | Step::Line(at) => vec![at],
-                Step::Bow(by, at) => vec![by, at],
-                Step::Close => Vec::new(),
+                PathStep::Move(at) | PathStep::Line(at) => vec![at],
+                PathStep::Bow(by, at) => vec![by, at],
+                PathStep::Close => Vec::new(),
             })),
             Form::Rect { at, width, height } => around(&mut [*at, (at.0 + width, at.1 + height)].into_iter()),
             Form::Dot((x, y)) => {

@@ -1,8 +1,9 @@
 //! A scene as an SVG document.
 
-use super::scene::{Anchor, BlockKind, Form, Scene, Shape, Step};
+use super::scene::{Anchor, BlockKind, Form, PathStep, Scene, Shape};
 use super::style::{DOT, Look, Theme, sheet};
-use std::fmt::{Display, Write};
+use ladder_syntax::xml::Escaped;
+use std::fmt::Write;
 
 /// Writes the document. Text stays text; each network is a group with a name that a reader hears.
 pub fn svg(scene: &Scene, theme: Theme) -> String {
@@ -80,32 +81,11 @@ fn write(shape: &Shape, out: &mut String) {
     };
 }
 
-fn command(step: Step) -> String {
+fn command(step: PathStep) -> String {
     match step {
-        Step::Move((x, y)) => format!("M {x} {y}"),
-        Step::Line((x, y)) => format!("L {x} {y}"),
-        Step::Bow((by_x, by_y), (x, y)) => format!("Q {by_x} {by_y} {x} {y}"),
-        Step::Close => "Z".to_owned(),
-    }
-}
-
-/// A text as XML takes it. Characters that XML 1.0 cannot hold, and those that would steer a terminal, become U+FFFD.
-struct Escaped<'t>(&'t str);
-
-impl Display for Escaped<'_> {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        for c in self.0.chars() {
-            match c {
-                '&' => f.write_str("&amp;")?,
-                '<' => f.write_str("&lt;")?,
-                '>' => f.write_str("&gt;")?,
-                '\t' => f.write_char(' ')?,
-                '\0'..='\u{1f}' | '\u{7f}'..='\u{9f}' | '\u{fffe}' | '\u{ffff}' => {
-                    f.write_char('\u{fffd}')?;
-                }
-                _ => f.write_char(c)?,
-            }
-        }
-        Ok(())
+        PathStep::Move((x, y)) => format!("M {x} {y}"),
+        PathStep::Line((x, y)) => format!("L {x} {y}"),
+        PathStep::Bow((by_x, by_y), (x, y)) => format!("Q {by_x} {by_y} {x} {y}"),
+        PathStep::Close => "Z".to_owned(),
     }
 }

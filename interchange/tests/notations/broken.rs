@@ -2,7 +2,7 @@
 
 use crate::ldmicro::{corpus, files};
 use ladder_format::{Options, format_text};
-use ladder_interchange::notation::{NOTATIONS, Notation, Place, Source, convert};
+use ladder_interchange::notation::{LineColumn, NOTATIONS, Notation, Source, convert};
 use proptest::prelude::*;
 use proptest::sample::Index;
 use std::path::Path;
@@ -151,7 +151,8 @@ const DRAFT: &str = "// A mixer.\nIN  = { DI start, AI[4] level }\nOUT = { DO ru
 /// What must hold for any bytes, as far as one notation goes.
 fn holds(notation: &dyn Notation, bytes: &[u8]) {
     let lines = bytes.split(|byte| *byte == b'\n').count() as u32;
-    let lies_in = |place: Place| assert!((1..=lines + 1).contains(&place.line), "{place} of {lines} lines");
+    let lies_in =
+        |place: LineColumn| assert!((1..=lines + 1).contains(&place.line), "{place} of {lines} lines");
     let source = Source::alone("test", bytes);
     let options = Options::default();
     let converted = match convert(notation, &source, &options) {

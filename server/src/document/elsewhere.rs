@@ -239,7 +239,7 @@ impl Workspace for Elsewhere {
 #[cfg(test)]
 mod tests {
     use super::super::Kind;
-    use super::super::neighbours::{Neighbours, Place};
+    use super::super::neighbours::{Membership, Neighbours};
     use super::super::position::Encoding;
     use super::*;
 
@@ -251,7 +251,7 @@ mod tests {
         let open = |name: &str| {
             let path = folder.path().join(name);
             std::fs::write(&path, "+--[ ]( a )--( )( b )--+\n").unwrap();
-            let place = Some(Place::new(path.clone(), &neighbours));
+            let place = Some(Membership::new(path.clone(), &neighbours));
             let text = std::fs::read_to_string(&path).unwrap();
             documents.open_at(
                 &address::uri_of(&path),

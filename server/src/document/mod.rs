@@ -20,4 +20,4 @@ pub(crate) use beside::Beside;
 pub(crate) use kind::Kind;
 pub(crate) use revision::Revision;
 pub(crate) use seen::SettingsFile;
-pub(crate) use store::{Documents, Refused};
+pub(crate) use store::{ChangeRefused, Documents};

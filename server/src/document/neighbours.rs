@@ -488,7 +488,7 @@ fn name_in(root: &Path, path: &Path) -> Arc<str> {
 
 /// A document's place among the files of its workspace.
 #[derive(Debug, Clone)]
-pub(crate) struct Place {
+pub(crate) struct Membership {
     /// The file.
     pub(crate) path: PathBuf,
     /// The workspaces.
@@ -499,9 +499,9 @@ pub(crate) struct Place {
     read_at: Arc<OnceLock<u64>>,
 }
 
-impl Place {
-    pub(crate) fn new(path: PathBuf, neighbours: &Arc<Neighbours>) -> Place {
-        Place {
+impl Membership {
+    pub(crate) fn new(path: PathBuf, neighbours: &Arc<Neighbours>) -> Membership {
+        Membership {
             path,
             neighbours: Arc::clone(neighbours),
             told: Arc::default(),
@@ -517,8 +517,8 @@ impl Place {
     }
 
     /// The same file, with a text that nobody was told of.
-    pub(super) fn anew(&self) -> Place {
-        Place::new(self.path.clone(), &self.neighbours)
+    pub(super) fn anew(&self) -> Membership {
+        Membership::new(self.path.clone(), &self.neighbours)
     }
 
     /// Tells the others what the file says now. Gives, once, who sees something else than before.
@@ -543,7 +543,7 @@ mod tests {
         std::fs::write(folder.path().join("ladder.toml"), "").unwrap();
         let neighbours = Arc::<Neighbours>::default();
         let open = |name: &str, text: &str| {
-            let place = Place::new(folder.path().join(name), &neighbours);
+            let place = Membership::new(folder.path().join(name), &neighbours);
             Revision::on_disk(name, Encoding::Utf8, text, place)
         };
         let caller = open("caller.clad", "+--( )( z )--<CALL>( count )--+\n");

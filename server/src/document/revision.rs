@@ -13,7 +13,7 @@ use ladder_syntax::{MAX_OPEN_BYTES, MAX_OPEN_LINES, TextRange, TextSize};
 use ropey::Rope;
 
 use super::kind::Kind;
-use super::neighbours::{News, Place};
+use super::neighbours::{Membership, News};
 use super::position::{self, Encoding, Position, Range};
 use crate::language::{Analysis, Names};
 use crate::notation::Opened;
@@ -44,7 +44,7 @@ pub(crate) struct Revision {
     /// Where the text was changed last, in bytes; its beginning if it never was.
     edited: usize,
     /// Where the file lies, if it is one.
-    place: Option<Place>,
+    place: Option<Membership>,
     names: OnceLock<Names>,
     analysis: OnceLock<Analysis>,
     /// What the text becomes, if it is a program of another system.
@@ -63,7 +63,7 @@ impl Revision {
         opening: u64,
         encoding: Encoding,
         rope: Rope,
-        place: Option<Place>,
+        place: Option<Membership>,
     ) -> Self {
         static SERIAL: AtomicU64 = AtomicU64::new(0);
         Revision {
@@ -86,7 +86,7 @@ impl Revision {
 
     /// The document with another text, that was changed last at `edited`, or to be analysed anew.
     pub(super) fn followed_by(&self, version: i32, rope: Rope, edited: usize) -> Self {
-        let place = self.place.as_ref().map(Place::anew);
+        let place = self.place.as_ref().map(Membership::anew);
         Revision {
             edited,
             latest: Arc::clone(&self.latest),
@@ -103,7 +103,7 @@ impl Revision {
     }
 
     /// The text of a file that no editor shows, at version 0 of nothing.
-    pub(crate) fn on_disk(uri: &str, encoding: Encoding, text: &str, place: Place) -> Self {
+    pub(crate) fn on_disk(uri: &str, encoding: Encoding, text: &str, place: Membership) -> Self {
         let rope = Rope::from_str(text);
         Revision::new(Arc::from(uri), Kind::Program, 0, 0, encoding, rope, Some(place))
     }
@@ -198,7 +198,7 @@ impl Revision {
     }
 
     /// Where the file lies, if it is one.
-    pub(crate) fn place(&self) -> Option<&Place> {
+    pub(crate) fn place(&self) -> Option<&Membership> {
         self.place.as_ref()
     }
 

@@ -11,13 +11,13 @@ use ropey::Rope;
 
 use super::edit::{Change, apply};
 use super::kind::Kind;
-use super::neighbours::Place;
+use super::neighbours::Membership;
 use super::position::Encoding;
 use super::revision::Revision;
 
 /// Why a change was not applied.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub(crate) enum Refused {
+pub(crate) enum ChangeRefused {
     /// The editor never opened the document, or closed it.
     NotOpen,
     /// The change is not newer than the text it would change.
@@ -31,11 +31,11 @@ pub(crate) enum Refused {
     },
 }
 
-impl fmt::Display for Refused {
+impl fmt::Display for ChangeRefused {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Refused::NotOpen => write!(f, "the document is not open"),
-            Refused::OldVersion { open, sent, .. } => write!(
+            ChangeRefused::NotOpen => write!(f, "the document is not open"),
+            ChangeRefused::OldVersion { open, sent, .. } => write!(
                 f,
                 "version {sent} is not newer than version {open}, which is open; close the file and open it again"
             ),
@@ -80,7 +80,7 @@ impl Documents {
         version: i32,
         encoding: Encoding,
         text: &str,
-        place: Option<Place>,
+        place: Option<Membership>,
     ) -> Arc<Revision> {
         let mut open = self.lock();
         open.openings += 1;
@@ -111,12 +111,12 @@ impl Documents {
         uri: &str,
         version: i32,
         changes: &[Change],
-    ) -> Result<Arc<Revision>, Refused> {
+    ) -> Result<Arc<Revision>, ChangeRefused> {
         let mut open = self.lock();
-        let document = open.documents.get_mut(uri).ok_or(Refused::NotOpen)?;
+        let document = open.documents.get_mut(uri).ok_or(ChangeRefused::NotOpen)?;
         let old = &document.revision;
         if version <= old.version {
-            return Err(Refused::OldVersion {
+            return Err(ChangeRefused::OldVersion {
                 open: old.version,
                 sent: version,
                 again: std::mem::replace(&mut document.refused, true),
@@ -236,7 +236,7 @@ mod tests {
         documents.open(URI, 5, Encoding::Utf16, "x");
         assert_eq!(
             documents.change(URI, 5, &insert_front("a")).unwrap_err(),
-            Refused::OldVersion {
+            ChangeRefused::OldVersion {
                 open: 5,
                 sent: 5,
                 again: false
@@ -244,7 +244,7 @@ mod tests {
         );
         assert_eq!(
             documents.change(URI, 4, &insert_front("a")).unwrap_err(),
-            Refused::OldVersion {
+            ChangeRefused::OldVersion {
                 open: 5,
                 sent: 4,
                 again: true
@@ -265,11 +265,11 @@ mod tests {
     #[test]
     fn a_change_to_a_closed_document_is_refused() {
         let documents = Documents::default();
-        assert_eq!(documents.change(URI, 1, &[]).unwrap_err(), Refused::NotOpen);
+        assert_eq!(documents.change(URI, 1, &[]).unwrap_err(), ChangeRefused::NotOpen);
         documents.open(URI, 1, Encoding::Utf16, "");
         assert!(documents.close(URI));
         assert!(!documents.close(URI));
-        assert_eq!(documents.change(URI, 2, &[]).unwrap_err(), Refused::NotOpen);
+        assert_eq!(documents.change(URI, 2, &[]).unwrap_err(), ChangeRefused::NotOpen);
     }
 
     #[test]

@@ -123,7 +123,7 @@ pub struct OfSession {
 /// The argument of `ladder.simulate.step`.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "camelCase", deny_unknown_fields)]
-pub struct Step {
+pub struct StepBy {
     /// The session.
     pub session: String,
     /// How many scans; one unless given.

@@ -3,7 +3,9 @@
 use serde::de::DeserializeOwned;
 use serde_json::Value;
 
-use super::messages::{Assign, Breakpoints, OfSession, OfTag, Past, Run, Search, Show, Start, Step, Unforce};
+use super::messages::{
+    Assign, Breakpoints, OfSession, OfTag, Past, Run, Search, Show, Start, StepBy, Unforce,
+};
 
 /// What a client can ask for with `workspace/executeCommand`.
 pub(crate) const COMMANDS: [&str; 19] = [
@@ -41,10 +43,10 @@ pub(crate) enum Failure {
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) enum Request {
     Start(Start),
-    Step(Step),
+    Step(StepBy),
     StepBlock(OfSession),
     StepRung(OfSession),
-    Back(Step),
+    Back(StepBy),
     Breakpoints(Breakpoints),
     Why(OfTag),
     History(Past),

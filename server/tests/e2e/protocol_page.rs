@@ -183,7 +183,7 @@ async fn the_page_shows_every_command_whole() {
                 continue;
             }
             "breakpoints" => is_whole::<messages::Breakpoints>(argument),
-            "step" | "back" => is_whole::<messages::Step>(argument),
+            "step" | "back" => is_whole::<messages::StepBy>(argument),
             "run" => is_whole::<messages::Run>(argument),
             "show" => is_whole::<messages::Show>(argument),
             "set" | "force" => is_whole::<messages::Assign>(argument),

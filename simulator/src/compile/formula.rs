@@ -4,7 +4,7 @@ use super::Compiler;
 use super::place::Slot;
 use crate::code::Instr;
 use crate::memory::{Bit, Word};
-use crate::routine::{Routine, Step, type_operand};
+use crate::routine::{Operation, Routine, type_operand};
 use ladder_analysis::types::Scalar;
 use ladder_instructions::{Conversion, Division, Op, Remainder};
 
@@ -57,15 +57,15 @@ impl Compiler<'_> {
     pub(super) fn step_noted(&mut self, op: Op, ty: Scalar, a: Word, b: Word) -> Option<Word> {
         let slips = self.slips?;
         let step = match op {
-            Op::Add => Step::Add,
-            Op::Sub => Step::Subtract,
-            Op::Mul => Step::Multiply,
-            Op::Div => Step::Divide,
-            Op::Mod if self.law.remainder == Remainder::OfDivisor => Step::Modulo,
-            Op::Mod => Step::Remainder,
-            Op::Exp => Step::Power,
-            Op::Min => Step::Least,
-            _ => Step::Greatest,
+            Op::Add => Operation::Add,
+            Op::Sub => Operation::Subtract,
+            Op::Mul => Operation::Multiply,
+            Op::Div => Operation::Divide,
+            Op::Mod if self.law.remainder == Remainder::OfDivisor => Operation::Modulo,
+            Op::Mod => Operation::Remainder,
+            Op::Exp => Operation::Power,
+            Op::Min => Operation::Least,
+            _ => Operation::Greatest,
         };
         let to = self.layout.word();
         let operands = [

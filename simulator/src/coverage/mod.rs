@@ -18,7 +18,7 @@ use watch::Watch;
 
 /// What a part of a program is.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-pub enum PartKind {
+pub enum CoverageItemKind {
     /// A contact, or an edge.
     Contact,
     /// A comparison.
@@ -29,9 +29,9 @@ pub enum PartKind {
 
 /// A contact, comparison or coil, and how it was seen.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Part {
+pub struct CoverageItem {
     /// What it is.
-    pub kind: PartKind,
+    pub kind: CoverageItemKind,
     /// Where it stands.
     pub location: Location,
     /// It was seen closed; a coil with power.
@@ -43,7 +43,7 @@ pub struct Part {
     output: u32,
 }
 
-impl Part {
+impl CoverageItem {
     /// It was seen both ways.
     pub fn is_exercised(&self) -> bool {
         self.on && self.off
@@ -70,7 +70,7 @@ pub struct Coverage {
     /// All networks, in the order of the program.
     pub networks: Vec<NetworkScans>,
     /// All contacts, comparisons and coils, in the order of the program.
-    pub parts: Vec<Part>,
+    pub parts: Vec<CoverageItem>,
     watch: Watch,
     /// Networks that some scans may not reach.
     skippable: Vec<u32>,
@@ -94,7 +94,7 @@ impl Coverage {
             let Step::Block { block, en } = network.steps[element.step as usize] else {
                 return None;
             };
-            Some(Part {
+            Some(CoverageItem {
                 kind: kind(network.blocks[block].kind)?,
                 location: element.location,
                 on: false,
@@ -103,7 +103,7 @@ impl Coverage {
                 output: index as u32,
             })
         };
-        let mut parts: Vec<Part> = elements
+        let mut parts: Vec<CoverageItem> = elements
             .iter()
             .enumerate()
             .filter(|(_, element)| element.kind == ElementKind::Block)
@@ -169,8 +169,10 @@ impl Coverage {
                 return false;
             };
             let on = match part.kind {
-                PartKind::Coil => Some(input),
-                PartKind::Contact | PartKind::Comparison => power(part.output).filter(|_| input),
+                CoverageItemKind::Coil => Some(input),
+                CoverageItemKind::Contact | CoverageItemKind::Comparison => {
+                    power(part.output).filter(|_| input)
+                }
             };
             part.on |= on == Some(true);
             part.off |= on == Some(false);
@@ -200,16 +202,16 @@ impl Coverage {
     }
 }
 
-fn kind(block: BlockKind) -> Option<PartKind> {
+fn kind(block: BlockKind) -> Option<CoverageItemKind> {
     let BlockKind::Instruction(row) = block else {
         return None;
     };
     match (row.group, row.power) {
         // An inverter decides nothing.
         (Group::Condition, Power::Inverts) => None,
-        (Group::Condition, Power::Compares) => Some(PartKind::Comparison),
-        (Group::Condition, _) => Some(PartKind::Contact),
-        (Group::Coil, _) => Some(PartKind::Coil),
+        (Group::Condition, Power::Compares) => Some(CoverageItemKind::Comparison),
+        (Group::Condition, _) => Some(CoverageItemKind::Contact),
+        (Group::Coil, _) => Some(CoverageItemKind::Coil),
         _ => None,
     }
 }

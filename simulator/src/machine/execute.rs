@@ -13,7 +13,7 @@ use std::cmp::Ordering;
 
 /// What comes behind an instruction.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Step {
+pub(super) enum Onward {
     /// The next one.
     Next,
     /// A later one of the same block.
@@ -37,7 +37,7 @@ pub(super) fn execute<const FORCED: bool>(
     code: &Code,
     instr: &Instr,
     clock: Clock,
-) -> Result<Step, Trouble> {
+) -> Result<Onward, Trouble> {
     match *instr {
         Instr::Record { at } => look_up(memory, &code.records[at as usize], &mut rows[at as usize]),
         Instr::Records { start, count } => {
@@ -50,7 +50,7 @@ pub(super) fn execute<const FORCED: bool>(
             let power = memory.bit(en);
             memory.set_bit(out, power);
             if !power {
-                return Ok(Step::Skip(end));
+                return Ok(Onward::Skip(end));
             }
         }
         Instr::Jump { en, .. }
@@ -58,7 +58,7 @@ pub(super) fn execute<const FORCED: bool>(
         | Instr::Return { en, .. }
         | Instr::End { en, .. } => {
             if memory.bit(en) {
-                return Ok(Step::Flow);
+                return Ok(Onward::Flow);
             }
         }
         Instr::Network { .. }
@@ -70,7 +70,7 @@ pub(super) fn execute<const FORCED: bool>(
         | Instr::Enter { .. }
         | Instr::Again
         | Instr::EnterBody
-        | Instr::LeaveBody => return Ok(Step::Flow),
+        | Instr::LeaveBody => return Ok(Onward::Flow),
 
         Instr::Contact { out, en, tag } => {
             let power = memory.bit(en) & memory.bit(tag);
@@ -441,17 +441,17 @@ pub(super) fn execute<const FORCED: bool>(
 
         Instr::Routine { routine, operands } => {
             let operands = &code.operands[operands as usize..];
-            return Ok(Step::Work(routine::run::<FORCED>(
+            return Ok(Onward::Work(routine::run::<FORCED>(
                 routine, memory, operands, clock,
             )?));
         }
     }
-    Ok(Step::Next)
+    Ok(Onward::Next)
 }
 
 /// What going through a text counts for.
-fn length(memory: &Memory, text: TextSlot) -> Step {
-    Step::Work(work::blocks(memory.text(text).len()))
+fn length(memory: &Memory, text: TextSlot) -> Onward {
+    Onward::Work(work::blocks(memory.text(text).len()))
 }
 
 /// Looks up the result of a record and notes the row.

@@ -11,7 +11,7 @@ use crate::fault::Trouble;
 use crate::memory::{Bit, Memory};
 use crate::timers::Clock;
 use crate::work::{Brake, UNBRAKED};
-use execute::{Step, execute};
+use execute::{Onward, execute};
 use flow::{Flow, Frame};
 use ladder_instructions::Controller;
 use position::Position;
@@ -164,9 +164,9 @@ impl Machine {
                 passed = 0;
             }
             match execute::<PLAIN>(&mut self.memory, &mut self.rows, code, instr, clock) {
-                Ok(Step::Next) => pc += 1,
-                Ok(Step::Skip(to)) => pc = to as usize,
-                Ok(Step::Flow) => match self.flow(code, instr, pc, clock) {
+                Ok(Onward::Next) => pc += 1,
+                Ok(Onward::Skip(to)) => pc = to as usize,
+                Ok(Onward::Flow) => match self.flow(code, instr, pc, clock) {
                     Flow::Next => pc += 1,
                     Flow::Go(to) => {
                         // Straight-line code ends here: its blocks are paid for.
@@ -183,8 +183,8 @@ impl Machine {
                         return halt;
                     }
                 },
-                Ok(Step::Work(0)) => pc += 1,
-                Ok(Step::Work(blocks)) => {
+                Ok(Onward::Work(0)) => pc += 1,
+                Ok(Onward::Work(blocks)) => {
                     pc += 1;
                     self.position.pay(work_before(code, pc) - entered);
                     if let Err(trouble) = self.pay_for_elements(blocks) {

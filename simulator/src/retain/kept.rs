@@ -60,8 +60,8 @@ fn values(home: Home, memory: &Memory, now: i64) -> Vec<String> {
             let (bit_count, word_count) = state_size(state);
             let bits = (0..bit_count).map(|n| i64::from(memory.bits[bits.offset(n).0 as usize]));
             let words = (0..word_count).map(|n| match part(state, n) {
-                Part::Instant => memory.word(words.offset(n)).saturating_sub(now),
-                Part::Time | Part::Count => memory.word(words.offset(n)),
+                WordKind::Instant => memory.word(words.offset(n)).saturating_sub(now),
+                WordKind::Time | WordKind::Count => memory.word(words.offset(n)),
             });
             bits.chain(words).map(|number| number.to_string()).collect()
         }
@@ -70,18 +70,18 @@ fn values(home: Home, memory: &Memory, now: i64) -> Vec<String> {
 }
 
 /// What a word of a state is.
-enum Part {
+enum WordKind {
     /// A moment of the clock: kept as how long ago it was, for the clock begins anew.
     Instant,
     Time,
     Count,
 }
 
-fn part(state: StateType, word: u32) -> Part {
+fn part(state: StateType, word: u32) -> WordKind {
     match word {
-        timer::SINCE if state.is_timer() => Part::Instant,
-        _ if state.is_timer() => Part::Time,
-        _ => Part::Count,
+        timer::SINCE if state.is_timer() => WordKind::Instant,
+        _ if state.is_timer() => WordKind::Time,
+        _ => WordKind::Count,
     }
 }
 
@@ -172,8 +172,9 @@ fn put_state(
         };
         (0..=most).contains(&number)
     };
-    let is_count =
-        |(n, &number): (u32, &i64)| !matches!(part(state, n), Part::Count) || i32::try_from(number).is_ok();
+    let is_count = |(n, &number): (u32, &i64)| {
+        !matches!(part(state, n), WordKind::Count) || i32::try_from(number).is_ok()
+    };
     if !(0..).zip(bit_numbers).all(is_possible) || !(0..).zip(word_numbers).all(is_count) {
         return Err(format!("this is no state of {}", with_article(state.name())));
     }
@@ -182,7 +183,7 @@ fn put_state(
     }
     for (n, &number) in (0..).zip(word_numbers) {
         memory.words[words.offset(n).0 as usize] = match part(state, n) {
-            Part::Instant | Part::Time | Part::Count => number,
+            WordKind::Instant | WordKind::Time | WordKind::Count => number,
         };
     }
     Ok(())

@@ -9,7 +9,7 @@ use ladder_analysis::types::Scalar;
 
 /// An operation on two numbers.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Step {
+pub(crate) enum Operation {
     Add,
     Subtract,
     Multiply,
@@ -24,19 +24,19 @@ pub(crate) enum Step {
 }
 
 /// Operations as operands: their place in this list.
-const STEPS: [Step; 9] = [
-    Step::Add,
-    Step::Subtract,
-    Step::Multiply,
-    Step::Divide,
-    Step::Remainder,
-    Step::Modulo,
-    Step::Power,
-    Step::Least,
-    Step::Greatest,
+const STEPS: [Operation; 9] = [
+    Operation::Add,
+    Operation::Subtract,
+    Operation::Multiply,
+    Operation::Divide,
+    Operation::Remainder,
+    Operation::Modulo,
+    Operation::Power,
+    Operation::Least,
+    Operation::Greatest,
 ];
 
-impl Step {
+impl Operation {
     /// As an operand.
     pub(crate) const fn operand(self) -> u32 {
         self as u32
@@ -54,7 +54,7 @@ enum Slip {
 /// A step of a formula: to, operation, type, a, b, the bits that note a division by zero and a wrap.
 pub(super) fn step(memory: &mut Memory, with: &mut Operands) -> Result<(), Trouble> {
     let (to, step, ty) = (with.word(), with.number() as usize, with.ty());
-    let step = STEPS.get(step).copied().unwrap_or(Step::Add);
+    let step = STEPS.get(step).copied().unwrap_or(Operation::Add);
     let (a, b) = (with.word(), with.word());
     let result = if ty.is_real() {
         let single = ty == Scalar::Real;
@@ -77,19 +77,19 @@ pub(super) fn step(memory: &mut Memory, with: &mut Operands) -> Result<(), Troub
     Ok(())
 }
 
-fn integer(step: Step, width: Width, a: i64, b: i64) -> Result<i64, Slip> {
+fn integer(step: Operation, width: Width, a: i64, b: i64) -> Result<i64, Slip> {
     let (a, b) = (i128::from(a), i128::from(b));
     let value = match step {
-        Step::Add => a + b,
-        Step::Subtract => a - b,
-        Step::Multiply => a * b,
-        Step::Divide | Step::Remainder | Step::Modulo if b == 0 => return Err(Slip::Zero),
-        Step::Divide => a / b,
-        Step::Remainder => a % b,
-        Step::Modulo => (a % b + b) % b,
-        Step::Power => return power(width, a, b),
-        Step::Least => a.min(b),
-        Step::Greatest => a.max(b),
+        Operation::Add => a + b,
+        Operation::Subtract => a - b,
+        Operation::Multiply => a * b,
+        Operation::Divide | Operation::Remainder | Operation::Modulo if b == 0 => return Err(Slip::Zero),
+        Operation::Divide => a / b,
+        Operation::Remainder => a % b,
+        Operation::Modulo => (a % b + b) % b,
+        Operation::Power => return power(width, a, b),
+        Operation::Least => a.min(b),
+        Operation::Greatest => a.max(b),
     };
     held(width, value)
 }
@@ -131,15 +131,17 @@ fn power(width: Width, base: i128, exponent: i128) -> Result<i64, Slip> {
     }
 }
 
-fn real(step: Step, single: bool, a: f64, b: f64) -> Result<Result<f64, Slip>, Trouble> {
+fn real(step: Operation, single: bool, a: f64, b: f64) -> Result<Result<f64, Slip>, Trouble> {
     let value = match step {
-        Step::Add => a + b,
-        Step::Subtract => a - b,
-        Step::Multiply => a * b,
-        Step::Divide | Step::Remainder | Step::Modulo if b == 0.0 => return Ok(Err(Slip::Zero)),
-        Step::Divide => a / b,
-        Step::Remainder => libm::fmod(a, b),
-        Step::Modulo => {
+        Operation::Add => a + b,
+        Operation::Subtract => a - b,
+        Operation::Multiply => a * b,
+        Operation::Divide | Operation::Remainder | Operation::Modulo if b == 0.0 => {
+            return Ok(Err(Slip::Zero));
+        }
+        Operation::Divide => a / b,
+        Operation::Remainder => libm::fmod(a, b),
+        Operation::Modulo => {
             let rest = libm::fmod(a, b);
             if rest != 0.0 && (rest < 0.0) != (b < 0.0) {
                 rest + b
@@ -147,15 +149,15 @@ fn real(step: Step, single: bool, a: f64, b: f64) -> Result<Result<f64, Slip>, T
                 rest
             }
         }
-        Step::Power => {
+        Operation::Power => {
             let value = libm::pow(a, b);
             if value.is_nan() {
                 return Err(Trouble::Domain(a));
             }
             value
         }
-        Step::Least => a.min(b),
-        Step::Greatest => a.max(b),
+        Operation::Least => a.min(b),
+        Operation::Greatest => a.max(b),
     };
     let value = if single { f64::from(value as f32) } else { value };
     Ok(value.is_finite().then_some(value).ok_or(Slip::Range(0)))

@@ -31,7 +31,7 @@ pub(super) fn send(memory: &mut Memory, with: &mut Operands, clock: Clock) {
 
 /// What is sent in a step of a text.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum Part {
+enum SentByte {
     Byte(u8),
     /// A minus or a blank.
     Sign,
@@ -58,14 +58,14 @@ pub(super) fn send_text(memory: &mut Memory, with: &mut Operands, clock: Clock) 
     let (part, more) = part(memory.text(text), has_number, step);
     if let Some(part) = part.filter(|_| is_free(memory, free, clock)) {
         let byte = match part {
-            Part::Byte(byte) => byte,
-            Part::Sign => {
+            SentByte::Byte(byte) => byte,
+            SentByte::Sign => {
                 let value = memory.word(number) as i16;
                 memory.words[rest.0 as usize] = i64::from(value.wrapping_abs());
                 memory.set_bit(blank, true);
                 if value < 0 { b'-' } else { b' ' }
             }
-            Part::Digit { power, first } => {
+            SentByte::Digit { power, first } => {
                 if first {
                     memory.words[rest.0 as usize] = memory.word(number);
                     memory.set_bit(blank, true);
@@ -95,7 +95,7 @@ pub(super) fn send_text(memory: &mut Memory, with: &mut Operands, clock: Clock) 
 
 /// The part of a text that a step sends, and whether others follow. `\\3` is a number of three digits, `\\-3` one with
 /// its sign, `\\\\` a backslash.
-fn part(text: &[u8], has_number: bool, step: i64) -> (Option<Part>, bool) {
+fn part(text: &[u8], has_number: bool, step: i64) -> (Option<SentByte>, bool) {
     let mut at = 0;
     let mut steps: i64 = 0;
     let mut found = None;
@@ -110,9 +110,9 @@ fn part(text: &[u8], has_number: bool, step: i64) -> (Option<Part>, bool) {
         if (steps..steps + count).contains(&step) {
             let within = step - steps - i64::from(signed);
             found = Some(match (digits, within) {
-                (0, _) => Part::Byte(text[at]),
-                (_, ..0) => Part::Sign,
-                (_, n) => Part::Digit {
+                (0, _) => SentByte::Byte(text[at]),
+                (_, ..0) => SentByte::Sign,
+                (_, n) => SentByte::Digit {
                     power: digits - 1 - n as u32,
                     first: n == 0 && !signed,
                 },

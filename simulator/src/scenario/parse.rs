@@ -5,6 +5,7 @@ use super::{Mistake, Tolerance};
 use crate::value_text;
 use ladder_analysis::types::Scalar;
 use ladder_analysis::value::Value;
+use ladder_syntax::numeral::counted;
 use ladder_syntax::{TextRange, TextSize};
 use std::collections::HashMap;
 
@@ -373,7 +374,7 @@ impl Reader {
         let message = format!(
             "`{}` has {}, but `{}` has {wanted}",
             row.name,
-            steps(there),
+            counted(there, "step"),
             first.name
         );
         self.mistake(
@@ -438,9 +439,4 @@ fn push_cells(cells: &mut Vec<(Cell, TextRange)>, word: Word) {
         };
         cells.push((cell, range(word.start + at, word.start + at + 1)));
     }
-}
-
-/// `1 step`, `9 steps`
-fn steps(count: usize) -> String {
-    format!("{count} step{}", if count == 1 { "" } else { "s" })
 }

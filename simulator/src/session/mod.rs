@@ -19,7 +19,7 @@ use crate::compile::CompileError;
 use crate::fault::Fault;
 use crate::machine::FaultRecord;
 use crate::retain::Kept;
-use crate::simulation::{Options, Refused, Simulation, Status};
+use crate::simulation::{Options, Simulation, Status, ValueRefused};
 use crate::tags::Point;
 use crate::work::Brake;
 pub use breakpoints::{Breakpoint, Hit};
@@ -114,7 +114,7 @@ impl Session {
     ///
     /// # Errors
     /// The point is read-only, or the value does not fit its type.
-    pub fn set(&mut self, point: &Point, value: Value) -> Result<(), Refused> {
+    pub fn set(&mut self, point: &Point, value: Value) -> Result<(), ValueRefused> {
         if self.simulation.is_open() {
             return self.simulation.set(point, value);
         }
@@ -131,7 +131,7 @@ impl Session {
     ///
     /// # Errors
     /// The point is read-only, or the value does not fit its type.
-    pub fn force(&mut self, point: &Point, value: Value) -> Result<(), Refused> {
+    pub fn force(&mut self, point: &Point, value: Value) -> Result<(), ValueRefused> {
         self.simulation.force(point, value)?;
         if !self.simulation.is_open() {
             self.change();

@@ -14,7 +14,7 @@ impl Simulation {
     ///
     /// # Errors
     /// The point is read-only, or the value does not fit its type.
-    pub fn set(&mut self, point: &Point, value: Value) -> Result<(), Refused> {
+    pub fn set(&mut self, point: &Point, value: Value) -> Result<(), ValueRefused> {
         check(point, &value)?;
         if self.open {
             self.pending.push(Change::Set(point.clone(), value));
@@ -51,7 +51,7 @@ impl Simulation {
     ///
     /// # Errors
     /// The point is read-only, or the value does not fit its type.
-    pub fn force(&mut self, point: &Point, value: Value) -> Result<(), Refused> {
+    pub fn force(&mut self, point: &Point, value: Value) -> Result<(), ValueRefused> {
         check(point, &value)?;
         if self.open {
             self.pending.push(Change::Force(point.clone(), value));
@@ -186,9 +186,9 @@ impl Simulation {
 }
 
 /// Whether a point takes a value from outside.
-fn check(point: &Point, value: &Value) -> Result<(), Refused> {
+fn check(point: &Point, value: &Value) -> Result<(), ValueRefused> {
     if point.read_only {
-        return Err(Refused {
+        return Err(ValueRefused {
             message: format!("{} is read-only: it cannot be given a value", point.name),
         });
     }
@@ -205,7 +205,7 @@ fn check(point: &Point, value: &Value) -> Result<(), Refused> {
     if fits {
         return Ok(());
     }
-    Err(Refused {
+    Err(ValueRefused {
         message: format!(
             "{} is {} and cannot hold this value",
             point.name,
@@ -216,15 +216,15 @@ fn check(point: &Point, value: &Value) -> Result<(), Refused> {
 
 /// Why a tag did not take a value.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Refused {
+pub struct ValueRefused {
     /// What is wrong and what to do.
     pub message: String,
 }
 
-impl std::fmt::Display for Refused {
+impl std::fmt::Display for ValueRefused {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         f.write_str(&self.message)
     }
 }
 
-impl std::error::Error for Refused {}
+impl std::error::Error for ValueRefused {}

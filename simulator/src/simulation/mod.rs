@@ -17,7 +17,7 @@ use ladder_analysis::value::Value;
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
-pub use forces::Refused;
+pub use forces::ValueRefused;
 pub(crate) use power::PowerSource;
 pub use scan::Stepped;
 pub use state::State;

@@ -5,7 +5,7 @@
 
 use ladder_analysis::{Severity, analyze};
 use ladder_format::{Options, format_text};
-use ladder_interchange::notation::{self, Converted, NOTATIONS, Notation, Place, Source};
+use ladder_interchange::notation::{self, Converted, LineColumn, NOTATIONS, Notation, Source};
 use ladder_syntax::parse;
 use std::ops::Range;
 use std::sync::Arc;
@@ -85,7 +85,7 @@ fn back(notation: &dyn Notation, converted: &Converted) {
 }
 
 /// A place is one of the lines, or the one behind the last.
-fn lies_in(data: &[u8], place: Place) {
+fn lies_in(data: &[u8], place: LineColumn) {
     let lines = data.split(|byte| *byte == b'\n').count();
     assert!(
         (1..=lines as u32 + 1).contains(&place.line) && place.column >= 1,

@@ -5,7 +5,7 @@
 use expect_test::expect_file;
 use ladder_tests::project::{files, read, root};
 use ladder_tests::settings_reference::{extension_settings, schema, tables};
-use ladder_workspace::table::{Kind, Place, SECTIONS};
+use ladder_workspace::table::{Kind, SECTIONS, SetBy};
 use ladder_workspace::{EditorSettings, Settings, Tree};
 use serde_json::Value;
 use std::path::Path;
@@ -61,7 +61,7 @@ fn the_defaults_are_those_of_the_code() {
         .simulate
         .options(&ladder_analysis::program::Program::default());
     for section in SECTIONS {
-        for setting in section.settings.iter().filter(|it| it.place != Place::Extension) {
+        for setting in section.settings.iter().filter(|it| it.place != SetBy::Extension) {
             let found = match (section.name, setting.key) {
                 ("format", "width") => Some(nothing.format.width.to_string()),
                 ("format", "spacing") => Some(nothing.format.spacing.to_string()),
@@ -88,7 +88,7 @@ fn every_setting_is_read() {
                 assert_eq!(mistakes(setting.example), [], "{}", text(setting.example));
                 assert_eq!(mistakes("1979-05-27").len(), 1, "{}", text("1979-05-27"));
             }
-            if matches!(setting.place, Place::FileOrEditor | Place::Editor) {
+            if matches!(setting.place, SetBy::FileOrEditor | SetBy::Editor) {
                 let mistakes = |value: Tree| {
                     let section = (
                         section.name.to_owned(),

@@ -110,7 +110,7 @@ pub(crate) fn stays_inside(folder: &Path, file: &Path) -> bool {
             return false;
         };
         let parent = file.parent().unwrap_or(Path::new(""));
-        resolve::inside(root, parent, vec![name::Part::Name(name.to_owned())]).is_ok()
+        resolve::inside(root, parent, vec![name::PathComponent::Name(name.to_owned())]).is_ok()
     };
     within(folder) || Root::of(file).is_ok_and(|root| within(root.folder()))
 }

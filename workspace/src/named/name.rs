@@ -5,7 +5,7 @@ use std::ffi::OsString;
 
 /// A part of a path.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub(super) enum Part {
+pub(super) enum PathComponent {
     /// A file or folder.
     Name(OsString),
     /// The folder above.
@@ -14,7 +14,7 @@ pub(super) enum Part {
 
 /// The parts of a relative path. A path that is relative here but not on another system is refused everywhere: a
 /// workspace is the same on each machine.
-pub(super) fn parts(name: &str) -> Result<Vec<Part>, Problem> {
+pub(super) fn parts(name: &str) -> Result<Vec<PathComponent>, Problem> {
     let drive =
         name.as_bytes().first().is_some_and(u8::is_ascii_alphabetic) && name.as_bytes().get(1) == Some(&b':');
     if name.starts_with(['/', '\\']) || drive {
@@ -25,12 +25,12 @@ pub(super) fn parts(name: &str) -> Result<Vec<Part>, Problem> {
     for part in name.split(separators) {
         match part {
             "" | "." => {}
-            ".." => parts.push(Part::Up),
+            ".." => parts.push(PathComponent::Up),
             part if is_device_of_windows(part) && cfg!(windows) => return Err(Problem::NotRelative),
             part if part.contains('\0') => return Err(Problem::Missing),
             // Git's own files are not the workspace's to name.
             part if part.eq_ignore_ascii_case(".git") => return Err(Problem::Outside),
-            part => parts.push(Part::Name(part.into())),
+            part => parts.push(PathComponent::Name(part.into())),
         }
     }
     if parts.is_empty() {
@@ -40,10 +40,10 @@ pub(super) fn parts(name: &str) -> Result<Vec<Part>, Problem> {
 }
 
 /// Whether the parts lead above the folder that they are seen from.
-pub(super) fn climbs_out(parts: &[Part]) -> bool {
+pub(super) fn climbs_out(parts: &[PathComponent]) -> bool {
     let mut depth = 0_i64;
     parts.iter().any(|part| {
-        depth += if *part == Part::Up { -1 } else { 1 };
+        depth += if *part == PathComponent::Up { -1 } else { 1 };
         depth < 0
     })
 }

@@ -1,6 +1,6 @@
 //! Following a name, link by link, without touching what lies outside.
 
-use super::name::Part;
+use super::name::PathComponent;
 use crate::Problem;
 use std::collections::VecDeque;
 use std::ffi::OsString;
@@ -12,18 +12,18 @@ const LINKS: usize = 40;
 
 /// Where the parts of a name lead, seen from a folder of the workspace. No link is left in the path below `root`, and the
 /// last part need not be there.
-pub(super) fn inside(root: &Path, folder: &Path, parts: Vec<Part>) -> Result<PathBuf, Problem> {
+pub(super) fn inside(root: &Path, folder: &Path, parts: Vec<PathComponent>) -> Result<PathBuf, Problem> {
     let root = &whole(root)?;
     let folder = whole(folder)?;
-    let mut pending: VecDeque<Part> = below(root, &folder).ok_or(Problem::Outside)?.into();
+    let mut pending: VecDeque<PathComponent> = below(root, &folder).ok_or(Problem::Outside)?.into();
     pending.extend(parts);
     let mut here: Vec<OsString> = Vec::new();
     let mut links = 0;
     while let Some(part) = pending.pop_front() {
         let name = match part {
-            Part::Up if here.pop().is_none() => return Err(Problem::Outside),
-            Part::Up => continue,
-            Part::Name(name) => name,
+            PathComponent::Up if here.pop().is_none() => return Err(Problem::Outside),
+            PathComponent::Up => continue,
+            PathComponent::Name(name) => name,
         };
         let mut at = root.clone();
         at.extend(&here);
@@ -78,22 +78,22 @@ fn whole(path: &Path) -> Result<PathBuf, Problem> {
 
 /// A link that names its target from the top of the disk: inside if it begins with the workspace's folder, by any of its
 /// names.
-fn absolute_link(root: &Path, target: &Path) -> Option<Vec<Part>> {
+fn absolute_link(root: &Path, target: &Path) -> Option<Vec<PathComponent>> {
     below(root, target).or_else(|| below(&root.canonicalize().ok()?, target))
 }
 
 /// The way from a folder down to a path below it.
-fn below(folder: &Path, path: &Path) -> Option<Vec<Part>> {
+fn below(folder: &Path, path: &Path) -> Option<Vec<PathComponent>> {
     parts_of(path.strip_prefix(folder).ok()?)
 }
 
-fn parts_of(path: &Path) -> Option<Vec<Part>> {
+fn parts_of(path: &Path) -> Option<Vec<PathComponent>> {
     let mut parts = Vec::new();
     for component in path.components() {
         match component {
             Component::CurDir => {}
-            Component::ParentDir => parts.push(Part::Up),
-            Component::Normal(name) => parts.push(Part::Name(name.to_owned())),
+            Component::ParentDir => parts.push(PathComponent::Up),
+            Component::Normal(name) => parts.push(PathComponent::Name(name.to_owned())),
             Component::Prefix(_) | Component::RootDir => return None,
         }
     }

@@ -7,7 +7,7 @@
 use super::Settings;
 use super::given::{self, Paths, Tree};
 use super::reader::{Reader, Source};
-use super::table::{CODE_LENS, INLAY_HINTS, Place, SECTIONS};
+use super::table::{CODE_LENS, INLAY_HINTS, SECTIONS, SetBy};
 use std::path::Path;
 
 /// An editor's settings.
@@ -60,7 +60,7 @@ impl EditorSettings {
                     }
                 }
                 // An extension reads these itself, and they come along.
-                _ if section.settings.iter().all(|it| it.place == Place::Extension) => {
+                _ if section.settings.iter().all(|it| it.place == SetBy::Extension) => {
                     top.take(section.name);
                 }
                 _ => {}

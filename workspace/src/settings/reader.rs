@@ -1,7 +1,7 @@
 //! Tables, keys and values with their places; what is wrong with them is collected.
 
 use super::given::{Entry, Given, Value};
-use super::table::{Kind, Place, Section, Setting, keys, sections};
+use super::table::{Kind, Section, SetBy, Setting, keys, sections};
 use ladder_analysis::types::Scalar;
 use ladder_analysis::value;
 use ladder_simulator::value_text;
@@ -23,7 +23,7 @@ pub(super) enum Source {
 }
 
 impl Source {
-    fn allows(self, place: Place) -> bool {
+    fn allows(self, place: SetBy) -> bool {
         match self {
             Source::File => place.is_in_file(),
             Source::Editor => place.is_in_editor(),

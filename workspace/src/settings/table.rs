@@ -23,7 +23,7 @@ pub struct Setting {
     /// What it takes.
     pub kind: Kind,
     /// Who may set it.
-    pub place: Place,
+    pub place: SetBy,
     /// What holds where nobody sets it, as it would be written in `ladder.toml`; none if nothing does.
     pub default: Option<&'static str>,
     /// A value to show, as it would be written in `ladder.toml`.
@@ -60,7 +60,7 @@ pub enum Kind {
 
 /// Who may set a setting.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Place {
+pub enum SetBy {
     /// The project: only `ladder.toml`.
     File,
     /// The project. What an editor says holds for programs that no `ladder.toml` stands above.
@@ -71,15 +71,15 @@ pub enum Place {
     Extension,
 }
 
-impl Place {
+impl SetBy {
     /// Whether `ladder.toml` may have it.
     pub fn is_in_file(self) -> bool {
-        matches!(self, Place::File | Place::FileOrEditor)
+        matches!(self, SetBy::File | SetBy::FileOrEditor)
     }
 
     /// Whether an editor may have it.
     pub fn is_in_editor(self) -> bool {
-        self != Place::File
+        self != SetBy::File
     }
 }
 
@@ -95,7 +95,7 @@ pub(super) const WIDTH: Setting = Setting {
         least: 40,
         most: 10_000,
     },
-    place: Place::FileOrEditor,
+    place: SetBy::FileOrEditor,
     default: Some("100"),
     example: "120",
     about: "A network up to so many columns shares the file's right rail; a wider one keeps its own.",
@@ -104,7 +104,7 @@ pub(super) const WIDTH: Setting = Setting {
 pub(super) const SPACING: Setting = Setting {
     key: "spacing",
     kind: Kind::Whole { least: 1, most: 40 },
-    place: Place::FileOrEditor,
+    place: SetBy::FileOrEditor,
     default: Some("2"),
     example: "2",
     about: "The least number of columns between neighbours.",
@@ -113,7 +113,7 @@ pub(super) const SPACING: Setting = Setting {
 pub(super) const OVERRIDES: Setting = Setting {
     key: "overrides",
     kind: Kind::Overrides,
-    place: Place::File,
+    place: SetBy::File,
     default: None,
     example: "[{ files = [\"old/**\"], double-coil = \"off\" }]",
     about: "Rules that count differently in some files. The last one that covers a file wins.",
@@ -122,7 +122,7 @@ pub(super) const OVERRIDES: Setting = Setting {
 pub(super) const INTERVAL: Setting = Setting {
     key: "interval",
     kind: Kind::Duration,
-    place: Place::FileOrEditor,
+    place: SetBy::FileOrEditor,
     default: Some("\"10ms\""),
     example: "\"20ms\"",
     about: "The time from one scan to the next.",
@@ -131,7 +131,7 @@ pub(super) const INTERVAL: Setting = Setting {
 pub(super) const WATCHDOG: Setting = Setting {
     key: "watchdog",
     kind: Kind::Whole { least: 1, most: ANY },
-    place: Place::FileOrEditor,
+    place: SetBy::FileOrEditor,
     default: Some("1000000"),
     example: "1000000",
     about: "How many blocks a scan may evaluate; 100 elements or characters that a block goes through count as one more. A scan that needs more is stopped with a fault.",
@@ -140,7 +140,7 @@ pub(super) const WATCHDOG: Setting = Setting {
 pub(super) const HISTORY: Setting = Setting {
     key: "history",
     kind: Kind::Whole { least: 0, most: ANY },
-    place: Place::FileOrEditor,
+    place: SetBy::FileOrEditor,
     default: None,
     example: "1000",
     about: "How many scans can be stepped back. Without it as many as fit into 64 MiB.",
@@ -149,7 +149,7 @@ pub(super) const HISTORY: Setting = Setting {
 pub(super) const RETAIN: Setting = Setting {
     key: "retain",
     kind: Kind::File,
-    place: Place::File,
+    place: SetBy::File,
     default: None,
     example: "\"plant.retain\"",
     about: "Where retentive tags are kept over a restart, for the editors' simulations and the interactive screen.",
@@ -158,7 +158,7 @@ pub(super) const RETAIN: Setting = Setting {
 pub(super) const INCLUDE: Setting = Setting {
     key: "include",
     kind: Kind::Patterns,
-    place: Place::File,
+    place: SetBy::File,
     default: None,
     example: "[\"lines/**\"]",
     about: "Only what matches one of these patterns belongs to the workspace. Without it every program does.",
@@ -167,7 +167,7 @@ pub(super) const INCLUDE: Setting = Setting {
 pub(super) const EXCLUDE: Setting = Setting {
     key: "exclude",
     kind: Kind::Patterns,
-    place: Place::File,
+    place: SetBy::File,
     default: None,
     example: "[\"old/\"]",
     about: "But not what matches one of these.",
@@ -176,7 +176,7 @@ pub(super) const EXCLUDE: Setting = Setting {
 pub(super) const INLAY_HINTS: Setting = Setting {
     key: "enable",
     kind: Kind::Switch,
-    place: Place::Editor,
+    place: SetBy::Editor,
     default: Some("false"),
     example: "true",
     about: "Hints at the ends of lines. They never stand within a drawing, whose columns they would shift.",
@@ -185,7 +185,7 @@ pub(super) const INLAY_HINTS: Setting = Setting {
 pub(super) const CODE_LENS: Setting = Setting {
     key: "enable",
     kind: Kind::Switch,
-    place: Place::Editor,
+    place: SetBy::Editor,
     default: Some("true"),
     example: "false",
     about: "Lines of commands above networks.",
@@ -241,7 +241,7 @@ pub const SECTIONS: &[Section] = &[
         settings: &[Setting {
             key: "path",
             kind: Kind::Text,
-            place: Place::Extension,
+            place: SetBy::Extension,
             default: Some("\"\""),
             example: "\"/opt/ladder/bin/ladder\"",
             about: "The program `ladder` that serves the language. Empty: the one that came with the extension, else the one on the `PATH`.",
@@ -253,7 +253,7 @@ pub const SECTIONS: &[Section] = &[
         settings: &[Setting {
             key: "server",
             kind: Kind::Choice(&["messages", "verbose"]),
-            place: Place::Extension,
+            place: SetBy::Extension,
             default: Some("\"messages\""),
             example: "\"verbose\"",
             about: "How much of the talk with the language server goes into the log: the names of the messages, or all of them. It is logged only while the log's level is *Trace* (command *Developer: Set Log Level*).",
@@ -262,13 +262,13 @@ pub const SECTIONS: &[Section] = &[
 ];
 
 /// The names of the settings in a section, for whoever may set them.
-pub(super) fn keys(section: &Section, allowed: impl Fn(Place) -> bool) -> Vec<&'static str> {
+pub(super) fn keys(section: &Section, allowed: impl Fn(SetBy) -> bool) -> Vec<&'static str> {
     let settings = section.settings.iter().filter(|setting| allowed(setting.place));
     settings.map(|setting| setting.key).collect()
 }
 
 /// The names of the sections, for whoever may set something in them.
-pub(super) fn sections(allowed: impl Fn(Place) -> bool) -> Vec<&'static str> {
+pub(super) fn sections(allowed: impl Fn(SetBy) -> bool) -> Vec<&'static str> {
     // The rules are not in the table; they may be set everywhere.
     let open = |section: &&Section| section.name == LINT.name || !keys(section, &allowed).is_empty();
     SECTIONS.iter().filter(open).map(|section| section.name).collect()

@@ -1,6 +1,7 @@
 //! How much was found.
 
 use ladder_analysis::{Diagnostic, Fix, Rule, Severity};
+use ladder_syntax::numeral::counted;
 use std::collections::BTreeMap;
 use std::fmt;
 
@@ -84,7 +85,6 @@ impl Tally {
 impl fmt::Display for Tally {
     /// `Checked 5 files: 2 errors, 1 warning.`
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let counted = |count: usize, one: &str| format!("{count} {one}{}", if count == 1 { "" } else { "s" });
         let found: Vec<String> = [
             (self.errors, "error"),
             (self.warnings, "warning"),

@@ -6,6 +6,7 @@
 use super::{Arguments, Format, Round, check_files};
 use crate::outcome::{Failure, Outcome};
 use crate::terminal;
+use ladder_syntax::numeral::counted;
 use ladder_workspace::{Files, Root, Stamp};
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::PathBuf;
@@ -39,9 +40,8 @@ pub(super) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
             return Ok(outcome);
         }
         terminal::note(&format_args!(
-            "watching {} program{}; Ctrl-C ends this",
-            seen.programs,
-            if seen.programs == 1 { "" } else { "s" }
+            "watching {}; Ctrl-C ends this",
+            counted(seen.programs, "program")
         ));
         seen = seen.next(&arguments.paths);
     }

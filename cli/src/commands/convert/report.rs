@@ -85,7 +85,7 @@ impl Account {
     fn push(
         &mut self,
         side: Side,
-        place: notation::Place,
+        place: notation::LineColumn,
         outcome: &'static str,
         element: String,
         reason: Option<String>,

@@ -14,15 +14,15 @@ pub(super) fn print(markdown: &str, look: &Look, out: &mut impl Write) -> io::Re
     } = look;
     for part in parts(markdown) {
         match part {
-            Part::Blank => writeln!(out)?,
-            Part::Heading(title) => writeln!(out, "{heading}{title}{heading:#}")?,
-            Part::Text { marker, text } => {
+            Piece::Blank => writeln!(out)?,
+            Piece::Heading(title) => writeln!(out, "{heading}{title}{heading:#}")?,
+            Piece::Text { marker, text } => {
                 let rest = " ".repeat(width(&marker));
                 out.write_all(wrap(&text, &marker, &rest, *columns).as_bytes())?;
             }
-            Part::Code("") => writeln!(out)?,
-            Part::Code(line) => writeln!(out, "    {code}{line}{code:#}")?,
-            Part::Table(rows) => print_table(&rows, *columns, out)?,
+            Piece::Code("") => writeln!(out)?,
+            Piece::Code(line) => writeln!(out, "    {code}{line}{code:#}")?,
+            Piece::Table(rows) => print_table(&rows, *columns, out)?,
         }
     }
     Ok(())
@@ -47,7 +47,7 @@ pub(super) fn print_table(rows: &[(String, String)], columns: usize, out: &mut i
 }
 
 /// A piece of a page.
-enum Part<'m> {
+enum Piece<'m> {
     Blank,
     Heading(String),
     /// A paragraph, or a point of a list with its marker.
@@ -61,7 +61,7 @@ enum Part<'m> {
     Table(Vec<(String, String)>),
 }
 
-fn parts(markdown: &str) -> Vec<Part<'_>> {
+fn parts(markdown: &str) -> Vec<Piece<'_>> {
     let mut parts = Vec::new();
     let mut fenced = false;
     // Whether the line before was text that this one may go on with.
@@ -71,22 +71,22 @@ fn parts(markdown: &str) -> Vec<Part<'_>> {
         if line.starts_with("```") {
             fenced = !fenced;
         } else if fenced {
-            parts.push(Part::Code(line));
+            parts.push(Piece::Code(line));
         } else if line.trim().is_empty() {
-            parts.push(Part::Blank);
+            parts.push(Piece::Blank);
         } else if let Some(title) = heading_of(line) {
-            parts.push(Part::Heading(title.replace('`', "")));
+            parts.push(Piece::Heading(title.replace('`', "")));
         } else if line.starts_with('|') {
             add_row(line, &mut parts);
         } else {
             goes_on = true;
             let (marker, text) = split_marker(line);
             match parts.last_mut() {
-                Some(Part::Text { text: before, .. }) if text_before && marker.is_empty() => {
+                Some(Piece::Text { text: before, .. }) if text_before && marker.is_empty() => {
                     before.push(' ');
                     before.push_str(text);
                 }
-                _ => parts.push(Part::Text {
+                _ => parts.push(Piece::Text {
                     marker: marker.to_owned(),
                     text: text.to_owned(),
                 }),
@@ -94,7 +94,7 @@ fn parts(markdown: &str) -> Vec<Part<'_>> {
         }
     }
     for part in &mut parts {
-        if let Part::Text { text, .. } = part {
+        if let Piece::Text { text, .. } = part {
             *text = plain(text);
         }
     }
@@ -102,9 +102,9 @@ fn parts(markdown: &str) -> Vec<Part<'_>> {
 }
 
 /// The head of a table says nothing that its rows do not, and the line below it is not for people.
-fn add_row(line: &str, parts: &mut Vec<Part>) {
-    let Some(Part::Table(rows)) = parts.last_mut() else {
-        parts.push(Part::Table(Vec::new()));
+fn add_row(line: &str, parts: &mut Vec<Piece>) {
+    let Some(Piece::Table(rows)) = parts.last_mut() else {
+        parts.push(Piece::Table(Vec::new()));
         return;
     };
     // A bar that belongs to the text is written `\|`.

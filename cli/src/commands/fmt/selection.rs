@@ -7,12 +7,12 @@ use std::str::FromStr;
 /// column is the whole line.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) struct Selection {
-    first: Place,
-    last: Place,
+    first: Bound,
+    last: Bound,
 }
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-struct Place {
+struct Bound {
     line: u32,
     column: Option<u32>,
 }
@@ -37,18 +37,18 @@ impl FromStr for Selection {
     }
 }
 
-fn place(text: &str) -> Result<Place, String> {
+fn place(text: &str) -> Result<Bound, String> {
     let number = |digits: &str| match digits.parse::<u32>() {
         Ok(0) => Err("lines and columns count from 1".to_owned()),
         Ok(number) => Ok(number),
         Err(_) => Err(format!("`{digits}` is no line or column")),
     };
     Ok(match text.split_once(':') {
-        Some((line, column)) => Place {
+        Some((line, column)) => Bound {
             line: number(line)?,
             column: Some(number(column)?),
         },
-        None => Place {
+        None => Bound {
             line: number(text)?,
             column: None,
         },
@@ -59,7 +59,7 @@ impl Selection {
     /// The bytes of the text that are meant. Places past the end of a line or of the text are brought back to it.
     pub(crate) fn range_in(self, text: &str) -> TextRange {
         let index = LineIndex::new(text);
-        let line_of = |place: Place| index.range(place.line as usize - 1);
+        let line_of = |place: Bound| index.range(place.line as usize - 1);
         let start = match self.first.column {
             Some(column) => at_column(text, line_of(self.first), column - 1),
             None => line_of(self.first).start(),

@@ -2,8 +2,8 @@
 //! file that several programs share, what any of them exercised.
 
 use super::report::FileReport;
-use crate::findings::{Place, Source};
-use ladder_simulator::coverage::{Coverage, NetworkScans, Part, PartKind};
+use crate::findings::{FileRange, Source};
+use ladder_simulator::coverage::{Coverage, CoverageItem, CoverageItemKind, NetworkScans};
 use ladder_workspace::shown;
 use serde::Serialize;
 use std::collections::{BTreeMap, BTreeSet};
@@ -24,15 +24,15 @@ pub(super) struct CoveredFile {
 }
 
 pub(super) struct CoveredNetwork {
-    pub(super) place: Place,
+    pub(super) place: FileRange,
     /// Its rungs, by line from 1.
     pub(super) lines: BTreeSet<u32>,
     pub(super) scans: u64,
 }
 
 pub(super) struct CoveredPart {
-    pub(super) kind: PartKind,
-    pub(super) place: Place,
+    pub(super) kind: CoverageItemKind,
+    pub(super) place: FileRange,
     pub(super) on: bool,
     pub(super) off: bool,
     /// The network that it stands in is reached.
@@ -89,7 +89,7 @@ impl CoveredFile {
             .networks
             .entry(network.location.range.start().into())
             .or_insert_with(|| CoveredNetwork {
-                place: Place::of(source, source.range_in_file(network.location.range)),
+                place: FileRange::of(source, source.range_in_file(network.location.range)),
                 lines: network
                     .elements
                     .iter()
@@ -100,14 +100,14 @@ impl CoveredFile {
         entry.scans += network.scans;
     }
 
-    fn part(&mut self, part: &Part) {
+    fn part(&mut self, part: &CoverageItem) {
         let source = &self.source;
         let entry = self
             .parts
             .entry(part.location.range.start().into())
             .or_insert_with(|| CoveredPart {
                 kind: part.kind,
-                place: Place::of(source, source.range_in_file(part.location.range)),
+                place: FileRange::of(source, source.range_in_file(part.location.range)),
                 on: false,
                 off: false,
                 reached: false,
@@ -142,7 +142,7 @@ fn counts(file: &CoveredFile) -> [Count; 3] {
         counts[0].add(network.scans > 0);
     }
     for part in file.parts.values() {
-        let coil = part.kind == PartKind::Coil;
+        let coil = part.kind == CoverageItemKind::Coil;
         counts[if coil { 2 } else { 1 }].add(part.on && part.off);
     }
     counts
@@ -191,7 +191,7 @@ pub(super) fn missed(covered: &Covered) -> Vec<Missed> {
             .iter()
             .filter(|(_, part)| part.reached && !(part.on && part.off))
             .map(|(&start, part)| (start, &part.place, what_is_missing(part)));
-        let mut all: Vec<(u32, &Place, String)> = networks.chain(parts).collect();
+        let mut all: Vec<(u32, &FileRange, String)> = networks.chain(parts).collect();
         all.sort_by_key(|(start, ..)| *start);
         missed.extend(
             all.into_iter()
@@ -203,14 +203,14 @@ pub(super) fn missed(covered: &Covered) -> Vec<Missed> {
 
 fn what_is_missing(part: &CoveredPart) -> String {
     let name = match part.kind {
-        PartKind::Contact => "contact",
-        PartKind::Comparison => "comparison",
-        PartKind::Coil => "coil",
+        CoverageItemKind::Contact => "contact",
+        CoverageItemKind::Comparison => "comparison",
+        CoverageItemKind::Coil => "coil",
     };
     let missing = match (part.kind, part.on, part.off) {
-        (PartKind::Coil, false, true) => "never had power",
-        (PartKind::Coil, true, false) => "was never without power",
-        (PartKind::Coil, ..) => "was never reached",
+        (CoverageItemKind::Coil, false, true) => "never had power",
+        (CoverageItemKind::Coil, true, false) => "was never without power",
+        (CoverageItemKind::Coil, ..) => "was never reached",
         (_, true, _) => "was never open while power came to it",
         (_, false, true) => "was never closed while power came to it",
         (_, false, false) => "never had power coming to it",
@@ -218,7 +218,7 @@ fn what_is_missing(part: &CoveredPart) -> String {
     format!("this {name} {missing}")
 }
 
-fn excerpt(source: &Source, place: &Place, what: &str) -> Missed {
+fn excerpt(source: &Source, place: &FileRange, what: &str) -> Missed {
     let line = source
         .file_text()
         .lines()
@@ -296,9 +296,9 @@ pub(super) fn json(covered: &Covered) -> impl Serialize + '_ {
                 .values()
                 .map(|part| PartObject {
                     kind: match part.kind {
-                        PartKind::Contact => "contact",
-                        PartKind::Comparison => "comparison",
-                        PartKind::Coil => "coil",
+                        CoverageItemKind::Contact => "contact",
+                        CoverageItemKind::Comparison => "comparison",
+                        CoverageItemKind::Coil => "coil",
                     },
                     line: part.place.line,
                     column: part.place.column,

@@ -1,8 +1,9 @@
 //! Results as GitHub shows them at the lines of a change.
 
-use super::report::{FileReport, counted};
+use super::report::FileReport;
 use super::{All, Writer};
 use crate::findings::annotation;
+use ladder_syntax::numeral::counted;
 use std::io::{self, Write};
 
 pub(super) struct Github;

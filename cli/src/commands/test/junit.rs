@@ -2,6 +2,7 @@
 
 use super::report::FileReport;
 use super::{All, Writer};
+use ladder_syntax::xml::Escaped;
 use ladder_workspace::shown;
 use std::fmt::Write as _;
 use std::io::{self, Write};
@@ -115,19 +116,7 @@ fn attribute(text: &str) -> String {
     escaped(&shown::line(text))
 }
 
-/// Text inside of XML. What a terminal obeys, the control characters that are no part of XML among it,
-/// is written out.
+/// Text inside of XML. What a terminal obeys, the control characters that are no part of XML among it, is written out.
 fn escaped(text: &str) -> String {
-    let mut out = String::with_capacity(text.len());
-    for c in shown::text(text).chars() {
-        match c {
-            '&' => out.push_str("&amp;"),
-            '<' => out.push_str("&lt;"),
-            '>' => out.push_str("&gt;"),
-            '"' => out.push_str("&quot;"),
-            c if c == '\u{fffe}' || c == '\u{ffff}' => out.push('\u{fffd}'),
-            c => out.push(c),
-        }
-    }
-    out
+    Escaped(&shown::text(text)).to_string()
 }

@@ -1,7 +1,7 @@
 //! What was exercised, in the form of LCOV: rungs are lines, a contact that is closed or open is a branch.
 
 use super::coverage::{Covered, CoveredFile};
-use ladder_simulator::coverage::PartKind;
+use ladder_simulator::coverage::CoverageItemKind;
 use ladder_workspace::shown;
 use std::collections::BTreeMap;
 
@@ -21,7 +21,10 @@ fn record(name: &str, file: &CoveredFile) -> String {
             *lines.entry(line).or_default() += network.scans;
         }
     }
-    let contacts = file.parts.values().filter(|part| part.kind != PartKind::Coil);
+    let contacts = file
+        .parts
+        .values()
+        .filter(|part| part.kind != CoverageItemKind::Coil);
     let (mut branches, mut taken) = (0, 0);
     // Contacts are numbered on their line.
     let mut numbers: BTreeMap<u32, u32> = BTreeMap::new();

@@ -1,10 +1,11 @@
 //! Results for people: a line for each scenario, and what differs below those that failed.
 
 use super::coverage::{self, Covered};
-use super::report::{CaseReport, FileReport, counted};
+use super::report::{CaseReport, FileReport};
 use super::{All, Writer};
 use anstyle::{AnsiColor, Style};
 use ladder_simulator::scenario::LineKind;
+use ladder_syntax::numeral::counted;
 use ladder_workspace::shown;
 use std::io::{self, Write};
 

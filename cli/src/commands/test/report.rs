@@ -1,6 +1,6 @@
 //! What came of the scenarios, for all forms of output.
 
-use crate::findings::{Place, Problem, Source};
+use crate::findings::{FileRange, Problem, Source};
 use crate::outcome::Outcome;
 use ladder_simulator::coverage::Coverage;
 use ladder_simulator::scenario::Line;
@@ -39,7 +39,7 @@ impl FileReport {
 /// What came of one scenario.
 pub(super) struct CaseReport {
     pub(super) name: String,
-    pub(super) place: Place,
+    pub(super) place: FileRange,
     pub(super) passed: bool,
     pub(super) steps: usize,
     pub(super) scans: u64,
@@ -67,7 +67,7 @@ impl CaseReport {
     }
 
     /// The place of the first value that is not met, else of the scenario's name.
-    pub(super) fn first_place(&self) -> &Place {
+    pub(super) fn first_place(&self) -> &FileRange {
         self.differences
             .first()
             .map_or(&self.place, |difference| &difference.place)
@@ -83,14 +83,14 @@ impl CaseReport {
 /// A row that is not as expected.
 pub(super) struct DifferenceReport {
     pub(super) tag: String,
-    pub(super) place: Place,
+    pub(super) place: FileRange,
     pub(super) steps: Vec<usize>,
     pub(super) sentence: String,
 }
 
 /// A fault that was recorded.
 pub(super) struct FaultReport {
-    pub(super) place: Place,
+    pub(super) place: FileRange,
     pub(super) scan: u64,
     pub(super) message: String,
 }
@@ -98,7 +98,7 @@ pub(super) struct FaultReport {
 impl FaultReport {
     /// `motor.clad:3:12: fault in scan 4: division by zero ...`
     pub(super) fn line(&self) -> String {
-        let Place {
+        let FileRange {
             file, line, column, ..
         } = &self.place;
         format!(
@@ -132,9 +132,4 @@ impl Tally {
     pub(super) fn scenarios(self) -> usize {
         self.passed + self.failed
     }
-}
-
-/// `1 file`, `3 files`
-pub(super) fn counted(count: usize, one: &str) -> String {
-    format!("{count} {one}{}", if count == 1 { "" } else { "s" })
 }

@@ -1,7 +1,7 @@
 //! One scenario file: its program is read, and its scenarios are run.
 
 use super::report::{CaseReport, DifferenceReport, FaultReport, FileReport};
-use crate::findings::{NotRead, Place, Problem, Source, Workspaces, full};
+use crate::findings::{FileRange, NotRead, Problem, Source, Workspaces, full};
 use crate::outcome::Outcome;
 use annotate_snippets::Renderer;
 use ladder_analysis::program::Location;
@@ -64,7 +64,7 @@ pub(super) fn run(path: &Path, wishes: &Wishes) -> FileReport {
         }
         Err(error) => report
             .problems
-            .push(Problem::unusable(Place::start(&report.file), &error)),
+            .push(Problem::unusable(FileRange::start(&report.file), &error)),
     }
     report.seconds = began.elapsed().as_secs_f64();
     report
@@ -177,7 +177,7 @@ fn play(path: &Path, source: &Source, wishes: &Wishes, report: &mut FileReport) 
         };
         report.cases.push(CaseReport {
             name: case.name.clone(),
-            place: Place::of(source, case.range),
+            place: FileRange::of(source, case.range),
             passed: ran.passed(),
             steps: case.steps,
             scans: ran.scans,
@@ -188,7 +188,7 @@ fn play(path: &Path, source: &Source, wishes: &Wishes, report: &mut FileReport) 
                 .iter()
                 .map(|difference| DifferenceReport {
                     tag: difference.tag.clone(),
-                    place: Place::of(source, difference.range),
+                    place: FileRange::of(source, difference.range),
                     steps: difference.steps.clone(),
                     sentence: scenario::sentence(case, &ran, difference, interval),
                 })
@@ -220,12 +220,12 @@ fn compile(
     suite: &Suite,
     renderer: &Renderer,
 ) -> Result<Simulation, Vec<Problem>> {
-    let settings =
-        Settings::of(path).map_err(|error| vec![Problem::unusable(Place::start(&source.file), &error)])?;
+    let settings = Settings::of(path)
+        .map_err(|error| vec![Problem::unusable(FileRange::start(&source.file), &error)])?;
     let program = source.program().map_err(|why| match why {
         NotWhole::Missing(file) => {
             let message = format!("{file}, which this program uses, cannot be read any more");
-            vec![Problem::unusable(Place::start(&source.file), &message)]
+            vec![Problem::unusable(FileRange::start(&source.file), &message)]
         }
         NotWhole::Errors(file) => match source.other(&file) {
             Some(other) if source.analyze().context.name != file => errors(&other, renderer),
@@ -252,7 +252,7 @@ fn errors(source: &Source, renderer: &Renderer) -> Vec<Problem> {
     let remarks = remarks.filter(|remark| remark.severity == Severity::Error);
     let remarks = remarks.map(|remark| Problem::remark(source, remark, renderer));
     let found = source.errors().into_iter().map(|error| Problem {
-        place: Place::of(source, error.range),
+        place: FileRange::of(source, error.range),
         rule: error.rule.name(),
         severity: error.severity,
         shown: full::render(source, &error, renderer),
@@ -264,26 +264,26 @@ fn errors(source: &Source, renderer: &Renderer) -> Vec<Problem> {
 }
 
 /// A place of a program, in whichever file it lies.
-fn place_of(source: &Source, files: &[String], location: Location) -> Place {
+fn place_of(source: &Source, files: &[String], location: Location) -> FileRange {
     let other = match location.file {
         0 => None,
         file => source.other(&files[file as usize]),
     };
     let source = other.as_ref().unwrap_or(source);
-    Place::of(source, source.range_in_file(location.range))
+    FileRange::of(source, source.range_in_file(location.range))
 }
 
 /// The program that a file names is in another system's notation, and broken.
 fn broken_program(program: &Path, error: &NotRead) -> Problem {
     let file = program.display().to_string();
-    let place = error.place.map(|place| Place {
+    let place = error.place.map(|place| FileRange {
         file: file.clone(),
         line: place.line,
         column: place.column,
         end_line: place.line,
         end_column: place.column,
     });
-    Problem::unusable(place.unwrap_or_else(|| Place::start(&file)), &error.failure)
+    Problem::unusable(place.unwrap_or_else(|| FileRange::start(&file)), &error.failure)
 }
 
 /// The program that a file names cannot be read: told where it is named.

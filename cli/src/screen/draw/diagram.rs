@@ -2,7 +2,7 @@
 
 use super::{Scene, put};
 use crate::screen::columns::{self, Cell};
-use crate::screen::fold::{Folding, Place};
+use crate::screen::fold::{ColumnPlace, Folding};
 use crate::screen::sheet::{Block, Mark, Shown};
 use crate::screen::theme::{heading as heading_style, quiet};
 use crate::screen::values;
@@ -134,12 +134,12 @@ fn draw_line(buffer: &mut Buffer, pane: Rect, row: u16, line: usize, folding: Fo
         }
         let under = marks.get(mark).filter(|mark| mark.start <= offset);
         let column = match place {
-            Place::Seen(column) if column + cell.width <= pane.width as usize => column as u16,
-            Place::Seen(_) | Place::Behind => {
+            ColumnPlace::Seen(column) if column + cell.width <= pane.width as usize => column as u16,
+            ColumnPlace::Seen(_) | ColumnPlace::Behind => {
                 hides_a_block = blocks.last().is_some_and(|(last, _)| last.end > offset);
                 break;
             }
-            Place::Between => {
+            ColumnPlace::Between => {
                 let in_block = sheet.block_at(offset).is_some();
                 between.add(
                     cell,
@@ -148,7 +148,7 @@ fn draw_line(buffer: &mut Buffer, pane: Rect, row: u16, line: usize, folding: Fo
                 );
                 continue;
             }
-            Place::Before | Place::Folded => continue,
+            ColumnPlace::Before | ColumnPlace::Folded => continue,
         };
         let look = look(offset, &text[cell.offset..], under, &blocks, scene);
         let mut letter = [0; 4];

@@ -1,6 +1,6 @@
 //! Comma-separated values, with the place of each field.
 
-use super::super::{Lines, Place, ReadError};
+use super::super::{LineColumn, Lines, ReadError};
 use ::csv::{ReaderBuilder, StringRecord};
 
 /// A larger file is not read.
@@ -10,13 +10,13 @@ const MOST_BYTES: usize = 4 << 20;
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(super) struct Field {
     pub(super) text: String,
-    pub(super) place: Place,
+    pub(super) place: LineColumn,
 }
 
 /// A line, or several if a quoted field goes over its end.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(super) struct Record {
-    pub(super) place: Place,
+    pub(super) place: LineColumn,
     pub(super) fields: Vec<Field>,
 }
 
@@ -52,7 +52,7 @@ pub(super) fn records(bytes: &[u8], before: u32) -> Result<Vec<Record>, ReadErro
         let blank = text[start..].len() - text[start..].trim_start_matches(['\r', '\n']).len();
         let place = |at: usize| {
             let place = lines.place(text, at.min(text.len()));
-            Place {
+            LineColumn {
                 line: place.line + before,
                 ..place
             }
@@ -61,7 +61,12 @@ pub(super) fn records(bytes: &[u8], before: u32) -> Result<Vec<Record>, ReadErro
     }
 }
 
-fn with_places(record: &StringRecord, text: &str, start: usize, place: &dyn Fn(usize) -> Place) -> Record {
+fn with_places(
+    record: &StringRecord,
+    text: &str,
+    start: usize,
+    place: &dyn Fn(usize) -> LineColumn,
+) -> Record {
     let mut at = start;
     let field = |field: &str| {
         let place = place(at);

@@ -1,7 +1,7 @@
 //! Programs that nobody wrote: what is made at random is said in Python, in ladder text, and in Python again, and stays
 //! the same; what is broken at random is refused or read, and never brings anything down.
 
-use super::super::{Converted, Notation, Place, Report, Source, convert};
+use super::super::{Converted, LineColumn, Notation, Report, Source, convert};
 use super::Click;
 use super::address::{Span, Tag};
 use super::bank::Bank;
@@ -56,7 +56,7 @@ fn contact() -> impl Strategy<Value = Condition> {
             (ContactKind::Falling, Bits::Many(_)) => ContactKind::Closed,
             (kind, _) => kind,
         };
-        let place = Place::START;
+        let place = LineColumn::START;
         Condition::Contact(Contact { place, kind, bits })
     })
 }
@@ -77,7 +77,7 @@ fn comparison() -> impl Strategy<Value = Condition> {
             relation
         };
         Condition::Compare(Comparison {
-            place: Place::START,
+            place: LineColumn::START,
             left: Operand::Tag(tag),
             relation,
             right: Operand::Constant(value),
@@ -318,7 +318,7 @@ fn action() -> impl Strategy<Value = Action> {
         // A comment stands behind a block.
         let says = what != Instruction::Nop;
         Action {
-            place: Place::START,
+            place: LineColumn::START,
             condition: Condition::ALWAYS,
             what,
             oneshot: oneshot && has,
@@ -344,7 +344,7 @@ fn rung() -> impl Strategy<Value = Rung> {
             }
             if actions.is_empty() {
                 actions.push(Action {
-                    place: Place::START,
+                    place: LineColumn::START,
                     condition: Condition::ALWAYS,
                     what: Instruction::Nop,
                     oneshot: false,
@@ -352,7 +352,7 @@ fn rung() -> impl Strategy<Value = Rung> {
                 });
             }
             Rung {
-                place: Place::START,
+                place: LineColumn::START,
                 comments: comments.into_iter().map(str::to_owned).collect(),
                 condition,
                 actions,

@@ -1,6 +1,6 @@
 //! A Click program as both of its notations have it: the Python DSL and the CSV grid.
 
-use super::super::Place;
+use super::super::LineColumn;
 use super::address::{Address, Span, Tag};
 use super::bank::Bank;
 
@@ -41,7 +41,7 @@ pub(super) struct Nickname {
 pub(super) struct Routine {
     /// `main`, or what a call names.
     pub(super) name: String,
-    pub(super) place: Place,
+    pub(super) place: LineColumn,
     /// What is said above it.
     pub(super) comments: Vec<String>,
     pub(super) rungs: Vec<Rung>,
@@ -53,7 +53,7 @@ impl Default for Routine {
     fn default() -> Routine {
         Routine {
             name: "main".to_owned(),
-            place: Place::START,
+            place: LineColumn::START,
             comments: Vec::new(),
             rungs: Vec::new(),
             behind: Vec::new(),
@@ -64,7 +64,7 @@ impl Default for Routine {
 /// A rung: a condition, and what happens where it holds. The condition is looked at once, before all actions.
 #[derive(Debug, Clone)]
 pub(super) struct Rung {
-    pub(super) place: Place,
+    pub(super) place: LineColumn,
     /// What is said above it, a line each.
     pub(super) comments: Vec<String>,
     pub(super) condition: Condition,
@@ -99,7 +99,7 @@ impl Condition {
 /// A contact.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Contact {
-    pub(super) place: Place,
+    pub(super) place: LineColumn,
     pub(super) kind: ContactKind,
     /// One bit, or a range of them: then all must be on (off).
     pub(super) bits: Bits,
@@ -132,7 +132,7 @@ impl Bits {
 /// A comparison.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Comparison {
-    pub(super) place: Place,
+    pub(super) place: LineColumn,
     pub(super) left: Operand,
     pub(super) relation: Relation,
     pub(super) right: Operand,
@@ -211,7 +211,7 @@ pub(super) enum Constant {
 /// What happens on a rung.
 #[derive(Debug, Clone)]
 pub(super) struct Action {
-    pub(super) place: Place,
+    pub(super) place: LineColumn,
     /// What else must hold, where the grid branches behind the rung's own condition; [`Condition::ALWAYS`] elsewhere.
     pub(super) condition: Condition,
     pub(super) what: Instruction,

@@ -7,7 +7,7 @@
 //!
 //! Columns are known by their names, and those that are not known here (Modbus addresses) are passed over.
 
-use super::super::{Companion, Finding, Place, ReadError, Report, Source};
+use super::super::{Companion, Finding, LineColumn, ReadError, Report, Source};
 use super::address::{Address, Span, Which};
 use super::bank::{Bank, Kind};
 use super::csv::{self, Record};
@@ -72,7 +72,7 @@ fn read(file: &str, bytes: &[u8], out: &mut Nicknames) -> Result<(), ReadError> 
     };
     let mut records = csv::records(bytes, 0).map_err(failure)?.into_iter();
     let header = records.next().unwrap_or_else(|| Record {
-        place: Place::START,
+        place: LineColumn::START,
         fields: Vec::new(),
     });
     let column = |name: &str| {
@@ -85,7 +85,7 @@ fn read(file: &str, bytes: &[u8], out: &mut Nicknames) -> Result<(), ReadError> 
     let (Some(address), Some(nickname)) = (address, nickname) else {
         let message =
             "a nickname file begins with the names of its columns, among them `Address` and `Nickname`";
-        return Err(failure(ReadError::at(Place::START, message)));
+        return Err(failure(ReadError::at(LineColumn::START, message)));
     };
     for record in records {
         let text = |column: Option<usize>| {
@@ -94,7 +94,7 @@ fn read(file: &str, bytes: &[u8], out: &mut Nicknames) -> Result<(), ReadError> 
         };
         let mut refuse = |element: &str, why: String| {
             let why = format!("{file}:{}: {why}", record.place);
-            out.report.refused(Place::START, element, why);
+            out.report.refused(LineColumn::START, element, why);
         };
         let name = text(Some(address));
         let Some(address) = Address::parse(name).filter(|address| address.bank.has(address.number)) else {
@@ -194,7 +194,7 @@ impl Nicknames {
         let unused = program.nicknames.len() - program.nicknames.iter().filter(is_used).count();
         if unused > 0 {
             let why = format!("the program does not use {unused} of the addresses, and they are left out");
-            self.report.approximated(Place::START, "nicknames", why);
+            self.report.approximated(LineColumn::START, "nicknames", why);
         }
     }
 
@@ -207,7 +207,7 @@ impl Nicknames {
                 .or_insert(nickname.address);
             if there != nickname.address {
                 self.findings.push(Finding {
-                    place: Place::START,
+                    place: LineColumn::START,
                     severity: Severity::Warning,
                     check: "click-nickname",
                     message: format!(

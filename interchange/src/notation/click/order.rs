@@ -76,12 +76,12 @@ pub(super) fn goes_on(rung: &Rung) -> bool {
 
 /// Addresses of one bank: some numbers, or a nickname without one.
 #[derive(PartialEq)]
-enum Place<'t> {
+enum Addresses<'t> {
     Numbers(u16, u16),
     Nickname(&'t str),
 }
 
-fn place<'t>(tags: &Tags<'_>, what: &What<'t>) -> (Bank, Place<'t>) {
+fn place<'t>(tags: &Tags<'_>, what: &What<'t>) -> (Bank, Addresses<'t>) {
     let (bank, place) = match *what {
         What::One(tag) | What::From(tag, _) => {
             let count = match *what {
@@ -90,15 +90,15 @@ fn place<'t>(tags: &Tags<'_>, what: &What<'t>) -> (Bank, Place<'t>) {
             };
             let place = match (tags.address(tag), &tag.which) {
                 (Some(address), _) => {
-                    Place::Numbers(address.number, address.number.saturating_add(count.max(1) - 1))
+                    Addresses::Numbers(address.number, address.number.saturating_add(count.max(1) - 1))
                 }
-                (None, Which::Nickname(name)) => Place::Nickname(name),
-                (None, Which::Number(number)) => Place::Numbers(*number, *number),
+                (None, Which::Nickname(name)) => Addresses::Nickname(name),
+                (None, Which::Number(number)) => Addresses::Numbers(*number, *number),
             };
             (tag.bank, place)
         }
-        What::Many(span) => (span.bank, Place::Numbers(span.bounds().0, span.bounds().1)),
-        What::Somewhere(pointer) => (pointer.bank, Place::Numbers(0, u16::MAX)),
+        What::Many(span) => (span.bank, Addresses::Numbers(span.bounds().0, span.bounds().1)),
+        What::Somewhere(pointer) => (pointer.bank, Addresses::Numbers(0, u16::MAX)),
     };
     // A timer's bit and its value change together.
     let bank = match bank {
@@ -113,7 +113,7 @@ fn overlap(tags: &Tags<'_>, one: &What<'_>, other: &What<'_>) -> bool {
     let ((bank, one), (other_bank, other)) = (place(tags, one), place(tags, other));
     bank == other_bank
         && match (one, other) {
-            (Place::Numbers(low, high), Place::Numbers(other_low, other_high)) => {
+            (Addresses::Numbers(low, high), Addresses::Numbers(other_low, other_high)) => {
                 low <= other_high && other_low <= high
             }
             (one, other) => one == other,

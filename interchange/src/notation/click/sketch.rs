@@ -2,7 +2,7 @@
 
 mod contacts;
 
-use super::super::{Place, Reading};
+use super::super::{LineColumn, Reading};
 use super::act::{self, Above};
 use super::bank::{Bank, Writer};
 use super::dsl::spell;
@@ -41,7 +41,7 @@ struct Sketcher<'p> {
     tags: Tags<'p>,
     functions: Names,
     /// The timers and counters so far, and where: a tag belongs to one block.
-    blocks: HashMap<String, Place>,
+    blocks: HashMap<String, LineColumn>,
     /// The networks: the declarations before them are known only when these are.
     items: Vec<Item>,
     reading: Reading,
@@ -123,10 +123,10 @@ impl Sketcher<'_> {
     fn remarks(&mut self, program: &Program) {
         let report = &mut self.reading.report;
         for (tag, name) in self.tags.renamed() {
-            report.approximated(Place::START, tag, format!("it is spelled `{name}` here"));
+            report.approximated(LineColumn::START, tag, format!("it is spelled `{name}` here"));
         }
         for (nickname, why) in self.tags.unsaid() {
-            report.approximated(Place::START, nickname.address.to_string(), why);
+            report.approximated(LineColumn::START, nickname.address.to_string(), why);
         }
         let mut said = HashSet::new();
         for one in uses(program) {
@@ -259,7 +259,7 @@ impl Sketcher<'_> {
     }
 
     /// A rung that the importer makes.
-    fn own_network(&mut self, comments: Vec<String>, network: Above, place: Place) {
+    fn own_network(&mut self, comments: Vec<String>, network: Above, place: LineColumn) {
         let mut parts = vec![self.condition(&network.condition)];
         let origin = Some(self.reading.origin(place));
         let blocks = network.blocks.into_iter();

@@ -1,6 +1,6 @@
 //! What a program reads and writes, and where.
 
-use super::super::Place;
+use super::super::LineColumn;
 use super::address::{Span, Tag};
 use super::formula;
 use super::model::{
@@ -10,7 +10,7 @@ use super::model::{
 /// A use of memory.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Use<'p> {
-    pub(super) place: Place,
+    pub(super) place: LineColumn,
     pub(super) what: What<'p>,
     pub(super) access: Access,
 }
@@ -59,14 +59,14 @@ pub(super) fn of_instruction(instruction: &Instruction) -> Vec<Use<'_>> {
 
 #[derive(Default)]
 struct Uses<'p> {
-    place: Option<Place>,
+    place: Option<LineColumn>,
     all: Vec<Use<'p>>,
 }
 
 impl<'p> Uses<'p> {
     fn push(&mut self, what: What<'p>, access: Access) {
         self.all.push(Use {
-            place: self.place.unwrap_or(Place::START),
+            place: self.place.unwrap_or(LineColumn::START),
             what,
             access,
         });

@@ -1,6 +1,6 @@
 //! The headers of the draft: `IN = { DI start, AI weight }`.
 
-use super::super::{Place, ReadError};
+use super::super::{LineColumn, ReadError};
 use ladder_format::program::SectionKind;
 
 /// One entry of a header.
@@ -10,7 +10,7 @@ pub(super) struct Entry {
     /// The type as ladder text has it.
     pub(super) ty: String,
     pub(super) name: String,
-    pub(super) place: Place,
+    pub(super) place: LineColumn,
     /// As it is written.
     pub(super) text: String,
 }
@@ -30,7 +30,7 @@ pub(super) fn begins(line: &str) -> Option<(SectionKind, &str)> {
 }
 
 /// An entry such as `DI start` or `INT[32] a`; none for an empty one.
-pub(super) fn entry(section: SectionKind, text: &str, place: Place) -> Result<Option<Entry>, ReadError> {
+pub(super) fn entry(section: SectionKind, text: &str, place: LineColumn) -> Result<Option<Entry>, ReadError> {
     let text = text.trim();
     let Some((_, name)) = text.rsplit_once([' ', '\t', ']']) else {
         return match text {

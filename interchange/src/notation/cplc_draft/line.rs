@@ -1,6 +1,6 @@
 //! One line of a drawing in the draft.
 
-use super::super::{Place, ReadError};
+use super::super::{LineColumn, ReadError};
 
 /// A longer line is not read.
 const LONGEST_LINE: usize = 64 << 10;
@@ -29,7 +29,7 @@ pub(super) struct Block {
     /// What is in it, without blanks and in capitals.
     pub(super) head: String,
     pub(super) operands: Vec<String>,
-    pub(super) place: Place,
+    pub(super) place: LineColumn,
     /// As it is written.
     pub(super) text: String,
 }
@@ -38,13 +38,13 @@ pub(super) struct Block {
 pub(super) fn pieces(line: &str, number: u32) -> Result<Vec<Piece>, ReadError> {
     if line.len() > LONGEST_LINE {
         let message = format!("the line is longer than {LONGEST_LINE} bytes");
-        return Err(ReadError::at(Place::line(number), message));
+        return Err(ReadError::at(LineColumn::line(number), message));
     }
     let mut pieces = Vec::new();
     let mut rest = line;
     let mut column = 1;
     while let Some(c) = rest.chars().next() {
-        let place = Place { line: number, column };
+        let place = LineColumn { line: number, column };
         let length = match c {
             '-' => rest.len() - rest.trim_start_matches('-').len(),
             '+' | '\\' | '/' => {
@@ -90,7 +90,7 @@ pub(super) fn pieces(line: &str, number: u32) -> Result<Vec<Piece>, ReadError> {
 }
 
 /// The block that a text begins with, and its length.
-fn block(text: &str, place: Place) -> Result<(Block, usize), ReadError> {
+fn block(text: &str, place: LineColumn) -> Result<(Block, usize), ReadError> {
     let bracket = text.chars().next().unwrap_or('[');
     let (head, mut end) = bracketed(text, place)?;
     let mut operands = Vec::new();
@@ -152,7 +152,7 @@ fn is_operand(text: &str) -> bool {
 }
 
 /// What stands between the bracket that a text begins with and its partner, and the length of it all.
-fn bracketed(text: &str, place: Place) -> Result<(&str, usize), ReadError> {
+fn bracketed(text: &str, place: LineColumn) -> Result<(&str, usize), ReadError> {
     let close = match text.chars().next() {
         Some('[') => ']',
         Some('(') => ')',

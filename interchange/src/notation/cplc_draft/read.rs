@@ -1,7 +1,7 @@
 //! From the draft to a sketch.
 
 use super::super::names::Names;
-use super::super::{Finding, Place, ReadError, Reading};
+use super::super::{Finding, LineColumn, ReadError, Reading};
 use super::header::{self, Entry};
 use super::line::{self, Block, Piece};
 use ladder_analysis::Severity;
@@ -68,7 +68,7 @@ fn without_comments(text: &str) -> Result<(String, Vec<(u32, String)>), ReadErro
                 Some(at) => at + 2,
                 None => {
                     return Err(ReadError::at(
-                        Place::line(number),
+                        LineColumn::line(number),
                         "the comment that begins here has no `*/`",
                     ));
                 }
@@ -119,7 +119,7 @@ impl File {
             // A header goes on to its `}`, over as many lines as it likes.
             let mut inside = behind.trim_start().strip_prefix('{').ok_or_else(|| {
                 ReadError::at(
-                    Place::line(number),
+                    LineColumn::line(number),
                     "the entries of a header stand between `{` and `}`",
                 )
             })?;
@@ -131,20 +131,20 @@ impl File {
                 };
                 for entry in entries.split(',') {
                     file.entries
-                        .extend(header::entry(section, entry, Place::line(at))?);
+                        .extend(header::entry(section, entry, LineColumn::line(at))?);
                 }
                 match behind.map(str::trim) {
                     Some("") => break,
                     Some(_) => {
                         return Err(ReadError::at(
-                            Place::line(at),
+                            LineColumn::line(at),
                             "nothing may stand behind the `}` of a header",
                         ));
                     }
                     None => {}
                 }
                 let unclosed =
-                    || ReadError::at(Place::line(number), "the header that begins here has no `}`");
+                    || ReadError::at(LineColumn::line(number), "the header that begins here has no `}`");
                 (inside, at) = lines.next().ok_or_else(unclosed)?;
             }
         }
@@ -239,7 +239,7 @@ struct Reader {
     uses: HashMap<String, usize>,
     states: HashMap<String, String>,
     /// The types of names that no header declares, as their places ask for.
-    types: BTreeMap<String, (&'static str, Place)>,
+    types: BTreeMap<String, (&'static str, LineColumn)>,
 }
 
 impl Reader {
@@ -378,7 +378,7 @@ impl Reader {
     }
 
     /// An operand as ladder text has it.
-    fn operand(&mut self, operand: &str, ty: &'static str, place: Place) -> String {
+    fn operand(&mut self, operand: &str, ty: &'static str, place: LineColumn) -> String {
         if !is_name(operand) {
             return operand.to_owned();
         }
@@ -438,7 +438,7 @@ impl Reader {
     fn renamed(&mut self) {
         for (original, spelling) in self.names.changed() {
             self.reading.report.approximated(
-                Place::START,
+                LineColumn::START,
                 original,
                 format!("this is no name of its own in ladder text; it is `{spelling}` here"),
             );

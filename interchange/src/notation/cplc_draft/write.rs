@@ -1,6 +1,6 @@
 //! From a program to the draft.
 
-use super::super::{Lines, Place, Report, WriteError, Writing, comments};
+use super::super::{LineColumn, Lines, Report, WriteError, Writing, comments};
 use ladder_analysis::Analysis;
 use ladder_analysis::network::NetworkFacts;
 use ladder_analysis::program::{
@@ -309,12 +309,12 @@ impl Writer<'_> {
                 Ok(ty) => sections[section].1.push(format!("{ty} {}", tag.name)),
                 Err(why) => self
                     .report
-                    .approximated(Place::START, format!("tag `{}`", tag.name), why),
+                    .approximated(LineColumn::START, format!("tag `{}`", tag.name), why),
             }
             if !tag.initial.is_empty() {
                 let why = "the draft has no initial values";
                 self.report
-                    .approximated(Place::START, format!("tag `{}`", tag.name), why);
+                    .approximated(LineColumn::START, format!("tag `{}`", tag.name), why);
             }
         }
         let mut out = String::new();

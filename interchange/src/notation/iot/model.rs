@@ -1,6 +1,6 @@
 //! A program of the notation as its lines have it.
 
-use super::super::Place;
+use super::super::LineColumn;
 use super::word::Row;
 use ladder_format::Circuit;
 use std::fmt;
@@ -8,7 +8,7 @@ use std::fmt;
 /// A whole file.
 #[derive(Debug, Clone, Default)]
 pub(super) struct File {
-    pub(super) parts: Vec<Part>,
+    pub(super) parts: Vec<IotLine>,
 }
 
 impl File {
@@ -26,7 +26,7 @@ impl File {
         }
         let mut out = Vec::new();
         for part in &self.parts {
-            if let Part::Rung(circuit) = part {
+            if let IotLine::Rung(circuit) = part {
                 collect(circuit, &mut out);
             }
         }
@@ -36,7 +36,7 @@ impl File {
 
 /// A line.
 #[derive(Debug, Clone)]
-pub(super) enum Part {
+pub(super) enum IotLine {
     /// What a `#` says.
     Comment(String),
     /// A line that is no part of the program, with its sign: `= title`, `> cycle 3`.
@@ -47,7 +47,7 @@ pub(super) enum Part {
 /// An element of a rung.
 #[derive(Debug, Clone)]
 pub(super) struct Element {
-    pub(super) place: Place,
+    pub(super) place: LineColumn,
     pub(super) row: &'static Row,
     pub(super) operands: Vec<Operand>,
 }

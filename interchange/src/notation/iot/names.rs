@@ -1,6 +1,6 @@
 //! What the notation calls the tags of a program.
 
-use super::super::{Place, Report};
+use super::super::{LineColumn, Report};
 use super::model::Family;
 use super::parse::variable;
 use ladder_analysis::program::{Argument, ExprKind, Location, Place as Operand, Program, Role, Tag, TagId};
@@ -35,7 +35,7 @@ impl Names {
 }
 
 /// Finds a name for every tag, and reports those that change.
-pub(super) fn names(program: &Program, report: &mut Report, place: impl Fn(Location) -> Place) -> Names {
+pub(super) fn names(program: &Program, report: &mut Report, place: impl Fn(Location) -> LineColumn) -> Names {
     let mut names = Names::default();
     let mut taken = HashSet::new();
     let presets = presets(program);

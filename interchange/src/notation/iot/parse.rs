@@ -1,7 +1,7 @@
 //! From lines to the model, with limits.
 
-use super::super::{Place, ReadError, Source};
-use super::model::{Element, Family, File, Member, Number, Operand, Part, Variable};
+use super::super::{LineColumn, ReadError, Source};
+use super::model::{Element, Family, File, IotLine, Member, Number, Operand, Variable};
 use super::prose;
 use super::word::{Form, Row, row_of};
 use ladder_format::Circuit;
@@ -29,7 +29,7 @@ pub(super) fn begins(bytes: &[u8]) -> bool {
 }
 
 /// The element that a text is, which another form of it says at a place.
-pub(super) fn element_at(text: &str, place: Place) -> Result<Element, ReadError> {
+pub(super) fn element_at(text: &str, place: LineColumn) -> Result<Element, ReadError> {
     match rung(text, place.line) {
         Ok(Circuit::Element(element)) => Ok(Element { place, ..element }),
         Ok(_) => Err(ReadError::at(place, "one element is expected here")),
@@ -66,23 +66,23 @@ pub(super) fn parse(source: &Source<'_>) -> Result<File, ReadError> {
     for (index, line) in text.trim_start_matches('\u{feff}').lines().enumerate() {
         let number = index as u32 + 1;
         if line.len() > LONGEST_LINE {
-            return Err(ReadError::at(Place::line(number), long_line()));
+            return Err(ReadError::at(LineColumn::line(number), long_line()));
         }
         let said = line.trim();
         file.parts.push(match said.chars().next() {
             None => continue,
-            Some('#') => Part::Comment(said[1..].trim().to_owned()),
+            Some('#') => IotLine::Comment(said[1..].trim().to_owned()),
             Some('=') => {
                 if let Some(first) = title.replace(number) {
-                    return Err(ReadError::at(Place::line(number), another(first)));
+                    return Err(ReadError::at(LineColumn::line(number), another(first)));
                 }
-                Part::Beside(said.to_owned())
+                IotLine::Beside(said.to_owned())
             }
-            Some('>') => Part::Beside(said.to_owned()),
-            Some(_) => Part::Rung(rung(line, number)?),
+            Some('>') => IotLine::Beside(said.to_owned()),
+            Some(_) => IotLine::Rung(rung(line, number)?),
         });
     }
-    if !file.parts.iter().any(|part| matches!(part, Part::Rung(_))) {
+    if !file.parts.iter().any(|part| matches!(part, IotLine::Rung(_))) {
         return Err(ReadError::whole(
             "there is no rung in the file; a rung is a line like `NO I1 ; OUT Q1`",
         ));
@@ -97,7 +97,7 @@ fn rung(line: &str, number: u32) -> Result<Circuit<Element>, ReadError> {
         at: 0,
         depth: 0,
         count: 0,
-        end: Place {
+        end: LineColumn {
             line: number,
             column: line.trim_end().chars().count() as u32 + 1,
         },
@@ -113,10 +113,10 @@ fn rung(line: &str, number: u32) -> Result<Circuit<Element>, ReadError> {
 }
 
 /// What stands between blanks; signs stand alone.
-fn words(line: &str, number: u32) -> Vec<(&str, Place)> {
+fn words(line: &str, number: u32) -> Vec<(&str, LineColumn)> {
     let mut words = Vec::new();
     let mut start: Option<(usize, u32)> = None;
-    let at = |column: u32| Place {
+    let at = |column: u32| LineColumn {
         line: number,
         column: column + 1,
     };
@@ -145,13 +145,13 @@ fn shown(word: &str) -> String {
 }
 
 struct Reader<'l> {
-    words: Vec<(&'l str, Place)>,
+    words: Vec<(&'l str, LineColumn)>,
     at: usize,
     depth: usize,
     /// Elements so far.
     count: usize,
     /// Behind the last word.
-    end: Place,
+    end: LineColumn,
 }
 
 impl<'l> Reader<'l> {
@@ -159,7 +159,7 @@ impl<'l> Reader<'l> {
         self.words.get(self.at).map(|(word, _)| *word)
     }
 
-    fn place(&self) -> Place {
+    fn place(&self) -> LineColumn {
         self.words.get(self.at).map_or(self.end, |(_, place)| *place)
     }
 

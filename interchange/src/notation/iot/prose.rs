@@ -9,8 +9,8 @@
 //! A title may say `n = 1..8`; a rung with `In` or `Qn` in it is then there for each of these numbers. All other lines
 //! are comments.
 
-use super::super::{Place, ReadError};
-use super::model::{Element, Family, File, Part};
+use super::super::{LineColumn, ReadError};
+use super::model::{Element, Family, File, IotLine};
 use super::parse;
 use ladder_format::Circuit;
 use std::ops::RangeInclusive;
@@ -35,34 +35,34 @@ pub(super) fn parse(text: &str) -> Result<File, ReadError> {
     for (number, line) in (1..).zip(text.lines()) {
         let said = line.trim();
         if line.len() > parse::LONGEST_LINE {
-            return Err(ReadError::at(Place::line(number), parse::long_line()));
+            return Err(ReadError::at(LineColumn::line(number), parse::long_line()));
         }
         if let Some(name) = titled(line) {
             if let Some(first) = title.replace(number) {
-                return Err(ReadError::at(Place::line(number), parse::another(first)));
+                return Err(ReadError::at(LineColumn::line(number), parse::another(first)));
             }
             numbers = range(name);
             let name: Vec<&str> = name.split_whitespace().collect();
-            file.parts.push(Part::Beside(format!("= {}", name.join(" "))));
+            file.parts.push(IotLine::Beside(format!("= {}", name.join(" "))));
         } else if let Some(rung) = rung(line) {
             let each = match (rung.number.parse::<u32>(), &numbers) {
                 (Ok(_), _) => 1..=1,
                 (Err(_), Some(numbers)) => numbers.clone(),
                 (Err(_), None) => {
                     let message = "for which numbers this rung is there, the title does not say: `n = 1..8`";
-                    return Err(ReadError::at(Place::line(number), message));
+                    return Err(ReadError::at(LineColumn::line(number), message));
                 }
             };
             made += each.end() - each.start();
             if made > MOST_RUNGS {
                 let message = format!("more than {MOST_RUNGS} rungs are made of rungs with an `n` in them");
-                return Err(ReadError::at(Place::line(number), message));
+                return Err(ReadError::at(LineColumn::line(number), message));
             }
             for n in each {
-                file.parts.push(Part::Rung(rung.circuit(number, n)?));
+                file.parts.push(IotLine::Rung(rung.circuit(number, n)?));
             }
         } else if !said.is_empty() {
-            file.parts.push(Part::Comment(said.to_owned()));
+            file.parts.push(IotLine::Comment(said.to_owned()));
         }
     }
     Ok(file)
@@ -130,11 +130,11 @@ impl Line<'_> {
                 "the rung has more than {} elements: make several rungs of it",
                 parse::MOST_PARTS
             );
-            return Err(ReadError::at(Place::line(line), message));
+            return Err(ReadError::at(LineColumn::line(line), message));
         }
         let mut series = Vec::with_capacity(self.parts.len());
         for (column, text) in &self.parts {
-            let place = Place {
+            let place = LineColumn {
                 line,
                 column: *column,
             };

@@ -1,8 +1,8 @@
 //! From the model to the sketch of a ladder program: one block for each element.
 
-use super::super::{Finding, Names, Place, Reading};
+use super::super::{Finding, LineColumn, Names, Reading};
 use super::kinds::{is_bit, is_float, numbers, result};
-use super::model::{Element, Family, File, Member, Number, Operand, Part, Variable};
+use super::model::{Element, Family, File, IotLine, Member, Number, Operand, Variable};
 use super::word::Form;
 use ladder_analysis::Severity;
 use ladder_format::Circuit;
@@ -13,7 +13,7 @@ use std::collections::{BTreeMap, HashMap, HashSet};
 /// The whole program.
 pub(super) fn sketch(file: &File) -> Reading {
     let elements = file.elements();
-    let mut tags: BTreeMap<&Variable, Place> = BTreeMap::new();
+    let mut tags: BTreeMap<&Variable, LineColumn> = BTreeMap::new();
     let mut states: HashMap<&Variable, &Element> = HashMap::new();
     for element in &elements {
         for operand in &element.operands {
@@ -63,7 +63,7 @@ const DEFAULT_BASE: i32 = 100;
 /// The presets of all timers and counters.
 fn presets<'f>(
     elements: &[&'f Element],
-    tags: &BTreeMap<&'f Variable, Place>,
+    tags: &BTreeMap<&'f Variable, LineColumn>,
     states: &HashMap<&'f Variable, &'f Element>,
 ) -> BTreeMap<&'f Variable, Preset> {
     let mut names = Names::default();
@@ -115,15 +115,15 @@ impl<'f> Importer<'f> {
     fn items(&mut self, file: &'f File) {
         let mut above: Vec<String> = Vec::new();
         let mut parts = file.parts.iter().peekable();
-        while let Some(Part::Beside(line)) = parts.next_if(|part| matches!(part, Part::Beside(_))) {
+        while let Some(IotLine::Beside(line)) = parts.next_if(|part| matches!(part, IotLine::Beside(_))) {
             self.push(Item::Comment(format!("iot: {line}")));
         }
         for part in parts {
             match part {
-                Part::Comment(text) if text.starts_with("iot:") => above.push(format!("iot: ; {text}")),
-                Part::Comment(text) => above.push(text.clone()),
-                Part::Beside(line) => above.push(format!("iot: {line}")),
-                Part::Rung(circuit) => {
+                IotLine::Comment(text) if text.starts_with("iot:") => above.push(format!("iot: ; {text}")),
+                IotLine::Comment(text) => above.push(text.clone()),
+                IotLine::Beside(line) => above.push(format!("iot: {line}")),
+                IotLine::Rung(circuit) => {
                     let drawing = Drawing::Circuit(self.circuit(circuit));
                     let comments = std::mem::take(&mut above);
                     self.push(Item::Blank);
@@ -307,7 +307,7 @@ impl<'f> Importer<'f> {
         }
     }
 
-    fn declare(&mut self, tags: &BTreeMap<&'f Variable, Place>) {
+    fn declare(&mut self, tags: &BTreeMap<&'f Variable, LineColumn>) {
         let others = vec![Family::Integer, Family::Float, Family::Timer, Family::Counter];
         let mut sections = [
             (SectionKind::VarInput, vec![Family::Input]),

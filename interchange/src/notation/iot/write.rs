@@ -1,7 +1,7 @@
 //! From a program to the notation: a line for each network of what iot-ladder-editor has.
 
 use super::super::circuit::series_parallel;
-use super::super::{Lines, Place, Report, WriteError, Writing, comments, stand_in};
+use super::super::{LineColumn, Lines, Report, WriteError, Writing, comments, stand_in};
 use super::names::{Names, names};
 use super::parse::{DEEPEST, MOST_IN_RUNG, MOST_PARTS, element};
 use super::word::{Form, ROWS};
@@ -27,7 +27,7 @@ pub(super) fn write(analysis: &Analysis) -> Result<Writing, WriteError> {
     let is_own = analysis.context.profile == Profile::Iot;
     if !is_own {
         let why = "arithmetic, timers and counters are those of iot-ladder-editor there, not of the profile of this file";
-        report.approximated(Place::START, "program", why);
+        report.approximated(LineColumn::START, "program", why);
     }
     let names = names(program, &mut report, |location| {
         lines.place(&text, location.range.start().into())

@@ -1,6 +1,6 @@
 //! From the bytes of a file to the model, as tolerant as the fork's reader, with limits.
 
-use super::super::{Place, ReadError};
+use super::super::{LineColumn, ReadError};
 use super::element;
 use super::model::{Encoding, File, Leaf, Node, Rung, Version, number};
 
@@ -30,7 +30,7 @@ pub(super) fn parse(bytes: &[u8]) -> Result<File, ReadError> {
         "LDmicro0.2" => Version::V02,
         _ => {
             let message = "the first line of an LDmicro program is `LDmicro0.1` or `LDmicro0.2`";
-            return Err(ReadError::at(Place::START, message));
+            return Err(ReadError::at(LineColumn::START, message));
         }
     };
     let mut file = File {
@@ -78,7 +78,7 @@ impl<'t> Lines<'t> {
 
     /// At the line that came last.
     fn error(&self, message: impl Into<String>) -> ReadError {
-        ReadError::at(Place::line(self.number.max(1)), message)
+        ReadError::at(LineColumn::line(self.number.max(1)), message)
     }
 
     /// The entries of a list, up to its `END`.
@@ -113,7 +113,7 @@ fn head(file: &mut File, lines: &mut Lines<'_>) -> Result<(), ReadError> {
                     let words: Vec<&str> = entry.split_whitespace().collect();
                     if words.len() < 3 || words[1] != "at" {
                         let message = "an entry of the IO LIST is `Xname at 12`: a name, `at`, a pin";
-                        return Err(ReadError::at(Place::line(number), message));
+                        return Err(ReadError::at(LineColumn::line(number), message));
                     }
                     let words = match file.version {
                         Version::V01 => &words[..3],

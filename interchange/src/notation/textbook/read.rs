@@ -1,6 +1,6 @@
 //! From the textbook grammar to a sketch, with the checks of the paper.
 
-use super::super::{Finding, Place, ReadError, Reading};
+use super::super::{Finding, LineColumn, ReadError, Reading};
 use super::word::{Element, Name, Word, WordKind, words};
 use ladder_analysis::Severity;
 use ladder_format::Circuit;
@@ -65,11 +65,11 @@ fn comments(text: &str) -> impl Iterator<Item = (u32, &str)> {
 /// What is known of a variable.
 struct Tag {
     /// Where it is first named.
-    place: Place,
+    place: LineColumn,
     value: Option<bool>,
     written: bool,
     /// The first contact that is called like a coil, or the other way round.
-    misplaced: Option<(Place, Element)>,
+    misplaced: Option<(LineColumn, Element)>,
 }
 
 struct Reader<'w> {
@@ -159,7 +159,12 @@ impl Reader<'_> {
         }
     }
 
-    fn element(&mut self, place: Place, element: Element, name: Name) -> Result<Circuit<Block>, ReadError> {
+    fn element(
+        &mut self,
+        place: LineColumn,
+        element: Element,
+        name: Name,
+    ) -> Result<Circuit<Block>, ReadError> {
         let Name {
             letter,
             number,
@@ -264,7 +269,7 @@ impl Reader<'_> {
         self.reading.findings.sort_by_key(|found| found.place);
     }
 
-    fn remark(&mut self, place: Place, check: &'static str, message: String) {
+    fn remark(&mut self, place: LineColumn, check: &'static str, message: String) {
         self.reading.findings.push(Finding {
             place,
             severity: Severity::Warning,
@@ -294,9 +299,9 @@ impl Reader<'_> {
     }
 
     /// Where the next word stands; at the end, where the last one does.
-    fn place(&self) -> Place {
+    fn place(&self) -> LineColumn {
         let word = self.words.get(self.at).or(self.words.last());
-        word.map_or(Place::START, |word| word.place)
+        word.map_or(LineColumn::START, |word| word.place)
     }
 }
 

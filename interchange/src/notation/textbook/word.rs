@@ -1,6 +1,6 @@
 //! The words of the textbook grammar.
 
-use super::super::{Place, ReadError};
+use super::super::{LineColumn, ReadError};
 
 /// What a word is.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -73,7 +73,7 @@ pub(super) struct Name {
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) struct Word {
     pub(super) kind: WordKind,
-    pub(super) place: Place,
+    pub(super) place: LineColumn,
 }
 
 /// The words of a text.
@@ -81,7 +81,7 @@ pub(super) fn words(text: &str) -> Result<Vec<Word>, ReadError> {
     let mut words: Vec<Word> = Vec::new();
     let mut rest = text;
     let mut at_line_start = true;
-    let mut place = Place::START;
+    let mut place = LineColumn::START;
     while let Some(c) = rest.chars().next() {
         let mut found = None;
         let length = match c {

@@ -1,7 +1,7 @@
 //! From a program to the textbook grammar: a line for each network of contacts and coils.
 
 use super::super::circuit::series_parallel;
-use super::super::{Lines, Place, Report, WriteError, Writing, comments};
+use super::super::{LineColumn, Lines, Report, WriteError, Writing, comments};
 use super::word::Element;
 use ladder_analysis::Analysis;
 use ladder_analysis::program::{
@@ -27,7 +27,7 @@ pub(super) fn write(analysis: &Analysis) -> Result<Writing, WriteError> {
         names: names(program),
         used: BTreeSet::new(),
         report: Report::default(),
-        place: Place::START,
+        place: LineColumn::START,
     };
     let mut out = String::new();
     let mut written = 0;
@@ -129,7 +129,7 @@ struct Writer<'p> {
     /// The tags of the networks that were written.
     used: BTreeSet<TagId>,
     report: Report,
-    place: Place,
+    place: LineColumn,
 }
 
 impl Writer<'_> {
@@ -214,7 +214,7 @@ impl Writer<'_> {
             if !tag.name.eq_ignore_ascii_case(name) {
                 let why = format!("the grammar knows names such as I0, M0 and Q0 only; it is `{name}` there");
                 self.report
-                    .approximated(Place::START, format!("tag `{}`", tag.name), why);
+                    .approximated(LineColumn::START, format!("tag `{}`", tag.name), why);
             }
         }
     }

@@ -19,7 +19,7 @@ use tower_lsp::ls_types::{
 use super::{diagnostics, folders};
 use crate::document::Revision;
 use crate::document::address::{path_of, uri_of};
-use crate::document::neighbours::Place;
+use crate::document::neighbours::Membership;
 use crate::lsp::transport::blocking::blocking;
 use crate::lsp::{convert, shared::Shared};
 
@@ -110,7 +110,7 @@ fn text_of(shared: &Shared, file: &Path) -> Option<Arc<Revision>> {
         .find(|it| path_of(&it.uri).as_deref() == Some(file));
     open.or_else(|| {
         let text = ladder_workspace::read(file).ok()?;
-        let place = Place::new(file.to_owned(), &shared.neighbours);
+        let place = Membership::new(file.to_owned(), &shared.neighbours);
         let revision = Revision::on_disk(&uri_of(file), shared.agreed().encoding, &text, place);
         Some(Arc::new(revision))
     })

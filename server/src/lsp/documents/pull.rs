@@ -25,7 +25,7 @@ use tower_lsp::ls_types::{
 use super::{companions, diagnostics, folders, settings_file, watch};
 use crate::document::Revision;
 use crate::document::address::{path_of, uri_of};
-use crate::document::neighbours::{OnDisk, Place};
+use crate::document::neighbours::{Membership, OnDisk};
 use crate::lsp::transport::{blocking::blocking, progress::Progress};
 use crate::lsp::{convert, shared::Shared};
 
@@ -229,7 +229,7 @@ fn on_disk(shared: &Shared, path: &Path) -> Option<Vec<Diagnostic>> {
     {
         return Some(found.clone());
     }
-    let place = Place::new(path.to_owned(), &shared.neighbours);
+    let place = Membership::new(path.to_owned(), &shared.neighbours);
     let revision = Revision::on_disk(&uri_of(path), agreed.encoding, &file.text, place);
     let found = diagnostics::diagnostics_of(agreed, &revision);
     lock().insert(path.to_owned(), (file, exported, found.clone()));

@@ -2,6 +2,7 @@
 
 use ladder_analysis::{Diagnostic as Finding, Severity};
 use ladder_syntax::TextSize;
+use ladder_syntax::numeral::counted;
 use tower_lsp::ls_types::{Diagnostic, DiagnosticSeverity, NumberOrString, Range};
 
 /// So many, which is also what VS Code keeps of one file.
@@ -37,15 +38,15 @@ pub(crate) fn chosen<T>(
 
 /// The finding that says how many there are beside those that are shown.
 pub(crate) fn rest(left_out: usize) -> Option<Diagnostic> {
-    let s = if left_out == 1 { "" } else { "s" };
     (left_out > 0).then(|| Diagnostic {
         range: Range::default(),
         severity: Some(DiagnosticSeverity::INFORMATION),
         code: Some(NumberOrString::String("more-findings".into())),
         source: Some("ladder".into()),
         message: format!(
-            "{left_out} more finding{s} in this file: the {MOST} shown are the errors, and what is near to the last \
-             change. `ladder check` shows all"
+            "{} in this file: the {MOST} shown are the errors, and what is near to the last change. `ladder check` \
+             shows all",
+            counted(left_out, "more finding")
         ),
         ..Diagnostic::default()
     })

@@ -16,8 +16,8 @@ use tower_lsp::ls_types::{
 
 use super::{companions, diagnostics, watch};
 use crate::document::edit::Change;
-use crate::document::neighbours::Place;
-use crate::document::{Kind, Refused, address};
+use crate::document::neighbours::Membership;
+use crate::document::{ChangeRefused, Kind, address};
 use crate::lsp::{convert::our_range, shared::Shared};
 
 pub(crate) fn opened(shared: &Arc<Shared>, params: DidOpenTextDocumentParams) {
@@ -35,7 +35,7 @@ pub(crate) fn opened(shared: &Arc<Shared>, params: DidOpenTextDocumentParams) {
         shared.documents.close(uri);
         shared.companions.close(uri);
     }
-    let place = address::path_of(uri).map(|path| Place::new(path, &shared.neighbours));
+    let place = address::path_of(uri).map(|path| Membership::new(path, &shared.neighbours));
     let encoding = shared.agreed().encoding;
     store.open_at(uri, kind, document.version, encoding, &document.text, place);
     shared.text_moved(uri);
@@ -47,7 +47,7 @@ pub(crate) fn changed(shared: &Arc<Shared>, params: DidChangeTextDocumentParams)
     let changes: Vec<_> = params.content_changes.into_iter().map(change).collect();
     let version = params.text_document.version;
     let done = match shared.companions.change(uri, version, &changes) {
-        Err(Refused::NotOpen) => shared.documents.change(uri, version, &changes),
+        Err(ChangeRefused::NotOpen) => shared.documents.change(uri, version, &changes),
         done => done,
     };
     match done {
@@ -58,7 +58,7 @@ pub(crate) fn changed(shared: &Arc<Shared>, params: DidChangeTextDocumentParams)
         Err(refused) => {
             let message = format!("a change to {uri} was refused: {refused}");
             // From here on editor and server see different texts: that is for the person to know.
-            if matches!(refused, Refused::OldVersion { again: false, .. }) {
+            if matches!(refused, ChangeRefused::OldVersion { again: false, .. }) {
                 shared.outbox.show(&message);
             }
             shared.outbox.log(message);

@@ -12,7 +12,7 @@ use tower_lsp::ls_types::{
 use super::asked::{Asked, Places, about_place};
 use crate::document::Revision;
 use crate::lsp::{convert, shared::Shared};
-use ladder_ide::{Refused, Renamed};
+use ladder_ide::{RenameRefused, Renamed};
 
 /// `RequestFailed`: the request made sense, and cannot be done.
 const REQUEST_FAILED: i64 = -32803;
@@ -62,7 +62,7 @@ pub(crate) async fn rename(shared: &Arc<Shared>, params: RenameParams) -> Result
     Ok(Some(workspace_edit(shared.agreed().versioned_edits, changes)))
 }
 
-fn refused(why: Refused) -> Error {
+fn refused(why: RenameRefused) -> Error {
     Error {
         code: ErrorCode::ServerError(REQUEST_FAILED),
         message: why.0.into(),

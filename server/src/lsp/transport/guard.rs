@@ -117,18 +117,18 @@ where
             MALFORMED => return futures::future::ready(Ok(Some(malformed(request)))).boxed(),
             "exit" => {
                 self.life.exit.notify_one();
-                Step::Other
+                LifeStage::Other
             }
-            "initialize" => Step::Initialize,
-            "shutdown" => Step::Shutdown,
-            _ => Step::Other,
+            "initialize" => LifeStage::Initialize,
+            "shutdown" => LifeStage::Shutdown,
+            _ => LifeStage::Other,
         };
-        let request = if step == Step::Shutdown {
+        let request = if step == LifeStage::Shutdown {
             without_params(request)
         } else {
             request
         };
-        let lift = (step != Step::Other).then(|| Barrier::raise(&self.life));
+        let lift = (step != LifeStage::Other).then(|| Barrier::raise(&self.life));
         let life = self.life.clone();
         let call = catch_unwind(AssertUnwindSafe(|| self.inner.call(request)));
         async move {
@@ -144,10 +144,10 @@ where
                     id.map(|id| Response::from_error(id, error))
                 }
             };
-            if step == Step::Shutdown && answer.as_ref().is_some_and(Response::is_ok) {
+            if step == LifeStage::Shutdown && answer.as_ref().is_some_and(Response::is_ok) {
                 life.state().shutdown = true;
             }
-            if step == Step::Initialize {
+            if step == LifeStage::Initialize {
                 return Ok(answer.map(with_newer_capabilities));
             }
             Ok(answer)
@@ -157,7 +157,7 @@ where
 }
 
 #[derive(Clone, Copy, PartialEq, Eq)]
-enum Step {
+enum LifeStage {
     Initialize,
     Shutdown,
     Other,

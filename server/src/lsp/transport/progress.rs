@@ -30,12 +30,12 @@ const PATIENCE: Duration = Duration::from_secs(30);
 /// Work that is under way. When it is dropped the work is done.
 #[derive(Debug)]
 pub(crate) struct Progress {
-    steps: Option<watch::Sender<Step>>,
+    steps: Option<watch::Sender<Advance>>,
 }
 
 /// How far the work is.
 #[derive(Debug, Clone, Default)]
-struct Step {
+struct Advance {
     percentage: u32,
     message: String,
 }
@@ -49,7 +49,7 @@ impl Progress {
         }
         let serial = SERIAL.fetch_add(1, Ordering::Relaxed);
         let token = NumberOrString::String(format!("ladder-{serial}"));
-        let (sender, steps) = watch::channel(Step::default());
+        let (sender, steps) = watch::channel(Advance::default());
         let client = shared.client.clone();
         tokio::spawn(async move {
             let mut steps = steps;
@@ -69,7 +69,7 @@ impl Progress {
         let Some(token) = token else {
             return Progress { steps: None };
         };
-        let (sender, steps) = watch::channel(Step::default());
+        let (sender, steps) = watch::channel(Advance::default());
         tokio::spawn(show(shared.client.clone(), token, title, steps));
         Progress { steps: Some(sender) }
     }
@@ -78,7 +78,7 @@ impl Progress {
     pub(crate) fn report(&self, done: usize, all: usize, at: &Path) {
         if let Some(steps) = &self.steps {
             let name = at.file_name().unwrap_or_default().to_string_lossy();
-            let step = Step {
+            let step = Advance {
                 percentage: (done * 100 / all.max(1)) as u32,
                 message: format!("{done}/{all} {name}"),
             };
@@ -88,12 +88,17 @@ impl Progress {
 }
 
 /// Whether the work ends within this time.
-async fn ends_within(steps: &mut watch::Receiver<Step>, time: Duration) -> bool {
+async fn ends_within(steps: &mut watch::Receiver<Advance>, time: Duration) -> bool {
     let end = async { while steps.changed().await.is_ok() {} };
     tokio::time::timeout(time, end).await.is_ok()
 }
 
-async fn show(client: Client, token: ProgressToken, title: &'static str, mut steps: watch::Receiver<Step>) {
+async fn show(
+    client: Client,
+    token: ProgressToken,
+    title: &'static str,
+    mut steps: watch::Receiver<Advance>,
+) {
     let tell = async |value| {
         let params = ProgressParams {
             token: token.clone(),

@@ -2,6 +2,7 @@
 
 use super::axis::{Tick, ticks};
 use super::{Lane, Signal, Timing};
+use ladder_syntax::xml::Escaped;
 use std::fmt::Write;
 use unicode_width::UnicodeWidthStr;
 
@@ -106,7 +107,7 @@ impl Page {
 
     fn write(&self, timing: &Timing, out: &mut String) -> std::fmt::Result {
         let (width, height) = (n(self.width), n(self.height));
-        let title = escaped(&timing.title);
+        let title = Escaped(&timing.title);
         writeln!(
             out,
             "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{width}\" height=\"{height}\" \
@@ -151,7 +152,7 @@ impl Page {
             "<text class=\"name\" x=\"{}\" y=\"{}\">{}</text>",
             n(self.left - 14.0),
             n(high + SWING / 2.0 + 4.0),
-            escaped(&lane.name)
+            Escaped(&lane.name)
         )?;
         writeln!(
             out,
@@ -217,7 +218,7 @@ impl Page {
                  <title>{}</title></path>",
                 n(from),
                 n(to),
-                escaped(text),
+                Escaped(text),
                 a = n(from + slant),
                 b = n(to - slant),
                 mid = n(mid),
@@ -230,7 +231,7 @@ impl Page {
                     "<text class=\"value\" x=\"{}\" y=\"{}\">{}</text>",
                     n(f64::midpoint(from, to)),
                     n(mid + 4.0),
-                    escaped(&text)
+                    Escaped(&text)
                 )?;
             }
         }
@@ -271,7 +272,7 @@ impl Page {
                 "<text class=\"note\" x=\"{}\" y=\"{}\">{}</text>",
                 n(end + 8.0),
                 n(y),
-                escaped(text)
+                Escaped(text)
             )?;
         }
         Ok(())
@@ -348,19 +349,4 @@ fn fitting(text: &str, width: f64) -> Option<String> {
 fn n(value: f64) -> String {
     let rounded = libm::round(value * 100.0) / 100.0;
     format!("{rounded}")
-}
-
-/// Text inside of XML. Control characters are no part of XML.
-fn escaped(text: &str) -> String {
-    let mut out = String::with_capacity(text.len());
-    for c in text.chars() {
-        match c {
-            '&' => out.push_str("&amp;"),
-            '<' => out.push_str("&lt;"),
-            '>' => out.push_str("&gt;"),
-            c if c.is_control() => out.push('\u{fffd}'),
-            c => out.push(c),
-        }
-    }
-    out
 }

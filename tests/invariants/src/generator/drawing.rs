@@ -4,7 +4,7 @@
 //! anywhere, so that what is tested is the wiring and not the look.
 
 use super::dice::Dice;
-use crate::reference::Part;
+use crate::reference::DrawnPart;
 
 /// A thing on a rung. Things that follow each other are joined by a wire.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -29,21 +29,21 @@ pub enum Item {
 pub type Network = Vec<Vec<Item>>;
 
 /// The network as the reference evaluation reads it; blocks are numbered from left to right, top to bottom.
-pub(super) fn parts(network: &Network) -> Vec<Vec<Part>> {
+pub(super) fn parts(network: &Network) -> Vec<Vec<DrawnPart>> {
     let mut blocks = 0;
     network
         .iter()
         .map(|rung| {
             rung.iter()
                 .map(|item| match item {
-                    Item::Rail => Part::Rail,
-                    Item::Down => Part::Down,
-                    Item::Up => Part::Up,
-                    Item::Gap => Part::Gap,
-                    Item::Comment(_) | Item::Stub => Part::Wire,
+                    Item::Rail => DrawnPart::Rail,
+                    Item::Down => DrawnPart::Down,
+                    Item::Up => DrawnPart::Up,
+                    Item::Gap => DrawnPart::Gap,
+                    Item::Comment(_) | Item::Stub => DrawnPart::Wire,
                     Item::Block(_) => {
                         blocks += 1;
-                        Part::Block(blocks - 1)
+                        DrawnPart::Block(blocks - 1)
                     }
                 })
                 .collect()

@@ -1,6 +1,6 @@
 //! Programs of contacts and coils, evaluated by the reference.
 
-use super::{Part, evaluate, networks};
+use super::{DrawnPart, evaluate, networks};
 use std::collections::BTreeMap;
 
 /// What a block of such a program does.
@@ -28,7 +28,7 @@ type Block = (Contact, String);
 /// A running program of contacts and coils.
 #[derive(Debug)]
 pub struct Boolean {
-    networks: Vec<(Vec<Vec<Part>>, Vec<Block>)>,
+    networks: Vec<(Vec<Vec<DrawnPart>>, Vec<Block>)>,
     /// The tags by their names in small letters.
     pub tags: BTreeMap<String, bool>,
     /// The ENO of every block in the order of the text, of the last scan.

@@ -12,7 +12,7 @@ pub use reader::{networks, rung};
 
 /// A thing on a line of a network.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Part {
+pub enum DrawnPart {
     /// A `+`. First on its line it is the left rail's.
     Rail,
     /// A piece of wire.
@@ -29,7 +29,7 @@ pub enum Part {
 
 /// Evaluates a network once. Each block is told its EN and gives its ENO; what is given back is the power of every
 /// part, of a connector that of its point.
-pub fn evaluate(network: &[Vec<Part>], block: &mut dyn FnMut(usize, bool) -> bool) -> Vec<Vec<bool>> {
+pub fn evaluate(network: &[Vec<DrawnPart>], block: &mut dyn FnMut(usize, bool) -> bool) -> Vec<Vec<bool>> {
     let mut run = Run {
         network,
         block,
@@ -52,7 +52,7 @@ struct Line {
 }
 
 struct Run<'n> {
-    network: &'n [Vec<Part>],
+    network: &'n [Vec<DrawnPart>],
     block: &'n mut dyn FnMut(usize, bool) -> bool,
     lines: Vec<Line>,
     power: Vec<Vec<bool>>,
@@ -62,21 +62,21 @@ impl Run<'_> {
     /// Evaluates a line from where it stands, up to but not including its k-th `/`, else to its end.
     fn run(&mut self, line: usize, up_to: Option<usize>) {
         while let Some(&part) = self.network[line].get(self.lines[line].next) {
-            if part == Part::Up && Some(self.lines[line].ups) == up_to {
+            if part == DrawnPart::Up && Some(self.lines[line].ups) == up_to {
                 return;
             }
             let at = self.lines[line].next;
             match part {
-                Part::Rail if at == 0 => self.lines[line].power = true,
-                Part::Rail | Part::Wire => {}
-                Part::Gap => self.lines[line].power = false,
-                Part::Block(number) => {
+                DrawnPart::Rail if at == 0 => self.lines[line].power = true,
+                DrawnPart::Rail | DrawnPart::Wire => {}
+                DrawnPart::Gap => self.lines[line].power = false,
+                DrawnPart::Block(number) => {
                     let enabled = self.lines[line].power;
                     self.lines[line].power = (self.block)(number, enabled);
                 }
                 // Reached by itself, its point was made before.
-                Part::Up => unreachable!("the line above comes first"),
-                Part::Down => {
+                DrawnPart::Up => unreachable!("the line above comes first"),
+                DrawnPart::Down => {
                     self.join(line);
                     continue;
                 }

@@ -1,11 +1,11 @@
 //! Reads the wiring of plain boolean networks from their text: contacts and coils with one operand each.
 
-use super::Part;
+use super::DrawnPart;
 
 /// The networks of a text that holds nothing but rungs, with the text of each block. A rung with a `\` and the rung
 /// below it belong together; rail, comment and blank lines count for nothing.
-pub fn networks(text: &str) -> Vec<(Vec<Vec<Part>>, Vec<String>)> {
-    let mut networks: Vec<(Vec<Vec<Part>>, Vec<String>)> = Vec::new();
+pub fn networks(text: &str) -> Vec<(Vec<Vec<DrawnPart>>, Vec<String>)> {
+    let mut networks: Vec<(Vec<Vec<DrawnPart>>, Vec<String>)> = Vec::new();
     let mut goes_on = false;
     for line in text.lines() {
         let mut blocks = Vec::new();
@@ -17,7 +17,7 @@ pub fn networks(text: &str) -> Vec<(Vec<Vec<Part>>, Vec<String>)> {
         if parts.is_empty() {
             continue;
         }
-        let continues = parts.contains(&Part::Down);
+        let continues = parts.contains(&DrawnPart::Down);
         match networks.last_mut().filter(|_| goes_on) {
             Some((rungs, all)) => {
                 rungs.push(parts);
@@ -32,49 +32,49 @@ pub fn networks(text: &str) -> Vec<(Vec<Vec<Part>>, Vec<String>)> {
 
 /// The parts of one line, whose first block has a number; the texts of its blocks are added to a list. Empty for a
 /// line that means nothing.
-pub fn rung(line: &str, first_block: usize, blocks: &mut Vec<String>) -> Vec<Part> {
+pub fn rung(line: &str, first_block: usize, blocks: &mut Vec<String>) -> Vec<DrawnPart> {
     let line = without_loose_comments(line);
     let mut parts = Vec::new();
     let mut rest = line.as_str();
     while let Some(first) = rest.chars().next() {
         let length = match first {
             '-' => {
-                parts.push(Part::Wire);
+                parts.push(DrawnPart::Wire);
                 1
             }
             '+' => {
-                parts.push(Part::Rail);
+                parts.push(DrawnPart::Rail);
                 1
             }
             '\\' => {
-                parts.push(Part::Down);
+                parts.push(DrawnPart::Down);
                 1
             }
             '/' => {
-                parts.push(Part::Up);
+                parts.push(DrawnPart::Up);
                 1
             }
             '#' => {
-                parts.push(Part::Wire);
+                parts.push(DrawnPart::Wire);
                 1 + rest[1..].find('#').map_or(rest.len() - 1, |end| end + 1)
             }
             '[' | '(' | '<' => {
                 let length = block_length(rest);
-                parts.push(Part::Block(first_block + blocks.len()));
+                parts.push(DrawnPart::Block(first_block + blocks.len()));
                 blocks.push(rest[..length].to_owned());
                 length
             }
             _ => {
                 // White space and `|`.
-                if !parts.is_empty() && parts.last() != Some(&Part::Gap) {
-                    parts.push(Part::Gap);
+                if !parts.is_empty() && parts.last() != Some(&DrawnPart::Gap) {
+                    parts.push(DrawnPart::Gap);
                 }
                 first.len_utf8()
             }
         };
         rest = &rest[length..];
     }
-    if parts.last() == Some(&Part::Gap) {
+    if parts.last() == Some(&DrawnPart::Gap) {
         parts.pop();
     }
     parts

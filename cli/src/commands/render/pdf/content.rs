@@ -1,7 +1,7 @@
 //! What is drawn on a page.
 
 use super::font::Fonts;
-use ladder_interchange::picture::scene::{Anchor, At, Form, Shape, Step};
+use ladder_interchange::picture::scene::{Anchor, At, Form, PathStep, Shape};
 use ladder_interchange::picture::sheet::{Piece, Sheet};
 use ladder_interchange::picture::style::{Cap, Colour, DOT, Hue, Look, Theme};
 use pdf_writer::types::LineCapStyle;
@@ -126,17 +126,17 @@ fn line_to(content: &mut Content, (x, y): At) {
 }
 
 /// A step of a path from `here`; gives where it leads.
-fn follow(content: &mut Content, here: At, step: Step) -> At {
+fn follow(content: &mut Content, here: At, step: PathStep) -> At {
     match step {
-        Step::Move(to) => {
+        PathStep::Move(to) => {
             move_to(content, to);
             to
         }
-        Step::Line(to) => {
+        PathStep::Line(to) => {
             line_to(content, to);
             to
         }
-        Step::Bow(by, to) => {
+        PathStep::Bow(by, to) => {
             // A bow with one handle, as one with two.
             let handle = |end: At| {
                 let towards = |end: i32, by: i32| end as f32 + 2.0 / 3.0 * (by - end) as f32;
@@ -146,7 +146,7 @@ fn follow(content: &mut Content, here: At, step: Step) -> At {
             content.cubic_to(first.0, first.1, second.0, second.1, to.0 as f32, to.1 as f32);
             to
         }
-        Step::Close => {
+        PathStep::Close => {
             content.close_path();
             here
         }

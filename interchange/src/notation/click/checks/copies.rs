@@ -5,10 +5,10 @@ use super::super::model::{Constant, Operand};
 use super::super::operand::{fits, kind};
 use super::Found;
 use super::kinds::sort;
-use crate::notation::Place;
+use crate::notation::LineColumn;
 
 /// The page's table of what turns into what in a copy.
-pub(super) fn copied(place: Place, source: &Operand, to: Kind, out: &mut Found) {
+pub(super) fn copied(place: LineColumn, source: &Operand, to: Kind, out: &mut Found) {
     let number = |kind: Kind| !matches!(kind, Kind::Bit | Kind::Text);
     if let Operand::Constant(constant) = source {
         let turns = match constant {
@@ -41,7 +41,7 @@ pub(super) fn copied(place: Place, source: &Operand, to: Kind, out: &mut Found) 
 }
 
 /// What may be packed into what, and how much of it.
-pub(super) fn packed(place: Place, from: Bank, count: usize, to: Bank, out: &mut Found) {
+pub(super) fn packed(place: LineColumn, from: Bank, count: usize, to: Bank, out: &mut Found) {
     use Bank::{C, Ct, Ctd, Dd, Df, Dh, Ds, Sc, T, Td, Txt, X, Y};
     let most = match (from, to) {
         (X | Y | T | Ct | Sc, Dh) | (C, Ds | Dh) => 16,
@@ -53,7 +53,7 @@ pub(super) fn packed(place: Place, from: Bank, count: usize, to: Bank, out: &mut
     no_more_than(most, count, place, (from, "packed", to), out);
 }
 
-pub(super) fn unpacked(place: Place, from: Bank, to: Bank, count: usize, out: &mut Found) {
+pub(super) fn unpacked(place: LineColumn, from: Bank, to: Bank, count: usize, out: &mut Found) {
     use Bank::{C, Dd, Df, Dh, Ds, Y};
     let most = match (from, to) {
         (Ds | Dh, C | Y) => 16,
@@ -68,7 +68,7 @@ pub(super) fn unpacked(place: Place, from: Bank, to: Bank, count: usize, out: &m
 fn no_more_than(
     most: usize,
     count: usize,
-    place: Place,
+    place: LineColumn,
     (from, way, to): (Bank, &str, Bank),
     out: &mut Found,
 ) {

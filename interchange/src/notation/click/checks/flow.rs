@@ -7,7 +7,7 @@ use super::super::model::{
 };
 use super::words::Pin;
 use super::{Found, actions};
-use crate::notation::Place;
+use crate::notation::LineColumn;
 use std::collections::{HashMap, HashSet};
 
 pub(super) fn check(program: &Program, out: &mut Found) {
@@ -149,9 +149,9 @@ fn calls(program: &Program, out: &mut Found) {
 
 /// Two coils on one output: the last one wins.
 fn outputs(program: &Program, out: &mut Found) {
-    let mut named: HashMap<&Tag, Place> = HashMap::new();
+    let mut named: HashMap<&Tag, LineColumn> = HashMap::new();
     // By bank and number: ranges are a coil on each of their bits.
-    let mut numbered: HashMap<Bank, Vec<Option<Place>>> = HashMap::new();
+    let mut numbered: HashMap<Bank, Vec<Option<LineColumn>>> = HashMap::new();
     for (_, _, action) in actions(program) {
         let Instruction::Out(coil) = &action.what else {
             continue;
@@ -190,7 +190,7 @@ fn outputs(program: &Program, out: &mut Found) {
     }
 }
 
-fn twice(place: Place, tag: &str, before: Place, out: &mut Found) {
+fn twice(place: LineColumn, tag: &str, before: LineColumn, out: &mut Found) {
     let message = format!("{tag} has an out() at {before} too: the last one in the scan wins");
     out.warning(place, "click-c1001", message);
 }

@@ -6,7 +6,7 @@ use super::super::model::{
 };
 use super::super::operand::{fits, kind};
 use super::{Found, copies, mathematics};
-use crate::notation::Place;
+use crate::notation::LineColumn;
 
 pub(super) fn condition(condition: &Condition, out: &mut Found) {
     match condition {
@@ -200,7 +200,7 @@ pub(super) fn action(action: &Action, out: &mut Found) {
     }
 }
 
-fn coil(place: Place, coil: &Coil, out: &mut Found) {
+fn coil(place: LineColumn, coil: &Coil, out: &mut Found) {
     let bank = coil.bits.bank();
     if !matches!(bank, Bank::Y | Bank::C | Bank::Sc) {
         let message = format!(
@@ -219,7 +219,7 @@ fn coil(place: Place, coil: &Coil, out: &mut Found) {
     }
 }
 
-fn setpoint(place: Place, what: &str, value: &Operand, most: Kind, banks: &[Bank], out: &mut Found) {
+fn setpoint(place: LineColumn, what: &str, value: &Operand, most: Kind, banks: &[Bank], out: &mut Found) {
     let goes = match value {
         Operand::Constant(constant) => {
             matches!(constant, Constant::Int(number) if *number >= 0) && fits(constant, most)
@@ -239,7 +239,7 @@ fn setpoint(place: Place, what: &str, value: &Operand, most: Kind, banks: &[Bank
     }
 }
 
-fn search(place: Place, search: &Search, out: &mut Found) {
+fn search(place: LineColumn, search: &Search, out: &mut Found) {
     if search.flag.bank != Bank::C {
         let message = format!(
             "the flag of a search is an address of {}, and {} is none",

@@ -7,9 +7,9 @@ use super::super::model::{Constant, Formula, Function, Math, MathKind, Operand, 
 use super::super::operand::kind;
 use super::Found;
 use super::kinds::{Family, family, sort};
-use crate::notation::Place;
+use crate::notation::LineColumn;
 
-pub(super) fn check(place: Place, math: &Math, out: &mut Found) {
+pub(super) fn check(place: LineColumn, math: &Math, out: &mut Found) {
     let Some(target) = kind(&math.target) else {
         return out.error(
             place,

@@ -5,7 +5,7 @@ use super::super::bank::{Bank, Writer};
 use super::super::model::{Instruction, Program};
 use super::super::uses::{Access, What, uses};
 use super::{Found, actions};
-use crate::notation::Place;
+use crate::notation::LineColumn;
 use std::collections::{HashMap, HashSet};
 
 pub(super) fn check(program: &Program, out: &mut Found) {
@@ -90,7 +90,7 @@ pub(super) fn check(program: &Program, out: &mut Found) {
 
 /// No bit is in two shift registers: each would move what the other holds.
 fn registers(program: &Program, out: &mut Found) {
-    let mut taken: HashMap<Bank, Vec<Option<Place>>> = HashMap::new();
+    let mut taken: HashMap<Bank, Vec<Option<LineColumn>>> = HashMap::new();
     for (_, _, action) in actions(program) {
         let Instruction::Shift(shift) = &action.what else {
             continue;
@@ -114,7 +114,7 @@ fn registers(program: &Program, out: &mut Found) {
     }
 }
 
-fn missing(place: Place, bank: Bank, what: &str, out: &mut Found) {
+fn missing(place: LineColumn, bank: Bank, what: &str, out: &mut Found) {
     let message = format!(
         "{what} does not exist: {} has {}",
         out.words.bank(bank),
@@ -124,7 +124,7 @@ fn missing(place: Place, bank: Bank, what: &str, out: &mut Found) {
 }
 
 /// What the program must not write.
-fn writes(place: Place, tag: &Tag, out: &mut Found) {
+fn writes(place: LineColumn, tag: &Tag, out: &mut Found) {
     let why = match (tag.bank.row().writer, tag.address()) {
         (Writer::Program, _) => return,
         (Writer::World, _) => "it is an input",

@@ -12,7 +12,7 @@ mod words;
 
 pub(super) use words::Words;
 
-use super::super::{Finding, Place};
+use super::super::{Finding, LineColumn};
 use super::model::{Action, Program, Routine, Rung};
 use ladder_analysis::Severity;
 
@@ -50,19 +50,19 @@ struct Found {
 }
 
 impl Found {
-    fn error(&mut self, place: Place, check: &'static str, message: impl Into<String>) {
+    fn error(&mut self, place: LineColumn, check: &'static str, message: impl Into<String>) {
         self.push(place, Severity::Error, check, message.into());
     }
 
-    fn warning(&mut self, place: Place, check: &'static str, message: impl Into<String>) {
+    fn warning(&mut self, place: LineColumn, check: &'static str, message: impl Into<String>) {
         self.push(place, Severity::Warning, check, message.into());
     }
 
-    fn info(&mut self, place: Place, check: &'static str, message: impl Into<String>) {
+    fn info(&mut self, place: LineColumn, check: &'static str, message: impl Into<String>) {
         self.push(place, Severity::Info, check, message.into());
     }
 
-    fn push(&mut self, place: Place, severity: Severity, check: &'static str, message: String) {
+    fn push(&mut self, place: LineColumn, severity: Severity, check: &'static str, message: String) {
         self.all.push(Finding {
             place,
             severity,

@@ -1,6 +1,6 @@
 //! How large and how deep a Python file may be. The parser calls itself for what nests, so this is asked before.
 
-use crate::notation::{Lines, Place, ReadError};
+use crate::notation::{LineColumn, Lines, ReadError};
 use ruff_python_ast::token::TokenKind;
 use ruff_python_parser::{Mode, lexer};
 
@@ -24,7 +24,7 @@ pub(super) fn check(text: &str) -> Result<(), ReadError> {
     }
     for (number, line) in text.split('\n').enumerate() {
         if line.len() > LONGEST_LINE {
-            let place = Place::line(number as u32 + 1);
+            let place = LineColumn::line(number as u32 + 1);
             return Err(ReadError::at(
                 place,
                 format!("a line of more than {LONGEST_LINE} characters is not read"),
@@ -49,7 +49,7 @@ pub(super) fn check(text: &str) -> Result<(), ReadError> {
 }
 
 /// Tokens have no places here, but they tell where lines end.
-fn place_of(text: &str, newlines: usize) -> Place {
+fn place_of(text: &str, newlines: usize) -> LineColumn {
     let ends = text.bytes().enumerate().filter(|(_, byte)| *byte == b'\n');
     let start = ends.map(|(at, _)| at + 1).nth(newlines.wrapping_sub(1));
     let offset = if newlines == 0 {

@@ -1,6 +1,6 @@
 //! What is not in the DSL, with its place.
 
-use crate::notation::{Lines, Place, ReadError};
+use crate::notation::{LineColumn, Lines, ReadError};
 use ruff_python_ast::{Expr, Stmt};
 use ruff_text_size::Ranged;
 
@@ -8,7 +8,7 @@ use ruff_text_size::Ranged;
 pub(super) struct Mistakes<'t> {
     text: &'t str,
     lines: Lines,
-    all: Vec<(Place, String)>,
+    all: Vec<(LineColumn, String)>,
 }
 
 /// What could not be read. What it is has been noted.
@@ -35,7 +35,7 @@ impl<'t> Mistakes<'t> {
             .unwrap_or("")
     }
 
-    pub(super) fn place(&self, of: &impl Ranged) -> Place {
+    pub(super) fn place(&self, of: &impl Ranged) -> LineColumn {
         self.lines.place(self.text, of.start().into())
     }
 

@@ -1,6 +1,6 @@
 //! One cell of the condition grid, and one row of them.
 
-use super::super::super::Place;
+use super::super::super::LineColumn;
 
 /// How many condition cells a row has: the columns A to AE.
 pub(in super::super) const COLUMNS: usize = 31;
@@ -9,7 +9,7 @@ pub(in super::super) const COLUMNS: usize = 31;
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(super) struct Text {
     pub(super) text: String,
-    pub(super) place: Place,
+    pub(super) place: LineColumn,
 }
 
 /// What fills a cell from its left edge to its right one.
@@ -34,7 +34,7 @@ pub(super) struct Cell {
 
 impl Cell {
     /// From its text in the file.
-    pub(super) fn read(text: &str, place: Place) -> Cell {
+    pub(super) fn read(text: &str, place: LineColumn) -> Cell {
         let body = match text {
             "" | "|" => Body::Empty,
             "-" | "T" => Body::Wire,
@@ -63,7 +63,7 @@ impl Cell {
 /// A row of a rung.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(super) struct Row {
-    pub(super) place: Place,
+    pub(super) place: LineColumn,
     /// [`COLUMNS`] of them.
     pub(super) cells: Vec<Cell>,
     /// What stands in column AF, if there is anything.
@@ -74,7 +74,7 @@ impl Row {
     /// Without anything in it.
     pub(super) fn empty() -> Row {
         Row {
-            place: Place::START,
+            place: LineColumn::START,
             cells: vec![Cell::default(); COLUMNS],
             output: None,
         }

@@ -1,6 +1,6 @@
 //! Contacts and comparisons, as cells have them.
 
-use super::super::super::Place;
+use super::super::super::LineColumn;
 use super::super::address::{Address, Tag};
 use super::super::bank::Kind;
 use super::super::model::{Bits, Comparison, Condition, Contact, ContactKind, Relation};
@@ -18,7 +18,7 @@ pub(super) struct Read {
 /// # Errors
 ///
 /// Why it is none.
-pub(super) fn read(text: &str, place: Place) -> Result<Read, String> {
+pub(super) fn read(text: &str, place: LineColumn) -> Result<Read, String> {
     if let Some(comparison) = comparison(text, place)? {
         let condition = Condition::Compare(comparison);
         return Ok(Read {
@@ -74,7 +74,7 @@ pub(super) fn exists(address: Address) -> Result<Tag, String> {
     Ok(address.into())
 }
 
-fn comparison(text: &str, place: Place) -> Result<Option<Comparison>, String> {
+fn comparison(text: &str, place: LineColumn) -> Result<Option<Comparison>, String> {
     let Some((left, relation, right)) = split(text) else {
         return Ok(None);
     };

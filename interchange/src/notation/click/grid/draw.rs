@@ -4,7 +4,7 @@
 //! where there are more of them; a condition that one of them has for itself stands on its row, behind the wire that
 //! goes down to all outputs. Pins come below everything, each with its own way from the left rail.
 
-use super::super::super::Place;
+use super::super::super::LineColumn;
 use super::super::model::Condition;
 use super::addresses::Addresses;
 use super::cell::{Body, COLUMNS, Row, Text};
@@ -212,7 +212,7 @@ impl Sheet<'_> {
         }
         self.row(row).output = Some(Text {
             text: text.to_owned(),
-            place: Place::START,
+            place: LineColumn::START,
         });
         Ok(())
     }
@@ -265,7 +265,7 @@ impl Sheet<'_> {
             ShapeKind::Contact(condition) => {
                 let text = contact::write(condition, self.addresses)
                     .ok_or_else(|| Undrawable::Unsaid("a contact".to_owned()))?;
-                let place = Place::START;
+                let place = LineColumn::START;
                 self.body(row, column, Body::Contact(Text { text, place }))?;
                 Ok(column + 1)
             }

@@ -1,6 +1,6 @@
 //! The file of a grid: comma-separated values with the header `marker,A,B,..,AF`.
 
-use super::super::super::{Place, ReadError};
+use super::super::super::{LineColumn, ReadError};
 use super::super::csv::{self, Record};
 use super::cell::{COLUMNS, Cell, Grid, GridRung, Row, Text};
 
@@ -35,7 +35,7 @@ pub(super) fn read(bytes: &[u8], before: u32) -> Result<Grid, ReadError> {
     let first = records.next();
     if !first.is_some_and(|record| record.fields.iter().map(|field| &field.text).eq(&columns)) {
         let message = "a grid begins with the line `marker,A,B,C,..,AE,AF`";
-        return Err(ReadError::at(Place::line(before + 1), message));
+        return Err(ReadError::at(LineColumn::line(before + 1), message));
     }
     let mut grid = Grid::default();
     let mut above = Vec::new();

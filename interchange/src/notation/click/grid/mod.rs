@@ -26,11 +26,11 @@ mod formula;
 mod netlist;
 mod operand;
 mod output;
-mod part;
 mod paths;
 mod read;
 mod reduce;
 mod rungs;
+mod subcircuit;
 mod token;
 mod write;
 

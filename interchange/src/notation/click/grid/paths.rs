@@ -1,8 +1,8 @@
 //! A bridge as the paths that it makes.
 
 use super::netlist::RAIL;
-use super::part::Part;
 use super::reduce::{Budget, NoCircuit};
+use super::subcircuit::Subcircuit;
 use std::collections::{HashMap, HashSet};
 
 /// How many paths a bridge may make.
@@ -19,17 +19,17 @@ const MOST_STEPS: usize = 20_000;
 pub(super) struct Span {
     pub(super) from: usize,
     pub(super) to: usize,
-    pub(super) part: Part,
+    pub(super) part: Subcircuit,
 }
 
 /// All ways from the left rail to a net. Nets that every way passes part them, so that each bridge stands for itself.
-pub(super) fn paths(edges: &[Span], target: usize, budget: &mut Budget) -> Result<Part, NoCircuit> {
+pub(super) fn paths(edges: &[Span], target: usize, budget: &mut Budget) -> Result<Subcircuit, NoCircuit> {
     let graph = Graph::of(edges);
     if graph.at.len() > MOST_NETS {
         return Err(NoCircuit::ManyPaths);
     }
     let stops = graph.stops(target).ok_or(NoCircuit::Unfed)?;
-    let mut whole = Part::wire();
+    let mut whole = Subcircuit::wire();
     for pair in stops.windows(2) {
         let mut walk = Walk {
             graph: &graph,
@@ -48,22 +48,22 @@ pub(super) fn paths(edges: &[Span], target: usize, budget: &mut Budget) -> Resul
         budget.spend(contacts.sum::<usize>() + walk.steps)?;
         let branches = walk.found.iter().map(|path| {
             path.iter()
-                .fold(Part::wire(), |before, step| before.behind(step.part(edges)))
+                .fold(Subcircuit::wire(), |before, step| before.behind(step.part(edges)))
         });
-        whole = whole.behind(Part::any(branches.collect()));
+        whole = whole.behind(Subcircuit::any(branches.collect()));
     }
     Ok(whole)
 }
 
 /// An edge as it is passed.
 #[derive(Clone, Copy)]
-struct Step {
+struct DirectedEdge {
     edge: usize,
     reversed: bool,
 }
 
-impl Step {
-    fn part(self, edges: &[Span]) -> Part {
+impl DirectedEdge {
+    fn part(self, edges: &[Span]) -> Subcircuit {
         let part = edges[self.edge].part.clone();
         if self.reversed { part.reversed() } else { part }
     }
@@ -71,21 +71,21 @@ impl Step {
 
 struct Graph {
     /// From each net, where its edges lead.
-    at: HashMap<usize, Vec<(Step, usize)>>,
+    at: HashMap<usize, Vec<(DirectedEdge, usize)>>,
 }
 
 impl Graph {
     fn of(edges: &[Span]) -> Graph {
-        let mut at: HashMap<usize, Vec<(Step, usize)>> = HashMap::new();
+        let mut at: HashMap<usize, Vec<(DirectedEdge, usize)>> = HashMap::new();
         for (edge, span) in edges.iter().enumerate() {
-            let step = |reversed| Step { edge, reversed };
+            let step = |reversed| DirectedEdge { edge, reversed };
             at.entry(span.from).or_default().push((step(false), span.to));
             at.entry(span.to).or_default().push((step(true), span.from));
         }
         Graph { at }
     }
 
-    fn leads(&self, net: usize) -> &[(Step, usize)] {
+    fn leads(&self, net: usize) -> &[(DirectedEdge, usize)] {
         self.at.get(&net).map_or(&[], Vec::as_slice)
     }
 
@@ -129,12 +129,12 @@ struct Walk<'g> {
     to: usize,
     passed: HashSet<usize>,
     steps: usize,
-    found: Vec<Vec<Step>>,
+    found: Vec<Vec<DirectedEdge>>,
 }
 
 impl Walk<'_> {
     /// Goes on from a net that was reached on a path.
-    fn on(&mut self, net: usize, path: &mut Vec<Step>) -> Result<(), NoCircuit> {
+    fn on(&mut self, net: usize, path: &mut Vec<DirectedEdge>) -> Result<(), NoCircuit> {
         self.steps += 1;
         if self.steps > MOST_STEPS {
             return Err(NoCircuit::ManyPaths);

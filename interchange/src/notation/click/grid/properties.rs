@@ -351,7 +351,7 @@ fn hostile_rungs_are_refused_soon() {
 #[test]
 fn cells_are_read_and_written() {
     for text in ["", "-", "|", "T", "C1", "T:C1", "T:~C1", "T:rise(C1)", "DS1==5"] {
-        let cell = super::cell::Cell::read(text, super::super::super::Place::START);
+        let cell = super::cell::Cell::read(text, super::super::super::LineColumn::START);
         assert_eq!(cell.text(), text);
         assert_eq!(matches!(cell.body, Body::Contact(_)), text.len() > 1);
     }

@@ -1,6 +1,6 @@
 //! From the files of a program to the model, and from there to ladder text.
 
-use super::super::super::{Finding, Outcome, Place, ReadError, Reading, Report, Source};
+use super::super::super::{Finding, LineColumn, Outcome, ReadError, Reading, Report, Source};
 use super::super::checks::Words;
 use super::super::model::{Instruction, Program, Routine};
 use super::super::nicknames;
@@ -68,7 +68,7 @@ pub(super) fn read(source: &Source<'_>) -> Result<Reading, ReadError> {
         let name = call
             .as_ref()
             .map_or_else(|| stem[SUBROUTINE.len()..].to_owned(), |(name, _)| name.clone());
-        let place = call.map_or(Place::START, |(_, place)| place);
+        let place = call.map_or(LineColumn::START, |(_, place)| place);
         let failure =
             |error: ReadError| ReadError::whole(format!("{}:{}", companion.name, Later { before, error }));
         let grid = file::read(&companion.bytes, before).map_err(failure)?;
@@ -111,7 +111,7 @@ fn routine(name: &str, grid: &Grid, reader: &mut Reader) -> Routine {
             .rungs
             .first()
             .and_then(|rung| rung.rows.first())
-            .map_or(Place::START, |row| row.place),
+            .map_or(LineColumn::START, |row| row.place),
         rungs: std::mem::take(&mut reader.rungs),
         behind,
         ..Routine::default()
@@ -119,7 +119,7 @@ fn routine(name: &str, grid: &Grid, reader: &mut Reader) -> Routine {
 }
 
 /// The name and place of the first call of the subroutine that a file holds.
-fn call_of(main: &Routine, stem: &str) -> Option<(String, Place)> {
+fn call_of(main: &Routine, stem: &str) -> Option<(String, LineColumn)> {
     let mut actions = main.rungs.iter().flat_map(|rung| &rung.actions);
     actions.find_map(|action| match &action.what {
         Instruction::Call(name) if file_stem(name) == stem => Some((name.clone(), action.place)),
@@ -130,7 +130,7 @@ fn call_of(main: &Routine, stem: &str) -> Option<(String, Place)> {
 /// What stands at each place of the grids.
 #[derive(Default)]
 struct Texts {
-    texts: HashMap<Place, String>,
+    texts: HashMap<LineColumn, String>,
 }
 
 impl Texts {
@@ -149,7 +149,7 @@ impl Texts {
     /// One entry for each cell, also where a contact stands several times in the model: what is worst of it.
     fn joined(&self, sketch: Report, grid: Report) -> Report {
         let mut out = Report::default();
-        let mut by_place: HashMap<Place, usize> = HashMap::new();
+        let mut by_place: HashMap<LineColumn, usize> = HashMap::new();
         for mut entry in sketch.entries.into_iter().chain(grid.entries) {
             let Some(text) = self.texts.get(&entry.place) else {
                 out.entries.push(entry);
@@ -189,14 +189,14 @@ struct File<'s> {
     before: u32,
     name: &'s str,
     /// Where the main program calls it.
-    place: Place,
+    place: LineColumn,
 }
 
 impl File<'_> {
     /// What is said of its places is said of the call, with the place in words.
     fn bring_home(&self, reading: &mut Reading) {
-        let own = |place: Place| {
-            (place.line > self.before).then(|| Place {
+        let own = |place: LineColumn| {
+            (place.line > self.before).then(|| LineColumn {
                 line: place.line - self.before,
                 ..place
             })

@@ -4,8 +4,8 @@
 //! does not happen there is a bridge, through which power goes both ways; it becomes the paths that it makes.
 
 use super::netlist::{Netlist, RAIL};
-use super::part::{Kind, Part};
 use super::paths::{Span, paths};
+use super::subcircuit::{Kind, Subcircuit};
 use std::collections::HashMap;
 
 /// Why there is no circuit.
@@ -36,10 +36,14 @@ impl Budget {
 }
 
 /// How power gets from the left rail to a net. A bare wire is a series of nothing.
-pub(super) fn circuit(netlist: &Netlist<'_>, net: usize, budget: &mut Budget) -> Result<Part, NoCircuit> {
+pub(super) fn circuit(
+    netlist: &Netlist<'_>,
+    net: usize,
+    budget: &mut Budget,
+) -> Result<Subcircuit, NoCircuit> {
     budget.spend(netlist.contacts.len() + netlist.nets + 1)?;
     if net == RAIL {
-        return Ok(Part::wire());
+        return Ok(Subcircuit::wire());
     }
     let mut graph = Graph::of(netlist, net);
     graph.reduce();
@@ -58,7 +62,7 @@ pub(super) fn circuit(netlist: &Netlist<'_>, net: usize, budget: &mut Budget) ->
 struct Edge {
     from: usize,
     to: usize,
-    part: Part,
+    part: Subcircuit,
 }
 
 impl Edge {
@@ -71,7 +75,7 @@ impl Edge {
     }
 
     /// As it is passed from one of its ends.
-    fn part_from(self, net: usize) -> Part {
+    fn part_from(self, net: usize) -> Subcircuit {
         if self.from == net {
             self.part
         } else {
@@ -110,7 +114,7 @@ impl Graph {
             graph.add(Edge {
                 from: contact.left,
                 to: contact.right,
-                part: Part::contact(number),
+                part: Subcircuit::contact(number),
             });
         }
         graph
@@ -127,7 +131,7 @@ impl Graph {
         let other = self.between.get(&between).copied();
         if let Some(there) = other.and_then(|other| self.edges[other].as_mut()) {
             let beside = edge.part_from(there.from);
-            let part = std::mem::replace(&mut there.part, Part::wire());
+            let part = std::mem::replace(&mut there.part, Subcircuit::wire());
             there.part = part.beside(beside);
             return;
         }
@@ -182,7 +186,7 @@ pub(super) struct Directions {
 }
 
 impl Directions {
-    pub(super) fn note(&mut self, part: &Part) {
+    pub(super) fn note(&mut self, part: &Subcircuit) {
         match &part.kind {
             Kind::Contact { contact, reversed } => {
                 let ways = self.ways.entry(*contact).or_default();

@@ -5,8 +5,8 @@ use super::super::model::{Action, Condition, Instruction, Rung};
 use super::cell::{GridRung, Text};
 use super::file;
 use super::netlist::{Fed, Netlist};
-use super::part::{Kind, Part};
 use super::reduce::{Budget, Directions, NoCircuit, circuit};
+use super::subcircuit::{Kind, Subcircuit};
 use super::{action, contact};
 use ladder_analysis::Severity;
 
@@ -33,7 +33,7 @@ pub(super) struct Reader {
 /// An output, and how power gets to it.
 struct Powered<'r> {
     output: &'r Text,
-    part: Part,
+    part: Subcircuit,
 }
 
 /// Why a rung is kept as it is.
@@ -122,7 +122,7 @@ impl Reader {
         }
         let mut directions = Directions::default();
         let mut powered: Vec<Powered<'r>> = Vec::with_capacity(netlist.outputs.len());
-        let mut last: Option<(usize, Part)> = None;
+        let mut last: Option<(usize, Subcircuit)> = None;
         for Fed { output, net } in &netlist.outputs {
             let part = match &last {
                 Some((same, part)) if same == net => part.clone(),
@@ -192,8 +192,8 @@ fn reason(why: NoCircuit) -> String {
 }
 
 /// A circuit that does not nest deeper than what is read.
-fn shallow(part: Part) -> Result<Part, NoCircuit> {
-    fn is_shallow(part: &Part, depth: usize) -> bool {
+fn shallow(part: Subcircuit) -> Result<Subcircuit, NoCircuit> {
+    fn is_shallow(part: &Subcircuit, depth: usize) -> bool {
         match &part.kind {
             Kind::Contact { .. } => true,
             Kind::Series(parts) | Kind::Parallel(parts) => {
@@ -210,14 +210,14 @@ fn shallow(part: Part) -> Result<Part, NoCircuit> {
 
 /// A rung of the model that is being made: what all of its outputs have in common, and each with its whole way.
 struct Group<'r> {
-    common: Vec<Part>,
+    common: Vec<Subcircuit>,
     outputs: Vec<Acting<'r>>,
     has_pins: bool,
 }
 
 struct Acting<'r> {
     output: &'r Text,
-    way: Vec<Part>,
+    way: Vec<Subcircuit>,
     what: Instruction,
     oneshot: bool,
 }
@@ -286,7 +286,7 @@ fn grouped<'r>(
 
 impl Group<'_> {
     /// How much of the common way a further output has too. None: it has a way of its own from the left rail.
-    fn shared(&self, way: &[Part]) -> Option<usize> {
+    fn shared(&self, way: &[Subcircuit]) -> Option<usize> {
         let shared = self
             .common
             .iter()
@@ -315,14 +315,14 @@ impl Group<'_> {
 }
 
 /// Parts of a circuit in series as a condition.
-fn all(parts: &[Part], conditions: &[Condition]) -> Condition {
+fn all(parts: &[Subcircuit], conditions: &[Condition]) -> Condition {
     match parts {
         [one] => condition(one, conditions),
         parts => Condition::All(parts.iter().map(|part| condition(part, conditions)).collect()),
     }
 }
 
-fn condition(part: &Part, conditions: &[Condition]) -> Condition {
+fn condition(part: &Subcircuit, conditions: &[Condition]) -> Condition {
     match &part.kind {
         Kind::Contact { contact, .. } => conditions[*contact].clone(),
         Kind::Series(parts) => all(parts, conditions),

@@ -1,6 +1,6 @@
 //! From a program of the model to its grids.
 
-use super::super::super::{Companion, Place, Report};
+use super::super::super::{Companion, LineColumn, Report};
 use super::super::dsl::spell;
 use super::super::model::{Action, Condition, Instruction, Program, Routine, Rung, Timer, TimerKind};
 use super::super::nicknames;
@@ -177,7 +177,7 @@ impl Writer<'_> {
 fn text(text: &str) -> Text {
     Text {
         text: text.to_owned(),
-        place: Place::START,
+        place: LineColumn::START,
     }
 }
 

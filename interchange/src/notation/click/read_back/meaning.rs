@@ -3,7 +3,7 @@
 use super::super::address::{Address, Tag};
 use super::super::bank::{Bank, Kind};
 use super::super::model::{Constant, Nickname};
-use crate::notation::{Place, Report};
+use crate::notation::{LineColumn, Report};
 use ladder_analysis::program::{self as ladder, Role, TagId};
 use ladder_analysis::types::{Scalar, Type};
 use ladder_analysis::value::Value;
@@ -26,7 +26,7 @@ pub(super) enum Meaning {
 pub(super) fn meanings(
     program: &ladder::Program,
     comments: &HashMap<TagId, String>,
-    places: impl Fn(&ladder::Tag) -> Place,
+    places: impl Fn(&ladder::Tag) -> LineColumn,
     report: &mut Report,
 ) -> (Vec<Meaning>, Vec<Nickname>) {
     let mut nicknames = Vec::new();

@@ -15,7 +15,7 @@ mod value;
 
 use super::address::Tag;
 use super::model::{self, Condition, Instruction};
-use crate::notation::{Lines, Place, Report, WriteError};
+use crate::notation::{LineColumn, Lines, Report, WriteError};
 use ladder_analysis::Analysis;
 use ladder_analysis::program::{Location, Program, TagId};
 use ladder_syntax::TextRange;
@@ -85,11 +85,11 @@ impl Back<'_> {
             .unwrap_or("")
     }
 
-    fn place_of(&self, location: Location) -> Place {
+    fn place_of(&self, location: Location) -> LineColumn {
         self.place_of_range(location.range)
     }
 
-    fn place_of_range(&self, range: TextRange) -> Place {
+    fn place_of_range(&self, range: TextRange) -> LineColumn {
         self.lines.place(self.text, range.start().into())
     }
 }

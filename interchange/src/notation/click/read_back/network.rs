@@ -322,7 +322,7 @@ impl Back<'_> {
     }
 }
 
-fn nop(place: crate::notation::Place) -> Action {
+fn nop(place: crate::notation::LineColumn) -> Action {
     Action {
         place,
         condition: Condition::ALWAYS,

@@ -7,13 +7,13 @@ use super::super::dsl::spell;
 use super::super::model::{Bits, Condition, Contact, ContactKind};
 use super::super::operand::{Chain, kind};
 use super::Sketcher;
-use crate::notation::Place;
+use crate::notation::LineColumn;
 use ladder_format::Circuit;
 use ladder_format::program::Element;
 
 impl Sketcher<'_> {
     /// A condition, or the tag that holds what it was before the rung acts.
-    pub(super) fn seen(&mut self, condition: &Condition, place: Place) -> Circuit<Element> {
+    pub(super) fn seen(&mut self, condition: &Condition, place: LineColumn) -> Circuit<Element> {
         match self.late.iter().find(|(late, _)| late == condition) {
             Some((_, helper)) => {
                 let block = format!("[ ]( {helper} )");
@@ -52,7 +52,7 @@ impl Sketcher<'_> {
         }
     }
 
-    pub(super) fn series(&mut self, place: Place, blocks: Vec<String>) -> Circuit<Element> {
+    pub(super) fn series(&mut self, place: LineColumn, blocks: Vec<String>) -> Circuit<Element> {
         let origin = Some(self.reading.origin(place));
         let elements = blocks
             .into_iter()

@@ -1,7 +1,7 @@
 //! From the text to the model.
 
 use super::super::super::circuit::Wires;
-use super::super::super::{Place, ReadError};
+use super::super::super::{LineColumn, ReadError};
 use super::super::model::{Encoding, File, Leaf, Node, Rung};
 use super::super::{element, parse};
 use super::listing::{NO_PIN, WITH_PIN};
@@ -28,7 +28,7 @@ pub(super) fn read(bytes: &[u8]) -> Result<File, ReadError> {
     let mut lines = (1..).zip(text.trim_start_matches('\u{feff}').lines());
     if lines.next().map(|(_, line)| line.trim()) != Some(FIRST_LINE) {
         let message = format!("the first line of the text is `{FIRST_LINE}`");
-        return Err(ReadError::at(Place::START, message));
+        return Err(ReadError::at(LineColumn::START, message));
     }
     let mut file = File {
         encoding: Encoding { crlf, latin1 },
@@ -92,7 +92,7 @@ fn settings(line: &str) -> Result<Vec<String>, ReadError> {
         _ => {
             let message =
                 "here stand the crystal and the cycle time: `.., 4.000000 MHz crystal, 10.0 ms cycle time`";
-            Err(ReadError::at(Place::line(2), message))
+            Err(ReadError::at(LineColumn::line(2), message))
         }
     }
 }
@@ -109,7 +109,7 @@ struct Drawn {
 fn drawn_line(number: u32, line: &str) -> Result<Drawn, ReadError> {
     let chars: Vec<char> = line.trim_end().chars().take(LEFT + WIDEST * CELL + 3).collect();
     let is_rail = |at: usize| chars.get(at) == Some(&'|') && chars.get(at + 1) == Some(&'|');
-    let wrong = |message: &str| Err(ReadError::at(Place::line(number), message));
+    let wrong = |message: &str| Err(ReadError::at(LineColumn::line(number), message));
     if !is_rail(RAIL) {
         return wrong(if is_rail(RAIL + 1) {
             "this is a text of LDmicro's fork; only those of LDmicro 2.2 are read"
@@ -138,7 +138,7 @@ fn rungs(drawing: &[Drawn]) -> Result<Vec<Rung>, ReadError> {
         .find(|line| line.inside.len() != first.inside.len())
     {
         let message = "this line is not as wide as those above it";
-        return Err(ReadError::at(Place::line(other.number), message));
+        return Err(ReadError::at(LineColumn::line(other.number), message));
     }
     let end = drawing.iter().rposition(|line| {
         let text: String = line.inside.iter().collect();
@@ -187,7 +187,7 @@ fn rung(lines: &[Drawn]) -> Result<Rung, ReadError> {
     let whole = circuit.filter(|circuit| depth(circuit) <= DEEPEST);
     let Some(circuit) = whole else {
         let message = "the rung is not made of series and branches, or branches are nested too deep";
-        return Err(ReadError::at(Place::line(line), message));
+        return Err(ReadError::at(LineColumn::line(line), message));
     };
     Ok(Rung {
         line,
@@ -256,7 +256,7 @@ impl Reader<'_> {
         let (above, wire) = (&lines[line].inside, &lines[line + 1].inside);
         let number = lines[line + 1].number;
         let wrong = |column: usize, message: String| {
-            let place = Place {
+            let place = LineColumn {
                 line: number,
                 column: (LEFT + column) as u32 + 1,
             };

@@ -14,7 +14,7 @@ use crate::notation::ldmicro::kept::{Head, behind, comment, kept};
 use crate::notation::ldmicro::model::{File, Leaf, Node, Rung, Version};
 use crate::notation::ldmicro::{parse, text};
 use crate::notation::stand_in;
-use crate::notation::{Lines, Place, Report, WriteError};
+use crate::notation::{LineColumn, Lines, Report, WriteError};
 use ladder_analysis::Analysis;
 use ladder_analysis::program::{
     Argument, Block, BlockKind, Expr, ExprKind, Location, Member, Network, Place as Operand, Program,
@@ -141,7 +141,7 @@ impl Exporter<'_> {
         }
     }
 
-    fn place(&self, location: Location) -> Place {
+    fn place(&self, location: Location) -> LineColumn {
         self.lines.place(self.text, location.range.start().into())
     }
 

@@ -3,7 +3,7 @@
 mod fork;
 mod texts;
 
-use super::super::{Finding, Place};
+use super::super::{Finding, LineColumn};
 use super::element::{self, Form, Slot};
 use super::fork::table::row_of as forks_row;
 use super::model::{File, Leaf, Node, Version, leaves};
@@ -84,7 +84,7 @@ fn unassigned(file: &File, uses: &HashMap<&str, Vec<(&Leaf, Form)>>, out: &mut V
 
 fn error(line: u32, check: &'static str, message: impl Into<String>) -> Finding {
     Finding {
-        place: Place::line(line),
+        place: LineColumn::line(line),
         severity: Severity::Error,
         check,
         message: message.into(),

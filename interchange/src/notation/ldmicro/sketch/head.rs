@@ -1,7 +1,7 @@
 //! What stands above the networks: the header and the lists of the file in comments, and the declarations.
 
 use super::{Importer, name_of};
-use crate::notation::Place;
+use crate::notation::LineColumn;
 use crate::notation::ldmicro::model::{DEFAULT_CYCLE, Encoding};
 use ladder_format::program::{Declaration, Item, Section, SectionKind};
 
@@ -32,7 +32,7 @@ impl Importer<'_> {
         for (tag, name) in self.tags.renamed() {
             lines.push(format!("NAME {tag} = {name}"));
             let why = format!("it is spelled `{tag}` here");
-            self.reading.report.approximated(Place::START, name, why);
+            self.reading.report.approximated(LineColumn::START, name, why);
         }
         for (name, number) in &self.tags.pulses {
             if *name != format!("P{number}") {
@@ -67,7 +67,7 @@ impl Importer<'_> {
                 && !name.starts_with(['T', 'C'])
             {
                 let why = format!("it has {size} bytes in LDmicro, and 16 bits here");
-                self.reading.report.approximated(Place::START, name, why);
+                self.reading.report.approximated(LineColumn::START, name, why);
             }
         }
     }
@@ -100,7 +100,7 @@ impl Importer<'_> {
     fn declaration(&mut self, name: &str, tag: &str, ty: String, may_have_pin: bool) -> Declaration {
         let mut declaration = Declaration::new(tag, ty);
         if let Some((line, pin)) = self.pins.get(name).copied().filter(|_| may_have_pin) {
-            declaration.origin = Some(self.reading.origin(Place::line(line)));
+            declaration.origin = Some(self.reading.origin(LineColumn::line(line)));
             declaration.comment = Some(match pin {
                 "0" => "no pin".to_owned(),
                 pin => format!("pin {pin}"),

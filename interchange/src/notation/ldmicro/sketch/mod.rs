@@ -9,7 +9,7 @@ use super::fork::made::Made;
 use super::fork::{self, What};
 use super::model::{File, Leaf, Node, Rung, Version, leaves, number};
 use super::tags::Tags;
-use crate::notation::{Finding, Place, Reading};
+use crate::notation::{Finding, LineColumn, Reading};
 use block::Translation;
 use ladder_analysis::Severity;
 use ladder_format::Circuit;
@@ -126,7 +126,7 @@ impl<'f> Importer<'f> {
             let Some(leaf) = leaves(&file.rungs[border].parts).first().copied() else {
                 continue;
             };
-            let place = Place::line(leaf.line);
+            let place = LineColumn::line(leaf.line);
             let report = &mut self.reading.report;
             if is_first && file.rungs[inside.clone()].iter().any(relay) {
                 let why = "what its MASTER_RELAY does ends with the function here";
@@ -156,7 +156,9 @@ impl<'f> Importer<'f> {
             let rung = &file.rungs[index];
             if let Some(comment) = only_comment(rung) {
                 self.comments(above.replace(said(comment)));
-                self.reading.report.translated(Place::line(rung.line), "COMMENT");
+                self.reading
+                    .report
+                    .translated(LineColumn::line(rung.line), "COMMENT");
                 continue;
             }
             if leaves(&rung.parts).is_empty() {
@@ -167,7 +169,7 @@ impl<'f> Importer<'f> {
                 let why = "the rung is empty";
                 self.reading
                     .report
-                    .approximated(Place::line(rung.line), "RUNG", why);
+                    .approximated(LineColumn::line(rung.line), "RUNG", why);
                 continue;
             }
             let mut parts = self.nodes(&rung.parts);
@@ -228,13 +230,13 @@ impl<'f> Importer<'f> {
         {
             let why = "what stands behind these branches has the power that comes out of any of them here; in \
                        LDmicro's fork it has what goes in";
-            let place = Place::line(leaf.line);
+            let place = LineColumn::line(leaf.line);
             self.reading.report.approximated(place, "PARALLEL", why);
         }
     }
 
     fn leaf(&mut self, leaf: &'f Leaf) -> Vec<Element> {
-        let place = Place::line(leaf.line);
+        let place = LineColumn::line(leaf.line);
         let origin = Some(self.reading.origin(place));
         match self.translated(leaf) {
             Ok(Translation { text, remark }) => {

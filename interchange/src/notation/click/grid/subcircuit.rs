@@ -2,7 +2,7 @@
 
 /// A part of a circuit.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub(super) struct Part {
+pub(super) struct Subcircuit {
     pub(super) kind: Kind,
     /// Its first contact in the order of reading; of a bare wire the largest number.
     first: usize,
@@ -20,14 +20,14 @@ pub(super) enum Kind {
         reversed: bool,
     },
     /// One behind the other. None: a bare wire.
-    Series(Vec<Part>),
+    Series(Vec<Subcircuit>),
     /// Between the same two points, in the order of their first contacts.
-    Parallel(Vec<Part>),
+    Parallel(Vec<Subcircuit>),
 }
 
-impl Part {
-    pub(super) const fn contact(contact: usize) -> Part {
-        Part {
+impl Subcircuit {
+    pub(super) const fn contact(contact: usize) -> Subcircuit {
+        Subcircuit {
             kind: Kind::Contact {
                 contact,
                 reversed: false,
@@ -37,8 +37,8 @@ impl Part {
         }
     }
 
-    pub(super) const fn wire() -> Part {
-        Part {
+    pub(super) const fn wire() -> Subcircuit {
+        Subcircuit {
             kind: Kind::Series(Vec::new()),
             first: usize::MAX,
             contacts: 0,
@@ -51,7 +51,7 @@ impl Part {
     }
 
     /// What stands in series in it.
-    pub(super) fn into_series(self) -> Vec<Part> {
+    pub(super) fn into_series(self) -> Vec<Subcircuit> {
         match self.kind {
             Kind::Series(parts) => parts,
             _ => vec![self],
@@ -59,25 +59,25 @@ impl Part {
     }
 
     /// Passed the other way.
-    pub(super) fn reversed(self) -> Part {
+    pub(super) fn reversed(self) -> Subcircuit {
         let kind = match self.kind {
             Kind::Contact { contact, reversed } => Kind::Contact {
                 contact,
                 reversed: !reversed,
             },
-            Kind::Series(parts) => Kind::Series(parts.into_iter().rev().map(Part::reversed).collect()),
-            Kind::Parallel(parts) => Kind::Parallel(parts.into_iter().map(Part::reversed).collect()),
+            Kind::Series(parts) => Kind::Series(parts.into_iter().rev().map(Subcircuit::reversed).collect()),
+            Kind::Parallel(parts) => Kind::Parallel(parts.into_iter().map(Subcircuit::reversed).collect()),
         };
-        Part { kind, ..self }
+        Subcircuit { kind, ..self }
     }
 
     /// This, then another.
-    pub(super) fn behind(self, next: Part) -> Part {
+    pub(super) fn behind(self, next: Subcircuit) -> Subcircuit {
         let (first, contacts) = (self.first.min(next.first), self.contacts + next.contacts);
         let mut parts = self.into_series();
         parts.extend(next.into_series());
         let kind = Kind::Series(parts);
-        Part {
+        Subcircuit {
             kind,
             first,
             contacts,
@@ -85,7 +85,7 @@ impl Part {
     }
 
     /// This, and another between the same points.
-    pub(super) fn beside(self, other: Part) -> Part {
+    pub(super) fn beside(self, other: Subcircuit) -> Subcircuit {
         let (first, contacts) = (self.first.min(other.first), self.contacts + other.contacts);
         let mut branches = self.into_branches();
         for branch in other.into_branches() {
@@ -93,7 +93,7 @@ impl Part {
             branches.insert(at, branch);
         }
         let kind = Kind::Parallel(branches);
-        Part {
+        Subcircuit {
             kind,
             first,
             contacts,
@@ -101,22 +101,22 @@ impl Part {
     }
 
     /// Branches between the same points, in this order. One is itself.
-    pub(super) fn any(mut branches: Vec<Part>) -> Part {
+    pub(super) fn any(mut branches: Vec<Subcircuit>) -> Subcircuit {
         if branches.len() == 1 {
             return branches.remove(0);
         }
-        Part {
+        Subcircuit {
             first: branches
                 .iter()
                 .map(|branch| branch.first)
                 .min()
                 .unwrap_or(usize::MAX),
-            contacts: branches.iter().map(Part::contacts).sum(),
+            contacts: branches.iter().map(Subcircuit::contacts).sum(),
             kind: Kind::Parallel(branches),
         }
     }
 
-    fn into_branches(self) -> Vec<Part> {
+    fn into_branches(self) -> Vec<Subcircuit> {
         match self.kind {
             Kind::Parallel(branches) => branches,
             _ => vec![self],
