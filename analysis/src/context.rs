@@ -7,7 +7,8 @@ use crate::foreign_comment::ForeignComments;
 use crate::infer;
 use crate::kept::Kept;
 use crate::known_blocks::KnownBlocks;
-use crate::network::{self, NetworkFacts};
+use crate::network;
+use crate::networks::Networks;
 use crate::others::{Import, Others};
 use crate::profile;
 use crate::program::Role;
@@ -37,7 +38,7 @@ pub struct Context {
     /// The time from one scan to the next that it is made for, in nanoseconds, where it says so.
     pub cycle: Option<i64>,
     /// The networks, as in the structure.
-    pub networks: Vec<Arc<NetworkFacts>>,
+    pub networks: Networks,
     /// The file's scope, then one for each block definition.
     pub scopes: Vec<Scope>,
     /// Nothing is wrong with the declarations.
@@ -151,7 +152,7 @@ impl Context {
         let behind = self
             .networks
             .partition_point(|network| network.first_line <= line);
-        let Some(network) = behind.checked_sub(1).map(|index| &self.networks[index]) else {
+        let Some(network) = behind.checked_sub(1).map(|index| self.networks.at(index)) else {
             return false;
         };
         let offset = line - network.first_line;
@@ -238,10 +239,13 @@ pub(crate) fn skeleton(parse: &Arc<Parse>, name: &str, others: &Others, before: 
         kept.with_signatures(signatures);
     }
     let mut known = KnownBlocks::new(user_blocks, others);
-    let mut networks: Vec<Arc<NetworkFacts>> = Vec::with_capacity(structure.networks.len());
+    let mut networks = Networks::default();
     for drawn in &structure.networks {
         let same = kept.as_mut().and_then(|kept| kept.network(drawn));
-        networks.push(same.unwrap_or_else(|| Arc::new(network::network(parse, drawn, &mut known))));
+        let facts = same.unwrap_or_else(|| Arc::new(network::network(parse, drawn, &mut known)));
+        let first = drawn.lines.start;
+        let scope = drawn.block.map_or(0, |block| block + 1);
+        networks.push(facts, first, parse.line_start(first), scope);
     }
     break_neighbours(parse, &mut networks);
     let mut context = Context {
@@ -292,12 +296,13 @@ fn declared(parse: &Parse, out: &mut Vec<Diagnostic>) -> Vec<Scope> {
 }
 
 /// The first rung below an open `\`, or above an open `/`, was probably meant to belong to the network.
-fn break_neighbours(parse: &Parse, networks: &mut [Arc<NetworkFacts>]) {
+fn break_neighbours(parse: &Parse, networks: &mut Networks) {
     for index in 0..networks.len() {
-        if networks[index].wiring.unpaired.is_empty() {
+        let network = networks.at(index);
+        if network.wiring.unpaired.is_empty() {
             continue;
         }
-        let wiring = &networks[index].wiring;
+        let wiring = &network.wiring;
         let last = wiring.rungs.len() - 1;
         let open = |rung: usize, kind| {
             wiring
@@ -305,17 +310,13 @@ fn break_neighbours(parse: &Parse, networks: &mut [Arc<NetworkFacts>]) {
                 .iter()
                 .any(|&(r, part)| r == rung && wiring.rungs[r].parts[part].kind == kind)
         };
-        let below = open(last, PartKind::Down)
-            .then(|| rung_below(parse, networks[index].line(last)))
-            .flatten();
-        let above = open(0, PartKind::Up)
-            .then(|| rung_above(parse, networks[index].line(0)))
-            .flatten();
-        if below.is_some() && index + 1 < networks.len() {
-            Arc::make_mut(&mut networks[index + 1]).broken = true;
+        let below = open(last, PartKind::Down) && rung_below(parse, network.line(last)).is_some();
+        let above = open(0, PartKind::Up) && rung_above(parse, network.line(0)).is_some();
+        if below && index + 1 < networks.len() {
+            networks.set_broken(index + 1);
         }
-        if above.is_some() && index > 0 {
-            Arc::make_mut(&mut networks[index - 1]).broken = true;
+        if above && index > 0 {
+            networks.set_broken(index - 1);
         }
     }
 }
@@ -344,11 +345,13 @@ fn bodies(context: &mut Context) {
     let mut current = Body::Main;
     // In the definition of a block: the function that its body has come to.
     let mut inner: Option<(usize, usize)> = None;
-    for (index, network) in context.networks.iter_mut().enumerate() {
+    let mut in_file = Vec::new();
+    for network in &context.networks {
+        let index = network.index;
         let definition = network.scope.checked_sub(1);
         inner = inner.filter(|(of, _)| Some(*of) == definition);
         let may_begin = definition.is_none_or(|block| context.user_blocks[block].shape == Shape::Function);
-        for block in &network.blocks {
+        for block in network.blocks() {
             let Some(op @ (Op::Fun | Op::Lbl)) = block.op() else {
                 continue;
             };
@@ -381,11 +384,14 @@ fn bodies(context: &mut Context) {
             (None, _) => current,
             (Some(_), Some((_, function))) => {
                 // It runs with the tags of the file.
-                set_scope(network, 0);
+                in_file.push(index);
                 Body::Function(function)
             }
             (Some(block), None) => Body::Block(block),
         });
+    }
+    for index in in_file {
+        context.networks.set_scope(index, 0);
     }
     for (index, label) in context.labels.iter().enumerate() {
         let key = (context.bodies[label.network], label.key.clone());
@@ -396,12 +402,6 @@ fn bodies(context: &mut Context) {
             .functions_by_name
             .entry(function.key.clone())
             .or_insert(index);
-    }
-}
-
-fn set_scope(network: &mut Arc<NetworkFacts>, scope: usize) {
-    if network.scope != scope {
-        Arc::make_mut(network).scope = scope;
     }
 }
 

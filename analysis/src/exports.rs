@@ -169,7 +169,7 @@ fn blocks(context: &Context) -> Vec<ExportedBlock> {
     }
     for (network, body) in context.networks.iter().zip(&context.bodies) {
         let Body::Block(block) = *body else { continue };
-        for bound in &network.blocks {
+        for bound in network.blocks() {
             if let Some(name) = bound.user_name() {
                 blocks[block].uses.push((Name::new(name), bound.head_range()));
             }
@@ -217,7 +217,7 @@ fn states(context: &Context) -> Vec<(Name, TextRange)> {
     let mut states = Vec::new();
     for network in context.networks.iter().filter(|network| network.keeps_state) {
         let scope = &context.scopes[network.scope];
-        for bound in &network.blocks {
+        for bound in network.blocks() {
             for (operand, formal) in bound.facts.operands.iter().zip(bound.formals.iter()) {
                 let (Formal::Operand(row), NodeKind::Name(name)) = (formal, &operand.value.kind) else {
                     continue;

@@ -9,7 +9,8 @@ use crate::constant::{natural_type, signed_literal};
 use crate::context::Context;
 use crate::diagnostic::Diagnostic;
 use crate::facts::{Node, NodeKind, Operator};
-use crate::network::{BoundBlock, Formal, Meaning};
+use crate::network::{Formal, Meaning};
+use crate::networks::BlockAt;
 use crate::program::{Member, Role, SystemTag};
 use crate::rules::type_mismatch;
 use crate::scope::{Origin, Scope, TagFacts};
@@ -33,7 +34,7 @@ pub(crate) fn infer(context: &mut Context, out: &mut Vec<Diagnostic>) {
 }
 
 /// The one type that an operand's place asks for.
-fn asked(context: &Context, bound: &BoundBlock, formal: Formal) -> Option<Type> {
+fn asked(context: &Context, bound: BlockAt<'_>, formal: Formal) -> Option<Type> {
     let law = context.profile.law();
     let counted = Type::Scalar(Scalar::integer_of(law));
     match formal {
@@ -81,7 +82,7 @@ fn answer(context: &Context, tag: &TagFacts, out: &mut Vec<Diagnostic>) -> Optio
     // `(R)` also takes timers and counters: it makes a tag BOOL only where no other place has a say.
     let mut reset = false;
     for place in &tag.uses {
-        let bound = &context.networks[place.network].blocks[place.block];
+        let bound = context.networks.at(place.network).block(place.block);
         let value = &bound.facts.operands[place.operand].value;
         if bound.faulty || !matches!(value.kind, NodeKind::Name(_) | NodeKind::Address(_)) {
             continue;
@@ -142,9 +143,9 @@ fn by_company(context: &mut Context) {
     while !blocks.is_empty() {
         let mut found: Vec<(usize, usize, Scalar)> = Vec::new();
         for &(network, block) in &blocks {
-            let network = &context.networks[network];
+            let network = context.networks.at(network);
             let scope = &context.scopes[network.scope];
-            company(law, scope, &network.blocks[block], |tag, ty| {
+            company(law, scope, network.block(block), |tag, ty| {
                 found.push((network.scope, tag, ty));
             });
         }
@@ -161,7 +162,7 @@ fn by_company(context: &mut Context) {
     }
 }
 
-fn company(law: &Law, scope: &Scope, bound: &BoundBlock, mut give: impl FnMut(usize, Scalar)) {
+fn company(law: &Law, scope: &Scope, bound: BlockAt<'_>, mut give: impl FnMut(usize, Scalar)) {
     if bound.faulty {
         return;
     }

@@ -17,9 +17,8 @@ pub(crate) struct Kept<'c> {
     above: usize,
     /// From which line on the new text ends as the old one does.
     below: usize,
-    /// How many more lines, and bytes, the new text has.
+    /// How many more lines the new text has.
     lines: isize,
-    bytes: i64,
     /// The file's own blocks have the signatures that they had.
     signatures: bool,
     /// The old network to look at next.
@@ -31,13 +30,11 @@ impl<'c> Kept<'c> {
         let (old, new) = (before.parse.lines(), parse.lines());
         let (above, below) = new.shared_with(old);
         let below = new.len() - below;
-        let len = |parse: &Parse| i64::from(u32::from(parse.text_len()));
         Kept {
             before,
             above,
             below,
             lines: new.len() as isize - old.len() as isize,
-            bytes: len(parse) - len(&before.parse),
             signatures: false,
             next: 0,
         }
@@ -92,7 +89,7 @@ impl<'c> Kept<'c> {
         if old.lines.start != first || old.lines.len() != drawn.lines.len() {
             return None;
         }
-        let facts = &self.before.networks[self.next];
+        let facts = self.before.networks.facts(self.next);
         let means_the_same = match facts.user_blocks {
             UserBlocks::None => true,
             UserBlocks::Own => self.signatures,
@@ -102,18 +99,6 @@ impl<'c> Kept<'c> {
             return None;
         }
         self.next += 1;
-        let scope = drawn.block.map_or(0, |block| block + 1);
-        let in_place = !moved || (self.lines == 0 && self.bytes == 0);
-        if in_place && facts.scope == scope && facts.broken == facts.broken_by_itself {
-            return Some(Arc::clone(facts));
-        }
-        let mut facts = if moved {
-            facts.moved(self.lines, self.bytes)
-        } else {
-            NetworkFacts::clone(facts)
-        };
-        facts.scope = scope;
-        facts.broken = facts.broken_by_itself;
-        Some(Arc::new(facts))
+        Some(Arc::clone(facts))
     }
 }

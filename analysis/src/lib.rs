@@ -17,6 +17,7 @@ mod analyze;
 mod article;
 mod asked;
 mod boolean;
+mod chunked;
 pub mod constant;
 pub mod context;
 mod cplc_draft;
@@ -37,6 +38,7 @@ mod link;
 mod lint;
 pub mod literal;
 pub mod network;
+pub mod networks;
 mod operand_value;
 pub mod order;
 #[cfg(test)]

@@ -132,7 +132,7 @@ impl Reached {
 fn targets(context: &Context) -> FxHashMap<Body, Vec<Target>> {
     let mut targets: FxHashMap<Body, Vec<Target>> = FxHashMap::default();
     for (network, &body) in context.networks.iter().zip(&context.bodies) {
-        for bound in &network.blocks {
+        for bound in network.blocks() {
             let target = match bound.meaning {
                 Meaning::User(index) => match &context.user_blocks[index].import {
                     Some(import) => Some(Target::Block(import.clone())),

@@ -1,5 +1,5 @@
-//! Networks with their blocks bound to the instruction table: which row each block is, and which operand each
-//! value is given for.
+//! A network with its blocks bound to the instruction table: which row each block is, and which operand each value is
+//! given for.
 
 use crate::facts::{self, BlockFacts, Head};
 use crate::known_blocks::KnownBlocks;
@@ -11,25 +11,19 @@ use ladder_syntax::wiring::{PartKind, Wiring, wiring};
 use ladder_syntax::{Name, Network, Parse, Surroundings, SyntaxError, SyntaxErrorKind, TextRange, TextSize};
 use std::sync::Arc;
 
-/// A network, its wiring, order and blocks.
+/// A network, its wiring, order and blocks: all that follows from its own lines and the blocks that it holds, wherever
+/// in a file it stands.
 #[derive(Debug, Clone)]
 pub struct NetworkFacts {
-    /// Its first line, as in the parse: that of its first rung.
-    pub first_line: usize,
     /// The drawing and its connector pairs.
     pub wiring: Arc<Wiring>,
     /// The order of evaluation.
     pub order: Arc<Order>,
     /// The blocks from left to right, top to bottom.
     pub blocks: Vec<BoundBlock>,
-    /// From the first rung to the last, line ends included.
-    pub range: TextRange,
-    /// The scope of its tags: 0 the file's, else that of block definition `scope - 1`.
-    pub scope: usize,
-    /// Its text, or that of the rung which should be joined to it, has a mistake in the drawing (an unclosed
-    /// block, a stray character, a connector without its partner), so that wiring says little about what is meant.
-    pub broken: bool,
-    /// As `broken`, by its own text alone.
+    /// From the start of the first rung to the end of the last, in bytes, line ends included.
+    pub(crate) len: TextSize,
+    /// Its own text has a mistake in the drawing.
     pub(crate) broken_by_itself: bool,
     /// Its operands name tags, and neither labels nor functions, and its blocks are instructions or the file's own: what
     /// is found in it depends on its lines, its tags and the signatures of those blocks.
@@ -59,8 +53,8 @@ pub(crate) enum UserBlocks {
 pub struct BoundBlock {
     /// As it is written. Ranges count from the start of its line.
     pub facts: Arc<BlockFacts>,
-    /// Where its line starts.
-    pub base: TextSize,
+    /// Where its line starts, from the start of the network.
+    pub(crate) base: TextSize,
     /// Which instruction or user-defined block it is.
     pub meaning: Meaning,
     /// For each operand, as they stand, what it is given for.
@@ -116,21 +110,6 @@ impl BoundBlock {
         self.instruction().and_then(|row| row.coil)
     }
 
-    /// A range of the block's line, counted from the start of the file.
-    pub fn absolute(&self, range: TextRange) -> TextRange {
-        range + self.base
-    }
-
-    /// The whole block, counted from the start of the file.
-    pub fn range(&self) -> TextRange {
-        self.absolute(self.facts.range)
-    }
-
-    /// Its first part, counted from the start of the file.
-    pub fn head_range(&self) -> TextRange {
-        self.absolute(self.facts.head_range)
-    }
-
     /// Its first part as a person writes it: `[TON]`.
     pub fn head_text(&self) -> String {
         let (open, close) = self.facts.shape.brackets();
@@ -158,34 +137,11 @@ impl BoundBlock {
     }
 }
 
-impl NetworkFacts {
-    /// The line of a rung, as in the parse.
-    pub fn line(&self, rung: usize) -> usize {
-        self.first_line + self.wiring.line_offsets[rung]
-    }
-
-    /// The same network where other lines stand above it: so many lines and bytes further down.
-    pub(crate) fn moved(&self, lines: isize, bytes: i64) -> NetworkFacts {
-        let to = |at: TextSize| TextSize::new((i64::from(u32::from(at)) + bytes) as u32);
-        let mut moved = self.clone();
-        moved.first_line = self.first_line.wrapping_add_signed(lines);
-        moved.range = TextRange::new(to(self.range.start()), to(self.range.end()));
-        for bound in &mut moved.blocks {
-            bound.base = to(bound.base);
-        }
-        moved
-    }
-
-    /// A part of a rung, counted from the start of the file.
-    pub fn part_range(&self, parse: &Parse, rung: usize, part: usize) -> TextRange {
-        self.wiring.rungs[rung].parts[part].range + parse.line_start(self.line(rung))
-    }
-}
-
 /// The facts of a network.
 pub(crate) fn network(parse: &Parse, network: &Network, known: &mut KnownBlocks<'_>) -> NetworkFacts {
     let wiring = wiring(parse, network);
     let order = order(&wiring);
+    let start = parse.line_start(network.lines.start);
     let mut blocks = Vec::new();
     for (rung, offset) in wiring.line_offsets.iter().enumerate() {
         let line = network.lines.start + offset;
@@ -194,7 +150,7 @@ pub(crate) fn network(parse: &Parse, network: &Network, known: &mut KnownBlocks<
         mistakes.sort_unstable_by_key(|range| range.start());
         for facts in facts::blocks(&parse.lines()[line], rung, parts) {
             let faulty = is_mistake_in(&mistakes, facts.range);
-            blocks.push(bind(facts, parse.line_start(line), known, faulty));
+            blocks.push(bind(facts, parse.line_start(line) - start, known, faulty));
         }
     }
     let syntax_mistake = network
@@ -202,10 +158,6 @@ pub(crate) fn network(parse: &Parse, network: &Network, known: &mut KnownBlocks<
         .clone()
         .any(|line| parse.lines()[line].errors.iter().any(breaks_drawing));
     let broken = syntax_mistake || !wiring.unpaired.is_empty();
-    let range = TextRange::new(
-        parse.line_start(network.lines.start),
-        parse.line_range(network.lines.end - 1).end(),
-    );
     let user_blocks = user_blocks(&blocks, known);
     let names_tag = |formal: &Formal| match formal {
         Formal::Operand(row) => !matches!(row.accepts, Accepts::Label | Accepts::Function),
@@ -222,13 +174,10 @@ pub(crate) fn network(parse: &Parse, network: &Network, known: &mut KnownBlocks<
     let keeps_state = formals
         .any(|formal| matches!(formal, Formal::Operand(row) if matches!(row.accepts, Accepts::State(_))));
     NetworkFacts {
-        first_line: network.lines.start,
         wiring: Arc::new(wiring),
         order: Arc::new(order),
         blocks,
-        range,
-        scope: network.block.map_or(0, |block| block + 1),
-        broken,
+        len: parse.line_range(network.lines.end - 1).end() - start,
         broken_by_itself: broken,
         names_tags_only,
         named,

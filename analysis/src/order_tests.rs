@@ -167,7 +167,7 @@ fn ten_thousand_rungs() {
     text.push_str("      /--[ ]( c )--/\n");
     let parse = Arc::new(ladder_syntax::parse(&text));
     let analysis = analyze(&parse, "test.clad");
-    let steps = &analysis.context.networks[0].order.steps;
+    let steps = &analysis.context.networks.at(0).facts().order.steps;
     assert_eq!(
         steps
             .iter()

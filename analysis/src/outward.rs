@@ -6,7 +6,8 @@
 
 use crate::context::Context;
 use crate::facts::NodeKind;
-use crate::network::{Meaning, NetworkFacts};
+use crate::network::Meaning;
+use crate::networks::NetworkAt;
 use crate::rules::syntax_errors::identifiers;
 use crate::scope::{Access, Origin, SectionKind};
 use crate::uses::Named;
@@ -69,7 +70,7 @@ impl Outward {
         outward
     }
 
-    fn names(&mut self, context: &Context, network: &NetworkFacts, named: &[Named]) {
+    fn names(&mut self, context: &Context, network: NetworkAt<'_>, named: &[Named]) {
         let scope = &context.scopes[network.scope];
         for named in named {
             let own = scope.find(&named.key).is_some_and(|tag| {
@@ -100,8 +101,8 @@ impl Outward {
         }
     }
 
-    fn blocks(&mut self, context: &Context, network: &NetworkFacts) {
-        for bound in &network.blocks {
+    fn blocks(&mut self, context: &Context, network: NetworkAt<'_>) {
+        for bound in network.blocks() {
             let name = bound.facts.operands.first().map(|operand| &operand.value.kind);
             if let (Some(Op::Call), Some(NodeKind::Name(name))) = (bound.op(), name) {
                 let key = Name::new(name);

@@ -1,5 +1,7 @@
 //! The tags that a file, or the body of a user-defined block, knows.
 
+use crate::context::Context;
+use crate::network::BoundBlock;
 use crate::program::Role;
 use crate::types::{Scalar, Type};
 use crate::value::Value;
@@ -100,6 +102,13 @@ pub struct Use {
     pub whole: bool,
     /// Whether an index or a range stands behind it.
     pub indexed: bool,
+}
+
+impl Use {
+    /// The block, wherever it stands.
+    pub(crate) fn bound(self, context: &Context) -> &BoundBlock {
+        &context.networks.at(self.network).facts().blocks[self.block]
+    }
 }
 
 /// A tag of a scope.

@@ -2,17 +2,16 @@
 //! same, and the lines are, so are the findings.
 
 use crate::context::Context;
-use crate::network::NetworkFacts;
+use crate::networks::NetworkAt;
 use crate::scope::{Origin, TagFacts};
 use crate::value::Value;
 use rustc_hash::FxHasher;
 use std::hash::{Hash, Hasher};
-use std::sync::Arc;
 
 /// The stamps of the networks, as in the context.
 pub(crate) fn stamps(context: &Context) -> Vec<u64> {
     let all = (context.profile, context.signatures);
-    let of_scope = |network: &Arc<NetworkFacts>| hash((all, network.scope));
+    let of_scope = |network: NetworkAt<'_>| hash((all, network.scope));
     let mut stamps: Vec<u64> = context.networks.iter().map(of_scope).collect();
     for tag in context.scopes.iter().flat_map(|scope| &scope.tags) {
         if tag.uses.is_empty() {
@@ -20,7 +19,7 @@ pub(crate) fn stamps(context: &Context) -> Vec<u64> {
         }
         let stamp = stamp(tag);
         for place in &tag.uses {
-            let within = place.range.start() - context.networks[place.network].range.start();
+            let within = place.range.start() - context.networks.at(place.network).range.start();
             // A tag of another scope is met twice, here and there: the order does not matter.
             let sum = &mut stamps[place.network];
             *sum = sum.wrapping_add(hash((stamp, u32::from(within))));

@@ -3,21 +3,20 @@
 
 use crate::context::Context;
 use crate::facts::{Node, NodeKind};
-use crate::network::{BoundBlock, Formal, NetworkFacts};
+use crate::network::{BoundBlock, Formal};
+use crate::networks::{NetworkAt, Networks};
 use crate::program::{ParameterKind, Role};
 use crate::scope::{Access, Origin, Scope, TagFacts, Use, type_by_form};
 use crate::types::{Scalar, Type};
 use crate::user_block::UserBlockFacts;
 use ladder_instructions::{Accepts, Direction, Law};
 use ladder_syntax::{Name, TextRange};
-use std::sync::Arc;
 
 /// Enters every use of every tag into its scope.
 pub(crate) fn collect(context: &mut Context) {
     let law = context.profile.law();
-    for (network, facts) in context.networks.iter().enumerate() {
-        let scope = &mut context.scopes[facts.scope];
-        enter(network, facts, law, scope);
+    for network in &context.networks {
+        enter(network, law, &mut context.scopes[network.scope]);
     }
     roles(&mut context.scopes[0], &context.networks);
 }
@@ -160,9 +159,9 @@ impl Extent {
 }
 
 /// Enters the uses of a network's tags.
-fn enter(network: usize, facts: &NetworkFacts, law: &Law, scope: &mut Scope) {
-    for named in facts.named.iter() {
-        let bound = &facts.blocks[named.block as usize];
+fn enter(network: NetworkAt<'_>, law: &Law, scope: &mut Scope) {
+    for named in network.named.iter() {
+        let bound = network.block(named.block as usize);
         let range = bound.absolute(named.range);
         let index = scope.find(&named.key).unwrap_or_else(|| {
             let written = &bound.facts.operands[named.operand as usize].value;
@@ -173,7 +172,7 @@ fn enter(network: usize, facts: &NetworkFacts, law: &Law, scope: &mut Scope) {
             ))
         });
         scope.tags[index].uses.push(Use {
-            network,
+            network: network.index,
             block: named.block as usize,
             operand: named.operand as usize,
             range,
@@ -232,7 +231,7 @@ fn spelled(node: &Node, at: TextRange) -> Option<&str> {
 
 /// An undeclared BOOL that is read and never written is an input; one that coils write and nothing reads is an
 /// output (LANGUAGE §4). Types are not known yet: only BOOL places make a tag either, and infer checks.
-fn roles(scope: &mut Scope, networks: &[Arc<NetworkFacts>]) {
+fn roles(scope: &mut Scope, networks: &Networks) {
     for tag in &mut scope.tags {
         if tag.origin != Origin::Undeclared {
             continue;
@@ -243,7 +242,7 @@ fn roles(scope: &mut Scope, networks: &[Arc<NetworkFacts>]) {
             .uses
             .iter()
             .filter(|u| u.access.writes())
-            .all(|u| networks[u.network].blocks[u.block].coil().is_some());
+            .all(|u| networks.at(u.network).block(u.block).coil().is_some());
         tag.role = match (read, written) {
             (true, false) => Role::Input,
             (false, true) if by_coils => Role::Output,

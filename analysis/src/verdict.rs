@@ -5,7 +5,7 @@
 //! here is ever needed, it only saves looking.
 
 use crate::diagnostic::Diagnostic;
-use crate::network::NetworkFacts;
+use crate::networks::NetworkAt;
 use ladder_syntax::TextRange;
 use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
 use std::sync::{Mutex, MutexGuard, PoisonError};
@@ -98,7 +98,7 @@ impl Clone for Verdict {
 pub(crate) fn once(
     pass: Pass,
     key: u64,
-    network: &NetworkFacts,
+    network: NetworkAt<'_>,
     out: &mut Vec<Diagnostic>,
     look: impl FnOnce(&mut Vec<Diagnostic>),
 ) {

@@ -22,7 +22,11 @@ pub(crate) fn networks(context: &Context, body: Body) -> Option<TextRange> {
     let of = |&network: &usize| context.bodies[network] == body;
     let first = (0..context.networks.len()).find(of)?;
     let last = (0..context.networks.len()).rev().find(of)?;
-    let range = context.networks[first].range.cover(context.networks[last].range);
+    let range = context
+        .networks
+        .at(first)
+        .range
+        .cover(context.networks.at(last).range);
     Some(without_line_end(context, range))
 }
 

@@ -81,7 +81,7 @@ pub fn outgoing_calls(context: &Context, of: &Caller, workspace: &dyn Workspace)
             if *body != wanted {
                 continue;
             }
-            for block in &network.blocks {
+            for block in network.blocks() {
                 let at = match (block.user_name(), block.op()) {
                     (Some(_), _) => block.head_range().start() + TextSize::new(1),
                     (None, Some(Op::Call)) => match block.facts.operands.first() {

@@ -174,7 +174,7 @@ fn surroundings(context: &Context, symbol: &Symbol, at: TextRange) -> Option<Tex
             let label = context.labels.iter().find(|it| it.at == at)?;
             Some(body::without_line_end(
                 context,
-                context.networks[label.network].range,
+                context.networks.at(label.network).range,
             ))
         }
         _ => declared_names(context)
@@ -201,7 +201,7 @@ fn states(file: &Context, symbol: &Symbol) -> Vec<Target> {
     let mut targets = Vec::new();
     let places = occurrences(file, symbol);
     for network in &file.networks {
-        for block in &network.blocks {
+        for block in network.blocks() {
             for (operand, formal) in block.facts.operands.iter().zip(block.formals.iter()) {
                 let at = block.absolute(operand.value.range);
                 let keeps =

@@ -52,7 +52,7 @@ fn functions(context: &Context) -> Vec<TextRange> {
         match *item {
             Item::Network(network) => {
                 let body = context.bodies[network];
-                let range = without_line_end(context, context.networks[network].range);
+                let range = without_line_end(context, context.networks.at(network).range);
                 match (body, ranges.last_mut()) {
                     (Body::Function(_), Some(last)) if open == Some(body) => *last = last.cover(range),
                     (Body::Function(_), _) => ranges.push(range),

@@ -54,7 +54,7 @@ fn drawn(context: &Context, offset: TextSize) -> Option<Vec<TextRange>> {
         PartKind::LeftRail | PartKind::RightRail => Some(rails(context, place.network)),
         // At either end of a rung it stands for the rail.
         PartKind::Bar => {
-            let parts = &context.networks[place.network].wiring.rungs[place.rung].parts;
+            let parts = &context.networks.at(place.network).facts().wiring.rungs[place.rung].parts;
             let outer = place.part == 0 || place.part + 1 == parts.len();
             outer.then(|| rails(context, place.network))
         }
@@ -63,7 +63,7 @@ fn drawn(context: &Context, offset: TextSize) -> Option<Vec<TextRange>> {
 }
 
 fn pair(context: &Context, place: &OnRung<'_>) -> Vec<TextRange> {
-    let network = &context.networks[place.network];
+    let network = context.networks.at(place.network);
     let points = network.wiring.points.iter();
     let mut mine = points.filter(|point| {
         (place.rung, place.part) == (point.upper, point.down)
@@ -77,7 +77,7 @@ fn pair(context: &Context, place: &OnRung<'_>) -> Vec<TextRange> {
 }
 
 fn rails(context: &Context, network: usize) -> Vec<TextRange> {
-    let facts = &context.networks[network];
+    let facts = context.networks.at(network);
     let mut rails = Vec::new();
     for (rung, drawing) in facts.wiring.rungs.iter().enumerate() {
         let last = drawing.parts.len().saturating_sub(1);
@@ -100,7 +100,7 @@ fn loops(context: &Context, op: Op, at: TextRange) -> Vec<Highlight> {
         .iter()
         .zip(&context.bodies)
         .flat_map(|(network, body)| {
-            let blocks = network.blocks.iter();
+            let blocks = network.blocks();
             blocks.map(move |block| (*body, block.op(), block.head_range()))
         });
     let blocks: Vec<_> = blocks

@@ -33,11 +33,7 @@ pub fn inlays(context: &Context, within: TextRange) -> Vec<Inlay> {
         if network.range.start() > within.end() {
             break;
         }
-        if !network
-            .blocks
-            .iter()
-            .any(|bound| bound.facts.shape == Shape::Coil)
-        {
+        if !network.blocks().any(|bound| bound.facts.shape == Shape::Coil) {
             continue;
         }
         let Some(formulas) = formulas(context, index) else {
@@ -46,7 +42,7 @@ pub fn inlays(context: &Context, within: TextRange) -> Vec<Inlay> {
         // The coils of one rung share the end of its line.
         let mut of_rungs: Vec<Vec<String>> = vec![Vec::new(); network.wiring.rungs.len()];
         for (block, effect) in formulas.effects() {
-            let facts = &network.blocks[block].facts;
+            let facts = &network.block(block).bound().facts;
             if facts.shape == Shape::Coil {
                 of_rungs[facts.rung].push(effect);
             }

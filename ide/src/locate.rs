@@ -2,7 +2,7 @@
 
 use ladder_analysis::context::Context;
 use ladder_analysis::facts::{Node, NodeKind};
-use ladder_analysis::network::BoundBlock;
+use ladder_analysis::networks::BlockAt;
 use ladder_syntax::TextSize;
 use ladder_syntax::wiring::RungPart;
 
@@ -18,7 +18,7 @@ pub(crate) struct OnRung<'c> {
     /// The part itself.
     pub(crate) drawn: &'c RungPart,
     /// The block, if the part is one.
-    pub(crate) block: Option<&'c BoundBlock>,
+    pub(crate) block: Option<BlockAt<'c>>,
 }
 
 /// The part of the drawing at an offset. Between two parts that touch the right one wins, unless it is wire:
@@ -34,7 +34,7 @@ pub(crate) fn on_rung(context: &Context, offset: TextSize) -> Option<OnRung<'_>>
     let below = line.checked_sub(network.first_line)?;
     let rung = network.wiring.line_offsets.binary_search(&below).ok()?;
     let within = offset - parse.line_start(line);
-    let parts = &network.wiring.rungs[rung].parts;
+    let parts = &network.facts().wiring.rungs[rung].parts;
     let first = parts.partition_point(|part| part.range.end() < within);
     let candidates = parts[first..]
         .iter()
@@ -45,8 +45,7 @@ pub(crate) fn on_rung(context: &Context, offset: TextSize) -> Option<OnRung<'_>>
         .map(|(n, part)| (first + n, part))
         .max_by_key(|(index, part)| (preference(part), *index))?;
     let block = network
-        .blocks
-        .iter()
+        .blocks()
         .find(|block| block.facts.rung == rung && block.facts.part == index);
     Some(OnRung {
         network: number,

@@ -9,7 +9,7 @@
 //! Only blanks, wires and rails change: what was typed stays.
 
 use ladder_analysis::context::Context;
-use ladder_analysis::network::NetworkFacts;
+use ladder_analysis::networks::NetworkAt;
 use ladder_format::{Edit, Options, display_width, format_ranges};
 use ladder_syntax::wiring::{PartKind, Rung};
 use ladder_syntax::{LineKind, Mode, SyntaxKind, TextRange, TextSize};
@@ -67,11 +67,11 @@ fn drawn_again(context: &Context, line: usize, options: &Options) -> Option<Vec<
     Some(format_ranges(&context.parse, options, &[network.range]))
 }
 
-fn network_at(context: &Context, line: usize) -> Option<&NetworkFacts> {
+fn network_at(context: &Context, line: usize) -> Option<NetworkAt<'_>> {
     let networks = &context.parse.structure().networks;
     let number = networks.partition_point(|network| network.lines.end <= line);
     let found = networks.get(number)?.lines.contains(&line);
-    found.then(|| &*context.networks[number])
+    found.then(|| context.networks.at(number))
 }
 
 fn enter(context: &Context, offset: TextSize, options: &Options) -> Vec<Edit> {

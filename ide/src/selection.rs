@@ -92,7 +92,7 @@ fn words(context: &Context, line: usize, grown: &mut Grown) {
 }
 
 fn drawing(context: &Context, place: &OnRung<'_>, grown: &mut Grown) {
-    let facts = &context.networks[place.network];
+    let facts = context.networks.at(place.network);
     if let Some(block) = place.block {
         let within = grown.offset.checked_sub(block.base).unwrap_or_default();
         for operand in &block.facts.operands {
@@ -142,7 +142,7 @@ fn network(context: &Context, line: usize, grown: &mut Grown) {
     let Some(network) = networks.get(number).filter(|it| it.lines.contains(&line)) else {
         return;
     };
-    let range = without_line_end(context, context.networks[number].range);
+    let range = without_line_end(context, context.networks.at(number).range);
     grown.add(range);
     if let Some((first, _)) = comments::above(context, network.lines.start) {
         grown.add(TextRange::new(context.parse.line_start(first), range.end()));

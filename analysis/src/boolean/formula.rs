@@ -6,7 +6,8 @@
 use super::written::{written, written_block};
 use crate::context::{Body, Context};
 use crate::facts::NodeKind;
-use crate::network::{BoundBlock, Meaning, NetworkFacts};
+use crate::network::Meaning;
+use crate::networks::{BlockAt, NetworkAt};
 use crate::operand_value::tag;
 use crate::program::Step;
 use crate::types::Type;
@@ -37,14 +38,14 @@ enum Formula {
 #[derive(Debug)]
 pub struct Formulas<'c> {
     context: &'c Context,
-    network: &'c NetworkFacts,
+    network: NetworkAt<'c>,
     /// For each step of its order; none where it would be too long, or a block is not known.
     steps: Vec<Option<Formula>>,
 }
 
 /// The formulas of a network. None if its drawing has a mistake, or it is too large.
 pub fn formulas(context: &Context, network: usize) -> Option<Formulas<'_>> {
-    let facts = &context.networks[network];
+    let facts = context.networks.at(network);
     let order = &facts.order.steps;
     if facts.broken || order.len() > MOST_STEPS {
         return None;
@@ -63,7 +64,7 @@ pub fn formulas(context: &Context, network: usize) -> Option<Formulas<'_>> {
                 (Some(upper), Some(lower)) => Some(or(upper.clone(), lower.clone())),
                 _ => None,
             },
-            Step::Block { block, en } => behind(context, facts, &facts.blocks[block], steps[en].as_ref()),
+            Step::Block { block, en } => behind(context, facts, facts.block(block), steps[en].as_ref()),
         };
         steps.push(formula.filter(|formula| formula.size() <= MOST));
     }
@@ -78,7 +79,9 @@ pub fn formulas(context: &Context, network: usize) -> Option<Formulas<'_>> {
 fn rail_may_be_dead(context: &Context, network: usize) -> bool {
     let body = context.bodies.get(network).copied().unwrap_or(Body::Main);
     let has = |index: usize| {
-        context.networks[index]
+        context
+            .networks
+            .at(index)
             .blocks
             .iter()
             .any(|block| block.op() == Some(Op::Mcr))
@@ -96,12 +99,12 @@ impl Formulas<'_> {
     /// evaluation.
     pub fn effects(&self) -> impl Iterator<Item = (usize, String)> {
         self.network.order.steps.iter().filter_map(|step| match *step {
-            Step::Block { block, en } => Some((block, self.effect(&self.network.blocks[block], en)?)),
+            Step::Block { block, en } => Some((block, self.effect(self.network.block(block), en)?)),
             _ => None,
         })
     }
 
-    fn effect(&self, bound: &BoundBlock, en: usize) -> Option<String> {
+    fn effect(&self, bound: BlockAt<'_>, en: usize) -> Option<String> {
         let scope = self.network.scope;
         let en = self.steps[en].as_ref()?;
         let first = || Some(written(self.context, scope, &bound.facts.operands.first()?.value));
@@ -142,7 +145,7 @@ impl Formulas<'_> {
 }
 
 impl Formulas<'_> {
-    fn is_state(&self, bound: &BoundBlock) -> bool {
+    fn is_state(&self, bound: BlockAt<'_>) -> bool {
         let Some(NodeKind::Name(name)) = bound.facts.operands.first().map(|operand| &operand.value.kind)
         else {
             return false;
@@ -155,8 +158,8 @@ impl Formulas<'_> {
 /// When power leaves a block.
 fn behind(
     context: &Context,
-    network: &NetworkFacts,
-    bound: &BoundBlock,
+    network: NetworkAt<'_>,
+    bound: BlockAt<'_>,
     en: Option<&Formula>,
 ) -> Option<Formula> {
     let text = |index: usize| {

@@ -3,7 +3,7 @@
 use super::space::{Set, Space};
 use super::variables::{Ask, CoilKind, Gate, Gates, Variable, gates};
 use crate::context::Context;
-use crate::network::NetworkFacts;
+use crate::networks::NetworkAt;
 use crate::program::Step;
 
 /// How many steps a network may have: nobody draws more by hand.
@@ -11,7 +11,7 @@ const MOST_STEPS: usize = 400;
 
 /// A network, ready to be asked.
 pub(crate) struct NetworkPower<'c> {
-    network: &'c NetworkFacts,
+    network: NetworkAt<'c>,
     pub(crate) gates: Gates,
     pub(crate) space: Space,
     /// When the left rail has power.
@@ -51,7 +51,7 @@ impl<'c> NetworkPower<'c> {
     /// None if there are too many combinations. `rail_varies`: an `<MCR>` may take the left rail's power away.
     pub(crate) fn new(
         context: &Context,
-        network: &'c NetworkFacts,
+        network: NetworkAt<'c>,
         rail_varies: bool,
     ) -> Option<NetworkPower<'c>> {
         if network.order.steps.len() > MOST_STEPS {

@@ -5,7 +5,8 @@ use super::written::written;
 use crate::context::Context;
 use crate::facts::{Node, NodeKind};
 use crate::literal::Literal;
-use crate::network::{BoundBlock, Formal, Meaning, NetworkFacts};
+use crate::network::{Formal, Meaning};
+use crate::networks::{BlockAt, NetworkAt};
 use crate::operand_value::{Number, number, scalar, tag};
 use crate::program::Step;
 use crate::scope::Access;
@@ -80,7 +81,7 @@ pub(crate) struct Gates {
 }
 
 /// The conditions of a network and their variables.
-pub(crate) fn gates(context: &Context, network: &NetworkFacts) -> Option<Gates> {
+pub(crate) fn gates(context: &Context, network: NetworkAt<'_>) -> Option<Gates> {
     let mut reader = Reader {
         context,
         network,
@@ -108,7 +109,7 @@ pub(crate) fn gates(context: &Context, network: &NetworkFacts) -> Option<Gates> 
     let mut drafts = vec![Draft::Done(Gate::Pass); network.blocks.len()];
     for (index, step) in steps.iter().enumerate() {
         if let Step::Block { block, .. } = *step {
-            drafts[block] = reader.block(&network.blocks[block], consumed[index]);
+            drafts[block] = reader.block(network.block(block), consumed[index]);
         }
     }
     reader.finish(drafts)
@@ -130,7 +131,7 @@ enum Comparison {
 
 struct Reader<'c> {
     context: &'c Context,
-    network: &'c NetworkFacts,
+    network: NetworkAt<'c>,
     variables: Vec<Variable>,
     by_key: FxHashMap<String, usize>,
     /// How often the value of a tag has changed in the network so far.
@@ -145,7 +146,7 @@ struct Reader<'c> {
 }
 
 impl Reader<'_> {
-    fn block(&mut self, bound: &BoundBlock, consumed: bool) -> Draft {
+    fn block(&mut self, bound: BlockAt<'_>, consumed: bool) -> Draft {
         let operand = |index: usize| bound.facts.operands.get(index).map(|operand| &operand.value);
         let Meaning::Instruction(row) = bound.meaning else {
             self.epoch += 1;
@@ -196,7 +197,7 @@ impl Reader<'_> {
     }
 
     /// What passes on its EN, or the tag that it sets.
-    fn passing(&mut self, row: &Instruction, bound: &BoundBlock, consumed: bool) -> Gate {
+    fn passing(&mut self, row: &Instruction, bound: BlockAt<'_>, consumed: bool) -> Gate {
         let kind = match row.coil {
             Some(Coil::Follows) => CoilKind::Power,
             Some(Coil::Negated) => CoilKind::Negated,
@@ -269,7 +270,7 @@ impl Reader<'_> {
         index
     }
 
-    fn comparison(&mut self, bound: &BoundBlock, op: Op) -> Draft {
+    fn comparison(&mut self, bound: BlockAt<'_>, op: Op) -> Draft {
         let operands = &bound.facts.operands;
         let pairs = operands.windows(2);
         let compares = pairs.map(|pair| self.compare(op, &pair[0].value, &pair[1].value));
@@ -379,9 +380,9 @@ impl Reader<'_> {
     }
 
     /// What a block writes has another value from here on.
-    fn writes(&mut self, bound: &BoundBlock) {
+    fn writes(&mut self, bound: BlockAt<'_>) {
         for (operand, formal) in bound.facts.operands.iter().zip(bound.formals.iter()) {
-            let access = access(bound, *formal, &self.context.user_blocks);
+            let access = access(&bound, *formal, &self.context.user_blocks);
             if access.is_some_and(Access::writes)
                 && !matches!(formal, Formal::Unknown)
                 && let Some(tag) = self.base(&operand.value)

@@ -4,7 +4,8 @@ use crate::context::Context;
 use crate::excerpt::shortened;
 use crate::facts::{Node, NodeKind};
 use crate::literal::Literal;
-use crate::network::{BoundBlock, Formal};
+use crate::network::Formal;
+use crate::networks::BlockAt;
 use crate::operand_value::tag;
 use ladder_instructions::Accepts;
 
@@ -28,7 +29,7 @@ pub(crate) fn written(context: &Context, scope: usize, node: &Node) -> String {
 }
 
 /// A block with its operands, for a sentence: `[ ]( start )`. However it is laid out, it is the same text.
-pub(crate) fn written_block(context: &Context, scope: usize, bound: &BoundBlock) -> String {
+pub(crate) fn written_block(context: &Context, scope: usize, bound: BlockAt<'_>) -> String {
     let head = match bound.instruction() {
         Some(row) => row.block(),
         None => bound.head_text(),

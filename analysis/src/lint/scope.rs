@@ -89,7 +89,7 @@ fn covered(context: &Context, item: Item) -> Option<TextRange> {
         )
     };
     match item {
-        Item::Network(network) => Some(context.networks[network].range),
+        Item::Network(network) => Some(context.networks.at(network).range),
         Item::Section(section) => Some(lines(parse.structure().sections[section].lines.clone())),
         Item::BlockHeader(block) => {
             let first = parse.structure().blocks[block].lines.start;

@@ -4,7 +4,8 @@ use super::Resolver;
 use crate::constant::{natural_type, signed_literal};
 use crate::context::Callee;
 use crate::facts::{Node, NodeKind};
-use crate::network::{BoundBlock, Formal};
+use crate::network::Formal;
+use crate::networks::BlockAt;
 use crate::program::{Argument, BinaryOperator, Bound, Expr, ExprKind, ParameterKind, Place};
 use crate::rules::{bad_operand, duplicate_function, type_mismatch, unknown_function, unknown_label};
 use crate::scope::Access;
@@ -37,7 +38,7 @@ impl Resolver<'_, '_> {
     pub(super) fn arguments(
         &mut self,
         row: &'static Instruction,
-        bound: &BoundBlock,
+        bound: BlockAt<'_>,
     ) -> (Vec<Bound>, Option<Scalar>) {
         let mut works_in = None;
         let mut arguments = Vec::with_capacity(bound.formals.len());
@@ -210,7 +211,7 @@ impl Resolver<'_, '_> {
     }
 
     /// The type that the operands of a comparison agree in.
-    fn compared_type(&mut self, bound: &BoundBlock) -> Compared {
+    fn compared_type(&mut self, bound: BlockAt<'_>) -> Compared {
         let nodes: Vec<&Node> = bound
             .facts
             .operands
@@ -511,7 +512,7 @@ impl Resolver<'_, '_> {
     }
 
     /// The arguments of a user-defined block, in the order of its parameters.
-    pub(super) fn user_arguments(&mut self, block: usize, bound: &BoundBlock) -> Vec<Bound> {
+    pub(super) fn user_arguments(&mut self, block: usize, bound: BlockAt<'_>) -> Vec<Bound> {
         let context = self.context;
         let facts = &context.user_blocks[block];
         let mut arguments: Vec<Bound> = Vec::with_capacity(facts.parameters.len());

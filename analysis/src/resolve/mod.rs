@@ -20,7 +20,8 @@ pub(crate) use unchanged::check_all;
 
 use crate::context::{Body, Callee, Context};
 use crate::diagnostic::Diagnostic;
-use crate::network::{BoundBlock, Meaning, NetworkFacts};
+use crate::network::Meaning;
+use crate::networks::{BlockAt, NetworkAt};
 use crate::program::{Block, BlockKind, Element, Function, Location, Network, Program, TagId, UserBlock};
 use crate::scope::Scope;
 use ladder_instructions::{Law, Op};
@@ -63,9 +64,9 @@ pub(crate) struct Resolved {
 /// Resolves a network for the sake of its mistakes, which go to `out`. Gives the first block that could not be
 /// resolved whole.
 fn check(context: &Context, network: usize, out: &mut Vec<Diagnostic>) -> Option<TextRange> {
-    let facts = &context.networks[network];
+    let facts = context.networks.at(network);
     let mut unresolved = None;
-    for bound in &facts.blocks {
+    for bound in facts.blocks() {
         let mut resolver = Resolver {
             context,
             scope: &context.scopes[facts.scope],
@@ -121,7 +122,7 @@ fn networks(
             continue;
         };
         let mut blocks = Vec::with_capacity(facts.blocks.len());
-        for bound in &facts.blocks {
+        for bound in facts.blocks() {
             let mut resolver = Resolver {
                 context,
                 scope: &context.scopes[facts.scope],
@@ -151,11 +152,11 @@ fn networks(
 }
 
 /// Whether every operand of a block could be resolved.
-fn is_whole(block: Option<&Block>, bound: &BoundBlock) -> bool {
+fn is_whole(block: Option<&Block>, bound: BlockAt<'_>) -> bool {
     block.is_some_and(|block| block.arguments.len() == bound.formals.len())
 }
 
-fn lower(context: &Context, file: u32, facts: &NetworkFacts, blocks: Vec<Block>) -> Network {
+fn lower(context: &Context, file: u32, facts: NetworkAt<'_>, blocks: Vec<Block>) -> Network {
     let elements = facts
         .order
         .elements
@@ -292,7 +293,7 @@ impl Resolver<'_, '_> {
     }
 
     /// A block with its arguments. None if it is no known block, or cannot be read; the rules say so.
-    fn block(&mut self, bound: &BoundBlock) -> Option<Block> {
+    fn block(&mut self, bound: BlockAt<'_>) -> Option<Block> {
         if bound.faulty {
             return None;
         }

@@ -2,13 +2,14 @@
 
 use super::Resolver;
 use crate::facts::NodeKind;
-use crate::network::{BoundBlock, Formal};
+use crate::network::Formal;
+use crate::networks::BlockAt;
 use crate::rules::bad_operand;
 use crate::types::Type;
 
 impl Resolver<'_, '_> {
     /// Says where NEXT is given for an array that begins below 0.
-    pub(super) fn check_search(&mut self, bound: &BoundBlock) {
+    pub(super) fn check_search(&mut self, bound: BlockAt<'_>) {
         let operands = || bound.facts.operands.iter().zip(bound.formals.iter());
         let next = operands()
             .find(|(_, formal)| matches!(formal, Formal::Operand(operand) if operand.name == "NEXT"));

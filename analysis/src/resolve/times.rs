@@ -4,7 +4,8 @@
 use super::Resolver;
 use crate::constant::{natural_type, signed_literal};
 use crate::facts::Node;
-use crate::network::{BoundBlock, Formal};
+use crate::network::Formal;
+use crate::networks::BlockAt;
 use crate::rules::type_mismatch;
 use crate::types::Scalar;
 use ladder_instructions::{Accepts, Op};
@@ -21,7 +22,7 @@ enum Kind {
 impl Resolver<'_, '_> {
     /// Whether the operands fit together for a result of type TIME or DT. Says so if they do not; what is neither a
     /// time nor a number is told operand by operand.
-    pub(super) fn check_times(&mut self, op: Op, bound: &BoundBlock, ty: Scalar) -> bool {
+    pub(super) fn check_times(&mut self, op: Op, bound: BlockAt<'_>, ty: Scalar) -> bool {
         if !matches!(ty, Scalar::Time | Scalar::Dt)
             || !matches!(
                 op,

@@ -1,11 +1,11 @@
 //! `alternative-mnemonic`: an instruction is written in one of the spellings that are also accepted.
 
 use crate::diagnostic::{Applicability, Diagnostic};
-use crate::network::BoundBlock;
+use crate::networks::BlockAt;
 use crate::rule::Rule;
 use ladder_instructions::Instruction;
 
-pub(super) fn check(row: &Instruction, bound: &BoundBlock, out: &mut Vec<Diagnostic>) {
+pub(super) fn check(row: &Instruction, bound: BlockAt<'_>, out: &mut Vec<Diagnostic>) {
     let text = bound.facts.head.text();
     if row.aliases.iter().any(|alias| alias.eq_ignore_ascii_case(text)) {
         let block = row.block();

@@ -3,7 +3,8 @@
 use super::{missing_wire, wrong_shape};
 use crate::context::Context;
 use crate::diagnostic::{Applicability, Diagnostic, Fix};
-use crate::network::{BoundBlock, Formal, Meaning, NetworkFacts};
+use crate::network::{Formal, Meaning};
+use crate::networks::{BlockAt, NetworkAt};
 use crate::program::ParameterKind;
 use crate::rule::Rule;
 use crate::user_block::UserBlockFacts;
@@ -11,8 +12,8 @@ use ladder_format::Edit;
 use ladder_instructions::{Accepts, Instruction, Operand};
 use ladder_syntax::TextRange;
 
-pub(crate) fn check(context: &Context, network: &NetworkFacts, out: &mut Vec<Diagnostic>) {
-    for (index, bound) in network.blocks.iter().enumerate() {
+pub(crate) fn check(context: &Context, network: NetworkAt<'_>, out: &mut Vec<Diagnostic>) {
+    for (index, bound) in network.blocks().enumerate() {
         if bound.faulty {
             continue;
         }
@@ -29,7 +30,7 @@ pub(crate) fn check(context: &Context, network: &NetworkFacts, out: &mut Vec<Dia
     }
 }
 
-fn instruction(context: &Context, bound: &BoundBlock, row: &'static Instruction) -> Option<Diagnostic> {
+fn instruction(context: &Context, bound: BlockAt<'_>, row: &'static Instruction) -> Option<Diagnostic> {
     let given = bound.positional_count();
     // `PT := T#5s`: bad-operand says that it is given by its place.
     let by_name = |operand: &&Operand| {
@@ -71,7 +72,7 @@ fn instruction(context: &Context, bound: &BoundBlock, row: &'static Instruction)
     })
 }
 
-fn message(bound: &BoundBlock, row: &Instruction, given: usize) -> String {
+fn message(bound: BlockAt<'_>, row: &Instruction, given: usize) -> String {
     let least = row.required();
     let takes = match row.limit() {
         Some(0) => "no operands".to_owned(),
@@ -97,7 +98,7 @@ fn operands(count: usize) -> String {
     }
 }
 
-fn remove_excess(bound: &BoundBlock, excess: &[usize], mut found: Diagnostic) -> Diagnostic {
+fn remove_excess(bound: BlockAt<'_>, excess: &[usize], mut found: Diagnostic) -> Diagnostic {
     let facts = &bound.facts;
     let list = facts.list_range.unwrap_or(facts.range);
     let edits = if excess.len() == facts.operands.len() {
@@ -129,7 +130,7 @@ fn remove_excess(bound: &BoundBlock, excess: &[usize], mut found: Diagnostic) ->
     found
 }
 
-fn add_missing(bound: &BoundBlock, row: &'static Instruction, given: usize, found: Diagnostic) -> Diagnostic {
+fn add_missing(bound: BlockAt<'_>, row: &'static Instruction, given: usize, found: Diagnostic) -> Diagnostic {
     // At most one group of operands lacks behind the required ones.
     let Some(needed) = (given..given + 8).find(|&count| row.takes(count)) else {
         return found;
@@ -147,7 +148,7 @@ fn add_missing(bound: &BoundBlock, row: &'static Instruction, given: usize, foun
 }
 
 /// Where missing operands go, and the text that puts them there.
-fn insertion(bound: &BoundBlock, given: usize, values: &str) -> (TextRange, String) {
+fn insertion(bound: BlockAt<'_>, given: usize, values: &str) -> (TextRange, String) {
     let facts = &bound.facts;
     let Some(list) = facts.list_range else {
         return (TextRange::empty(facts.head_range.end()), format!("( {values} )"));
@@ -177,7 +178,7 @@ fn placeholder(operand: &Operand) -> &'static str {
     }
 }
 
-fn user_block(context: &Context, bound: &BoundBlock, block: usize, out: &mut Vec<Diagnostic>) {
+fn user_block(context: &Context, bound: BlockAt<'_>, block: usize, out: &mut Vec<Diagnostic>) {
     let facts = &context.user_blocks[block];
     if facts.doubtful {
         return;
@@ -235,7 +236,7 @@ fn user_block(context: &Context, bound: &BoundBlock, block: usize, out: &mut Vec
     );
 }
 
-fn signature<'n>(facts: &UserBlockFacts, bound: &BoundBlock, name_of: &dyn Fn(usize) -> &'n str) -> String {
+fn signature<'n>(facts: &UserBlockFacts, bound: BlockAt<'_>, name_of: &dyn Fn(usize) -> &'n str) -> String {
     let head = bound.head_text();
     if facts.parameters.is_empty() {
         return head;
@@ -245,7 +246,7 @@ fn signature<'n>(facts: &UserBlockFacts, bound: &BoundBlock, name_of: &dyn Fn(us
 }
 
 /// An operand that is given twice: by its place and by name, or by name twice.
-fn given_twice(bound: &BoundBlock, out: &mut Vec<Diagnostic>) {
+fn given_twice(bound: BlockAt<'_>, out: &mut Vec<Diagnostic>) {
     for (index, formal) in bound.formals.iter().enumerate() {
         let operand = &bound.facts.operands[index];
         let Some(name) = &operand.name else { continue };

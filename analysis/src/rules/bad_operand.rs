@@ -4,14 +4,15 @@ use super::did_you_mean;
 use crate::context::Context;
 use crate::diagnostic::{Applicability, Diagnostic};
 use crate::facts::{OperandFacts, Word};
-use crate::network::{BoundBlock, Formal, Meaning, NetworkFacts};
+use crate::network::{Formal, Meaning};
+use crate::networks::{BlockAt, NetworkAt};
 use crate::program::ParameterKind;
 use crate::rule::Rule;
 use ladder_instructions::{Direction, Presence, Profile, Profiles, StateType};
 use ladder_syntax::{Many, OperandPlace, TextRange};
 
-pub(crate) fn check(context: &Context, network: &NetworkFacts, out: &mut Vec<Diagnostic>) {
-    for bound in &network.blocks {
+pub(crate) fn check(context: &Context, network: NetworkAt<'_>, out: &mut Vec<Diagnostic>) {
+    for bound in network.blocks() {
         if bound.faulty {
             continue;
         }
@@ -54,7 +55,7 @@ pub(crate) fn check(context: &Context, network: &NetworkFacts, out: &mut Vec<Dia
 fn of_another_profile(
     profile: Profile,
     known: Profiles,
-    bound: &BoundBlock,
+    bound: BlockAt<'_>,
     operand: &OperandFacts,
     name: &Word,
 ) -> Diagnostic {
@@ -77,7 +78,7 @@ fn of_another_profile(
 }
 
 /// `=>` before an operand that the block reads.
-fn arrow(bound: &BoundBlock, operand: &OperandFacts, name: &Word) -> Diagnostic {
+fn arrow(bound: BlockAt<'_>, operand: &OperandFacts, name: &Word) -> Diagnostic {
     let found = wrong(
         bound.absolute(operand.range),
         format!("`{}` is an operand that {} reads", name.text, bound.head_text()),
@@ -96,7 +97,7 @@ fn arrow(bound: &BoundBlock, operand: &OperandFacts, name: &Word) -> Diagnostic 
 }
 
 /// A name before `:=` that the block does not have.
-fn unknown_name(context: &Context, bound: &BoundBlock, operand: &OperandFacts, name: &Word) -> Diagnostic {
+fn unknown_name(context: &Context, bound: BlockAt<'_>, operand: &OperandFacts, name: &Word) -> Diagnostic {
     let head = bound.head_text();
     let (names, by_place): (Vec<&str>, bool) = match bound.meaning {
         Meaning::Instruction(row) => {
@@ -154,7 +155,7 @@ fn unknown_name(context: &Context, bound: &BoundBlock, operand: &OperandFacts, n
 }
 
 /// Whether an operand stands at the place that its name says, behind operands that are given by place.
-fn is_at_its_place(bound: &BoundBlock, operand: &OperandFacts, name: &Word) -> bool {
+fn is_at_its_place(bound: BlockAt<'_>, operand: &OperandFacts, name: &Word) -> bool {
     let operands = &bound.facts.operands;
     let place = operands.iter().take_while(|other| other.name.is_none()).count();
     let row = bound.instruction().and_then(|row| row.positional(place));

@@ -4,7 +4,7 @@ use super::power_rules::is_condition;
 use super::wiring_walk::Walk;
 use crate::boolean::written::written_block;
 use crate::diagnostic::Diagnostic;
-use crate::network::BoundBlock;
+use crate::networks::BlockAt;
 use crate::program::Step;
 use crate::rule::Rule;
 use ladder_instructions::{Op, Shape};
@@ -36,7 +36,7 @@ pub(super) fn check(walk: &Walk<'_>, out: &mut Vec<Diagnostic>) {
     }
 }
 
-fn is_coil(bound: &BoundBlock) -> bool {
+fn is_coil(bound: BlockAt<'_>) -> bool {
     bound.facts.shape == Shape::Coil && bound.op().is_some_and(|op| op != Op::Res)
 }
 

@@ -1,6 +1,7 @@
 //! What networks have of program flow: the rules about the whole program look no further where there is none.
 
-use crate::network::{BoundBlock, Meaning};
+use crate::network::Meaning;
+use crate::networks::BlockAt;
 use ladder_instructions::{Coil, Op, Shape};
 
 /// What in a network moves the program on to another place than the next network, or can, as bits; and its coils.
@@ -39,7 +40,7 @@ impl ControlFlow {
     }
 
     /// What one block adds.
-    pub(super) fn of(bound: &BoundBlock) -> ControlFlow {
+    pub(super) fn of(bound: BlockAt<'_>) -> ControlFlow {
         match bound.meaning {
             Meaning::Instruction(row) => match row.op {
                 Op::Jmp => ControlFlow::JUMP,

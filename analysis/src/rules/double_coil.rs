@@ -4,7 +4,8 @@ use crate::context::Context;
 use crate::diagnostic::Diagnostic;
 use crate::facts::{Node, NodeKind};
 use crate::literal::Literal;
-use crate::network::{Meaning, NetworkFacts};
+use crate::network::Meaning;
+use crate::networks::NetworkAt;
 use crate::rule::Rule;
 use crate::scope::Use;
 use ladder_instructions::{Coil, Op, Shape};
@@ -40,7 +41,7 @@ fn double(context: &Context, name: &str, coils: &[&Use]) -> Option<Diagnostic> {
         return None;
     };
     let place = |coil: &Use| {
-        let bound = &context.networks[coil.network].blocks[coil.block];
+        let bound = context.networks.at(coil.network).block(coil.block);
         bound.absolute(bound.facts.operands[coil.operand].value.range)
     };
     let mut found = Diagnostic::new(
@@ -59,7 +60,7 @@ fn double(context: &Context, name: &str, coils: &[&Use]) -> Option<Diagnostic> {
 }
 
 fn is_plain_coil(context: &Context, place: &Use) -> bool {
-    let network = &context.networks[place.network];
+    let network = context.networks.at(place.network);
     place.access.writes()
         && !network.broken
         && !network.blocks[place.block].faulty
@@ -70,7 +71,7 @@ fn is_plain_coil(context: &Context, place: &Use) -> bool {
 }
 
 fn operand<'c>(context: &'c Context, place: &Use) -> &'c Node {
-    &context.networks[place.network].blocks[place.block].facts.operands[place.operand].value
+    &place.bound(context).facts.operands[place.operand].value
 }
 
 /// Which part of its tag a coil writes: empty for the whole, else a bit or element whose number is written out.
@@ -91,8 +92,8 @@ fn part(kind: &NodeKind) -> Option<String> {
 /// For each network, and for the end, how many networks before hold a block that may leave the straight way down: what stands behind
 /// such a block may be the other case of what stands before.
 fn leaving_networks(context: &Context) -> Vec<usize> {
-    let leaves = |network: &NetworkFacts| {
-        network.blocks.iter().any(|bound| match bound.meaning {
+    let leaves = |network: NetworkAt<'_>| {
+        network.blocks().any(|bound| match bound.meaning {
             Meaning::Instruction(row) => matches!(row.op, Op::Jmp | Op::Ret | Op::End | Op::For),
             Meaning::User(_) | Meaning::UnknownUser => bound.facts.shape == Shape::Function,
             Meaning::Unknown => false,

@@ -3,6 +3,7 @@
 
 use crate::context::Context;
 use crate::diagnostic::Diagnostic;
+use crate::networks::NetworkAt;
 use crate::rule::Rule;
 use ladder_syntax::Name;
 use std::collections::{HashMap, HashSet};
@@ -34,7 +35,7 @@ pub(crate) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
     if doubtful.is_empty() {
         return;
     }
-    for bound in context.networks.iter().flat_map(|network| &network.blocks) {
+    for bound in context.networks.iter().flat_map(NetworkAt::blocks) {
         let Some(name) = bound.user_name() else { continue };
         let key = Name::new(name);
         if !doubtful.contains(&key) {

@@ -56,7 +56,7 @@ pub(crate) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
 fn jumps(context: &Context) -> HashMap<(usize, &Name), Vec<TextRange>> {
     let mut jumps: HashMap<(usize, &Name), Vec<TextRange>> = HashMap::new();
     for (index, network) in context.networks.iter().enumerate() {
-        for bound in network.blocks.iter().filter(|bound| bound.op() == Some(Op::Jmp)) {
+        for bound in network.blocks().filter(|bound| bound.op() == Some(Op::Jmp)) {
             let Some(operand) = bound.facts.operands.first() else {
                 continue;
             };

@@ -36,7 +36,7 @@ pub(crate) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
 
 /// Whether a block keeps its state in the tag. One of another type is a mistake of its own.
 fn owns(context: &Context, place: &Use, state: StateType) -> bool {
-    let bound = &context.networks[place.network].blocks[place.block];
+    let bound = context.networks.at(place.network).block(place.block);
     matches!(bound.formals[place.operand], Formal::Operand(o) if o.accepts == Accepts::State(state))
 }
 

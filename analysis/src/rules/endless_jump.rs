@@ -5,7 +5,7 @@ use super::flow::{Exit, Flow};
 use crate::context::Context;
 use crate::diagnostic::Diagnostic;
 use crate::facts::{Node, NodeKind};
-use crate::network::{BoundBlock, NetworkFacts};
+use crate::networks::{BlockAt, NetworkAt};
 use crate::operand_value::tag;
 use crate::program::Step;
 use crate::rule::Rule;
@@ -34,11 +34,11 @@ pub(super) fn check(flow: &Flow<'_>, reached: &[bool], out: &mut Vec<Diagnostic>
 }
 
 fn endless(flow: &Flow<'_>, exit: &Exit, to: usize, message: String) -> Diagnostic {
-    let target = &flow.context.networks[flow.networks[to]];
+    let target = flow.context.networks.at(flow.networks[to]);
     let mut found = Diagnostic::new(Rule::EndlessJump, flow.block(exit).range(), message).help(
         "do not wait within a scan: the program runs again and again by itself, and inputs are read between two scans",
     );
-    let label = target.blocks.iter().find(|bound| bound.op() == Some(Op::Lbl));
+    let label = target.blocks().find(|bound| bound.op() == Some(Op::Lbl));
     if let Some(label) = label {
         found = found.related(label.range(), "it jumps to here");
     }
@@ -65,7 +65,7 @@ fn waits(flow: &Flow<'_>, exit: &Exit, to: usize) -> Option<String> {
         return None;
     }
     let context = flow.context;
-    let network = &context.networks[flow.networks[exit.from]];
+    let network = context.networks.at(flow.networks[exit.from]);
     let conditions = conditions_before(network, exit)?;
     let mut asked = Vec::new();
     for bound in &conditions {
@@ -92,7 +92,7 @@ fn waits(flow: &Flow<'_>, exit: &Exit, to: usize) -> Option<String> {
 }
 
 /// All conditions that the power of an exit passes; none if other blocks have a part in it.
-fn conditions_before<'c>(network: &'c NetworkFacts, exit: &Exit) -> Option<Vec<&'c BoundBlock>> {
+fn conditions_before<'c>(network: NetworkAt<'c>, exit: &Exit) -> Option<Vec<BlockAt<'c>>> {
     let mut found = Vec::new();
     let mut seen = vec![false; exit.step + 1];
     let mut open = vec![exit.step];
@@ -104,7 +104,7 @@ fn conditions_before<'c>(network: &'c NetworkFacts, exit: &Exit) -> Option<Vec<&
             Step::Start { .. } => {}
             Step::Join { upper, lower } => open.extend([upper, lower]),
             Step::Block { block, en } => {
-                let bound = &network.blocks[block];
+                let bound = network.block(block);
                 match bound.op()? {
                     Op::Jmp | Op::Lbl | Op::Inverter => {}
                     Op::Contact

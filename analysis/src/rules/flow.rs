@@ -8,7 +8,7 @@ use crate::boolean::power::{NetworkPower, Question};
 use crate::context::{Body, Context};
 use crate::diagnostic::Diagnostic;
 use crate::facts::NodeKind;
-use crate::network::BoundBlock;
+use crate::networks::BlockAt;
 use crate::program::Step;
 use ladder_instructions::Op;
 use ladder_syntax::Name;
@@ -106,8 +106,11 @@ impl<'c> Flow<'c> {
         })
     }
 
-    pub(super) fn block(&self, exit: &Exit) -> &'c BoundBlock {
-        &self.context.networks[self.networks[exit.from]].blocks[exit.block]
+    pub(super) fn block(&self, exit: &Exit) -> BlockAt<'c> {
+        self.context
+            .networks
+            .at(self.networks[exit.from])
+            .block(exit.block)
     }
 
     /// For each network the first one behind it that holds a `<NEXT>`.
@@ -154,7 +157,7 @@ impl<'c> Flow<'c> {
     /// Enters what leaves a network; whether one of these always does.
     fn exits_of(&mut self, at: usize, rail_varies: bool) -> bool {
         let index = self.networks[at];
-        let network = &self.context.networks[index];
+        let network = self.context.networks.at(index);
         let power = NetworkPower::new(self.context, network, rail_varies);
         let powers = power.as_ref().map(|power| {
             power.powers(Question {
@@ -166,7 +169,7 @@ impl<'c> Flow<'c> {
             let Step::Block { block, en } = *kind else {
                 continue;
             };
-            let bound = &network.blocks[block];
+            let bound = network.block(block);
             let to = match bound.op() {
                 Some(Op::Jmp) => match self.target(index, bound) {
                     Some(to) => Some(to),
@@ -197,7 +200,7 @@ impl<'c> Flow<'c> {
         false
     }
 
-    fn target(&self, network: usize, bound: &BoundBlock) -> Option<usize> {
+    fn target(&self, network: usize, bound: BlockAt<'_>) -> Option<usize> {
         let NodeKind::Name(name) = &bound.facts.operands.first()?.value.kind else {
             return None;
         };

@@ -10,7 +10,8 @@ use crate::context::Context;
 use crate::diagnostic::Diagnostic;
 use crate::excerpt::Excerpts;
 use crate::facts::{Node, NodeKind};
-use crate::network::{BoundBlock, Meaning, breaks_drawing};
+use crate::network::{Meaning, breaks_drawing};
+use crate::networks::{BlockAt, NetworkAt};
 use crate::rule::Rule;
 use ladder_instructions::Op;
 use ladder_syntax::{LineKind, Name, Parse, SyntaxErrorKind, TextRange};
@@ -77,7 +78,7 @@ impl Doubt {
             };
             doubt.block_header |= line.kind == LineKind::BlockHeader;
         }
-        for bound in context.networks.iter().flat_map(|network| &network.blocks) {
+        for bound in context.networks.iter().flat_map(NetworkAt::blocks) {
             doubt.block(bound);
         }
         doubt.mistyped = mistyped(context);
@@ -93,7 +94,7 @@ impl Doubt {
         doubt
     }
 
-    fn block(&mut self, bound: &BoundBlock) {
+    fn block(&mut self, bound: BlockAt<'_>) {
         match bound.meaning {
             Meaning::Unknown => {
                 let names = bound
@@ -171,7 +172,7 @@ fn mistyped(context: &Context) -> Vec<TextRange> {
     let tags = context.scopes.iter().flat_map(|scope| &scope.tags);
     let uses = tags.filter(|tag| tag.mistyped).flat_map(|tag| &tag.uses);
     let mut blocks: Vec<TextRange> = uses
-        .map(|place| context.networks[place.network].blocks[place.block].range())
+        .map(|place| context.networks.at(place.network).block(place.block).range())
         .collect();
     blocks.sort_unstable_by_key(|range| range.start());
     blocks.dedup();

@@ -14,7 +14,7 @@ pub(super) fn check(summary: &Summary<'_>, out: &mut Vec<Diagnostic>) {
         return;
     }
     let mut writers = tag.uses.iter().filter(|place| {
-        let bound = &summary.context.networks[place.network].blocks[place.block];
+        let bound = summary.context.networks.at(place.network).block(place.block);
         // Of an unknown block nobody knows what it writes.
         place.access.writes() && !bound.faulty && bound.instruction().is_some()
     });

@@ -3,13 +3,13 @@
 use crate::context::Context;
 use crate::diagnostic::{Applicability, Diagnostic};
 use crate::excerpt::columns;
-use crate::network::NetworkFacts;
+use crate::networks::NetworkAt;
 use crate::rule::Rule;
 use ladder_syntax::TextRange;
 use ladder_syntax::numeral::nth;
 use ladder_syntax::wiring::{PartKind, Point};
 
-pub(crate) fn check(context: &Context, network: &NetworkFacts, out: &mut Vec<Diagnostic>) {
+pub(crate) fn check(context: &Context, network: NetworkAt<'_>, out: &mut Vec<Diagnostic>) {
     if network.broken {
         return;
     }
@@ -23,13 +23,13 @@ pub(crate) fn check(context: &Context, network: &NetworkFacts, out: &mut Vec<Dia
 
 /// Whether both connectors stand at one distance in bytes from the start of their lines: cheap, and the same as
 /// one column where only plain characters stand before them.
-fn is_straight(network: &NetworkFacts, point: &Point) -> bool {
+fn is_straight(network: NetworkAt<'_>, point: &Point) -> bool {
     let rungs = &network.wiring.rungs;
     rungs[point.upper].parts[point.down].range.start() == rungs[point.upper + 1].parts[point.up].range.start()
 }
 
 /// The first pair whose `\` stands above the `/` of another pair.
-fn misleading(context: &Context, network: &NetworkFacts, points: &[Point]) -> Option<Diagnostic> {
+fn misleading(context: &Context, network: NetworkAt<'_>, points: &[Point]) -> Option<Diagnostic> {
     let wiring = &network.wiring;
     let upper = points[0].upper;
     let starts = |rung: usize, part: usize| wiring.rungs[rung].parts[part].range.start();

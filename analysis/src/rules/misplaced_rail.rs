@@ -4,12 +4,13 @@ use super::unpaired_connector::completion;
 use crate::context::Context;
 use crate::diagnostic::{Applicability, Diagnostic};
 use crate::excerpt::columns;
-use crate::network::{NetworkFacts, breaks_drawing};
+use crate::network::breaks_drawing;
+use crate::networks::NetworkAt;
 use crate::rule::Rule;
 use ladder_syntax::TextRange;
 use ladder_syntax::wiring::{PartKind, RungPart};
 
-pub(crate) fn check(context: &Context, network: &NetworkFacts, out: &mut Vec<Diagnostic>) {
+pub(crate) fn check(context: &Context, network: NetworkAt<'_>, out: &mut Vec<Diagnostic>) {
     for (rung, drawing) in network.wiring.rungs.iter().enumerate() {
         let is_stray = |part: &RungPart| matches!(part.kind, PartKind::StrayRail | PartKind::StrayBar);
         let line = &context.parse.lines()[network.line(rung)];

@@ -3,13 +3,14 @@
 use crate::context::Context;
 use crate::diagnostic::{Applicability, Diagnostic};
 use crate::facts::Head;
-use crate::network::{NetworkFacts, breaks_drawing};
+use crate::network::breaks_drawing;
+use crate::networks::NetworkAt;
 use crate::rule::{Rule, Severity};
 use ladder_instructions::{Shape, lookup};
 use ladder_syntax::wiring::PartKind;
 use ladder_syntax::{TextRange, TextSize};
 
-pub(crate) fn check(context: &Context, network: &NetworkFacts, out: &mut Vec<Diagnostic>) {
+pub(crate) fn check(context: &Context, network: NetworkAt<'_>, out: &mut Vec<Diagnostic>) {
     // Blocks stand in the order of the rungs and parts, so one index follows them.
     let mut block = 0;
     for (rung, drawing) in network.wiring.rungs.iter().enumerate() {
@@ -80,7 +81,7 @@ fn message(before: PartKind, behind: PartKind) -> String {
 
 /// Whether a block without operands has taken the first part of the next one as its operand list, as in
 /// `[OSR]( )( y )`.
-pub(crate) fn takes_next_head(network: &NetworkFacts, index: usize) -> bool {
+pub(crate) fn takes_next_head(network: NetworkAt<'_>, index: usize) -> bool {
     let (Some(block), Some(next)) = (network.blocks.get(index), network.blocks.get(index + 1)) else {
         return false;
     };
@@ -97,8 +98,8 @@ pub(crate) fn takes_next_head(network: &NetworkFacts, index: usize) -> bool {
         && without_operands()
 }
 
-fn took_head(network: &NetworkFacts, index: usize) -> Diagnostic {
-    let (block, next) = (&network.blocks[index], &network.blocks[index + 1]);
+fn took_head(network: NetworkAt<'_>, index: usize) -> Diagnostic {
+    let (block, next) = (network.block(index), network.block(index + 1));
     let head = block.head_text();
     let list = block.facts.list_range.unwrap_or(block.facts.range);
     let between = TextRange::new(block.facts.head_range.end(), list.start());

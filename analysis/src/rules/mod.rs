@@ -84,7 +84,7 @@ mod wrong_shape;
 
 use crate::context::Context;
 use crate::diagnostic::Diagnostic;
-use crate::network::NetworkFacts;
+use crate::networks::NetworkAt;
 use crate::rule::{Rule, Severity};
 use crate::rule_settings::RuleSettings;
 use crate::verdict::{self, Pass};
@@ -92,7 +92,7 @@ use rustc_hash::FxHasher;
 use std::hash::{Hash, Hasher};
 use survey::Survey;
 
-type NetworkCheck = fn(&Context, &NetworkFacts, &mut Vec<Diagnostic>);
+type NetworkCheck = fn(&Context, NetworkAt<'_>, &mut Vec<Diagnostic>);
 
 /// The rules that look at a network by itself: its drawing and the form of its blocks.
 const OF_NETWORKS: &[NetworkCheck] = &[

@@ -2,14 +2,14 @@
 
 use crate::context::Context;
 use crate::diagnostic::Diagnostic;
-use crate::network::{BoundBlock, NetworkFacts};
+use crate::networks::{BlockAt, NetworkAt};
 use crate::rule::Rule;
 use ladder_instructions::{Op, Role};
 use ladder_syntax::TextRange;
 use ladder_syntax::wiring::PartKind;
 
-pub(crate) fn check(context: &Context, network: &NetworkFacts, out: &mut Vec<Diagnostic>) {
-    if network.broken || network.blocks.iter().any(may_act) {
+pub(crate) fn check(context: &Context, network: NetworkAt<'_>, out: &mut Vec<Diagnostic>) {
+    if network.broken || network.blocks().any(may_act) {
         return;
     }
     let Some(range) = first_rung(context, network) else {
@@ -30,7 +30,7 @@ pub(crate) fn check(context: &Context, network: &NetworkFacts, out: &mut Vec<Dia
 }
 
 /// The drawing of the first rung, without the comments at its ends.
-pub(super) fn first_rung(context: &Context, network: &NetworkFacts) -> Option<TextRange> {
+pub(super) fn first_rung(context: &Context, network: NetworkAt<'_>) -> Option<TextRange> {
     (0..network.wiring.rungs[0].parts.len())
         .filter(|&part| {
             let kind = network.wiring.rungs[0].parts[part].kind;
@@ -41,7 +41,7 @@ pub(super) fn first_rung(context: &Context, network: &NetworkFacts) -> Option<Te
 }
 
 /// Whether a block does more than pass power on, or might.
-pub(super) fn may_act(bound: &BoundBlock) -> bool {
+pub(super) fn may_act(bound: BlockAt<'_>) -> bool {
     match bound.instruction() {
         Some(row) => row.role == Role::Acting || matches!(row.op, Op::Lbl | Op::Fun),
         // A user-defined block acts; of an unknown one nothing is known.

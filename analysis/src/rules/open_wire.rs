@@ -6,14 +6,14 @@
 use super::rung_not_powered;
 use crate::context::Context;
 use crate::diagnostic::{Applicability, Diagnostic, Fix};
-use crate::network::NetworkFacts;
+use crate::networks::NetworkAt;
 use crate::program::Step;
 use crate::rule::Rule;
 use ladder_format::Edit;
 use ladder_syntax::wiring::{PartKind, RungPart, Segment};
 use ladder_syntax::{TextRange, TextSize};
 
-pub(crate) fn check(context: &Context, network: &NetworkFacts, out: &mut Vec<Diagnostic>) {
+pub(crate) fn check(context: &Context, network: NetworkAt<'_>, out: &mut Vec<Diagnostic>) {
     if network.broken {
         return;
     }
@@ -30,7 +30,7 @@ pub(crate) fn check(context: &Context, network: &NetworkFacts, out: &mut Vec<Dia
 }
 
 /// For each step whether power can come there.
-fn live_steps(network: &NetworkFacts) -> Vec<bool> {
+fn live_steps(network: NetworkAt<'_>) -> Vec<bool> {
     let mut live = Vec::with_capacity(network.order.steps.len());
     for step in &network.order.steps {
         live.push(match *step {
@@ -44,13 +44,13 @@ fn live_steps(network: &NetworkFacts) -> Vec<bool> {
 
 struct Reach<'c> {
     context: &'c Context,
-    network: &'c NetworkFacts,
+    network: NetworkAt<'c>,
     /// For each rung and part whether power can leave it.
     live: Vec<Vec<bool>>,
 }
 
 impl<'c> Reach<'c> {
-    fn new(context: &'c Context, network: &'c NetworkFacts, steps: &[bool]) -> Reach<'c> {
+    fn new(context: &'c Context, network: NetworkAt<'c>, steps: &[bool]) -> Reach<'c> {
         let rungs = &network.wiring.rungs;
         let mut live: Vec<Vec<bool>> = rungs.iter().map(|rung| vec![false; rung.parts.len()]).collect();
         for &(rung, part, step, _) in &network.order.elements {

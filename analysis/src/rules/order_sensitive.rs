@@ -18,7 +18,7 @@ pub(super) fn check(table: &Table<'_>, out: &mut Vec<Diagnostic>) {
         read_first: true,
         ..Question::default()
     });
-    for (index, bound) in table.network.blocks.iter().enumerate() {
+    for (index, bound) in table.network.blocks().enumerate() {
         if !may_act(bound) {
             continue;
         }

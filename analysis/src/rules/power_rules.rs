@@ -7,7 +7,7 @@ use super::{constant_power, duplicate_branch, order_sensitive, redundant_element
 use crate::boolean::power::{NetworkPower, Powers, Question};
 use crate::context::Context;
 use crate::diagnostic::Diagnostic;
-use crate::network::{BoundBlock, NetworkFacts};
+use crate::networks::{BlockAt, NetworkAt};
 use crate::operand_value::{Number, number, scalar};
 use crate::program::Step;
 use crate::rule::Rule;
@@ -23,7 +23,7 @@ use std::hash::{Hash, Hasher};
 /// A network and its table.
 pub(super) struct Table<'c> {
     pub(super) context: &'c Context,
-    pub(super) network: &'c NetworkFacts,
+    pub(super) network: NetworkAt<'c>,
     pub(super) power: NetworkPower<'c>,
     /// The powers as the network runs.
     pub(super) powers: Powers,
@@ -75,11 +75,11 @@ struct Surroundings {
 
 fn of_network(
     context: &Context,
-    network: &NetworkFacts,
+    network: NetworkAt<'_>,
     surroundings: Surroundings,
     out: &mut Vec<Diagnostic>,
 ) {
-    if !is_worth_it(context, network) || network.blocks.iter().any(|bound| bound.faulty) {
+    if !is_worth_it(context, network) || network.blocks().any(|bound| bound.faulty) {
         return;
     }
     let Some(table) = Table::new(context, network, surroundings.rail_varies) else {
@@ -96,11 +96,7 @@ fn of_network(
 }
 
 impl<'c> Table<'c> {
-    pub(super) fn new(
-        context: &'c Context,
-        network: &'c NetworkFacts,
-        rail_varies: bool,
-    ) -> Option<Table<'c>> {
+    pub(super) fn new(context: &'c Context, network: NetworkAt<'c>, rail_varies: bool) -> Option<Table<'c>> {
         let power = NetworkPower::new(context, network, rail_varies)?;
         let powers = power.powers(Question::default());
         let mut step_of = vec![0; network.blocks.len()];
@@ -119,7 +115,7 @@ impl<'c> Table<'c> {
         };
         for step in &network.order.steps {
             let parent = match *step {
-                Step::Block { block, en } if is_condition(&network.blocks[block]) => Some(en),
+                Step::Block { block, en } if is_condition(network.block(block)) => Some(en),
                 Step::Join { upper, lower } => table.origin(upper, lower),
                 _ => None,
             };
@@ -138,13 +134,13 @@ impl<'c> Table<'c> {
         Some(a)
     }
 
-    pub(super) fn block(&self, block: usize) -> &'c BoundBlock {
-        &self.network.blocks[block]
+    pub(super) fn block(&self, block: usize) -> BlockAt<'c> {
+        self.network.block(block)
     }
 }
 
 /// Whether a block is a contact, an edge or a comparison: it decides about power and does nothing else.
-pub(super) fn is_condition(bound: &BoundBlock) -> bool {
+pub(super) fn is_condition(bound: BlockAt<'_>) -> bool {
     bound
         .instruction()
         .is_some_and(|row| row.role == Role::Condition && !matches!(row.op, Op::Lbl | Op::Fun))
@@ -152,9 +148,9 @@ pub(super) fn is_condition(bound: &BoundBlock) -> bool {
 
 /// Whether conditions of the network read one tag at two places, or behind the place where the network writes it, or
 /// a comparison in it may have one answer only.
-fn is_worth_it(context: &Context, network: &NetworkFacts) -> bool {
+fn is_worth_it(context: &Context, network: NetworkAt<'_>) -> bool {
     let compares = |bound| compares_numbers(context, network, bound);
-    if network.blocks.iter().any(compares) {
+    if network.blocks().any(compares) {
         return true;
     }
     let scope = &context.scopes[network.scope];
@@ -172,11 +168,11 @@ fn is_worth_it(context: &Context, network: &NetworkFacts) -> bool {
         .any(|of_tag| of_tag.len() > 1 && is_asked_again(network, of_tag))
 }
 
-fn is_asked_again(network: &NetworkFacts, uses: &[((usize, usize), &Named)]) -> bool {
+fn is_asked_again(network: NetworkAt<'_>, uses: &[((usize, usize), &Named)]) -> bool {
     let uses = || uses.iter().map(|(_, named)| *named);
     let block = |place: &Named| place.block as usize;
     let mut asked =
-        uses().filter(|place| place.access == Access::Read && is_condition(&network.blocks[block(place)]));
+        uses().filter(|place| place.access == Access::Read && is_condition(network.block(block(place))));
     let Some(first) = asked.next() else { return false };
     if asked.next().is_some() {
         return true;
@@ -193,7 +189,7 @@ fn is_asked_again(network: &NetworkFacts, uses: &[((usize, usize), &Named)]) -> 
 }
 
 /// A comparison of two numbers, or with a number at the end of its type.
-fn compares_numbers(context: &Context, network: &NetworkFacts, bound: &BoundBlock) -> bool {
+fn compares_numbers(context: &Context, network: NetworkAt<'_>, bound: BlockAt<'_>) -> bool {
     if !bound
         .instruction()
         .is_some_and(|row| row.power == Power::Compares)

@@ -72,7 +72,12 @@ fn candidates<'c>(context: &'c Context, survey: &Survey) -> impl Iterator<Item =
 
 /// Whether the reading rung also reads what the value is made of: it compares old and new on purpose.
 fn compares_old_and_new(context: &Context, late: &Late<'_>) -> bool {
-    let own = tag(context, context.networks[late.read.network].scope, &late.tag.name).map(|(id, _)| id);
+    let own = tag(
+        context,
+        context.networks.at(late.read.network).scope,
+        &late.tag.name,
+    )
+    .map(|(id, _)| id);
     let read_by_writer = tags_read(context, late.write.network);
     let read = tags_read(context, late.read.network);
     read.iter()
@@ -80,11 +85,11 @@ fn compares_old_and_new(context: &Context, late: &Late<'_>) -> bool {
 }
 
 fn tags_read(context: &Context, network: usize) -> FxHashSet<(usize, usize)> {
-    let network = &context.networks[network];
+    let network = context.networks.at(network);
     let mut found = FxHashSet::default();
-    for bound in &network.blocks {
+    for bound in network.blocks() {
         for (operand, formal) in bound.facts.operands.iter().zip(bound.formals.iter()) {
-            if access(bound, *formal, &context.user_blocks).is_some_and(Access::reads) {
+            if access(&bound, *formal, &context.user_blocks).is_some_and(Access::reads) {
                 each_tag(&operand.value, &mut |name| {
                     found.extend(tag(context, network.scope, name).map(|(id, _)| id));
                 });

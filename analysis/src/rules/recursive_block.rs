@@ -40,7 +40,7 @@ impl Graph {
         let mut open: Vec<(usize, Arc<str>, &ExportedBlock)> = Vec::new();
         for (network, body) in context.networks.iter().zip(&context.bodies) {
             let Body::Block(user) = *body else { continue };
-            for bound in &network.blocks {
+            for bound in network.blocks() {
                 let Meaning::User(used) = bound.meaning else {
                     continue;
                 };

@@ -6,7 +6,8 @@ use super::survey::Survey;
 use crate::context::{Body, Context};
 use crate::diagnostic::Diagnostic;
 use crate::facts::NodeKind;
-use crate::network::{BoundBlock, Meaning};
+use crate::network::Meaning;
+use crate::networks::BlockAt;
 use crate::rule::Rule;
 use ladder_instructions::Op;
 use ladder_syntax::Name;
@@ -24,7 +25,7 @@ pub(super) fn check(context: &Context, survey: &Survey, out: &mut Vec<Diagnostic
             Body::Function(function) => function,
             Body::Block(block) => functions + block,
         };
-        for bound in &network.blocks {
+        for bound in network.blocks() {
             match bound.meaning {
                 // Blocks of other files call functions of theirs.
                 Meaning::User(block) if block >= context.own_blocks => {}
@@ -41,7 +42,7 @@ pub(super) fn check(context: &Context, survey: &Survey, out: &mut Vec<Diagnostic
     }
 }
 
-fn called(context: &Context, bound: &BoundBlock) -> Option<Use> {
+fn called(context: &Context, bound: BlockAt<'_>) -> Option<Use> {
     let operand = bound
         .facts
         .operands

@@ -8,7 +8,7 @@ use crate::boolean::power::{Powers, Question, Replacement};
 use crate::boolean::variables::Gate;
 use crate::boolean::written::written_block;
 use crate::diagnostic::Diagnostic;
-use crate::network::BoundBlock;
+use crate::networks::BlockAt;
 use crate::rule::Rule;
 use ladder_instructions::Power;
 use rustc_hash::FxHashSet;
@@ -54,7 +54,7 @@ pub(super) fn check(table: &Table<'_>, out: &mut Vec<Diagnostic>) {
     for gate in &table.power.gates.of_block {
         each_variable(gate, |variable| asked[variable] += 1);
     }
-    for (index, bound) in table.network.blocks.iter().enumerate() {
+    for (index, bound) in table.network.blocks().enumerate() {
         let mut repeated = false;
         each_variable(&table.power.gates.of_block[index], |variable| {
             repeated |= asked[variable] > 1;
@@ -91,7 +91,7 @@ pub(super) fn check(table: &Table<'_>, out: &mut Vec<Diagnostic>) {
     }
 }
 
-fn remembers(bound: &BoundBlock) -> bool {
+fn remembers(bound: BlockAt<'_>) -> bool {
     bound
         .instruction()
         .is_some_and(|row| matches!(row.power, Power::TagEdge(_) | Power::EnEdge(_)))

@@ -2,12 +2,13 @@
 
 use crate::context::Context;
 use crate::diagnostic::{Applicability, Diagnostic};
-use crate::network::{BoundBlock, Formal, Meaning};
+use crate::network::{Formal, Meaning};
+use crate::networks::BlockAt;
 use crate::program::ParameterKind;
 use crate::rule::Rule;
 use ladder_instructions::Direction;
 
-pub(super) fn check(context: &Context, bound: &BoundBlock, out: &mut Vec<Diagnostic>) {
+pub(super) fn check(context: &Context, bound: BlockAt<'_>, out: &mut Vec<Diagnostic>) {
     for (operand, formal) in bound.facts.operands.iter().zip(bound.formals.iter()) {
         let (Some(name), false) = (&operand.name, operand.arrow) else {
             continue;

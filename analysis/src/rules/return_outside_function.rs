@@ -18,7 +18,7 @@ pub(super) fn check(context: &Context, survey: &Survey, out: &mut Vec<Diagnostic
         {
             continue;
         }
-        for bound in network.blocks.iter().filter(|bound| bound.op() == Some(Op::Ret)) {
+        for bound in network.blocks().filter(|bound| bound.op() == Some(Op::Ret)) {
             out.push(
                 Diagnostic::new(
                     Rule::ReturnOutsideFunction,

@@ -9,7 +9,7 @@ use crate::boolean::written::written;
 use crate::context::Context;
 use crate::diagnostic::Diagnostic;
 use crate::facts::{Node, NodeKind};
-use crate::network::NetworkFacts;
+use crate::networks::NetworkAt;
 use crate::operand_value::{each_tag, tag};
 use crate::program::Step;
 use crate::rule::Rule;
@@ -33,7 +33,7 @@ pub(super) fn check(context: &Context, survey: &Survey, out: &mut Vec<Diagnostic
         .with(ControlFlow::CALL)
         .with(ControlFlow::FLOW_BLOCK);
     for tag in context.own_tags().filter(|tag| tag.ty == Some(Type::BOOL)) {
-        let coil = |place: &Use| context.networks[place.network].blocks[place.block].coil();
+        let coil = |place: &Use| context.networks.at(place.network).block(place.block).coil();
         let writers = || tag.uses.iter().filter(|place| place.access.writes());
         let is_latch = |place: &&Use| matches!(coil(place), Some(Coil::Sets | Coil::Resets)) && place.whole;
         let sets = |place: &Use| coil(place) == Some(Coil::Sets);
@@ -77,7 +77,7 @@ struct Latch<'c> {
 impl<'c> Latch<'c> {
     /// None unless its conditions stand in series behind the left rail.
     fn new(context: &'c Context, place: &'c Use, sets: bool) -> Option<Latch<'c>> {
-        let network = &context.networks[place.network];
+        let network = context.networks.at(place.network);
         if network.broken {
             return None;
         }
@@ -106,8 +106,8 @@ impl<'c> Latch<'c> {
         }
     }
 
-    fn pass(&mut self, context: &Context, network: &NetworkFacts, block: usize) -> Option<()> {
-        let bound = &network.blocks[block];
+    fn pass(&mut self, context: &Context, network: NetworkAt<'_>, block: usize) -> Option<()> {
+        let bound = network.block(block);
         let row = bound.instruction().filter(|_| !bound.faulty)?;
         match row.power {
             Power::Passes if row.coil.is_some() => return Some(()),

@@ -5,7 +5,7 @@ use super::power_rules::is_condition;
 use super::wiring_walk::Walk;
 use crate::boolean::written::written_block;
 use crate::diagnostic::Diagnostic;
-use crate::network::BoundBlock;
+use crate::networks::BlockAt;
 use crate::program::Step;
 use crate::rule::Rule;
 use rustc_hash::FxHashSet;
@@ -38,14 +38,14 @@ pub(super) fn check(
         };
         contacts.retain(decides_nothing);
         told.extend(&contacts);
-        let contacts: Vec<&BoundBlock> = contacts.iter().map(|&block| walk.block(block)).collect();
+        let contacts: Vec<BlockAt<'_>> = contacts.iter().map(|&block| walk.block(block)).collect();
         let Some((first, rest)) = contacts.split_first() else {
             continue;
         };
         let message = if rest.is_empty() {
             format!(
                 "a bare wire beside {} shorts it: it decides nothing",
-                written_block(walk.context, walk.network.scope, first)
+                written_block(walk.context, walk.network.scope, *first)
             )
         } else {
             "a bare wire beside these contacts shorts them: they decide nothing".to_owned()

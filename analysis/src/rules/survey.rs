@@ -7,7 +7,8 @@ use super::{
 };
 use crate::context::Context;
 use crate::diagnostic::Diagnostic;
-use crate::network::{BoundBlock, Meaning, NetworkFacts};
+use crate::network::Meaning;
+use crate::networks::{BlockAt, NetworkAt};
 use crate::rule::{Rule, Severity};
 use crate::rule_settings::RuleSettings;
 use ladder_instructions::Op;
@@ -31,8 +32,8 @@ pub(super) struct Survey {
 /// What a rule about single blocks is asked with.
 pub(super) struct SurveyedBlock<'c> {
     pub(super) context: &'c Context,
-    pub(super) network: &'c NetworkFacts,
-    pub(super) bound: &'c BoundBlock,
+    pub(super) network: NetworkAt<'c>,
+    pub(super) bound: BlockAt<'c>,
     pub(super) settings: &'c RuleSettings,
 }
 
@@ -56,7 +57,7 @@ pub(super) fn survey(context: &Context, settings: &RuleSettings, out: &mut Vec<D
     for network in &context.networks {
         survey.whole &= !network.broken;
         let mut control_flow = ControlFlow::default();
-        for bound in &network.blocks {
+        for bound in network.blocks() {
             control_flow = control_flow.with(ControlFlow::of(bound));
             let Meaning::Instruction(row) = bound.meaning else {
                 survey.whole &= matches!(bound.meaning, Meaning::User(_));

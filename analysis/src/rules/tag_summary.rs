@@ -64,7 +64,7 @@ impl<'c> Summary<'c> {
     }
 
     fn coil(&self, place: &Use) -> Option<Coil> {
-        self.context.networks[place.network].blocks[place.block].coil()
+        self.context.networks.at(place.network).block(place.block).coil()
     }
 
     /// Whether something reads it, in whichever file.

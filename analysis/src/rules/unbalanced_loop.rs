@@ -23,7 +23,7 @@ pub(super) fn check(context: &Context, survey: &Survey, out: &mut Vec<Diagnostic
             continue;
         }
         // A loop begins behind the network of its FOR and ends with that of the next NEXT.
-        let of = |op| network.blocks.iter().filter(move |bound| bound.op() == Some(op));
+        let of = |op| network.blocks().filter(move |bound| bound.op() == Some(op));
         let mut nexts = of(Op::Next);
         if let Some(first) = nexts.next() {
             if open.take().is_none() {

@@ -52,7 +52,7 @@ pub(crate) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
 /// Whether the place says that a tag is meant: the block is known and could be read, and no other rule speaks of
 /// the operand.
 fn is_clear(context: &Context, tag: &TagFacts, place: &Use) -> bool {
-    let bound = &context.networks[place.network].blocks[place.block];
+    let bound = context.networks.at(place.network).block(place.block);
     let value = &bound.facts.operands[place.operand].value;
     let known = match bound.formals[place.operand] {
         Formal::Operand(operand) => {
@@ -107,7 +107,7 @@ fn extent(context: &Context, tag: &TagFacts) -> (i64, Scalar) {
     let mut element = Scalar::Dint;
     let mut written_out = false;
     for place in &tag.uses {
-        let bound = &context.networks[place.network].blocks[place.block];
+        let bound = context.networks.at(place.network).block(place.block);
         bound.facts.operands[place.operand]
             .value
             .each_index(&mut |index| {

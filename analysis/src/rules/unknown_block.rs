@@ -3,19 +3,20 @@
 use super::did_you_mean;
 use crate::context::Context;
 use crate::diagnostic::{Applicability, Diagnostic};
-use crate::network::{BoundBlock, Meaning, NetworkFacts};
+use crate::network::Meaning;
+use crate::networks::{BlockAt, NetworkAt};
 use crate::rule::Rule;
 use ladder_syntax::Name;
 
-pub(crate) fn check(context: &Context, network: &NetworkFacts, out: &mut Vec<Diagnostic>) {
-    for bound in &network.blocks {
+pub(crate) fn check(context: &Context, network: NetworkAt<'_>, out: &mut Vec<Diagnostic>) {
+    for bound in network.blocks() {
         if matches!(bound.meaning, Meaning::UnknownUser) && !bound.faulty {
             out.push(unknown(context, bound));
         }
     }
 }
 
-fn unknown(context: &Context, bound: &BoundBlock) -> Diagnostic {
+fn unknown(context: &Context, bound: BlockAt<'_>) -> Diagnostic {
     let (range, written) = (bound.head_range(), bound.head_text());
     let name = bound.facts.head.text();
     let key = Name::new(name);

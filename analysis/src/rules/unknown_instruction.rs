@@ -5,13 +5,14 @@ use crate::article::with_article;
 use crate::context::Context;
 use crate::diagnostic::{Applicability, Diagnostic};
 use crate::excerpt::in_sentence;
-use crate::network::{BoundBlock, Meaning, NetworkFacts};
+use crate::network::Meaning;
+use crate::networks::{BlockAt, NetworkAt};
 use crate::rule::Rule;
 use ladder_instructions::{Accepts, Instruction, Operand, Profile, Shape, TABLE, closest};
 use ladder_syntax::{Name, is_identifier};
 
-pub(crate) fn check(context: &Context, network: &NetworkFacts, out: &mut Vec<Diagnostic>) {
-    for (index, bound) in network.blocks.iter().enumerate() {
+pub(crate) fn check(context: &Context, network: NetworkAt<'_>, out: &mut Vec<Diagnostic>) {
+    for (index, bound) in network.blocks().enumerate() {
         if let Meaning::Instruction(row) = bound.meaning {
             out.extend(not_in_profile(context.profile, row, bound));
             continue;
@@ -32,7 +33,7 @@ pub(crate) fn check(context: &Context, network: &NetworkFacts, out: &mut Vec<Dia
 
 /// A timer or counter that a profile does not have: it would count what nothing there counts. Other instructions work
 /// in every profile.
-fn not_in_profile(profile: Profile, row: &Instruction, bound: &BoundBlock) -> Option<Diagnostic> {
+fn not_in_profile(profile: Profile, row: &Instruction, bound: BlockAt<'_>) -> Option<Diagnostic> {
     let counts = |operand: &Operand| match operand.accepts {
         Accepts::State(state) => state.is_timer() || state.is_counter(),
         _ => false,
@@ -49,7 +50,7 @@ fn not_in_profile(profile: Profile, row: &Instruction, bound: &BoundBlock) -> Op
     Some(found.help(format!("its timers and counters are {}", known.join(" "))))
 }
 
-fn unknown(context: &Context, network: &NetworkFacts, bound: &BoundBlock) -> Diagnostic {
+fn unknown(context: &Context, network: NetworkAt<'_>, bound: BlockAt<'_>) -> Diagnostic {
     let found = Diagnostic::new(
         Rule::UnknownInstruction,
         bound.head_range(),

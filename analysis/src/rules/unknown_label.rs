@@ -160,8 +160,7 @@ pub(crate) fn outward_jumps(context: &Context) -> Vec<Jump> {
             continue;
         }
         for bound in network
-            .blocks
-            .iter()
+            .blocks()
             .filter(|bound| bound.op() == Some(Op::Jmp) && !bound.faulty)
         {
             let Some(operand) = bound.facts.operands.first() else {
@@ -189,7 +188,7 @@ pub(crate) fn outward_jumps(context: &Context) -> Vec<Jump> {
 fn places(context: &Context) -> Vec<Vec<(usize, TextRange)>> {
     let mut places = vec![Vec::new(); context.user_blocks.len()];
     for (index, network) in context.networks.iter().enumerate() {
-        for bound in &network.blocks {
+        for bound in network.blocks() {
             if let Meaning::User(block) = bound.meaning {
                 places[block].push((index, bound.head_range()));
             }

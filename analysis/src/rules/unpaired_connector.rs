@@ -5,7 +5,8 @@ pub(super) mod completion;
 use crate::context::{Context, rung_above, rung_below};
 use crate::diagnostic::Diagnostic;
 use crate::excerpt::{columns, trimmed_line};
-use crate::network::{NetworkFacts, breaks_drawing};
+use crate::network::breaks_drawing;
+use crate::networks::NetworkAt;
 use crate::rule::Rule;
 use ladder_syntax::numeral::nth;
 use ladder_syntax::wiring::{self, PartKind, Rung};
@@ -17,7 +18,7 @@ const MOST: usize = 10;
 /// With so many connectors on a line the columns are compared one by one.
 const MOST_COMPARED: usize = 64;
 
-pub(crate) fn check(context: &Context, network: &NetworkFacts, out: &mut Vec<Diagnostic>) {
+pub(crate) fn check(context: &Context, network: NetworkAt<'_>, out: &mut Vec<Diagnostic>) {
     let wiring = &network.wiring;
     for of_rung in wiring.unpaired.chunk_by(|a, b| a.0 == b.0) {
         let rung = of_rung[0].0;

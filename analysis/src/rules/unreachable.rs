@@ -22,7 +22,7 @@ pub(super) fn check(flow: &Flow<'_>, reached: &[bool], out: &mut Vec<Diagnostic>
         if reached[at] || at.checked_sub(1).is_some_and(|before| !reached[before]) {
             continue;
         }
-        let network = &flow.context.networks[flow.networks[at]];
+        let network = flow.context.networks.at(flow.networks[at]);
         let Some(range) = first_rung(flow.context, network) else {
             continue;
         };
@@ -56,11 +56,11 @@ fn always_leaves(flow: &Flow<'_>, exit: &Exit) -> &'static str {
 
 /// What stands behind such a block in its own network.
 fn behind_in_network(flow: &Flow<'_>, exit: &Exit) -> Option<Diagnostic> {
-    let network = &flow.context.networks[flow.networks[exit.from]];
+    let network = flow.context.networks.at(flow.networks[exit.from]);
     let behind = network.order.steps[exit.step + 1..]
         .iter()
         .find_map(|step| match *step {
-            Step::Block { block, .. } => Some(&network.blocks[block]),
+            Step::Block { block, .. } => Some(network.block(block)),
             _ => None,
         })?;
     Some(

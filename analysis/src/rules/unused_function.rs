@@ -20,7 +20,7 @@ pub(super) fn check(context: &Context, survey: &Survey, out: &mut Vec<Diagnostic
         if !survey.control_flow[index].has(ControlFlow::CALL) {
             continue;
         }
-        for bound in network.blocks.iter().filter(|bound| bound.op() == Some(Op::Call)) {
+        for bound in network.blocks().filter(|bound| bound.op() == Some(Op::Call)) {
             if let Some(NodeKind::Name(name)) = bound.facts.operands.first().map(|o| &o.value.kind) {
                 called.extend(context.function(&Name::new(name)));
             }

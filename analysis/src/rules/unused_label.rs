@@ -5,7 +5,8 @@ use super::survey::Survey;
 use crate::context::{Body, Context};
 use crate::diagnostic::Diagnostic;
 use crate::facts::NodeKind;
-use crate::network::{BoundBlock, Meaning};
+use crate::network::Meaning;
+use crate::networks::BlockAt;
 use crate::rule::Rule;
 use ladder_instructions::Op;
 use ladder_syntax::Name;
@@ -22,7 +23,7 @@ pub(super) fn check(context: &Context, survey: &Survey, out: &mut Vec<Diagnostic
         if !survey.control_flow[index].has(ControlFlow::JUMP) {
             continue;
         }
-        for bound in network.blocks.iter().filter(|bound| bound.op() == Some(Op::Jmp)) {
+        for bound in network.blocks().filter(|bound| bound.op() == Some(Op::Jmp)) {
             let Some(NodeKind::Name(name)) = bound.facts.operands.first().map(|o| &o.value.kind) else {
                 continue;
             };
@@ -41,9 +42,10 @@ pub(super) fn check(context: &Context, survey: &Survey, out: &mut Vec<Diagnostic
     let has_foreign_block: FxHashSet<Body> = (0..context.networks.len())
         .filter(|&index| survey.control_flow[index].has(ControlFlow::FLOW_BLOCK))
         .filter(|&index| {
-            context.networks[index]
-                .blocks
-                .iter()
+            context
+                .networks
+                .at(index)
+                .blocks()
                 .any(|bound| is_foreign(context, bound))
         })
         .map(|index| context.bodies[index])
@@ -69,6 +71,6 @@ pub(super) fn check(context: &Context, survey: &Survey, out: &mut Vec<Diagnostic
     }
 }
 
-fn is_foreign(context: &Context, bound: &BoundBlock) -> bool {
+fn is_foreign(context: &Context, bound: BlockAt<'_>) -> bool {
     matches!(bound.meaning, Meaning::User(block) if block >= context.own_blocks)
 }

@@ -5,25 +5,25 @@ use super::survey::Survey;
 use super::{bypassed, contact_after_coil, dead_end, latched_power, redundant_element, shorted_branch};
 use crate::context::Context;
 use crate::diagnostic::Diagnostic;
-use crate::network::{BoundBlock, NetworkFacts};
+use crate::networks::{BlockAt, NetworkAt};
 use crate::program::Step;
 use crate::verdict::{self, Pass};
 
 /// A network and what the rules ask of each of its steps.
 pub(super) struct Walk<'c> {
     pub(super) context: &'c Context,
-    pub(super) network: &'c NetworkFacts,
+    pub(super) network: NetworkAt<'c>,
     /// Whether a block that acts uses the power that a step gives, directly or by way of conditions.
     pub(super) useful: Vec<bool>,
 }
 
 impl<'c> Walk<'c> {
-    pub(super) fn block(&self, block: usize) -> &'c BoundBlock {
-        &self.network.blocks[block]
+    pub(super) fn block(&self, block: usize) -> BlockAt<'c> {
+        self.network.block(block)
     }
 
     pub(super) fn steps(&self) -> &'c [Step] {
-        &self.network.order.steps
+        &self.network.facts().order.steps
     }
 }
 
@@ -31,7 +31,7 @@ impl<'c> Walk<'c> {
 pub(super) fn check(context: &Context, survey: &Survey, stamps: &[u64], out: &mut Vec<Diagnostic>) {
     for (index, network) in context.networks.iter().enumerate() {
         // What does nothing at all is no-output.
-        if !survey.sound[index] || !network.blocks.iter().any(super::no_output::may_act) {
+        if !survey.sound[index] || !network.blocks().any(super::no_output::may_act) {
             continue;
         }
         let look = |out: &mut Vec<Diagnostic>| of_network(context, network, survey.control_flow[index], out);
@@ -45,7 +45,7 @@ pub(super) fn check(context: &Context, survey: &Survey, stamps: &[u64], out: &mu
 
 fn of_network(
     context: &Context,
-    network: &NetworkFacts,
+    network: NetworkAt<'_>,
     control_flow: ControlFlow,
     out: &mut Vec<Diagnostic>,
 ) {
@@ -70,14 +70,14 @@ fn of_network(
 }
 
 /// For each step whether a block that acts uses its power.
-fn useful(network: &NetworkFacts) -> Vec<bool> {
+fn useful(network: NetworkAt<'_>) -> Vec<bool> {
     let steps = &network.order.steps;
     let mut useful = vec![false; steps.len()];
     for (index, step) in steps.iter().enumerate().rev() {
         match *step {
             Step::Start { .. } => {}
             Step::Block { block, en } => {
-                let used = useful[index] || super::no_output::may_act(&network.blocks[block]);
+                let used = useful[index] || super::no_output::may_act(network.block(block));
                 useful[en] |= used;
             }
             Step::Join { upper, lower } => {

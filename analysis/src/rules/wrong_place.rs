@@ -2,17 +2,17 @@
 
 use crate::context::Context;
 use crate::diagnostic::Diagnostic;
-use crate::network::{BoundBlock, NetworkFacts};
+use crate::networks::{BlockAt, NetworkAt};
 use crate::rule::Rule;
 use ladder_instructions::{Op, Shape};
 
-pub(crate) fn check(context: &Context, network: &NetworkFacts, out: &mut Vec<Diagnostic>) {
+pub(crate) fn check(context: &Context, network: NetworkAt<'_>, out: &mut Vec<Diagnostic>) {
     let body = network
         .scope
         .checked_sub(1)
         .map(|block| &context.user_blocks[block]);
     let mut functions = 0;
-    for bound in &network.blocks {
+    for bound in network.blocks() {
         match (bound.op(), body) {
             (Some(Op::End), Some(block)) if block.shape != Shape::Function => out.push(
                 wrong(
@@ -45,6 +45,6 @@ pub(crate) fn check(context: &Context, network: &NetworkFacts, out: &mut Vec<Dia
     }
 }
 
-fn wrong(bound: &BoundBlock, message: &str, help: &str) -> Diagnostic {
+fn wrong(bound: BlockAt<'_>, message: &str, help: &str) -> Diagnostic {
     Diagnostic::new(Rule::WrongPlace, bound.head_range(), message).help(help)
 }

@@ -3,25 +3,25 @@
 use crate::context::Context;
 use crate::diagnostic::{Applicability, Diagnostic};
 use crate::excerpt;
-use crate::network::BoundBlock;
+use crate::networks::BlockAt;
 use crate::rule::Rule;
 use ladder_instructions::{Instruction, Op, in_other_shape};
 
 /// The instruction of this name in other brackets; one that takes the operands as they are comes first.
-pub(crate) fn elsewhere(bound: &BoundBlock) -> Option<&'static Instruction> {
+pub(crate) fn elsewhere(bound: BlockAt<'_>) -> Option<&'static Instruction> {
     let mut rows = in_other_shape(bound.facts.shape, bound.facts.head.text());
     taking_operands(bound).or_else(|| rows.next())
 }
 
 /// The instruction of this name in other brackets that takes the operands as they are.
-pub(crate) fn taking_operands(bound: &BoundBlock) -> Option<&'static Instruction> {
+pub(crate) fn taking_operands(bound: BlockAt<'_>) -> Option<&'static Instruction> {
     let count = bound.positional_count();
     in_other_shape(bound.facts.shape, bound.facts.head.text()).find(|row| row.takes(count))
 }
 
 /// Only a word that is one instruction and no other, with the operands that it takes, can mean nothing else: one or
 /// two letters are one slip away from others.
-fn applicability(bound: &BoundBlock, row: &Instruction) -> Applicability {
+fn applicability(bound: BlockAt<'_>, row: &Instruction) -> Applicability {
     let name = bound.facts.head.text();
     let is_the_only_one = in_other_shape(bound.facts.shape, name).nth(1).is_none();
     let fits = row.takes(bound.positional_count());
@@ -32,7 +32,7 @@ fn applicability(bound: &BoundBlock, row: &Instruction) -> Applicability {
     }
 }
 
-pub(crate) fn brackets(context: &Context, bound: &BoundBlock, row: &'static Instruction) -> Diagnostic {
+pub(crate) fn brackets(context: &Context, bound: BlockAt<'_>, row: &'static Instruction) -> Diagnostic {
     let list = bound
         .facts
         .list_range

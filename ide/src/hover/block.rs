@@ -2,13 +2,14 @@
 
 use super::Hover;
 use ladder_analysis::context::Context;
-use ladder_analysis::network::{BoundBlock, Meaning};
+use ladder_analysis::network::Meaning;
+use ladder_analysis::networks::BlockAt;
 use ladder_analysis::program::ParameterKind;
 use ladder_analysis::user_block::UserBlockFacts;
 use ladder_instructions::{Direction, Instruction, Presence, Profile};
 use std::fmt::Write;
 
-pub(super) fn hover(context: &Context, block: &BoundBlock) -> Option<Hover> {
+pub(super) fn hover(context: &Context, block: BlockAt<'_>) -> Option<Hover> {
     let markdown = match block.meaning {
         Meaning::Instruction(row) => instruction(row, context.profile),
         Meaning::User(index) => user_block_card(&context.user_blocks[index]),

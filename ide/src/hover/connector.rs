@@ -8,7 +8,7 @@ use ladder_syntax::numeral::nth;
 use ladder_syntax::wiring::{PartKind, Wiring};
 
 pub(super) fn hover(context: &Context, place: &OnRung<'_>) -> Hover {
-    let network = &context.networks[place.network];
+    let network = context.networks.at(place.network);
     let wiring = &network.wiring;
     let down = place.drawn.kind == PartKind::Down;
     let (own, partner) = if down { ('\\', '/') } else { ('/', '\\') };

@@ -6,7 +6,8 @@ use crate::locate::{OnRung, node_at};
 use ladder_analysis::constant::natural_literal;
 use ladder_analysis::context::{Callee, Context};
 use ladder_analysis::facts::{Node, NodeKind};
-use ladder_analysis::network::{BoundBlock, Formal};
+use ladder_analysis::network::Formal;
+use ladder_analysis::networks::BlockAt;
 use ladder_analysis::program::{Role, SystemTag};
 use ladder_analysis::scope::{Origin, TagFacts};
 use ladder_instructions::Accepts;
@@ -16,7 +17,7 @@ use std::fmt::Write;
 pub(super) fn hover(
     context: &Context,
     place: &OnRung<'_>,
-    block: &BoundBlock,
+    block: BlockAt<'_>,
     offset: TextSize,
 ) -> Option<Hover> {
     let within = offset - block.base;
@@ -92,7 +93,7 @@ fn describe(
             _ => {}
         }
     }
-    let scope = &context.scopes[context.networks[place.network].scope];
+    let scope = &context.scopes[context.networks.at(place.network).scope];
     match &node.kind {
         NodeKind::Name(name) | NodeKind::Address(name) => scope
             .find(&Name::new(name))

@@ -10,7 +10,7 @@ use ladder_syntax::wiring::PartKind;
 const MOST: usize = 8;
 
 pub(super) fn hover(context: &Context, place: &OnRung<'_>) -> Option<Hover> {
-    let network = &context.networks[place.network];
+    let network = context.networks.at(place.network);
     let mut markdown = power(context, place)?;
     if place.drawn.kind == PartKind::LeftRail {
         markdown.clear();
@@ -31,7 +31,7 @@ pub(super) fn hover(context: &Context, place: &OnRung<'_>) -> Option<Hover> {
 
 /// When a part of a drawing has power, in a sentence.
 pub(super) fn power(context: &Context, place: &OnRung<'_>) -> Option<String> {
-    let network = &context.networks[place.network];
+    let network = context.networks.at(place.network);
     let elements = network.order.elements.iter();
     let (_, _, step, _) = elements
         .into_iter()

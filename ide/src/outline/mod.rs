@@ -148,7 +148,7 @@ impl Outline<'_> {
             if facts.network == network {
                 let head = Outlined {
                     name: facts.name.clone(),
-                    detail: comments::title(context, context.networks[network].line(0)),
+                    detail: comments::title(context, context.networks.at(network).line(0)),
                     kind: OutlineKind::Function,
                     range: item.range,
                     focus: facts.at,
@@ -232,7 +232,7 @@ fn block_item(context: &Context, block: usize) -> Outlined {
 }
 
 fn network_item(context: &Context, network: usize) -> Outlined {
-    let facts = &context.networks[network];
+    let facts = context.networks.at(network);
     let first = facts.line(0);
     let written = written(context, network);
     let detail = match written.len() {
@@ -264,7 +264,7 @@ fn label_item(label: &LabelFacts) -> Outlined {
 /// The tags that a network writes, each once, in the order of the text.
 fn written(context: &Context, network: usize) -> Vec<String> {
     let mut names: Vec<(Name, String)> = Vec::new();
-    for block in &context.networks[network].blocks {
+    for block in context.networks.at(network).blocks() {
         for (operand, formal) in block.facts.operands.iter().zip(block.formals.iter()) {
             let writes = match (formal, block.meaning) {
                 (Formal::Operand(row), _) => {

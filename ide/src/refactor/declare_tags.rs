@@ -5,6 +5,7 @@ use super::{Action, ActionKind, Work};
 use ladder_analysis::context::Context;
 use ladder_analysis::declaration_fix::{Places, can_be_declared, undeclared};
 use ladder_analysis::facts::{Node, NodeKind};
+use ladder_analysis::networks::NetworkAt;
 use ladder_format::Edit;
 use ladder_syntax::Name;
 
@@ -14,18 +15,15 @@ pub(super) fn offer(place: &Selected<'_>, out: &mut Vec<Action>) {
         .networks
         .clone()
         .next()
-        .map(|network| context.networks[network].scope)
+        .map(|network| context.networks.at(network).scope)
     else {
         return;
     };
-    let networks = &context.networks[place.networks.clone()];
-    let mut blocks = networks
-        .iter()
-        .flat_map(|network| &network.blocks)
-        .filter(|block| {
-            let at = block.range();
-            at.start() <= place.range.end() && place.range.start() <= at.end()
-        });
+    let networks = context.networks.range(place.networks.clone());
+    let mut blocks = networks.flat_map(NetworkAt::blocks).filter(|block| {
+        let at = block.range();
+        at.start() <= place.range.end() && place.range.start() <= at.end()
+    });
     let needs_one = blocks.any(|block| {
         let mut operands = block.facts.operands.iter();
         operands.any(|operand| names_undeclared(context, scope, &operand.value))

@@ -4,7 +4,7 @@
 //! comments and the lines between rungs keep their text to the letter.
 
 use ladder_analysis::context::Context;
-use ladder_analysis::network::NetworkFacts;
+use ladder_analysis::networks::NetworkAt;
 use ladder_analysis::order::order;
 use ladder_analysis::program::Step;
 use ladder_format::Edit;
@@ -99,7 +99,7 @@ pub(crate) struct Drawing {
 impl Drawing {
     /// The drawing of a network. None where it holds a mistake, or cannot be laid out again.
     pub(crate) fn read(context: &Context, network: usize) -> Option<Drawing> {
-        let facts = &context.networks[network];
+        let facts = context.networks.at(network);
         if facts.broken {
             return None;
         }
@@ -351,7 +351,7 @@ pub(crate) fn line_end(parse: &Parse) -> &'static str {
 }
 
 fn items(
-    facts: &NetworkFacts,
+    facts: NetworkAt<'_>,
     rung: usize,
     text: &str,
     start: TextSize,

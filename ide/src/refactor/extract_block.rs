@@ -56,7 +56,7 @@ fn extracted(
             block.op(),
             Some(Op::RetentiveCoil | Op::RetentiveSet | Op::RetentiveReset | Op::Persist)
         );
-        if is_flow(block) {
+        if is_flow(&block) {
             return Err(format!("{} works only where it stands", block.head_text()));
         }
         if retentive {
@@ -170,7 +170,7 @@ fn is_seen_everywhere(tag: &TagFacts) -> bool {
 /// Whether the tag is all that a plain coil writes, which it does in every scan: what the block hands out at its end is
 /// what the coil has written.
 fn is_coil(on: &OnNetwork<'_>, place: &Use) -> bool {
-    let block = &on.facts.blocks[place.block];
+    let block = on.facts.block(place.block);
     place.whole
         && matches!(block.op(), Some(Op::Coil | Op::NegatedCoil))
         && !place.indexed

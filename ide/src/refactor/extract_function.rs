@@ -6,6 +6,7 @@ use super::names::new_function;
 use super::place::Selected;
 use super::{Action, ActionKind};
 use ladder_analysis::context::{Body, Context};
+use ladder_analysis::networks::NetworkAt;
 use ladder_format::Edit;
 use ladder_instructions::Op;
 use ladder_syntax::{LineKind, TextRange, TextSize};
@@ -38,11 +39,11 @@ fn extracted(context: &Context, networks: Range<usize>, name: &str) -> Result<Ve
     {
         return Err(None);
     }
-    let facts = &context.networks[networks.clone()];
-    if facts.iter().any(|network| network.broken || network.scope != 0) {
+    let facts = context.networks.range(networks.clone());
+    if facts.clone().any(|network| network.broken || network.scope != 0) {
         return Err(None);
     }
-    let blocks = || facts.iter().flat_map(|network| &network.blocks);
+    let blocks = || facts.clone().flat_map(NetworkAt::blocks);
     if blocks().any(|block| block.op() == Some(Op::Fun)) || is_call_alone(context, &networks) {
         return Err(None);
     }
@@ -116,8 +117,8 @@ pub(super) fn starts_with_mark(context: &Context, lines: &Range<usize>) -> bool 
 
 /// A call stands where a function stood: there is nothing to extract.
 fn is_call_alone(context: &Context, networks: &Range<usize>) -> bool {
-    let facts = &context.networks[networks.clone()];
-    let mut blocks = facts.iter().flat_map(|network| &network.blocks);
+    let facts = context.networks.range(networks.clone());
+    let mut blocks = facts.clone().flat_map(NetworkAt::blocks);
     blocks.all(|block| block.op() == Some(Op::Call))
 }
 

@@ -25,5 +25,5 @@ pub(crate) fn has_mcr(context: &Context, body: Body) -> bool {
     let networks = context.networks.iter().zip(&context.bodies);
     networks
         .filter(|(_, of)| **of == body)
-        .any(|(network, _)| network.blocks.iter().any(|block| block.op() == Some(Op::Mcr)))
+        .any(|(network, _)| network.blocks().any(|block| block.op() == Some(Op::Mcr)))
 }

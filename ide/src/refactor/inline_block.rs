@@ -11,7 +11,8 @@ use super::{Action, ActionKind};
 use ladder_analysis::context::{Body, Context};
 use ladder_analysis::declaration_fix::Places;
 use ladder_analysis::facts::NodeKind;
-use ladder_analysis::network::{BoundBlock, Formal, Meaning};
+use ladder_analysis::network::{Formal, Meaning};
+use ladder_analysis::networks::BlockAt;
 use ladder_analysis::program::ParameterKind;
 use ladder_analysis::scope::{Origin, Scope, SectionKind, TagFacts};
 use ladder_analysis::types::{Scalar, Type};
@@ -35,7 +36,7 @@ pub(super) fn offer(place: &Selected<'_>, out: &mut Vec<Action>) {
 fn inlined(
     place: &Selected<'_>,
     on: &OnNetwork<'_>,
-    call: &BoundBlock,
+    call: BlockAt<'_>,
     definition: usize,
 ) -> Result<Vec<Edit>, String> {
     let context = place.context;
@@ -95,13 +96,13 @@ fn body(context: &Context, definition: usize) -> Result<Inner, String> {
     let (Some((network, _)), None) = (networks.next(), networks.next()) else {
         return Err(form());
     };
-    let facts = &context.networks[network];
+    let facts = context.networks.at(network);
     let drawing = Drawing::read(context, network).ok_or_else(form)?;
     let items = &drawing.rows[0].items;
     let first = drawing.drawn_start(0);
     let is = |index: usize, op: Op, name: &str| match items.get(index).map(|item| item.kind) {
         Some(ItemKind::Block(Some(number))) => {
-            let block = &facts.blocks[number];
+            let block = facts.block(number);
             let operand = block.facts.operands.first().map(|operand| &operand.value.kind);
             block.op() == Some(op)
                 && matches!(operand, Some(NodeKind::Name(it)) if it.eq_ignore_ascii_case(name))
@@ -182,7 +183,7 @@ type Replacement = (ladder_syntax::TextRange, String);
 impl Words<'_> {
     fn replacements(
         &mut self,
-        call: &BoundBlock,
+        call: BlockAt<'_>,
         text: &str,
         definition: usize,
         body: &Inner,
@@ -211,7 +212,7 @@ impl Words<'_> {
                         None if parameters[formal].kind == ParameterKind::Output => self.own(tag)?,
                         None => return Err(format!("the operand `{}` is left out", tag.name)),
                         Some(number) => {
-                            let written = operand(call, text, number).unwrap_or_default();
+                            let written = operand(&call, text, number).unwrap_or_default();
                             let node = &call.facts.operands[number].value.kind;
                             self.fits(tag, parameters[formal].kind, node, body)?;
                             if let NodeKind::Name(name) | NodeKind::Address(name) = node {
@@ -307,7 +308,7 @@ impl Words<'_> {
         match kind {
             ParameterKind::Input if written => Err(format!("the body writes its input `{name}`")),
             ParameterKind::Output => {
-                let facts = &self.place.context.networks[body.network];
+                let facts = self.place.context.networks.at(body.network);
                 let always = uses.iter().all(|place| {
                     place.whole && matches!(facts.blocks[place.block].op(), Some(Op::Coil | Op::NegatedCoil))
                 });

@@ -7,6 +7,7 @@ use super::place::Selected;
 use super::{Action, ActionKind};
 use ladder_analysis::context::{Body, Context};
 use ladder_analysis::facts::NodeKind;
+use ladder_analysis::networks::NetworkAt;
 use ladder_format::Edit;
 use ladder_instructions::Op;
 use ladder_syntax::{LineKind, Name, TextRange};
@@ -40,7 +41,7 @@ fn inlined(context: &Context, caller: usize, drawing: &Drawing, name: &Name) -> 
     let body = context.bodies[caller];
     if matches!(body, Body::Block(_))
         || body == Body::Function(function)
-        || context.networks[caller].scope != 0
+        || context.networks.at(caller).scope != 0
     {
         return Err("the function runs with the tags of the file".to_owned());
     }
@@ -59,8 +60,8 @@ fn inlined(context: &Context, caller: usize, drawing: &Drawing, name: &Name) -> 
         return Err("whether the function runs depends on this rung's power".to_owned());
     }
     let networks = networks_of(context, function);
-    let facts = &context.networks[networks.clone()];
-    let blocks = facts.iter().flat_map(|network| &network.blocks);
+    let facts = context.networks.range(networks.clone());
+    let blocks = facts.clone().flat_map(NetworkAt::blocks);
     let mut control_flow =
         blocks.filter(|block| is_flow(block) && !matches!(block.op(), Some(Op::Call | Op::End)));
     let fun = control_flow.next().filter(|block| block.op() == Some(Op::Fun));
@@ -70,7 +71,7 @@ fn inlined(context: &Context, caller: usize, drawing: &Drawing, name: &Name) -> 
     if has_mcr(context, body) || has_mcr(context, Body::Function(function)) {
         return Err("an <MCR> switches rungs in one of them and not in the other".to_owned());
     }
-    if facts.iter().any(|network| network.broken) {
+    if facts.clone().any(|network| network.broken) {
         return Err("the function holds a mistake in its drawing".to_owned());
     }
     let mixed = || "declarations or blocks stand between the rungs of the function".to_owned();
@@ -78,13 +79,13 @@ fn inlined(context: &Context, caller: usize, drawing: &Drawing, name: &Name) -> 
     if starts_with_mark(context, &lines) {
         return Err("the function stands first in a file with a byte order mark".to_owned());
     }
-    if lines.contains(&context.networks[caller].first_line) {
+    if lines.contains(&context.networks.at(caller).first_line) {
         return Err("the function calls itself".to_owned());
     }
     let (first, rest) = without_fun(context, networks.start, fun.facts.rung)
         .ok_or("the rung of <FUN> cannot be drawn without it")?;
     let parse = &context.parse;
-    let above = lines_text(parse, lines.start..context.networks[networks.start].first_line);
+    let above = lines_text(parse, lines.start..context.networks.at(networks.start).first_line);
     let tail = lines_text(parse, rest..lines.end);
     let text = format!("{above}{first}{tail}");
     let text = text.trim_end_matches(['\n', '\r']);
@@ -112,7 +113,7 @@ fn comments(drawing: &Drawing) -> String {
 fn has_other_calls(context: &Context, caller: usize, name: &Name) -> bool {
     let mut calls = 0;
     for (index, network) in context.networks.iter().enumerate() {
-        for block in network.blocks.iter().filter(|block| block.op() == Some(Op::Call)) {
+        for block in network.blocks().filter(|block| block.op() == Some(Op::Call)) {
             let operand = block.facts.operands.first().map(|operand| &operand.value.kind);
             if matches!(operand, Some(NodeKind::Name(other)) if Name::new(other) == *name) {
                 calls += if index == caller { 1 } else { 2 };
@@ -133,7 +134,7 @@ fn networks_of(context: &Context, function: usize) -> Range<usize> {
 /// The first network of a function without its `<FUN>`, and the line behind it.
 fn without_fun(context: &Context, network: usize, row: usize) -> Option<(String, usize)> {
     let mut drawing = Drawing::read(context, network)?;
-    let facts = &context.networks[network];
+    let facts = context.networks.at(network);
     let behind = facts.first_line + facts.wiring.line_offsets.last()? + 1;
     let fun = drawing.rows[row].items.iter().position(|item| match item.kind {
         ItemKind::Block(Some(number)) => facts.blocks[number].op() == Some(Op::Fun),

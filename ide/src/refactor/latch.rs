@@ -34,7 +34,7 @@ impl<'c> Output<'c> {
     fn read(context: &'c Context, network: usize) -> Option<Output<'c>> {
         let drawing = Drawing::read(context, network)?;
         let rung = Rung::read(&drawing)?;
-        let blocks = &context.networks[network].blocks;
+        let blocks = &context.networks.at(network).facts().blocks;
         let mut before = rung.parts.clone();
         let Some(Circuit::Element(Item {
             kind: ItemKind::Block(Some(number)),
@@ -161,7 +161,7 @@ fn mentions(node: &Node, tag: &str) -> bool {
 /// Why the writes of these coils, of which there are `count`, cannot be changed.
 fn obstacle(context: &Context, output: &Output<'_>, count: usize) -> Option<String> {
     let name = &output.tag;
-    let scope = &context.scopes[context.networks[output.network].scope];
+    let scope = &context.scopes[context.networks.at(output.network).scope];
     let tag = scope.find(&Name::new(name)).map(|tag| &scope.tags[tag])?;
     let writes = tag.uses.iter().filter(|place| place.access.writes()).count();
     if is_shared(context, tag) {
@@ -218,7 +218,7 @@ fn seal_in(context: &Context, first: usize) -> Option<Action> {
     }
     // Most networks do not end so: they need not be read.
     let ends = |network: usize| {
-        let blocks = context.networks[network].blocks.iter();
+        let blocks = context.networks.at(network).blocks();
         blocks.take_while(|block| block.facts.rung == 0).last()?.op()
     };
     let coils = (ends(first)?, ends(first + 1)?);
@@ -288,9 +288,10 @@ pub(super) fn offer_set_and_reset(place: &Selected<'_>, out: &mut Vec<Action>) {
 }
 
 fn set_and_reset(context: &Context, network: usize) -> Option<Action> {
-    let last = context.networks[network]
-        .blocks
-        .iter()
+    let last = context
+        .networks
+        .at(network)
+        .blocks()
         .filter(|block| matches!(block.op(), Some(Op::Coil | Op::RetentiveCoil)));
     // Most networks have no contact of the tag that they write.
     last.count().checked_sub(1)?;

@@ -4,7 +4,7 @@ use super::drawing::{Drawing, Item, ItemKind};
 use super::region::Region;
 use ladder_analysis::Analysis;
 use ladder_analysis::context::Context;
-use ladder_analysis::network::{BoundBlock, NetworkFacts};
+use ladder_analysis::networks::{BlockAt, NetworkAt};
 use ladder_syntax::TextRange;
 use std::ops::Range;
 
@@ -22,7 +22,7 @@ pub(crate) struct Selected<'a> {
 /// A place in a network.
 pub(crate) struct OnNetwork<'a> {
     pub(crate) network: usize,
-    pub(crate) facts: &'a NetworkFacts,
+    pub(crate) facts: NetworkAt<'a>,
     pub(crate) drawing: Drawing,
     /// The row, and the items on it that are selected, if all are on one row.
     pub(crate) items: Option<(usize, Range<usize>)>,
@@ -49,14 +49,16 @@ impl<'a> Selected<'a> {
 fn touched(context: &Context, range: TextRange) -> Range<usize> {
     let networks = &context.networks;
     let first = networks.partition_point(|network| network.range.end() <= range.start());
-    let rest = &networks[first.min(networks.len())..];
     let reaches = |place: TextRange| {
         place.start() < range.end() || (range.is_empty() && place.contains_inclusive(range.start()))
     };
-    let count = rest.iter().take_while(|network| reaches(network.range)).count();
+    let count = networks
+        .range(first..networks.len())
+        .take_while(|network| reaches(network.range))
+        .count();
     // At the end of a text without a last line end.
     let at_end = first > 0 && range.is_empty() && range.start() == context.parse.text_len();
-    if count == 0 && at_end && networks[first - 1].range.end() == range.start() {
+    if count == 0 && at_end && networks.at(first - 1).range.end() == range.start() {
         return first - 1..first;
     }
     first..first + count
@@ -67,7 +69,7 @@ fn on_network(context: &Context, network: usize, range: TextRange) -> Option<OnN
     let items = selected(&drawing, range);
     Some(OnNetwork {
         network,
-        facts: &context.networks[network],
+        facts: context.networks.at(network),
         drawing,
         items,
     })
@@ -126,22 +128,22 @@ impl OnNetwork<'_> {
     }
 
     /// The one block that is selected.
-    pub(crate) fn block(&self) -> Option<&BoundBlock> {
+    pub(crate) fn block(&self) -> Option<BlockAt<'_>> {
         let (row, items) = self.items.clone()?;
         let [item] = &self.drawing.rows[row].items[items] else {
             return None;
         };
         match item.kind {
-            ItemKind::Block(Some(number)) => self.facts.blocks.get(number),
+            ItemKind::Block(Some(number)) => self.facts.blocks().nth(number),
             _ => None,
         }
     }
 
     /// Some of its blocks.
-    pub(crate) fn blocks(&self, numbers: &[usize]) -> impl Iterator<Item = &BoundBlock> {
+    pub(crate) fn blocks(&self, numbers: &[usize]) -> impl Iterator<Item = BlockAt<'_>> {
         let numbers = numbers.to_vec();
         numbers
             .into_iter()
-            .filter_map(|number| self.facts.blocks.get(number))
+            .filter_map(|number| self.facts.blocks().nth(number))
     }
 }

@@ -23,7 +23,7 @@ struct Split {
 pub(super) fn offer(place: &Selected<'_>, out: &mut Vec<Action>) {
     let Some(on) = &place.on else { return };
     let Some((row, items)) = on.trimmed() else { return };
-    if on.facts.blocks.iter().any(|block| block.op() == Some(Op::Mcr)) {
+    if on.facts.blocks().any(|block| block.op() == Some(Op::Mcr)) {
         return;
     }
     let tag = new_tag(place.context, &[], "split");
@@ -103,7 +103,7 @@ pub(super) fn declare(place: &Selected<'_>, scope: usize, tag: &str) -> Option<V
 
 /// The blocks on some rows.
 fn blocks<'f>(on: &OnNetwork<'f>, rows: Range<usize>) -> impl Iterator<Item = &'f BoundBlock> {
-    let facts = on.facts;
+    let facts = on.facts.facts();
     facts
         .blocks
         .iter()

@@ -4,7 +4,7 @@ use super::names::called;
 use super::place::Selected;
 use super::{Action, ActionKind};
 use ladder_analysis::facts::NodeKind;
-use ladder_analysis::network::BoundBlock;
+use ladder_analysis::networks::BlockAt;
 use ladder_analysis::types::Type;
 use ladder_format::Edit;
 use ladder_instructions::Op;
@@ -17,7 +17,7 @@ pub(super) fn offer(place: &Selected<'_>, out: &mut Vec<Action>) {
     let Some((row, items)) = on.items.clone() else {
         return;
     };
-    let name = called(block, &on.drawing.rows[row].items[items.start].text);
+    let name = called(&block, &on.drawing.rows[row].items[items.start].text);
     for &(head, what) in others(block) {
         if !may_be(place, block, head) {
             continue;
@@ -32,7 +32,7 @@ pub(super) fn offer(place: &Selected<'_>, out: &mut Vec<Action>) {
 }
 
 /// The first parts that can take the block's place, each with what that means.
-fn others(block: &BoundBlock) -> &'static [(&'static str, &'static str)] {
+fn others(block: BlockAt<'_>) -> &'static [(&'static str, &'static str)] {
     let Some(op) = block.op() else { return &[] };
     let spelling = block.facts.head.text().to_ascii_uppercase();
     let trigger = spelling.ends_with("_TRIG");
@@ -86,7 +86,7 @@ fn others(block: &BoundBlock) -> &'static [(&'static str, &'static str)] {
 }
 
 /// Whether the operand can stand in the other block: edges take no range, and only a bit can be set or inverted.
-fn may_be(place: &Selected<'_>, block: &BoundBlock, head: &str) -> bool {
+fn may_be(place: &Selected<'_>, block: BlockAt<'_>, head: &str) -> bool {
     let Some(operand) = block.facts.operands.first() else {
         return true;
     };
@@ -99,7 +99,7 @@ fn may_be(place: &Selected<'_>, block: &BoundBlock, head: &str) -> bool {
 }
 
 /// Whether the operand is a timer, counter or bistable.
-fn is_state(place: &Selected<'_>, block: &BoundBlock) -> bool {
+fn is_state(place: &Selected<'_>, block: BlockAt<'_>) -> bool {
     let range = block.absolute(block.facts.operands[0].value.range);
     let tags = place.context.scopes.iter().flat_map(|scope| &scope.tags);
     let states = tags.filter(|tag| matches!(tag.ty, Some(Type::State(_))));

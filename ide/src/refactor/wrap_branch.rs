@@ -12,7 +12,10 @@ use ladder_instructions::Op;
 pub(super) fn offer(place: &Selected<'_>, out: &mut Vec<Action>) {
     let Some(on) = &place.on else { return };
     let Some(region) = on.region() else { return };
-    if !on.blocks(&region.blocks(&on.drawing)).all(only_reads) {
+    if !on
+        .blocks(&region.blocks(&on.drawing))
+        .all(|block| only_reads(&block))
+    {
         return;
     }
     let Some(drawing) = doubled(on, &region) else {

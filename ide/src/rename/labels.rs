@@ -123,7 +123,7 @@ fn blocks_in(file: &Context, body: Body) -> Vec<FileBody> {
         return places;
     }
     for (network, of) in context.networks.iter().zip(&context.bodies) {
-        for block in network.blocks.iter().filter(|_| *of == body) {
+        for block in network.blocks().filter(|_| *of == body) {
             let Meaning::User(user) = block.meaning else {
                 continue;
             };

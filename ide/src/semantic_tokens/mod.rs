@@ -10,7 +10,8 @@ mod legend;
 pub use legend::{Modifiers, TokenKind};
 
 use ladder_analysis::context::Context;
-use ladder_analysis::network::{BoundBlock, Formal, Meaning};
+use ladder_analysis::network::{Formal, Meaning};
+use ladder_analysis::networks::BlockAt;
 use ladder_analysis::program::ParameterKind;
 use ladder_analysis::scope::{Origin, SectionKind};
 use ladder_instructions::{Accepts, Direction, Op};
@@ -78,14 +79,15 @@ pub fn semantic_tokens(context: &Context, within: Option<TextRange>) -> Vec<Toke
         let bound = context
             .networks
             .get(network)
-            .map_or(&[][..], |network| &network.blocks);
+            .map(|network| network.blocks().collect::<Vec<_>>())
+            .unwrap_or_default();
         if let Some(network) = context.networks.get(network) {
             walk.scope = network.scope;
         }
         while bound.get(block).is_some_and(|block| block.base < start) {
             block += 1;
         }
-        walk.rung(found.green(), bound, &mut block);
+        walk.rung(found.green(), &bound, &mut block);
     }
     walk.out
 }
@@ -127,7 +129,7 @@ struct Walk<'c> {
 }
 
 impl Walk<'_> {
-    fn rung(&mut self, line: &GreenNodeData, bound: &[BoundBlock], next: &mut usize) {
+    fn rung(&mut self, line: &GreenNodeData, bound: &[BlockAt<'_>], next: &mut usize) {
         for child in line.children() {
             match child {
                 NodeOrToken::Node(node) => {
@@ -138,7 +140,7 @@ impl Walk<'_> {
                         *next += 1;
                     }
                     let block = bound.get(*next).filter(|block| block.range().start() == self.at);
-                    self.block(node, block);
+                    self.block(node, block.copied());
                 }
                 NodeOrToken::Token(token) => {
                     let len = token.text_len();
@@ -151,7 +153,7 @@ impl Walk<'_> {
         }
     }
 
-    fn block(&mut self, node: &GreenNodeData, bound: Option<&BoundBlock>) {
+    fn block(&mut self, node: &GreenNodeData, bound: Option<BlockAt<'_>>) {
         for child in node.children() {
             match child {
                 NodeOrToken::Node(child)
@@ -171,7 +173,7 @@ impl Walk<'_> {
         }
     }
 
-    fn list(&mut self, list: &GreenNodeData, bound: Option<&BoundBlock>) {
+    fn list(&mut self, list: &GreenNodeData, bound: Option<BlockAt<'_>>) {
         let mut operand = 0;
         for child in list.children() {
             match child {
@@ -194,7 +196,7 @@ impl Walk<'_> {
     }
 
     /// What names in an operand mean, and whether it is written.
-    fn operand(&self, bound: Option<&BoundBlock>, formal: Option<Formal>) -> Inside {
+    fn operand(&self, bound: Option<BlockAt<'_>>, formal: Option<Formal>) -> Inside {
         let mut inside = Inside::default();
         match (bound, formal) {
             (_, Some(Formal::Operand(operand))) => {
@@ -205,7 +207,7 @@ impl Walk<'_> {
                     _ => Names::Tags,
                 };
                 inside.written = operand.direction != Direction::In;
-                let op = bound.and_then(BoundBlock::op);
+                let op = bound.and_then(|bound| bound.op());
                 // What `<LBL>` and `<FUN>` name is introduced there; no other name is written.
                 if inside.names != Names::Tags {
                     inside.written = matches!(op, Some(Op::Lbl | Op::Fun));

@@ -5,7 +5,8 @@ use super::{DeclaredName, Symbol, declared};
 use crate::locate::{node_at, on_rung};
 use ladder_analysis::context::Context;
 use ladder_analysis::facts::{Node, NodeKind};
-use ladder_analysis::network::{BoundBlock, Formal, Meaning};
+use ladder_analysis::network::{Formal, Meaning};
+use ladder_analysis::networks::BlockAt;
 use ladder_analysis::scope::{Origin, SectionKind};
 use ladder_instructions::{Accepts, Shape, lookup};
 use ladder_syntax::wiring::PartKind;
@@ -99,7 +100,7 @@ fn on_a_rung(file: &Context, offset: TextSize) -> Option<Found> {
 fn in_operand(
     file: &Context,
     network: usize,
-    block: &BoundBlock,
+    block: BlockAt<'_>,
     index: usize,
     within: TextSize,
 ) -> Option<Found> {
@@ -139,7 +140,7 @@ fn in_operand(
             _ => {}
         }
     }
-    let scope = context.networks[network].scope;
+    let scope = context.networks.at(network).scope;
     match &node.kind {
         NodeKind::Name(name) | NodeKind::Address(name) => {
             found(tag_of(file, scope, &Name::new(name))?, node.range)

@@ -4,7 +4,8 @@ use super::find::{is_system, tag_of_node};
 use super::{Symbol, Usage, declared_names, tag_of};
 use ladder_analysis::context::{Body, Callee, Context};
 use ladder_analysis::facts::{Node, NodeKind};
-use ladder_analysis::network::{BoundBlock, Formal, Meaning, NetworkFacts};
+use ladder_analysis::network::{Formal, Meaning};
+use ladder_analysis::networks::{BlockAt, NetworkAt};
 use ladder_analysis::program::ParameterKind;
 use ladder_analysis::scope::SectionKind;
 use ladder_instructions::{Accepts, Op};
@@ -187,7 +188,7 @@ pub(crate) fn function_file(file: &Context, name: &Name) -> Option<Arc<str>> {
 }
 
 /// Where a block's first operand stands, if it is this name.
-fn named(block: &BoundBlock, name: &Name) -> Option<TextRange> {
+fn named(block: BlockAt<'_>, name: &Name) -> Option<TextRange> {
     let value = &block.facts.operands.first()?.value;
     match &value.kind {
         NodeKind::Name(text) if Name::new(text) == *name => Some(block.absolute(value.range)),
@@ -297,18 +298,18 @@ pub(super) fn member_name(word: &str) -> Name {
 }
 
 /// All blocks with the index of their network, and their own in it.
-pub(super) fn all_blocks(context: &Context) -> impl Iterator<Item = (usize, usize, &BoundBlock)> {
+pub(super) fn all_blocks(context: &Context) -> impl Iterator<Item = (usize, usize, BlockAt<'_>)> {
     let networks = context.networks.iter().enumerate();
     networks.flat_map(|(index, network)| {
-        let blocks = network.blocks.iter().enumerate();
+        let blocks = network.blocks().enumerate();
         blocks.map(move |(block, bound)| (index, block, bound))
     })
 }
 
 /// Every node of every operand that is a value.
-fn each_operand(context: &Context, mut give: impl FnMut(&NetworkFacts, &BoundBlock, usize, &Node)) {
+fn each_operand(context: &Context, mut give: impl FnMut(NetworkAt<'_>, BlockAt<'_>, usize, &Node)) {
     for network in &context.networks {
-        for block in &network.blocks {
+        for block in network.blocks() {
             for (index, (operand, formal)) in
                 block.facts.operands.iter().zip(block.formals.iter()).enumerate()
             {

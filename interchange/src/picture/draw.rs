@@ -9,7 +9,7 @@ use super::paper::Paper;
 use super::scene::{Anchor, Element};
 use super::style::{LINE, Look, MARGIN, UNIT};
 use super::symbol::width;
-use ladder_analysis::network::NetworkFacts;
+use ladder_analysis::networks::NetworkAt;
 use ladder_syntax::{Parse, TextRange};
 use std::collections::HashMap;
 
@@ -23,7 +23,7 @@ pub(super) struct Drawing<'d> {
     pub(super) parse: &'d Parse,
     /// The network's index, and what is known of it.
     pub(super) index: usize,
-    pub(super) network: &'d NetworkFacts,
+    pub(super) network: NetworkAt<'d>,
     pub(super) figure: &'d Figure,
     pub(super) layout: &'d Layout,
     /// The column of the right rail, where the network ends at one.

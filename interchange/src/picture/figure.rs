@@ -4,7 +4,7 @@ use super::comment;
 use super::measure::columns;
 use super::style::LINE;
 use super::symbol::{Room, Symbol, Words};
-use ladder_analysis::network::{BoundBlock, NetworkFacts};
+use ladder_analysis::networks::{BlockAt, NetworkAt};
 use ladder_instructions::Role;
 use ladder_syntax::wiring::{PartKind, Rung};
 use std::collections::HashMap;
@@ -54,17 +54,17 @@ pub(super) enum Drawn {
 }
 
 /// The blocks of a network by rung and part.
-type Blocks<'n> = HashMap<(usize, usize), &'n BoundBlock>;
+type Blocks<'n> = HashMap<(usize, usize), BlockAt<'n>>;
 
 /// The figure of a network.
-pub(super) fn figure(network: &NetworkFacts, words: &Words<'_>) -> Figure {
+pub(super) fn figure(network: NetworkAt<'_>, words: &Words<'_>) -> Figure {
     let mut figure = Figure {
         rungs: Vec::new(),
         above: Vec::new(),
         behind: Vec::new(),
         rooms: Vec::new(),
     };
-    let blocks = network.blocks.iter();
+    let blocks = network.blocks();
     let blocks = blocks
         .map(|block| ((block.facts.rung, block.facts.part), block))
         .collect();
@@ -90,7 +90,7 @@ pub(super) fn figure(network: &NetworkFacts, words: &Words<'_>) -> Figure {
 impl Figure {
     fn rung(
         &mut self,
-        network: &NetworkFacts,
+        network: NetworkAt<'_>,
         number: usize,
         rung: &Rung,
         words: &Words<'_>,
@@ -145,8 +145,8 @@ impl Figure {
                         continue;
                     };
                     Drawn::Symbol {
-                        symbol: words.symbol(block, network.scope),
-                        acts: acts(block),
+                        symbol: words.symbol(*block, network.scope),
+                        acts: acts(*block),
                     }
                 }
             };
@@ -190,6 +190,6 @@ impl Drawn {
     }
 }
 
-fn acts(block: &BoundBlock) -> bool {
+fn acts(block: BlockAt<'_>) -> bool {
     block.instruction().is_none_or(|row| row.role != Role::Condition)
 }

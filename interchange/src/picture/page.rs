@@ -78,7 +78,7 @@ pub(super) fn draw(context: &Context, options: &Options<'_>) -> Scene {
                 let drawing = Drawing {
                     parse: &context.parse,
                     index: *index,
-                    network: &context.networks[*index],
+                    network: context.networks.at(*index),
                     figure,
                     layout,
                     rail,
@@ -104,7 +104,7 @@ pub(super) fn draw(context: &Context, options: &Options<'_>) -> Scene {
 fn network(context: &Context, index: usize) -> BlockKind {
     BlockKind::Network {
         index,
-        line: context.line_number(context.networks[index].range.start()),
+        line: context.line_number(context.networks.at(index).range.start()),
     }
 }
 
@@ -124,13 +124,13 @@ fn parts(context: &Context, words: &Words<'_>) -> Vec<PageItem> {
     for item in &parse.structure().items {
         let follows = std::mem::replace(&mut goes_on, false);
         match *item {
-            Item::Network(index) if context.networks[index].broken => {
-                let range = context.networks[index].range;
+            Item::Network(index) if context.networks.at(index).broken => {
+                let range = context.networks.at(index).range;
                 let lines = words.text_of(range).lines().map(str::to_owned);
                 parts.push(PageItem::Text(index, lines.collect()));
             }
             Item::Network(index) => {
-                let figure = figure(&context.networks[index], words);
+                let figure = figure(context.networks.at(index), words);
                 let layout = layout(&figure);
                 parts.push(PageItem::Network(index, Box::new((figure, layout))));
             }

@@ -8,7 +8,8 @@ use super::style::{HALF, LINE, UNIT};
 use super::{Values, comment};
 use ladder_analysis::context::Context;
 use ladder_analysis::facts::OperandFacts;
-use ladder_analysis::network::{BoundBlock, Formal, Meaning};
+use ladder_analysis::network::{Formal, Meaning};
+use ladder_analysis::networks::BlockAt;
 use ladder_instructions::{Direction, Group, Instruction, Op, Shape};
 use ladder_syntax::TextRange;
 
@@ -167,13 +168,13 @@ impl<'c> Words<'c> {
             .collect()
     }
 
-    fn operand(&self, bound: &BoundBlock, operand: &OperandFacts) -> String {
+    fn operand(&self, bound: BlockAt<'_>, operand: &OperandFacts) -> String {
         let text = self.text_of(bound.absolute(operand.value.range));
         text.split_whitespace().collect::<Vec<_>>().join(" ")
     }
 
     /// An operand with its value, if it has one.
-    fn label(&self, bound: &BoundBlock, index: usize) -> Label {
+    fn label(&self, bound: BlockAt<'_>, index: usize) -> Label {
         let Some(operand) = bound.facts.operands.get(index) else {
             return Label::default();
         };
@@ -184,14 +185,14 @@ impl<'c> Words<'c> {
     }
 
     /// The name of a label or function.
-    fn target(&self, bound: &BoundBlock) -> String {
+    fn target(&self, bound: BlockAt<'_>) -> String {
         let operand = bound.facts.operands.first();
         operand.map_or_else(String::new, |operand| self.operand(bound, operand))
     }
 
     /// The symbol of a block of a scope: 0 the file's, else that of the body of a user-defined block. The tags of a
     /// body have as many values as the block has places, so none is shown there.
-    pub(super) fn symbol(&self, bound: &BoundBlock, scope: usize) -> Symbol {
+    pub(super) fn symbol(&self, bound: BlockAt<'_>, scope: usize) -> Symbol {
         let words = Words {
             value: self.value.filter(|_| scope == 0),
             ..*self
@@ -199,7 +200,7 @@ impl<'c> Words<'c> {
         words.symbol_of(bound)
     }
 
-    fn symbol_of(&self, bound: &BoundBlock) -> Symbol {
+    fn symbol_of(&self, bound: BlockAt<'_>) -> Symbol {
         match bound.meaning {
             Meaning::Instruction(row) => self.instruction(bound, row),
             Meaning::User(_) | Meaning::UnknownUser | Meaning::Unknown => {
@@ -212,7 +213,7 @@ impl<'c> Words<'c> {
         }
     }
 
-    fn instruction(&self, bound: &BoundBlock, row: &Instruction) -> Symbol {
+    fn instruction(&self, bound: BlockAt<'_>, row: &Instruction) -> Symbol {
         let operands = bound.facts.operands.len();
         let contact = |mark| Symbol::Contact {
             mark,
@@ -260,7 +261,7 @@ impl<'c> Words<'c> {
     /// A box; its first `over` operands stand above it.
     fn box_of(
         &self,
-        bound: &BoundBlock,
+        bound: BlockAt<'_>,
         name: &str,
         pins: Option<(&'static str, &'static str)>,
         over: usize,
@@ -283,7 +284,7 @@ impl<'c> Words<'c> {
     }
 
     /// What an operand is called inside the box. Results have an arrow.
-    fn row_name(&self, bound: &BoundBlock, index: usize) -> String {
+    fn row_name(&self, bound: BlockAt<'_>, index: usize) -> String {
         match bound.formals.get(index) {
             Some(Formal::Operand(operand)) => match operand.direction {
                 Direction::In | Direction::InOut => operand.name.to_owned(),

@@ -120,17 +120,16 @@ fn show(analysis: &Analysis) -> String {
             .iter()
             .map(|network| {
                 let blocks: Vec<_> = network
-                    .blocks
-                    .iter()
-                    .map(|b| (&b.facts, b.base, b.meaning, &b.formals))
+                    .blocks()
+                    .map(|b| (&b.bound().facts, b.base, b.meaning, &b.bound().formals))
                     .collect();
                 (
                     network.first_line,
                     network.range,
                     network.scope,
                     network.broken,
-                    &network.wiring,
-                    &network.order,
+                    &network.facts().wiring,
+                    &network.facts().order,
                     blocks,
                 )
             })

@@ -1,8 +1,9 @@
 //! A picture shows the wiring of its program: power that runs along its lines, from left to right and up and down,
 //! comes from every block to the same blocks as in the text, whatever the picture has made of the connectors.
 
+use ladder_analysis::analyze;
 use ladder_analysis::context::Context;
-use ladder_analysis::{analyze, network::NetworkFacts};
+use ladder_analysis::networks::NetworkAt;
 use ladder_format::{Circuit, ElementKind};
 use ladder_interchange::picture::scene::{Form, Placed, Role};
 use ladder_interchange::picture::{Options, Scene, scene};
@@ -25,7 +26,7 @@ fn drawn(text: &str) -> (Arc<Context>, Scene) {
 }
 
 /// The ways of a network by its text.
-fn ways_in_text(network: &NetworkFacts) -> Ways {
+fn ways_in_text(network: NetworkAt<'_>) -> Ways {
     let wiring = &network.wiring;
     let mut other_side = BTreeMap::new();
     for point in &wiring.points {

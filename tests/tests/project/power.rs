@@ -47,25 +47,24 @@ impl Lone {
     }
 
     fn block_at(&self, range: TextRange) -> usize {
-        let blocks = &self.analysis.context.networks[0].blocks;
+        let mut blocks = self.analysis.context.networks.at(0).blocks();
         blocks
-            .iter()
             .position(|block| block.range() == range)
             .expect("a block is there")
     }
 
     fn is_contact(&self, block: usize) -> bool {
-        let text = &self.text[self.analysis.context.networks[0].blocks[block].range()];
+        let text = &self.text[self.analysis.context.networks.at(0).block(block).range()];
         text.starts_with('[') && !text.starts_with("[NOT")
     }
 
     fn is_coil(&self, block: usize) -> bool {
-        self.text[self.analysis.context.networks[0].blocks[block].range()].starts_with('(')
+        self.text[self.analysis.context.networks.at(0).block(block).range()].starts_with('(')
     }
 
     /// What every coil is given, if a block is replaced by these characters.
     fn acts_with(&self, block: usize, by: &str) -> Vec<Vec<bool>> {
-        let range = std::ops::Range::<usize>::from(self.analysis.context.networks[0].blocks[block].range());
+        let range = std::ops::Range::<usize>::from(self.analysis.context.networks.at(0).block(block).range());
         let mut text = self.text.clone();
         text.replace_range(range.clone(), &by.repeat(range.len()));
         let mut given = outcomes(&text, &Self::tags(&self.text));
@@ -94,14 +93,15 @@ impl Lone {
 
     /// Whether another contact of the network asks for the same tag.
     fn is_asked_twice(&self, block: usize) -> bool {
-        let blocks = &self.analysis.context.networks[0].blocks;
+        let network = self.analysis.context.networks.at(0);
         let tag = |block: usize| {
-            let text = &self.text[blocks[block].range()];
+            let text = &self.text[network.block(block).range()];
             text[text.find('(').unwrap_or(0)..]
                 .trim_matches(['(', ')', ' '])
                 .to_lowercase()
         };
-        (0..blocks.len()).any(|other| other != block && self.is_contact(other) && tag(other) == tag(block))
+        (0..network.blocks.len())
+            .any(|other| other != block && self.is_contact(other) && tag(other) == tag(block))
     }
 }
 
@@ -151,7 +151,7 @@ fn constant_power_is_just_where_no_power_comes_through() {
             })
         };
         for block in
-            (0..lone.analysis.context.networks[0].blocks.len()).filter(|&block| lone.is_contact(block))
+            (0..lone.analysis.context.networks.at(0).blocks.len()).filter(|&block| lone.is_contact(block))
         {
             let fed = lone.outcomes.iter().any(|outcome| outcome.enabled[block]);
             let conducts = lone.outcomes.iter().any(|outcome| outcome.power[block]);
@@ -189,7 +189,7 @@ fn redundant_elements_are_redundant_and_all_others_are_not() {
             return;
         }
         for block in
-            (0..lone.analysis.context.networks[0].blocks.len()).filter(|&block| lone.is_contact(block))
+            (0..lone.analysis.context.networks.at(0).blocks.len()).filter(|&block| lone.is_contact(block))
         {
             if lone.is_asked_twice(block) {
                 assert!(!lone.is_redundant(block), "block {block} of\n{}", lone.text);

@@ -34,8 +34,8 @@ fn place(dice: &mut Dice, analysis: &Analysis) -> Option<TextRange> {
     if networks.is_empty() {
         return None;
     }
-    let network = &networks[dice.below(networks.len())];
-    let first = network.blocks.get(dice.below(network.blocks.len().max(1)))?;
+    let network = networks.at(dice.below(networks.len()));
+    let first = network.blocks().nth(dice.below(network.blocks.len().max(1)))?;
     let inside = first.range().start() + TextSize::new(1);
     Some(match dice.below(4) {
         0 => TextRange::empty(inside),
@@ -43,8 +43,7 @@ fn place(dice: &mut Dice, analysis: &Analysis) -> Option<TextRange> {
         _ => {
             // With the connectors around it, or without.
             let same: Vec<_> = network
-                .blocks
-                .iter()
+                .blocks()
                 .filter(|it| it.facts.rung == first.facts.rung)
                 .collect();
             let last = same[dice.below(same.len())];
@@ -147,7 +146,7 @@ fn inlined(analysis: &Analysis) -> Option<Action> {
         .context
         .networks
         .iter()
-        .flat_map(|network| &network.blocks);
+        .flat_map(ladder_analysis::networks::NetworkAt::blocks);
     let calls = blocks.filter(|block| {
         let text = block.facts.operands.first().map(|operand| &operand.value.kind);
         let function = matches!(text, Some(NodeKind::Name(name)) if name.starts_with("function_"));
@@ -188,14 +187,11 @@ fn taken_back(text: &str, new: &str, action: &Action, range: TextRange, shown: &
         .iter()
         .enumerate()
         .find_map(|(network, facts)| {
-            let block = facts
-                .blocks
-                .iter()
-                .position(|block| block.head_range() == spelled)?;
+            let block = facts.blocks().position(|block| block.head_range() == spelled)?;
             Some((network, block))
         });
     let (network, block) = block.unwrap_or_else(|| panic!("{at:?}: {}", shown()));
-    let inside = networks[network].blocks[block].range().start() + TextSize::new(1);
+    let inside = networks.at(network).block(block).range().start() + TextSize::new(1);
     let back = refactorings(&after, TextRange::empty(inside));
     let text = formatted(text);
     assert!(

@@ -156,7 +156,7 @@ fn formulas_are_exact() {
     for seed in 0..600 {
         let text = drawing(seed);
         let analysis = crate::analyze(&Arc::new(ladder_syntax::parse(&text)), "test.clad");
-        let network = &analysis.context.networks[0];
+        let network = analysis.context.networks.at(0);
         let (Some(formulas), Some(power)) = (
             formulas(&analysis.context, 0),
             NetworkPower::new(&analysis.context, network, false),

@@ -2,7 +2,7 @@
 
 use super::super::{LineColumn, Lines, Report, WriteError, Writing, comments};
 use ladder_analysis::Analysis;
-use ladder_analysis::network::NetworkFacts;
+use ladder_analysis::networks::NetworkAt;
 use ladder_analysis::program::{
     Argument, Block, BlockKind, Expr, ExprKind, Member, Place as Operand, Program, Role, Tag, TagId,
 };
@@ -117,10 +117,10 @@ pub(super) fn write(analysis: &Analysis) -> Result<Writing, WriteError> {
 }
 
 /// A network with other blocks, given by where the old ones begin, and the texts of its elements.
-fn drawing(facts: &NetworkFacts, blocks: &HashMap<u32, String>) -> (Sketch, Vec<String>) {
+fn drawing(facts: NetworkAt<'_>, blocks: &HashMap<u32, String>) -> (Sketch, Vec<String>) {
     let mut sketch = Sketch::new();
     let mut texts = Vec::new();
-    let mut block = facts.blocks.iter();
+    let mut block = facts.blocks();
     for rung in &facts.wiring.rungs {
         sketch.begin_rung();
         let mut segment = None;

@@ -1,0 +1,245 @@
+//! The networks of a file, and where each of them is.
+//!
+//! What is known of a network by itself counts from its start, and texts before and behind an edit share it. Where it
+//! is, and what surrounds it, stands in lists of plain numbers beside it: the only thing that an edit copies for each network.
+//! A network keeps its number (`id`) while it stays, so that whoever refers to it need not know how many stand above it.
+
+use crate::chunked::Chunked;
+use crate::network::{BoundBlock, NetworkFacts};
+use ladder_syntax::{Parse, TextRange, TextSize};
+use std::ops::Deref;
+use std::sync::Arc;
+
+/// The networks of a file, from top to bottom.
+#[derive(Debug, Clone, Default)]
+pub struct Networks {
+    /// By their numbers.
+    facts: Chunked<Arc<NetworkFacts>>,
+    places: Vec<NetworkPlace>,
+}
+
+/// Where a network is.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) struct NetworkPlace {
+    /// The number by which others refer to it.
+    pub(crate) id: u32,
+    pub(crate) first_line: u32,
+    /// In bytes.
+    pub(crate) start: u32,
+    /// The scope of its tags: 0 the file's, else that of block definition `scope - 1`.
+    pub(crate) scope: u32,
+    /// See [`NetworkAt::broken`].
+    pub(crate) broken: bool,
+}
+
+impl Networks {
+    /// Adds one below the others.
+    pub(crate) fn push(
+        &mut self,
+        facts: Arc<NetworkFacts>,
+        first_line: usize,
+        start: TextSize,
+        scope: usize,
+    ) {
+        let id = self.places.len() as u32;
+        self.places.push(NetworkPlace {
+            id,
+            first_line: first_line as u32,
+            start: start.into(),
+            scope: scope as u32,
+            broken: facts.broken_by_itself,
+        });
+        self.facts.push(facts);
+    }
+
+    /// How many there are.
+    pub fn len(&self) -> usize {
+        self.places.len()
+    }
+
+    /// Whether there are none.
+    pub fn is_empty(&self) -> bool {
+        self.places.is_empty()
+    }
+
+    /// A network. Panics where there are not so many.
+    pub fn at(&self, index: usize) -> NetworkAt<'_> {
+        let place = self.places[index];
+        let facts = &self.facts[place.id as usize];
+        NetworkAt {
+            facts,
+            index,
+            first_line: place.first_line as usize,
+            range: TextRange::at(TextSize::new(place.start), facts.len),
+            scope: place.scope as usize,
+            broken: place.broken,
+        }
+    }
+
+    /// A network, if there are so many.
+    pub fn get(&self, index: usize) -> Option<NetworkAt<'_>> {
+        (index < self.len()).then(|| self.at(index))
+    }
+
+    /// The first network.
+    pub fn first(&self) -> Option<NetworkAt<'_>> {
+        self.get(0)
+    }
+
+    /// The last network.
+    pub fn last(&self) -> Option<NetworkAt<'_>> {
+        self.get(self.len().checked_sub(1)?)
+    }
+
+    /// All of them, from top to bottom.
+    pub fn iter(&self) -> impl DoubleEndedIterator<Item = NetworkAt<'_>> + ExactSizeIterator + Clone {
+        (0..self.len()).map(|index| self.at(index))
+    }
+
+    /// Some of them, from top to bottom.
+    pub fn range(
+        &self,
+        range: std::ops::Range<usize>,
+    ) -> impl DoubleEndedIterator<Item = NetworkAt<'_>> + ExactSizeIterator + Clone {
+        range.map(|index| self.at(index))
+    }
+
+    /// How many stand at the top of the file for which this holds, of a condition that does not hold any more behind
+    /// the first for which it does not.
+    pub fn partition_point(&self, mut holds: impl FnMut(NetworkAt<'_>) -> bool) -> usize {
+        let (mut low, mut high) = (0, self.len());
+        while low < high {
+            let middle = low.midpoint(high);
+            if holds(self.at(middle)) {
+                low = middle + 1;
+            } else {
+                high = middle;
+            }
+        }
+        low
+    }
+
+    /// The shared facts of a network.
+    pub(crate) fn facts(&self, index: usize) -> &Arc<NetworkFacts> {
+        &self.facts[self.places[index].id as usize]
+    }
+
+    pub(crate) fn set_scope(&mut self, index: usize, scope: usize) {
+        self.places[index].scope = scope as u32;
+    }
+
+    pub(crate) fn set_broken(&mut self, index: usize) {
+        self.places[index].broken = true;
+    }
+}
+
+impl<'c> IntoIterator for &'c Networks {
+    type Item = NetworkAt<'c>;
+    type IntoIter = std::iter::Map<
+        std::iter::Zip<std::ops::Range<usize>, std::iter::Repeat<&'c Networks>>,
+        fn((usize, &'c Networks)) -> NetworkAt<'c>,
+    >;
+
+    fn into_iter(self) -> Self::IntoIter {
+        (0..self.len())
+            .zip(std::iter::repeat(self))
+            .map(|(index, networks)| networks.at(index))
+    }
+}
+
+/// A network at its place in the file.
+#[derive(Debug, Clone, Copy)]
+pub struct NetworkAt<'c> {
+    facts: &'c NetworkFacts,
+    /// Which network of the file it is.
+    pub index: usize,
+    /// Its first line, as in the parse: that of its first rung.
+    pub first_line: usize,
+    /// From the first rung to the last, line ends included.
+    pub range: TextRange,
+    /// The scope of its tags: 0 the file's, else that of block definition `scope - 1`.
+    pub scope: usize,
+    /// Its text, or that of the rung which should be joined to it, has a mistake in the drawing (an unclosed
+    /// block, a stray character, a connector without its partner), so that wiring says little about what is meant.
+    pub broken: bool,
+}
+
+impl Deref for NetworkAt<'_> {
+    type Target = NetworkFacts;
+
+    fn deref(&self) -> &NetworkFacts {
+        self.facts
+    }
+}
+
+impl<'c> NetworkAt<'c> {
+    /// What is known of it by itself.
+    pub fn facts(self) -> &'c NetworkFacts {
+        self.facts
+    }
+
+    /// Its blocks from left to right, top to bottom.
+    pub fn blocks(self) -> impl DoubleEndedIterator<Item = BlockAt<'c>> + ExactSizeIterator + Clone {
+        self.facts.blocks.iter().map(move |bound| BlockAt {
+            bound,
+            base: self.range.start() + bound.base,
+        })
+    }
+
+    /// One of its blocks.
+    pub fn block(self, block: usize) -> BlockAt<'c> {
+        let bound = &self.facts.blocks[block];
+        BlockAt {
+            bound,
+            base: self.range.start() + bound.base,
+        }
+    }
+
+    /// The line of a rung, as in the parse.
+    pub fn line(self, rung: usize) -> usize {
+        self.first_line + self.facts.wiring.line_offsets[rung]
+    }
+
+    /// A part of a rung, counted from the start of the file.
+    pub fn part_range(self, parse: &Parse, rung: usize, part: usize) -> TextRange {
+        self.facts.wiring.rungs[rung].parts[part].range + parse.line_start(self.line(rung))
+    }
+}
+
+/// A block at its place in the file.
+#[derive(Debug, Clone, Copy)]
+pub struct BlockAt<'c> {
+    bound: &'c BoundBlock,
+    /// Where its line starts, from the start of the file.
+    pub base: TextSize,
+}
+
+impl Deref for BlockAt<'_> {
+    type Target = BoundBlock;
+
+    fn deref(&self) -> &BoundBlock {
+        self.bound
+    }
+}
+
+impl<'c> BlockAt<'c> {
+    /// What is known of it wherever it stands.
+    pub fn bound(self) -> &'c BoundBlock {
+        self.bound
+    }
+
+    /// A range of the block's line, counted from the start of the file.
+    pub fn absolute(self, range: TextRange) -> TextRange {
+        range + self.base
+    }
+
+    /// The whole block, counted from the start of the file.
+    pub fn range(self) -> TextRange {
+        self.absolute(self.bound.facts.range)
+    }
+
+    /// Its first part, counted from the start of the file.
+    pub fn head_range(self) -> TextRange {
+        self.absolute(self.bound.facts.head_range)
+    }
+}
