@@ -42,6 +42,7 @@
 
 #![allow(dead_code, reason = "parts that further instructions take")]
 
+mod carry;
 mod code;
 mod compile;
 mod controller;
@@ -54,6 +55,7 @@ mod layout;
 mod machine;
 mod memory;
 mod operation;
+mod places;
 mod retain;
 mod routine;
 pub mod scenario;
@@ -66,6 +68,7 @@ pub mod trace;
 pub mod value_text;
 mod work;
 
+pub use carry::{Changeover, Lost};
 pub use compile::CompileError;
 pub use diagram::{diagram, diagram_of};
 pub use fault::Fault;

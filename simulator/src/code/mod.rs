@@ -98,7 +98,7 @@ impl Code {
 }
 
 /// Where a network's code begins.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) struct NetworkPlace {
     pub(crate) start: u32,
     /// By its number in the program.

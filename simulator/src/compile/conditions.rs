@@ -2,7 +2,7 @@
 
 use super::arguments::Arguments;
 use super::place::{Slot, Spot};
-use super::{Compiler, EdgeOf, Result};
+use super::{Cell, Compiler, EdgeOf, Result};
 use crate::code::Instr;
 use crate::memory::Bit;
 use crate::operation::{Test, Width};
@@ -66,7 +66,11 @@ impl Compiler<'_> {
     /// The same, with a memory that others share.
     pub(super) fn edge_with(&mut self, memory: Option<Bit>, en: Bit, tag: Bit, rising: bool) -> Bit {
         let out = self.layout.bit();
-        let before = memory.unwrap_or_else(|| self.layout.bit());
+        let before = memory.unwrap_or_else(|| {
+            let memory = self.layout.bit();
+            self.remember(Cell::Bit(memory));
+            memory
+        });
         self.emit(if rising {
             Instr::Rising { out, en, tag, before }
         } else {

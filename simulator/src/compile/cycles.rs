@@ -2,7 +2,7 @@
 //! what they remember besides belongs to the place of the block.
 
 use super::arguments::Arguments;
-use super::{Compiler, Result};
+use super::{Cell, Compiler, Result};
 use crate::code::Instr;
 use crate::memory::{Bit, Word};
 use crate::operation::{IntegerOp, Width};
@@ -24,6 +24,7 @@ impl Compiler<'_> {
         let (bits, words) = self.home_of(arguments)?;
         let preset = self.scans(arguments)?;
         let (out, started) = (self.layout.bit(), self.layout.bit());
+        self.remember(Cell::Bit(started));
         self.routine(routine, &[out.0, en.0, preset.0, bits.0, words.0, started.0]);
         Ok(out)
     }
@@ -60,6 +61,7 @@ impl Compiler<'_> {
         let (bits, words) = self.home_of(arguments)?;
         let most = self.word(arguments.value(1)?)?;
         let (out, before) = (self.layout.bit(), self.layout.bit());
+        self.remember(Cell::Bit(before));
         self.routine(routine, &[out.0, en.0, most.0, bits.0, words.0, before.0]);
         Ok(out)
     }

@@ -36,6 +36,7 @@ use crate::code::{ArrayPlace, BlockPlace, Code, ElementPlace, Instr, NetworkPlac
 use crate::fuse::{Fused, fuse};
 use crate::layout::{Home, Layout};
 use crate::memory::{Bit, Memory, Word};
+use crate::places::{BlockAt, Cell, Places, Remembered};
 use crate::retain::{Retained, kept_tags, retained};
 use crate::work;
 use arguments::Arguments;
@@ -87,6 +88,8 @@ pub(crate) struct Compiled {
     pub(crate) ports: Ports,
     /// What a warm restart keeps.
     pub(crate) retained: Vec<Retained>,
+    /// What no tag of the program holds, for a change of the running program.
+    pub(crate) places: Places,
 }
 
 /// More code than this is refused: user-defined blocks inside blocks can multiply without end.
@@ -142,6 +145,8 @@ pub(crate) fn compile(program: &Program, interval: i64) -> Result<Compiled> {
         complaints: Vec::new(),
         slips: None,
         line_free: None,
+        places: Places::default(),
+        standing: Vec::new(),
     };
     compiler.starting_counts();
     compiler.controller();
@@ -196,11 +201,14 @@ struct Compiler<'p> {
     slips: Option<formula::Slips>,
     /// The scan from which on the serial port is free, where sending takes time.
     line_free: Option<Word>,
+    places: Places,
+    /// The block that is being compiled, behind those in whose bodies it stands.
+    standing: Vec<BlockAt>,
 }
 
 /// What an edge belongs to that is shared by all edges of a tag.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-enum EdgeOf {
+pub(crate) enum EdgeOf {
     Bit(Bit),
     Word(Word),
 }
@@ -220,8 +228,11 @@ impl Compiler<'_> {
             ..
         } = self.layout;
         let fused = fuse(&self.code, temporary, &mut memory);
+        self.places.of_tags.extend(self.edges);
+        self.places.line_free = self.line_free;
         Compiled {
             fused,
+            places: self.places,
             ports: self.ports,
             retained: retained(self.program, &self.homes, &self.keeps, &self.retained),
             code: self.code,
@@ -252,6 +263,14 @@ impl Compiler<'_> {
             blocks[block].work_through = work;
         }
         work_through.resize(instrs.len(), work);
+    }
+
+    /// The block that is being compiled remembers something from scan to scan.
+    fn remember(&mut self, cell: Cell) {
+        self.places.remembered.push(Remembered {
+            path: self.standing.clone(),
+            cell,
+        });
     }
 
     fn emit(&mut self, instr: Instr) {
@@ -295,7 +314,15 @@ impl Compiler<'_> {
                 Step::Start { rail: false } => Bit::LOW,
                 Step::Start { rail: true } => self.rail(lights_itself),
                 Step::Join { upper, lower } => self.join(self.powers[upper], self.powers[lower]),
-                Step::Block { block, en } => self.block(&network.blocks[block], self.powers[en])?,
+                Step::Block { block, en } => {
+                    self.standing.push(BlockAt {
+                        network: index,
+                        block,
+                    });
+                    let power = self.block(&network.blocks[block], self.powers[en])?;
+                    self.standing.pop();
+                    power
+                }
             };
             self.powers.push(power);
             ends.push(self.here());

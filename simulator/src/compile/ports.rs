@@ -2,7 +2,7 @@
 
 use super::arguments::Arguments;
 use super::place::Slot;
-use super::{Compiler, Result};
+use super::{Cell, Compiler, Result};
 use crate::code::{ArrayPlace, Instr};
 use crate::memory::{Bit, Word};
 use crate::operation::{Conversion, Width};
@@ -183,6 +183,14 @@ impl Compiler<'_> {
         };
         let [sent, rest] = [self.layout.word(), self.layout.word()];
         let [out, before, blank] = [self.layout.bit(), self.layout.bit(), self.layout.bit()];
+        for cell in [
+            Cell::Word(sent),
+            Cell::Word(rest),
+            Cell::Bit(before),
+            Cell::Bit(blank),
+        ] {
+            self.remember(cell);
+        }
         self.routine(
             Routine::SendTextSlowly,
             &[
@@ -207,6 +215,7 @@ impl Compiler<'_> {
         if arguments.by_place().next().is_none() {
             self.ports.serial = true;
             let last = self.layout.word();
+            self.remember(Cell::Word(last));
             self.routine(Routine::SendScanTime, &[last.0]);
             self.end_powered(start);
             return Ok(out);

@@ -1,7 +1,7 @@
 //! Timers that count time in a unit, and counters whose output compares, as Click controllers have them.
 
 use super::arguments::Arguments;
-use super::{Compiler, Result};
+use super::{Cell, Compiler, Result};
 use crate::layout::{counter, timer};
 use crate::memory::{Bit, Word};
 use crate::routine::Routine;
@@ -31,6 +31,7 @@ impl Compiler<'_> {
         self.inputs(arguments, &[("R", bits.offset(timer::R))])?;
         let interval = self.constant(self.interval);
         let (out, rest) = (self.layout.bit(), self.layout.word());
+        self.remember(Cell::Word(rest));
         self.routine(
             routine,
             &[out.0, en.0, preset.0, bits.0, words.0, unit.0, interval.0, rest.0],

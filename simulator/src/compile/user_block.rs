@@ -108,6 +108,7 @@ impl Compiler<'_> {
             if !is_reference {
                 let declared = &program.tags[tag.0 as usize];
                 let home = self.layout.tag(declared)?;
+                self.places.body_tags.push((self.standing.clone(), tag, home));
                 self.homes[tag.0 as usize] = home;
                 if self.keeps[tag.0 as usize] {
                     self.retained.push((tag, home));

@@ -206,6 +206,60 @@ impl History {
         self.serial.forget_oldest(sent);
     }
 
+    /// Forgets the oldest kept scan. False if there is none.
+    pub(super) fn forget_oldest(&mut self) -> bool {
+        if self.here == 0 {
+            return false;
+        }
+        let Some(oldest) = self.entries.pop_front() else {
+            return false;
+        };
+        self.bytes.drain(..oldest.bytes());
+        self.bytes_here -= oldest.bytes();
+        self.here -= 1;
+        self.serial.forget_oldest(oldest.sent);
+        self.base = oldest.after;
+        true
+    }
+
+    /// How much may be kept.
+    pub(super) fn limits(&self) -> HistoryLimits {
+        self.limits
+    }
+
+    /// How many scans are kept.
+    pub(super) fn kept(&self) -> usize {
+        self.entries.len()
+    }
+
+    /// What was given behind the newest scan is set aside, for when the simulation comes forward again: it leaves this
+    /// history.
+    pub(super) fn set_aside(&mut self, simulation: &Simulation) {
+        let given = self.take_up(simulation);
+        self.take_back(&given);
+        self.waiting = given;
+    }
+
+    /// Gives what was set aside, if the simulation stands behind the newest scan again. Whether that is anything.
+    pub(super) fn give_what_waits(&mut self, simulation: &mut Simulation) -> bool {
+        if self.ahead() > 0 || self.waiting.is_nothing() {
+            return false;
+        }
+        let given = std::mem::take(&mut self.waiting);
+        if let Some(change) = &given.forces {
+            simulation.restore_forces(&change.1);
+        }
+        let mut then = self.banks.clone();
+        then.go(Bytes(&given.bytes), Way::Forward);
+        then.restore(&mut simulation.machine);
+        true
+    }
+
+    /// Begins behind what another program sent through the serial port.
+    pub(super) fn follow_serial(&mut self, earlier: &History) {
+        self.serial = earlier.serial.following();
+    }
+
     /// What lies ahead will not be gone to any more: something else happens from here on.
     pub(super) fn forget_ahead(&mut self) {
         self.entries.truncate(self.here);
@@ -371,17 +425,7 @@ impl History {
         self.go(self.bytes_here, ran, Way::Forward);
         self.bytes_here += ran;
         self.restore(simulation);
-        if self.ahead() > 0 || self.waiting.is_nothing() {
-            return Some(false);
-        }
-        let given = std::mem::take(&mut self.waiting);
-        if let Some(change) = &given.forces {
-            simulation.restore_forces(&change.1);
-        }
-        let mut then = self.banks.clone();
-        then.go(Bytes(&given.bytes), Way::Forward);
-        then.restore(&mut simulation.machine);
-        Some(true)
+        Some(self.give_what_waits(simulation))
     }
 
     /// Moves the banks over a part of the bytes.

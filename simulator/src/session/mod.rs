@@ -6,6 +6,7 @@
 
 mod banks;
 mod breakpoints;
+mod change;
 mod delta;
 mod history;
 mod past;
@@ -23,6 +24,7 @@ use crate::simulation::{Options, Simulation, Status, ValueRefused};
 use crate::tags::Point;
 use crate::work::Brake;
 pub use breakpoints::{Breakpoint, Hit};
+use change::Era;
 use history::History;
 pub use history::HistoryLimits;
 use ladder_analysis::program::{Program, Role};
@@ -66,6 +68,12 @@ pub struct Session {
     unseen_network: bool,
     /// Who writes what, for those who ask why.
     writers: OnceCell<Writers>,
+    /// How often the running program was changed before it became this one.
+    generation: u64,
+    /// The programs that ran before this one, the newest last.
+    earlier: Vec<Era>,
+    /// Those that ran behind the moment that was stepped back to, the newest first.
+    later: Vec<Era>,
 }
 
 impl Session {
@@ -96,6 +104,9 @@ impl Session {
             breakpoints: Vec::new(),
             unseen_network: false,
             writers: OnceCell::new(),
+            generation: 0,
+            earlier: Vec::new(),
+            later: Vec::new(),
         }
     }
 
@@ -115,6 +126,7 @@ impl Session {
     /// # Errors
     /// The point is read-only, or the value does not fit its type.
     pub fn set(&mut self, point: &Point, value: Value) -> Result<(), ValueRefused> {
+        let point = &*self.point_of_now(point)?;
         if self.simulation.is_open() {
             return self.simulation.set(point, value);
         }
@@ -122,7 +134,7 @@ impl Session {
             || self.simulation.value(point) != value;
         self.simulation.set(point, value)?;
         if differs {
-            self.change();
+            self.goes_another_way();
         }
         Ok(())
     }
@@ -132,30 +144,35 @@ impl Session {
     /// # Errors
     /// The point is read-only, or the value does not fit its type.
     pub fn force(&mut self, point: &Point, value: Value) -> Result<(), ValueRefused> {
+        let point = &*self.point_of_now(point)?;
         self.simulation.force(point, value)?;
         if !self.simulation.is_open() {
-            self.change();
+            self.goes_another_way();
         }
         Ok(())
     }
 
     /// Lets a tag go.
     pub fn unforce(&mut self, point: &Point) {
+        let Ok(point) = &self.point_of_now(point) else {
+            return;
+        };
         if self.simulation.is_open() {
             self.simulation.unforce(point);
         } else if self.simulation.is_forced(point) {
             self.simulation.unforce(point);
-            self.change();
+            self.goes_another_way();
         }
     }
 
     /// Lets all tags go.
     pub fn unforce_all(&mut self) {
+        self.take_over();
         if self.simulation.is_open() {
             self.simulation.unforce_all();
         } else if self.simulation.forced().next().is_some() {
             self.simulation.unforce_all();
-            self.change();
+            self.goes_another_way();
         }
     }
 
@@ -164,9 +181,10 @@ impl Session {
         if bytes.is_empty() {
             return;
         }
+        self.take_over();
         self.simulation.feed_serial(bytes);
         if !self.simulation.is_open() {
-            self.change();
+            self.goes_another_way();
         }
     }
 
@@ -176,7 +194,7 @@ impl Session {
     }
 
     /// Something happens that did not happen here before.
-    fn change(&mut self) {
+    fn goes_another_way(&mut self) {
         if !self.changed {
             self.forget_ahead();
         }
@@ -192,21 +210,29 @@ impl Session {
             self.give_up_scan();
             return 1 + self.step_back(scans - 1);
         }
-        let gone = self.history.back(&mut self.simulation, scans, self.changed);
-        if gone > 0 {
-            self.changed = false;
+        let mut gone = 0;
+        loop {
+            let went = self
+                .history
+                .back(&mut self.simulation, scans - gone, self.changed);
+            if went > 0 {
+                self.changed = false;
+            }
+            gone += went;
+            if gone == scans || !self.go_to_earlier() {
+                return gone;
+            }
         }
-        gone
     }
 
     /// How many scans can be stepped back.
     pub fn scans_behind(&self) -> usize {
-        self.history.behind()
+        self.history.behind() + self.earlier.iter().map(Era::kept).sum::<usize>()
     }
 
     /// How many scans were stepped back from and can be gone forward to again.
     pub fn scans_ahead(&self) -> usize {
-        self.history.ahead()
+        self.history.ahead() + self.later.iter().map(Era::kept).sum::<usize>()
     }
 
     /// Makes the place where the simulation stands the newest: what was stepped back from is forgotten.
@@ -214,29 +240,34 @@ impl Session {
         if self.repeats {
             return;
         }
+        self.take_over();
         self.history.forget_ahead();
         self.forget_faults_ahead();
     }
 
     /// How many bytes the history takes.
     pub fn history_size(&self) -> usize {
-        self.history.size()
+        let eras = self.earlier.iter().chain(&self.later);
+        self.history.size() + eras.map(Era::size).sum::<usize>()
     }
 
     /// Begins again from cold: all tags as before the first scan. Forces stay; the history begins anew.
     pub fn reset(&mut self) {
+        self.go_to_newest();
         self.simulation.reset();
         self.begin_anew();
     }
 
     /// Begins again as after a power failure: retentive tags keep their values. Forces stay; the history begins anew.
     pub fn warm_restart(&mut self) {
+        self.go_to_newest();
         self.simulation.warm_restart();
         self.begin_anew();
     }
 
     /// Begins with the values of retentive tags that were kept elsewhere, see [`Simulation::warm_start`].
     pub fn warm_start(&mut self, kept: &[Kept]) -> Vec<String> {
+        self.go_to_newest();
         let complaints = self.simulation.warm_start(kept);
         self.begin_anew();
         complaints
@@ -247,6 +278,7 @@ impl Session {
         self.changed = false;
         self.repeats = false;
         self.history.clear(&self.simulation);
+        self.earlier.clear();
     }
 
     /// The faults so far, the oldest first: the last 4,096 of them. Those of scans that were stepped back from are not

@@ -1,32 +1,70 @@
 //! What a point held after each of the kept scans.
 
 use super::Session;
+use super::history::History;
+use crate::simulation::Simulation;
 use crate::tags::Point;
+use ladder_analysis::types::Scalar;
 use ladder_analysis::value::Value;
 
 impl Session {
     /// What points held after each of the last scans, the oldest first: for each point up to `scans` values, of which
     /// the last is from the scan that the simulation stands behind. What was given since is not in it. Only kept
-    /// scans are known, so there may be fewer, equally many for all points.
+    /// scans are known, so there may be fewer, equally many for all points. Where the program was changed a point is the
+    /// one of that name and type; what there was none of before shows nothing, or 0.
     pub fn past(&self, points: &[Point], scans: usize) -> Vec<Vec<Value>> {
         let mut past: Vec<Vec<Value>> = vec![Vec::new(); points.len()];
         let known = self.history.known().min(scans);
-        if known == 0 {
-            return past;
-        }
-        let mut rewind = self.history.rewind(&self.simulation);
-        for _ in 0..known {
-            rewind.undo_given();
-            for (point, values) in points.iter().zip(&mut past) {
-                values.push(rewind.value(point));
-            }
-            if !rewind.undo_scan() {
+        let now: Vec<_> = points
+            .iter()
+            .map(|point| (point.ty, Some(point.clone())))
+            .collect();
+        note(&self.history, &self.simulation, &now, 0, known, &mut past);
+        let mut known = known;
+        for era in self.earlier.iter().rev() {
+            // An era ends with the scan that the next one begins behind.
+            let (simulation, history) = era.parts();
+            let more = history.known().saturating_sub(1).min(scans - known);
+            if known == 0 || more == 0 {
                 break;
             }
+            let then: Vec<_> = points
+                .iter()
+                .map(|point| {
+                    let then = simulation.resolve(&point.name).ok();
+                    (point.ty, then.filter(|then| then.ty == point.ty))
+                })
+                .collect();
+            note(history, simulation, &then, 1, more, &mut past);
+            known += more;
         }
         for values in &mut past {
             values.reverse();
         }
         past
+    }
+}
+
+/// Goes back and notes values after so many scans, but for the newest few.
+fn note(
+    history: &History,
+    simulation: &Simulation,
+    points: &[(Scalar, Option<Point>)],
+    skipped: usize,
+    count: usize,
+    past: &mut [Vec<Value>],
+) {
+    let mut rewind = history.rewind(simulation);
+    for scan in 0..skipped + count {
+        rewind.undo_given();
+        if scan >= skipped {
+            for ((ty, point), values) in points.iter().zip(past.iter_mut()) {
+                let value = point.as_ref().map(|point| rewind.value(point));
+                values.push(value.unwrap_or_else(|| Value::zero(*ty)));
+            }
+        }
+        if !rewind.undo_scan() {
+            break;
+        }
     }
 }

@@ -24,6 +24,16 @@ impl SerialLog {
         count as u32
     }
 
+    /// A log that begins behind what this one shows.
+    pub(super) fn following(&self) -> SerialLog {
+        let bytes: VecDeque<u8> = self.shown().collect();
+        SerialLog {
+            old: bytes.len(),
+            here: bytes.len(),
+            bytes,
+        }
+    }
+
     pub(super) fn back(&mut self, count: u32) {
         self.here -= count as usize;
     }

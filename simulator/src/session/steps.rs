@@ -15,6 +15,7 @@ impl Session {
         }
         if let Some(given) = self.history.forward(&mut self.simulation) {
             self.changed = given;
+            self.go_to_later();
             return self.simulation.status() != Status::Faulted;
         }
         if self.simulation.status() != Status::Ready {
@@ -72,13 +73,14 @@ impl Session {
             self.simulation.machine.faults.clear();
             self.simulation.machine.memory.sent.clear();
             self.changed = self.history.forward(&mut self.simulation).unwrap_or(false);
+            self.go_to_later();
         } else {
             self.finish();
         }
         if !waiting.is_empty() {
             self.simulation.pending = waiting;
             self.simulation.take_pending();
-            self.change();
+            self.goes_another_way();
         }
         stepped
     }
@@ -130,5 +132,6 @@ impl Session {
     fn finish(&mut self) {
         collect_faults(&mut self.simulation, &mut self.faults);
         self.history.finish(&mut self.simulation);
+        self.forget_oldest();
     }
 }

@@ -61,7 +61,7 @@ impl Simulation {
         Ok(())
     }
 
-    pub(super) fn hold(&mut self, point: Point, value: Value) {
+    pub(crate) fn hold(&mut self, point: Point, value: Value) {
         let before = match self.forces.get(&point.name) {
             Some(force) => force.underneath.clone(),
             None => (point.role == Role::Input).then(|| self.value(&point)),

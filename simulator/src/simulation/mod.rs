@@ -75,9 +75,9 @@ pub struct Simulation {
 /// A force that is in effect.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Force {
-    point: Point,
+    pub(crate) point: Point,
     /// What an input would show if it were not forced.
-    underneath: Option<Value>,
+    pub(crate) underneath: Option<Value>,
 }
 
 /// What was asked for in the midst of a scan.

@@ -92,7 +92,7 @@ impl Simulation {
                 || (machine.reached[network] == scan && element.step <= machine.left_at[network]))
     }
 
-    fn has_power(&self, slot: Bit) -> bool {
+    pub(crate) fn has_power(&self, slot: Bit) -> bool {
         let place = if self.ran_plain {
             Power::Slot(slot)
         } else {

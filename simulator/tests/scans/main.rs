@@ -1,6 +1,7 @@
 //! Programs that run: instructions, faults, stepping, and what a session remembers.
 
 mod calc;
+mod change;
 mod click;
 mod conditions;
 mod counters;

@@ -13,6 +13,7 @@ use super::reasons::{self, Blocker};
 use super::trace::{self, Limit, Traced, en_of};
 use super::writers::Writers;
 use super::{Cause, Reason, Since, Why, Write, place};
+use crate::places::BlockAt;
 use crate::session::history::History;
 use crate::session::rewind::Rewind;
 use crate::simulation::Simulation;
@@ -349,7 +350,7 @@ impl Inquiry<'_> {
     }
 
     /// The blocks that may write what a question is about.
-    fn blocks_for(&self, question: usize) -> &[super::writers::BlockAt] {
+    fn blocks_for(&self, question: usize) -> &[BlockAt] {
         let tag = place::tag_of(self.simulation, &self.questions[question].point);
         self.writers.of_tag(tag)
     }

@@ -2,10 +2,11 @@
 //! may write the tag: there it halts in front of each block and behind it.
 
 use super::place;
-use super::writers::{BlockAt, Writers};
+use super::writers::Writers;
 use crate::code::{Code, stop};
 use crate::machine::Until;
 use crate::memory::Bit;
+use crate::places::BlockAt;
 use crate::simulation::{Simulation, Stepped};
 use crate::tags::Point;
 use ladder_analysis::program::{Block, BlockKind, Network, Step};

@@ -1,19 +1,12 @@
 //! Which blocks may write which tag, outside the bodies of user-defined blocks.
 
 use super::place;
+use crate::places::BlockAt;
 use crate::simulation::Simulation;
 use ladder_analysis::program::{Block, BlockKind, ParameterKind, Program, TagId};
 use ladder_instructions::Direction;
 use std::collections::HashMap;
 use std::ops::Range;
-
-/// A block of the program.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-pub(super) struct BlockAt {
-    pub(super) network: usize,
-    /// Its number there.
-    pub(super) block: usize,
-}
 
 /// What is known of a program for all questions: made once.
 #[derive(Debug)]

@@ -1,0 +1,261 @@
+//! The values of tags: by name and type.
+
+use super::Lost;
+use super::matching::Matching;
+use crate::compile::EdgeOf;
+use crate::layout::{Home, state_size};
+use crate::memory::{Bit, Memory, Word};
+use crate::simulation::Simulation;
+use ladder_analysis::program::{Tag, TagId};
+use ladder_analysis::types::Type;
+use ladder_analysis::with_article;
+use ladder_syntax::Name;
+use std::collections::{HashMap, HashSet};
+
+/// Where a tag lives, and what it is.
+type Living<'p> = (&'p Tag, Home);
+
+/// The same tag in the old program and in the new one.
+type Pair<'p> = (Living<'p>, (Tag, Home));
+
+/// Copies what tags hold.
+pub(super) fn carry(old: &Simulation, new: &mut Simulation, matching: &Matching, lost: &mut Vec<Lost>) {
+    let (pairs, gone) = pairs(old, new, matching);
+    let mut copied = Copied {
+        old,
+        memory: &mut new.machine.memory,
+        of_tags: &new.compiled.places.of_tags,
+    };
+    for (was, is) in &pairs {
+        if is.0.constant {
+            continue;
+        }
+        if !copied.tag(*was, is) {
+            lost.push(Lost {
+                message: format!(
+                    "{} was {} and is {} now: it begins with its initial value",
+                    is.0.name,
+                    with_article(was.0.ty),
+                    with_article(is.0.ty)
+                ),
+                location: Some(is.0.location),
+            });
+        } else if was.0.initial != is.0.initial {
+            lost.push(Lost {
+                message: format!(
+                    "{} keeps its value: its initial value counts from the next cold start on",
+                    is.0.name
+                ),
+                location: Some(is.0.location),
+            });
+        }
+    }
+    for (tag, home) in gone {
+        if !tag.constant && !is_initial(home, &old.machine.memory, &old.compiled.initial) {
+            lost.push(Lost {
+                message: format!("{} is no more, and what it held is gone", tag.name),
+                location: None,
+            });
+        }
+    }
+}
+
+/// Tags of both programs that are the same one, and those that are no more.
+fn pairs<'s>(old: &'s Simulation, new: &Simulation, matching: &Matching) -> (Vec<Pair<'s>>, Vec<Living<'s>>) {
+    let mut pairs = Vec::new();
+    let mut known: HashMap<Name, TagId> = HashMap::new();
+    let olds = (0..).map(TagId).zip(&old.program.tags);
+    for (id, tag) in olds.filter(|(_, tag)| tag.block.is_none()) {
+        if let Some(address) = &tag.address {
+            known.entry(Name::new(address)).or_insert(id);
+        }
+    }
+    let olds = (0..).map(TagId).zip(&old.program.tags);
+    for (id, tag) in olds.filter(|(_, tag)| tag.block.is_none()) {
+        known.insert(Name::new(&tag.name), id);
+    }
+    let old_tag = |id: TagId| {
+        (
+            &old.program.tags[id.0 as usize],
+            old.compiled.homes[id.0 as usize],
+        )
+    };
+    let mut taken = HashSet::new();
+    let mut match_tag = |tag: &Tag, home: Home, by: &str| {
+        let Some(&id) = known.get(&Name::new(by)) else {
+            return false;
+        };
+        if taken.insert(id) {
+            pairs.push((old_tag(id), (tag.clone(), home)));
+        }
+        true
+    };
+    for (tag, &home) in new.program.tags.iter().zip(&new.compiled.homes) {
+        if tag.block.is_some() || match_tag(tag, home, &tag.name) {
+            continue;
+        }
+        // It has a name now, or another one, for the same address.
+        if let Some(address) = &tag.address {
+            match_tag(tag, home, address);
+        }
+    }
+    let mut gone = Vec::new();
+    for (id, tag) in (0..).map(TagId).zip(&old.program.tags) {
+        if tag.block.is_none() && !taken.contains(&id) {
+            gone.push(old_tag(id));
+        }
+    }
+    let mut bodies: HashMap<(&[_], Name), Living<'_>> = HashMap::new();
+    for (path, id, home) in &old.compiled.places.body_tags {
+        let tag = &old.program.tags[id.0 as usize];
+        bodies.insert((path, Name::new(&tag.name)), (tag, *home));
+    }
+    for (path, id, home) in &new.compiled.places.body_tags {
+        let tag = &new.program.tags[id.0 as usize];
+        let was = matching
+            .path(path)
+            .and_then(|path| bodies.get(&(path.as_slice(), Name::new(&tag.name))).copied());
+        if let Some(was) = was {
+            pairs.push((was, (tag.clone(), *home)));
+        }
+    }
+    (pairs, gone)
+}
+
+struct Copied<'s> {
+    old: &'s Simulation,
+    memory: &'s mut Memory,
+    of_tags: &'s HashMap<EdgeOf, Bit>,
+}
+
+impl Copied<'_> {
+    /// Copies what a tag holds. False if that cannot be.
+    fn tag(&mut self, (was, from): Living<'_>, (is, to): &(Tag, Home)) -> bool {
+        let is_alike = match (was.ty, is.ty) {
+            (Type::Scalar(was), Type::Scalar(is)) => was == is || (was.is_string() && is.is_string()),
+            (Type::State(was), Type::State(is)) => was == is,
+            (Type::Array { element: was, .. }, Type::Array { element: is, .. }) => {
+                was == is || (was.is_string() && is.is_string())
+            }
+            _ => false,
+        };
+        if !is_alike {
+            return false;
+        }
+        match (from, *to) {
+            (
+                Home::Bits { at, first, len },
+                Home::Bits {
+                    at: to,
+                    first: to_first,
+                    len: to_len,
+                },
+            ) => {
+                for (from, to) in overlap((at.0, first, len), (to.0, to_first, to_len)) {
+                    self.bit(Bit(from), Bit(to));
+                }
+                true
+            }
+            (
+                Home::Words { at, first, len, .. },
+                Home::Words {
+                    at: to,
+                    first: to_first,
+                    len: to_len,
+                    ..
+                },
+            ) => {
+                for (from, to) in overlap((at.0, first, len), (to.0, to_first, to_len)) {
+                    self.word(Word(from), Word(to));
+                }
+                true
+            }
+            (
+                Home::Texts { at, first, len, .. },
+                Home::Texts {
+                    at: to,
+                    first: to_first,
+                    len: to_len,
+                    ..
+                },
+            ) => {
+                for (from, to) in overlap((at.0, first, len), (to.0, to_first, to_len)) {
+                    let text = self.old.machine.memory.texts[from as usize].bytes();
+                    self.memory.texts[to as usize].set(text);
+                }
+                true
+            }
+            (
+                Home::State { state, bits, words },
+                Home::State {
+                    bits: to_bits,
+                    words: to_words,
+                    ..
+                },
+            ) => {
+                let (bit_count, word_count) = state_size(state);
+                for n in 0..bit_count {
+                    self.bit(bits.offset(n), to_bits.offset(n));
+                }
+                for n in 0..word_count {
+                    self.word(words.offset(n), to_words.offset(n));
+                }
+                true
+            }
+            _ => false,
+        }
+    }
+
+    fn bit(&mut self, from: Bit, to: Bit) {
+        self.memory.bits[to.0 as usize] = self.old.machine.memory.bits[from.0 as usize];
+        self.edge(EdgeOf::Bit(from), EdgeOf::Bit(to));
+    }
+
+    fn word(&mut self, from: Word, to: Word) {
+        self.memory.words[to.0 as usize] = self.old.machine.memory.words[from.0 as usize];
+        self.edge(EdgeOf::Word(from), EdgeOf::Word(to));
+    }
+
+    /// What edges of a tag share.
+    fn edge(&mut self, from: EdgeOf, to: EdgeOf) {
+        let was = self.old.compiled.places.of_tags.get(&from);
+        if let (Some(was), Some(is)) = (was, self.of_tags.get(&to)) {
+            self.memory.bits[is.0 as usize] = self.old.machine.memory.bits[was.0 as usize];
+        }
+    }
+}
+
+/// The slots of elements with the same index.
+fn overlap(
+    (from, from_first, from_len): (u32, i64, u32),
+    (to, to_first, to_len): (u32, i64, u32),
+) -> impl Iterator<Item = (u32, u32)> {
+    let first = from_first.max(to_first);
+    let end = (from_first + i64::from(from_len)).min(to_first + i64::from(to_len));
+    (first..end).map(move |index| (from + (index - from_first) as u32, to + (index - to_first) as u32))
+}
+
+/// Whether a tag holds what it began with.
+fn is_initial(home: Home, memory: &Memory, initial: &Memory) -> bool {
+    let same_bits = |at: Bit, len: u32| {
+        let range = at.0 as usize..(at.0 + len) as usize;
+        memory.bits[range.clone()] == initial.bits[range]
+    };
+    let same_words = |at: Word, len: u32| {
+        let range = at.0 as usize..(at.0 + len) as usize;
+        memory.words[range.clone()] == initial.words[range]
+    };
+    match home {
+        Home::Bits { at, len, .. } => same_bits(at, len),
+        Home::Words { at, len, .. } => same_words(at, len),
+        Home::Texts { at, len, .. } => {
+            let range = at.0 as usize..(at.0 + len) as usize;
+            memory.texts[range.clone()] == initial.texts[range]
+        }
+        Home::State { state, bits, words } => {
+            let (bit_count, word_count) = state_size(state);
+            same_bits(bits, bit_count) && same_words(words, word_count)
+        }
+        Home::Element { .. } | Home::BitOf { .. } | Home::BitOfAt { .. } | Home::Unbound => true,
+    }
+}

@@ -1,0 +1,44 @@
+//! What a program remembers that no tag of it holds: edges and the like belong to a block's place in the text, and tags
+//! of a user-defined block exist once for each place where it stands.
+
+use crate::compile::EdgeOf;
+use crate::layout::Home;
+use crate::memory::{Bit, Word};
+use ladder_analysis::program::TagId;
+use std::collections::HashMap;
+
+/// A block of a program.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub(crate) struct BlockAt {
+    pub(crate) network: usize,
+    /// Its number there.
+    pub(crate) block: usize,
+}
+
+/// A cell that a block keeps from scan to scan.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Cell {
+    Bit(Bit),
+    Word(Word),
+}
+
+/// What a block remembers.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub(crate) struct Remembered {
+    /// The block, behind those in whose bodies it stands.
+    pub(crate) path: Vec<BlockAt>,
+    pub(crate) cell: Cell,
+}
+
+/// All that no tag of the program holds.
+#[derive(Debug, Default)]
+pub(crate) struct Places {
+    /// In the order of the code.
+    pub(crate) remembered: Vec<Remembered>,
+    /// The tags of bodies, with the path of the place.
+    pub(crate) body_tags: Vec<(Vec<BlockAt>, TagId, Home)>,
+    /// Edges that belong to a tag.
+    pub(crate) of_tags: HashMap<EdgeOf, Bit>,
+    /// The scan from which on the serial port is free.
+    pub(crate) line_free: Option<Word>,
+}
