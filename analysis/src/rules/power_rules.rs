@@ -177,15 +177,16 @@ fn is_asked_again(network: NetworkAt<'_>, uses: &[((usize, usize), &Named)]) -> 
     if asked.next().is_some() {
         return true;
     }
-    let Some(write) = uses().find(|place| place.access.writes()) else {
+    let writes = |at: usize| uses().any(|place| place.access.writes() && block(place) == at);
+    if !uses().any(|place| place.access.writes()) {
         return false;
-    };
-    // Whichever of the two comes first in the order of evaluation.
+    }
+    // Whichever comes first in the order of evaluation.
     let first_step = network.order.steps.iter().find_map(|step| match *step {
-        Step::Block { block: at, .. } if at == block(first) || at == block(write) => Some(at),
+        Step::Block { block: at, .. } if at == block(first) || writes(at) => Some(at),
         _ => None,
     });
-    first_step == Some(block(write))
+    first_step.is_some_and(|at| at != block(first))
 }
 
 /// A comparison of two numbers, or with a number at the end of its type.

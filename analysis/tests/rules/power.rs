@@ -61,6 +61,27 @@ fn never_and_always() {
     );
 }
 
+/// Of several coils that write a contact's tag it is enough that one is evaluated before it.
+#[test]
+fn a_coil_before_a_contact_decides_its_value() {
+    check(
+        "+--[ ]( a )-------------\\--(S)( m )--+\n+--(/)( m )--[ ]( m )--/             |\n",
+        expect![[r#"
+            > +--[ ]( a )-------------\--(S)( m )--+
+                                         ^^^^^^^^ info[order-sensitive]: the order of this network matters: with a = 0, m = 1: `m` becomes 0, but 1 if all contacts were read first
+                help: a contact reads what a coil of the same network has just written: give the later part a rung of its own
+                at 2:14 `[ ]( m )`: this contact sees what the network has just written
+            > +--(/)( m )--[ ]( m )--/             |
+                           ^^^^^^^^ warning[constant-power]: no power ever comes through here: when this conducts, what stands before it does not
+                help: change one of the conditions; to switch a rung off on purpose use [ ]( SYS.OFF )
+            > +--(/)( m )--[ ]( m )--/             |
+                           ^^^^^^^^ warning[contact-after-coil]: [ ]( m ) stands behind a coil: whoever looks for it looks left of the coils
+                help: draw a branch before the coil: the coil on one line, this contact and what it leads to on the other
+                at 2:4 `(/)( m )`: this is the coil
+        "#]],
+    );
+}
+
 #[test]
 fn comparisons() {
     check(

@@ -189,7 +189,6 @@ fn holds(notation: &dyn Notation, bytes: &[u8]) {
 proptest! {
     #![proptest_config(ProptestConfig {
         cases: 150,
-        failure_persistence: None,
         ..ProptestConfig::default()
     })]
 

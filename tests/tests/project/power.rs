@@ -15,6 +15,7 @@ const MOST_TAGS: usize = 7;
 struct Outcome {
     enabled: Vec<bool>,
     power: Vec<bool>,
+    left: Vec<bool>,
 }
 
 /// A network of a program, by itself.
@@ -36,6 +37,7 @@ fn outcomes(text: &str, tags: &[String]) -> Vec<Outcome> {
             Outcome {
                 enabled: reference.enabled.clone(),
                 power: reference.power.clone(),
+                left: reference.left.clone(),
             }
         })
         .collect()
@@ -62,24 +64,24 @@ impl Lone {
         self.text[self.analysis.context.networks.at(0).block(block).range()].starts_with('(')
     }
 
-    /// What every coil is given, if a block is replaced by these characters.
+    /// What every coil leaves in its tag, if a block is replaced by these characters.
     fn acts_with(&self, block: usize, by: &str) -> Vec<Vec<bool>> {
         let range = std::ops::Range::<usize>::from(self.analysis.context.networks.at(0).block(block).range());
         let mut text = self.text.clone();
         text.replace_range(range.clone(), &by.repeat(range.len()));
         let mut given = outcomes(&text, &Self::tags(&self.text));
         for outcome in &mut given {
-            outcome.enabled.insert(block, false);
+            outcome.left.insert(block, false);
         }
         self.acting(&given)
     }
 
     fn acting(&self, outcomes: &[Outcome]) -> Vec<Vec<bool>> {
         let of = |outcome: &Outcome| {
-            let blocks = outcome.enabled.iter().enumerate();
+            let blocks = outcome.left.iter().enumerate();
             blocks
                 .filter(|(block, _)| self.is_coil(*block))
-                .map(|(_, &enabled)| enabled)
+                .map(|(_, &left)| left)
                 .collect()
         };
         outcomes.iter().map(of).collect()

@@ -293,8 +293,6 @@ mod tests {
     }
 
     proptest! {
-        #![proptest_config(ProptestConfig { failure_persistence: None, ..ProptestConfig::default() })]
-
         #[test]
         fn the_framework_can_decode_whatever_comes(input in any_input()) {
             for body in fed(&input).lines() {

@@ -35,6 +35,8 @@ pub struct Boolean {
     pub power: Vec<bool>,
     /// The EN of every block likewise.
     pub enabled: Vec<bool>,
+    /// What the tag of every block is behind it, likewise.
+    pub left: Vec<bool>,
 }
 
 impl Boolean {
@@ -61,6 +63,7 @@ impl Boolean {
             tags,
             power: Vec::new(),
             enabled: Vec::new(),
+            left: Vec::new(),
         }
     }
 
@@ -68,9 +71,11 @@ impl Boolean {
     pub fn scan(&mut self) {
         self.power.clear();
         self.enabled.clear();
+        self.left.clear();
         for (rungs, blocks) in &self.networks {
             let mut power = vec![false; blocks.len()];
             let mut given = vec![false; blocks.len()];
+            let mut left = vec![false; blocks.len()];
             let tags = &mut self.tags;
             evaluate(rungs, &mut |block, enabled| {
                 let (kind, tag) = &blocks[block];
@@ -89,10 +94,12 @@ impl Boolean {
                 }
                 power[block] = passed;
                 given[block] = enabled;
+                left[block] = after;
                 passed
             });
             self.power.extend(power);
             self.enabled.extend(given);
+            self.left.extend(left);
         }
     }
 }
