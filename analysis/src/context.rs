@@ -12,7 +12,7 @@ use crate::networks::Networks;
 use crate::others::{Import, Others};
 use crate::profile;
 use crate::program::Role;
-use crate::scope::{Origin, Scope, TagFacts};
+use crate::scope::{Origin, Scope, TagFacts, Use, Uses};
 use crate::shared;
 use crate::types::Scalar;
 use crate::types::Type;
@@ -157,6 +157,20 @@ impl Context {
         };
         let offset = line - network.first_line;
         network.wiring.unpaired.is_empty() && network.wiring.line_offsets.binary_search(&offset).is_ok()
+    }
+
+    /// Where a tag is used, from top to bottom.
+    pub fn uses<'c>(&'c self, tag: &'c TagFacts) -> impl DoubleEndedIterator<Item = Use> + Clone + use<'c> {
+        tag.uses.0.iter().map(|place| self.networks.use_of(*place))
+    }
+
+    /// Where a tag is written, from top to bottom.
+    pub fn writers<'c>(
+        &'c self,
+        tag: &'c TagFacts,
+    ) -> impl DoubleEndedIterator<Item = Use> + Clone + use<'c> {
+        let writers = tag.uses.0.iter().filter(|place| place.access.writes());
+        writers.map(|place| self.networks.use_of(*place))
     }
 
     /// The tags of all scopes, each once.
@@ -332,7 +346,7 @@ fn implicit(name: &str, at: TextRange) -> TagFacts {
         initial: Vec::new(),
         address: None,
         at,
-        uses: Vec::new(),
+        uses: Uses::default(),
         shared: None,
         foreign: None,
         mistyped: false,

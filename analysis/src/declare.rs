@@ -5,7 +5,7 @@ use crate::diagnostic::Diagnostic;
 use crate::facts;
 use crate::program::Role;
 use crate::rules::{bad_declaration, did_you_mean, duplicate_declaration};
-use crate::scope::{Origin, Scope, SectionKind, TagFacts, type_by_form};
+use crate::scope::{Origin, Scope, SectionKind, TagFacts, Uses, type_by_form};
 use crate::types::{Scalar, Type};
 use ladder_instructions::StateType;
 use ladder_syntax::ast::{AstNode, Declaration, SectionHeader, TokenView, TypeRef};
@@ -136,7 +136,7 @@ fn declaration(
             initial: initial.clone(),
             address: address.as_ref().map(|token| token.text().to_owned()),
             at: range,
-            uses: Vec::new(),
+            uses: Uses::default(),
             shared: None,
             foreign: None,
         });

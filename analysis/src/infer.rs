@@ -81,7 +81,7 @@ fn answer(context: &Context, tag: &TagFacts, out: &mut Vec<Diagnostic>) -> Optio
     let mut first: Option<(Type, TextRange)> = None;
     // `(R)` also takes timers and counters: it makes a tag BOOL only where no other place has a say.
     let mut reset = false;
-    for place in &tag.uses {
+    for place in context.uses(tag) {
         let bound = context.networks.at(place.network).block(place.block);
         let value = &bound.facts.operands[place.operand].value;
         if bound.faulty || !matches!(value.kind, NodeKind::Name(_) | NodeKind::Address(_)) {
@@ -136,7 +136,7 @@ fn by_company(context: &mut Context) {
     let tags = context.scopes.iter().flat_map(|scope| &scope.tags);
     let mut blocks: Vec<(usize, usize)> = tags
         .filter(|tag| tag.ty.is_none())
-        .flat_map(|tag| tag.uses.iter().map(|place| (place.network, place.block)))
+        .flat_map(|tag| context.uses(tag).map(|place| (place.network, place.block)))
         .collect();
     blocks.sort_unstable();
     blocks.dedup();
@@ -154,7 +154,8 @@ fn by_company(context: &mut Context) {
             let facts = &mut context.scopes[scope].tags[tag];
             if facts.ty.is_none() {
                 facts.ty = Some(Type::Scalar(ty));
-                blocks.extend(facts.uses.iter().map(|place| (place.network, place.block)));
+                let uses = context.uses(&context.scopes[scope].tags[tag]);
+                blocks.extend(uses.map(|place| (place.network, place.block)));
             }
         }
         blocks.sort_unstable();

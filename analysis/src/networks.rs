@@ -6,6 +6,7 @@
 
 use crate::chunked::Chunked;
 use crate::network::{BoundBlock, NetworkFacts};
+use crate::scope::{Use, UseRef};
 use ladder_syntax::{Parse, TextRange, TextSize};
 use std::ops::Deref;
 use std::sync::Arc;
@@ -16,6 +17,8 @@ pub struct Networks {
     /// By their numbers.
     facts: Chunked<Arc<NetworkFacts>>,
     places: Vec<NetworkPlace>,
+    /// For each number which network it is.
+    index_of: Vec<u32>,
 }
 
 /// Where a network is.
@@ -42,6 +45,7 @@ impl Networks {
         scope: usize,
     ) {
         let id = self.places.len() as u32;
+        self.index_of.push(id);
         self.places.push(NetworkPlace {
             id,
             first_line: first_line as u32,
@@ -117,6 +121,31 @@ impl Networks {
             }
         }
         low
+    }
+
+    /// The network of a number.
+    pub(crate) fn index_of(&self, id: u32) -> usize {
+        self.index_of[id as usize] as usize
+    }
+
+    /// The number of a network.
+    pub(crate) fn id(&self, index: usize) -> u32 {
+        self.places[index].id
+    }
+
+    /// A use as it counts in the file.
+    pub(crate) fn use_of(&self, place: UseRef) -> Use {
+        let index = self.index_of(place.network);
+        let facts = &self.facts[place.network as usize];
+        let named = &facts.named[place.named as usize];
+        let line = facts.blocks[named.block as usize].base + TextSize::new(self.places[index].start);
+        named.at(index, line)
+    }
+
+    /// The block at a place where a tag is used.
+    pub(crate) fn block_of(&self, place: UseRef) -> &BoundBlock {
+        let facts = &self.facts[place.network as usize];
+        &facts.blocks[facts.named[place.named as usize].block as usize]
     }
 
     /// The shared facts of a network.

@@ -104,6 +104,37 @@ pub struct Use {
     pub indexed: bool,
 }
 
+/// A use as a tag keeps it: it stays true when other networks stand above it.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) struct UseRef {
+    /// The number of the network; see [`Networks`](crate::networks::Networks).
+    pub(crate) network: u32,
+    /// Which of the names in it.
+    pub(crate) named: u32,
+    pub(crate) access: Access,
+}
+
+/// Where a tag is used, from top to bottom.
+#[derive(Debug, Clone, Default)]
+pub struct Uses(pub(crate) Vec<UseRef>);
+
+impl Uses {
+    /// How many places there are.
+    pub fn len(&self) -> usize {
+        self.0.len()
+    }
+
+    /// Whether it is used nowhere.
+    pub fn is_empty(&self) -> bool {
+        self.0.is_empty()
+    }
+
+    /// How each place uses it.
+    pub fn accesses(&self) -> impl Iterator<Item = Access> {
+        self.0.iter().map(|place| place.access)
+    }
+}
+
 impl Use {
     /// The block, wherever it stands.
     pub(crate) fn bound(self, context: &Context) -> &BoundBlock {
@@ -136,7 +167,7 @@ pub struct TagFacts {
     /// Where it is declared, or first used.
     pub at: TextRange,
     /// Where it is used. A shared tag counts the uses in all scopes.
-    pub uses: Vec<Use>,
+    pub uses: Uses,
     /// The scope and tag that this entry leads to, if it is one of another scope.
     pub shared: Option<(usize, usize)>,
     /// The file that declares it, if it is a VAR_GLOBAL tag of another one.
@@ -183,7 +214,7 @@ impl Scope {
             name: tag.name.clone(),
             initial: tag.initial.clone(),
             address: tag.address.clone(),
-            uses: Vec::with_capacity(tag.uses.len()),
+            uses: Uses(Vec::with_capacity(tag.uses.len())),
             foreign: None,
             ..*tag
         });

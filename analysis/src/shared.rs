@@ -7,7 +7,7 @@ use crate::context::Context;
 use crate::diagnostic::Diagnostic;
 use crate::exports::{Exports, Global};
 use crate::rules::shared_globals;
-use crate::scope::{Origin, SectionKind, TagFacts};
+use crate::scope::{Origin, SectionKind, TagFacts, Uses};
 use ladder_syntax::Name;
 use rustc_hash::FxHashMap;
 use std::sync::Arc;
@@ -50,7 +50,8 @@ pub(crate) fn share(context: &mut Context, out: &mut Vec<Diagnostic>) {
                     match (globals.get(&key), others.globals(&key).next()) {
                         (Some(&own), _) => Some(own),
                         (None, Some((file, global))) => {
-                            let agree = shared_globals::check_others(facts, &others, file, global, out);
+                            let agree =
+                                shared_globals::check_others(context, facts, &others, file, global, out);
                             let entry = import(context, &mut imported, (scope, tag), file, global);
                             context.scopes[entry.0].tags[entry.1].mistyped |= !agree;
                             Some(entry)
@@ -97,7 +98,7 @@ fn import(
         initial: global.initial.clone(),
         address: None,
         at: used.at,
-        uses: Vec::new(),
+        uses: Uses::default(),
         shared: None,
         foreign: Some(Arc::clone(&file.file)),
     };
@@ -120,7 +121,7 @@ fn of_file(context: &mut Context, scope: usize, tag: usize) -> Entry {
         return (0, found);
     }
     let facts = TagFacts {
-        uses: Vec::new(),
+        uses: Uses::default(),
         ..facts.clone()
     };
     (0, context.scopes[0].add(facts))
@@ -152,5 +153,5 @@ fn lead(context: &mut Context, from: Entry, to: Entry) {
         entry.foreign,
     ) = (ty, role, constant, retain, mistyped, foreign);
     let uses = entry.uses.clone();
-    context.scopes[to.0].tags[to.1].uses.extend(uses);
+    context.scopes[to.0].tags[to.1].uses.0.extend(uses.0);
 }

@@ -18,7 +18,7 @@ pub(crate) fn stamps(context: &Context) -> Vec<u64> {
             continue;
         }
         let stamp = stamp(tag);
-        for place in &tag.uses {
+        for place in context.uses(tag) {
             let within = place.range.start() - context.networks.at(place.network).range.start();
             // A tag of another scope is met twice, here and there: the order does not matter.
             let sum = &mut stamps[place.network];

@@ -6,17 +6,18 @@ use crate::facts::{Node, NodeKind};
 use crate::network::{BoundBlock, Formal};
 use crate::networks::{NetworkAt, Networks};
 use crate::program::{ParameterKind, Role};
-use crate::scope::{Access, Origin, Scope, TagFacts, Use, type_by_form};
+use crate::scope::{Access, Origin, Scope, TagFacts, Use, UseRef, Uses, type_by_form};
 use crate::types::{Scalar, Type};
 use crate::user_block::UserBlockFacts;
 use ladder_instructions::{Accepts, Direction, Law};
-use ladder_syntax::{Name, TextRange};
+use ladder_syntax::{Name, TextRange, TextSize};
 
 /// Enters every use of every tag into its scope.
 pub(crate) fn collect(context: &mut Context) {
     let law = context.profile.law();
     for network in &context.networks {
-        enter(network, law, &mut context.scopes[network.scope]);
+        let id = context.networks.id(network.index);
+        enter(network, id, law, &mut context.scopes[network.scope]);
     }
     roles(&mut context.scopes[0], &context.networks);
 }
@@ -57,6 +58,21 @@ pub(crate) struct Named {
     operand: u32,
     pub(crate) access: Access,
     part: Extent,
+}
+
+impl Named {
+    /// The use that it is, in this network, on a line that starts here.
+    pub(crate) fn at(&self, network: usize, line: TextSize) -> Use {
+        Use {
+            network,
+            block: self.block as usize,
+            operand: self.operand as usize,
+            range: self.range + line,
+            access: self.access,
+            whole: self.part == Extent::Whole,
+            indexed: self.part == Extent::Elements,
+        }
+    }
 }
 
 /// The tags that blocks name, in the order in which they stand.
@@ -159,8 +175,8 @@ impl Extent {
 }
 
 /// Enters the uses of a network's tags.
-fn enter(network: NetworkAt<'_>, law: &Law, scope: &mut Scope) {
-    for named in network.named.iter() {
+fn enter(network: NetworkAt<'_>, id: u32, law: &Law, scope: &mut Scope) {
+    for (number, named) in (0..).zip(network.named.iter()) {
         let bound = network.block(named.block as usize);
         let range = bound.absolute(named.range);
         let index = scope.find(&named.key).unwrap_or_else(|| {
@@ -171,14 +187,10 @@ fn enter(network: NetworkAt<'_>, law: &Law, scope: &mut Scope) {
                 law,
             ))
         });
-        scope.tags[index].uses.push(Use {
-            network: network.index,
-            block: named.block as usize,
-            operand: named.operand as usize,
-            range,
+        scope.tags[index].uses.0.push(UseRef {
+            network: id,
+            named: number,
             access: named.access,
-            whole: named.part == Extent::Whole,
-            indexed: named.part == Extent::Elements,
         });
     }
 }
@@ -205,7 +217,7 @@ fn undeclared(name: &str, at: TextRange, law: &Law) -> TagFacts {
         initial: Vec::new(),
         address: is_address.then(|| name.to_owned()),
         at,
-        uses: Vec::new(),
+        uses: Uses::default(),
         shared: None,
         foreign: None,
         mistyped: false,
@@ -233,20 +245,20 @@ fn spelled(node: &Node, at: TextRange) -> Option<&str> {
 /// output (LANGUAGE §4). Types are not known yet: only BOOL places make a tag either, and infer checks.
 fn roles(scope: &mut Scope, networks: &Networks) {
     for tag in &mut scope.tags {
-        if tag.origin != Origin::Undeclared {
-            continue;
+        if tag.origin == Origin::Undeclared {
+            tag.role = role(&tag.uses, networks);
         }
-        let read = tag.uses.iter().any(|u| u.access.reads());
-        let written = tag.uses.iter().any(|u| u.access.writes());
-        let by_coils = tag
-            .uses
-            .iter()
-            .filter(|u| u.access.writes())
-            .all(|u| networks.at(u.network).block(u.block).coil().is_some());
-        tag.role = match (read, written) {
-            (true, false) => Role::Input,
-            (false, true) if by_coils => Role::Output,
-            _ => Role::Internal,
-        };
+    }
+}
+
+fn role(uses: &Uses, networks: &Networks) -> Role {
+    let read = uses.accesses().any(Access::reads);
+    let written = uses.accesses().any(Access::writes);
+    let mut writers = uses.0.iter().filter(|place| place.access.writes());
+    let mut by_coils = || writers.all(|place| networks.block_of(*place).coil().is_some());
+    match (read, written) {
+        (true, false) => Role::Input,
+        (false, true) if by_coils() => Role::Output,
+        _ => Role::Internal,
     }
 }

@@ -26,9 +26,8 @@ pub(super) fn tags(units: &[Unit<'_>], numbers: &Numbers, program: &mut Program)
             let of_scope = facts.tags.iter().map(|tag| {
                 let reached = unit.bodies.is_none()
                     || block.is_some()
-                    || tag
-                        .uses
-                        .iter()
+                    || context
+                        .uses(tag)
                         .any(|place| unit.reaches(context.bodies[place.network]));
                 if tag.shared.is_some() || !reached {
                     return NOWHERE;

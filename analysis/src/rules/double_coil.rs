@@ -14,15 +14,15 @@ use std::collections::HashMap;
 pub(crate) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
     let mut leaves = None;
     for tag in context.own_tags() {
-        let coils = tag.uses.iter().filter(|place| is_plain_coil(context, place));
+        let coils = context.writers(tag).filter(|place| is_plain_coil(context, place));
         if coils.clone().nth(1).is_none() {
             continue;
         }
         let leaves = leaves.get_or_insert_with(|| leaving_networks(context));
         // A tag as a whole, or its bits and elements one by one.
-        let mut places: HashMap<String, Vec<&Use>> = HashMap::new();
+        let mut places: HashMap<String, Vec<Use>> = HashMap::new();
         for coil in coils {
-            let Some(part) = part(&operand(context, coil).kind) else {
+            let Some(part) = part(&operand(context, &coil).kind) else {
                 continue;
             };
             places.entry(part).or_default().push(coil);
@@ -36,7 +36,7 @@ pub(crate) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
     }
 }
 
-fn double(context: &Context, name: &str, coils: &[&Use]) -> Option<Diagnostic> {
+fn double(context: &Context, name: &str, coils: &[Use]) -> Option<Diagnostic> {
     let [first, second, rest @ ..] = coils else {
         return None;
     };
@@ -61,8 +61,7 @@ fn double(context: &Context, name: &str, coils: &[&Use]) -> Option<Diagnostic> {
 
 fn is_plain_coil(context: &Context, place: &Use) -> bool {
     let network = context.networks.at(place.network);
-    place.access.writes()
-        && !network.broken
+    !network.broken
         && !network.blocks[place.block].faulty
         && matches!(
             network.blocks[place.block].coil(),

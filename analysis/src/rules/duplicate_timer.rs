@@ -25,12 +25,12 @@ pub(crate) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
         } else {
             continue;
         };
-        let mut owners = tag.uses.iter().filter(|place| owns(context, place, state));
+        let mut owners = context.uses(tag).filter(|place| owns(context, place, state));
         let Some(first) = owners.next() else { continue };
         if tag.foreign.is_some() || tag.origin == Origin::Declared(SectionKind::Global) {
-            out.extend(in_another_file(context, rule, tag, state, first));
+            out.extend(in_another_file(context, rule, tag, state, &first));
         }
-        out.extend(owners.map(|second| second_block(rule, tag, state, first, second)));
+        out.extend(owners.map(|second| second_block(rule, tag, state, &first, &second)));
     }
 }
 

@@ -76,12 +76,9 @@ fn waits(flow: &Flow<'_>, exit: &Exit, to: usize) -> Option<String> {
     let first = flow.networks[to];
     let last = flow.networks[exit.from];
     let written = asked.iter().any(|&(scope, tag)| {
-        let uses = &context.scopes[scope].tags[tag].uses;
-        let from = uses.partition_point(|place| place.network < first);
-        uses[from..]
-            .iter()
-            .take_while(|place| place.network <= last)
-            .any(|place| place.access.writes())
+        context
+            .writers(&context.scopes[scope].tags[tag])
+            .any(|place| (first..=last).contains(&place.network))
     });
     let &(scope, tag) = asked.first().filter(|_| !written)?;
     Some(if asked.len() == 1 {

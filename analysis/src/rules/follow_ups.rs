@@ -170,7 +170,7 @@ fn contains(places: &[TextRange], range: TextRange) -> bool {
 /// The blocks that name a tag whose type is open.
 fn mistyped(context: &Context) -> Vec<TextRange> {
     let tags = context.scopes.iter().flat_map(|scope| &scope.tags);
-    let uses = tags.filter(|tag| tag.mistyped).flat_map(|tag| &tag.uses);
+    let uses = tags.filter(|tag| tag.mistyped).flat_map(|tag| context.uses(tag));
     let mut blocks: Vec<TextRange> = uses
         .map(|place| context.networks.at(place.network).block(place.block).range())
         .collect();

@@ -13,10 +13,10 @@ pub(super) fn check(summary: &Summary<'_>, out: &mut Vec<Diagnostic>) {
     if tag.role != Role::Input || summary.writes == 0 || tag.constant || in_body {
         return;
     }
-    let mut writers = tag.uses.iter().filter(|place| {
+    let mut writers = summary.context.writers(tag).filter(|place| {
         let bound = summary.context.networks.at(place.network).block(place.block);
         // Of an unknown block nobody knows what it writes.
-        place.access.writes() && !bound.faulty && bound.instruction().is_some()
+        !bound.faulty && bound.instruction().is_some()
     });
     let Some(first) = writers.next() else { return };
     let (what, why) = if summary.scope == 0 {

@@ -43,7 +43,11 @@ pub(super) fn check(summary: &Summary<'_>, out: &mut Vec<Diagnostic>) {
         ),
         _ => return,
     };
-    let at = tag.uses.first().map_or(tag.at, |first| first.range);
+    let at = summary
+        .context
+        .uses(tag)
+        .next()
+        .map_or(tag.at, |first| first.range);
     let mut found = Diagnostic::new(Rule::NeverWritten, at, message).help(help);
     if at != tag.at {
         found = found.related(tag.at, format!("`{name}` is declared here"));

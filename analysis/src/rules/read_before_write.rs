@@ -33,8 +33,8 @@ pub(super) fn check(context: &Context, survey: &Survey, out: &mut Vec<Diagnostic
 /// A tag that is read above the first rung that writes it.
 struct Late<'c> {
     tag: &'c TagFacts,
-    read: &'c Use,
-    write: &'c Use,
+    read: Use,
+    write: Use,
 }
 
 fn candidates<'c>(context: &'c Context, survey: &Survey) -> impl Iterator<Item = Late<'c>> {
@@ -55,18 +55,17 @@ fn candidates<'c>(context: &'c Context, survey: &Survey) -> impl Iterator<Item =
         if shared || tag.role == Role::Input || tag.retain || tag.constant || !tag.initial.is_empty() {
             return None;
         }
-        let write = tag
-            .uses
-            .iter()
-            .filter(|place| place.access.writes())
-            .min_by_key(|place| place.network)?;
-        let read = tag
-            .uses
-            .iter()
+        let write = context.writers(tag).min_by_key(|place| place.network)?;
+        let read = context
+            .uses(tag)
             .find(|place| place.access.reads() && place.network < write.network)?;
         let body = context.bodies[write.network];
-        let clear = |place: &Use| context.bodies[place.network] == body && !place.indexed;
-        (tag.uses.iter().all(clear) && !bodies_that_jump.contains(&body)).then_some(Late { tag, read, write })
+        let clear = |place: Use| context.bodies[place.network] == body && !place.indexed;
+        (context.uses(tag).all(clear) && !bodies_that_jump.contains(&body)).then_some(Late {
+            tag,
+            read,
+            write,
+        })
     })
 }
 
@@ -102,7 +101,7 @@ fn tags_read(context: &Context, network: usize) -> FxHashSet<(usize, usize)> {
 fn found(context: &Context, late: &Late<'_>) -> Diagnostic {
     let name = &late.tag.name;
     let line = |place: &Use| context.line_number(place.range.start());
-    let (reads, writes) = (line(late.read), line(late.write));
+    let (reads, writes) = (line(&late.read), line(&late.write));
     Diagnostic::new(
         Rule::ReadBeforeWrite,
         late.read.range,
@@ -130,7 +129,7 @@ impl Circles {
         for tag in context.own_tags() {
             let node = edges.len();
             let mut readers = Vec::new();
-            for place in &tag.uses {
+            for place in context.uses(tag) {
                 if place.access.writes() && edges[place.network].last() != Some(&node) {
                     edges[place.network].push(node);
                 }

@@ -34,18 +34,16 @@ pub(super) fn check(context: &Context, survey: &Survey, out: &mut Vec<Diagnostic
         .with(ControlFlow::FLOW_BLOCK);
     for tag in context.own_tags().filter(|tag| tag.ty == Some(Type::BOOL)) {
         let coil = |place: &Use| context.networks.at(place.network).block(place.block).coil();
-        let writers = || tag.uses.iter().filter(|place| place.access.writes());
-        let is_latch = |place: &&Use| matches!(coil(place), Some(Coil::Sets | Coil::Resets)) && place.whole;
+        let writers = || context.writers(tag);
+        let is_latch = |place: &Use| matches!(coil(place), Some(Coil::Sets | Coil::Resets)) && place.whole;
         let sets = |place: &Use| coil(place) == Some(Coil::Sets);
-        if writers().take(MOST).filter(|&place| sets(place)).count() == 0
-            || !writers().any(|place| !sets(place))
-        {
+        if writers().take(MOST).filter(sets).count() == 0 || writers().all(|place| sets(&place)) {
             continue;
         }
-        let coils: Vec<Latch<'_>> = writers()
+        let coils: Vec<Latch> = writers()
             .filter(is_latch)
             .take(MOST)
-            .filter_map(|place| Latch::new(context, place, sets(place)))
+            .filter_map(|place| Latch::new(context, place, sets(&place)))
             .collect();
         for (index, earlier) in coils.iter().enumerate() {
             let undone = coils[index + 1..].iter().find(|later| {
@@ -63,8 +61,8 @@ pub(super) fn check(context: &Context, survey: &Survey, out: &mut Vec<Diagnostic
     }
 }
 
-struct Latch<'c> {
-    place: &'c Use,
+struct Latch {
+    place: Use,
     sets: bool,
     /// Where it stands in its network's order of evaluation.
     step: usize,
@@ -74,9 +72,9 @@ struct Latch<'c> {
     asked: Vec<(usize, usize)>,
 }
 
-impl<'c> Latch<'c> {
+impl Latch {
     /// None unless its conditions stand in series behind the left rail.
-    fn new(context: &'c Context, place: &'c Use, sets: bool) -> Option<Latch<'c>> {
+    fn new(context: &Context, place: Use, sets: bool) -> Option<Latch> {
         let network = context.networks.at(place.network);
         if network.broken {
             return None;
@@ -136,20 +134,20 @@ fn same_text(context: &Context, scope: usize, node: &Node) -> Option<String> {
 }
 
 /// Whether a block from the earlier coil to the later one writes what the two ask for.
-fn is_changed_between(context: &Context, earlier: &Latch<'_>, later: &Latch<'_>) -> bool {
+fn is_changed_between(context: &Context, earlier: &Latch, later: &Latch) -> bool {
     let networks = earlier.place.network..=later.place.network;
     // In one network the order of the text is not that of evaluation.
     if earlier.place.network == later.place.network && later.step < earlier.step {
         return true;
     }
     earlier.asked.iter().any(|&(scope, tag)| {
-        let uses = &context.scopes[scope].tags[tag].uses;
-        uses.iter()
-            .any(|place| place.access.writes() && networks.contains(&place.network))
+        context
+            .writers(&context.scopes[scope].tags[tag])
+            .any(|place| networks.contains(&place.network))
     })
 }
 
-fn found(context: &Context, name: &str, earlier: &Latch<'_>, later: &Latch<'_>) -> Diagnostic {
+fn found(context: &Context, name: &str, earlier: &Latch, later: &Latch) -> Diagnostic {
     let line = context.line_number(later.place.range.start());
     let (does, undoes) = if earlier.sets {
         ("sets", "resets")

@@ -29,7 +29,7 @@ pub(super) fn check(summary: &Summary<'_>, out: &mut Vec<Diagnostic>) {
         // It begins switched on.
         return;
     };
-    let mut writers = tag.uses.iter().filter(|place| place.access.writes());
+    let mut writers = summary.context.writers(tag);
     let Some(first) = writers.next() else { return };
     let mut found = Diagnostic::new(rule, first.range, message).help(help);
     for other in writers {

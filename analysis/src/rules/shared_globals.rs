@@ -69,6 +69,7 @@ fn otherwise(tag: &TagFacts, file: &Exports, global: &Global) -> Diagnostic {
 
 /// A tag that several other files declare: they must agree where this file uses it. Gives whether they do.
 pub(crate) fn check_others(
+    context: &Context,
     tag: &TagFacts,
     others: &Others,
     first: &Exports,
@@ -85,7 +86,8 @@ pub(crate) fn check_others(
         "`{}` is declared in {} and in {}, and not alike",
         tag.name, first.file, file.file
     );
-    let at = tag.uses.first().map_or(tag.at, |place| place.range);
+    let used = context.uses(tag).next();
+    let at = used.map_or(tag.at, |place| place.range);
     out.push(
         Diagnostic::new(Rule::DuplicateDeclaration, at, message)
             .help(HELP)

@@ -47,12 +47,12 @@ impl<'c> Summary<'c> {
             summary.elsewhere = context.others.tag_use(&Name::new(&tag.name));
         }
         let can_be_set = !matches!(tag.ty, Some(Type::State(_)));
-        for place in &tag.uses {
+        for place in context.uses(tag) {
             summary.reads += usize::from(place.access.reads());
             if place.access.writes() {
                 summary.writes += 1;
                 if can_be_set {
-                    match summary.coil(place) {
+                    match summary.coil(&place) {
                         Some(Coil::Sets) => summary.sets += 1,
                         Some(Coil::Resets) => summary.resets += 1,
                         _ => {}

@@ -28,7 +28,7 @@ pub(crate) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
         let mut places = None;
         let undeclared = || facts.tags.iter().filter(|tag| is_undeclared(tag, scope));
         for tag in undeclared() {
-            let mut uses = tag.uses.iter().filter(|place| is_clear(context, tag, place));
+            let mut uses = context.uses(tag).filter(|place| is_clear(context, tag, place));
             let Some(first) = uses.clone().next() else {
                 continue;
             };
@@ -106,7 +106,7 @@ fn extent(context: &Context, tag: &TagFacts) -> (i64, Scalar) {
     let mut last = 1;
     let mut element = Scalar::Dint;
     let mut written_out = false;
-    for place in &tag.uses {
+    for place in context.uses(tag) {
         let bound = context.networks.at(place.network).block(place.block);
         bound.facts.operands[place.operand]
             .value
@@ -170,7 +170,7 @@ fn forgotten(context: &Context, places: &Places, tag: &TagFacts, range: TextRang
 pub(crate) fn can_be_declared(context: &Context, scope: usize, tag: &TagFacts) -> bool {
     is_undeclared(tag, scope)
         && !tag.uses.is_empty()
-        && tag.uses.iter().all(|place| is_clear(context, tag, place))
+        && context.uses(tag).all(|place| is_clear(context, tag, &place))
 }
 
 /// The tags of a scope that need a declaration and whose places say enough to make one.
@@ -179,7 +179,7 @@ pub(crate) fn undeclared(context: &Context, scope: usize) -> Vec<Undeclared> {
     let tags = tags.filter(|tag| can_be_declared(context, scope, tag));
     tags.map(|tag| {
         let role = if scope > 0 { Role::Internal } else { tag.role };
-        let (section, ty) = if tag.uses.iter().any(|place| place.indexed) {
+        let (section, ty) = if context.uses(tag).any(|place| place.indexed) {
             let (last, element) = extent(context, tag);
             (SectionKind::Var, format!("ARRAY[1..{last}] OF {element}"))
         } else {
@@ -219,7 +219,9 @@ fn slips(context: &Context, tags: &[TagFacts], out: &mut Vec<Diagnostic>) {
         .filter(|tag| tag.uses.len() > 1)
         .map(|tag| tag.name.as_str());
     let near = NearNames::new(often);
-    for tag in undeclared().filter(|tag| tag.uses.len() == 1 && is_clear(context, tag, &tag.uses[0])) {
+    for tag in undeclared()
+        .filter(|tag| tag.uses.len() == 1 && context.uses(tag).all(|place| is_clear(context, tag, &place)))
+    {
         let Some(other) = near.one_letter_from(&tag.name) else {
             continue;
         };

@@ -84,13 +84,13 @@ pub(super) fn propose(typing: &Typing<'_>, operand: &Operand, wanted: &Wanted, o
 /// Whether all that is known of a tag is the half of a name that stands at the cursor.
 fn is_being_written(typing: &Typing<'_>, tag: &TagFacts) -> bool {
     let word = typing.absolute(typing.word.clone());
-    tag.origin == Origin::Undeclared && tag.uses.iter().all(|place| place.range == word)
+    tag.origin == Origin::Undeclared && typing.context.uses(tag).all(|place| place.range == word)
 }
 
 /// Outputs first for what is written; a timer that has its block is unlikely to get another.
 fn second_thought(tag: &TagFacts, wanted: &Wanted) -> u8 {
     let owned = matches!(wanted.kind, Kind::State(_))
-        && tag.uses.iter().any(|place| place.access == Access::ReadWrite);
+        && tag.uses.accesses().any(|access| access == Access::ReadWrite);
     match tag.role {
         _ if owned => 2,
         Role::Output if wanted.writes => 0,

@@ -51,7 +51,7 @@ pub(super) fn card(context: &Context, tag: &TagFacts, here: Option<TextSize>) ->
 
 /// The lines of the uses that `wanted` takes, each once.
 fn lines(context: &Context, tag: &TagFacts, wanted: impl Fn(Access) -> bool) -> Vec<String> {
-    let uses = tag.uses.iter().filter(|place| wanted(place.access));
+    let uses = context.uses(tag).filter(|place| wanted(place.access));
     let mut lines: Vec<usize> = uses
         .map(|place| context.line_number(place.range.start()))
         .collect();
@@ -76,7 +76,7 @@ fn rungs(context: &Context, tag: &TagFacts, here: Option<TextSize>) -> Vec<Strin
     let looked_at = here.and_then(|here| parse.line_at(here));
     let mut found: Vec<usize> = Vec::new();
     for wanted in [Access::writes as fn(Access) -> bool, Access::reads] {
-        for place in tag.uses.iter().filter(|place| wanted(place.access)) {
+        for place in context.uses(tag).filter(|place| wanted(place.access)) {
             if found.len() == MOST_RUNGS {
                 break;
             }

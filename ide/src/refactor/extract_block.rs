@@ -110,7 +110,7 @@ fn parameters(context: &Context, on: &OnNetwork<'_>, blocks: &[usize]) -> Result
     let scope = &context.scopes[on.facts.scope];
     let mut parameters = Vec::new();
     for tag in &scope.tags {
-        let uses: Vec<&Use> = uses_in(context, tag)
+        let uses: Vec<Use> = uses_in(context, tag)
             .filter(|place| place.network == on.network && blocks.contains(&place.block))
             .collect();
         if uses.is_empty() || is_seen_everywhere(tag) {
@@ -149,10 +149,10 @@ fn parameters(context: &Context, on: &OnNetwork<'_>, blocks: &[usize]) -> Result
 }
 
 /// A shared tag counts the uses in all scopes; an entry that leads to it, its own.
-fn uses_in<'c>(context: &'c Context, tag: &'c TagFacts) -> impl Iterator<Item = &'c Use> {
+fn uses_in<'c>(context: &'c Context, tag: &'c TagFacts) -> impl Iterator<Item = Use> {
     match tag.shared {
-        Some((scope, index)) => context.scopes[scope].tags[index].uses.iter(),
-        None => tag.uses.iter(),
+        Some((scope, index)) => context.uses(&context.scopes[scope].tags[index]),
+        None => context.uses(tag),
     }
 }
 

@@ -14,7 +14,7 @@ use ladder_analysis::facts::NodeKind;
 use ladder_analysis::network::{Formal, Meaning};
 use ladder_analysis::networks::BlockAt;
 use ladder_analysis::program::ParameterKind;
-use ladder_analysis::scope::{Origin, Scope, SectionKind, TagFacts};
+use ladder_analysis::scope::{Access, Origin, Scope, SectionKind, TagFacts};
 use ladder_analysis::types::{Scalar, Type};
 use ladder_format::Edit;
 use ladder_instructions::Op;
@@ -216,7 +216,7 @@ impl Words<'_> {
                             let node = &call.facts.operands[number].value.kind;
                             self.fits(tag, parameters[formal].kind, node, body)?;
                             if let NodeKind::Name(name) | NodeKind::Address(name) = node {
-                                let writes = tag.uses.iter().any(|place| place.access.writes());
+                                let writes = tag.uses.accesses().any(Access::writes);
                                 given.push((Name::new(name), writes));
                             }
                             written.to_owned()
@@ -224,7 +224,12 @@ impl Words<'_> {
                     }
                 }
             };
-            replaced.extend(tag.uses.iter().map(|place| (place.range, new.clone())));
+            replaced.extend(
+                self.place
+                    .context
+                    .uses(tag)
+                    .map(|place| (place.range, new.clone())),
+            );
         }
         // One tag under two names: what is written under one would be read under the other too soon.
         for (at, (name, writes)) in given.iter().enumerate() {
@@ -272,7 +277,7 @@ impl Words<'_> {
         } else {
             new_tag(self.place.context, &taken, name)
         };
-        let written = tag.uses.iter().any(|place| place.access.writes());
+        let written = tag.uses.accesses().any(Access::writes);
         let told_by_use = match ty {
             Type::State(_) => true,
             Type::Scalar(Scalar::Bool) => written,
@@ -285,9 +290,9 @@ impl Words<'_> {
     /// Whether an operand can stand wherever the body says its parameter.
     fn fits(&self, tag: &TagFacts, kind: ParameterKind, node: &NodeKind, body: &Inner) -> Result<(), String> {
         let name = &tag.name;
-        let uses = &tag.uses;
-        let written = uses.iter().any(|place| place.access.writes());
-        let read = uses.iter().any(|place| place.access.reads());
+        let mut uses = self.place.context.uses(tag);
+        let written = tag.uses.accesses().any(Access::writes);
+        let read = tag.uses.accesses().any(Access::reads);
         match node {
             NodeKind::Name(argument) | NodeKind::Address(argument) => {
                 let found = self
@@ -299,7 +304,7 @@ impl Words<'_> {
                 }
             }
             NodeKind::Literal(_) if kind == ParameterKind::Input => {
-                if tag.ty == Some(Type::BOOL) || uses.iter().any(|place| !place.whole) {
+                if tag.ty == Some(Type::BOOL) || uses.any(|place| !place.whole) {
                     return Err(format!("a literal cannot stand for `{name}` in the body"));
                 }
             }
@@ -309,10 +314,10 @@ impl Words<'_> {
             ParameterKind::Input if written => Err(format!("the body writes its input `{name}`")),
             ParameterKind::Output => {
                 let facts = self.place.context.networks.at(body.network);
-                let always = uses.iter().all(|place| {
+                let always = uses.all(|place| {
                     place.whole && matches!(facts.blocks[place.block].op(), Some(Op::Coil | Op::NegatedCoil))
                 });
-                if always && !read && !uses.is_empty() {
+                if always && !read && !tag.uses.is_empty() {
                     return Ok(());
                 }
                 Err(format!("the output `{name}` is not written by a coil alone"))

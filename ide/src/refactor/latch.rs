@@ -163,7 +163,7 @@ fn obstacle(context: &Context, output: &Output<'_>, count: usize) -> Option<Stri
     let name = &output.tag;
     let scope = &context.scopes[context.networks.at(output.network).scope];
     let tag = scope.find(&Name::new(name)).map(|tag| &scope.tags[tag])?;
-    let writes = tag.uses.iter().filter(|place| place.access.writes()).count();
+    let writes = context.uses(tag).filter(|place| place.access.writes()).count();
     if is_shared(context, tag) {
         return Some(format!("other files may write `{name}`"));
     }

@@ -104,6 +104,6 @@ fn is_state(place: &Selected<'_>, block: BlockAt<'_>) -> bool {
     let tags = place.context.scopes.iter().flat_map(|scope| &scope.tags);
     let states = tags.filter(|tag| matches!(tag.ty, Some(Type::State(_))));
     states
-        .flat_map(|tag| &tag.uses)
+        .flat_map(|tag| place.context.uses(tag))
         .any(|found| found.range == range && found.whole)
 }

@@ -84,7 +84,7 @@ fn tag_uses(file: &Context, scopes: std::ops::Range<usize>, symbol: &Symbol, nam
         let Some(tag) = context.scopes[scope].find(name) else {
             continue;
         };
-        for place in &context.scopes[scope].tags[tag].uses {
+        for place in context.uses(&context.scopes[scope].tags[tag]) {
             out.add(place.range, place.access.into());
         }
     }
@@ -252,7 +252,7 @@ fn members(file: &Context, of: &Symbol, member: &Name, out: &mut Places) {
     let mut usages: HashMap<TextRange, Usage> = HashMap::new();
     for scope in &file.scopes {
         let tag = scope.find(tag).map(|tag| &scope.tags[tag]);
-        let uses = tag.into_iter().flat_map(|tag| &tag.uses);
+        let uses = tag.into_iter().flat_map(|tag| file.uses(tag));
         usages.extend(uses.map(|place| (place.range, Usage::from(place.access))));
     }
     each_operand(file, |network, block, _, node| {

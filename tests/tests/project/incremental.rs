@@ -1,5 +1,7 @@
 //! After every edit the analysis that takes over what an earlier one found says the same as one from scratch.
 
+use ladder_analysis::context::Context;
+use ladder_analysis::scope::{Scope, TagFacts, Use, Uses};
 use ladder_analysis::{Analysis, Others, RuleSettings, analyze, analyze_after};
 use ladder_syntax::{Parse, parse};
 use ladder_tests::generator::{Dice, Mode, program};
@@ -114,7 +116,7 @@ fn show(analysis: &Analysis) -> String {
         analysis.diagnostics,
         analysis.hidden_errors,
         analysis.program(),
-        context.scopes.iter().map(|scope| &scope.tags).collect::<Vec<_>>(),
+        tags(context),
         context
             .networks
             .iter()
@@ -135,6 +137,22 @@ fn show(analysis: &Analysis) -> String {
             })
             .collect::<Vec<_>>(),
     )
+}
+
+/// The tags of each scope, and where they are used.
+fn tags(context: &Context) -> Vec<Vec<impl std::fmt::Debug>> {
+    let of_scope = |scope: &Scope| {
+        let tags = scope.tags.iter().map(|tag| {
+            let uses: Vec<Use> = context.uses(tag).collect();
+            let tag = TagFacts {
+                uses: Uses::default(),
+                ..tag.clone()
+            };
+            (tag, uses)
+        });
+        tags.collect()
+    };
+    context.scopes.iter().map(of_scope).collect()
 }
 
 fn somewhere(text: &str, dice: &mut Dice) -> usize {
