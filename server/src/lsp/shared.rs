@@ -136,9 +136,11 @@ impl Shared {
         });
     }
 
-    /// The text of a document is another one now: simulations of it say so.
+    /// The text of a document is another one now: simulations of it go on with that.
     pub(crate) fn text_moved(&self, uri: &str) {
-        self.sessions.mark_stale(uri);
+        if let Some(revision) = self.documents.get(uri) {
+            self.sessions.follow(&revision);
+        }
     }
 
     /// The document is gone from the editor, and with it the drawing that its simulations would show.

@@ -15,9 +15,11 @@ use ladder_syntax::{TextRange, TextSize};
 use serde_json::Value as Json;
 
 use super::drawing::Drawing;
+use super::follow::Texts;
 use super::messages;
 use super::request::Failure;
 use super::retention::Retention;
+use super::sight::Sight;
 use super::value::{from_json, to_json};
 use super::view::View;
 use crate::document::position::Range;
@@ -32,17 +34,21 @@ const INTERVAL: std::ops::RangeInclusive<f64> = 1e-6..=86_400_000.0;
 /// A program that runs.
 #[derive(Debug)]
 pub(super) struct Engine {
-    pub(super) revision: Arc<Revision>,
+    /// What runs, and what the editor shows.
+    pub(super) sight: Sight,
     pub(super) session: Session,
+    pub(super) texts: Texts,
     retention: Option<Retention>,
     /// What inputs hold from the first scan on.
     inputs: Vec<(Point, Value)>,
     /// Where the elements of the drawing stand, in the order in which the engine lists their power, for a client that
     /// takes them all. Computed once, for the text that runs does not change.
-    places: OnceCell<Vec<Range>>,
+    places: OnceCell<Vec<Option<Range>>>,
     drawing: OnceCell<Drawing>,
     /// What the client shows, if it says so.
-    view: Option<View>,
+    pub(super) view: Option<View>,
+    /// What it said last.
+    shown: Option<messages::Shown>,
 }
 
 impl Engine {
@@ -82,13 +88,15 @@ impl Engine {
             .collect::<Result<_, _>>()?;
         let (retention, notes) = Retention::begin(settings.retain.as_ref(), revision.name(), &mut session);
         let mut engine = Engine {
-            revision,
+            sight: Sight::new(revision.clone(), revision.clone()),
             session,
+            texts: Texts::new(revision),
             retention,
             inputs,
             places: OnceCell::new(),
             drawing: OnceCell::new(),
             view: None,
+            shown: None,
         };
         engine.set_inputs()?;
         if let Some(shown) = &options.show {
@@ -97,9 +105,22 @@ impl Engine {
         Ok((engine, notes))
     }
 
-    /// The text that runs.
+    /// The text that places are told in: the editor's.
     pub(super) fn revision(&self) -> &Revision {
-        &self.revision
+        self.sight.shown()
+    }
+
+    /// Looks at the program that runs now, or at another text of it.
+    pub(super) fn look_anew(&mut self, running: Arc<Revision>, shown: Arc<Revision>) {
+        self.sight = Sight::new(running, shown);
+        self.places = OnceCell::new();
+        self.drawing = OnceCell::new();
+        if self.view.is_some() {
+            self.view = Some(View::default());
+            if let Some(shown) = self.shown.take() {
+                self.show(&shown);
+            }
+        }
     }
 
     /// Gives up a scan that takes long when this says so: it is as if it had not been begun.
@@ -110,6 +131,7 @@ impl Engine {
     /// Runs one scan, unless the program has come to its end; gives the breakpoint that stops it.
     pub(super) fn scan(&mut self) -> Option<messages::Hit> {
         let stop = self.session.run_scan();
+        self.look_at_what_runs();
         if let Some(retention) = &mut self.retention {
             retention.keep(&self.session);
         }
@@ -131,12 +153,14 @@ impl Engine {
         } else {
             self.session.step_network();
         }
+        self.look_at_what_runs();
     }
 
     /// Goes back up to so many scans.
     pub(super) fn back(&mut self, scans: u64) {
         self.session
             .step_back(usize::try_from(scans).unwrap_or(usize::MAX));
+        self.look_at_what_runs();
     }
 
     /// How many scans can be stepped back.
@@ -160,8 +184,11 @@ impl Engine {
     pub(super) fn set_breakpoints(&mut self, lines: &[u32], tags: &[String]) -> Result<(), Failure> {
         let mut breakpoints = Vec::new();
         for &line in lines {
-            let start = self.revision.line_start(line);
-            let network = self.session.network_at(0, start).ok_or_else(|| {
+            let mut behind = line..=self.sight.shown().last_line();
+            let running = behind.find_map(|line| self.sight.running_line(line));
+            let start = running.map(|line| self.sight.running().line_start(line));
+            let network = start.and_then(|start| self.session.network_at(0, start));
+            let network = network.ok_or_else(|| {
                 Failure::Failed(format!("there is no rung in line {} or below it", line + 1))
             })?;
             breakpoints.push(Breakpoint::Network(network));
@@ -179,17 +206,17 @@ impl Engine {
     /// Gives a tag a value.
     pub(super) fn set(&mut self, tag: &str, value: &Json) -> Result<(), Failure> {
         let (point, value) = assignment(self.session.simulation(), tag, value)?;
-        self.session
-            .set(&point, value)
-            .map_err(|error| Failure::Failed(error.to_string()))
+        let set = self.session.set(&point, value);
+        self.look_at_what_runs();
+        set.map_err(|error| Failure::Failed(error.to_string()))
     }
 
     /// Holds a tag at a value.
     pub(super) fn force(&mut self, tag: &str, value: &Json) -> Result<(), Failure> {
         let (point, value) = assignment(self.session.simulation(), tag, value)?;
-        self.session
-            .force(&point, value)
-            .map_err(|error| Failure::Failed(error.to_string()))
+        let forced = self.session.force(&point, value);
+        self.look_at_what_runs();
+        forced.map_err(|error| Failure::Failed(error.to_string()))
     }
 
     /// Lets a tag go, or all of them.
@@ -201,24 +228,31 @@ impl Engine {
             }
             None => self.session.unforce_all(),
         }
+        self.look_at_what_runs();
         Ok(())
     }
 
     /// Begins again from cold: as it was started. Forces stay.
     pub(super) fn reset(&mut self) -> Result<(), Failure> {
         self.session.reset();
+        self.look_at_what_runs();
         self.set_inputs()
     }
 
     /// Begins again with what is retentive. Forces stay.
     pub(super) fn warm_restart(&mut self) -> Result<(), Failure> {
         self.session.warm_restart();
+        self.look_at_what_runs();
         self.set_inputs()
     }
 
     fn set_inputs(&mut self) -> Result<(), Failure> {
         for (point, value) in &self.inputs {
-            let set = self.session.set(point, value.clone());
+            // A change of the program may have taken it away.
+            let Ok(point) = self.session.simulation().resolve(&point.name) else {
+                continue;
+            };
+            let set = self.session.set(&point, value.clone());
             set.map_err(|error| Failure::Failed(error.to_string()))?;
         }
         Ok(())
@@ -244,7 +278,8 @@ impl Engine {
         let simulation = self.session.simulation();
         let drawing = self.drawing.get_or_init(|| Drawing::of(simulation));
         let view = self.view.get_or_insert_default();
-        view.show(shown, drawing, &self.revision, simulation);
+        view.show(shown, drawing, &self.sight, simulation);
+        self.shown = Some(shown.clone());
     }
 
     /// Whether the client says what it shows.
@@ -257,7 +292,7 @@ impl Engine {
         let Some(view) = &mut self.view else {
             return (self.tags(), self.power(), Vec::new());
         };
-        let news = view.news(&self.revision, self.session.simulation());
+        let news = view.news(&self.sight, self.session.simulation());
         let tags = news.points.iter().map(|point| self.tag(point)).collect();
         (tags, news.power, news.operands)
     }
@@ -284,9 +319,13 @@ impl Engine {
     pub(super) fn values_at(&self, offset: TextSize) -> Vec<String> {
         let simulation = self.session.simulation();
         let drawing = self.drawing.get_or_init(|| Drawing::of(simulation));
-        let line = self.revision.line_of(offset);
-        let stretch = TextRange::new(self.revision.line_start(line), self.revision.line_start(line + 1));
-        let operands = drawing.operands_in(stretch, &self.revision, simulation);
+        let Some(offset) = self.sight.running_offset(offset) else {
+            return Vec::new();
+        };
+        let revision = self.sight.running();
+        let line = revision.line_of(offset);
+        let stretch = TextRange::new(revision.line_start(line), revision.line_start(line + 1));
+        let operands = drawing.operands_in(stretch, revision, simulation);
         let operand = operands.iter().find(|it| it.range.contains_inclusive(offset));
         let points = operand.map_or(&[][..], |operand| &operand.points);
         let told = points.iter().map(|point| {
@@ -337,14 +376,16 @@ impl Engine {
     pub(super) fn power(&self) -> Vec<messages::Power> {
         let simulation = self.session.simulation();
         let places = self.places.get_or_init(|| {
-            let places = power(simulation).map(|(place, _)| self.revision.range(place));
+            let places = power(simulation).map(|(place, _)| self.sight.range(place));
             places.collect()
         });
         let live = power(simulation).map(|(_, on)| on);
-        let power = places.iter().zip(live).map(|(&range, on)| messages::Power {
-            range,
-            on,
-            contact: None,
+        let power = places.iter().zip(live).filter_map(|(&range, on)| {
+            Some(messages::Power {
+                range: range?,
+                on,
+                contact: None,
+            })
         });
         power.collect()
     }
@@ -379,12 +420,12 @@ impl Engine {
             0 => None,
             file => {
                 let name = &self.session.simulation().program().files[file as usize];
-                Beside::new(&self.revision).range(name, location.range)
+                Beside::new(self.sight.running()).range(name, location.range)
             }
         };
         match elsewhere {
             Some((uri, range)) => (Some(uri), range),
-            None => (None, self.revision.range(location.range)),
+            None => (None, self.sight.range_or_near(location.range)),
         }
     }
 }

@@ -37,8 +37,7 @@ impl Engine {
     /// What runs next in the scan that is open.
     pub(super) fn next(&self) -> Option<Range> {
         let location = self.session.simulation().next_block()?;
-        let (uri, range) = self.place(location);
-        uri.is_none().then_some(range)
+        (location.file == 0).then(|| self.sight.range(location.range))?
     }
 
     /// The breakpoints that are set.
@@ -49,7 +48,7 @@ impl Engine {
                 Breakpoint::Network(network) => {
                     let location = self.session.simulation().program().networks[*network].location;
                     messages::Breakpoint {
-                        range: Some(self.revision.range(location.range)),
+                        range: Some(self.sight.range_or_near(location.range)),
                         tag: None,
                     }
                 }

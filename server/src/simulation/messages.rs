@@ -267,10 +267,13 @@ pub struct State {
     pub session: String,
     /// The document it runs.
     pub uri: String,
-    /// The version of the text it runs.
+    /// The version of the text that all ranges belong to.
     pub version: i32,
-    /// Whether the document has been changed since.
+    /// That text has errors: the last program without any runs on, and is shown in the lines that are still the same.
     pub stale: bool,
+    /// The last change of the program while it ran.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub change: Option<ProgramChange>,
     /// What it is doing.
     pub status: Status,
     /// How many scans are done.
@@ -328,6 +331,30 @@ impl State {
             ..self.clone()
         }
     }
+}
+
+/// A change of the program while it ran.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "camelCase", deny_unknown_fields)]
+pub struct ProgramChange {
+    /// How many changes there were, this one among them.
+    pub number: u64,
+    /// The first scan that ran the new program.
+    pub scan: u64,
+    /// What the new program could not go on with.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub lost: Vec<Lost>,
+}
+
+/// Something that was lost when the program was changed.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "camelCase", deny_unknown_fields)]
+pub struct Lost {
+    /// What, and what happens instead, for people.
+    pub message: String,
+    /// Where, as the text was then.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub range: Option<Range>,
 }
 
 /// A breakpoint that stopped a run.

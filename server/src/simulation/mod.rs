@@ -7,6 +7,7 @@
 
 mod drawing;
 mod engine;
+mod follow;
 mod inquiry;
 pub mod messages;
 mod reasons;
@@ -14,6 +15,7 @@ mod request;
 mod retention;
 mod session;
 mod sessions;
+mod sight;
 mod value;
 mod view;
 

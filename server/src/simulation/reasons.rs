@@ -14,7 +14,10 @@ impl Engine {
     pub(super) fn why(&mut self, tag: &str) -> Result<messages::Why, Failure> {
         let point = point(self.session.simulation(), tag)?;
         let why = self.session.why(&point);
-        let texts = self.revision.texts(&self.session.simulation().program().files);
+        let texts = self
+            .sight
+            .running()
+            .texts(&self.session.simulation().program().files);
         let texts: Vec<&str> = texts.iter().map(String::as_str).collect();
         let tree = Tree {
             engine: self,

@@ -72,8 +72,8 @@ pub(crate) enum Action {
     Reset,
     /// Start again with what is retentive.
     WarmRestart,
-    /// The text has changed under the simulation.
-    MarkStale,
+    /// The text in the editor is another one.
+    Follow(Arc<Revision>),
     /// End.
     Stop,
 }
@@ -128,6 +128,8 @@ pub(crate) struct Session {
     commands: Sender<Command>,
     /// How many urgent commands wait.
     urgent: Arc<AtomicUsize>,
+    /// How many texts wait to be followed.
+    texts: Arc<AtomicUsize>,
     /// Whether the client has shown what it was told last.
     has_shown: Arc<AtomicBool>,
 }
@@ -149,17 +151,19 @@ impl Session {
             id: id.clone(),
             engine,
             status: Status::Paused,
-            stale: false,
             hit: None,
             answers: 0,
+            whole: false,
         };
         let (states, receiver) = watch::channel(simulation.state(Telling::Picture));
         let has_shown = Arc::new(AtomicBool::new(true));
+        let texts = Arc::<AtomicUsize>::default();
         let runner = Runner {
             simulation,
             run: None,
             inbox,
             urgent: urgent.clone(),
+            texts: texts.clone(),
             has_shown: has_shown.clone(),
             owes: false,
             shown: Instant::now(),
@@ -174,6 +178,7 @@ impl Session {
             uri,
             commands,
             urgent,
+            texts,
             has_shown,
         };
         Ok((session, receiver, notes))
@@ -185,6 +190,9 @@ impl Session {
         let (reply, answer) = oneshot::channel();
         if action.is_urgent() {
             self.urgent.fetch_add(1, Ordering::SeqCst);
+        }
+        if matches!(action, Action::Follow(_)) {
+            self.texts.fetch_add(1, Ordering::SeqCst);
         }
         if matches!(action, Action::HasShown) {
             // A long step does not look at what waits.
@@ -229,7 +237,8 @@ struct Simulation {
     id: String,
     engine: Engine,
     status: Status,
-    stale: bool,
+    /// What the client is told next is all of what it shows.
+    whole: bool,
     /// The breakpoint that stopped the last run.
     hit: Option<Hit>,
     /// How many answers were given.
@@ -259,6 +268,7 @@ impl Simulation {
     fn state(&mut self, telling: Telling) -> State {
         let engine = &mut self.engine;
         let in_part = engine.is_shown_in_part();
+        let whole = telling == Telling::Picture && std::mem::take(&mut self.whole);
         let (tags, power, operands) = if in_part && telling == Telling::Answer {
             Default::default()
         } else {
@@ -268,7 +278,8 @@ impl Simulation {
             session: self.id.clone(),
             uri: engine.revision().uri.to_string(),
             version: engine.revision().version,
-            stale: self.stale,
+            stale: engine.texts.stale,
+            change: engine.texts.change.clone(),
             status: self.status,
             scan: engine.scans(),
             time_ms: engine.time_ms(),
@@ -278,7 +289,7 @@ impl Simulation {
             hit: self.hit.clone(),
             breakpoints: engine.breakpoints(),
             forced: engine.forced(),
-            delta: in_part,
+            delta: in_part && !whole,
             answers: self.answers,
             commands: in_part.then_some(self.answers),
             operands,
@@ -295,6 +306,8 @@ struct Runner {
     run: Option<Going>,
     inbox: Receiver<Command>,
     urgent: Arc<AtomicUsize>,
+    /// How many texts wait to be followed.
+    texts: Arc<AtomicUsize>,
     /// Whether the client has shown what it was told last.
     has_shown: Arc<AtomicBool>,
     /// There is something that it has not been told yet.
@@ -380,8 +393,6 @@ impl Runner {
                 past.map(Answer::History)
             }
             Action::Tags(search) => Ok(Answer::Found(self.simulation.engine.search(&search))),
-            // Places belong to another text then.
-            Action::ValuesAt(_) if self.simulation.stale => Ok(Answer::Values(Vec::new())),
             Action::ValuesAt(offset) => Ok(Answer::Values(self.simulation.engine.values_at(offset))),
             Action::HasShown => {
                 // A run tells by itself.
@@ -461,7 +472,12 @@ impl Runner {
                 self.simulation.engine.reset()?;
                 self.simulation.status = Status::Paused;
             }
-            Action::MarkStale => self.simulation.stale = true,
+            Action::Follow(revision) => {
+                // Of several that wait the last one counts.
+                if self.texts.fetch_sub(1, Ordering::SeqCst) == 1 {
+                    self.follow(revision);
+                }
+            }
             Action::Stop => {
                 self.run = None;
                 self.simulation.engine.save();
@@ -469,6 +485,16 @@ impl Runner {
             }
         }
         Ok(())
+    }
+
+    fn follow(&mut self, revision: Arc<Revision>) {
+        let is_another = self.simulation.engine.follow(revision);
+        self.simulation.whole = true;
+        if is_another {
+            self.simulation.hit = None;
+            // What was hung may go on.
+            self.simulation.take_status();
+        }
     }
 
     fn pause(&mut self) {

@@ -6,6 +6,7 @@ use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use super::request::Failure;
 use super::session::{Action, Session};
 use crate::cancel::Cancel;
+use crate::document::Revision;
 
 /// No editor shows more simulations than this at once; a client that starts them in a loop is stopped here.
 const MOST: usize = 32;
@@ -60,10 +61,15 @@ impl Sessions {
         self.lock().open.remove(id).ok_or_else(|| unknown(id))
     }
 
-    /// Tells the simulations of a document that its text has changed.
-    pub(crate) fn mark_stale(&self, uri: &str) {
-        for session in self.lock().open.values().filter(|session| &*session.uri == uri) {
-            drop(session.ask(Action::MarkStale, Cancel::default()));
+    /// Tells the simulations of a document that its text is another one.
+    pub(crate) fn follow(&self, revision: &Arc<Revision>) {
+        for session in self
+            .lock()
+            .open
+            .values()
+            .filter(|session| session.uri == revision.uri)
+        {
+            drop(session.ask(Action::Follow(revision.clone()), Cancel::default()));
         }
     }
 

@@ -4,11 +4,10 @@ use std::collections::{HashMap, HashSet};
 
 use ladder_analysis::value::Value;
 use ladder_simulator::{Point, Simulation};
-use ladder_syntax::TextRange;
 
 use super::drawing::{Drawing, Element};
 use super::messages::{self, Contact, Lines, Shown};
-use crate::document::Revision;
+use super::sight::Sight;
 
 /// More lines than this are no screen.
 const MOST_LINES: u32 = 2000;
@@ -38,13 +37,8 @@ pub(super) struct News {
 
 impl View {
     /// Shows something else from now on. What was shown before and is not any more is forgotten.
-    pub(super) fn show(
-        &mut self,
-        shown: &Shown,
-        drawing: &Drawing,
-        revision: &Revision,
-        simulation: &Simulation,
-    ) {
+    pub(super) fn show(&mut self, shown: &Shown, drawing: &Drawing, sight: &Sight, simulation: &Simulation) {
+        let revision = sight.running();
         let mut known = HashSet::new();
         let mut lines_told = HashSet::new();
         self.elements.clear();
@@ -59,26 +53,29 @@ impl View {
         }
         for &Lines { first, last } in &shown.lines {
             let last = last.min(first.saturating_add(MOST_LINES - 1));
-            let stretch = stretch(revision, first, last);
-            self.elements
-                .extend(drawing.elements_in(stretch, revision, simulation));
-            for operand in drawing.operands_in(stretch, revision, simulation) {
-                let line = revision.range(operand.block).start.line;
-                if !self.told_lines.contains(&line) {
-                    self.operands.push(messages::Operand {
-                        range: revision.range(operand.range),
-                        block: revision.range(operand.block),
-                        tags: operand.points.iter().map(|point| point.name.clone()).collect(),
-                        drawn: operand.drawn,
-                    });
-                }
-                for point in operand.points {
-                    if known.insert(point.name.clone()) {
-                        self.points.push(point);
+            for stretch in sight.stretches(first, last) {
+                let elements = drawing.elements_in(stretch, revision, simulation);
+                self.elements.extend(elements);
+                for operand in drawing.operands_in(stretch, revision, simulation) {
+                    let places = (sight.range(operand.range), sight.range(operand.block));
+                    if let (Some(range), Some(block)) = places
+                        && !self.told_lines.contains(&block.start.line)
+                    {
+                        self.operands.push(messages::Operand {
+                            range,
+                            block,
+                            tags: operand.points.iter().map(|point| point.name.clone()).collect(),
+                            drawn: operand.drawn,
+                        });
+                    }
+                    for point in operand.points {
+                        if known.insert(point.name.clone()) {
+                            self.points.push(point);
+                        }
                     }
                 }
             }
-            lines_told.extend(first..=last.min(revision.last_line()));
+            lines_told.extend(first..=last.min(sight.shown().last_line()));
         }
         let mut seen = HashSet::new();
         self.elements.retain(|element| seen.insert(element.number));
@@ -89,7 +86,7 @@ impl View {
     }
 
     /// What has changed since this was asked last.
-    pub(super) fn news(&mut self, revision: &Revision, simulation: &Simulation) -> News {
+    pub(super) fn news(&mut self, sight: &Sight, simulation: &Simulation) -> News {
         let mut news = News {
             operands: std::mem::take(&mut self.operands),
             ..News::default()
@@ -98,8 +95,9 @@ impl View {
             let on = simulation.is_live(element.number);
             let contact = element.contact.as_ref().map(|it| it.state(on, simulation));
             let told = self.told_power.insert(element.number, (on, contact));
-            if told != Some((on, contact)) {
-                let range = revision.range(element.range);
+            if told != Some((on, contact))
+                && let Some(range) = sight.range(element.range)
+            {
                 news.power.push(messages::Power { range, on, contact });
             }
         }
@@ -112,13 +110,4 @@ impl View {
         }
         news
     }
-}
-
-/// The text of some lines.
-fn stretch(revision: &Revision, first: u32, last: u32) -> TextRange {
-    let (start, end) = (
-        revision.line_start(first),
-        revision.line_start(last.saturating_add(1)),
-    );
-    TextRange::new(start.min(end), end)
 }

@@ -7,6 +7,7 @@ mod completion;
 mod configuration;
 mod diagnostics;
 mod features;
+mod follow;
 mod history;
 mod hostile;
 mod house;

@@ -314,25 +314,6 @@ async fn no_more_than_twenty_states_a_second_and_the_last_one_always() {
 }
 
 #[tokio::test]
-async fn a_session_says_when_the_text_has_moved_on() {
-    let (mut client, s, _) = started(MOTOR).await;
-    client.change(2, &[([0, 9, 0, 9], " ")]).await;
-    let state = client
-        .notification("ladder/simulationState", |it| it["stale"] == true)
-        .await;
-    assert_eq!((&state["session"], &state["version"]), (&json!(s), &json!(1)));
-    // It still runs what it was started with, at the places of that text.
-    let state = step(&mut client, &s, 1).await;
-    assert_eq!((&state["stale"], &state["scan"]), (&json!(true), &json!(1)));
-    let fresh = client.simulate("start", json!({"uri": URI})).await.unwrap();
-    assert_eq!(
-        (&fresh["state"]["stale"], &fresh["state"]["version"]),
-        (&json!(false), &json!(2))
-    );
-    client.finish().await;
-}
-
-#[tokio::test]
 async fn reset_begins_anew() {
     let (mut client, s, first) = started(COUNT).await;
     set(&mut client, &s, "go", json!(true)).await.unwrap();

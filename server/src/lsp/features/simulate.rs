@@ -125,9 +125,10 @@ async fn start(shared: &Arc<Shared>, Start { uri, options }: Start) -> Result<St
     state.delta = false;
     tokio::spawn(report(shared.client.clone(), states, deltas));
     // A change may have come while the program was compiled, when nobody could tell the session.
-    if !shared.documents.is_current(&revision) {
-        drop(session.ask(Action::MarkStale, Cancel::default()));
-        state.stale = true;
+    if let Some(newest) = shared.documents.get(&uri)
+        && !newest.is(&revision)
+    {
+        drop(session.ask(Action::Follow(newest), Cancel::default()));
     }
     Ok(Started {
         session: session.id.clone(),
@@ -248,6 +249,7 @@ mod tests {
             uri: "file:///a.clad".into(),
             version: 1,
             stale: false,
+            change: None,
             status: Status::Paused,
             scan: 0,
             time_ms: 0.0,
