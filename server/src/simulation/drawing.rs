@@ -15,6 +15,9 @@ use ladder_syntax::TextRange;
 
 use crate::document::Revision;
 
+/// Numbers from here on are those of rails, which the engine does not know. Texts are shorter.
+const RAILS: usize = 1 << 31;
+
 /// Where the networks of the program's own text stand.
 #[derive(Debug)]
 pub(super) struct Drawing {
@@ -143,6 +146,7 @@ impl Drawing {
                     contact,
                 });
             }
+            elements.extend(rails_in(place.range, stretch, revision));
         }
         // A network's own order is that of the evaluation.
         elements.sort_by_key(|element| element.range.start());
@@ -237,6 +241,30 @@ impl Operand {
             Operand::Constant(value) => value.clone(),
         }
     }
+}
+
+/// The rails of a network where no rung joins them. No power is told of them.
+fn rails_in(network: TextRange, stretch: TextRange, revision: &Revision) -> Vec<Element> {
+    let Some(shown) = network.intersect(stretch) else { return Vec::new() };
+    let mut rails = Vec::new();
+    let mut start = usize::from(shown.start());
+    for line in revision.stretch(bytes(shown)).split_inclusive('\n') {
+        let drawn = line.trim_end();
+        let ends = [drawn.len() - drawn.trim_start().len(), drawn.len().saturating_sub(1)];
+        for (side, at) in ends.into_iter().enumerate() {
+            // A line may be as short as its one rail.
+            if drawn.as_bytes().get(at) == Some(&b'|') && (side == 0 || at != ends[0]) {
+                let offset = (start + at) as u32;
+                rails.push(Element {
+                    number: RAILS + offset as usize,
+                    range: TextRange::at(offset.into(), 1.into()),
+                    contact: None,
+                });
+            }
+        }
+        start += line.len();
+    }
+    rails
 }
 
 fn block_at(network: &Network, range: TextRange) -> Option<(usize, &Block)> {

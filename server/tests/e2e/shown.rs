@@ -57,6 +57,10 @@ async fn only_what_is_shown_is_told() {
         json!({"range": span([0, 11, 0, 16]), "block": span([0, 6, 0, 18]), "tags": ["start"], "drawn": true})
     );
 
+    // Where no rung joins it, a rail is told of as an element without power.
+    let rail = json!({"range": span([1, 0, 1, 1]), "on": false});
+    assert!(first["power"].as_array().unwrap().contains(&rail), "{first}");
+
     // The answer says what has been done; what it has changed comes once, with the notification.
     let set = json!({"session": s, "tag": "start", "value": true});
     let answer = client.simulate("set", set).await.unwrap();

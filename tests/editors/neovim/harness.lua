@@ -74,11 +74,12 @@ function M.open(name)
   return bufnr
 end
 
---- The drawing with every character that is not highlighted by this group replaced by a blank.
+--- The drawing with every character that is not highlighted by one of these groups replaced by a blank.
 --- @param bufnr integer
---- @param group string
+--- @param ... string
 --- @return string[] lines without blanks at their ends
-function M.highlighted(bufnr, group)
+function M.highlighted(bufnr, ...)
+  local groups = { ... }
   local cells = {}
   for row, line in ipairs(vim.api.nvim_buf_get_lines(bufnr, 0, -1, false)) do
     cells[row] = (' '):rep(#line)
@@ -86,7 +87,7 @@ function M.highlighted(bufnr, group)
   local namespace = vim.api.nvim_get_namespaces().ladder_power
   for _, mark in ipairs(vim.api.nvim_buf_get_extmarks(bufnr, namespace, 0, -1, { details = true })) do
     local row, col, details = mark[2], mark[3], mark[4]
-    if details.hl_group == group then
+    if vim.list_contains(groups, details.hl_group) then
       local text = vim.api.nvim_buf_get_text(bufnr, row, col, details.end_row, details.end_col, {})[1]
       cells[row + 1] = cells[row + 1]:sub(1, col) .. text .. cells[row + 1]:sub(col + #text + 1)
     end
@@ -96,22 +97,48 @@ function M.highlighted(bufnr, group)
   end, cells)
 end
 
---- What stands behind each line's end as virtual text of the plugin.
+--- What has power in the drawing.
 --- @param bufnr integer
---- @return string[] one for each line, empty where nothing stands
-function M.line_ends(bufnr)
-  local texts = {}
-  for row = 1, vim.api.nvim_buf_line_count(bufnr) do
-    texts[row] = ''
-  end
+--- @return string[]
+function M.powered(bufnr)
+  return M.highlighted(bufnr, 'LadderPowerOn', 'LadderClosedOn')
+end
+
+--- @param bufnr integer
+--- @param names string[]
+--- @return string `a=1  b=0!`
+function M.values(bufnr, names)
+  return table.concat(
+    vim.tbl_map(function(name)
+      local tag, value = require('ladder').tag(name, bufnr), require('ladder.value')
+      return ('%s=%s%s'):format(name, tag and value.show(tag) or '?', tag and tag.forced and '!' or '')
+    end, names),
+    '  '
+  )
+end
+
+--- The drawing as a person sees it: with what the plugin draws over it, and between its lines.
+--- @param bufnr integer
+--- @return string[] lines without blanks at their ends
+function M.seen(bufnr)
+  local lines = vim.api.nvim_buf_get_lines(bufnr, 0, -1, false)
   local namespace = vim.api.nvim_get_namespaces().ladder_values
   for _, mark in ipairs(vim.api.nvim_buf_get_extmarks(bufnr, namespace, 0, -1, { details = true })) do
-    M.equal('the place of the values', 'eol', mark[4].virt_text_pos)
-    for _, chunk in ipairs(mark[4].virt_text) do
-      texts[mark[2] + 1] = texts[mark[2] + 1] .. chunk[1]
+    local row, col, details = mark[2] + 1, mark[3], mark[4]
+    local text = ''
+    for _, chunk in ipairs(details.virt_text or details.virt_lines[1]) do
+      text = text .. chunk[1]
+    end
+    if details.virt_lines then
+      lines[row] = text .. '\n' .. lines[row]
+    else
+      M.equal('the place of a value', 'overlay', details.virt_text_pos)
+      lines[row] = lines[row]:sub(1, col) .. text .. lines[row]:sub(col + #text + 1)
     end
   end
-  return vim.tbl_map(vim.trim, texts)
+  return vim.tbl_map(function(line)
+    return (line:gsub('%s+$', ''))
+  end, lines)
 end
 
 return M

@@ -197,10 +197,12 @@ t.step('before the first scan nothing but the rail has power', function()
   local state = assert(ladder.state(), 'no state: ' .. (messages[#messages] or ''))
   t.equal('the status', 'paused', state.status)
   t.equal('the number of scans', 0, state.scan)
-  for _, line in ipairs(t.highlighted(bufnr, 'LadderPowerOn')) do
+  for _, line in ipairs(t.powered(bufnr)) do
     assert(not line:find('(', 1, true), 'a block has power before the first scan: ' .. line)
   end
 end)
+
+local RAILS = '|' .. (' '):rep(58) .. '|'
 
 t.step('three scans with start high give power to exactly these cells', function()
   local bufnr = t.open('motor.clad')
@@ -215,7 +217,7 @@ t.step('three scans with start high give power to exactly these cells', function
     '   /--              /',
     '',
     '+--[ ]( run )--------',
-  }, t.highlighted(bufnr, 'LadderPowerOn'))
+  }, t.powered(bufnr))
   vim.cmd('Ladder step 2')
   assert(ladder.wait(), 'no answer to the further steps')
   t.equal('the live cells after three scans', {
@@ -225,26 +227,27 @@ t.step('three scans with start high give power to exactly these cells', function
     '   /--[ ]( run )----/',
     '',
     '+--[ ]( run )--------[TON]( warmup, T#20ms )--( )( lamp )--+',
-  }, t.highlighted(bufnr, 'LadderPowerOn'))
-  t.equal('the dead cells', { '', '', '', '', '', '' }, t.highlighted(bufnr, 'LadderPowerOff'))
+  }, t.powered(bufnr))
+  t.equal('the dead cells', { '', '', RAILS, RAILS, '', '' }, t.highlighted(bufnr, 'LadderPowerOff'))
   t.equal('the number of scans', 3, ladder.state().scan)
 end)
 
-t.step('the values stand at the ends of the lines', function()
+t.step('values stand beside their operands, where they can be seen', function()
   local bufnr = t.open('motor.clad')
   vim.cmd('Ladder start')
   vim.cmd('Ladder set start 1')
   vim.cmd('Ladder step 3')
   assert(ladder.wait(), 'no answer')
-  t.equal('the ends of the lines', {
-    '',
-    'start=1  stop=0  run=1',
-    '',
-    'run=1',
-    '',
-    'run=1  warmup.ET=20ms  warmup.Q=1  lamp=1',
-  }, t.line_ends(bufnr))
+  t.equal('the drawing', {
+    '# Größe: a motor with a seal-in contact, and a lamp when it has warmed up #',
+    '+--\\--[ ]( start )--\\--[/]( stop )-------------( )( run )--+',
+    '|  |                |                                      |',
+    '|  /--[ ]( run )----/                                      |',
+    '                            20ms',
+    '+--[ ]( run )--------[TON]( warmup, T#20ms )--( )( lamp )--+',
+  }, t.seen(bufnr))
   t.equal('the status line', 'paused, scan 3, 30ms', vim.b[bufnr].ladder_status)
+  assert(vim.wo.winbar:find('paused, scan 3, 30ms', 1, true), vim.wo.winbar)
 end)
 
 t.step('the seal-in holds, a forced stop breaks it, a release brings back the input', function()
@@ -256,15 +259,15 @@ t.step('the seal-in holds, a forced stop breaks it, a release brings back the in
   t.equal('the live cells with the seal-in', {
     '+--\\--              \\--[/]( stop )-------------( )( run )--+',
     '   /--[ ]( run )----/',
-  }, { t.highlighted(bufnr, 'LadderPowerOn')[2], t.highlighted(bufnr, 'LadderPowerOn')[4] })
+  }, { t.powered(bufnr)[2], t.powered(bufnr)[4] })
   vim.cmd('Ladder force stop 1')
   vim.cmd('Ladder step')
   assert(ladder.wait(), 'no answer to force')
-  t.equal('the line end', 'start=0  stop=1!  run=0', t.line_ends(bufnr)[2])
+  t.equal('the values', 'start=0  stop=1!  run=0', t.values(bufnr, { 'start', 'stop', 'run' }))
   vim.cmd('Ladder unforce stop')
   vim.cmd('Ladder step')
   assert(ladder.wait(), 'no answer to unforce')
-  t.equal('the line end', 'start=0  stop=0  run=0', t.line_ends(bufnr)[2])
+  t.equal('the values', 'start=0  stop=0  run=0', t.values(bufnr, { 'start', 'stop', 'run' }))
 end)
 
 t.step('going back and forward again shows the scans as they were', function()
@@ -273,11 +276,11 @@ t.step('going back and forward again shows the scans as they were', function()
     vim.cmd('Ladder ' .. command)
   end
   assert(ladder.wait(), 'no answer')
-  t.equal('the line end', 'start=0  stop=0  run=0', t.line_ends(bufnr)[2])
+  t.equal('the values', 'start=0  stop=0  run=0', t.values(bufnr, { 'start', 'stop', 'run' }))
   t.equal('the scans', { 1, 1, 1 }, { ladder.state().scan, ladder.state().behind, ladder.state().ahead })
   vim.cmd('Ladder step')
   assert(ladder.wait(), 'no answer')
-  t.equal('the line end', 'start=1  stop=0  run=1', t.line_ends(bufnr)[2])
+  t.equal('the values', 'start=1  stop=0  run=1', t.values(bufnr, { 'start', 'stop', 'run' }))
 end)
 
 t.step('a step by block marks the block that runs next', function()
@@ -379,7 +382,7 @@ t.step('the tag panel lists the tags and toggles an input', function()
   vim.cmd('Ladder start')
   assert(ladder.wait(), 'no answer')
   vim.cmd('Ladder tags')
-  vim.cmd('wincmd j')
+  assert(ladder.wait(bufnr), 'no answer')
   t.equal('the file type of the panel', 'ladder_tags', vim.bo.filetype)
   t.equal('the first line', { 'start', 'BOOL', 'input', '0' }, vim.split(vim.api.nvim_get_current_line(), '%s+'))
   vim.api.nvim_win_set_cursor(0, { 1, 0 })
@@ -389,6 +392,131 @@ t.step('the tag panel lists the tags and toggles an input', function()
   t.equal('the number of scans', 3, ladder.state(bufnr).scan)
   vim.api.nvim_feedkeys('q', 'x', false)
   t.equal('the buffer in the window', bufnr, vim.api.nvim_get_current_buf())
+end)
+
+t.step('a key toggles the contact under the cursor, wherever on it the cursor is', function()
+  local bufnr = t.open('motor.clad')
+  vim.cmd('Ladder start')
+  assert(ladder.wait(), 'no answer')
+  local line = vim.api.nvim_buf_get_lines(bufnr, 1, 2, false)[1]
+  for _, place in ipairs({ '[ ]( start', ']( start', 'rt )', ' )--\\--[/]' }) do
+    local before = t.values(bufnr, { 'start' })
+    vim.api.nvim_win_set_cursor(0, { 2, line:find(place, 1, true) - 1 })
+    vim.api.nvim_feedkeys(vim.keycode('<F4>'), 'x', false)
+    assert(ladder.wait(), 'no answer')
+    t.equal('the value at ' .. place, before == 'start=0' and 'start=1' or 'start=0', t.values(bufnr, { 'start' }))
+  end
+  local timer = vim.api.nvim_buf_get_lines(bufnr, 5, 6, false)[1]:find('[TON]', 1, true)
+  vim.api.nvim_win_set_cursor(0, { 6, timer })
+  t.equal('the tag on a bracket', 'warmup.ET', require('ladder.operands').tag_here(require('ladder.session').of(bufnr)))
+  vim.api.nvim_feedkeys(vim.keycode('<F10><F10><F8>'), 'x', false)
+  assert(ladder.wait(), 'no answer')
+  t.equal('the scans', 1, ladder.state().scan)
+  vim.cmd('Ladder stop')
+  t.equal('the mapping', '', vim.fn.mapcheck('<F10>', 'n'))
+  t.equal('the bar', '', vim.wo.winbar)
+end)
+
+t.step('what is forced is marked at its contact, and a constant cannot be forced', function()
+  local bufnr = t.open('motor.clad')
+  for _, command in ipairs({ 'start', 'force stop on', 'step' }) do
+    vim.cmd('Ladder ' .. command)
+  end
+  assert(ladder.wait(), 'no answer')
+  t.equal('the line below', '|  |                |       ^1!', t.seen(bufnr)[3]:sub(1, 31))
+  t.equal('the status', 'paused, scan 1, 10ms, 1 forced', vim.b[bufnr].ladder_status)
+end)
+
+t.step('contacts that let power through, and contacts that do not, are two things', function()
+  local bufnr = t.open('motor.clad')
+  vim.cmd('Ladder start')
+  vim.cmd('Ladder step')
+  assert(ladder.wait(), 'no answer')
+  local function block(group)
+    return vim.trim(t.highlighted(bufnr, group)[2])
+  end
+  t.equal('closed, without power', '[/]( stop )', block('LadderClosed'))
+  t.equal('blocks', '[ ]( start )', block('LadderBlocks'))
+  for group, attribute in pairs({ LadderClosed = 'underline', LadderClosedOn = 'underline', LadderPowerOn = 'bold' }) do
+    assert(vim.api.nvim_get_hl(0, { name = group, link = false })[attribute], group .. ' is not ' .. attribute)
+  end
+  assert(vim.api.nvim_get_hl(0, { name = 'LadderNext', link = false }).reverse, 'what runs next can be overlooked')
+end)
+
+t.step('what has no power can be read on the default scheme, dark and light', function()
+  local function luminance(colour)
+    local sum = 0
+    for shift, weight in pairs({ [16] = 0.2126, [8] = 0.7152, [0] = 0.0722 }) do
+      local part = bit.band(bit.rshift(colour, shift), 255) / 255
+      sum = sum + weight * (part <= 0.03928 and part / 12.92 or ((part + 0.055) / 1.055) ^ 2.4)
+    end
+    return sum
+  end
+  for _, background in ipairs({ 'light', 'dark' }) do
+    vim.o.background = background
+    -- While Neovim starts, as it does here, it does not say so itself.
+    vim.api.nvim_exec_autocmds('OptionSet', { pattern = 'background' })
+    local behind = luminance(vim.api.nvim_get_hl(0, { name = 'Normal' }).bg)
+    for _, group in ipairs({ 'LadderPowerOff', 'LadderStale', 'LadderBlocks', 'LadderValue', 'LadderPowerOn' }) do
+      local front = luminance(vim.api.nvim_get_hl(0, { name = group, link = false }).fg)
+      local contrast = (math.max(front, behind) + 0.05) / (math.min(front, behind) + 0.05)
+      assert(contrast >= 4.5, ('%s has a contrast of %.1f on %s'):format(group, contrast, background))
+    end
+  end
+end)
+
+t.step('of a long program only what the window shows is told and drawn', function()
+  local lines = {}
+  for rung = 1, 10000 do
+    lines[rung] = ('+--[ ]( a%d )--[/]( b%d )--( )( c%d )--+'):format(rung, rung, rung)
+  end
+  vim.cmd.edit(vim.env.LADDER_SCRATCH .. '/long.clad')
+  local bufnr = vim.api.nvim_get_current_buf()
+  vim.api.nvim_buf_set_lines(bufnr, 0, -1, false, lines)
+  t.eventually('the server', function()
+    return vim.lsp.get_clients({ bufnr = bufnr, name = 'ladder' })[1]
+  end)
+  vim.cmd('Ladder start')
+  assert(ladder.wait(bufnr, 20000), 'no answer')
+  local function rows()
+    local namespace = vim.api.nvim_get_namespaces().ladder_power
+    local marks = vim.api.nvim_buf_get_extmarks(bufnr, namespace, 0, -1, {})
+    return marks[1] and marks[1][2] + 1 or 0, marks[1] and marks[#marks][2] + 1, #marks
+  end
+  local first, last, marks = rows()
+  t.equal('the first line', 1, first)
+  assert(last < 100 and marks < 1000, ('%d marks up to line %d'):format(marks, last))
+  vim.api.nvim_win_set_cursor(0, { 5000, 0 })
+  vim.cmd('normal! zt')
+  vim.cmd('doautocmd WinScrolled')
+  t.eventually('the lines around the cursor', function()
+    first = rows()
+    return first > 4900
+  end)
+  assert(ladder.wait(bufnr, 20000), 'no answer')
+  vim.cmd('Ladder toggle a5000')
+  vim.cmd('Ladder step')
+  assert(ladder.wait(bufnr, 20000), 'no answer')
+  t.equal('the values', 'a5000=1  c5000=1', t.values(bufnr, { 'a5000', 'c5000' }))
+  vim.cmd('Ladder stop | bwipeout!')
+end)
+
+t.step('a run is shown while it goes, as fast as was said', function()
+  local bufnr = t.open('motor.clad')
+  for _, command in ipairs({ 'start', 'set start 1', 'speed 0.1', 'run' }) do
+    vim.cmd('Ladder ' .. command)
+  end
+  local seen = {}
+  t.eventually('the timer to run', function()
+    seen[t.values(bufnr, { 'warmup.ET' })] = true
+    return seen['warmup.ET=10ms'] and seen['warmup.ET=20ms']
+  end)
+  assert(vim.b[bufnr].ladder_status:find('0.1x speed', 1, true), vim.b[bufnr].ladder_status)
+  vim.cmd('Ladder speed max')
+  t.eventually('many scans', function()
+    return ladder.state().scan > 2000
+  end)
+  vim.cmd('Ladder stop')
 end)
 
 t.step('an edit greys the drawing and says so', function()
@@ -407,7 +535,7 @@ t.step('an edit greys the drawing and says so', function()
     {},
     vim.tbl_filter(function(line)
       return line ~= ''
-    end, t.highlighted(bufnr, 'LadderPowerOn'))
+    end, t.powered(bufnr))
   )
   assert(t.highlighted(bufnr, 'LadderStale')[3]:find('^%+%-%-'), 'the rung is not greyed where it stands now')
   vim.cmd('Ladder step')
@@ -560,7 +688,7 @@ t.step('the simulation of a Click program shows the power in its diagram', funct
   vim.cmd('Ladder set Start 1')
   vim.cmd('Ladder step')
   assert(ladder.wait(drawing), 'no answer')
-  local powered = table.concat(t.highlighted(drawing, 'LadderPowerOn'), '\n')
+  local powered = table.concat(t.powered(drawing), '\n')
   assert(powered:find('( )( Valve )', 1, true), powered)
   assert(not powered:find('( )( Idle )', 1, true), powered)
   t.equal('the status', true, vim.startswith(ladder.status(drawing), 'paused'))

@@ -1,6 +1,6 @@
 -- The plugin's parts that need no server, on the cases that every editor's plugin must pass alike.
 return function(t)
-  local operands = require('ladder.operands')
+  local labels = require('ladder.labels')
   local value = require('ladder.value')
   local comment = require('ladder.comment')
 
@@ -63,21 +63,18 @@ return function(t)
     end
   end)
 
-  t.step('the names of an operand list, without literals, strings and comments', function()
-    for _, case in ipairs(cases.operands) do
-      t.equal(case[1], case[2], operands.names(case[1]))
-    end
-  end)
-
-  t.step('the tags that a line shows', function()
-    for _, case in ipairs(cases.places) do
-      local tags = vim.tbl_map(function(name)
-        return { name = name }
-      end, case.tags)
-      local shown = vim.tbl_map(function(place)
-        return case.tags[place]
-      end, operands.places(case.blocks, operands.index(tags)))
-      t.equal(table.concat(case.blocks, ' '), case.shown, shown)
-    end
-  end)
+  for _, case in ipairs(read('labels.json')) do
+    t.step('labels: ' .. case.name, function()
+      local given = vim.tbl_map(function(label)
+        return { row = label[1], column = label[2], text = label[3], room = label[4] }
+      end, case.labels)
+      t.equal(
+        'the places',
+        case.placed,
+        labels.place(given, function(row)
+          return case.lines[row + 1]
+        end)
+      )
+    end)
+  end
 end

@@ -16,8 +16,13 @@ local function simulation()
   return require('ladder.simulation')
 end
 
-local function state()
-  return require('ladder').state(drawing())
+local function session()
+  return require('ladder.session').of(drawing())
+end
+
+--- The tag under the cursor.
+local function tag_here(wants_bool)
+  return require('ladder.operands').tag_here(session(), wants_bool)
 end
 
 --- Thrown as a string without a place: `run` shows it to the user as it is.
@@ -43,15 +48,24 @@ local function assignment(arguments, subcommand)
   if not name or text == '' then
     refuse((':Ladder %s needs a tag and a value, as in ":Ladder %s start 1".'):format(subcommand, subcommand))
   end
-  local tag = require('ladder.session').tag(state(), name)
-  return { tag = name, value = require('ladder.value').parse(tag and tag.type, text) }
+  return name, text
+end
+
+--- Sends what was typed for a tag, as its type takes it.
+local function assign(arguments, subcommand)
+  local name, text = assignment(arguments, subcommand)
+  local bufnr = drawing()
+  simulation().with_tag(bufnr, name, function(tag)
+    local value = require('ladder.value').parse(tag and tag.type, text)
+    simulation().command(bufnr, subcommand, { tag = tag and tag.name or name, value = value }, true)
+  end)
 end
 
 --- @param wanted fun(tag: ladder.Tag): boolean
-local function tag_names(wanted)
+--- @param lead string what their names hold
+local function tag_names(wanted, lead)
   local names = {}
-  local current = state()
-  for _, tag in ipairs(current and current.tags or {}) do
+  for _, tag in ipairs(simulation().search(drawing(), lead)) do
     if wanted(tag) then
       table.insert(names, tag.name)
     end
@@ -61,30 +75,48 @@ end
 
 --- Completes a tag, then TRUE or FALSE if it is a BOOL.
 local function complete_assignment(wanted)
-  return function(arguments)
+  return function(arguments, lead)
     if #arguments == 0 then
-      return tag_names(wanted)
+      return tag_names(wanted, lead)
     end
-    local tag = require('ladder.session').tag(state(), arguments[1])
-    return #arguments == 1 and tag and tag.type == 'BOOL' and { 'TRUE', 'FALSE' } or {}
+    local is_meant = function(tag)
+      return vim.fn.tolower(tag.name) == vim.fn.tolower(arguments[1]) and tag.type == 'BOOL'
+    end
+    return #arguments == 1 and #tag_names(is_meant, arguments[1]) > 0 and { 'TRUE', 'FALSE' } or {}
   end
 end
 
-local function is_input(tag)
-  return tag.role == 'input'
+local function is_bool(tag)
+  return tag.type == 'BOOL' and not tag.readOnly
 end
 
 local function is_forced(tag)
   return tag.forced
 end
 
+local function is_writable(tag)
+  return not tag.readOnly
+end
+
 local function any()
   return true
 end
 
+--- `0.1`, `10`, `10x`, `max`
+local function speed(text)
+  if text == 'max' then
+    return 'max'
+  end
+  local number = tonumber(((text or ''):gsub('x$', '')))
+  if not number or number <= 0 then
+    refuse(':Ladder speed needs a number, as 0.1 for slow motion or 10 for ten times real time, or "max".')
+  end
+  return number
+end
+
 --- @class ladder.Subcommand
 --- @field run fun(arguments: string[])
---- @field complete? fun(before: string[]): string[] `before` are the arguments in front of the one to complete
+--- @field complete? fun(before: string[], lead: string): string[] `before` are the arguments in front of `lead`
 
 --- @type table<string, ladder.Subcommand>
 local subcommands = {
@@ -125,18 +157,17 @@ local subcommands = {
       end
       simulation().send_breakpoints(drawing())
     end,
-    complete = function(before)
-      return #before == 0 and tag_names(any) or {}
+    complete = function(before, lead)
+      return #before == 0 and tag_names(any, lead) or {}
     end,
   },
   why = {
     run = function(arguments)
-      local why = require('ladder.why')
-      local tag = arguments[1] or why.tag_here(state()) or refuse('there is no tag under the cursor.')
-      simulation().ask(drawing(), 'why', { tag = tag }, why.show)
+      local tag = arguments[1] or tag_here() or refuse('there is no tag under the cursor.')
+      require('ladder.why').ask(drawing(), tag)
     end,
-    complete = function(before)
-      return #before == 0 and tag_names(any) or {}
+    complete = function(before, lead)
+      return #before == 0 and tag_names(any, lead) or {}
     end,
   },
   warm = {
@@ -146,7 +177,23 @@ local subcommands = {
   },
   run = {
     run = function(arguments)
-      simulation().command(drawing(), 'run', { scans = count(arguments[1], nil) })
+      simulation().run(drawing(), count(arguments[1], nil))
+    end,
+  },
+  speed = {
+    run = function(arguments)
+      simulation().speed(drawing(), speed(arguments[1]))
+    end,
+    complete = function(before)
+      return #before == 0 and { '0.01', '0.1', '0.5', '1', '2', '10', '100', 'max' } or {}
+    end,
+  },
+  keys = {
+    run = function()
+      local lines = vim.tbl_map(function(key)
+        return ('%-7s %s'):format(key[1], key[3])
+      end, require('ladder.keys').all)
+      vim.notify('ladder: while a program is simulated\n' .. table.concat(lines, '\n'))
     end,
   },
   pause = {
@@ -156,30 +203,31 @@ local subcommands = {
   },
   set = {
     run = function(arguments)
-      simulation().command(drawing(), 'set', assignment(arguments, 'set'))
+      assign(arguments, 'set')
     end,
-    complete = complete_assignment(is_input),
+    complete = complete_assignment(is_writable),
   },
   toggle = {
     run = function(arguments)
-      require('ladder').toggle(arguments[1] or refuse(':Ladder toggle needs a tag.'), drawing())
+      local tag = arguments[1] or tag_here(true) or refuse('there is no tag under the cursor.')
+      require('ladder').toggle(tag, drawing())
     end,
-    complete = function(before)
-      return #before == 0 and tag_names(is_input) or {}
+    complete = function(before, lead)
+      return #before == 0 and tag_names(is_bool, lead) or {}
     end,
   },
   force = {
     run = function(arguments)
-      simulation().command(drawing(), 'force', assignment(arguments, 'force'))
+      assign(arguments, 'force')
     end,
-    complete = complete_assignment(any),
+    complete = complete_assignment(is_writable),
   },
   unforce = {
     run = function(arguments)
       simulation().command(drawing(), 'unforce', { tag = arguments[1] })
     end,
-    complete = function(before)
-      return #before == 0 and tag_names(is_forced) or {}
+    complete = function(before, lead)
+      return #before == 0 and tag_names(is_forced, lead) or {}
     end,
   },
   reset = {
@@ -270,7 +318,7 @@ function M.complete(lead, line)
     candidates = M.names()
   else
     local subcommand = subcommands[words[2]]
-    candidates = subcommand and subcommand.complete and subcommand.complete(vim.list_slice(words, 3)) or {}
+    candidates = subcommand and subcommand.complete and subcommand.complete(vim.list_slice(words, 3), lead) or {}
   end
   local folded = vim.fn.tolower(lead)
   return vim.tbl_filter(function(candidate)

@@ -14,6 +14,14 @@ function M.state(bufnr)
   return session and session.state
 end
 
+--- What a tag holds, if the program's windows or the panel show it.
+--- @param name string
+--- @param bufnr integer|nil
+--- @return ladder.Tag|nil
+function M.tag(name, bufnr)
+  return require('ladder.session').tag(require('ladder.session').of(resolve(bufnr)), name)
+end
+
 --- One line for a status line: `running, scan 120, 1.2s`; empty without a simulation. `b:ladder_status` holds the same.
 --- @param bufnr integer|nil
 --- @return string
@@ -26,11 +34,16 @@ end
 --- @param bufnr integer|nil
 function M.toggle(name, bufnr)
   bufnr = resolve(bufnr)
-  local tag = require('ladder.session').tag(M.state(bufnr), name)
-  if not tag or type(tag.value) ~= 'boolean' then
-    return vim.notify(('ladder: %s is not a BOOL tag of this simulation.'):format(name), vim.log.levels.WARN)
-  end
-  require('ladder.simulation').command(bufnr, 'set', { tag = tag.name, value = not tag.value })
+  require('ladder.simulation').with_tag(bufnr, name, function(tag)
+    if not tag or type(tag.value) ~= 'boolean' then
+      return vim.notify(('ladder: %s is not a BOOL tag of this simulation.'):format(name), vim.log.levels.WARN)
+    end
+    -- What is held stays held, at the other value.
+    require('ladder.simulation').command(bufnr, tag.forced and 'force' or 'set', {
+      tag = tag.name,
+      value = not tag.value,
+    }, true)
+  end)
 end
 
 --- Waits until the simulator has answered every command given so far.

@@ -1,87 +1,49 @@
---- The tags that the blocks of a line name, for the values at its end.
+--- The operand that the cursor means.
+local sessions = require('ladder.session')
+
 local M = {}
 
--- A letter of any script, or what begins a direct address.
-local word = '[%a_%%\128-\255][%w_\128-\255]*'
--- The members worth a place at the end of a line, most telling first.
-local shown_members = { 'et', 'cv', 'q', 'q1', 'qu', 'qd' }
-
---- The names in a block's operand list, in order, with indices and members: `a[3]`, `t.ET`, `%IX0.3`.
---- @param block string the block as it stands in the text
---- @return string[]
-function M.names(block)
-  local list = block:match('^[%[%(<].-[%]%)>]%s*%((.*)%)$')
-  if not list then
-    return {}
-  end
-  -- Strings first: they may hold a `#`; and before them the `$'` that does not end one. Then literals with a prefix
-  -- (16#FF, T#5s), and comments last.
-  list = list:gsub("%$[$']", ' '):gsub("'[^']*'", ' '):gsub('[%w_]+#[%w_%.:%-]*', ' '):gsub('#.-#', ' ')
-  local names = {}
-  local at = 1
-  while true do
-    local first, last = list:find(word, at)
-    if not first then
-      return names
-    end
-    local _, tail = list:find('^[%.%w_\128-\255%[%]]*', last + 1)
-    local name = list:sub(first, math.max(last, tail))
-    -- A digit before it makes it part of a number: 5s, 1.0e-3.
-    if not list:sub(first - 1, first - 1):match('[%d%.]') then
-      table.insert(names, name)
-    end
-    at = math.max(last, tail) + 1
-  end
+local function around(range, row, character)
+  local from, to = range.start, range['end']
+  local behind_start = row > from.line or (row == from.line and character >= from.character)
+  -- The place just behind it counts too: there the cursor stands after typing.
+  local before_end = row < to.line or (row == to.line and character <= to.character)
+  return behind_start and before_end
 end
 
---- Names of tags, in lower case, to their places in the state's list.
---- @param tags ladder.Tag[]
---- @return table<string, integer>
-function M.index(tags)
-  local index = {}
-  for place, tag in ipairs(tags) do
-    index[vim.fn.tolower(tag.name)] = place
+--- The operand at the cursor of the current window; anywhere else in a block its first one.
+--- @param session ladder.Session|nil
+--- @return ladder.Operand|nil
+function M.here(session)
+  if not session or session.stale or vim.api.nvim_get_current_buf() ~= session.bufnr then
+    return nil
   end
-  return index
+  local row, byte = vim.api.nvim_win_get_cursor(0)[1] - 1, vim.api.nvim_win_get_cursor(0)[2]
+  local encoding = session.client.offset_encoding
+  local character = vim.str_utfindex(vim.api.nvim_get_current_line(), encoding, byte, false)
+  local in_block
+  for _, operand in ipairs(session.operands[row] or {}) do
+    if around(operand.range, row, character) then
+      return operand
+    end
+    in_block = in_block or (around(operand.block, row, character) and operand or nil)
+  end
+  return in_block
 end
 
---- @param index table<string, integer>
---- @param name string in lower case
---- @return integer[] places in the state's list; more than one for a timer or counter
-local function places_of(index, name)
-  if index[name] then
-    return { index[name] }
-  end
-  local places = {}
-  for _, member in ipairs(shown_members) do
-    table.insert(places, index[name .. '.' .. member])
-  end
-  return places
-end
-
---- The places in the state's list of every tag that these blocks name, each once.
---- @param blocks string[]
---- @param index table<string, integer>
---- @return integer[]
-function M.places(blocks, index)
-  local places, seen = {}, {}
-  for _, block in ipairs(blocks) do
-    for _, name in ipairs(M.names(block)) do
-      name = vim.fn.tolower(name)
-      local found = places_of(index, name)
-      if #found == 0 then
-        -- `word.3`, `a[i]`: the tag itself is what has a value.
-        found = places_of(index, (name:match('^[^%.%[]+')))
-      end
-      for _, place in ipairs(found) do
-        if not seen[place] then
-          seen[place] = true
-          table.insert(places, place)
-        end
-      end
+--- The tag at the cursor; one of BOOL if that is wanted and there is one.
+--- @param session ladder.Session|nil
+--- @param wants_bool boolean|nil
+--- @return string|nil
+function M.tag_here(session, wants_bool)
+  local operand = M.here(session)
+  for _, name in ipairs(wants_bool and operand and operand.tags or {}) do
+    local tag = sessions.tag(session, name)
+    if tag and tag.type == 'BOOL' then
+      return name
     end
   end
-  return places
+  return operand and operand.tags[1]
 end
 
 return M

@@ -1,7 +1,9 @@
---- The tag panel: a split below the drawing that lists every tag with its value, and takes keys to change them.
+--- The tag panel: a split below the drawing that lists every tag with its value, and takes keys to change them. Of a
+--- long list only the lines that its window shows are kept up to date.
 require('ladder.highlight')
 
 local sessions = require('ladder.session')
+local shown = require('ladder.shown')
 local simulation = require('ladder.simulation')
 local status = require('ladder.status')
 local value = require('ladder.value')
@@ -11,70 +13,133 @@ local M = {}
 local namespace = vim.api.nvim_create_namespace('ladder_panel')
 local max_height = 14
 
+--- @class ladder.Panel
+--- @field bufnr integer
+--- @field session string|nil whose tags are listed
+--- @field tags ladder.Tag[] as they were when they were listed
+--- @field drawn table<integer, string> what stands in the lines that were drawn, by line from 1
+--- @field names integer the width of the names
+--- @field types integer the width of the types
+
 --- Panels by the buffer whose tags they show.
---- @type table<integer, integer>
+--- @type table<integer, ladder.Panel>
 local panels = {}
 
-local keys = '<CR> toggle  c change  f force  u release  s step  r run  p pause  q close'
+local keys = '<CR> toggle  c change  f force  u release  w why  s step  b back  r run  p pause  q close'
 
---- @param state ladder.State
---- @return string[] lines, table[] marks { row, first column, end column, group }
-local function render(state)
-  local names, types = 4, 4
-  for _, tag in ipairs(state.tags) do
-    names = math.max(names, vim.fn.strdisplaywidth(tag.name))
-    types = math.max(types, #tag.type)
+--- @param panel ladder.Panel
+--- @param tag ladder.Tag
+--- @return string line, table[] marks { first column, end column, group }
+local function render(panel, tag)
+  local pad = (' '):rep(panel.names - vim.fn.strdisplaywidth(tag.name))
+  local name = tag.name .. pad .. '  '
+  local role = tag.readOnly and 'constant' or tag.role
+  local kind = ('%-' .. panel.types .. 's  %-8s  '):format(tag.type, role)
+  local text = value.show(tag)
+  local line = name .. kind .. text .. (tag.forced and '  forced' or '')
+  local at = #name + #kind
+  local marks = { { 0, #tag.name, 'LadderTagName' }, { #name, at, 'LadderTagType' } }
+  if tag.value == true then
+    table.insert(marks, { at, at + #text, 'LadderValueOn' })
   end
-  local lines, marks = {}, {}
-  for index, tag in ipairs(state.tags) do
-    local pad = (' '):rep(names - vim.fn.strdisplaywidth(tag.name))
-    local name = tag.name .. pad .. '  '
-    local kind = ('%-' .. types .. 's  %-8s  '):format(tag.type, tag.role)
-    local shown = value.show(tag)
-    lines[index] = name .. kind .. shown .. (tag.forced and '  forced' or '')
-    local at = #name + #kind
-    table.insert(marks, { index - 1, 0, #tag.name, 'LadderTagName' })
-    table.insert(marks, { index - 1, #name, at, 'LadderTagType' })
-    if tag.value == true then
-      table.insert(marks, { index - 1, at, at + #shown, 'LadderValueOn' })
-    end
-    if tag.forced then
-      table.insert(marks, { index - 1, at + #shown, #lines[index], 'LadderForced' })
-    end
+  if tag.forced then
+    table.insert(marks, { at + #text, #line, 'LadderForced' })
   end
-  return lines, marks
+  return line, marks
 end
 
---- @param panel integer
+--- @param panel ladder.Panel
+--- @return integer first, integer last the lines that its windows show, from 1
+local function lines_shown(panel)
+  local first, last = math.huge, 0
+  for _, window in ipairs(vim.fn.win_findbuf(panel.bufnr)) do
+    local info = vim.fn.getwininfo(window)[1]
+    first = math.min(first, info.topline)
+    last = math.max(last, info.botline, info.topline + info.height)
+  end
+  return first == math.huge and 1 or first, math.min(last, #panel.tags)
+end
+
+--- Draws the lines that are shown, where they have changed.
+--- @param source integer
+--- @param panel ladder.Panel
+local function draw(source, panel)
+  local session = sessions.of(source)
+  local first, last = lines_shown(panel)
+  vim.bo[panel.bufnr].modifiable = true
+  for index = first, last do
+    local tag = sessions.tag(session, panel.tags[index].name) or panel.tags[index]
+    local line, marks = render(panel, tag)
+    local key = line .. (tag.forced and '!' or '')
+    if panel.drawn[index] ~= key then
+      panel.drawn[index] = key
+      vim.api.nvim_buf_set_lines(panel.bufnr, index - 1, index, false, { line })
+      vim.api.nvim_buf_clear_namespace(panel.bufnr, namespace, index - 1, index)
+      for _, mark in ipairs(marks) do
+        vim.api.nvim_buf_set_extmark(panel.bufnr, namespace, index - 1, mark[1], {
+          end_col = mark[2],
+          hl_group = mark[3],
+        })
+      end
+    end
+  end
+  vim.bo[panel.bufnr].modifiable = false
+end
+
+--- @param panel ladder.Panel
 --- @param source integer
 local function title(panel, source)
   local name = vim.fn.fnamemodify(vim.api.nvim_buf_get_name(source), ':t')
   local session = sessions.of(source)
   local text = ('%s: %s'):format(name, session and status.text(session) or 'not simulated')
-  for _, window in ipairs(vim.fn.win_findbuf(panel)) do
+  for _, window in ipairs(vim.fn.win_findbuf(panel.bufnr)) do
     vim.wo[window][0].winbar = (text .. '  %=' .. keys):gsub('%%([^=])', '%%%%%1')
+  end
+end
+
+--- @param panel ladder.Panel
+--- @param tags ladder.Tag[]
+local function list(panel, tags)
+  panel.tags, panel.drawn, panel.names, panel.types = tags, {}, 4, 4
+  local names = {}
+  for index, tag in ipairs(tags) do
+    names[index] = tag.name
+    panel.names = math.max(panel.names, vim.fn.strdisplaywidth(tag.name))
+    panel.types = math.max(panel.types, #tag.type)
+  end
+  vim.bo[panel.bufnr].modifiable = true
+  vim.api.nvim_buf_set_lines(panel.bufnr, 0, -1, false, names)
+  vim.bo[panel.bufnr].modifiable = false
+  for _, window in ipairs(vim.fn.win_findbuf(panel.bufnr)) do
+    -- One line more for the title.
+    vim.api.nvim_win_set_height(window, math.min(math.max(#tags, 3) + 1, max_height))
   end
 end
 
 --- @param source integer
 local function refresh(source)
   local panel = panels[source]
-  if not panel or not vim.api.nvim_buf_is_valid(panel) then
+  if not panel or not vim.api.nvim_buf_is_valid(panel.bufnr) then
     panels[source] = nil
+    shown.tags(source, nil)
     return
   end
   local session = sessions.of(source)
-  local lines, marks = {}, {}
-  if session and session.state then
-    lines, marks = render(session.state)
+  local id = session and session.id
+  if panel.session ~= id then
+    panel.session = id
+    list(panel, {})
+    if id then
+      simulation.ask(source, 'tags', {}, function(found)
+        if panels[source] == panel and panel.session == id and vim.api.nvim_buf_is_valid(panel.bufnr) then
+          list(panel, found.tags)
+          simulation.look(source)
+          refresh(source)
+        end
+      end)
+    end
   end
-  vim.bo[panel].modifiable = true
-  vim.api.nvim_buf_set_lines(panel, 0, -1, false, lines)
-  vim.bo[panel].modifiable = false
-  vim.api.nvim_buf_clear_namespace(panel, namespace, 0, -1)
-  for _, mark in ipairs(marks) do
-    vim.api.nvim_buf_set_extmark(panel, namespace, mark[1], mark[2], { end_col = mark[3], hl_group = mark[4] })
-  end
+  draw(source, panel)
   title(panel, source)
 end
 
@@ -82,8 +147,9 @@ simulation.on_change(refresh)
 
 --- The tag in the cursor's line.
 local function tag_here(source)
-  local session = sessions.of(source)
-  return session and session.state and session.state.tags[vim.api.nvim_win_get_cursor(0)[1]]
+  local panel = panels[source]
+  local listed = panel and panel.tags[vim.api.nvim_win_get_cursor(0)[1]]
+  return listed and (sessions.tag(sessions.of(source), listed.name) or listed)
 end
 
 --- Asks for a value, then sends it with `set` or `force`.
@@ -105,7 +171,7 @@ local function map_keys(panel, source)
     ['<CR>'] = function()
       local tag = tag_here(source)
       if tag and type(tag.value) == 'boolean' then
-        simulation.command(source, 'set', { tag = tag.name, value = not tag.value })
+        require('ladder').toggle(tag.name, source)
       else
         ask(source, 'set')
       end
@@ -131,11 +197,11 @@ local function map_keys(panel, source)
     w = function()
       local tag = tag_here(source)
       if tag then
-        simulation.ask(source, 'why', { tag = tag.name }, require('ladder.why').show)
+        require('ladder.why').ask(source, tag.name)
       end
     end,
     r = function()
-      simulation.command(source, 'run')
+      simulation.run(source)
     end,
     p = function()
       simulation.pause(source)
@@ -153,25 +219,35 @@ local function create(source)
   local panel = vim.api.nvim_create_buf(false, true)
   vim.bo[panel].bufhidden = 'wipe'
   vim.bo[panel].filetype = 'ladder_tags'
+  vim.bo[panel].modifiable = false
   vim.api.nvim_buf_set_name(panel, ('ladder://tags/%d'):format(source))
   vim.b[panel].ladder_source = source
   map_keys(panel, source)
+  -- What scrolls into sight is to be told of, and drawn.
+  vim.api.nvim_create_autocmd('WinScrolled', {
+    buffer = panel,
+    callback = function()
+      refresh(source)
+    end,
+  })
   return panel
 end
 
 --- @param source integer
 function M.open(source)
-  local panel = create(source)
+  local panel = { bufnr = create(source), tags = {}, drawn = {}, names = 4, types = 4 }
   panels[source] = panel
-  local session = sessions.of(source)
-  local tags = session and session.state and #session.state.tags or 0
-  vim.api.nvim_open_win(panel, false, {
-    split = 'below',
-    -- One line more for the title.
-    height = math.min(math.max(tags, 3) + 1, max_height),
-    style = 'minimal',
-  })
-  for _, window in ipairs(vim.fn.win_findbuf(panel)) do
+  shown.tags(source, function()
+    local first, last = lines_shown(panel)
+    local names = {}
+    for index = first, last do
+      table.insert(names, panel.tags[index].name)
+    end
+    return names
+  end)
+  -- The keys are those of the panel: a split that had no focus would leave them to the program.
+  vim.api.nvim_open_win(panel.bufnr, true, { split = 'below', height = 4, style = 'minimal' })
+  for _, window in ipairs(vim.fn.win_findbuf(panel.bufnr)) do
     vim.wo[window][0].cursorline = true
     vim.wo[window][0].winfixheight = true
     vim.wo[window][0].wrap = false
@@ -183,7 +259,8 @@ end
 function M.close(source)
   local panel = panels[source]
   panels[source] = nil
-  for _, window in ipairs(panel and vim.fn.win_findbuf(panel) or {}) do
+  shown.tags(source, nil)
+  for _, window in ipairs(panel and vim.fn.win_findbuf(panel.bufnr) or {}) do
     vim.api.nvim_win_close(window, true)
   end
 end
@@ -191,7 +268,7 @@ end
 --- @param source integer
 function M.toggle(source)
   local panel = panels[source]
-  if panel and vim.api.nvim_buf_is_valid(panel) then
+  if panel and vim.api.nvim_buf_is_valid(panel.bufnr) then
     M.close(source)
   else
     M.open(source)

@@ -1,4 +1,4 @@
---- Paints the power flow: one extmark on every wire, block and connector, recoloured when its power changes.
+--- Paints the power flow: one extmark on every wire, block and connector that is shown, set anew when it changes.
 require('ladder.highlight')
 
 local M = {}
@@ -8,79 +8,71 @@ local next_namespace = vim.api.nvim_create_namespace('ladder_next')
 -- Above semantic tokens (125), below the underline of a diagnostic (150).
 local priority = 140
 
---- @class ladder.Mark
---- @field id integer
---- @field row integer
---- @field col integer
---- @field end_row integer
---- @field end_col integer
---- @field on boolean
---- @field range lsp.Range
-
---- What is painted now, in the order of the server's list.
---- @type table<integer, ladder.Mark[]>
+--- The marks by buffer, line and column of the server.
+--- @type table<integer, table<integer, table<integer, integer>>>
 local painted = {}
 
 --- @param bufnr integer
 --- @param position lsp.Position
 --- @param encoding string
---- @return integer row, integer col in bytes
-local function byte_position(bufnr, position, encoding)
+--- @return integer col in bytes
+local function byte_column(bufnr, position, encoding)
+  if encoding == 'utf-8' then
+    return position.character
+  end
   local line = vim.api.nvim_buf_get_lines(bufnr, position.line, position.line + 1, false)[1] or ''
-  return position.line, vim.str_byteindex(line, encoding, position.character, false)
+  return vim.str_byteindex(line, encoding, position.character, false)
+end
+
+--- @param element ladder.Power
+--- @return string group
+local function group_of(element)
+  if element.contact == 'closed' then
+    return element.on and 'LadderClosedOn' or 'LadderClosed'
+  elseif element.contact == 'blocks' then
+    return 'LadderBlocks'
+  end
+  return element.on and 'LadderPowerOn' or 'LadderPowerOff'
 end
 
 --- @param bufnr integer
---- @param mark ladder.Mark
-local function put(bufnr, mark)
-  mark.id = vim.api.nvim_buf_set_extmark(bufnr, namespace, mark.row, mark.col, {
-    id = mark.id,
-    end_row = mark.end_row,
-    end_col = mark.end_col,
-    hl_group = mark.on and 'LadderPowerOn' or 'LadderPowerOff',
-    priority = priority,
-    invalidate = true,
-    undo_restore = false,
-    strict = false,
-  })
-end
-
-local function same_range(a, b)
-  return a.start.line == b.start.line
-    and a.start.character == b.start.character
-    and a['end'].line == b['end'].line
-    and a['end'].character == b['end'].character
-end
-
---- @param bufnr integer
---- @param power { range: lsp.Range, on: boolean }[]
+--- @param power ladder.Power[] what has changed
 --- @param encoding string the position encoding of the server
 function M.paint(bufnr, power, encoding)
-  local marks = painted[bufnr] or {}
-  if #marks ~= #power then
-    M.clear(bufnr)
-    marks = {}
-  end
-  painted[bufnr] = marks
-  for index, item in ipairs(power) do
-    local mark = marks[index]
-    if not mark or not same_range(mark.range, item.range) then
-      local row, col = byte_position(bufnr, item.range.start, encoding)
-      local end_row, end_col = byte_position(bufnr, item.range['end'], encoding)
-      mark = {
-        id = mark and mark.id,
-        row = row,
-        col = col,
-        end_row = end_row,
-        end_col = end_col,
-        on = item.on,
-        range = item.range,
+  painted[bufnr] = painted[bufnr] or {}
+  for _, element in ipairs(power) do
+    local from, to = element.range.start, element.range['end']
+    local line = painted[bufnr][from.line] or {}
+    painted[bufnr][from.line] = line
+    line[from.character] = vim.api.nvim_buf_set_extmark(
+      bufnr,
+      namespace,
+      from.line,
+      byte_column(bufnr, from, encoding),
+      {
+        id = line[from.character],
+        end_row = to.line,
+        end_col = byte_column(bufnr, to, encoding),
+        hl_group = group_of(element),
+        priority = priority,
+        invalidate = true,
+        undo_restore = false,
+        strict = false,
       }
-      marks[index] = mark
-      put(bufnr, mark)
-    elseif mark.on ~= item.on then
-      mark.on = item.on
-      put(bufnr, mark)
+    )
+  end
+end
+
+--- Takes off what was painted in lines that are not shown any more.
+--- @param bufnr integer
+--- @param is_shown fun(line: integer): boolean
+function M.forget(bufnr, is_shown)
+  for line, marks in pairs(painted[bufnr] or {}) do
+    if not is_shown(line) then
+      for _, mark in pairs(marks) do
+        vim.api.nvim_buf_del_extmark(bufnr, namespace, mark)
+      end
+      painted[bufnr][line] = nil
     end
   end
 end
@@ -94,11 +86,9 @@ function M.mark_next(bufnr, range, encoding)
   if not range then
     return
   end
-  local row, col = byte_position(bufnr, range.start, encoding)
-  local end_row, end_col = byte_position(bufnr, range['end'], encoding)
-  vim.api.nvim_buf_set_extmark(bufnr, next_namespace, row, col, {
-    end_row = end_row,
-    end_col = end_col,
+  vim.api.nvim_buf_set_extmark(bufnr, next_namespace, range.start.line, byte_column(bufnr, range.start, encoding), {
+    end_row = range['end'].line,
+    end_col = byte_column(bufnr, range['end'], encoding),
     hl_group = 'LadderNext',
     priority = priority + 1,
     strict = false,

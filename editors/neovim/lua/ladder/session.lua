@@ -1,4 +1,4 @@
---- The simulation sessions that are open, one a buffer at most.
+--- The simulation sessions that are open, one a buffer at most, and what is known of each.
 ---
 --- A session belongs to the text it was started on. `tick` is the buffer's change count at that moment: once it has
 --- moved on, what the server says about places is about another text.
@@ -10,9 +10,15 @@ local M = {}
 --- @field tick integer
 --- @field id string|nil the server's name for it; nil until the server has answered
 --- @field state ladder.State|nil the last one received
+--- @field tags table<string, ladder.Tag> what is known of tags, by their names in lower case
+--- @field power table<integer, table<integer, ladder.Power>> what is known of elements, by line and column
+--- @field operands table<integer, ladder.Operand[]> those of the lines that are shown, by line
 --- @field stale boolean the text has moved on since the start
 --- @field waiting fun()[] commands that wait for the one under way
 --- @field busy boolean a command is under way
+--- @field asked integer how many commands had taken effect at the last answer
+--- @field seen integer how many of them are in the picture that is shown
+--- @field speed number|'max' how many times as fast as real time a run goes
 
 --- @class ladder.State
 --- @field session string
@@ -24,11 +30,25 @@ local M = {}
 --- @field timeMs number
 --- @field behind integer
 --- @field ahead integer
+--- @field forced integer
+--- @field commands integer
 --- @field next lsp.Range|nil
 --- @field hit { message: string, range: lsp.Range|nil }|nil
 --- @field tags ladder.Tag[]
---- @field power { range: lsp.Range, on: boolean }[]
+--- @field power ladder.Power[]
+--- @field operands ladder.Operand[]|nil
 --- @field faults { message: string, range: lsp.Range, scan: integer }[]
+
+--- @class ladder.Power
+--- @field range lsp.Range
+--- @field on boolean
+--- @field contact 'closed'|'open'|'blocks'|nil
+
+--- @class ladder.Operand
+--- @field range lsp.Range
+--- @field block lsp.Range
+--- @field tags string[]
+--- @field drawn boolean|nil
 
 --- @class ladder.Tag
 --- @field name string
@@ -36,6 +56,7 @@ local M = {}
 --- @field value any
 --- @field role 'input'|'output'|'internal'
 --- @field forced boolean
+--- @field readOnly boolean|nil
 
 --- @type table<integer, ladder.Session>
 local sessions = {}
@@ -48,12 +69,59 @@ function M.open(bufnr, client)
     bufnr = bufnr,
     client = client,
     tick = vim.api.nvim_buf_get_changedtick(bufnr),
+    tags = {},
+    power = {},
+    operands = {},
     stale = false,
     waiting = {},
     busy = false,
+    asked = 0,
+    seen = 0,
+    speed = 1,
   }
   sessions[bufnr] = session
   return session
+end
+
+--- Takes in what a state tells of the drawing.
+--- @param session ladder.Session
+--- @param state ladder.State
+--- @return boolean moved what stands beside operands may have to stand elsewhere
+function M.take(session, state)
+  local moved = state.operands ~= nil
+  for _, tag in ipairs(state.tags) do
+    local name = vim.fn.tolower(tag.name)
+    local known = session.tags[name]
+    moved = moved or not known or known.forced ~= tag.forced
+    session.tags[name] = tag
+  end
+  for _, element in ipairs(state.power) do
+    local start = element.range.start
+    session.power[start.line] = session.power[start.line] or {}
+    session.power[start.line][start.character] = element
+  end
+  local fresh = {}
+  for _, operand in ipairs(state.operands or {}) do
+    local line = operand.block.start.line
+    -- The operands of a line come together.
+    session.operands[line] = fresh[line] and session.operands[line] or {}
+    fresh[line] = true
+    table.insert(session.operands[line], operand)
+  end
+  return moved
+end
+
+--- Forgets the lines that are not shown any more.
+--- @param session ladder.Session
+--- @param is_shown fun(line: integer): boolean
+function M.forget(session, is_shown)
+  for _, lines in ipairs({ session.power, session.operands }) do
+    for line in pairs(lines) do
+      if not is_shown(line) then
+        lines[line] = nil
+      end
+    end
+  end
 end
 
 --- @param bufnr integer
@@ -74,22 +142,22 @@ function M.find(id, client_id)
   end
 end
 
+--- @return ladder.Session[]
+function M.all()
+  return vim.tbl_values(sessions)
+end
+
 --- @param bufnr integer
 function M.close(bufnr)
   sessions[bufnr] = nil
 end
 
---- The tag of that name, whatever its case.
---- @param state ladder.State|nil
+--- The tag of that name, whatever its case, if it is known.
+--- @param session ladder.Session|nil
 --- @param name string
 --- @return ladder.Tag|nil
-function M.tag(state, name)
-  local wanted = vim.fn.tolower(name)
-  for _, tag in ipairs(state and state.tags or {}) do
-    if vim.fn.tolower(tag.name) == wanted then
-      return tag
-    end
-  end
+function M.tag(session, name)
+  return session and session.tags[vim.fn.tolower(name)]
 end
 
 return M

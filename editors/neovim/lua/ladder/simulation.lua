@@ -1,11 +1,14 @@
 --- Runs sessions: sends the simulator's commands, one at a time and in order, and shows every state that comes back.
 local breakpoints = require('ladder.breakpoints')
 local faults = require('ladder.faults')
+local keys = require('ladder.keys')
 local power = require('ladder.power')
 local server = require('ladder.server')
 local sessions = require('ladder.session')
+local shown = require('ladder.shown')
 local status = require('ladder.status')
 local values = require('ladder.values')
+local winbar = require('ladder.winbar')
 
 local M = {}
 
@@ -30,6 +33,7 @@ end
 
 local function changed(bufnr)
   vim.b[bufnr].ladder_status = status.text(sessions.of(bufnr))
+  winbar.show(bufnr, sessions.of(bufnr))
   vim.cmd.redrawstatus({ bang = true })
   for _, listener in ipairs(listeners) do
     listener(bufnr)
@@ -48,6 +52,7 @@ local function close(session)
     power.clear(bufnr)
     values.clear(bufnr)
     faults.clear(bufnr)
+    keys.unmap(bufnr)
     changed(bufnr)
   end
 end
@@ -64,11 +69,13 @@ local function mark_stale(session)
   notify('the program has changed; the simulation still runs the old one. ":Ladder start" starts the new one.')
 end
 
+--- Shows how things stand; of the drawing what the state tells.
 --- @param session ladder.Session
 --- @param state ladder.State
 local function show(session, state)
   local before = session.state and session.state.hit
   session.state = state
+  local moved = sessions.take(session, state)
   -- The same hit comes with an answer and with a notification.
   if state.hit and not vim.deep_equal(before, state.hit) then
     notify(state.hit.message .. '.')
@@ -81,10 +88,18 @@ local function show(session, state)
     local encoding = session.client.offset_encoding
     power.paint(session.bufnr, state.power, encoding)
     power.mark_next(session.bufnr, state.next, encoding)
-    values.show(session.bufnr, state, encoding)
+    values.show(session, moved)
     faults.show(session.bufnr, state.faults, encoding)
   end
   changed(session.bufnr)
+end
+
+--- An answer tells nothing of the drawing: what a command changes there comes with the next notification.
+--- @param session ladder.Session
+--- @param state ladder.State
+local function answered(session, state)
+  session.asked = math.max(session.asked, state.commands)
+  show(session, state)
 end
 
 --- A `ladder/simulationState` from the server.
@@ -93,7 +108,48 @@ end
 function M.receive(state, client_id)
   local session = sessions.find(state.session, client_id)
   if session and vim.api.nvim_buf_is_loaded(session.bufnr) then
-    show(session, state)
+    -- What failed once would fail with every state; the server must not wait for it.
+    local done, message = pcall(show, session, state)
+    session.seen = math.max(session.seen, state.commands or 0)
+    session.client:notify('ladder/simulationShown', { session = session.id })
+    if not done then
+      error(message, 0)
+    end
+  end
+end
+
+--- Tells the server what the windows show now, if that is something else.
+--- @param session ladder.Session
+local function look(session)
+  if not session.id or not vim.api.nvim_buf_is_loaded(session.bufnr) then
+    return
+  end
+  local now = shown.of(session.bufnr)
+  if vim.deep_equal(now, session.shown) then
+    return
+  end
+  session.shown = now
+  sessions.forget(session, shown.is_shown(now))
+  if not session.stale then
+    power.forget(session.bufnr, shown.is_shown(now))
+  end
+  winbar.show(session.bufnr, session)
+  local argument = vim.tbl_extend('force', { session = session.id }, now)
+  server.command(session.client, session.bufnr, 'ladder.simulate.show', argument, function(err, state)
+    if not err and sessions.of(session.bufnr) == session then
+      session.asked = math.max(session.asked, state.commands)
+    end
+  end)
+end
+
+shown.on_change(look)
+
+--- The tags that are listed besides have changed.
+--- @param bufnr integer
+function M.look(bufnr)
+  local session = sessions.of(bufnr)
+  if session then
+    look(session)
   end
 end
 
@@ -116,8 +172,9 @@ end
 --- @param command string without its prefix
 --- @param argument fun(): table made when the command is sent, for then the session has its name
 --- @param answer fun(result: any)
-local function enqueue(session, command, argument, answer)
-  table.insert(session.waiting, function()
+--- @param first boolean|nil before those that wait already
+local function enqueue(session, command, argument, answer, first)
+  table.insert(session.waiting, first and 1 or #session.waiting + 1, function()
     session.busy = true
     local sent = server.command(
       session.client,
@@ -199,10 +256,14 @@ function M.start(bufnr, options)
   local session = sessions.open(bufnr, client)
   watch(session)
   enqueue(session, 'start', function()
-    return { uri = vim.uri_from_bufnr(bufnr), options = options or vim.empty_dict() }
+    session.shown = shown.of(bufnr)
+    local with = vim.tbl_extend('force', options or {}, { show = session.shown })
+    return { uri = vim.uri_from_bufnr(bufnr), options = with }
   end, function(result)
     session.id = result.session
     show(session, result.state)
+    keys.map(bufnr)
+    look(session)
     for _, note in ipairs(result.notes or {}) do
       notify(note, vim.log.levels.WARN)
     end
@@ -222,7 +283,7 @@ end
 
 --- Asks something that changes nothing.
 --- @param bufnr integer
---- @param command 'why'|'history'
+--- @param command 'why'|'history'|'tags'
 --- @param argument table what the command takes besides the session
 --- @param answer fun(result: any)
 function M.ask(bufnr, command, argument, answer)
@@ -235,11 +296,41 @@ function M.ask(bufnr, command, argument, answer)
   end, answer)
 end
 
+--- Gives the tag of that name with its value, nil if there is none. What is to be done with it comes before the commands
+--- that were given since, with `first` of `command`.
+--- @param bufnr integer
+--- @param name string
+--- @param answer fun(tag: ladder.Tag|nil)
+function M.with_tag(bufnr, name, answer)
+  M.ask(bufnr, 'tags', { containing = name }, function(found)
+    local wanted = vim.fn.tolower(name)
+    answer(vim.iter(found.tags):find(function(tag)
+      return vim.fn.tolower(tag.name) == wanted
+    end))
+  end)
+end
+
+--- Tags whose names hold a text, for completion: asked for at once, whatever else is under way.
+--- @param bufnr integer
+--- @param containing string
+--- @return ladder.Tag[]
+function M.search(bufnr, containing)
+  local session = sessions.of(bufnr)
+  if not session or not session.id then
+    return {}
+  end
+  local argument = { session = session.id, containing = containing, count = 200 }
+  local params = { command = 'ladder.simulate.tags', arguments = { argument } }
+  local answer = session.client:request_sync('workspace/executeCommand', params, 1000, bufnr)
+  return answer and answer.result and answer.result.tags or {}
+end
+
 --- Sends a command that answers with the new state.
 --- @param bufnr integer
 --- @param command string one of those that docs/protocol.md lists, without its prefix
 --- @param argument table|nil what the command takes besides the session
-function M.command(bufnr, command, argument)
+--- @param first boolean|nil before those that wait already: it is a part of one that was given before them
+function M.command(bufnr, command, argument, first)
   local session = sessions.of(bufnr)
   if not session then
     return notify('no simulation runs for this buffer; ":Ladder start" starts one.', vim.log.levels.WARN)
@@ -247,8 +338,34 @@ function M.command(bufnr, command, argument)
   enqueue(session, command, function()
     return vim.tbl_extend('force', { session = session.id }, argument or {})
   end, function(state)
-    show(session, state)
-  end)
+    answered(session, state)
+  end, first)
+end
+
+--- Runs, as fast as was said last.
+--- @param bufnr integer
+--- @param scans integer|nil until it is paused if not given
+function M.run(bufnr, scans)
+  local session = sessions.of(bufnr)
+  local speed = session and session.speed or 1
+  local argument = speed == 'max' and { realTime = false } or { speed = speed }
+  M.command(bufnr, 'run', vim.tbl_extend('force', argument, { scans = scans }))
+end
+
+--- How fast runs go from now on, and the one that is under way.
+--- @param bufnr integer
+--- @param speed number|'max'
+function M.speed(bufnr, speed)
+  local session = sessions.of(bufnr)
+  if not session then
+    return M.command(bufnr, 'run')
+  end
+  session.speed = speed
+  if session.state and session.state.status == 'running' then
+    M.run(bufnr)
+  else
+    changed(bufnr)
+  end
 end
 
 --- Pauses at once: it does not wait for the commands before it, and drops those that have not been sent.
@@ -263,7 +380,7 @@ function M.pause(bufnr)
     if err then
       tell_error(err)
     elseif sessions.of(bufnr) == session then
-      show(session, state)
+      answered(session, state)
     end
   end)
 end
@@ -281,14 +398,15 @@ function M.stop(bufnr)
   end
 end
 
---- Waits until every command sent so far is answered; for scripts and tests.
+--- Waits until every command sent so far is answered, and what it changed is shown; for scripts and tests.
 --- @param bufnr integer
 --- @param timeout_ms integer|nil
 --- @return boolean answered
 function M.wait(bufnr, timeout_ms)
   return vim.wait(timeout_ms or 2000, function()
     local session = sessions.of(bufnr)
-    return not session or (not session.busy and #session.waiting == 0)
+    local answered_all = session and not session.busy and #session.waiting == 0
+    return not session or (answered_all and session.seen >= session.asked)
   end, 5)
 end
 

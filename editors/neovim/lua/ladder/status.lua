@@ -14,6 +14,12 @@ function M.text(session)
     return 'starting'
   end
   local text = ('%s, scan %d, %s'):format(state.status, state.scan, value.duration(state.timeMs))
+  if session.speed ~= 1 then
+    text = text .. (session.speed == 'max' and ', full speed' or (', %gx speed'):format(session.speed))
+  end
+  if (state.forced or 0) > 0 then
+    text = text .. (', %d forced'):format(state.forced)
+  end
   if #state.faults > 0 then
     text = text .. (', %d fault%s'):format(#state.faults, #state.faults == 1 and '' or 's')
   end

@@ -1,92 +1,206 @@
---- Values at the ends of lines. Never inside a line: text put between its elements would push the drawing apart.
+--- Values beside their operands, drawn over blanks and wires: text put between the elements of a line would push the
+--- drawing apart.
 require('ladder.highlight')
 
-local operands = require('ladder.operands')
+local labels = require('ladder.labels')
+local sessions = require('ladder.session')
 local value = require('ladder.value')
 
 local M = {}
 
 local namespace = vim.api.nvim_create_namespace('ladder_values')
 
---- @class ladder.Line
---- @field row integer
---- @field places integer[] of the tags it names, in the state's list
---- @field id integer|nil the extmark
---- @field shown string|nil what stands there now
+--- @class ladder.PlacedLabel
+--- @field label ladder.Label
+--- @field tag ladder.Tag
+--- @field place 'above'|'below'|'between'
+--- @field column integer
+--- @field name string the operand's tag
+--- @field drawn boolean|nil
 
---- The lines that show values. They depend on the text and the list of tags alone, so they are found once a session.
---- @type table<integer, ladder.Line[]>
-local lines_of = {}
+--- What stands where, by buffer; computed when other lines are shown, or when a value outgrows its room.
+--- @type table<integer, { labels: ladder.PlacedLabel[], marks: table<integer, string> }>
+local placed = {}
 
---- @param bufnr integer
---- @param state ladder.State
---- @param encoding string
---- @return ladder.Line[]
-local function find_lines(bufnr, state, encoding)
-  local blocks = {}
-  for _, item in ipairs(state.power) do
-    local from, to = item.range.start, item.range['end']
-    if from.line == to.line then
-      local text = vim.api.nvim_buf_get_lines(bufnr, from.line, from.line + 1, false)[1] or ''
-      local first = vim.str_byteindex(text, encoding, from.character, false)
-      local last = vim.str_byteindex(text, encoding, to.character, false)
-      blocks[from.line] = blocks[from.line] or {}
-      table.insert(blocks[from.line], text:sub(first + 1, last))
-    end
-  end
-  local index = operands.index(state.tags)
-  local lines = {}
-  for row, texts in pairs(blocks) do
-    local places = operands.places(texts, index)
-    if #places > 0 then
-      table.insert(lines, { row = row, places = places })
-    end
-  end
-  return lines
+--- @param tag ladder.Tag
+--- @return string
+local function text_of(tag)
+  return value.show(tag) .. (tag.forced and '!' or '')
 end
 
---- @param tags ladder.Tag[]
---- @param places integer[]
---- @return [string, string][] chunks pieces of text, each with its highlight group
---- @return string key equal if and only if the chunks are
-local function render(tags, places)
-  local chunks, key = {}, {}
-  for _, place in ipairs(places) do
-    local tag = tags[place]
-    local text = value.show(tag) .. (tag.forced and '!' or '')
-    local group = tag.forced and 'LadderForced' or tag.value == true and 'LadderValueOn' or 'LadderValue'
-    table.insert(chunks, { (#chunks == 0 and ' ' or '  ') .. tag.name .. '=', 'LadderValue' })
-    table.insert(chunks, { text, group })
-    table.insert(key, text)
+--- @param session ladder.Session
+--- @return ladder.PlacedLabel[]
+local function find_labels(session)
+  local found = {}
+  local encoding = session.client.offset_encoding
+  for line, operands in pairs(session.operands) do
+    local text = vim.api.nvim_buf_get_lines(session.bufnr, line, line + 1, false)[1] or ''
+    for _, operand in ipairs(operands) do
+      local tag = sessions.tag(session, operand.tags[1])
+      -- The drawing itself tells a contact's value, unless somebody holds it, and the text that of a constant.
+      local is_constant = tag and tag.readOnly and not vim.startswith(tag.name, 'SYS.')
+      if tag and not is_constant and (not operand.drawn or tag.forced) then
+        local byte = vim.str_byteindex(text, encoding, operand.range.start.character, false)
+        table.insert(found, {
+          name = operand.tags[1],
+          drawn = operand.drawn,
+          label = {
+            row = line,
+            column = vim.fn.strdisplaywidth(text:sub(1, byte)),
+            text = text_of(tag),
+            room = labels.room(tag.type),
+          },
+        })
+      end
+    end
   end
-  return chunks, table.concat(key, '\0')
+  table.sort(found, function(a, b)
+    return a.label.row < b.label.row or (a.label.row == b.label.row and a.label.column < b.label.column)
+  end)
+  local places = labels.place(
+    vim.tbl_map(function(it)
+      return it.label
+    end, found),
+    function(row)
+      return row >= 0 and vim.api.nvim_buf_get_lines(session.bufnr, row, row + 1, false)[1] or nil
+    end
+  )
+  for index, place in ipairs(places) do
+    found[index].place, found[index].column = place[1], place[2]
+  end
+  return found
+end
+
+--- @param tag ladder.Tag
+local function group_of(tag)
+  return tag.forced and 'LadderForced' or tag.value == true and 'LadderValueOn' or 'LadderValue'
+end
+
+--- What stands over each line, and in a line of its own above it: pieces of text at their columns.
+--- @param session ladder.Session
+--- @param found ladder.PlacedLabel[]
+local function rows_of(session, found)
+  local rows = vim.defaulttable()
+  for _, it in ipairs(found) do
+    local tag = sessions.tag(session, it.name)
+    if tag then
+      local piece = { column = it.column, text = text_of(tag), group = group_of(tag) }
+      if it.place == 'between' then
+        table.insert(rows[it.label.row].between, piece)
+      elseif it.place == 'above' then
+        table.insert(rows[it.label.row - 1].over, piece)
+      else
+        -- Else it could be one of the line below.
+        piece.text = '^' .. piece.text
+        table.insert(rows[it.label.row + 1].over, piece)
+      end
+    end
+  end
+  return rows
+end
+
+--- Equal if and only if the content is.
+local function key_of(content)
+  local key = {}
+  for _, pieces in ipairs({ rawget(content, 'over') or {}, rawget(content, 'between') or {} }) do
+    for _, it in ipairs(pieces) do
+      table.insert(key, ('%d %s %s'):format(it.column, it.group, it.text))
+    end
+  end
+  return table.concat(key, '\0')
+end
+
+--- @alias ladder.Piece { column: integer, text: string, group: string }
+
+--- Pieces as one text that begins at a column.
+--- @param pieces ladder.Piece[]
+--- @param column integer
+--- @return [string, string?][] chunks
+local function joined(pieces, column)
+  local chunks = {}
+  for _, it in ipairs(pieces) do
+    table.insert(chunks, { (' '):rep(it.column - column) })
+    table.insert(chunks, { it.text, it.group })
+    column = it.column + vim.fn.strdisplaywidth(it.text)
+  end
+  return chunks
 end
 
 --- @param bufnr integer
---- @param state ladder.State
---- @param encoding string the position encoding of the server
-function M.show(bufnr, state, encoding)
-  lines_of[bufnr] = lines_of[bufnr] or find_lines(bufnr, state, encoding)
-  for _, line in ipairs(lines_of[bufnr]) do
-    local text, shown = render(state.tags, line.places)
-    if shown ~= line.shown then
-      line.shown = shown
-      line.id = vim.api.nvim_buf_set_extmark(bufnr, namespace, line.row, 0, {
-        id = line.id,
-        virt_text = text,
-        virt_text_pos = 'eol',
-        hl_mode = 'combine',
-        invalidate = true,
-        undo_restore = false,
-        strict = false,
-      })
+--- @param row integer
+--- @param pieces ladder.Piece[]
+local function put_over(bufnr, row, pieces)
+  local line = vim.api.nvim_buf_get_lines(bufnr, row, row + 1, false)[1] or ''
+  local width = vim.fn.strdisplaywidth(line)
+  table.sort(pieces, function(a, b)
+    return a.column < b.column
+  end)
+  local function put(column, chunks)
+    local options = { virt_text = chunks, virt_text_pos = 'overlay', undo_restore = false, strict = false }
+    vim.api.nvim_buf_set_extmark(bufnr, namespace, row, column, options)
+  end
+  -- Past the end of the line one piece of text holds them all: a second one would cover the first.
+  local behind = {}
+  for _, it in ipairs(pieces) do
+    if it.column < width then
+      put(vim.fn.byteidx(line, it.column), { { it.text, it.group } })
+    else
+      table.insert(behind, it)
+    end
+  end
+  if #behind > 0 then
+    put(#line, joined(behind, width))
+  end
+end
+
+--- @param bufnr integer
+--- @param row integer
+--- @param pieces ladder.Piece[]
+local function put_between(bufnr, row, pieces)
+  -- Above the first line of a text nothing can be seen.
+  local first = row == 0
+  vim.api.nvim_buf_set_extmark(bufnr, namespace, row, 0, {
+    virt_lines = { joined(pieces, 0) },
+    virt_lines_above = not first,
+    undo_restore = false,
+    strict = false,
+  })
+end
+
+--- @param session ladder.Session
+--- @param moved boolean other lines are shown, or a tag was forced or let go
+function M.show(session, moved)
+  local bufnr = session.bufnr
+  local known = placed[bufnr]
+  for _, it in ipairs(known and known.labels or {}) do
+    local tag = sessions.tag(session, it.name)
+    local room = math.max(it.label.room, vim.fn.strdisplaywidth(it.label.text))
+    moved = moved or (tag ~= nil and vim.fn.strdisplaywidth(text_of(tag)) > room)
+  end
+  if moved or not known then
+    known = { labels = find_labels(session), marks = {} }
+    placed[bufnr] = known
+    vim.api.nvim_buf_clear_namespace(bufnr, namespace, 0, -1)
+  end
+  local rows = rows_of(session, known.labels)
+  for row, content in pairs(rows) do
+    local key = key_of(content)
+    if known.marks[row] ~= key then
+      known.marks[row] = key
+      vim.api.nvim_buf_clear_namespace(bufnr, namespace, row, row + 1)
+      if rawget(content, 'over') then
+        put_over(bufnr, row, content.over)
+      end
+      if rawget(content, 'between') then
+        put_between(bufnr, row, content.between)
+      end
     end
   end
 end
 
 --- @param bufnr integer
 function M.clear(bufnr)
-  lines_of[bufnr] = nil
+  placed[bufnr] = nil
   vim.api.nvim_buf_clear_namespace(bufnr, namespace, 0, -1)
 end
 
