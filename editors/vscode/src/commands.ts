@@ -8,19 +8,33 @@ import { askValue, pickTag } from './prompts.ts';
 import type { Tag } from './protocol.ts';
 import { runScenarios } from './scenarios.ts';
 import type { Server } from './server.ts';
-import { tagHere } from './tagHere.ts';
+import type { Speed } from './session.ts';
 import type { Simulation } from './simulation.ts';
 import { toggleCommentInEditor } from './toggleComment.ts';
+import type { WhyRow } from './whyTree.ts';
+import type { WhyView } from './whyView.ts';
 
-/** Sets or forces the tag of a row of the view, or one that is asked for. */
-async function assign(simulation: Simulation, name: 'set' | 'force', given: Tag | undefined): Promise<void> {
-    const state = simulation.current?.state;
-    if (!state) {
-        return;
+/** The tag of a row, or the one at the cursor if it is wanted, or one that is asked for. */
+async function chosen(
+    simulation: Simulation,
+    given: Tag | undefined,
+    title: string,
+    wanted: (tag: Tag) => boolean,
+): Promise<Tag | undefined> {
+    const session = simulation.current;
+    if (!session || given) {
+        return session && given && (session.tag(given.name) ?? given);
     }
+    const here = simulation.operandHere()?.tags.flatMap((name) => session.tag(name) ?? []);
+    return here?.find(wanted) ?? pickTag(await simulation.allTags(), title, wanted);
+}
+
+const isWritable = ({ readOnly }: Tag) => readOnly !== true;
+
+/** Sets or forces a tag. */
+async function assign(simulation: Simulation, name: 'set' | 'force', given: Tag | undefined): Promise<void> {
     const verb = name === 'set' ? 'Set' : 'Force';
-    const settable = (tag: Tag) => name === 'force' || tag.role !== 'output';
-    const tag = given ?? (await pickTag(state, `${verb} Tag`, settable));
+    const tag = await chosen(simulation, given, `${verb} Tag`, isWritable);
     const value = tag && (await askValue(tag, `${verb} ${tag.name}`));
     if (tag && value !== undefined) {
         await simulation.command(name, { tag: tag.name, value });
@@ -28,50 +42,51 @@ async function assign(simulation: Simulation, name: 'set' | 'force', given: Tag 
 }
 
 async function release(simulation: Simulation, given: Tag | undefined): Promise<void> {
-    const state = simulation.current?.state;
-    const tag = given ?? (state && (await pickTag(state, 'Release Force', ({ forced }) => forced)));
+    const tag = await chosen(simulation, given, 'Release Force', ({ forced }) => forced);
     if (tag) {
         await simulation.command('unforce', { tag: tag.name });
     }
 }
 
 async function toggle(simulation: Simulation, given: Tag | undefined): Promise<void> {
-    const state = simulation.current?.state;
-    const isBoolInput = ({ role, value }: Tag) => role === 'input' && typeof value === 'boolean';
-    const tag = given ?? (state && (await pickTag(state, 'Toggle Tag', isBoolInput)));
+    const isBool = (tag: Tag) => typeof tag.value === 'boolean' && isWritable(tag);
+    const tag = await chosen(simulation, given, 'Toggle Tag', isBool);
     if (tag) {
-        await simulation.toggle(tag.name);
+        await simulation.toggle(tag);
     }
 }
 
 async function breakOnChange(simulation: Simulation, given: Tag | undefined): Promise<void> {
-    const state = simulation.current?.state;
-    const tag = given ?? (state && (await pickTag(state, 'Break on Change', () => true)));
+    const tag = await chosen(simulation, given, 'Break on Change', () => true);
     if (tag) {
         await simulation.toggleBreakOnChange(tag.name);
     }
 }
 
-/** Tells why the tag of a row, or the one at the cursor, holds what it holds. */
-async function why(simulation: Simulation, given: Tag | undefined): Promise<void> {
-    const session = simulation.current;
-    if (!session) {
-        return;
+/** Shows why a tag holds what it holds. */
+async function why(simulation: Simulation, view: WhyView, given: Tag | undefined): Promise<void> {
+    const tag = await chosen(simulation, given, 'Why', () => true);
+    if (tag) {
+        await view.ask(tag.name);
     }
-    const editor = vscode.window.activeTextEditor;
-    const here = editor?.document === session.document ? editor.selection.active : undefined;
-    const word = here && tagHere(session.document.lineAt(here.line).text, here.character, session.state.tags);
-    const name = given?.name ?? word ?? (await pickTag(session.state, 'Why', () => true))?.name;
-    const told = name === undefined ? undefined : await simulation.why(name);
-    if (!told) {
-        return;
-    }
-    const [first, ...deeper] = told.text.split('\n');
-    const showAll = 'Show All';
-    const chosen = await vscode.window.showInformationMessage(`Ladder: ${first}`, ...(deeper.length > 0 ? [showAll] : []));
-    if (chosen === showAll) {
-        const document = await vscode.workspace.openTextDocument({ content: `${told.text}\n`, language: 'plaintext' });
-        await vscode.window.showTextDocument(document, vscode.ViewColumn.Beside, true);
+}
+
+const speeds: readonly { readonly label: string; readonly description: string; readonly speed: Speed }[] = [
+    { label: '0.01x', description: 'very slow motion', speed: 0.01 },
+    { label: '0.1x', description: 'slow motion', speed: 0.1 },
+    { label: '0.5x', description: 'half as fast as real time', speed: 0.5 },
+    { label: '1x', description: 'real time', speed: 1 },
+    { label: '2x', description: 'twice as fast', speed: 2 },
+    { label: '10x', description: 'ten times as fast', speed: 10 },
+    { label: '100x', description: 'a hundred times as fast', speed: 100 },
+    { label: 'max', description: 'as fast as it goes', speed: 'max' },
+];
+
+async function setSpeed(simulation: Simulation): Promise<void> {
+    const placeHolder = 'How fast a run goes';
+    const picked = await vscode.window.showQuickPick(speeds, { title: 'Speed of the Simulation', placeHolder, matchOnDescription: true });
+    if (picked) {
+        await simulation.setSpeed(picked.speed);
     }
 }
 
@@ -88,7 +103,7 @@ async function start(click: Click, simulation: Simulation): Promise<void> {
     }
 }
 
-export function registerCommands(server: Server, simulation: Simulation, click: Click): vscode.Disposable {
+export function registerCommands(server: Server, simulation: Simulation, click: Click, whyView: WhyView): vscode.Disposable {
     // A command comes with the tag of a row, a lens with the address of its file, the palette with nothing.
     const commands: Record<string, (given?: any) => unknown> = {
         'ladder.simulation.start': () => start(click, simulation),
@@ -96,7 +111,8 @@ export function registerCommands(server: Server, simulation: Simulation, click: 
         'ladder.simulation.stepBlock': () => simulation.command('stepBlock', {}),
         'ladder.simulation.stepRung': () => simulation.command('stepRung', {}),
         'ladder.simulation.back': () => simulation.command('back', { scans: 1 }),
-        'ladder.simulation.run': () => simulation.command('run', {}),
+        'ladder.simulation.run': () => simulation.run(),
+        'ladder.simulation.speed': () => setSpeed(simulation),
         'ladder.simulation.pause': () => simulation.pause(),
         'ladder.simulation.reset': () => simulation.command('reset', {}),
         'ladder.simulation.warmRestart': () => simulation.command('warmRestart', {}),
@@ -107,7 +123,7 @@ export function registerCommands(server: Server, simulation: Simulation, click: 
         'ladder.simulation.toggle': (tag) => toggle(simulation, tag),
         'ladder.test': (uri?: unknown) => runScenarios(server.program(), typeof uri === 'string' ? uri : undefined),
         'ladder.simulation.breakOnChange': (tag) => breakOnChange(simulation, tag),
-        'ladder.simulation.why': (tag) => why(simulation, tag),
+        'ladder.simulation.why': (tag) => why(simulation, whyView, tag),
         // Not `ladder.convert`: the client registers the server's commands under their own names.
         'ladder.convertFile': (uri) => convert(server, uri),
         'ladder.exportAs': (uri) => exportAs(server, uri),
@@ -119,6 +135,7 @@ export function registerCommands(server: Server, simulation: Simulation, click: 
     };
     return vscode.Disposable.from(
         vscode.commands.registerCommand('ladder.showReferences', showReferences),
+        vscode.commands.registerCommand('ladder.simulation.why.open', (row: WhyRow) => whyView.open(row)),
         ...Object.entries(commands).map(([name, run]) => vscode.commands.registerCommand(name, run)),
     );
 }

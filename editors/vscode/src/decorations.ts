@@ -1,93 +1,237 @@
 // Power flow and values drawn over the text; nothing is ever put between its characters.
 import * as vscode from 'vscode';
 
-import { lineText } from './lineValues.ts';
-import { powerRanges } from './powerRanges.ts';
+import { type Label, type Placed, placeLabels, roomFor } from './labels.ts';
+import { type Look, powerRanges } from './powerRanges.ts';
 import type { Session } from './session.ts';
 import { type Simulation, toRange } from './simulation.ts';
+import { showValue } from './value.ts';
 
-// Colour and weight, so that power is seen without colours too. Bold letters are as wide as others in a fixed font.
-const on = vscode.window.createTextEditorDecorationType({
-    color: new vscode.ThemeColor('ladder.powerOn'),
-    fontWeight: 'bold',
-    rangeBehavior: vscode.DecorationRangeBehavior.ClosedClosed,
-});
-const off = vscode.window.createTextEditorDecorationType({
-    color: new vscode.ThemeColor('ladder.powerOff'),
-    rangeBehavior: vscode.DecorationRangeBehavior.ClosedClosed,
-});
-const stale = vscode.window.createTextEditorDecorationType({
-    color: new vscode.ThemeColor('ladder.powerOff'),
-    opacity: '0.7',
-    rangeBehavior: vscode.DecorationRangeBehavior.ClosedClosed,
-});
-const next = vscode.window.createTextEditorDecorationType({
-    border: '1px solid',
-    borderColor: new vscode.ThemeColor('editor.findMatchHighlightBorder'),
-    backgroundColor: new vscode.ThemeColor('editor.stackFrameHighlightBackground'),
-    rangeBehavior: vscode.DecorationRangeBehavior.ClosedClosed,
-});
-const values = vscode.window.createTextEditorDecorationType({
-    after: { color: new vscode.ThemeColor('ladder.value'), margin: '0 0 0 2ch' },
-    rangeBehavior: vscode.DecorationRangeBehavior.ClosedClosed,
-});
+/** Nobody reads a value that changes more often. In milliseconds. */
+const VALUES_EVERY = 200;
 
-function lineValues(session: Session): vscode.DecorationOptions[] {
-    return [...session.lineTags].flatMap(([line, places]) => {
-        const end = session.document.lineAt(line).range.end;
-        // The page would make one blank of two.
-        const contentText = lineText(session.state.tags, places).replaceAll(' ', '\u00a0');
-        return { range: new vscode.Range(end, end), renderOptions: { after: { contentText } } };
+function style(options: vscode.DecorationRenderOptions): vscode.TextEditorDecorationType {
+    return vscode.window.createTextEditorDecorationType({
+        rangeBehavior: vscode.DecorationRangeBehavior.ClosedClosed,
+        ...options,
     });
 }
 
-function clear(editor: vscode.TextEditor): void {
-    for (const type of [on, off, stale, next, values]) {
-        editor.setDecorations(type, []);
+const powered = { color: new vscode.ThemeColor('ladder.powerOn') };
+
+// Weight and line beside the colours, so that all is seen without colours too: what has power is bold, a contact that
+// lets it through is underlined, one that does not is neither. Bold letters are as wide as others in a fixed font.
+const looks: Readonly<Record<Look, vscode.TextEditorDecorationType>> = {
+    on: style({ ...powered, fontWeight: 'bold' }),
+    off: style({ color: new vscode.ThemeColor('ladder.powerOff') }),
+    closedOn: style({ ...powered, fontWeight: 'bold', textDecoration: 'underline' }),
+    closed: style({ ...powered, textDecoration: 'underline' }),
+    blocks: style({ color: new vscode.ThemeColor('ladder.blocks') }),
+};
+const stale = style({ color: new vscode.ThemeColor('ladder.powerOff'), opacity: '0.7' });
+const next = style({
+    border: '1px solid',
+    borderColor: new vscode.ThemeColor('editor.findMatchHighlightBorder'),
+    backgroundColor: new vscode.ThemeColor('editor.stackFrameHighlightBackground'),
+});
+const values = style({});
+
+const kinds = [...Object.values(looks), stale, next, values];
+
+/** A value of an operand, and where it stands. */
+interface ShownLabel {
+    readonly tag: string;
+    readonly line: number;
+    readonly character: number;
+    readonly room: number;
+    readonly placed: Placed;
+}
+
+/** What an editor shows of a session, so that nothing is drawn twice. */
+interface Canvas {
+    readonly session: Session;
+    readonly drawn: Map<vscode.TextEditorDecorationType, string>;
+    powerChanges: number;
+    labels: readonly ShownLabel[];
+    /** Of what the labels were placed for: lines that are shown, and what is forced. */
+    labelled: string;
+}
+
+const canvases = new WeakMap<vscode.TextEditor, Canvas>();
+
+function canvasOf(editor: vscode.TextEditor, session: Session): Canvas {
+    const known = canvases.get(editor);
+    if (known?.session === session) {
+        return known;
+    }
+    const canvas: Canvas = { session, drawn: new Map(), powerChanges: -1, labels: [], labelled: '' };
+    canvases.set(editor, canvas);
+    return canvas;
+}
+
+function draw(
+    editor: vscode.TextEditor,
+    canvas: Canvas,
+    kind: vscode.TextEditorDecorationType,
+    options: readonly vscode.Range[] | readonly vscode.DecorationOptions[],
+    key: string,
+): void {
+    if (canvas.drawn.get(kind) !== key) {
+        canvas.drawn.set(kind, key);
+        editor.setDecorations(kind, options as vscode.DecorationOptions[]);
     }
 }
 
-function paint(editor: vscode.TextEditor, session: Session): void {
+function textOf(session: Session, name: string): string {
+    const tag = session.tag(name);
+    return tag ? showValue(tag) + (tag.forced ? '!' : '') : '';
+}
+
+/** The drawing itself tells a contact's value, unless somebody holds it, and the text that of a constant. */
+function isLabelled(session: Session, name: string, drawn: boolean): boolean {
+    const tag = session.tag(name);
+    const isConstant = tag?.readOnly === true && !tag.name.startsWith('SYS.');
+    return tag !== undefined && !isConstant && (!drawn || tag.forced);
+}
+
+function placeAll(session: Session): ShownLabel[] {
+    const lines = [...session.operands.keys()].sort((a, b) => a - b);
+    const found = lines.flatMap((line) =>
+        (session.operands.get(line) ?? [])
+            .filter(({ tags, drawn }) => isLabelled(session, tags[0] ?? '', drawn === true))
+            .map(({ tags, range }) => ({ tag: tags[0] ?? '', range }))
+            .sort((a, b) => a.range.start.character - b.range.start.character),
+    );
+    const labels: Label[] = found.map(({ tag, range }) => ({
+        row: range.start.line,
+        column: range.start.character,
+        text: textOf(session, tag),
+        room: roomFor(session.tag(tag)?.type ?? ''),
+    }));
+    const { document } = session;
+    const lineAt = (row: number) => (row >= 0 && row < document.lineCount ? document.lineAt(row).text : undefined);
+    return placeLabels(labels, lineAt).map((placed, index) => ({
+        tag: found[index]?.tag ?? '',
+        line: labels[index]?.row ?? 0,
+        character: labels[index]?.column ?? 0,
+        room: Math.max(labels[index]?.room ?? 0, labels[index]?.text.length ?? 0),
+        placed,
+    }));
+}
+
+/**
+ * A label stands over the text, out of its flow: it takes no room in its line. On a blank line it is as large as the
+ * text; between two lines it is as large as the gap.
+ */
+function labelOptions(session: Session, label: ShownLabel): vscode.DecorationOptions {
+    const { side, column } = label.placed;
+    const text = textOf(session, label.tag);
+    const tag = session.tag(label.tag);
+    const place = {
+        above: 'top: -100%; font-size: 0.9em',
+        below: 'top: 100%; font-size: 0.9em',
+        between: 'top: -0.6em; font-size: 0.68em; line-height: 1',
+    }[side];
+    const color = tag?.forced ? 'ladder.forced' : tag?.value === true ? 'ladder.powerOn' : 'ladder.value';
+    const start = new vscode.Position(label.line, label.character);
+    return {
+        range: new vscode.Range(start, start.translate(0, 1)),
+        renderOptions: {
+            before: {
+                // The page would make one blank of two. Below, it could be one of the next line.
+                contentText: `${side === 'below' ? '↑' : ''}${text}`.replaceAll(' ', '\u00a0'),
+                color: new vscode.ThemeColor(color),
+                fontWeight: side === 'between' ? 'bold' : 'normal',
+                fontStyle: 'normal',
+                margin: `0 0 0 ${column - label.character}ch`,
+                textDecoration: `none; position: absolute; z-index: 2; pointer-events: none; white-space: pre; ${place};`,
+            },
+        },
+    };
+}
+
+function paintValues(editor: vscode.TextEditor, canvas: Canvas): void {
+    const { session } = canvas;
+    const forced = [...session.tags.values()].filter((tag) => tag.forced).map(({ name }) => name);
+    const labelled = JSON.stringify([[...session.operands.keys()], forced]);
+    const isOutgrown = canvas.labels.some(({ tag, room }) => textOf(session, tag).length > room);
+    if (labelled !== canvas.labelled || isOutgrown) {
+        canvas.labelled = labelled;
+        canvas.labels = placeAll(session);
+    }
+    const options = canvas.labels.map((label) => labelOptions(session, label));
+    const key = canvas.labels.map(({ line, character, tag }) => `${line}:${character} ${textOf(session, tag)}`).join(' ');
+    draw(editor, canvas, values, options, `${labelled} ${key}`);
+}
+
+function clear(editor: vscode.TextEditor): void {
+    if (canvases.delete(editor)) {
+        for (const kind of kinds) {
+            editor.setDecorations(kind, []);
+        }
+    }
+}
+
+function key(ranges: readonly vscode.Range[]): string {
+    return ranges.map(({ start, end }) => `${start.line}:${start.character}-${end.character}`).join(' ');
+}
+
+function paint(editor: vscode.TextEditor, session: Session, withValues: boolean): void {
+    const canvas = canvasOf(editor, session);
     if (session.stale) {
-        clear(editor);
-        editor.setDecorations(stale, session.staleRanges.map(toRange));
+        for (const kind of kinds) {
+            draw(editor, canvas, kind, [], '');
+        }
+        const ranges = session.staleRanges.map(toRange);
+        draw(editor, canvas, stale, ranges, key(ranges));
         return;
     }
-    const ranges = powerRanges(session.state.power);
-    editor.setDecorations(stale, []);
-    editor.setDecorations(on, ranges.on.map(toRange));
-    editor.setDecorations(off, ranges.off.map(toRange));
-    editor.setDecorations(next, session.state.next ? [toRange(session.state.next)] : []);
-    editor.setDecorations(values, lineValues(session));
-}
-
-function update(editor: vscode.TextEditor, simulation: Simulation): void {
-    const session = simulation.of(editor.document);
-    if (session) {
-        paint(editor, session);
-    } else {
-        clear(editor);
+    if (canvas.powerChanges !== session.powerChanges) {
+        canvas.powerChanges = session.powerChanges;
+        const elements = [...session.power.values()].flatMap((line) => [...line.values()]);
+        for (const [look, ranges] of Object.entries(powerRanges(elements))) {
+            const places = ranges.map(toRange);
+            draw(editor, canvas, looks[look as Look], places, key(places));
+        }
+    }
+    const following = session.state.next ? [toRange(session.state.next)] : [];
+    draw(editor, canvas, next, following, key(following));
+    if (withValues) {
+        paintValues(editor, canvas);
     }
 }
 
 export function showPower(simulation: Simulation): vscode.Disposable {
+    let later: NodeJS.Timeout | undefined;
+    let valuesShown = 0;
+    const update = (editors: readonly vscode.TextEditor[], withValues: boolean) => {
+        for (const editor of editors) {
+            const session = simulation.of(editor.document);
+            if (session) {
+                paint(editor, session, withValues);
+            } else {
+                clear(editor);
+            }
+        }
+    };
+    const all = () => {
+        clearTimeout(later);
+        later = undefined;
+        valuesShown = Date.now();
+        update(vscode.window.visibleTextEditors, true);
+    };
     return vscode.Disposable.from(
-        on,
-        off,
-        stale,
-        next,
-        values,
+        ...kinds,
+        new vscode.Disposable(() => clearTimeout(later)),
         simulation.onDidChange((document) => {
-            for (const editor of vscode.window.visibleTextEditors) {
-                if (editor.document === document) {
-                    update(editor, simulation);
-                }
+            const wait = simulation.of(document)?.state.status === 'running' ? VALUES_EVERY - (Date.now() - valuesShown) : 0;
+            if (wait <= 0) {
+                all();
+                return;
             }
+            update(vscode.window.visibleTextEditors.filter((editor) => editor.document === document), false);
+            later ??= setTimeout(all, wait);
         }),
-        vscode.window.onDidChangeVisibleTextEditors((editors) => {
-            for (const editor of editors) {
-                update(editor, simulation);
-            }
-        }),
+        vscode.window.onDidChangeVisibleTextEditors(all),
     );
 }

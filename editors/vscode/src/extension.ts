@@ -10,12 +10,13 @@ import { Server } from './server.ts';
 import { Simulation } from './simulation.ts';
 import { showStatus } from './statusBar.ts';
 import { showTags } from './tagsView.ts';
+import { WhyView } from './whyView.ts';
 
 let server: Server | undefined;
 
 /** What other extensions, and the end-to-end tests, may ask. */
 export interface Api {
-    /** The last state of the current simulation. */
+    /** The last state of the current simulation, with all that is known of what is shown. */
     state(): State | undefined;
 }
 
@@ -23,11 +24,13 @@ export async function activate(context: vscode.ExtensionContext): Promise<Api> {
     server = new Server(context.extensionPath);
     const simulation = new Simulation(server);
     const click = new Click(server);
+    const whyView = new WhyView(simulation);
     context.subscriptions.push(
         server,
         simulation,
         click,
-        registerCommands(server, simulation, click),
+        whyView,
+        registerCommands(server, simulation, click, whyView),
         showPower(simulation),
         showFaults(simulation),
         showStatus(simulation),
@@ -40,7 +43,13 @@ export async function activate(context: vscode.ExtensionContext): Promise<Api> {
         }),
     );
     await server.start();
-    return { state: () => simulation.current?.state };
+    return {
+        state: () => {
+            const session = simulation.current;
+            const power = [...(session?.power.values() ?? [])].flatMap((line) => [...line.values()]);
+            return session && { ...session.state, commands: session.seen, tags: [...session.tags.values()], power };
+        },
+    };
 }
 
 export async function deactivate(): Promise<void> {

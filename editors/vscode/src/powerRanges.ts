@@ -1,29 +1,22 @@
-// What to paint: the ranges with and without power, neighbours joined so that the editor has few to draw.
+// What to paint: ranges by how they look, neighbours joined so that the editor has few to draw.
 import type { Power } from './protocol.ts';
 
 type Range = Power['range'];
 
-export interface PowerRanges {
-    readonly on: readonly Range[];
-    readonly off: readonly Range[];
+/** How an element looks: with power, without, a contact that lets it through with and without power, one that stops it. */
+export type Look = 'on' | 'off' | 'closedOn' | 'closed' | 'blocks';
+
+export type PowerRanges = Readonly<Record<Look, readonly Range[]>>;
+
+function look({ on, contact }: Power): Look {
+    if (contact === 'closed') {
+        return on ? 'closedOn' : 'closed';
+    }
+    return contact === 'blocks' ? 'blocks' : on ? 'on' : 'off';
 }
 
 function touches(left: Range, right: Range): boolean {
     return left.end.line === right.start.line && left.end.character === right.start.character;
-}
-
-/** Joins ranges that touch; they are joined only as they follow one another in the list. */
-function joined(ranges: readonly Range[]): Range[] {
-    const result: Range[] = [];
-    for (const range of ranges) {
-        const last = result.at(-1);
-        if (last && touches(last, range)) {
-            result[result.length - 1] = { start: last.start, end: range.end };
-        } else {
-            result.push(range);
-        }
-    }
-    return result;
 }
 
 function inTextOrder(a: Power, b: Power): number {
@@ -31,9 +24,16 @@ function inTextOrder(a: Power, b: Power): number {
 }
 
 export function powerRanges(power: readonly Power[]): PowerRanges {
-    const sorted = power.toSorted(inTextOrder);
-    return {
-        on: joined(sorted.filter(({ on }) => on).map(({ range }) => range)),
-        off: joined(sorted.filter(({ on }) => !on).map(({ range }) => range)),
-    };
+    const ranges: Record<Look, Range[]> = { on: [], off: [], closedOn: [], closed: [], blocks: [] };
+    for (const element of power.toSorted(inTextOrder)) {
+        const list = ranges[look(element)];
+        const last = list.at(-1);
+        // Two contacts side by side stay two.
+        if (last && !element.contact && touches(last, element.range)) {
+            list[list.length - 1] = { start: last.start, end: element.range.end };
+        } else {
+            list.push(element.range);
+        }
+    }
+    return ranges;
 }

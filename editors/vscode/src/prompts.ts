@@ -1,11 +1,11 @@
 // Asks for a tag and for a value.
 import * as vscode from 'vscode';
 
-import type { State, Tag, Value } from './protocol.ts';
+import type { Tag, Value } from './protocol.ts';
 import { parseValue, showValue } from './value.ts';
 
-export async function pickTag(state: State, title: string, wanted: (tag: Tag) => boolean): Promise<Tag | undefined> {
-    const items = state.tags.filter(wanted).map((tag) => ({
+export async function pickTag(tags: readonly Tag[], title: string, wanted: (tag: Tag) => boolean): Promise<Tag | undefined> {
+    const items = tags.filter(wanted).map((tag) => ({
         label: tag.name,
         description: `${showValue(tag)}  ${tag.type}, ${tag.role}${tag.forced ? ', forced' : ''}`,
         tag,
@@ -16,12 +16,17 @@ export async function pickTag(state: State, title: string, wanted: (tag: Tag) =>
 
 export async function askValue(tag: Tag, title: string): Promise<Value | undefined> {
     if (typeof tag.value === 'boolean') {
+        // As values are shown, and all that one may type for them.
         const items = [
-            { label: 'TRUE', value: true },
-            { label: 'FALSE', value: false },
+            { label: '1', description: 'TRUE, on, high', value: true },
+            { label: '0', description: 'FALSE, off, low', value: false },
         ];
         // The other value first: it is the one that is mostly wanted.
-        const picked = await vscode.window.showQuickPick(tag.value ? items.reverse() : items, { title });
+        const picked = await vscode.window.showQuickPick(tag.value ? items.reverse() : items, {
+            title,
+            placeHolder: `${tag.name} is ${showValue(tag)}`,
+            matchOnDescription: true,
+        });
         return picked?.value;
     }
     const prompt = tag.type === 'TIME' ? 'A time, such as 5s or 1h30m, or milliseconds' : `A value of type ${tag.type}`;

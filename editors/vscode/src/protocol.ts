@@ -9,12 +9,33 @@ export interface Tag {
     readonly value: Value;
     readonly role: 'input' | 'output' | 'internal';
     readonly forced: boolean;
+    /** It can be neither set nor forced. */
+    readonly readOnly?: boolean;
 }
+
+/** What a contact does with power: lets it through, would not, or holds up what comes. */
+export type Contact = 'closed' | 'open' | 'blocks';
 
 /** Whether power flows in one wire, block or connector. */
 export interface Power {
     readonly range: Range;
     readonly on: boolean;
+    readonly contact?: Contact;
+}
+
+/** An operand in a line that is shown, and the tags whose values belong beside it. */
+export interface Operand {
+    readonly range: Range;
+    readonly block: Range;
+    readonly tags: readonly string[];
+    /** The drawing tells the value already. */
+    readonly drawn?: boolean;
+}
+
+/** Which part of a program is shown. */
+export interface Shown {
+    readonly lines: readonly { readonly first: number; readonly last: number }[];
+    readonly tags: readonly string[];
 }
 
 export interface Fault {
@@ -40,20 +61,59 @@ export interface State {
     readonly next?: Range;
     /** The breakpoint that stopped the last run. */
     readonly hit?: { readonly message: string; readonly range?: Range };
+    /** How many tags are forced. */
+    readonly forced: number;
+    /** How many commands have taken effect. */
+    readonly commands?: number;
+    /** What has changed of what is shown. */
     readonly tags: readonly Tag[];
     readonly power: readonly Power[];
+    readonly operands?: readonly Operand[];
     readonly faults: readonly Fault[];
+}
+
+/** Why a tag holds what it holds, as a tree. */
+export interface Reason {
+    readonly tag: string;
+    readonly value: Value;
+    readonly type: string;
+    readonly cause: 'block' | 'given' | 'forced' | 'system' | 'initial' | 'unknown';
+    readonly text: string;
+    readonly write?: ReasonWrite;
+    readonly now?: ReasonWrite;
+}
+
+/** The block that wrote it. */
+export interface ReasonWrite {
+    readonly block: string;
+    readonly range: Range;
+    readonly uri?: string;
+    readonly scan: number;
+    readonly power: boolean;
+    readonly ways?: readonly (readonly ReasonBlock[])[];
+    readonly because?: readonly Reason[];
+}
+
+/** A block that let power through, or stops it; the left rail if it is no block. */
+export interface ReasonBlock {
+    readonly block?: string;
+    readonly range: Range;
+    readonly uri?: string;
+    readonly stops: boolean;
+    readonly text: string;
+    readonly because?: readonly Reason[];
 }
 
 export interface Why {
     readonly tag: string;
     readonly text: string;
     readonly blocks: readonly Range[];
+    readonly reason: Reason;
 }
 
 /** What each command takes besides the session, and what it answers. */
 export interface Commands {
-    start: { argument: { uri: string }; answer: { session: string; state: State; notes?: string[] } };
+    start: { argument: { uri: string; options: { show: Shown } }; answer: { session: string; state: State; notes?: string[] } };
     step: { argument: { scans: number }; answer: State };
     stepBlock: { argument: object; answer: State };
     stepRung: { argument: object; answer: State };
@@ -61,7 +121,9 @@ export interface Commands {
     breakpoints: { argument: { lines: number[]; tags: string[] }; answer: State };
     why: { argument: { tag: string }; answer: Why };
     warmRestart: { argument: object; answer: State };
-    run: { argument: object; answer: State };
+    run: { argument: { speed?: number; realTime?: boolean }; answer: State };
+    show: { argument: Shown; answer: State };
+    tags: { argument: { containing?: string }; answer: { count: number; tags: Tag[] } };
     pause: { argument: object; answer: State };
     set: { argument: { tag: string; value: Value }; answer: State };
     force: { argument: { tag: string; value: Value }; answer: State };
@@ -110,4 +172,5 @@ export interface OtherCommands {
 }
 
 export const stateNotification = 'ladder/simulationState';
+export const shownNotification = 'ladder/simulationShown';
 export const previewNotification = 'ladder/preview';

@@ -8,7 +8,7 @@ import * as vscode from 'vscode';
 import { LanguageClient, State as ClientState } from 'vscode-languageclient/node';
 
 import { lensCommands } from './lenses.ts';
-import { previewNotification, stateNotification, type OtherCommands, type Previewed, type State } from './protocol.ts';
+import { previewNotification, shownNotification, stateNotification, type OtherCommands, type Previewed, type State } from './protocol.ts';
 import { cannotStart, findServer, type Place } from './serverPath.ts';
 import type { Send } from './session.ts';
 
@@ -125,6 +125,11 @@ export class Server implements vscode.Disposable {
     }
 
     readonly simulate: Send = (name, argument) => this.#request(`ladder.simulate.${name}`, argument);
+
+    /** A session's state is shown: the next may come. */
+    hasShown(session: string): void {
+        void this.#client?.sendNotification(shownNotification, { session });
+    }
 
     /** Asks for one of the commands beside those of the simulator. */
     execute<Name extends keyof OtherCommands>(

@@ -1,8 +1,7 @@
-// One simulation of one document's text: sends its commands in order and keeps its last state.
+// One simulation of one document's text: sends its commands in order, and keeps what is known of what is shown.
 import type { TextDocument, TextDocumentContentChangeEvent } from 'vscode';
 
-import { findLineTags, type LineTags } from './lineValues.ts';
-import type { Commands, Power, State } from './protocol.ts';
+import type { Commands, Operand, Power, Shown, State, Tag } from './protocol.ts';
 import { rangesAfterEdit } from './rangesAfterEdit.ts';
 
 /** Sends `ladder.simulate.<name>` with one object. */
@@ -11,9 +10,25 @@ export type Send = <Name extends keyof Commands>(
     argument: Commands[Name]['argument'] & { session?: string },
 ) => Promise<Commands[Name]['answer']>;
 
+/** How many times as fast as real time. */
+export type Speed = number | 'max';
+
 export class Session {
     readonly document: TextDocument;
+    /** The last one; of the drawing it tells only what has changed. */
     state: State;
+    /** What is known of tags, by their names in lower case. */
+    readonly tags = new Map<string, Tag>();
+    /** What is known of elements, by line and column. */
+    readonly power = new Map<number, Map<number, Power>>();
+    /** Those of the lines that are shown, by line. */
+    readonly operands = new Map<number, readonly Operand[]>();
+    /** Grows whenever what is known of power changes. */
+    powerChanges = 0;
+    /** How many commands had taken effect in the last picture; an answer comes before the picture of it. */
+    seen = 0;
+    shown: Shown;
+    speed: Speed = 1;
     /** The text has moved on; the places in the state are about the old one. */
     stale = false;
     /** What was painted when the text moved on, where it stands now. */
@@ -22,26 +37,74 @@ export class Session {
     watchedTags: readonly string[] = [];
     /** What the server had to say at the start. */
     readonly notes: readonly string[];
-    readonly lineTags: LineTags;
 
     readonly #send: Send;
     #last: Promise<unknown> = Promise.resolve();
 
-    private constructor(document: TextDocument, state: State, notes: readonly string[], lineTags: LineTags, send: Send) {
+    private constructor(document: TextDocument, state: State, notes: readonly string[], shown: Shown, send: Send) {
         this.document = document;
         this.state = state;
         this.notes = notes;
-        this.lineTags = lineTags;
+        this.shown = shown;
         this.#send = send;
+        this.take(state);
     }
 
-    static async start(document: TextDocument, textIn: (range: Power['range']) => string, send: Send): Promise<Session> {
-        const { state, notes = [] } = await send('start', { uri: document.uri.toString() });
-        return new Session(document, state, notes, findLineTags(state, textIn), send);
+    static async start(document: TextDocument, shown: Shown, send: Send): Promise<Session> {
+        const { state, notes = [] } = await send('start', { uri: document.uri.toString(), options: { show: shown } });
+        return new Session(document, state, notes, shown, send);
     }
 
     get id(): string {
         return this.state.session;
+    }
+
+    tag(name: string): Tag | undefined {
+        return this.tags.get(name.toLowerCase());
+    }
+
+    /** Takes in a state. @returns whether it tells anything of the drawing */
+    take(state: State): boolean {
+        this.state = state;
+        for (const tag of state.tags) {
+            this.tags.set(tag.name.toLowerCase(), tag);
+        }
+        if (state.power.length > 0) {
+            this.powerChanges += 1;
+        }
+        for (const element of state.power) {
+            const { line, character } = element.range.start;
+            const elements = this.power.get(line) ?? new Map<number, Power>();
+            elements.set(character, element);
+            this.power.set(line, elements);
+        }
+        // The operands of a line come together.
+        const byLine = new Map<number, Operand[]>();
+        for (const operand of state.operands ?? []) {
+            const { line } = operand.block.start;
+            byLine.set(line, [...(byLine.get(line) ?? []), operand]);
+        }
+        for (const [line, operands] of byLine) {
+            this.operands.set(line, operands);
+        }
+        return state.tags.length > 0 || state.power.length > 0 || byLine.size > 0;
+    }
+
+    /** @returns whether something else is shown now */
+    show(shown: Shown): boolean {
+        if (JSON.stringify(shown) === JSON.stringify(this.shown)) {
+            return false;
+        }
+        this.shown = shown;
+        const isShown = (line: number) => shown.lines.some(({ first, last }) => first <= line && line <= last);
+        for (const lines of [this.power, this.operands]) {
+            for (const line of [...lines.keys()].filter((line) => !isShown(line))) {
+                lines.delete(line);
+            }
+        }
+        this.powerChanges += 1;
+        void this.urgent('show', shown).catch(() => undefined);
+        return true;
     }
 
     /** Sent once the commands before it are answered: the server may work on several at once. */
@@ -61,7 +124,7 @@ export class Session {
         const first = !this.stale;
         if (first) {
             this.stale = true;
-            this.staleRanges = this.state.power.map(({ range }) => range);
+            this.staleRanges = [...this.power.values()].flatMap((line) => [...line.values()].map(({ range }) => range));
         }
         this.staleRanges = rangesAfterEdit(this.staleRanges, changes);
         return first;

@@ -3,14 +3,21 @@ import * as vscode from 'vscode';
 
 import type { Server } from './server.ts';
 import { breakpointLines, toggled } from './breakpoints.ts';
-import type { Commands, State, Value, Why } from './protocol.ts';
-import { Session } from './session.ts';
+import type { Commands, Operand, Shown, State, Tag, Why } from './protocol.ts';
+import { operandAt } from './operands.ts';
+import { Session, type Speed } from './session.ts';
+
+/** So many lines above and below an editor's part of the text are kept ready for scrolling. */
+const MARGIN = 5;
 
 export class Simulation implements vscode.Disposable {
     readonly #sessions = new Map<string, Session>();
+    readonly #context = new Map<string, boolean>();
     readonly #server: Server;
     readonly #changed = new vscode.EventEmitter<vscode.TextDocument>();
     readonly #subscriptions: vscode.Disposable;
+    /** Tags that a view shows besides. */
+    #listedTags: () => readonly string[] = () => [];
     /** The document that commands are about while another kind of editor, or a view, has the focus. */
     #lastDocument: vscode.TextDocument | undefined;
 
@@ -26,6 +33,8 @@ export class Simulation implements vscode.Disposable {
             vscode.workspace.onDidChangeTextDocument((event) => this.#edited(event)),
             vscode.workspace.onDidCloseTextDocument((document) => void this.#closed(document)),
             vscode.window.onDidChangeActiveTextEditor((editor) => this.#focus(editor)),
+            vscode.window.onDidChangeTextEditorVisibleRanges(() => this.look()),
+            vscode.window.onDidChangeVisibleTextEditors(() => this.look()),
             vscode.debug.onDidChangeBreakpoints(() => this.#breakpointsChanged()),
         );
         this.#focus(vscode.window.activeTextEditor);
@@ -50,8 +59,8 @@ export class Simulation implements vscode.Disposable {
         }
         await this.#end(document);
         const { version } = document;
-        const textIn = (range: State['power'][number]['range']) => document.getText(toRange(range));
-        const session = await this.#tell(Session.start(document, textIn, (name, argument) => this.#server.simulate(name, argument)));
+        const send: Parameters<typeof Session.start>[2] = (name, argument) => this.#server.simulate(name, argument);
+        const session = await this.#tell(Session.start(document, this.#shown(document), send));
         if (!session) {
             return;
         }
@@ -64,6 +73,65 @@ export class Simulation implements vscode.Disposable {
             session.edited([]);
         }
         this.#announce(document);
+        this.look();
+    }
+
+    /** Tells the server what is shown now, if that is something else. */
+    look(): void {
+        for (const session of this.#sessions.values()) {
+            session.show(this.#shown(session.document));
+        }
+    }
+
+    /** A view shows these tags besides. */
+    listTags(names: () => readonly string[]): void {
+        this.#listedTags = names;
+    }
+
+    #shown(document: vscode.TextDocument): Shown {
+        const editors = vscode.window.visibleTextEditors.filter((editor) => editor.document === document);
+        const lines = editors.flatMap(({ visibleRanges }) =>
+            visibleRanges.map(({ start, end }) => ({
+                first: Math.max(start.line - MARGIN, 0),
+                last: Math.min(end.line + MARGIN, document.lineCount - 1),
+            })),
+        );
+        return { lines, tags: this.#lastDocument === document ? this.#listedTags() : [] };
+    }
+
+    /** The operand at the cursor, if the program that is simulated has the focus. */
+    operandHere(): Operand | undefined {
+        const session = this.current;
+        const editor = vscode.window.activeTextEditor;
+        if (!session || session.stale || editor?.document !== session.document) {
+            return undefined;
+        }
+        const { line, character } = editor.selection.active;
+        return operandAt(session.operands.get(line) ?? [], { line, character });
+    }
+
+    /** Every tag of the current program with its value. */
+    async allTags(): Promise<readonly Tag[]> {
+        const session = this.current;
+        const found = session && (await this.#tell(session.urgent('tags', {})));
+        return found?.tags ?? [];
+    }
+
+    async run(): Promise<void> {
+        const speed = this.current?.speed ?? 1;
+        await this.command('run', speed === 'max' ? { realTime: false } : { speed });
+    }
+
+    /** How fast runs go from now on, and the one that is under way. */
+    async setSpeed(speed: Speed): Promise<void> {
+        const session = this.current;
+        if (session) {
+            session.speed = speed;
+            if (session.state.status === 'running') {
+                await this.run();
+            }
+            this.#announce(session.document);
+        }
     }
 
     async command<Name extends 'step' | 'stepBlock' | 'stepRung' | 'back' | 'run' | 'set' | 'force' | 'unforce' | 'reset' | 'warmRestart'>(
@@ -125,11 +193,11 @@ export class Simulation implements vscode.Disposable {
         }
     }
 
-    async toggle(name: string): Promise<void> {
-        const tag = this.current?.state.tags.find((candidate) => candidate.name === name);
-        if (tag && typeof tag.value === 'boolean') {
-            const value: Value = !tag.value;
-            await this.command('set', { tag: name, value });
+    /** What is held stays held, at the other value. */
+    async toggle(tag: Tag): Promise<void> {
+        const now = this.current?.tag(tag.name) ?? tag;
+        if (typeof now.value === 'boolean') {
+            await this.command(now.forced ? 'force' : 'set', { tag: now.name, value: !now.value });
         }
     }
 
@@ -154,7 +222,7 @@ export class Simulation implements vscode.Disposable {
             if (state.hit && state.hit.message !== session.state.hit?.message) {
                 void vscode.window.showInformationMessage(`Ladder: ${state.hit.message}.`);
             }
-            session.state = state;
+            session.take(state);
             this.#announce(session.document);
         }
     }
@@ -162,7 +230,12 @@ export class Simulation implements vscode.Disposable {
     #receive(state: State): void {
         for (const session of this.#sessions.values()) {
             if (session.id === state.session) {
-                this.#show(session, state);
+                try {
+                    session.seen = state.commands ?? 0;
+                    this.#show(session, state);
+                } finally {
+                    this.#server.hasShown(session.id);
+                }
             }
         }
     }
@@ -196,10 +269,18 @@ export class Simulation implements vscode.Disposable {
 
     #announce(document: vscode.TextDocument): void {
         const session = this.current;
-        void vscode.commands.executeCommand('setContext', 'ladder.open', this.#lastDocument !== undefined);
-        void vscode.commands.executeCommand('setContext', 'ladder.simulating', session !== undefined);
-        void vscode.commands.executeCommand('setContext', 'ladder.running', session?.state.status === 'running');
+        this.#setContext('ladder.open', this.#lastDocument !== undefined);
+        this.#setContext('ladder.simulating', session !== undefined);
+        this.#setContext('ladder.running', session?.state.status === 'running');
         this.#changed.fire(document);
+    }
+
+    /** Thirty times a second nothing has changed here: the editor is told only when something has. */
+    #setContext(name: string, value: boolean): void {
+        if (this.#context.get(name) !== value) {
+            this.#context.set(name, value);
+            void vscode.commands.executeCommand('setContext', name, value);
+        }
     }
 
     async #closed(document: vscode.TextDocument): Promise<void> {

@@ -1,12 +1,19 @@
 // The tag view's content: tags in groups by their role, and what each row shows.
-import type { State, Tag } from './protocol.ts';
+import type { Tag } from './protocol.ts';
 import { showValue } from './value.ts';
 
+/** Tags of one role; of a long list a part of them. */
 export interface TagGroup {
-    readonly role: Tag['role'];
+    readonly id: string;
     readonly title: string;
     readonly tags: readonly Tag[];
+    /** It begins unfolded. */
+    readonly open: boolean;
 }
+
+/** A longer list is shown in parts. */
+const LONG = 200;
+const PART = 100;
 
 const titles: readonly (readonly [Tag['role'], string])[] = [
     ['input', 'Inputs'],
@@ -15,10 +22,21 @@ const titles: readonly (readonly [Tag['role'], string])[] = [
 ];
 
 /** Groups without a tag are left out. */
-export function tagGroups(state: Pick<State, 'tags'>): TagGroup[] {
+export function tagGroups(tags: readonly Tag[]): TagGroup[] {
     return titles
-        .map(([role, title]) => ({ role, title, tags: state.tags.filter((tag) => tag.role === role) }))
-        .filter(({ tags }) => tags.length > 0);
+        .map(([role, title]) => ({ id: role, title, tags: tags.filter((tag) => tag.role === role), open: true }))
+        .filter((group) => group.tags.length > 0);
+}
+
+/** The parts of a group that is too long to be looked through. */
+export function partsOf({ id, tags }: TagGroup): TagGroup[] {
+    if (tags.length <= LONG) {
+        return [];
+    }
+    return Array.from({ length: Math.ceil(tags.length / PART) }, (_, part) => {
+        const these = tags.slice(part * PART, (part + 1) * PART);
+        return { id: `${id} ${part}`, title: `${these[0]?.name} – ${these.at(-1)?.name}`, tags: these, open: false };
+    });
 }
 
 export interface TagRow {
@@ -26,7 +44,7 @@ export interface TagRow {
     readonly description: string;
     readonly tooltip: string;
     readonly icon: string;
-    /** Words that package.json's menus match: `settable`, and `free` or `forced`. */
+    /** Words that package.json's menus match: `tag`, `settable`, and `free` or `forced`, or `constant`. */
     readonly context: string;
     /** A click inverts it. */
     readonly toggles: boolean;
@@ -34,22 +52,15 @@ export interface TagRow {
 
 export function tagRow(tag: Tag): TagRow {
     const isBool = typeof tag.value === 'boolean';
-    const settable = tag.role === 'input';
+    const settable = tag.readOnly !== true;
+    const role = tag.readOnly ? 'constant' : tag.role;
     const icon = tag.forced ? 'lock' : !isBool ? 'symbol-number' : tag.value ? 'circle-filled' : 'circle-large-outline';
     return {
         label: tag.name,
         description: showValue(tag) + (tag.forced ? '  forced' : ''),
-        tooltip: `${tag.name} : ${tag.type}, ${tag.role}${tag.forced ? ', forced' : ''}`,
+        tooltip: `${tag.name} : ${tag.type}, ${role}${tag.forced ? ', forced' : ''}`,
         icon,
-        context: `${settable ? 'settable ' : ''}${tag.forced ? 'forced' : 'free'}`,
-        toggles: settable && isBool,
+        context: `tag ${settable ? `settable ${tag.forced ? 'forced' : 'free'}` : 'constant'}`,
+        toggles: settable && isBool && (tag.role !== 'output' || tag.forced),
     };
-}
-
-/** The rows whose text differs between two states, so that only they are drawn again; undefined if the lists differ. */
-export function changedTags(before: readonly Tag[], after: readonly Tag[]): Tag[] | undefined {
-    if (before.length !== after.length || before.some((tag, place) => tag.name !== after[place]?.name)) {
-        return undefined;
-    }
-    return after.filter((tag, place) => tag.value !== before[place]?.value || tag.forced !== before[place]?.forced);
 }

@@ -1,22 +1,36 @@
-// The view "Tags": every tag with its value; a click on an input inverts it.
+// The view "Tags": every tag with its value; a click on a BOOL inverts it. Only what is unfolded is kept up to date.
 import * as vscode from 'vscode';
 
-import type { State, Tag } from './protocol.ts';
+import type { Tag } from './protocol.ts';
+import type { Session } from './session.ts';
 import type { Simulation } from './simulation.ts';
-import { changedTags, type TagGroup, tagGroups, tagRow } from './tagTree.ts';
+import { partsOf, type TagGroup, tagGroups, tagRow } from './tagTree.ts';
+import { showValue } from './value.ts';
 
 type Node = TagGroup | Tag;
+
+/**
+ * In milliseconds. The editor waits until a view has been quiet for 200 before it draws it again: one that changes more
+ * often would stand still.
+ */
+const REFRESH_EVERY = 300;
 
 function isGroup(node: Node): node is TagGroup {
     return 'tags' in node;
 }
 
-class TagsProvider implements vscode.TreeDataProvider<Node> {
+class TagsProvider implements vscode.TreeDataProvider<Node>, vscode.Disposable {
     readonly #changed = new vscode.EventEmitter<Node[] | undefined>();
     readonly #simulation: Simulation;
-    /** By name, so that a row stays the same row from state to state. */
-    #nodes = new Map<string, Tag>();
-    #shown: State | undefined;
+    readonly #open = new Set<string>();
+    #session: Session | undefined;
+    /** Every tag of the session, as it was when it was listed. A row stays the same row from state to state. */
+    #groups: readonly TagGroup[] = [];
+    /** What each row showed when it was drawn. */
+    readonly #drawn = new Map<string, string>();
+    #later: NodeJS.Timeout | undefined;
+    #refreshed = 0;
+    isVisible = false;
 
     readonly onDidChangeTreeData = this.#changed.event;
 
@@ -24,58 +38,134 @@ class TagsProvider implements vscode.TreeDataProvider<Node> {
         this.#simulation = simulation;
     }
 
+    /** Draws again what has changed: at once, but no more often than the editor can. */
     refresh(): void {
-        const state = this.#simulation.current?.state;
-        const before = this.#shown;
-        this.#shown = state;
-        const changed = before && state && before.session === state.session ? changedTags(before.tags, state.tags) : undefined;
-        if (!changed) {
-            this.#nodes.clear();
+        if (this.#later !== undefined || !this.isVisible) {
+            return;
+        }
+        const wait = Math.max(REFRESH_EVERY - (Date.now() - this.#refreshed), 0);
+        this.#later = setTimeout(() => {
+            this.#later = undefined;
+            this.#refreshed = Date.now();
+            void this.#draw();
+        }, wait);
+    }
+
+    async #draw(): Promise<void> {
+        const session = this.#simulation.current;
+        if (session !== this.#session) {
+            this.#session = session;
+            this.#drawn.clear();
+            this.#open.clear();
+            this.#groups = [];
+            const tags = session ? await this.#simulation.allTags() : [];
+            if (this.#session !== session) {
+                return;
+            }
+            this.#groups = tagGroups(tags);
             this.#changed.fire(undefined);
-        } else if (changed.length > 0) {
-            this.#changed.fire(changed.flatMap(({ name }) => this.#nodes.get(name) ?? []));
+            this.#simulation.look();
+            return;
+        }
+        const changed = this.#shown().filter((tag) => this.#drawn.has(tag.name) && this.#drawn.get(tag.name) !== this.#text(tag));
+        if (changed.length > 0) {
+            this.#changed.fire(changed);
+        }
+    }
+
+    #now(tag: Tag): Tag {
+        return this.#session?.tag(tag.name) ?? tag;
+    }
+
+    #text(tag: Tag): string {
+        const now = this.#now(tag);
+        return `${showValue(now)} ${now.forced}`;
+    }
+
+    /** The tags that are unfolded. */
+    #shown(): Tag[] {
+        return this.#groups.flatMap((group) => {
+            const parts = partsOf(group);
+            const unfolded = parts.length === 0 ? [group] : parts;
+            return this.#open.has(group.id) ? unfolded.filter(({ id }) => this.#open.has(id)).flatMap(({ tags }) => tags) : [];
+        });
+    }
+
+    shownNames(): readonly string[] {
+        return this.isVisible && this.#session === this.#simulation.current ? this.#shown().map(({ name }) => name) : [];
+    }
+
+    fold(node: Node, open: boolean): void {
+        if (isGroup(node)) {
+            if (open) {
+                this.#open.add(node.id);
+            } else {
+                this.#open.delete(node.id);
+            }
+            this.#simulation.look();
         }
     }
 
     getChildren(node?: Node): Node[] {
         if (!node) {
-            return this.#shown ? tagGroups(this.#shown) : [];
+            return [...this.#groups];
         }
         if (!isGroup(node)) {
             return [];
         }
-        return node.tags.map((tag) => {
-            const known = this.#nodes.get(tag.name) ?? tag;
-            this.#nodes.set(tag.name, known);
-            return known;
-        });
+        const parts = partsOf(node);
+        return parts.length > 0 ? parts : [...node.tags];
     }
 
     getTreeItem(node: Node): vscode.TreeItem {
         if (isGroup(node)) {
-            const item = new vscode.TreeItem(node.title, vscode.TreeItemCollapsibleState.Expanded);
-            item.id = `group ${node.role}`;
+            // The editor does not say so of what begins unfolded.
+            const { Expanded, Collapsed } = vscode.TreeItemCollapsibleState;
+            if (node.open && !this.#drawn.has(`group ${node.id}`)) {
+                this.#drawn.set(`group ${node.id}`, '');
+                this.#open.add(node.id);
+            }
+            const item = new vscode.TreeItem(node.title, node.open ? Expanded : Collapsed);
+            item.id = `group ${node.id}`;
+            item.contextValue = 'group';
             return item;
         }
-        const tag = this.#shown?.tags.find(({ name }) => name === node.name) ?? node;
-        const row = tagRow(tag);
+        const row = tagRow(this.#now(node));
+        this.#drawn.set(node.name, this.#text(node));
         const item = new vscode.TreeItem(row.label);
-        item.id = tag.name;
+        item.id = node.name;
         item.description = row.description;
         item.tooltip = row.tooltip;
         item.iconPath = new vscode.ThemeIcon(row.icon);
         item.contextValue = row.context;
         if (row.toggles) {
-            item.command = { command: 'ladder.simulation.toggle', title: 'Toggle', arguments: [tag] };
+            item.command = { command: 'ladder.simulation.toggle', title: 'Toggle', arguments: [node] };
         }
         return item;
+    }
+
+    dispose(): void {
+        clearTimeout(this.#later);
+        this.#changed.dispose();
     }
 }
 
 export function showTags(simulation: Simulation): vscode.Disposable {
     const provider = new TagsProvider(simulation);
+    const view = vscode.window.createTreeView('ladder.tags', { treeDataProvider: provider });
+    simulation.listTags(() => provider.shownNames());
+    const appear = () => {
+        provider.isVisible = view.visible;
+        provider.refresh();
+        simulation.look();
+    };
+    appear();
     return vscode.Disposable.from(
-        vscode.window.createTreeView('ladder.tags', { treeDataProvider: provider }),
+        provider,
+        view,
+        view.onDidChangeVisibility(appear),
+        view.onDidExpandElement(({ element }) => provider.fold(element, true)),
+        view.onDidCollapseElement(({ element }) => provider.fold(element, false)),
         simulation.onDidChange(() => provider.refresh()),
     );
 }

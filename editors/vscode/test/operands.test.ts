@@ -1,18 +1,34 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 
-import { indexTags, operandNames, tagPlaces } from '../src/operands.ts';
-import { cases } from './shared.ts';
+import { operandAt } from '../src/operands.ts';
+import type { Operand } from '../src/protocol.ts';
 
-test('the names of an operand list, without literals, strings and comments', () => {
-    for (const [block, names] of cases.operands) {
-        assert.deepEqual(operandNames(block), names, block);
-    }
-});
+const line = '+--[ ]( run )--[TON]( warmup, 5s, R := stop )--+';
 
-test('the tags that a line shows', () => {
-    for (const { tags, blocks, shown } of cases.places) {
-        const list = tags.map((name) => ({ name, type: 'BOOL', value: false, role: 'internal', forced: false }) as const);
-        assert.deepEqual(tagPlaces(blocks, indexTags(list)).map((place) => tags[place]), shown);
+function operand(block: string, name: string): Operand {
+    const range = (text: string) => {
+        const at = line.indexOf(text);
+        return { start: { line: 0, character: at }, end: { line: 0, character: at + text.length } };
+    };
+    return { range: range(name), block: range(block), tags: [name] };
+}
+
+const timer = '[TON]( warmup, 5s, R := stop )';
+const operands = [operand('[ ]( run )', 'run'), operand(timer, 'warmup'), operand(timer, 'stop')];
+
+test('the operand at a place: around it, behind it, or the first one of the block', () => {
+    for (const [text, offset, tag] of [
+        ['run', 0, 'run'],
+        ['run', 3, 'run'],
+        ['[ ]', 0, 'run'],
+        ['run )', 5, 'run'],
+        ['[TON]', 2, 'warmup'],
+        ['5s', 1, 'warmup'],
+        ['stop', 4, 'stop'],
+    ] as const) {
+        const place = { line: 0, character: line.indexOf(text) + offset };
+        assert.equal(operandAt(operands, place)?.tags[0], tag, `${text} + ${offset}`);
     }
+    assert.equal(operandAt(operands, { line: 0, character: 1 }), undefined);
 });

@@ -28,3 +28,22 @@ test('a gap is not bridged, and the order of the list does not matter', () => {
     const { on } = powerRanges([piece(0, 8, 9, true), piece(0, 0, 2, true), piece(0, 2, 4, true)]);
     assert.deepEqual(show(on), ['0:0-0:4', '0:8-0:9']);
 });
+
+test('contacts look by what they do, and two of them stay two', () => {
+    const contact = (from: number, on: boolean, does: Power['contact']) => ({ ...piece(0, from, from + 5, on), contact: does }) as Power;
+    const ranges = powerRanges([
+        contact(0, true, 'closed'),
+        contact(5, true, 'closed'),
+        contact(10, false, 'blocks'),
+        contact(15, false, 'closed'),
+        contact(20, false, 'open'),
+        piece(0, 25, 27, false),
+    ]);
+    assert.deepEqual(Object.entries(ranges).map(([look, list]) => `${look} ${show(list).join(' ')}`), [
+        'on ',
+        'off 0:20-0:27',
+        'closedOn 0:0-0:5 0:5-0:10',
+        'closed 0:15-0:20',
+        'blocks 0:10-0:15',
+    ]);
+});

@@ -14,10 +14,13 @@ const state: State = {
     timeMs: 0,
     behind: 0,
     ahead: 0,
+    forced: 0,
     tags: [],
     power: [{ range: { start: { line: 0, character: 0 }, end: { line: 0, character: 1 } }, on: true }],
     faults: [],
 };
+
+const nothing = { lines: [], tags: [] };
 
 // Only the address of the document is looked at.
 const document = { uri: { toString: () => 'file:///motor.clad' } } as unknown as Session['document'];
@@ -37,12 +40,12 @@ const nextTurn = () => new Promise(setImmediate);
 
 test('commands wait for one another, a pause does not', async () => {
     const { sent, send, answer } = slowServer();
-    const session = await Session.start(document, () => '', send);
+    const session = await Session.start(document, nothing, send);
     void session.command('set', { tag: 'start', value: true });
     void session.command('step', { scans: 3 });
     await nextTurn();
     assert.deepEqual(sent, [
-        'start {"uri":"file:///motor.clad"}',
+        'start {"uri":"file:///motor.clad","options":{"show":{"lines":[],"tags":[]}}}',
         'set {"tag":"start","value":true,"session":"s1"}',
     ]);
     answer();
@@ -58,18 +61,34 @@ test('a refused command does not hold up the next', async () => {
         sent.push(name);
         return name === 'set' ? Promise.reject(new Error('no such tag')) : Promise.resolve(name === 'start' ? { state } : state);
     }) as unknown as Send;
-    const session = await Session.start(document, () => '', send);
+    const session = await Session.start(document, nothing, send);
     await assert.rejects(session.command('set', { tag: 'strat', value: true }), /no such tag/);
     await session.command('step', { scans: 1 });
     assert.deepEqual(sent, ['start', 'set', 'step']);
 });
 
 test('the first edit makes a session stale, and its ranges move on', async () => {
-    const session = await Session.start(document, () => '', slowServer().send);
+    const session = await Session.start(document, nothing, slowServer().send);
     const line = { range: { start: { line: 0, character: 0 }, end: { line: 0, character: 0 } }, text: '\n' };
     const changes = [line] as unknown as Parameters<Session['edited']>[0];
     assert.equal(session.edited(changes), true);
     assert.equal(session.edited(changes), false);
     assert.equal(session.stale, true);
     assert.equal(session.staleRanges[0]?.start.line, 2);
+});
+
+test('what is told is kept, until its lines are shown no more', async () => {
+    const { sent, send } = slowServer();
+    const session = await Session.start(document, nothing, send);
+    const range = (line: number) => ({ start: { line, character: 0 }, end: { line, character: 1 } });
+    const tag = { name: 'Run', type: 'BOOL', value: true, role: 'output', forced: false } as const;
+    const operands = [3, 3, 4].map((line) => ({ range: range(line), block: range(line), tags: ['Run'] }));
+    assert.equal(session.take({ ...state, tags: [tag], power: [{ range: range(3), on: true }], operands }), true);
+    assert.equal(session.take({ ...state, scan: 7, tags: [], power: [] }), false, 'nothing of the drawing');
+    assert.deepEqual([session.tag('RUN')?.value, session.state.scan, session.operands.get(3)?.length], [true, 7, 2]);
+    const shown = { lines: [{ first: 4, last: 9 }], tags: [] };
+    assert.equal(session.show(shown), true);
+    assert.equal(session.show({ ...shown }), false, 'the same is not told again');
+    assert.deepEqual([...session.power.keys(), ...session.operands.keys()], [4]);
+    assert.equal(sent.at(-1), 'show {"lines":[{"first":4,"last":9}],"tags":[],"session":"s1"}');
 });

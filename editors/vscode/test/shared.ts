@@ -7,8 +7,6 @@ interface Cases {
     readonly durations: readonly [ms: number, text: string][];
     readonly shown: readonly [type: string, value: Value, text: string][];
     readonly typed: readonly [type: string, text: string, value: Value][];
-    readonly operands: readonly [block: string, names: string[]][];
-    readonly places: readonly { tags: string[]; blocks: string[]; shown: string[] }[];
 }
 
 interface CommentCase {
@@ -19,9 +17,17 @@ interface CommentCase {
     readonly refused?: number;
 }
 
+interface LabelCase {
+    readonly name: string;
+    readonly lines: string[];
+    readonly labels: [row: number, column: number, text: string, room: number][];
+    readonly placed: [side: string, column: number][];
+}
+
 function read(name: string) {
     return JSON.parse(readFileSync(new URL(`../../shared/${name}`, import.meta.url), 'utf8'));
 }
 
 export const cases: Cases = read('values.json');
 export const commentCases: CommentCase[] = read('comments.json');
+export const labelCases: LabelCase[] = read('labels.json');

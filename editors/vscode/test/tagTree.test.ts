@@ -2,7 +2,7 @@ import assert from 'node:assert/strict';
 import { test } from 'node:test';
 
 import type { Tag } from '../src/protocol.ts';
-import { changedTags, tagGroups, tagRow } from '../src/tagTree.ts';
+import { partsOf, tagGroups, tagRow } from '../src/tagTree.ts';
 
 const start: Tag = { name: 'start', type: 'BOOL', value: true, role: 'input', forced: false };
 const run: Tag = { name: 'run', type: 'BOOL', value: false, role: 'output', forced: true };
@@ -10,7 +10,7 @@ const elapsed: Tag = { name: 't.ET', type: 'TIME', value: 1500, role: 'internal'
 
 test('tags are grouped by role, empty groups are left out', () => {
     assert.deepEqual(
-        tagGroups({ tags: [elapsed, start] }).map(({ title, tags }) => [title, tags.map(({ name }) => name)]),
+        tagGroups([elapsed, start]).map(({ title, tags }) => [title, tags.map(({ name }) => name)]),
         [
             ['Inputs', ['start']],
             ['Internal', ['t.ET']],
@@ -22,15 +22,16 @@ test('a BOOL input toggles on a click', () => {
     const row = tagRow(start);
     assert.equal(row.toggles, true);
     assert.equal(row.icon, 'circle-filled');
-    assert.equal(row.context, 'settable free');
+    assert.equal(row.context, 'tag settable free');
 });
 
-test('a forced output shows that it is forced, and does not toggle', () => {
+test('a forced output shows that it is forced, and toggles; one that the program writes does not', () => {
     const row = tagRow(run);
-    assert.equal(row.toggles, false);
+    assert.equal(row.toggles, true);
+    assert.equal(tagRow({ ...run, forced: false }).toggles, false);
     assert.equal(row.description, '0  forced');
     assert.equal(row.icon, 'lock');
-    assert.equal(row.context, 'forced');
+    assert.equal(row.context, 'tag settable forced');
 });
 
 test('a value that is not BOOL is shown as text', () => {
@@ -38,9 +39,22 @@ test('a value that is not BOOL is shown as text', () => {
     assert.equal(tagRow(elapsed).toggles, false);
 });
 
-test('only rows that changed are drawn again', () => {
-    assert.deepEqual(changedTags([start, run], [{ ...start, value: false }, run])?.map(({ name }) => name), ['start']);
-    assert.deepEqual(changedTags([start], [start]), []);
-    assert.equal(changedTags([start], [run]), undefined);
-    assert.equal(changedTags([start], [start, run]), undefined);
+test('an internal tag can be set, a constant can be neither set nor forced', () => {
+    assert.equal(tagRow(elapsed).context, 'tag settable free');
+    const row = tagRow({ ...elapsed, readOnly: true });
+    assert.equal(row.context, 'tag constant');
+    assert.equal(row.tooltip, 't.ET : TIME, constant');
+});
+
+test('a long group is shown in parts, which begin folded', () => {
+    const tags = Array.from({ length: 250 }, (_, index) => ({ ...start, name: `in${index}` }));
+    const [group] = tagGroups(tags);
+    assert.ok(group);
+    const parts = partsOf(group);
+    assert.deepEqual(parts.map(({ title, open }) => [title, open]), [
+        ['in0 – in99', false],
+        ['in100 – in199', false],
+        ['in200 – in249', false],
+    ]);
+    assert.deepEqual(partsOf({ ...group, tags: tags.slice(0, 200) }), []);
 });

@@ -15,8 +15,8 @@ use ladder_syntax::TextRange;
 
 use crate::document::Revision;
 
-/// Numbers from here on are those of rails, which the engine does not know. Texts are shorter.
-const RAILS: usize = 1 << 31;
+/// Numbers from here on are those of verticals, which the engine does not know. Texts are shorter.
+const VERTICALS: usize = 1 << 31;
 
 /// Where the networks of the program's own text stand.
 #[derive(Debug)]
@@ -146,7 +146,7 @@ impl Drawing {
                     contact,
                 });
             }
-            elements.extend(rails_in(place.range, stretch, revision));
+            elements.extend(verticals_in(place.range, stretch, revision));
         }
         // A network's own order is that of the evaluation.
         elements.sort_by_key(|element| element.range.start());
@@ -243,28 +243,25 @@ impl Operand {
     }
 }
 
-/// The rails of a network where no rung joins them. No power is told of them.
-fn rails_in(network: TextRange, stretch: TextRange, revision: &Revision) -> Vec<Element> {
+/// The verticals of a network: rails where no rung joins them, and what stands between connectors. No power is told of them.
+fn verticals_in(network: TextRange, stretch: TextRange, revision: &Revision) -> Vec<Element> {
     let Some(shown) = network.intersect(stretch) else { return Vec::new() };
-    let mut rails = Vec::new();
+    let mut verticals = Vec::new();
     let mut start = usize::from(shown.start());
     for line in revision.stretch(bytes(shown)).split_inclusive('\n') {
-        let drawn = line.trim_end();
-        let ends = [drawn.len() - drawn.trim_start().len(), drawn.len().saturating_sub(1)];
-        for (side, at) in ends.into_iter().enumerate() {
-            // A line may be as short as its one rail.
-            if drawn.as_bytes().get(at) == Some(&b'|') && (side == 0 || at != ends[0]) {
-                let offset = (start + at) as u32;
-                rails.push(Element {
-                    number: RAILS + offset as usize,
-                    range: TextRange::at(offset.into(), 1.into()),
-                    contact: None,
-                });
-            }
+        // One in a comment is text.
+        let drawn = if line.contains('#') { "" } else { line };
+        for (at, _) in drawn.match_indices('|') {
+            let offset = (start + at) as u32;
+            verticals.push(Element {
+                number: VERTICALS + offset as usize,
+                range: TextRange::at(offset.into(), 1.into()),
+                contact: None,
+            });
         }
         start += line.len();
     }
-    rails
+    verticals
 }
 
 fn block_at(network: &Network, range: TextRange) -> Option<(usize, &Block)> {

@@ -203,6 +203,7 @@ t.step('before the first scan nothing but the rail has power', function()
 end)
 
 local RAILS = '|' .. (' '):rep(58) .. '|'
+local BRANCHES = '|  |' .. (' '):rep(16) .. '|' .. (' '):rep(38) .. '|'
 
 t.step('three scans with start high give power to exactly these cells', function()
   local bufnr = t.open('motor.clad')
@@ -228,7 +229,7 @@ t.step('three scans with start high give power to exactly these cells', function
     '',
     '+--[ ]( run )--------[TON]( warmup, T#20ms )--( )( lamp )--+',
   }, t.powered(bufnr))
-  t.equal('the dead cells', { '', '', RAILS, RAILS, '', '' }, t.highlighted(bufnr, 'LadderPowerOff'))
+  t.equal('the dead cells', { '', '', BRANCHES, RAILS, '', '' }, t.highlighted(bufnr, 'LadderPowerOff'))
   t.equal('the number of scans', 3, ladder.state().scan)
 end)
 
