@@ -245,7 +245,9 @@ impl Operand {
 
 /// The verticals of a network: rails where no rung joins them, and what stands between connectors. No power is told of them.
 fn verticals_in(network: TextRange, stretch: TextRange, revision: &Revision) -> Vec<Element> {
-    let Some(shown) = network.intersect(stretch) else { return Vec::new() };
+    let Some(shown) = network.intersect(stretch) else {
+        return Vec::new();
+    };
     let mut verticals = Vec::new();
     let mut start = usize::from(shown.start());
     for line in revision.stretch(bytes(shown)).split_inclusive('\n') {

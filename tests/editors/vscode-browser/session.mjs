@@ -232,6 +232,7 @@ async function operate(page) {
         await command(page, 'Ladder: Set Speed of the Simulation...');
         await answer(page, 'Speed of the Simulation', '0.01x');
         await page.getByText('0.01x speed').waitFor({ timeout: 5000 });
+        await page.locator('.monaco-editor .view-line').first().click();
         await command(page, 'Ladder: Toggle Tag...');
         await answer(page, 'Toggle Tag', 'start');
         await command(page, 'Ladder: Run');
