@@ -59,6 +59,17 @@ impl Inputs {
         Ok(())
     }
 
+    /// Goes on with another program. A column whose tag that does not have, or has as another type, gives nothing.
+    pub(crate) fn rebind(&mut self, simulation: &Simulation) {
+        for (point, name) in self.points.iter_mut().zip(&self.table.names) {
+            if let Ok(found) = simulation.resolve(name)
+                && found.ty == point.ty
+            {
+                *point = found;
+            }
+        }
+    }
+
     /// Makes the assignments that stand before a scan.
     pub(crate) fn give(&self, scan: u64, simulation: &mut Simulation) {
         for (point, value) in self.before(scan) {

@@ -6,6 +6,7 @@ use super::plant::{Plant, Ran, Restart, StepUnit};
 use super::theme::Theme;
 use super::update::Command;
 use super::view::{Mode, Reasons, View};
+use ladder_simulator::Changeover;
 use ladder_workspace::Stamp;
 use ratatui::Frame;
 use ratatui::crossterm::event::Event;
@@ -50,9 +51,13 @@ impl<'r> App<'r> {
         panic_if_asked(event);
         let mut next = Next::Go;
         for command in self.view.update(event, &self.plant) {
+            let generation = self.plant.generation();
             match self.carry_out(command) {
                 Next::Go => {}
                 other => next = other,
+            }
+            if self.plant.generation() != generation {
+                self.view.look_anew(&self.plant);
             }
         }
         next
@@ -140,6 +145,15 @@ impl<'r> App<'r> {
             self.debt = 0;
             return false;
         }
+        let generation = self.plant.generation();
+        let ran = self.run_due(real, room);
+        if self.plant.generation() != generation {
+            self.view.look_anew(&self.plant);
+        }
+        ran
+    }
+
+    fn run_due(&mut self, real: Duration, room: Duration) -> bool {
         let interval = self.plant.simulation().options().interval;
         let begun = Instant::now();
         let before = self.plant.scans();
@@ -174,32 +188,39 @@ impl<'r> App<'r> {
         std::mem::replace(&mut self.view.changed_on_disk, changed) != changed
     }
 
-    /// Loads the file again. The program begins anew with the inputs and forces that it had; if it cannot be run,
-    /// the old one goes on.
+    /// Loads the file again. The program goes on where it stood; if what the file holds cannot be run, the old one goes
+    /// on.
     fn reload(&mut self) {
         let stamp = self.request.stamp();
-        let mut plant = match load::again(self.request) {
-            Ok(plant) => plant,
+        let changed = load::again(self.request).and_then(|(source, program)| {
+            let changed = self.plant.change(&source, program);
+            changed.map_err(|error| format!("{error}; the old program goes on"))
+        });
+        let changed = match changed {
+            Ok(changed) => changed,
             Err(problem) => {
                 self.view.refuse(problem);
                 return;
             }
         };
-        let lost = plant.take_over(&mut self.plant);
-        self.plant = plant;
         self.stamp = stamp;
-        self.debt = 0;
         self.view.take_over(&self.plant);
-        self.view.say(match lost {
-            0 => format!(
-                "{} was loaded again; retentive tags have kept their values",
-                self.plant.sheet.file
-            ),
-            _ => format!(
-                "{} was loaded again; {lost} of the forces are gone, for their tags are",
-                self.plant.sheet.file
-            ),
-        });
+        let file = &self.plant.sheet.file;
+        let said = match changed {
+            Changeover::None => format!("{file} was loaded again: the program does what it did"),
+            Changeover::Carried { lost } => match lost.as_slice() {
+                [] => format!("{file} was loaded again: the program goes on with all that it held"),
+                [lost] => format!("{file} was loaded again: {}", lost.message),
+                [first, rest @ ..] => {
+                    format!(
+                        "{file} was loaded again: {} (and {} more)",
+                        first.message,
+                        rest.len()
+                    )
+                }
+            },
+        };
+        self.view.say(said);
     }
 
     /// Draws the screen.

@@ -48,10 +48,10 @@ pub(super) fn first(request: &Request) -> Result<Option<Plant>, Failure> {
 }
 
 /// Loads the program while the screen is up: what is wrong with it is told in one line.
-pub(super) fn again(request: &Request) -> Result<Plant, String> {
+pub(super) fn again(request: &Request) -> Result<(Source, Arc<Program>), String> {
     let source = source(request).map_err(|failure| failure.to_string())?;
     match source.program() {
-        Ok(program) => plant(request, &source, program, None).map_err(|failure| failure.to_string()),
+        Ok(program) => Ok((source, program)),
         Err(not_whole) => Err(format!(
             "{}; the old program goes on",
             problem(&source, &not_whole)

@@ -5,9 +5,13 @@ use super::sheet::Sheet;
 use crate::findings::Source;
 use crate::outcome::Failure;
 use crate::run::{Inputs, Retention};
-use ladder_analysis::program::Role;
+use ladder_analysis::program::{Program, Role};
 use ladder_analysis::value::Value;
-use ladder_simulator::{Brake, Breakpoint, Fault, Hit, Point, Session, Simulation, Status, Stepped, Stop};
+use ladder_simulator::{
+    Brake, Breakpoint, Changeover, CompileError, Fault, Hit, Point, Session, Simulation, Status, Stepped,
+    Stop,
+};
+use std::sync::Arc;
 
 /// So many scans of the past are looked up when a tag is added to the watch list.
 const PAST: usize = 10_000;
@@ -17,6 +21,9 @@ pub(super) struct Plant {
     pub(super) sheet: Sheet,
     /// The texts of the program's files.
     texts: Vec<String>,
+    /// The number of this program, and the drawings of others that can be stepped back to.
+    generation: u64,
+    drawings: Vec<(u64, Drawing)>,
     session: Session,
     /// What tags are given before each scan.
     inputs: Inputs,
@@ -25,6 +32,9 @@ pub(super) struct Plant {
     /// The values of the watched tags, scan by scan.
     pub(super) record: Record,
 }
+
+/// A program on paper, with the texts of its files.
+type Drawing = (Sheet, Vec<String>);
 
 /// What a scan of a run came to.
 #[derive(Debug, Clone, PartialEq)]
@@ -52,12 +62,12 @@ impl Plant {
         inputs: Inputs,
         retention: Option<Retention>,
     ) -> Plant {
-        let program = session.simulation().program();
-        let others = program.files.iter().skip(1);
-        let others = others.map(|name| source.other(name).map_or_else(String::new, |other| other.text));
+        let (sheet, texts) = drawing(source, session.simulation());
         Plant {
-            texts: std::iter::once(source.text.clone()).chain(others).collect(),
-            sheet: Sheet::new(source, session.simulation()),
+            texts,
+            sheet,
+            generation: session.generation(),
+            drawings: Vec::new(),
             session,
             inputs,
             retention,
@@ -146,6 +156,7 @@ impl Plant {
             }
         }
         let ran = run(&mut self.session);
+        self.look_at_what_runs();
         if self.scans() > scan {
             let simulation = self.session.simulation();
             self.record.take(|point| simulation.value(point));
@@ -157,6 +168,7 @@ impl Plant {
     pub(super) fn step_back(&mut self) -> bool {
         let before = self.scans();
         let gone = self.session.step_back(1);
+        self.look_at_what_runs();
         self.record.take_back((before - self.scans()) as usize);
         gone > 0
     }
@@ -186,21 +198,25 @@ impl Plant {
     }
 
     pub(super) fn set(&mut self, point: &Point, value: Value) -> Result<(), String> {
-        self.session.set(point, value).map_err(|refused| refused.message)
+        let set = self.session.set(point, value);
+        self.look_at_what_runs();
+        set.map_err(|refused| refused.message)
     }
 
     pub(super) fn force(&mut self, point: &Point, value: Value) -> Result<(), String> {
-        self.session
-            .force(point, value)
-            .map_err(|refused| refused.message)
+        let forced = self.session.force(point, value);
+        self.look_at_what_runs();
+        forced.map_err(|refused| refused.message)
     }
 
     pub(super) fn unforce(&mut self, point: &Point) {
         self.session.unforce(point);
+        self.look_at_what_runs();
     }
 
     pub(super) fn unforce_all(&mut self) {
         self.session.unforce_all();
+        self.look_at_what_runs();
     }
 
     /// Begins again. The switches outside stay as they are, and so do forces.
@@ -210,9 +226,11 @@ impl Plant {
             Restart::Cold => self.session.reset(),
             Restart::Warm => self.session.warm_restart(),
         }
+        self.look_at_what_runs();
         for (point, value) in inputs {
-            // It held this value before.
-            let _ = self.session.set(&point, value);
+            // It held this value before, or is no more.
+            let point = self.session.simulation().resolve(&point.name);
+            let _ = point.map(|point| self.session.set(&point, value));
         }
         self.record.clear();
     }
@@ -241,44 +259,68 @@ impl Plant {
         }
     }
 
-    /// Takes over from a program that ran before: its inputs, forces, retentive tags and watched tags, as far as
-    /// they are still there. How many forces are not.
-    pub(super) fn take_over(&mut self, before: &mut Plant) -> usize {
-        // What is no more, or of another type, begins as it is declared.
-        let _ = self.session.warm_start(&before.simulation().retained());
-        self.retention = before.retention.take();
-        let same = |point: &Point| {
-            let found = self.session.simulation().resolve(&point.name).ok();
-            found.filter(|found| found.ty == point.ty && found.role == point.role)
+    /// Goes on with another form of the program, which a file holds now.
+    ///
+    /// # Errors
+    /// It needs more memory than there is.
+    pub(super) fn change(
+        &mut self,
+        source: &Source,
+        program: Arc<Program>,
+    ) -> Result<Changeover, CompileError> {
+        let change = self.session.change(program)?;
+        let drawing = drawing(source, self.session.simulation());
+        let newest = self.session.newest_generation();
+        if change == Changeover::None && newest != self.generation {
+            // The session stands before an earlier change.
+            self.drawings.retain(|(number, _)| *number != newest);
+            self.drawings.push((newest, drawing));
+            return Ok(change);
+        }
+        let before = (
+            std::mem::replace(&mut self.sheet, drawing.0),
+            std::mem::replace(&mut self.texts, drawing.1),
+        );
+        if newest != self.generation {
+            self.drawings.push((self.generation, before));
+            self.generation = newest;
+            self.rebind();
+        }
+        Ok(change)
+    }
+
+    /// The number of the program that runs: another one, another drawing.
+    pub(super) fn generation(&self) -> u64 {
+        self.generation
+    }
+
+    /// Stepping over a change leads to another program.
+    fn look_at_what_runs(&mut self) {
+        let now = self.session.generation();
+        if now == self.generation {
+            return;
+        }
+        let Some(at) = self.drawings.iter().rposition(|(number, _)| *number == now) else {
+            return;
         };
-        let inputs: Vec<_> = before
-            .switches()
-            .into_iter()
-            .filter_map(|(point, value)| Some((same(&point)?, value)))
-            .collect();
-        let forced: Vec<_> = before.simulation().forced().cloned().collect();
-        let forces: Vec<_> = forced
-            .iter()
-            .filter_map(|point| Some((same(point)?, before.value(point))))
-            .collect();
-        let watched: Vec<_> = before
-            .record
-            .tracks()
-            .iter()
-            .map(|track| track.point.clone())
-            .collect();
-        let watched: Vec<_> = watched.iter().filter_map(same).collect();
-        let lost = forced.len() - forces.len();
-        for (point, value) in inputs {
-            let _ = self.session.set(&point, value);
-        }
-        for (point, value) in forces {
-            let _ = self.session.force(&point, value);
-        }
-        for point in watched {
-            self.record.add(point, &[]);
-        }
-        lost
+        let (_, (sheet, texts)) = self.drawings.swap_remove(at);
+        let before = (
+            std::mem::replace(&mut self.sheet, sheet),
+            std::mem::replace(&mut self.texts, texts),
+        );
+        self.drawings.push((self.generation, before));
+        self.generation = now;
+        self.rebind();
+    }
+
+    /// The tags of the program that runs now live elsewhere.
+    fn rebind(&mut self) {
+        let simulation = self.session.simulation();
+        self.inputs.rebind(simulation);
+        self.record.rebind(|point| {
+            let found = simulation.resolve(&point.name).ok();
+            found.filter(|found| found.ty == point.ty)
+        });
     }
 
     /// Watches a tag.
@@ -305,4 +347,11 @@ pub(super) enum Restart {
     Cold,
     /// Retentive tags keep their values.
     Warm,
+}
+
+fn drawing(source: &Source, simulation: &Simulation) -> Drawing {
+    let others = simulation.program().files.iter().skip(1);
+    let others = others.map(|name| source.other(name).map_or_else(String::new, |other| other.text));
+    let texts = std::iter::once(source.text.clone()).chain(others).collect();
+    (Sheet::new(source, simulation), texts)
 }

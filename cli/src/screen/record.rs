@@ -56,6 +56,17 @@ impl Record {
         self.tracks.retain(|track| track.point.name != point.name);
     }
 
+    /// Goes on with another program: a tag that it does not have is watched no more.
+    pub(super) fn rebind(&mut self, find: impl Fn(&Point) -> Option<Point>) {
+        self.tracks.retain_mut(|track| match find(&track.point) {
+            Some(point) => {
+                track.point = point;
+                true
+            }
+            None => false,
+        });
+    }
+
     /// A scan has been run.
     pub(super) fn take(&mut self, value: impl Fn(&Point) -> Value) {
         for track in &mut self.tracks {

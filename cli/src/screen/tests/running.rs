@@ -213,7 +213,14 @@ VAR_INPUT  parts : INT;  END_VAR
 #[test]
 fn another_version_of_the_file() {
     let other = MOTOR.replace("( ready )", "( warm )").replace("T#5s", "T#9s");
-    let texts = [("other", other.as_str()), ("broken", "+--[ ]( a --+\n")];
+    let same = MOTOR.replace("Seal-in", "Hold");
+    let lost = MOTOR.replace("TON", "TOF");
+    let texts = [
+        ("other", other.as_str()),
+        ("same", same.as_str()),
+        ("lost", lost.as_str()),
+        ("broken", "+--[ ]( a --+\n"),
+    ];
     let bench = Bench::new(MOTOR).size(150, 24);
     let lines = |steps: &str, lines: std::ops::Range<usize>| {
         bench.play_with(steps, &texts, |_, buffer| {
@@ -232,22 +239,55 @@ fn another_version_of_the_file() {
     "#]]
     .assert_eq(&info("space s write:other look"));
     expect![[r#"
-        | /motor.clad was loaded again; retentive tags have kept their values
+        | /motor.clad was loaded again: the program goes on with all that it held
     "#]]
     .assert_eq(&info("space s write:other look r"));
     expect![[r#"
-        | motor.clad  ■ PAUSED  speed 1x                                                                                               1 FORCE  scan 1  0.01 s
+        | motor.clad  ■ PAUSED  speed 1x                                                                                               1 FORCE  scan 2  0.02 s
         |1   VAR_INPUT  start, stop : BOOL;  END_VAR
         |2   VAR  warmup : TON;  END_VAR
         |3
         |4   # Seal-in #
         |5 > +══\══[ ](●start )══\══[/]( stopF)═════════════( )(●run )══+
-        |6   |  /══[ ](●run )────/                                      |
+        |6   |  /══[ ](●run )════/                                      |
         |7
         |8   # Warm-up #
-        |9   +══[ ](●run )═════════[TON]( warmup, T#9s )──( )( warm )──+  warmup 0s/9s
+        |9   +══[ ](●run )═════════[TON]( warmup, T#9s )──( )( warm )──+  warmup 10ms/9s
     "#]]
     .assert_eq(&lines("space tab f 0 s write:other look r s", 0..10));
+    // The rest of what it was doing goes on, and stepping back leads to the program that ran before.
+    expect![[r#"
+        | motor.clad  ■ PAUSED  speed 1x                                                                                                        scan 4  0.04 s
+        |1   VAR_INPUT  start, stop : BOOL;  END_VAR
+        |2   VAR  warmup : TON;  END_VAR
+        |3
+        |4   # Seal-in #
+        |5 > +══\══[ ](●start )══\══[/]( stop )═════════════( )(●run )══+
+        |6   |  /══[ ](●run )════/                                      |
+        |7
+        |8   # Warm-up #
+        |9   +══[ ](●run )═════════[TON]( warmup, T#9s )──( )( warm )──+  warmup 30ms/9s
+    "#]].assert_eq(&lines("space s s s write:other look r s", 0..10));
+    expect![[r#"
+        | motor.clad  ■ PAUSED  speed 1x                                                                                                2 back  scan 2  0.02 s
+        |1   VAR_INPUT  start, stop : BOOL;  END_VAR
+        |2   VAR  warmup : TON;  END_VAR
+        |3
+        |4   # Seal-in #
+        |5 > +══\══[ ](●start )══\══[/]( stop )═════════════( )(●run )══+
+        |6   |  /══[ ](●run )════/                                      |
+        |7
+        |8   # Warm-up #
+        |9   +══[ ](●run )═════════[TON]( warmup, T#5s )──( )( ready )──+  warmup 10ms/5s
+    "#]].assert_eq(&lines("space s s s write:other look r s b b", 0..10));
+    expect![[r#"
+        | /motor.clad was loaded again: the program does what it did
+    "#]]
+    .assert_eq(&info("space s write:same look r"));
+    expect![[r#"
+        | /motor.clad was loaded again: warmup was a TON and is a TOF now: it begins with its initial value
+    "#]]
+    .assert_eq(&info("space s write:lost look r"));
     expect![[r#"
         | /motor.clad:1:7: `( a` is not closed: `)` is missing; the old program goes on
     "#]]
