@@ -338,21 +338,47 @@ t.step('a breakpoint has a sign, stops a run and goes again', function()
   assert(messages[1]:find('run changed from FALSE to TRUE', 1, true), messages[1])
 end)
 
-t.step('why tells what blocks the coil under the cursor', function()
+t.step('why is a list to walk through, and marks what stops the power, also while the program runs', function()
   local bufnr = t.open('motor.clad')
   vim.cmd('Ladder start')
   vim.cmd('Ladder step')
   assert(ladder.wait(), 'no answer')
-  local col = vim.api.nvim_buf_get_lines(bufnr, 1, 2, false)[1]:find('( run )', 1, true) + 2
-  vim.api.nvim_win_set_cursor(0, { 2, col })
+  local line = vim.api.nvim_buf_get_lines(bufnr, 1, 2, false)[1]
+  vim.api.nvim_win_set_cursor(0, { 2, (line:find('( )', 1, true)) })
   vim.cmd('Ladder why')
   assert(ladder.wait(), 'no answer')
-  local float = t.eventually('the window', function()
-    return vim.b[bufnr].lsp_floating_preview
+  local found = vim.tbl_map(function(item)
+    return ('%d:%d %s'):format(item.lnum, item.col, item.text)
+  end, vim.fn.getqflist())
+  t.equal('the list', {
+    '2:48 run is 0 since the start',
+    '2:48   ( )( run ) wrote it in line 2',
+    '0:0   blocked by',
+    '2:7   x [ ]( start ) (line 2, column 7): start is 0',
+    '0:0     start is 0 since the start: nothing else was given',
+    '0:0   or else by',
+    '4:7   x [ ]( run ) (line 4, column 7): run is 0',
+  }, found)
+  t.equal('the buffer that has the focus', bufnr, vim.api.nvim_get_current_buf())
+  local function stops()
+    local namespace = vim.api.nvim_get_namespaces().ladder_why
+    return vim.tbl_map(function(mark)
+      return vim.api.nvim_buf_get_text(bufnr, mark[2], mark[3], mark[4].end_row, mark[4].end_col, {})[1]
+    end, vim.api.nvim_buf_get_extmarks(bufnr, namespace, 0, -1, { details = true }))
+  end
+  t.equal('the marks', { '[ ]( start )', '[ ]( run )' }, stops())
+  vim.cmd('cfirst | cnext | cnext')
+  t.equal('the cursor', { 2, 6 }, vim.api.nvim_win_get_cursor(0))
+  vim.cmd('Ladder step')
+  assert(ladder.wait(), 'no answer')
+  t.equal('the marks after another scan', {}, stops())
+  vim.cmd('cclose | Ladder run')
+  vim.fn.setqflist({})
+  vim.cmd('Ladder why lamp')
+  t.eventually('the list', function()
+    return #vim.fn.getqflist() > 0
   end)
-  local text = table.concat(vim.api.nvim_buf_get_lines(vim.api.nvim_win_get_buf(float), 0, -1, false), ' ')
-  assert(text:find('blocked by [ ]( start ) (line 2, column 7): start is 0', 1, true), text)
-  vim.api.nvim_win_close(float, true)
+  vim.cmd('cclose | Ladder stop')
 end)
 
 t.step('a warm restart begins anew', function()

@@ -24,6 +24,7 @@ local function attributes()
     LadderClosedOn = with(good, { bold = true, underline = true }),
     LadderClosed = with(good, { underline = true }),
     LadderBlocks = with(colour('DiagnosticWarn', 11), {}),
+    LadderStops = with(colour('DiagnosticWarn', 11), { reverse = true }),
     LadderForced = with(colour('DiagnosticWarn', 11), { bold = true }),
     LadderValue = colour('Identifier', 14),
     -- It must be seen on any scheme, and over any of the colours above.
