@@ -31,11 +31,11 @@ pub(super) fn hover(
     let node = node_at(&operand.value, within).unwrap_or(&operand.value);
     let what = describe(context, place, node, formal, offset);
     let used_for = match formal {
-        Some(Formal::Operand(row)) => format!("`{}` of {}: {}", row.name, block.head_text(), row.doc),
+        Some(Formal::Operand(row)) => format!("`{}` of `{}`: {}", row.name, block.head_text(), row.doc),
         Some(Formal::Parameter(parameter)) => match block.meaning {
             ladder_analysis::network::Meaning::User(user) => {
                 let name = &context.user_blocks[user].parameters[parameter].name;
-                format!("`{name}` of {}", block.head_text())
+                format!("`{name}` of `{}`", block.head_text())
             }
             _ => String::new(),
         },

@@ -91,20 +91,20 @@ fn tag_with_uses() {
 
             ---
 
-            `tag` of [ ]: The bit that is asked; of a range, every bit.
+            `tag` of `[ ]`: The bit that is asked; of a range, every bit.
         "#]],
     );
     check(
         "+--[ ]( a )--[TON]( t, 5$0s )--( )( t.Q )--+\n",
         expect![[r#"
-        5s
+            5s
 
-        TIME literal, 5000 ms
+            TIME literal, 5000 ms
 
-        ---
+            ---
 
-        `PT` of [TON]: The preset time; a plain integer is milliseconds.
-    "#]],
+            `PT` of `[TON]`: The preset time; a plain integer is milliseconds.
+        "#]],
     );
     check(
         "+--[ ]( t.Q$0 )--( )( y )--+\n+--[ ]( a )--[TON]( t, 5s )--+\n",
@@ -126,7 +126,7 @@ fn tag_with_uses() {
 
             ---
 
-            `tag` of [ ]: The bit that is asked; of a range, every bit.
+            `tag` of `[ ]`: The bit that is asked; of a range, every bit.
         "#]],
     );
     check(
@@ -141,7 +141,7 @@ fn tag_with_uses() {
 
             ---
 
-            `tag` of [ ]: The bit that is asked; of a range, every bit.
+            `tag` of `[ ]`: The bit that is asked; of a range, every bit.
         "#]],
     );
     check(
@@ -156,7 +156,7 @@ fn tag_with_uses() {
 
             ---
 
-            `name` of <JMP>: The label to go on at.
+            `name` of `<JMP>`: The label to go on at.
         "#]],
     );
 }
@@ -321,7 +321,7 @@ fn names_of_other_files() {
 
         ---
 
-        `name` of <CALL>: The function that is run.
+        `name` of `<CALL>`: The function that is run.
         ====
         ```clad
         [$Hold]( raw )
@@ -339,7 +339,7 @@ fn names_of_other_files() {
 
         ---
 
-        `raw` of [$Hold]
+        `raw` of `[$Hold]`
         ====
         ```clad
         total : DINT
@@ -350,7 +350,7 @@ fn names_of_other_files() {
 
         ---
 
-        `a` of [GT]: The left side."#]]
+        `a` of `[GT]`: The left side."#]]
     .assert_eq(&shown.join("\n====\n"));
 }
 

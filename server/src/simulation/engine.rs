@@ -315,7 +315,7 @@ impl Engine {
         }
     }
 
-    /// What the operand at a place in the text holds, in words: `t1.ET is T#1.2s`.
+    /// What the operand at a place in the text holds, in words, as Markdown.
     pub(super) fn values_at(&self, offset: TextSize) -> Vec<String> {
         let simulation = self.session.simulation();
         let drawing = self.drawing.get_or_init(|| Drawing::of(simulation));
@@ -339,7 +339,7 @@ impl Engine {
             } else {
                 ""
             };
-            format!("{} is {value}{forced}", point.name)
+            format!("`{}` is **{value}**{forced}", point.name)
         });
         told.collect()
     }

@@ -199,8 +199,8 @@ async fn a_hover_tells_the_value() {
         let text = hover["contents"]["value"].as_str().unwrap().to_owned();
         text.lines().next().unwrap().to_owned()
     };
-    assert_eq!(hover(1, 12).await, "**run is 1, forced**");
-    assert_eq!(hover(3, 23).await, "**warm.ET is T#10ms; warm.Q is 0**");
+    assert_eq!(hover(1, 12).await, "`run` is **1**, forced");
+    assert_eq!(hover(3, 23).await, "`warm.ET` is **T#10ms**; `warm.Q` is **0**");
     client.finish().await;
 }
 

@@ -28,7 +28,7 @@ pub(crate) async fn hover(shared: &Arc<Shared>, params: HoverParams) -> Result<O
                 text = format!("{text}\n\n---\n\n{elsewhere}");
             }
             if !values.is_empty() {
-                text = format!("**{}**\n\n---\n\n{text}", values.join("; "));
+                text = format!("{}\n\n---\n\n{text}", values.join("; "));
             }
             Some(Hover {
                 contents: HoverContents::Markup(markup::content(markdown, text)),

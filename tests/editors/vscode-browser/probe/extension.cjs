@@ -198,7 +198,7 @@ async function session() {
         const position = document.positionAt(document.getText().indexOf('warmup') + 2);
         const [hover] = await vscode.commands.executeCommand('vscode.executeHoverProvider', document.uri, position);
         const text = hover.contents.map((content) => content.value ?? content).join('\n');
-        assert.match(text, /^\*\*warmup\.ET is T#20ms; warmup\.Q is 1\*\*/);
+        assert.match(text, /^`warmup\.ET` is \*\*T#20ms\*\*; `warmup\.Q` is \*\*1\*\*/);
     });
 
     // For the page, which is looked at next.
