@@ -5,7 +5,7 @@ use super::panes::{Panes, panes};
 use super::picker::Picker;
 use super::plant::Plant;
 use super::prompt::Prompt;
-use super::sheet::Sheet;
+use super::sheet::{Block, Sheet};
 use super::speed::Speed;
 use ladder_simulator::Point;
 use ratatui::layout::Rect;
@@ -101,7 +101,7 @@ impl View {
     pub(super) fn new(area: Rect, plant: &Plant) -> View {
         let mut view = View {
             area,
-            selected: first_to_select(&plant.sheet),
+            selected: first_to_select(&plant.sheet, panes(area, plant).diagram.width.into()),
             top: 0,
             left: 0,
             running: true,
@@ -218,14 +218,23 @@ impl View {
     }
 }
 
-/// The first contact of an input, for that is what one wants to switch; else the first block.
-fn first_to_select(sheet: &Sheet) -> usize {
-    let is_input = |point: &Point| Plant::is_input(point);
-    let found = sheet.blocks.iter().position(|block| {
-        block
-            .operands
-            .first()
-            .is_some_and(|operand| is_input(&operand.point))
-    });
-    found.unwrap_or(0)
+/// The first contact of an input, for that is what one wants to switch; else the first block. What cannot be seen in the
+/// pane before it is scrolled sideways is passed by: a program begins at its left, where its conditions are.
+fn first_to_select(sheet: &Sheet, pane: usize) -> usize {
+    let folding = sheet.folding(pane);
+    let is_in_sight = |block: &Block| {
+        let line = sheet.line(block.line);
+        let start = sheet.line_start(block.line);
+        let columns = columns::column(line, block.start - start)..columns::column(line, block.end - start);
+        folding.left_for(sheet.band(block.line), 0, &columns) == 0
+    };
+    let is_of_input = |block: &Block| {
+        let operand = block.operands.first();
+        operand.is_some_and(|operand| Plant::is_input(&operand.point))
+    };
+    let blocks = || sheet.blocks.iter();
+    blocks()
+        .position(|block| is_of_input(block) && is_in_sight(block))
+        .or_else(|| blocks().position(is_in_sight))
+        .unwrap_or(0)
 }

@@ -4,6 +4,28 @@ use super::{Bench, MOTOR, styles};
 use crate::screen::theme::Charset;
 use expect_test::expect;
 
+/// The first input stands far to the right: what the rung decides by is seen first all the same.
+#[test]
+fn a_wide_rung_begins_at_its_left() {
+    let text = "\
+VAR_INPUT  level : INT;  release : BOOL;  END_VAR
+VAR  automatic_mode, pressure_reached, conveyor_is_empty : BOOL;  copied : INT;  END_VAR
++--[ ]( automatic_mode )--[ ]( pressure_reached )--[ ]( conveyor_is_empty )--[MOV]( copied, level )--( )( pressure_reached )--+
++--[ ]( conveyor_is_empty )--[/]( automatic_mode )--[ ]( pressure_reached )--[ ]( release )--[/]( conveyor_is_empty )--( )( automatic_mode )--+
+";
+    Bench::new(text).check_lines(
+        "",
+        1..6,
+        expect![[r#"
+            |   VAR_INPUT  level : INT;  release : BOOL;  END_VAR
+            |   VAR  automatic_mode, pressure_reached, conveyor_is_empty : BOOL;  copied : IN
+            | > +──[ ]( automatic_mode )──[ ]( pressure_reached »──( )( pressure_reached )──+
+            |   +──[ ]( conveyor_is_empty )──[/]( automatic_mode )»──( )( automatic_mode )──+
+            |
+        "#]],
+    );
+}
+
 #[test]
 fn a_program_before_its_first_scan() {
     Bench::new(MOTOR).check(
