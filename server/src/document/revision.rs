@@ -281,6 +281,19 @@ impl Revision {
             .byte_to_line(usize::from(offset).min(self.rope.len_bytes())) as u32
     }
 
+    /// The word at an offset: letters, digits and `_`.
+    pub(crate) fn word_at(&self, offset: TextSize) -> String {
+        let is_part = |it: &char| it.is_alphanumeric() || *it == '_';
+        let at = self
+            .rope
+            .byte_to_char(usize::from(offset).min(self.rope.len_bytes()));
+        let mut before = self.rope.chars_at(at);
+        before.reverse();
+        let before: Vec<char> = before.take_while(is_part).collect();
+        let behind = self.rope.chars_at(at).take_while(is_part);
+        before.iter().rev().copied().chain(behind).collect()
+    }
+
     /// The number of the last line, counted from 0.
     pub(crate) fn last_line(&self) -> u32 {
         self.rope.len_lines().saturating_sub(1) as u32

@@ -326,18 +326,16 @@ fn operands_of(block: &Block, revision: &Revision, simulation: &Simulation, oper
     operands.retain(|operand| !operand.points.is_empty());
 }
 
+/// The members that show how far a timer, counter or bistable has come, the most telling one first.
+pub(super) const MEMBERS: [&str; 6] = ["ET", "CV", "Q", "QU", "QD", "Q1"];
+
 /// What shows how far a timer, counter or bistable has come.
 fn members(tag: TagId, simulation: &Simulation) -> Vec<Point> {
     let tag = &simulation.program().tags[tag.0 as usize];
-    let (Type::State(state), None) = (tag.ty, tag.block) else {
+    let (Type::State(_), None) = (tag.ty, tag.block) else {
         return Vec::new();
     };
-    let names: &[&str] = if state.is_timer() {
-        &["ET", "Q"]
-    } else {
-        &["CV", "Q", "QU", "QD", "Q1"]
-    };
-    let names = names.iter().map(|member| format!("{}.{member}", tag.name));
+    let names = MEMBERS.iter().map(|member| format!("{}.{member}", tag.name));
     names.filter_map(|name| simulation.resolve(&name).ok()).collect()
 }
 

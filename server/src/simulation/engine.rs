@@ -14,7 +14,7 @@ use ladder_simulator::{
 use ladder_syntax::{TextRange, TextSize};
 use serde_json::Value as Json;
 
-use super::drawing::Drawing;
+use super::drawing::{self, Drawing};
 use super::follow::Texts;
 use super::messages;
 use super::request::Failure;
@@ -326,8 +326,10 @@ impl Engine {
         let line = revision.line_of(offset);
         let stretch = TextRange::new(revision.line_start(line), revision.line_start(line + 1));
         let operands = drawing.operands_in(stretch, revision, simulation);
-        let operand = operands.iter().find(|it| it.range.contains_inclusive(offset));
-        let points = operand.map_or(&[][..], |operand| &operand.points);
+        let operand = operands
+            .into_iter()
+            .find(|it| it.range.contains_inclusive(offset));
+        let points = operand.map_or_else(|| self.named_at(offset), |operand| operand.points);
         let told = points.iter().map(|point| {
             let value = simulation.value(point);
             let value = match point.ty {
@@ -342,6 +344,19 @@ impl Engine {
             format!("`{}` is **{value}**{forced}", point.name)
         });
         told.collect()
+    }
+
+    /// What the word at a place names, as in a declaration.
+    fn named_at(&self, offset: TextSize) -> Vec<Point> {
+        let simulation = self.session.simulation();
+        let word = self.sight.running().word_at(offset);
+        if let Ok(point) = simulation.resolve(&word) {
+            return vec![point];
+        }
+        let members = drawing::MEMBERS.iter().map(|member| format!("{word}.{member}"));
+        members
+            .filter_map(|name| simulation.resolve(&name).ok())
+            .collect()
     }
 
     /// Every scalar tag, then what else is forced (an element of an array, a bit of a word).

@@ -183,7 +183,8 @@ async fn ten_thousand_rungs_cost_what_is_shown() {
 
 #[tokio::test]
 async fn a_hover_tells_the_value() {
-    let (mut client, s, _) = shown(MOTOR, [0, 3], json!([])).await;
+    let program = format!("{MOTOR}VAR warm : TON; END_VAR\n");
+    let (mut client, s, _) = shown(&program, [0, 3], json!([])).await;
     for command in ["set", "force"] {
         let tag = if command == "set" { "start" } else { "run" };
         let argument = json!({"session": s, "tag": tag, "value": true});
@@ -201,6 +202,8 @@ async fn a_hover_tells_the_value() {
     };
     assert_eq!(hover(1, 12).await, "`run` is **1**, forced");
     assert_eq!(hover(3, 23).await, "`warm.ET` is **T#10ms**; `warm.Q` is **0**");
+    // The declaration has the same ones.
+    assert_eq!(hover(4, 5).await, "`warm.ET` is **T#10ms**; `warm.Q` is **0**");
     client.finish().await;
 }
 
