@@ -28,7 +28,6 @@ const looks: Readonly<Record<Look, vscode.TextEditorDecorationType>> = {
     closed: style({ ...powered, textDecoration: 'underline' }),
     blocks: style({ color: new vscode.ThemeColor('ladder.blocks') }),
 };
-const stale = style({ color: new vscode.ThemeColor('ladder.powerOff'), opacity: '0.7' });
 const next = style({
     border: '1px solid',
     borderColor: new vscode.ThemeColor('editor.findMatchHighlightBorder'),
@@ -36,7 +35,7 @@ const next = style({
 });
 const values = style({});
 
-const kinds = [...Object.values(looks), stale, next, values];
+const kinds = [...Object.values(looks), next, values];
 
 /** A value of an operand, and where it stands. */
 interface ShownLabel {
@@ -50,6 +49,8 @@ interface ShownLabel {
 /** What an editor shows of a session, so that nothing is drawn twice. */
 interface Canvas {
     readonly session: Session;
+    /** Of which of its texts. */
+    readonly texts: number;
     readonly drawn: Map<vscode.TextEditorDecorationType, string>;
     powerChanges: number;
     labels: readonly ShownLabel[];
@@ -61,10 +62,11 @@ const canvases = new WeakMap<vscode.TextEditor, Canvas>();
 
 function canvasOf(editor: vscode.TextEditor, session: Session): Canvas {
     const known = canvases.get(editor);
-    if (known?.session === session) {
+    if (known?.session === session && known.texts === session.texts) {
         return known;
     }
-    const canvas: Canvas = { session, drawn: new Map(), powerChanges: -1, labels: [], labelled: '' };
+    // Of another text nothing is where it was drawn.
+    const canvas: Canvas = { session, texts: session.texts, drawn: new Map(), powerChanges: -1, labels: [], labelled: '' };
     canvases.set(editor, canvas);
     return canvas;
 }
@@ -177,15 +179,11 @@ function key(ranges: readonly vscode.Range[]): string {
 }
 
 function paint(editor: vscode.TextEditor, session: Session, withValues: boolean): void {
-    const canvas = canvasOf(editor, session);
+    // The editor moves what is drawn with its text.
     if (session.stale) {
-        for (const kind of kinds) {
-            draw(editor, canvas, kind, [], '');
-        }
-        const ranges = session.staleRanges.map(toRange);
-        draw(editor, canvas, stale, ranges, key(ranges));
         return;
     }
+    const canvas = canvasOf(editor, session);
     if (canvas.powerChanges !== session.powerChanges) {
         canvas.powerChanges = session.powerChanges;
         const elements = [...session.power.values()].flatMap((line) => [...line.values()]);

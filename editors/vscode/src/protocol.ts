@@ -47,10 +47,18 @@ export interface Fault {
 export interface State {
     readonly session: string;
     readonly uri: string;
-    /** Of the text that the session runs. */
+    /** Of the text that all places belong to. */
     readonly version: number;
-    /** The text has moved on since. */
+    /** That text has errors: the last program without any runs on. */
     readonly stale: boolean;
+    /** The last change of the program while it ran. */
+    readonly change?: {
+        readonly number: number;
+        readonly scan: number;
+        readonly lost?: readonly { readonly message: string; readonly range?: Range }[];
+    };
+    /** Only what has changed is told of the drawing. */
+    readonly delta?: boolean;
     readonly status: 'paused' | 'running' | 'ended' | 'faulted';
     readonly scan: number;
     readonly timeMs: number;

@@ -1,8 +1,7 @@
 // One simulation of one document's text: sends its commands in order, and keeps what is known of what is shown.
-import type { TextDocument, TextDocumentContentChangeEvent } from 'vscode';
+import type { TextDocument } from 'vscode';
 
 import type { Commands, Operand, Power, Shown, State, Tag } from './protocol.ts';
-import { rangesAfterEdit } from './rangesAfterEdit.ts';
 
 /** Sends `ladder.simulate.<name>` with one object. */
 export type Send = <Name extends keyof Commands>(
@@ -29,10 +28,10 @@ export class Session {
     seen = 0;
     shown: Shown;
     speed: Speed = 1;
-    /** The text has moved on; the places in the state are about the old one. */
+    /** The text is newer than what the server has told of: its places are about an older one. */
     stale = false;
-    /** What was painted when the text moved on, where it stands now. */
-    staleRanges: readonly Power['range'][] = [];
+    /** Grows whenever what is known is about another text. */
+    texts = 0;
     /** Tags whose change stops a run. */
     watchedTags: readonly string[] = [];
     /** What the server had to say at the start. */
@@ -66,10 +65,19 @@ export class Session {
     /** Takes in a state. @returns whether it tells anything of the drawing */
     take(state: State): boolean {
         this.state = state;
+        // What the server says first of a new text is all that there is to show.
+        const whole = state.delta !== true;
+        if (whole) {
+            this.stale = state.version < this.document.version;
+            this.tags.clear();
+            this.power.clear();
+            this.operands.clear();
+            this.texts += 1;
+        }
         for (const tag of state.tags) {
             this.tags.set(tag.name.toLowerCase(), tag);
         }
-        if (state.power.length > 0) {
+        if (whole || state.power.length > 0) {
             this.powerChanges += 1;
         }
         for (const element of state.power) {
@@ -87,7 +95,7 @@ export class Session {
         for (const [line, operands] of byLine) {
             this.operands.set(line, operands);
         }
-        return state.tags.length > 0 || state.power.length > 0 || byLine.size > 0;
+        return whole || state.tags.length > 0 || state.power.length > 0 || byLine.size > 0;
     }
 
     /** @returns whether something else is shown now */
@@ -119,14 +127,8 @@ export class Session {
         return this.#send(name, { ...argument, session: this.id });
     }
 
-    /** @returns whether this made it stale */
-    edited(changes: readonly TextDocumentContentChangeEvent[]): boolean {
-        const first = !this.stale;
-        if (first) {
-            this.stale = true;
-            this.staleRanges = [...this.power.values()].flatMap((line) => [...line.values()].map(({ range }) => range));
-        }
-        this.staleRanges = rangesAfterEdit(this.staleRanges, changes);
-        return first;
+    /** What is drawn moves with the text until the server tells of the new one. */
+    edited(): void {
+        this.stale = true;
     }
 }

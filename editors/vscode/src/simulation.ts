@@ -70,7 +70,7 @@ export class Simulation implements vscode.Disposable {
         }
         await this.#sendBreakpoints(session, true);
         if (document.version !== version) {
-            session.edited([]);
+            session.edited();
         }
         this.#announce(document);
         this.look();
@@ -222,7 +222,13 @@ export class Simulation implements vscode.Disposable {
             if (state.hit && state.hit.message !== session.state.hit?.message) {
                 void vscode.window.showInformationMessage(`Ladder: ${state.hit.message}.`);
             }
+            const before = session.state.change?.number;
             session.take(state);
+            if (state.change && state.change.number !== before) {
+                for (const { message } of state.change.lost ?? []) {
+                    void vscode.window.showInformationMessage(`Ladder: ${message}.`);
+                }
+            }
             this.#announce(session.document);
         }
     }
@@ -235,6 +241,10 @@ export class Simulation implements vscode.Disposable {
                     this.#show(session, state);
                 } finally {
                     this.#server.hasShown(session.id);
+                    if (state.delta !== true) {
+                        // Other lines of the new text may be in sight.
+                        this.look();
+                    }
                 }
             }
         }
@@ -242,22 +252,7 @@ export class Simulation implements vscode.Disposable {
 
     #edited({ document, contentChanges }: vscode.TextDocumentChangeEvent): void {
         const session = contentChanges.length > 0 ? this.of(document) : undefined;
-        if (session?.edited(contentChanges)) {
-            this.#announce(document);
-            void this.#offerRestart(document);
-        }
-    }
-
-    async #offerRestart(document: vscode.TextDocument): Promise<void> {
-        const restart = 'Start Again';
-        const chosen = await vscode.window.showInformationMessage(
-            'The program has changed; the simulation still runs the old one.',
-            restart,
-        );
-        if (chosen === restart) {
-            this.#lastDocument = document;
-            await this.start();
-        }
+        session?.edited();
     }
 
     #focus(editor: vscode.TextEditor | undefined): void {

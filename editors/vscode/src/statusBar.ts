@@ -14,7 +14,7 @@ export function showStatus(simulation: Simulation): vscode.Disposable {
             item.hide();
             return;
         }
-        const { text, tooltip, warning } = statusText(session.state, session.stale, session.speed);
+        const { text, tooltip, warning } = statusText(session.state, session.speed);
         item.text = text;
         item.tooltip = tooltip;
         item.backgroundColor = warning ? new vscode.ThemeColor('statusBarItem.warningBackground') : undefined;

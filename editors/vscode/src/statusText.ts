@@ -16,9 +16,10 @@ export interface StatusText {
     readonly warning: boolean;
 }
 
-type Told = Pick<State, 'status' | 'scan' | 'timeMs' | 'forced' | 'faults'>;
+type Told = Pick<State, 'status' | 'scan' | 'timeMs' | 'forced' | 'faults' | 'stale'>;
 
-export function statusText(state: Told, stale: boolean, speed: Speed): StatusText {
+export function statusText(state: Told, speed: Speed): StatusText {
+    const { stale } = state;
     const faults = state.faults.length;
     const parts = [`Ladder: ${state.status}`, `scan ${state.scan}`, showDuration(state.timeMs)];
     if (speed !== 1) {
@@ -31,12 +32,12 @@ export function statusText(state: Told, stale: boolean, speed: Speed): StatusTex
         parts.push(faults === 1 ? '1 fault' : `${faults} faults`);
     }
     if (stale) {
-        parts.push('of an older text');
+        parts.push('before the errors in the text');
     }
     return {
         text: `${icons[state.status]} ${parts.join(', ')}`,
         tooltip: stale
-            ? 'The program has changed; the simulation still runs the old one. Start it again to run the new one.'
+            ? 'The text has errors; the last program without any runs on, and is shown in the lines that are still the same.'
             : (state.faults.at(-1)?.message ?? 'Simulation of the ladder program. Click to show its tags.'),
         warning: stale || faults > 0 || state.forced > 0,
     };

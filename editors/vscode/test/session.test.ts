@@ -22,8 +22,8 @@ const state: State = {
 
 const nothing = { lines: [], tags: [] };
 
-// Only the address of the document is looked at.
-const document = { uri: { toString: () => 'file:///motor.clad' } } as unknown as Session['document'];
+// Only the address and the version of the document are looked at.
+const document = { uri: { toString: () => 'file:///motor.clad' }, version: 1 } as unknown as Session['document'];
 
 /** A server that answers when it is told to, and a list of what it was sent. */
 function slowServer() {
@@ -67,14 +67,15 @@ test('a refused command does not hold up the next', async () => {
     assert.deepEqual(sent, ['start', 'set', 'step']);
 });
 
-test('the first edit makes a session stale, and its ranges move on', async () => {
+test('an edit waits for what the server says of the new text, which is all there is', async () => {
     const session = await Session.start(document, nothing, slowServer().send);
-    const line = { range: { start: { line: 0, character: 0 }, end: { line: 0, character: 0 } }, text: '\n' };
-    const changes = [line] as unknown as Parameters<Session['edited']>[0];
-    assert.equal(session.edited(changes), true);
-    assert.equal(session.edited(changes), false);
+    session.edited();
     assert.equal(session.stale, true);
-    assert.equal(session.staleRanges[0]?.start.line, 2);
+    const tag = { name: 'Run', type: 'BOOL', value: true, role: 'output', forced: false } as const;
+    session.take({ ...state, delta: true, tags: [tag] });
+    assert.equal(session.stale, true, 'of the text before');
+    session.take({ ...state, version: document.version, tags: [], power: [] });
+    assert.deepEqual([session.stale, session.tag('Run')], [false, undefined]);
 });
 
 test('what is told is kept, until its lines are shown no more', async () => {
@@ -84,7 +85,7 @@ test('what is told is kept, until its lines are shown no more', async () => {
     const tag = { name: 'Run', type: 'BOOL', value: true, role: 'output', forced: false } as const;
     const operands = [3, 3, 4].map((line) => ({ range: range(line), block: range(line), tags: ['Run'] }));
     assert.equal(session.take({ ...state, tags: [tag], power: [{ range: range(3), on: true }], operands }), true);
-    assert.equal(session.take({ ...state, scan: 7, tags: [], power: [] }), false, 'nothing of the drawing');
+    assert.equal(session.take({ ...state, delta: true, scan: 7, tags: [], power: [] }), false, 'nothing of the drawing');
     assert.deepEqual([session.tag('RUN')?.value, session.state.scan, session.operands.get(3)?.length], [true, 7, 2]);
     const shown = { lines: [{ first: 4, last: 9 }], tags: [] };
     assert.equal(session.show(shown), true);

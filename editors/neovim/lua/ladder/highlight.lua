@@ -33,7 +33,6 @@ local function attributes()
 end
 
 local links = {
-  LadderStale = 'LadderPowerOff',
   LadderValueOn = 'LadderPowerOn',
   LadderBreakpoint = 'DiagnosticError',
   LadderTagName = 'Identifier',

@@ -95,27 +95,6 @@ function M.mark_next(bufnr, range, encoding)
   })
 end
 
---- Greys what is painted, where it stands now: the marks have moved with the text.
---- @param bufnr integer
-function M.grey(bufnr)
-  painted[bufnr] = nil
-  vim.api.nvim_buf_clear_namespace(bufnr, next_namespace, 0, -1)
-  for _, mark in ipairs(vim.api.nvim_buf_get_extmarks(bufnr, namespace, 0, -1, { details = true })) do
-    local id, row, col, details = mark[1], mark[2], mark[3], mark[4]
-    if not details.invalid then
-      vim.api.nvim_buf_set_extmark(bufnr, namespace, row, col, {
-        id = id,
-        end_row = details.end_row,
-        end_col = details.end_col,
-        hl_group = 'LadderStale',
-        priority = priority,
-        invalidate = true,
-        undo_restore = false,
-      })
-    end
-  end
-end
-
 --- @param bufnr integer
 function M.clear(bufnr)
   painted[bufnr] = nil

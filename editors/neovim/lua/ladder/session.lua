@@ -1,7 +1,7 @@
 --- The simulation sessions that are open, one a buffer at most, and what is known of each.
 ---
---- A session belongs to the text it was started on. `tick` is the buffer's change count at that moment: once it has
---- moved on, what the server says about places is about another text.
+--- A session follows the text of its buffer. `tick` is the buffer's change count at the last edit, which the server knows as
+--- the text's version: until its states are of that version, what they say about places is about an older text.
 local M = {}
 
 --- @class ladder.Session
@@ -13,7 +13,7 @@ local M = {}
 --- @field tags table<string, ladder.Tag> what is known of tags, by their names in lower case
 --- @field power table<integer, table<integer, ladder.Power>> what is known of elements, by line and column
 --- @field operands table<integer, ladder.Operand[]> those of the lines that are shown, by line
---- @field stale boolean the text has moved on since the start
+--- @field stale boolean the text is newer than what the server has told of
 --- @field waiting fun()[] commands that wait for the one under way
 --- @field busy boolean a command is under way
 --- @field asked integer how many commands had taken effect at the last answer
@@ -24,7 +24,9 @@ local M = {}
 --- @field session string
 --- @field uri string
 --- @field version integer
---- @field stale boolean
+--- @field stale boolean the text has errors; the last program without any runs on
+--- @field change { number: integer, scan: integer, lost: { message: string }[]|nil }|nil
+--- @field delta boolean|nil
 --- @field status 'paused'|'running'|'ended'|'faulted'
 --- @field scan integer
 --- @field timeMs number
@@ -109,6 +111,14 @@ function M.take(session, state)
     table.insert(session.operands[line], operand)
   end
   return moved
+end
+
+--- Forgets all that is known of the drawing and the tags.
+--- @param session ladder.Session
+function M.reset(session)
+  session.tags = {}
+  session.power = {}
+  session.operands = {}
 end
 
 --- Forgets the lines that are not shown any more.

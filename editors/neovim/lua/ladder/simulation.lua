@@ -57,32 +57,36 @@ local function close(session)
   end
 end
 
-local function mark_stale(session)
-  if session.stale then
+--- Says what a change of the program could not keep.
+local function tell_of_change(before, state)
+  local change = state.change
+  if not change or (before and before.change and before.change.number == change.number) then
     return
   end
-  session.stale = true
-  power.grey(session.bufnr)
-  values.clear(session.bufnr)
-  faults.clear(session.bufnr)
-  changed(session.bufnr)
-  notify('the program has changed; the simulation still runs the old one. ":Ladder start" starts the new one.')
+  for _, lost in ipairs(change.lost or {}) do
+    notify(lost.message .. '.')
+  end
 end
 
 --- Shows how things stand; of the drawing what the state tells.
 --- @param session ladder.Session
 --- @param state ladder.State
 local function show(session, state)
-  local before = session.state and session.state.hit
+  local last = session.state
+  local before = last and last.hit
   session.state = state
-  local moved = sessions.take(session, state)
+  -- The server is a moment behind the buffer; until it has taken up what was typed its places are of the text before. What
+  -- it says first of the new text is all that there is to show.
+  if not state.delta and state.version >= session.tick then
+    session.stale = false
+    sessions.reset(session)
+    power.clear(session.bufnr)
+  end
+  local moved = sessions.take(session, state) or not state.delta
+  tell_of_change(last, state)
   -- The same hit comes with an answer and with a notification.
   if state.hit and not vim.deep_equal(before, state.hit) then
     notify(state.hit.message .. '.')
-  end
-  -- The server learns of an edit a moment later than the buffer; until then its places are wrong here already.
-  if state.stale or vim.api.nvim_buf_get_changedtick(session.bufnr) ~= session.tick then
-    mark_stale(session)
   end
   if not session.stale then
     local encoding = session.client.offset_encoding
@@ -112,6 +116,10 @@ function M.receive(state, client_id)
     local done, message = pcall(show, session, state)
     session.seen = math.max(session.seen, state.commands or 0)
     session.client:notify('ladder/simulationShown', { session = session.id })
+    if not state.delta then
+      -- The windows may show other lines of the new text.
+      M.look(session.bufnr)
+    end
     if not done then
       error(message, 0)
     end
@@ -213,14 +221,14 @@ end
 local function watch(session)
   local bufnr = session.bufnr
   vim.api.nvim_buf_attach(bufnr, false, {
-    on_lines = function()
-      vim.schedule(function()
-        if sessions.of(bufnr) == session and vim.api.nvim_buf_is_loaded(bufnr) then
-          mark_stale(session)
-        end
-      end)
-      -- One change is enough: true detaches.
-      return true
+    on_lines = function(_, _, tick)
+      if sessions.of(bufnr) ~= session then
+        -- True detaches.
+        return true
+      end
+      -- What is drawn moves with the text until the server tells of the new one.
+      session.tick = tick
+      session.stale = true
     end,
   })
   vim.api.nvim_create_autocmd('BufUnload', {

@@ -23,7 +23,7 @@ function M.text(session)
   if #state.faults > 0 then
     text = text .. (', %d fault%s'):format(#state.faults, #state.faults == 1 and '' or 's')
   end
-  return session.stale and text .. ' (of an older text)' or text
+  return state.stale and text .. ' (before the errors in the text)' or text
 end
 
 return M

@@ -24,7 +24,7 @@ function M.show(bufnr, session)
       before[window] = before[window] or vim.wo[window].winbar
       local state = session.state
       local bad = state and (#state.faults > 0 or state.status == 'faulted')
-      local group = (bad or session.stale) and '%#LadderForced#' or ''
+      local group = (bad or state and state.stale) and '%#LadderForced#' or ''
       local text = status.text(session):gsub('%%', '%%%%')
       vim.wo[window][0].winbar = (' %s%s%%*%%=%s '):format(group, text, keys)
     elseif before[window] then
