@@ -3,6 +3,7 @@
 //! An open file counts with the text that its editor shows, any other with the one on disk. Everything here may
 //! read the disk and analyse texts: for a blocking thread.
 
+use std::cell::{Cell, OnceCell};
 use std::path::PathBuf;
 use std::sync::{Arc, OnceLock};
 
@@ -15,6 +16,7 @@ use ropey::Rope;
 
 use super::neighbours::OnDisk;
 use super::position::{self, Range};
+use super::positions::Positions;
 use super::{Documents, Revision, address};
 use crate::cancel::Cancel;
 
@@ -55,12 +57,25 @@ pub(crate) struct FileText {
     pub(crate) revision: Option<Arc<Revision>>,
     rope: Rope,
     encoding: position::Encoding,
+    /// How many ranges were asked for, up to [`FEW`].
+    asked: Cell<u32>,
+    /// For those behind them.
+    positions: OnceCell<Positions>,
 }
+
+/// So many ranges of a file are looked up in its rope, before its lines are gone through for all that follow.
+const FEW: u32 = 16;
 
 impl FileText {
     /// A range of it.
     pub(crate) fn range(&self, range: TextRange) -> Range {
-        position::range(&self.rope, self.encoding, range.into())
+        let asked = self.asked.get();
+        if asked < FEW {
+            self.asked.set(asked + 1);
+            return position::range(&self.rope, self.encoding, range.into());
+        }
+        let positions = || Positions::new(self.rope.to_string(), self.encoding);
+        self.positions.get_or_init(positions).range(range)
     }
 }
 
@@ -178,6 +193,8 @@ impl Elsewhere {
                 revision: Some(Arc::clone(revision)),
                 rope: revision.rope().clone(),
                 encoding: self.own.encoding(),
+                asked: Cell::default(),
+                positions: OnceCell::new(),
             });
         }
         let mut closed = self.files().closed.iter();
@@ -187,6 +204,8 @@ impl Elsewhere {
                 revision: None,
                 rope: Rope::from_str(&file.text),
                 encoding: self.own.encoding(),
+                asked: Cell::default(),
+                positions: OnceCell::new(),
             });
         }
         let mut scenarios = self.scenarios.get()?.iter();
@@ -197,6 +216,8 @@ impl Elsewhere {
             revision: found.revision.clone(),
             rope: Rope::from_str(&found.text),
             encoding: self.own.encoding(),
+            asked: Cell::default(),
+            positions: OnceCell::new(),
         })
     }
 

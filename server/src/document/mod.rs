@@ -11,6 +11,7 @@ pub(crate) mod elsewhere;
 mod kind;
 pub(crate) mod neighbours;
 pub(crate) mod position;
+pub(crate) mod positions;
 mod revision;
 mod seen;
 mod store;

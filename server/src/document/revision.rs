@@ -15,6 +15,7 @@ use ropey::Rope;
 use super::kind::Kind;
 use super::neighbours::{Membership, News};
 use super::position::{self, Encoding, Position, Range};
+use super::positions::Positions;
 use crate::language::{Analysis, Names};
 use crate::notation::Opened;
 
@@ -255,6 +256,11 @@ impl Revision {
     /// The offset of a position, clamped into the text. For a text that has an analysis.
     pub(crate) fn offset(&self, position: Position) -> TextSize {
         TextSize::new(position::offset(&self.rope, self.encoding, position) as u32)
+    }
+
+    /// For many ranges of the text.
+    pub(crate) fn positions(&self) -> Positions {
+        Positions::new(self.text(), self.encoding)
     }
 
     /// The range of a stretch of the text.

@@ -11,6 +11,7 @@ use tower_lsp::ls_types::{
 
 use super::asked::{Asked, Places, about_place};
 use crate::document::Revision;
+use crate::lsp::transport::prepared;
 use crate::lsp::{convert, shared::Shared};
 use ladder_ide::{RenameRefused, Renamed};
 
@@ -41,25 +42,28 @@ pub(crate) async fn prepare(
 }
 
 pub(crate) async fn rename(shared: &Arc<Shared>, params: RenameParams) -> Result<Option<WorkspaceEdit>> {
+    let versioned = shared.agreed().versioned_edits;
     let renamed = about_place(shared, params.text_document_position, move |asked, offset| {
         let options = asked.revision.format_options();
         let (analysis, new) = (&asked.context, params.new_name);
-        Some(
-            ladder_ide::rename(analysis, offset, &new, &asked.elsewhere, &options)
-                .map(|files| changes(asked, files)),
-        )
+        let renamed = ladder_ide::rename(analysis, offset, &new, &asked.elsewhere, &options);
+        Some(renamed.map(|files| {
+            let changes = changes(asked, files);
+            let open: Vec<_> = changes.iter().filter_map(|(_, open, _)| open.clone()).collect();
+            (serde_json::to_string(&workspace_edit(versioned, changes)), open)
+        }))
     });
-    let changes = match renamed.await? {
+    let (text, open) = match renamed.await? {
         Some(Err(why)) => return Err(refused(why)),
-        Some(Ok(changes)) => changes,
+        Some(Ok((text, open))) => (text.map_err(|_| Error::internal_error())?, open),
         None => return Ok(None),
     };
     // Edits of a text that has moved on would tear it.
-    let mut open = changes.iter().filter_map(|(_, revision, _)| revision.as_ref());
+    let mut open = open.iter();
     if open.any(|it| !shared.documents.shows(it) && !shared.companions.shows(it)) {
         return Err(Error::content_modified());
     }
-    Ok(Some(workspace_edit(shared.agreed().versioned_edits, changes)))
+    prepared::answer(text)
 }
 
 fn refused(why: RenameRefused) -> Error {

@@ -5,17 +5,20 @@ use std::sync::{Arc, Mutex, PoisonError};
 
 use ladder_ide::{Modifiers, TokenKind};
 use ladder_syntax::TextRange;
-use tower_lsp::jsonrpc::Result;
+use serde::de::DeserializeOwned;
+use serde::{Serialize, Serializer};
+use tower_lsp::jsonrpc::{Error, Result};
 use tower_lsp::ls_types::{
-    SemanticToken, SemanticTokenModifier, SemanticTokenType, SemanticTokens, SemanticTokensDelta,
-    SemanticTokensDeltaParams, SemanticTokensEdit, SemanticTokensFullDeltaResult, SemanticTokensFullOptions,
-    SemanticTokensLegend, SemanticTokensOptions, SemanticTokensParams, SemanticTokensRangeParams,
-    SemanticTokensRangeResult, SemanticTokensResult, SemanticTokensServerCapabilities,
+    SemanticToken, SemanticTokenModifier, SemanticTokenType, SemanticTokensDelta, SemanticTokensDeltaParams,
+    SemanticTokensEdit, SemanticTokensFullDeltaResult, SemanticTokensFullOptions, SemanticTokensLegend,
+    SemanticTokensOptions, SemanticTokensParams, SemanticTokensRangeParams, SemanticTokensRangeResult,
+    SemanticTokensResult, SemanticTokensServerCapabilities,
 };
 
 use crate::document::Revision;
 use crate::document::sweep::Sweep;
 use crate::lsp::transport::blocking::blocking;
+use crate::lsp::transport::prepared;
 use crate::lsp::{convert, shared::Shared};
 
 /// The tokens that each document was last told, so that only what changes is told again.
@@ -78,12 +81,44 @@ pub(crate) async fn full(
     let Some(tokens) = tokens(shared, uri, None).await? else {
         return Ok(None);
     };
-    let data = tokens.to_vec();
-    let result_id = Some(shared.tokens_told.keep(uri, tokens));
-    Ok(Some(SemanticTokensResult::Tokens(SemanticTokens {
+    let result_id = Some(shared.tokens_told.keep(uri, tokens.clone()));
+    all(result_id, &tokens)
+}
+
+/// As [`SemanticTokens`](tower_lsp::ls_types::SemanticTokens).
+#[derive(Serialize)]
+#[serde(rename_all = "camelCase")]
+struct All<'t> {
+    #[serde(skip_serializing_if = "Option::is_none")]
+    result_id: Option<String>,
+    data: Numbers<'t>,
+}
+
+/// Five numbers for each token.
+struct Numbers<'t>(&'t [SemanticToken]);
+
+impl Serialize for Numbers<'_> {
+    fn serialize<S: Serializer>(&self, serializer: S) -> std::result::Result<S::Ok, S::Error> {
+        let numbers = |token: &SemanticToken| {
+            [
+                token.delta_line,
+                token.delta_start,
+                token.length,
+                token.token_type,
+                token.token_modifiers_bitset,
+            ]
+        };
+        serializer.collect_seq(self.0.iter().flat_map(numbers))
+    }
+}
+
+/// Answers with all of these tokens.
+fn all<T: DeserializeOwned>(result_id: Option<String>, tokens: &[SemanticToken]) -> Result<Option<T>> {
+    let all = All {
         result_id,
-        data,
-    })))
+        data: Numbers(tokens),
+    };
+    prepared::answer(serde_json::to_string(&all).map_err(|_| Error::internal_error())?)
 }
 
 pub(crate) async fn delta(
@@ -96,16 +131,15 @@ pub(crate) async fn delta(
     };
     let old = shared.tokens_told.last(uri, &params.previous_result_id);
     let result_id = Some(shared.tokens_told.keep(uri, new.clone()));
-    Ok(Some(match old {
-        Some(old) => SemanticTokensFullDeltaResult::TokensDelta(SemanticTokensDelta {
+    let Some(old) = old else {
+        return all(result_id, &new);
+    };
+    Ok(Some(SemanticTokensFullDeltaResult::TokensDelta(
+        SemanticTokensDelta {
             result_id,
             edits: difference(&old, &new).into_iter().collect(),
-        }),
-        None => SemanticTokensFullDeltaResult::Tokens(SemanticTokens {
-            result_id,
-            data: new.to_vec(),
-        }),
-    }))
+        },
+    )))
 }
 
 pub(crate) async fn range(
@@ -114,12 +148,10 @@ pub(crate) async fn range(
 ) -> Result<Option<SemanticTokensRangeResult>> {
     let range = convert::our_range(params.range);
     let tokens = tokens(shared, params.text_document.uri.as_str(), Some(range)).await?;
-    Ok(tokens.map(|tokens| {
-        SemanticTokensRangeResult::Tokens(SemanticTokens {
-            result_id: None,
-            data: tokens.to_vec(),
-        })
-    }))
+    match tokens {
+        Some(tokens) => all(None, &tokens),
+        None => Ok(None),
+    }
 }
 
 async fn tokens(

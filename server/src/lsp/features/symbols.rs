@@ -3,16 +3,18 @@
 use std::collections::HashSet;
 use std::sync::Arc;
 
+use serde::{Serialize, Serializer};
 use tower_lsp::jsonrpc::Result;
 use tower_lsp::ls_types::{
-    DocumentSymbol, DocumentSymbolParams, DocumentSymbolResponse, Location, SymbolInformation, SymbolKind,
-    Uri, WorkspaceSymbolParams, WorkspaceSymbolResponse,
+    DocumentSymbolParams, DocumentSymbolResponse, Location, SymbolInformation, SymbolKind, Uri,
+    WorkspaceSymbolParams, WorkspaceSymbolResponse,
 };
 
 use super::asked::{Asked, Places, about};
-use crate::document::Revision;
 use crate::document::elsewhere::Elsewhere;
+use crate::document::positions::Positions;
 use crate::lsp::transport::blocking::blocking;
+use crate::lsp::transport::prepared;
 use crate::lsp::{convert, shared::Shared};
 use ladder_ide::{OutlineKind, Outlined, outline, workspace_symbols};
 
@@ -21,18 +23,52 @@ pub(crate) async fn document_symbols(
     params: DocumentSymbolParams,
 ) -> Result<Option<DocumentSymbolResponse>> {
     let nested = shared.agreed().nested_symbols;
-    about(shared, &params.text_document.uri, move |asked| {
+    let text = about(shared, &params.text_document.uri, move |asked| {
         let found = outline(&asked.context);
-        Some(if nested {
-            DocumentSymbolResponse::Nested(found.iter().map(|it| symbol(&asked.revision, it)).collect())
-        } else {
-            let mut flat = Vec::new();
-            let uri = convert::uri(&asked.revision.uri)?;
-            flatten(&asked.revision, &uri, &found, None, &mut flat);
-            DocumentSymbolResponse::Flat(flat)
-        })
-    })
-    .await
+        let positions = asked.revision.positions();
+        if nested {
+            let symbols = Symbols(&found, &positions);
+            return serde_json::to_string(&symbols).ok();
+        }
+        let mut flat = Vec::new();
+        let uri = convert::uri(&asked.revision.uri)?;
+        flatten(&positions, &uri, &found, None, &mut flat);
+        serde_json::to_string(&flat).ok()
+    });
+    match text.await? {
+        Some(text) => prepared::answer(text),
+        None => Ok(None),
+    }
+}
+
+/// As [`DocumentSymbol`](tower_lsp::ls_types::DocumentSymbol)s.
+struct Symbols<'s>(&'s [Outlined], &'s Positions);
+
+impl Serialize for Symbols<'_> {
+    fn serialize<S: Serializer>(&self, serializer: S) -> std::result::Result<S::Ok, S::Error> {
+        let Symbols(items, positions) = *self;
+        serializer.collect_seq(items.iter().map(|item| Symbol {
+            name: &item.name,
+            detail: item.detail.as_deref(),
+            kind: kind(item.kind),
+            range: positions.range(item.range),
+            selection_range: positions.range(item.focus),
+            children: (!item.children.is_empty()).then_some(Symbols(&item.children, positions)),
+        }))
+    }
+}
+
+#[derive(Serialize)]
+#[serde(rename_all = "camelCase")]
+struct Symbol<'s> {
+    name: &'s str,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    detail: Option<&'s str>,
+    kind: SymbolKind,
+    range: crate::Range,
+    selection_range: crate::Range,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    children: Option<Symbols<'s>>,
 }
 
 /// The names of all workspaces that have an open document.
@@ -74,23 +110,8 @@ pub(crate) async fn symbols(
     .await
 }
 
-fn symbol(revision: &Revision, item: &Outlined) -> DocumentSymbol {
-    let children: Vec<_> = item.children.iter().map(|it| symbol(revision, it)).collect();
-    #[allow(deprecated)]
-    DocumentSymbol {
-        name: item.name.clone(),
-        detail: item.detail.clone(),
-        kind: kind(item.kind),
-        tags: None,
-        deprecated: None,
-        range: convert::range_in(revision, item.range),
-        selection_range: convert::range_in(revision, item.focus),
-        children: (!children.is_empty()).then_some(children),
-    }
-}
-
 fn flatten(
-    revision: &Revision,
+    positions: &Positions,
     uri: &Uri,
     items: &[Outlined],
     container: Option<&str>,
@@ -99,11 +120,11 @@ fn flatten(
     for item in items {
         let location = Location {
             uri: uri.clone(),
-            range: convert::range_in(revision, item.range),
+            range: convert::range(positions.range(item.range)),
         };
         let of = container.map(str::to_owned);
         out.push(information(item.name.clone(), item.kind, location, of));
-        flatten(revision, uri, &item.children, Some(&item.name), out);
+        flatten(positions, uri, &item.children, Some(&item.name), out);
     }
 }
 

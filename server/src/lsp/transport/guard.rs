@@ -22,6 +22,7 @@ use tower::Service;
 use tower_lsp::ExitedError;
 use tower_lsp::jsonrpc::{Error, ErrorCode, Id, Request, Response};
 
+use super::prepared::{self, Prepared};
 use super::{inlet::MALFORMED, outbox::Outbox};
 use crate::lsp::capabilities::since_3_18;
 use crate::lsp::documents::sync::misread;
@@ -62,6 +63,7 @@ pub(crate) struct Guard<S> {
     inner: S,
     life: Arc<Life>,
     outbox: Outbox,
+    prepared: Arc<Prepared>,
 }
 
 impl<S> Guard<S> {
@@ -70,11 +72,17 @@ impl<S> Guard<S> {
             inner,
             life: Arc::default(),
             outbox,
+            prepared: Arc::default(),
         }
     }
 
     pub(crate) fn life(&self) -> Arc<Life> {
         self.life.clone()
+    }
+
+    /// The answers that are text already.
+    pub(crate) fn prepared(&self) -> Arc<Prepared> {
+        self.prepared.clone()
     }
 }
 
@@ -130,15 +138,22 @@ where
         };
         let lift = (step != LifeStage::Other).then(|| Barrier::raise(&self.life));
         let life = self.life.clone();
+        let prepared = self.prepared.clone();
         let call = catch_unwind(AssertUnwindSafe(|| self.inner.call(request)));
         async move {
             let _lift = lift;
-            let outcome = match call {
-                Ok(future) => AssertUnwindSafe(future).catch_unwind().await,
-                Err(panic) => Err(panic),
+            let (outcome, text) = match call {
+                Ok(future) => prepared::handle(AssertUnwindSafe(future).catch_unwind()).await,
+                Err(panic) => (Err(panic), None),
             };
             let answer = match outcome {
-                Ok(answer) => answer?,
+                Ok(answer) => match (answer?, text) {
+                    (Some(answer), Some(text)) if answer.is_ok() => {
+                        let (id, _) = answer.into_parts();
+                        Some(Response::from_ok(id, prepared.keep(text)))
+                    }
+                    (answer, _) => answer,
+                },
                 Err(panic) => {
                     let error = internal_error(panic.as_ref());
                     id.map(|id| Response::from_error(id, error))

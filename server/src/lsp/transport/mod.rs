@@ -12,5 +12,6 @@ pub(crate) mod guard;
 pub(crate) mod inlet;
 pub(crate) mod outbox;
 pub(crate) mod parent;
+pub(crate) mod prepared;
 pub(crate) mod progress;
 pub(crate) mod serve;

@@ -5,7 +5,7 @@ use std::time::Duration;
 use tokio::io::{AsyncRead, AsyncWrite};
 use tower_lsp::{LspService, Server};
 
-use super::{guard::Guard, inlet};
+use super::{guard::Guard, inlet, prepared::Outlet};
 use crate::busy::Busy;
 use crate::lsp::backend::Backend;
 
@@ -50,10 +50,11 @@ where
     let shared = service.inner().shared();
     let guard = Guard::new(service, shared.outbox.clone());
     let life = guard.life();
+    let outlet = Outlet::new(output, guard.prepared());
 
     let (to_framework, from_client) = tokio::io::duplex(PIPE);
     let reader = tokio::spawn(inlet::feed(input, to_framework));
-    let server = Server::new(from_client, output, socket)
+    let server = Server::new(from_client, outlet, socket)
         .concurrency_level(CONCURRENCY)
         .serve(guard);
     let exit = async {

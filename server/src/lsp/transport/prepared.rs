@@ -1,0 +1,308 @@
+//! Answers that are JSON text already.
+//!
+//! The framework takes an answer as a tree of JSON values, and for a large one that tree costs more than all the work for
+//! the answer. So a handler may give the text itself: the [`Guard`](super::guard::Guard) keeps it and answers with a ticket,
+//! and the [`Outlet`] puts the text in the ticket's place when the answer is written.
+
+use std::cell::Cell;
+use std::collections::HashMap;
+use std::future::Future;
+use std::io;
+use std::pin::Pin;
+use std::sync::{Arc, Mutex, PoisonError};
+use std::task::{Context, Poll, ready};
+
+use serde::de::DeserializeOwned;
+use serde_json::Value;
+use tokio::io::AsyncWrite;
+use tower_lsp::jsonrpc::{Error, Result};
+
+tokio::task_local! {
+    /// The text that the handler of a request has given.
+    static GIVEN: Cell<Option<String>>;
+}
+
+/// Answers the request that is being handled with a JSON text. What it returns is for the handler to return.
+pub(crate) fn answer<T: DeserializeOwned>(text: String) -> Result<Option<T>> {
+    let mut text = Some(text);
+    if GIVEN.try_with(|given| given.set(text.take())).is_ok() {
+        return Ok(None);
+    }
+    // Outside of a session, as in tests.
+    serde_json::from_str(&text.unwrap_or_default()).map_err(|_| Error::internal_error())
+}
+
+/// Runs a handler; with its outcome comes the text that it has given.
+pub(super) async fn handle<F: Future>(handler: F) -> (F::Output, Option<String>) {
+    let run = async {
+        let outcome = handler.await;
+        (outcome, GIVEN.with(Cell::take))
+    };
+    GIVEN.scope(Cell::new(None), run).await
+}
+
+/// The texts whose tickets are on their way.
+#[derive(Debug, Default)]
+pub(crate) struct Prepared {
+    waiting: Mutex<Waiting>,
+}
+
+#[derive(Debug, Default)]
+struct Waiting {
+    last: u64,
+    texts: HashMap<u64, String>,
+}
+
+/// Before the number of a ticket. No answer of the server is a string by itself.
+const TICKET: &str = "ladder-prepared-";
+
+/// What an answer with a ticket begins with.
+const BEGINNING: &[u8] = br#"{"jsonrpc":"2.0","result":"ladder-prepared-"#;
+
+/// What an answer has in the ticket's place, before the text.
+const RESULT: &[u8] = br#"{"jsonrpc":"2.0","result":"#;
+
+/// A ticket's number and the quote behind it are no longer than this.
+const LONGEST_NUMBER: usize = 21;
+
+impl Prepared {
+    /// Keeps a text, and gives its ticket.
+    pub(super) fn keep(&self, text: String) -> Value {
+        let mut waiting = self.waiting();
+        waiting.last += 1;
+        let number = waiting.last;
+        waiting.texts.insert(number, text);
+        Value::String(format!("{TICKET}{number}"))
+    }
+
+    fn take(&self, number: u64) -> Option<String> {
+        self.waiting().texts.remove(&number)
+    }
+
+    fn waiting(&self) -> std::sync::MutexGuard<'_, Waiting> {
+        self.waiting.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+}
+
+/// The output, with texts in the place of their tickets. What the framework writes is framed; the beginning of each body is
+/// looked at, all else passes.
+pub(crate) struct Outlet<O> {
+    output: Pin<Box<O>>,
+    prepared: Arc<Prepared>,
+    state: State,
+    /// Of a message the header, and so much of its body that it shows whether it is a ticket.
+    held: Vec<u8>,
+    /// What is to be written before all else, from `written` on.
+    ahead: Vec<u8>,
+    written: usize,
+}
+
+#[derive(Debug, Clone, Copy)]
+enum State {
+    Header,
+    /// Behind a header of `header` bytes, at the beginning of a body of `length`.
+    Beginning {
+        header: usize,
+        length: usize,
+    },
+    /// So many bytes of a body are to come.
+    Rest(usize),
+}
+
+impl<O: AsyncWrite> Outlet<O> {
+    pub(crate) fn new(output: O, prepared: Arc<Prepared>) -> Self {
+        Outlet {
+            output: Box::pin(output),
+            prepared,
+            state: State::Header,
+            held: Vec::new(),
+            ahead: Vec::new(),
+            written: 0,
+        }
+    }
+
+    /// Takes bytes of a header, or of the beginning of a body; how many.
+    fn hold(&mut self, bytes: &[u8]) -> usize {
+        let mut taken = 0;
+        while let State::Header = self.state {
+            let Some(&byte) = bytes.get(taken) else {
+                return taken;
+            };
+            taken += 1;
+            self.held.push(byte);
+            if self.held.ends_with(b"\r\n\r\n") {
+                self.state = match length_in(&self.held) {
+                    Some(length) => State::Beginning {
+                        header: self.held.len(),
+                        length,
+                    },
+                    None => State::Rest(usize::MAX),
+                };
+            }
+        }
+        if let State::Beginning { header, length } = self.state {
+            let looked_at = length.min(BEGINNING.len() + LONGEST_NUMBER);
+            let missing = (header + looked_at - self.held.len()).min(bytes.len() - taken);
+            self.held.extend_from_slice(&bytes[taken..taken + missing]);
+            taken += missing;
+            if self.held.len() < header + looked_at {
+                return taken;
+            }
+            self.exchange(header, length);
+            self.state = match length - looked_at {
+                0 => State::Header,
+                rest => State::Rest(rest),
+            };
+        } else {
+            std::mem::swap(&mut self.ahead, &mut self.held);
+        }
+        self.held.clear();
+        taken
+    }
+
+    /// Puts what is held ahead of all else, with the text if it is a ticket.
+    fn exchange(&mut self, header: usize, length: usize) {
+        let body = &self.held[header..];
+        let ticket = ticket_in(body).and_then(|(number, end)| Some((self.prepared.take(number)?, end)));
+        match ticket {
+            Some((text, end)) => {
+                let length = length - end + RESULT.len() + text.len();
+                self.ahead = format!("Content-Length: {length}\r\n\r\n").into_bytes();
+                self.ahead.reserve(RESULT.len() + text.len() + body.len() - end);
+                self.ahead.extend_from_slice(RESULT);
+                self.ahead.extend_from_slice(text.as_bytes());
+                self.ahead.extend_from_slice(&body[end..]);
+            }
+            None => self.ahead.extend_from_slice(&self.held),
+        }
+    }
+
+    fn poll_ahead(&mut self, cx: &mut Context<'_>) -> Poll<io::Result<()>> {
+        while self.written < self.ahead.len() {
+            let rest = &self.ahead[self.written..];
+            match ready!(self.output.as_mut().poll_write(cx, rest))? {
+                0 => return Poll::Ready(Err(io::ErrorKind::WriteZero.into())),
+                written => self.written += written,
+            }
+        }
+        // A large text does not stay.
+        if self.ahead.capacity() > 1 << 16 {
+            self.ahead = Vec::new();
+        }
+        self.ahead.clear();
+        self.written = 0;
+        Poll::Ready(Ok(()))
+    }
+}
+
+impl<O: AsyncWrite> AsyncWrite for Outlet<O> {
+    fn poll_write(mut self: Pin<&mut Self>, cx: &mut Context<'_>, bytes: &[u8]) -> Poll<io::Result<usize>> {
+        ready!(self.poll_ahead(cx))?;
+        let State::Rest(rest) = self.state else {
+            return Poll::Ready(Ok(self.hold(bytes)));
+        };
+        let now = &bytes[..rest.min(bytes.len())];
+        let written = ready!(self.output.as_mut().poll_write(cx, now))?;
+        self.state = match rest - written {
+            0 => State::Header,
+            rest => State::Rest(rest),
+        };
+        Poll::Ready(Ok(written))
+    }
+
+    fn poll_flush(mut self: Pin<&mut Self>, cx: &mut Context<'_>) -> Poll<io::Result<()>> {
+        ready!(self.poll_ahead(cx))?;
+        self.output.as_mut().poll_flush(cx)
+    }
+
+    fn poll_shutdown(mut self: Pin<&mut Self>, cx: &mut Context<'_>) -> Poll<io::Result<()>> {
+        ready!(self.poll_ahead(cx))?;
+        self.output.as_mut().poll_shutdown(cx)
+    }
+}
+
+/// The length that a header announces.
+fn length_in(header: &[u8]) -> Option<usize> {
+    let header = std::str::from_utf8(header).ok()?;
+    let mut lines = header.split("\r\n");
+    lines.find_map(|line| line.strip_prefix("Content-Length:")?.trim().parse().ok())
+}
+
+/// The number of the ticket that a body begins with, and where the ticket ends.
+fn ticket_in(body: &[u8]) -> Option<(u64, usize)> {
+    let rest = body.strip_prefix(BEGINNING)?;
+    let digits = rest.iter().take_while(|byte| byte.is_ascii_digit()).count();
+    (rest.get(digits) == Some(&b'"')).then_some(())?;
+    let number = std::str::from_utf8(&rest[..digits]).ok()?.parse().ok()?;
+    Some((number, BEGINNING.len() + digits + 1))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+    use tokio::io::AsyncWriteExt;
+
+    fn frame(body: &str) -> String {
+        format!("Content-Length: {}\r\n\r\n{body}", body.len())
+    }
+
+    fn answer_with(result: &str, id: &str) -> String {
+        frame(&format!(r#"{{"jsonrpc":"2.0","result":{result},"id":{id}}}"#))
+    }
+
+    proptest! {
+        /// However the framework cuts what it writes, and however little the output takes at once.
+        #[test]
+        fn each_text_stands_in_the_place_of_its_ticket(
+            messages in prop::collection::vec((0..4_usize, 0..200_usize), 1..8),
+            cut in 1..90_usize,
+            room in 1..300_usize,
+        ) {
+            let prepared = Arc::new(Prepared::default());
+            let (mut given, mut expected) = (String::new(), String::new());
+            for (kind, length) in messages {
+                let text = format!("[{:?}]", "ä".repeat(length));
+                let id = format!("{:?}", "7".repeat(length));
+                match kind {
+                    0 => {
+                        let ticket = prepared.keep(text.clone()).to_string();
+                        given += &answer_with(&ticket, &id);
+                        expected += &answer_with(&text, &id);
+                    }
+                    // A ticket that nobody has given is a text like any other.
+                    1 => {
+                        let unknown = format!("\"{TICKET}{}\"", 99_999);
+                        given += &answer_with(&unknown, &id);
+                        expected += &answer_with(&unknown, &id);
+                    }
+                    2 => {
+                        given += &answer_with(&text, "1");
+                        expected += &answer_with(&text, "1");
+                    }
+                    _ => {
+                        given += &frame("{}");
+                        expected += &frame("{}");
+                    }
+                }
+            }
+            let runtime = tokio::runtime::Builder::new_current_thread().build().unwrap();
+            let written = runtime.block_on(async {
+                let (output, mut input) = tokio::io::duplex(room);
+                let mut outlet = Outlet::new(output, prepared);
+                let write = async {
+                    for piece in given.as_bytes().chunks(cut) {
+                        outlet.write_all(piece).await.unwrap();
+                    }
+                    outlet.shutdown().await.unwrap();
+                };
+                let mut written = Vec::new();
+                let read = tokio::io::AsyncReadExt::read_to_end(&mut input, &mut written);
+                let ((), read) = tokio::join!(write, read);
+                read.unwrap();
+                written
+            });
+            prop_assert_eq!(String::from_utf8(written).unwrap(), expected);
+        }
+    }
+}
