@@ -4,6 +4,9 @@ import * as vscode from 'vscode';
 import type { Simulation } from './simulation.ts';
 import { statusText } from './statusText.ts';
 
+/** Nobody reads it more often, and the editor lays its bar out anew each time. In milliseconds. */
+const UPDATE_EVERY = 200;
+
 export function showStatus(simulation: Simulation): vscode.Disposable {
     const item = vscode.window.createStatusBarItem('ladder.simulation', vscode.StatusBarAlignment.Left, 0);
     item.name = 'Ladder Simulation';
@@ -20,5 +23,25 @@ export function showStatus(simulation: Simulation): vscode.Disposable {
         item.backgroundColor = warning ? new vscode.ThemeColor('statusBarItem.warningBackground') : undefined;
         item.show();
     };
-    return vscode.Disposable.from(item, simulation.onDidChange(update));
+    let later: NodeJS.Timeout | undefined;
+    let updated = 0;
+    const updateNow = () => {
+        clearTimeout(later);
+        later = undefined;
+        updated = Date.now();
+        update();
+    };
+    const updateInTime = () => {
+        const wait = simulation.current?.state.status === 'running' ? UPDATE_EVERY - (Date.now() - updated) : 0;
+        if (wait <= 0) {
+            updateNow();
+        } else {
+            later ??= setTimeout(updateNow, wait);
+        }
+    };
+    return vscode.Disposable.from(
+        item,
+        new vscode.Disposable(() => clearTimeout(later)),
+        simulation.onDidChange(updateInTime),
+    );
 }
