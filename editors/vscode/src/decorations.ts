@@ -19,14 +19,29 @@ function style(options: vscode.DecorationRenderOptions): vscode.TextEditorDecora
 
 const powered = { color: new vscode.ThemeColor('ladder.powerOn') };
 
+/**
+ * The lines of a text in bands: of each look every band has a kind of decoration of its own. The editor draws all lines
+ * again that have decorations of a kind when one of them changes, and this way these are few.
+ */
+const BAND_LINES = 6;
+const BANDS = 10;
+
+function bandOf(line: number): number {
+    return Math.floor(line / BAND_LINES) % BANDS;
+}
+
+function banded(options: vscode.DecorationRenderOptions): readonly vscode.TextEditorDecorationType[] {
+    return Array.from({ length: BANDS }, () => style(options));
+}
+
 // Weight and line beside the colours, so that all is seen without colours too: what has power is bold, a contact that
 // lets it through is underlined, one that does not is neither. Bold letters are as wide as others in a fixed font.
-const looks: Readonly<Record<Look, vscode.TextEditorDecorationType>> = {
-    on: style({ ...powered, fontWeight: 'bold' }),
-    off: style({ color: new vscode.ThemeColor('ladder.powerOff') }),
-    closedOn: style({ ...powered, fontWeight: 'bold', textDecoration: 'underline' }),
-    closed: style({ ...powered, textDecoration: 'underline' }),
-    blocks: style({ color: new vscode.ThemeColor('ladder.blocks') }),
+const looks: Readonly<Record<Look, readonly vscode.TextEditorDecorationType[]>> = {
+    on: banded({ ...powered, fontWeight: 'bold' }),
+    off: banded({ color: new vscode.ThemeColor('ladder.powerOff') }),
+    closedOn: banded({ ...powered, fontWeight: 'bold', textDecoration: 'underline' }),
+    closed: banded({ ...powered, textDecoration: 'underline' }),
+    blocks: banded({ color: new vscode.ThemeColor('ladder.blocks') }),
 };
 const next = style({
     border: '1px solid',
@@ -35,7 +50,7 @@ const next = style({
 });
 const values = style({});
 
-const kinds = [...Object.values(looks), next, values];
+const kinds = [...Object.values(looks).flat(), next, values];
 
 /** A value of an operand, and where it stands. */
 interface ShownLabel {
@@ -188,8 +203,14 @@ function paint(editor: vscode.TextEditor, session: Session, withValues: boolean)
         canvas.powerChanges = session.powerChanges;
         const elements = [...session.power.values()].flatMap((line) => [...line.values()]);
         for (const [look, ranges] of Object.entries(powerRanges(elements))) {
-            const places = ranges.map(toRange);
-            draw(editor, canvas, looks[look as Look], places, key(places));
+            const bands: vscode.Range[][] = Array.from({ length: BANDS }, () => []);
+            for (const range of ranges) {
+                bands[bandOf(range.start.line)]?.push(toRange(range));
+            }
+            looks[look as Look].forEach((kind, band) => {
+                const places = bands[band] ?? [];
+                draw(editor, canvas, kind, places, key(places));
+            });
         }
     }
     const following = session.state.next ? [toRange(session.state.next)] : [];

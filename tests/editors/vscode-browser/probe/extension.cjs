@@ -163,6 +163,26 @@ async function session() {
         await shut();
     });
 
+    await step('of a long program only what the editor shows is told', async () => {
+        const rung = (number) => `+--[ ]( a${number} )--[/]( b${number} )--( )( c${number} )--+\n`;
+        const content = Array.from({ length: 10_000 }, (_, number) => rung(number)).join('');
+        const document = await vscode.workspace.openTextDocument({ language: 'clad', content });
+        const editor = await vscode.window.showTextDocument(document);
+        await run('start');
+        const known = () => api.state()?.power.map(({ range }) => range.start.line) ?? [];
+        const first = await eventually('a picture', () => known().length > 0 && known());
+        assert.ok(first.length < 1000 && Math.max(...first) < 100, `${first.length} elements up to line ${Math.max(...first)}`);
+        editor.revealRange(document.lineAt(5000).range, vscode.TextEditorRevealType.AtTop);
+        await eventually('the lines that are scrolled to', () => known().includes(5000) && !known().includes(0));
+        await run('toggle', { name: 'a5000', type: 'BOOL', value: false, role: 'input', forced: false });
+        await run('step');
+        await eventually('the power there', () =>
+            api.state().power.some(({ range, on }) => on && range.start.line === 5000 && range.start.character > 25));
+        assert.ok(api.state().tags.length < 1000, `${api.state().tags.length} tags`);
+        await run('stop');
+        await shut();
+    });
+
     await step('three scans with start high give power to exactly these cells', async () => {
         const document = await open('motor.clad');
         await run('start');
