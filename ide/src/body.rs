@@ -1,6 +1,7 @@
 //! How far a body reaches: the main program, a function, the definition of a block.
 
 use ladder_analysis::context::{Body, Context};
+use ladder_syntax::rowan::GreenNodeData;
 use ladder_syntax::{NodeOrToken, Parse, SyntaxKind, TextRange};
 
 /// From the first network of a body to the last, without the last line end; of a block's definition all of it.
@@ -40,10 +41,37 @@ pub(crate) fn without_line_end(context: &Context, range: TextRange) -> TextRange
     else {
         return range;
     };
-    let text = parse.lines()[last].green().to_string();
+    let text = line_text(parse, last);
     let blank = text.len() - text.trim_end_matches([' ', '\t', '\r', '\n']).len();
     let end = parse.line_range(last).end() - ladder_syntax::TextSize::new(blank as u32);
     TextRange::new(range.start(), end.max(range.start()))
+}
+
+/// The text of a line. Token by token: through the formatter's machinery it takes several times as long, and this is asked
+/// of every network and declaration.
+pub(crate) fn line_text(parse: &Parse, line: usize) -> String {
+    let green = parse.lines()[line].green();
+    let mut text = String::with_capacity(usize::from(green.text_len()));
+    add(green, &mut text);
+    text
+}
+
+/// The text of the file, likewise.
+pub(crate) fn file_text(parse: &Parse) -> String {
+    let mut text = String::with_capacity(usize::from(parse.text_len()));
+    for line in parse.lines() {
+        add(line.green(), &mut text);
+    }
+    text
+}
+
+fn add(node: &GreenNodeData, text: &mut String) {
+    for child in node.children() {
+        match child {
+            NodeOrToken::Node(node) => add(node, text),
+            NodeOrToken::Token(token) => text.push_str(token.text()),
+        }
+    }
 }
 
 /// A line without blanks, comments and line end around it.

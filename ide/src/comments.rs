@@ -1,5 +1,6 @@
 //! The comments that belong to what stands below them.
 
+use crate::body::line_text;
 use ladder_analysis::context::Context;
 use ladder_syntax::rowan::GreenNodeData;
 use ladder_syntax::{LineKind, NodeOrToken, Parse, SyntaxKind, TextRange, TextSize};
@@ -60,7 +61,7 @@ pub(crate) fn title(context: &Context, line: usize) -> Option<String> {
     let said = lines.find_map(|line| first_words(&of_line(parse, line)));
     said.or_else(|| {
         let mut begin = of_line(parse, line);
-        let before = parse.lines()[line].green().to_string();
+        let before = line_text(parse, line);
         let drawn = before.trim_start_matches('\u{feff}').trim_start();
         // Comments further on are about what they stand beside.
         drawn.starts_with('#').then(|| begin.truncate(1))?;

@@ -3,6 +3,7 @@
 //! A hint within a rung would shift the columns of everything right of it, so they stand behind the last character of
 //! a line and nowhere else.
 
+use crate::body::line_text;
 use ladder_analysis::context::Context;
 use ladder_analysis::formulas;
 use ladder_instructions::Shape;
@@ -53,7 +54,7 @@ pub fn inlays(context: &Context, within: TextRange) -> Vec<Inlay> {
             .filter(|(_, effects)| !effects.is_empty())
         {
             let line = network.line(rung);
-            let end = end_of_line(&parse.lines()[line].green().to_string());
+            let end = end_of_line(&line_text(parse, line));
             let at = parse.line_start(line) + TextSize::new(end as u32);
             if parse.line_start(line) > within.end() || at < within.start() {
                 continue;

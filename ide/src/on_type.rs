@@ -8,6 +8,7 @@
 //!
 //! Only blanks, wires and rails change: what was typed stays.
 
+use crate::body::line_text;
 use ladder_analysis::context::Context;
 use ladder_analysis::networks::NetworkAt;
 use ladder_format::{Edit, Options, display_width, format_ranges};
@@ -110,13 +111,13 @@ fn blank_line(context: &Context, offset: TextSize) -> Option<(TextRange, usize)>
         return None;
     }
     let above = line.checked_sub(1).filter(|&above| ends_line(context, above))?;
-    let text = parse.lines()[line].green().to_string();
+    let text = line_text(parse, line);
     let blanks = TextSize::of(text.trim_end_matches(['\r', '\n']));
     Some((TextRange::at(parse.line_start(line), blanks), above))
 }
 
 fn ends_line(context: &Context, line: usize) -> bool {
-    let text = context.parse.lines()[line].green().to_string();
+    let text = line_text(&context.parse, line);
     text.ends_with(['\n', '\r'])
 }
 
@@ -152,7 +153,7 @@ fn goes_on(context: &Context, above: usize) -> Option<String> {
     let mut prefix = if railed { "|  ".to_owned() } else { String::new() };
     if let Some(&(_, part)) = open {
         let range = network.part_range(parse, rung, part);
-        let text = parse.lines()[rung_above].green().to_string();
+        let text = line_text(parse, rung_above);
         let before = &text[..usize::from(range.start() - parse.line_start(rung_above))];
         let column = display_width(before.rsplit(['\n', '\r']).next().unwrap_or(before));
         while display_width(&prefix) < column {

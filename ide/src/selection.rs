@@ -62,7 +62,7 @@ impl Grown {
 /// A line without its line end.
 fn line_text(context: &Context, line: usize) -> TextRange {
     let range = context.parse.line_range(line);
-    let text = context.parse.lines()[line].green().to_string();
+    let text = body::line_text(&context.parse, line);
     let end = text.len() - text.trim_end_matches(['\r', '\n']).len();
     TextRange::new(range.start(), range.end() - TextSize::new(end as u32))
 }

@@ -1,5 +1,6 @@
 //! Who writes and who reads a tag: the lines, and a few of the rungs.
 
+use crate::body::line_text;
 use ladder_analysis::context::Context;
 use ladder_analysis::scope::{Access, Origin, SectionKind, TagFacts};
 use ladder_syntax::{LineKind, TextSize};
@@ -93,7 +94,7 @@ fn rungs(context: &Context, tag: &TagFacts, here: Option<TextSize>) -> Vec<Strin
         .into_iter()
         .filter(|&line| parse.lines()[line].kind == LineKind::Rung);
     rungs
-        .filter_map(|line| excerpt(&parse.lines()[line].green().to_string()))
+        .filter_map(|line| excerpt(&line_text(parse, line)))
         .collect()
 }
 

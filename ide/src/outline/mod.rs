@@ -1,6 +1,6 @@
 //! The parts of a file: sections with their tags, networks with their labels, functions, block definitions.
 
-use crate::body::{line_body, without_line_end};
+use crate::body::{line_body, line_text, without_line_end};
 use crate::comments;
 use crate::symbol::declared::names_of;
 use ladder_analysis::context::{Body, Context, LabelFacts};
@@ -323,7 +323,7 @@ pub(crate) fn text_of(parse: &Parse, range: TextRange) -> String {
     let Some(line) = parse.line_at(range.start()) else {
         return String::new();
     };
-    let text = parse.lines()[line].green().to_string();
+    let text = line_text(parse, line);
     text.get(std::ops::Range::from(range - parse.line_start(line)))
         .unwrap_or_default()
         .to_owned()

@@ -10,6 +10,7 @@ mod layout;
 mod scenarios;
 mod spelling;
 
+use crate::body::file_text;
 use crate::neighbour::Workspace;
 use crate::outline::text_of;
 use crate::symbol::{Found, Occurrence, Symbol, files_of, find, occurrences, tag_of};
@@ -18,6 +19,7 @@ use ladder_analysis::scope::Origin;
 use ladder_analysis::with_article;
 use ladder_format::{Edit, Options, apply};
 use ladder_syntax::{Name, TextRange, TextSize, parse};
+use std::collections::HashSet;
 use std::sync::Arc;
 
 /// What would be renamed.
@@ -102,6 +104,10 @@ pub fn rename(
             .collect();
         places.sort_by_key(|place| place.range.start());
         places.dedup_by_key(|place| place.range);
+        if places.is_empty() {
+            continue;
+        }
+        let text = file_text(&file.parse);
         let edits = places.into_iter().map(|place| Edit {
             range: place.range,
             text: new.clone(),
@@ -109,14 +115,13 @@ pub fn rename(
         // What is written so already stays, and so does the tag's address where that is written in its stead.
         let edits: Vec<Edit> = edits
             .filter(|edit| {
-                let written = text_of(&file.parse, edit.range);
+                let written = &text[edit.range];
                 written != edit.text && !written.starts_with('%')
             })
             .collect();
         if edits.is_empty() {
             continue;
         }
-        let text = file.parse.to_string();
         same_type(file, &symbol, &text, &edits, &new)?;
         renamed.push(Renamed {
             file: Arc::clone(&file.name),
@@ -142,10 +147,10 @@ fn hides(file: &Context, symbol: &Symbol, name: &Name) -> bool {
 /// The other files in which the symbols have places, each once.
 fn neighbours(context: &Context, symbols: &[Symbol], workspace: &dyn Workspace) -> Vec<Arc<Context>> {
     let mut all: Vec<Arc<Context>> = Vec::new();
+    let mut known: HashSet<Arc<str>> = HashSet::new();
     for symbol in symbols {
         for neighbour in files_of(context, symbol, workspace) {
-            let name = &neighbour.name;
-            if all.iter().all(|known| known.name != *name) {
+            if known.insert(Arc::clone(&neighbour.name)) {
                 all.push(neighbour);
             }
         }
