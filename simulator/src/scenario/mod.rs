@@ -12,6 +12,7 @@
 mod bind;
 mod draw;
 mod parse;
+mod record;
 mod run;
 #[cfg(test)]
 mod tests;
@@ -22,6 +23,7 @@ pub use bind::{Case, bind};
 pub use draw::{Line, LineKind, draw, sentence};
 use ladder_syntax::TextRange;
 pub use parse::{Cell, Direction, Row, Scenario, Suite, parse};
+pub use record::{Recorded, record};
 pub use run::{Difference, Ran, run};
 pub use tolerance::Tolerance;
 

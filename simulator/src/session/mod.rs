@@ -8,6 +8,7 @@ mod banks;
 mod breakpoints;
 mod change;
 mod delta;
+mod given;
 mod history;
 mod past;
 mod rewind;

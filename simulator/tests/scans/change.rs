@@ -393,10 +393,10 @@ fn a_program_that_hangs_is_mended() {
 }
 
 /// Numbers that look random.
-struct Numbers(u64);
+pub(crate) struct Numbers(pub(crate) u64);
 
 impl Numbers {
-    fn next(&mut self) -> u64 {
+    pub(crate) fn next(&mut self) -> u64 {
         self.0 ^= self.0 << 13;
         self.0 ^= self.0 >> 7;
         self.0 ^= self.0 << 17;
@@ -405,7 +405,7 @@ impl Numbers {
 }
 
 /// Gives inputs at random, the same in the same scan of the same program.
-fn give(session: &mut Session, seed: u64) {
+pub(crate) fn give(session: &mut Session, seed: u64) {
     let mut numbers = Numbers(seed * 2 + 0x9E37_79B9_7F4A_7C15);
     let points: Vec<_> = session.simulation().points().to_vec();
     for point in points
@@ -444,7 +444,7 @@ fn picture(session: &Session, count: usize) -> String {
 }
 
 /// The examples of all instructions, and whole programs.
-fn programs() -> Vec<String> {
+pub(crate) fn programs() -> Vec<String> {
     let mut programs: Vec<String> = ladder_instructions::TABLE
         .iter()
         .map(|row| row.example.to_owned())

@@ -16,6 +16,7 @@ mod golden_trace;
 mod literals_and_types;
 mod order;
 mod profiles;
+mod record;
 mod retain;
 mod semantics;
 mod session;
