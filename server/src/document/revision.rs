@@ -236,6 +236,12 @@ impl Revision {
         self.uri.rsplit('/').next().unwrap_or(&self.uri)
     }
 
+    /// The name of the file, as the disk has it.
+    pub(crate) fn file_name(&self) -> Cow<'_, str> {
+        let name = self.place.as_ref().and_then(|place| place.path.file_name());
+        name.map_or(Cow::Borrowed(self.name()), |name| name.to_string_lossy())
+    }
+
     /// The name without its ending, which names the program of another system.
     pub(crate) fn stem(&self) -> Cow<'_, str> {
         let stem = self.place.as_ref().and_then(|place| place.path.file_stem());

@@ -1,5 +1,6 @@
 //! What a simulation tells about its past, and where it stops.
 
+use ladder_simulator::scenario;
 use ladder_simulator::{Breakpoint, Hit, value_text};
 
 use super::engine::{Engine, point};
@@ -31,6 +32,17 @@ impl Engine {
         Ok(messages::History {
             first_scan: simulation.scans().saturating_sub(known as u64),
             tags: tags.collect(),
+        })
+    }
+
+    /// What was done so far as a scenario.
+    pub(super) fn record(&self, name: &str) -> Result<messages::Recorded, Failure> {
+        let program = self.sight.shown().file_name();
+        let recorded = scenario::record(&self.session, &program, name).map_err(Failure::Failed)?;
+        Ok(messages::Recorded {
+            file: scenario::recorded_file(&program),
+            text: recorded.text,
+            notes: recorded.notes,
         })
     }
 

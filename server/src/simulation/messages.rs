@@ -225,6 +225,30 @@ pub struct Started {
     pub notes: Vec<String>,
 }
 
+/// The argument of `ladder.simulate.record`.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "camelCase", deny_unknown_fields)]
+pub struct Record {
+    /// The session.
+    pub session: String,
+    /// What the scenario is called; "recorded" unless given.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub name: Option<String>,
+}
+
+/// The answer of `ladder.simulate.record`.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "camelCase", deny_unknown_fields)]
+pub struct Recorded {
+    /// How a file of scenarios beside the program may be called.
+    pub file: String,
+    /// What it holds: one scenario.
+    pub text: String,
+    /// What a person should know of it.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub notes: Vec<String>,
+}
+
 /// The answer of `ladder.simulate.history`.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(rename_all = "camelCase", deny_unknown_fields)]

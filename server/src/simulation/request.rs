@@ -4,11 +4,11 @@ use serde::de::DeserializeOwned;
 use serde_json::Value;
 
 use super::messages::{
-    Assign, Breakpoints, OfSession, OfTag, Past, Run, Search, Show, Start, StepBy, Unforce,
+    Assign, Breakpoints, OfSession, OfTag, Past, Record, Run, Search, Show, Start, StepBy, Unforce,
 };
 
 /// What a client can ask for with `workspace/executeCommand`.
-pub(crate) const COMMANDS: [&str; 19] = [
+pub(crate) const COMMANDS: [&str; 20] = [
     "ladder.simulate.start",
     "ladder.simulate.step",
     "ladder.simulate.stepBlock",
@@ -17,6 +17,7 @@ pub(crate) const COMMANDS: [&str; 19] = [
     "ladder.simulate.breakpoints",
     "ladder.simulate.why",
     "ladder.simulate.history",
+    "ladder.simulate.record",
     "ladder.simulate.run",
     "ladder.simulate.pause",
     "ladder.simulate.set",
@@ -50,6 +51,7 @@ pub(crate) enum Request {
     Breakpoints(Breakpoints),
     Why(OfTag),
     History(Past),
+    Record(Record),
     Run(Run),
     Pause(OfSession),
     Set(Assign),
@@ -76,6 +78,7 @@ impl Request {
             Some("breakpoints") => Ok(Request::Breakpoints(read(command, argument(arguments)?)?)),
             Some("why") => Ok(Request::Why(read(command, argument(arguments)?)?)),
             Some("history") => Ok(Request::History(read(command, argument(arguments)?)?)),
+            Some("record") => Ok(Request::Record(read(command, argument(arguments)?)?)),
             Some("run") => Ok(Request::Run(read(command, argument(arguments)?)?)),
             Some("pause") => Ok(Request::Pause(read(command, argument(arguments)?)?)),
             Some("set") => Ok(Request::Set(read(command, argument(arguments)?)?)),

@@ -12,7 +12,7 @@ use serde_json::Value;
 use tokio::sync::{oneshot, watch};
 
 use super::engine::Engine;
-use super::messages::{Found, History, Hit, Options, Search, Shown, State, Status, Why};
+use super::messages::{Found, History, Hit, Options, Recorded, Search, Shown, State, Status, Why};
 use super::request::Failure;
 use crate::cancel::Cancel;
 use crate::document::Revision;
@@ -41,6 +41,8 @@ pub(crate) enum Action {
     Breakpoints(Vec<u32>, Vec<String>),
     /// Say why a tag holds what it holds.
     Why(String),
+    /// Make a scenario of this name of what was done so far.
+    Record(String),
     /// Say what tags held in the last scans.
     History(Vec<String>, u64),
     /// Scan until told otherwise.
@@ -91,7 +93,12 @@ impl Action {
     fn changes(&self) -> bool {
         !matches!(
             self,
-            Action::State | Action::Why(_) | Action::History(..) | Action::Tags(_) | Action::ValuesAt(_)
+            Action::State
+                | Action::Why(_)
+                | Action::Record(_)
+                | Action::History(..)
+                | Action::Tags(_)
+                | Action::ValuesAt(_)
         )
     }
 }
@@ -104,6 +111,8 @@ pub(crate) enum Answer {
     State(Box<State>),
     /// Reasons.
     Why(Box<Why>),
+    /// A scenario.
+    Recorded(Recorded),
     /// Values of the past.
     History(History),
     /// Tags that were searched for.
@@ -392,6 +401,7 @@ impl Runner {
                 let past = self.simulation.engine.past(&tags, scans);
                 past.map(Answer::History)
             }
+            Action::Record(name) => self.simulation.engine.record(&name).map(Answer::Recorded),
             Action::Tags(search) => Ok(Answer::Found(self.simulation.engine.search(&search))),
             Action::ValuesAt(offset) => Ok(Answer::Values(self.simulation.engine.values_at(offset))),
             Action::HasShown => {
@@ -449,6 +459,7 @@ impl Runner {
             }
             // They change nothing and are answered where they arrive.
             Action::Why(_)
+            | Action::Record(_)
             | Action::History(..)
             | Action::Tags(_)
             | Action::ValuesAt(_)

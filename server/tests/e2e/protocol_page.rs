@@ -177,6 +177,11 @@ async fn the_page_shows_every_command_whole() {
                 is_whole::<messages::Found>(answer);
                 continue;
             }
+            "record" => {
+                is_whole::<messages::Record>(argument);
+                is_whole::<messages::Recorded>(answer);
+                continue;
+            }
             "history" => {
                 is_whole::<messages::Past>(argument);
                 is_whole::<messages::History>(answer);

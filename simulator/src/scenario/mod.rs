@@ -23,7 +23,7 @@ pub use bind::{Case, bind};
 pub use draw::{Line, LineKind, draw, sentence};
 use ladder_syntax::TextRange;
 pub use parse::{Cell, Direction, Row, Scenario, Suite, parse};
-pub use record::{Recorded, record};
+pub use record::{Recorded, record, recorded_file};
 pub use run::{Difference, Ran, run};
 pub use tolerance::Tolerance;
 

@@ -137,6 +137,12 @@ pub fn record(session: &Session, program: &str, name: &str) -> Result<Recorded, 
     Ok(Recorded { text, notes })
 }
 
+/// How the file of a recorded scenario may be called that stands beside a program: `motor-recorded.ladder-test`.
+pub fn recorded_file(program: &str) -> String {
+    let stem = program.rsplit_once('.').map_or(program, |(stem, _)| stem);
+    format!("{stem}-recorded.ladder-test")
+}
+
 struct Row {
     point: Point,
     /// By scan: what was given before it, and as it is written.

@@ -51,6 +51,10 @@ pub(crate) async fn execute(shared: &Arc<Shared>, params: ExecuteCommandParams) 
             let scans = it.scans.unwrap_or(PAST);
             act(shared, &it.session, Action::History(it.tags, scans)).await
         }
+        Request::Record(it) => {
+            let name = it.name.unwrap_or_else(|| "recorded".to_owned());
+            act(shared, &it.session, Action::Record(name)).await
+        }
         Request::Run(it) => {
             let speed = speed(&it)?;
             let scans = it.scans;
