@@ -7,6 +7,7 @@ use crate::outcome::Failure;
 use crate::run::{Inputs, Retention};
 use ladder_analysis::program::{Program, Role};
 use ladder_analysis::value::Value;
+use ladder_simulator::scenario::{self, Recorded};
 use ladder_simulator::{
     Brake, Breakpoint, Changeover, CompileError, Fault, Hit, Point, Session, Simulation, Status, Stepped,
     Stop,
@@ -190,6 +191,14 @@ impl Plant {
     pub(super) fn why(&mut self, point: &Point) -> String {
         let why = self.session.why(point);
         why.text(&self.texts.iter().map(String::as_str).collect::<Vec<_>>())
+    }
+
+    /// What was done so far, as a scenario of the program's file.
+    ///
+    /// # Errors
+    /// There is nothing that could be recorded: why.
+    pub(super) fn record_as_test(&self, program: &str) -> Result<Recorded, String> {
+        scenario::record(&self.session, program, "recorded")
     }
 
     /// The last thing that went wrong, and how often it did in its place.

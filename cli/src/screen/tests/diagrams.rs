@@ -301,7 +301,7 @@ fn help() {
             | │  v              set the selected tag       y          why is it so?        │
             | │  f              force the selected tag     [ ]        shorter, longer time │
             | │  u U            let it go, let all go      !          go to the last fault │
-            | │                                            r          load the file again  │
+            | │                                            r R        load; write a test   │
             | │                                            Esc        close what is open   │
             | │                                            q, Ctrl-C  quit                 │
             | │                                                                            │

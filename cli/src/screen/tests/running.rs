@@ -514,3 +514,36 @@ fn why() {
     "#]],
     );
 }
+
+/// What was done is written as a test, which passes; a file that is there is left alone.
+#[test]
+fn a_session_becomes_a_test() {
+    let bench = Bench::new(MOTOR);
+    let told = bench.play("s space s s space s s tab space s R R", |_, buffer| {
+        let all = super::characters(buffer);
+        all.lines().nth(22).unwrap_or_default().to_owned()
+    });
+    expect!["| motor-recorded-2.ladder-test was written: `ladder test` runs it"].assert_eq(&told);
+    let file = bench.folder.path().join("motor-recorded.ladder-test");
+    expect![[r#"
+        program motor.clad
+        step 10ms
+        interval 10ms
+
+        scenario "recorded"
+        start    _--___
+        stop     _____-
+        ready => ______
+        run   => _----_
+    "#]]
+    .assert_eq(&std::fs::read_to_string(&file).unwrap());
+    assert_eq!(
+        std::fs::read_to_string(&file).unwrap(),
+        std::fs::read_to_string(bench.folder.path().join("motor-recorded-2.ladder-test")).unwrap()
+    );
+    let told = Bench::new(MOTOR).play("R", |_, buffer| {
+        let all = super::characters(buffer);
+        all.lines().nth(22).unwrap_or_default().to_owned()
+    });
+    expect!["| nothing has run yet: run some scans, and record then"].assert_eq(&told);
+}
