@@ -236,9 +236,9 @@ impl<'r> App<'r> {
             &recorded.text,
             &program.with_file_name(scenario::recorded_file(&name)),
         )?;
-        let notes: String = recorded.notes.iter().map(|note| format!("; {note}")).collect();
-        self.view
-            .say(format!("{file} was written: `ladder test` runs it{notes}"));
+        let written = format!("{file} was written: `ladder test` runs it");
+        let said: Vec<String> = std::iter::once(written).chain(recorded.notes).collect();
+        self.view.say(said.join("; "));
         Ok(())
     }
 
