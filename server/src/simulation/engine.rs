@@ -4,23 +4,19 @@ use std::cell::OnceCell;
 use std::sync::Arc;
 use std::time::Duration;
 
-use ladder_analysis::program::{Location, Role};
-use ladder_analysis::types::Scalar;
+use ladder_analysis::program::Location;
 use ladder_analysis::value::Value;
 use ladder_analysis::{Analysis, NotWhole};
-use ladder_simulator::{
-    Brake, Breakpoint, HistoryLimits, Point, Session, Simulation, Status, Stop, value_text,
-};
-use ladder_syntax::{TextRange, TextSize};
+use ladder_simulator::{Brake, Breakpoint, HistoryLimits, Point, Session, Simulation, Status, Stop};
 use serde_json::Value as Json;
 
-use super::drawing::{self, Drawing};
+use super::drawing::Drawing;
 use super::follow::Texts;
 use super::messages;
 use super::request::Failure;
 use super::retention::Retention;
 use super::sight::Sight;
-use super::value::{from_json, to_json};
+use super::value::from_json;
 use super::view::View;
 use crate::document::position::Range;
 use crate::document::{Beside, Revision};
@@ -43,12 +39,12 @@ pub(super) struct Engine {
     inputs: Vec<(Point, Value)>,
     /// Where the elements of the drawing stand, in the order in which the engine lists their power, for a client that
     /// takes them all. Computed once, for the text that runs does not change.
-    places: OnceCell<Vec<Option<Range>>>,
-    drawing: OnceCell<Drawing>,
+    pub(super) places: OnceCell<Vec<Option<Range>>>,
+    pub(super) drawing: OnceCell<Drawing>,
     /// What the client shows, if it says so.
     pub(super) view: Option<View>,
     /// What it said last.
-    shown: Option<messages::Shown>,
+    pub(super) shown: Option<messages::Shown>,
 }
 
 impl Engine {
@@ -273,138 +269,6 @@ impl Engine {
         self.session.simulation().time() as f64 / 1e6
     }
 
-    /// Tells from now on only of this.
-    pub(super) fn show(&mut self, shown: &messages::Shown) {
-        let simulation = self.session.simulation();
-        let drawing = self.drawing.get_or_init(|| Drawing::of(simulation));
-        let view = self.view.get_or_insert_default();
-        view.show(shown, drawing, &self.sight, simulation);
-        self.shown = Some(shown.clone());
-    }
-
-    /// Whether the client says what it shows.
-    pub(super) fn is_shown_in_part(&self) -> bool {
-        self.view.is_some()
-    }
-
-    /// What has changed of what is shown since this was asked last: tags, power, and operands that are new there.
-    pub(super) fn news(&mut self) -> (Vec<messages::Tag>, Vec<messages::Power>, Vec<messages::Operand>) {
-        let Some(view) = &mut self.view else {
-            return (self.tags(), self.power(), Vec::new());
-        };
-        let news = view.news(&self.sight, self.session.simulation());
-        let tags = news.points.iter().map(|point| self.tag(point)).collect();
-        (tags, news.power, news.operands)
-    }
-
-    /// How many tags are forced.
-    pub(super) fn forced(&self) -> usize {
-        self.session.simulation().forced().count()
-    }
-
-    /// The tags whose names hold a text.
-    pub(super) fn search(&self, search: &messages::Search) -> messages::Found {
-        let wanted = search.containing.as_deref().unwrap_or_default().to_lowercase();
-        let fits = |point: &&Point| wanted.is_empty() || point.name.to_lowercase().contains(&wanted);
-        let found: Vec<&Point> = self.all_points().filter(fits).collect();
-        let listed = found.iter().skip(search.first.unwrap_or_default());
-        let listed = listed.take(search.count.unwrap_or(usize::MAX));
-        messages::Found {
-            count: found.len(),
-            tags: listed.map(|point| self.tag(point)).collect(),
-        }
-    }
-
-    /// What the operand at a place in the text holds, in words, as Markdown.
-    pub(super) fn values_at(&self, offset: TextSize) -> Vec<String> {
-        let simulation = self.session.simulation();
-        let drawing = self.drawing.get_or_init(|| Drawing::of(simulation));
-        let Some(offset) = self.sight.running_offset(offset) else {
-            return Vec::new();
-        };
-        let revision = self.sight.running();
-        let line = revision.line_of(offset);
-        let stretch = TextRange::new(revision.line_start(line), revision.line_start(line + 1));
-        let operands = drawing.operands_in(stretch, revision, simulation);
-        let operand = operands
-            .into_iter()
-            .find(|it| it.range.contains_inclusive(offset));
-        let points = operand.map_or_else(|| self.named_at(offset), |operand| operand.points);
-        let told = points.iter().map(|point| {
-            let value = simulation.value(point);
-            let value = match point.ty {
-                Scalar::Bool => value_text::cell(&value, point.ty),
-                ty => value_text::display(&value, ty),
-            };
-            let forced = if simulation.is_forced(point) {
-                ", forced"
-            } else {
-                ""
-            };
-            format!("`{}` is **{value}**{forced}", point.name)
-        });
-        told.collect()
-    }
-
-    /// What the word at a place names, as in a declaration.
-    fn named_at(&self, offset: TextSize) -> Vec<Point> {
-        let simulation = self.session.simulation();
-        let word = self.sight.running().word_at(offset);
-        if let Ok(point) = simulation.resolve(&word) {
-            return vec![point];
-        }
-        let members = drawing::MEMBERS.iter().map(|member| format!("{word}.{member}"));
-        members
-            .filter_map(|name| simulation.resolve(&name).ok())
-            .collect()
-    }
-
-    /// Every scalar tag, then what else is forced (an element of an array, a bit of a word).
-    pub(super) fn tags(&self) -> Vec<messages::Tag> {
-        self.all_points().map(|point| self.tag(point)).collect()
-    }
-
-    fn all_points(&self) -> impl Iterator<Item = &Point> {
-        let points = self.session.simulation().points();
-        let forced = self.session.simulation().forced();
-        points
-            .iter()
-            .chain(forced.filter(|forced| !points.contains(forced)))
-    }
-
-    fn tag(&self, point: &Point) -> messages::Tag {
-        messages::Tag {
-            name: point.name.clone(),
-            kind: point.ty.to_string(),
-            value: to_json(&self.session.simulation().value(point), point.ty),
-            role: match point.role {
-                Role::Input => messages::Role::Input,
-                Role::Output => messages::Role::Output,
-                Role::Internal => messages::Role::Internal,
-            },
-            forced: self.session.simulation().is_forced(point),
-            read_only: point.read_only,
-        }
-    }
-
-    /// Every element of the drawing, with its power in the last scan.
-    pub(super) fn power(&self) -> Vec<messages::Power> {
-        let simulation = self.session.simulation();
-        let places = self.places.get_or_init(|| {
-            let places = power(simulation).map(|(place, _)| self.sight.range(place));
-            places.collect()
-        });
-        let live = power(simulation).map(|(_, on)| on);
-        let power = places.iter().zip(live).filter_map(|(&range, on)| {
-            Some(messages::Power {
-                range: range?,
-                on,
-                contact: None,
-            })
-        });
-        power.collect()
-    }
-
     /// What went wrong so far, the newest last. A mistake that repeats in one place stands here once, with the scan it
     /// last happened in.
     pub(super) fn faults(&self) -> Vec<messages::Fault> {
@@ -443,12 +307,6 @@ impl Engine {
             None => (None, self.sight.range_or_near(location.range)),
         }
     }
-}
-
-/// The elements that stand in the program's own file, which is the document.
-fn power(simulation: &Simulation) -> impl Iterator<Item = (TextRange, bool)> {
-    let own = simulation.power().filter(|(_, location, _)| location.file == 0);
-    own.map(|(_, location, on)| (location.range, on))
 }
 
 pub(super) fn point(simulation: &Simulation, tag: &str) -> Result<Point, Failure> {

@@ -5,20 +5,24 @@
 //! between two scans. The folder knows nothing of the protocol's framework: states go out through a channel that keeps
 //! only the newest.
 
+mod action;
 mod drawing;
 mod engine;
 mod follow;
 mod inquiry;
 pub mod messages;
+mod picture;
 mod reasons;
 mod request;
 mod retention;
 mod session;
 mod sessions;
 mod sight;
+mod standing;
 mod value;
 mod view;
 
+pub(crate) use action::{Action, Answer};
 pub(crate) use request::{COMMANDS, Failure, Request, argument_of};
-pub(crate) use session::{Action, Answer, REPORT, Session};
+pub(crate) use session::{REPORT, Session};
 pub(crate) use sessions::Sessions;

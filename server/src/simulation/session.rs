@@ -6,14 +6,13 @@ use std::sync::mpsc::{Receiver, RecvTimeoutError, Sender, TryRecvError, channel}
 use std::time::{Duration, Instant};
 
 use ladder_simulator::Brake;
-use ladder_syntax::TextSize;
-use serde::Serialize;
-use serde_json::Value;
 use tokio::sync::{oneshot, watch};
 
+use super::action::{Action, Answer};
 use super::engine::Engine;
-use super::messages::{Found, History, Hit, Options, Recorded, Search, Shown, State, Status, Why};
+use super::messages::{Options, State, Status};
 use super::request::Failure;
+use super::standing::{Simulation, Telling};
 use crate::cancel::Cancel;
 use crate::document::Revision;
 
@@ -25,101 +24,6 @@ const SHOW: Duration = Duration::from_millis(33);
 
 /// The longest time between two scans: a day.
 const NEVER: Duration = Duration::from_secs(86_400);
-
-/// What a session is asked to do.
-#[derive(Debug)]
-pub(crate) enum Action {
-    /// Do so many scans, then pause.
-    Step(u64),
-    /// Go on to the next block.
-    StepBlock,
-    /// Go on to the next rung.
-    StepRung,
-    /// Go back so many scans.
-    Back(u64),
-    /// These lines of rungs and these tags stop a run.
-    Breakpoints(Vec<u32>, Vec<String>),
-    /// Say why a tag holds what it holds.
-    Why(String),
-    /// Make a scenario of this name of what was done so far.
-    Record(String),
-    /// Say what tags held in the last scans.
-    History(Vec<String>, u64),
-    /// Scan until told otherwise.
-    Run {
-        /// Pause after so many scans.
-        scans: Option<u64>,
-        /// So many times as fast as real time; as fast as it goes if there is no number.
-        speed: Option<f64>,
-    },
-    /// Stop scanning.
-    Pause,
-    /// Give a tag a value.
-    Set(String, Value),
-    /// Hold a tag at a value.
-    Force(String, Value),
-    /// Let a tag go, or all.
-    Unforce(Option<String>),
-    /// Nothing: only answer.
-    State,
-    /// Tell only of this from now on.
-    Show(Shown),
-    /// The client has shown what it was told.
-    HasShown,
-    /// List tags.
-    Tags(Search),
-    /// Say what the operand at a place holds.
-    ValuesAt(TextSize),
-    /// Start again from cold.
-    Reset,
-    /// Start again with what is retentive.
-    WarmRestart,
-    /// The text in the editor is another one.
-    Follow(Arc<Revision>),
-    /// End.
-    Stop,
-}
-
-impl Action {
-    /// Whether a step that is under way gives way to it.
-    fn is_urgent(&self) -> bool {
-        matches!(
-            self,
-            Action::Pause | Action::Reset | Action::WarmRestart | Action::Back(_) | Action::Stop
-        )
-    }
-
-    /// Whether the simulation stands differently behind it.
-    fn changes(&self) -> bool {
-        !matches!(
-            self,
-            Action::State
-                | Action::Why(_)
-                | Action::Record(_)
-                | Action::History(..)
-                | Action::Tags(_)
-                | Action::ValuesAt(_)
-        )
-    }
-}
-
-/// What a session answers.
-#[derive(Debug, Serialize)]
-#[serde(untagged)]
-pub(crate) enum Answer {
-    /// How it stands.
-    State(Box<State>),
-    /// Reasons.
-    Why(Box<Why>),
-    /// A scenario.
-    Recorded(Recorded),
-    /// Values of the past.
-    History(History),
-    /// Tags that were searched for.
-    Found(Found),
-    /// Values, in words.
-    Values(Vec<String>),
-}
 
 struct Command {
     action: Action,
@@ -230,83 +134,6 @@ struct Going {
     /// When the next scan is due, and the time from one to the next, for a run that keeps to a clock.
     due: Option<(Instant, Duration)>,
     reported: Instant,
-}
-
-/// How much a state tells of the drawing.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum Telling {
-    /// Tags and power; to a client that says what it shows what has changed there.
-    Picture,
-    /// Nothing to a client that says what it shows: what has changed comes with the next notification.
-    Answer,
-}
-
-/// The program and how it stands.
-struct Simulation {
-    id: String,
-    engine: Engine,
-    status: Status,
-    /// What the client is told next is all of what it shows.
-    whole: bool,
-    /// The breakpoint that stopped the last run.
-    hit: Option<Hit>,
-    /// How many answers were given.
-    answers: u64,
-}
-
-impl Simulation {
-    /// One scan, up to a breakpoint.
-    fn scan(&mut self) {
-        self.hit = self.engine.scan();
-        self.take_status();
-        if self.hit.is_some() && self.status == Status::Running {
-            self.status = Status::Paused;
-        }
-    }
-
-    /// What the program itself says about going on.
-    fn take_status(&mut self) {
-        match (self.engine.status(), self.status) {
-            (ladder_simulator::Status::Ready, Status::Running) => {}
-            (ladder_simulator::Status::Ready, _) => self.status = Status::Paused,
-            (ladder_simulator::Status::Ended, _) => self.status = Status::Ended,
-            (ladder_simulator::Status::Faulted, _) => self.status = Status::Faulted,
-        }
-    }
-
-    fn state(&mut self, telling: Telling) -> State {
-        let engine = &mut self.engine;
-        let in_part = engine.is_shown_in_part();
-        let whole = telling == Telling::Picture && std::mem::take(&mut self.whole);
-        let (tags, power, operands) = if in_part && telling == Telling::Answer {
-            Default::default()
-        } else {
-            engine.news()
-        };
-        State {
-            session: self.id.clone(),
-            uri: engine.revision().uri.to_string(),
-            version: engine.revision().version,
-            stale: engine.texts.stale,
-            change: engine.texts.change.clone(),
-            status: self.status,
-            scan: engine.scans(),
-            time_ms: engine.time_ms(),
-            behind: engine.behind(),
-            ahead: engine.ahead(),
-            next: engine.next(),
-            hit: self.hit.clone(),
-            breakpoints: engine.breakpoints(),
-            forced: engine.forced(),
-            delta: in_part && !whole,
-            answers: self.answers,
-            commands: in_part.then_some(self.answers),
-            operands,
-            tags,
-            power,
-            faults: engine.faults(),
-        }
-    }
 }
 
 /// The thread's own side.

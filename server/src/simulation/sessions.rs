@@ -3,8 +3,9 @@
 use std::collections::BTreeMap;
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
+use super::action::Action;
 use super::request::Failure;
-use super::session::{Action, Session};
+use super::session::Session;
 use crate::cancel::Cancel;
 use crate::document::Revision;
 

@@ -1,0 +1,105 @@
+//! What a session is asked, and what it answers.
+
+use std::sync::Arc;
+
+use ladder_syntax::TextSize;
+use serde::Serialize;
+use serde_json::Value;
+
+use super::messages::{Found, History, Recorded, Search, Shown, State, Why};
+use crate::document::Revision;
+
+/// What a session is asked to do.
+#[derive(Debug)]
+pub(crate) enum Action {
+    /// Do so many scans, then pause.
+    Step(u64),
+    /// Go on to the next block.
+    StepBlock,
+    /// Go on to the next rung.
+    StepRung,
+    /// Go back so many scans.
+    Back(u64),
+    /// These lines of rungs and these tags stop a run.
+    Breakpoints(Vec<u32>, Vec<String>),
+    /// Say why a tag holds what it holds.
+    Why(String),
+    /// Make a scenario of this name of what was done so far.
+    Record(String),
+    /// Say what tags held in the last scans.
+    History(Vec<String>, u64),
+    /// Scan until told otherwise.
+    Run {
+        /// Pause after so many scans.
+        scans: Option<u64>,
+        /// So many times as fast as real time; as fast as it goes if there is no number.
+        speed: Option<f64>,
+    },
+    /// Stop scanning.
+    Pause,
+    /// Give a tag a value.
+    Set(String, Value),
+    /// Hold a tag at a value.
+    Force(String, Value),
+    /// Let a tag go, or all.
+    Unforce(Option<String>),
+    /// Nothing: only answer.
+    State,
+    /// Tell only of this from now on.
+    Show(Shown),
+    /// The client has shown what it was told.
+    HasShown,
+    /// List tags.
+    Tags(Search),
+    /// Say what the operand at a place holds.
+    ValuesAt(TextSize),
+    /// Start again from cold.
+    Reset,
+    /// Start again with what is retentive.
+    WarmRestart,
+    /// The text in the editor is another one.
+    Follow(Arc<Revision>),
+    /// End.
+    Stop,
+}
+
+impl Action {
+    /// Whether a step that is under way gives way to it.
+    pub(super) fn is_urgent(&self) -> bool {
+        matches!(
+            self,
+            Action::Pause | Action::Reset | Action::WarmRestart | Action::Back(_) | Action::Stop
+        )
+    }
+
+    /// Whether the simulation stands differently behind it.
+    pub(super) fn changes(&self) -> bool {
+        !matches!(
+            self,
+            Action::State
+                | Action::Why(_)
+                | Action::Record(_)
+                | Action::History(..)
+                | Action::Tags(_)
+                | Action::ValuesAt(_)
+        )
+    }
+}
+
+/// What a session answers.
+#[derive(Debug, Serialize)]
+#[serde(untagged)]
+pub(crate) enum Answer {
+    /// How it stands.
+    State(Box<State>),
+    /// Reasons.
+    Why(Box<Why>),
+    /// A scenario.
+    Recorded(Recorded),
+    /// Values of the past.
+    History(History),
+    /// Tags that were searched for.
+    Found(Found),
+    /// Values, in words.
+    Values(Vec<String>),
+}

@@ -1,0 +1,96 @@
+//! What a client shows of a program, and what it is told of that.
+
+use serde::{Deserialize, Serialize};
+
+use super::{Tag, is_false};
+use crate::document::position::Range;
+
+/// What of a program a client shows.
+#[derive(Debug, Clone, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "camelCase", deny_unknown_fields)]
+pub struct Shown {
+    /// Lines of the text, from 0.
+    #[serde(default)]
+    pub lines: Vec<Lines>,
+    /// Tags beside those that these lines name.
+    #[serde(default)]
+    pub tags: Vec<String>,
+}
+
+/// Lines that follow one another.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "camelCase", deny_unknown_fields)]
+pub struct Lines {
+    /// The first of them, from 0.
+    pub first: u32,
+    /// The last of them, which belongs to them.
+    pub last: u32,
+}
+
+/// The argument of `ladder.simulate.show`: all that is shown, in the place of what was shown before.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "camelCase", deny_unknown_fields)]
+pub struct Show {
+    /// The session.
+    pub session: String,
+    /// Lines of the text, from 0.
+    #[serde(default)]
+    pub lines: Vec<Lines>,
+    /// Tags beside those that these lines name.
+    #[serde(default)]
+    pub tags: Vec<String>,
+}
+
+/// The argument of `ladder.simulate.tags`.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "camelCase", deny_unknown_fields)]
+pub struct Search {
+    /// The session.
+    pub session: String,
+    /// Only tags whose names hold this, in any case.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub containing: Option<String>,
+    /// So many of them are left out at the beginning of the list.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub first: Option<usize>,
+    /// No more than so many; all unless given.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub count: Option<usize>,
+}
+
+/// The answer of `ladder.simulate.tags`.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(rename_all = "camelCase", deny_unknown_fields)]
+pub struct Found {
+    /// How many tags there are that were searched for, listed or not.
+    pub count: usize,
+    /// Those that are listed, in the order of first appearance.
+    pub tags: Vec<Tag>,
+}
+
+/// What a contact does with the power that comes to it, or would do.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "camelCase")]
+pub enum Contact {
+    /// It lets power through, whether any comes or not.
+    Closed,
+    /// It would not, and none comes.
+    Open,
+    /// It holds up the power that comes.
+    Blocks,
+}
+
+/// An operand of a block, and what stands for its value.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "camelCase", deny_unknown_fields)]
+pub struct Operand {
+    /// Where the operand stands.
+    pub range: Range,
+    /// Its block.
+    pub block: Range,
+    /// The tags whose values belong beside it, the most telling one first: of a timer `t1.ET` and `t1.Q`.
+    pub tags: Vec<String>,
+    /// The power of the block, or what the contact does, tells the value already.
+    #[serde(default, skip_serializing_if = "is_false")]
+    pub drawn: bool,
+}

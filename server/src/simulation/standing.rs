@@ -1,0 +1,81 @@
+//! The program of a session and how it stands.
+
+use super::engine::Engine;
+use super::messages::{Hit, State, Status};
+
+/// How much a state tells of the drawing.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Telling {
+    /// Tags and power; to a client that says what it shows what has changed there.
+    Picture,
+    /// Nothing to a client that says what it shows: what has changed comes with the next notification.
+    Answer,
+}
+
+/// The program and how it stands.
+pub(super) struct Simulation {
+    pub(super) id: String,
+    pub(super) engine: Engine,
+    pub(super) status: Status,
+    /// What the client is told next is all of what it shows.
+    pub(super) whole: bool,
+    /// The breakpoint that stopped the last run.
+    pub(super) hit: Option<Hit>,
+    /// How many answers were given.
+    pub(super) answers: u64,
+}
+
+impl Simulation {
+    /// One scan, up to a breakpoint.
+    pub(super) fn scan(&mut self) {
+        self.hit = self.engine.scan();
+        self.take_status();
+        if self.hit.is_some() && self.status == Status::Running {
+            self.status = Status::Paused;
+        }
+    }
+
+    /// What the program itself says about going on.
+    pub(super) fn take_status(&mut self) {
+        match (self.engine.status(), self.status) {
+            (ladder_simulator::Status::Ready, Status::Running) => {}
+            (ladder_simulator::Status::Ready, _) => self.status = Status::Paused,
+            (ladder_simulator::Status::Ended, _) => self.status = Status::Ended,
+            (ladder_simulator::Status::Faulted, _) => self.status = Status::Faulted,
+        }
+    }
+
+    pub(super) fn state(&mut self, telling: Telling) -> State {
+        let engine = &mut self.engine;
+        let in_part = engine.is_shown_in_part();
+        let whole = telling == Telling::Picture && std::mem::take(&mut self.whole);
+        let (tags, power, operands) = if in_part && telling == Telling::Answer {
+            Default::default()
+        } else {
+            engine.news()
+        };
+        State {
+            session: self.id.clone(),
+            uri: engine.revision().uri.to_string(),
+            version: engine.revision().version,
+            stale: engine.texts.stale,
+            change: engine.texts.change.clone(),
+            status: self.status,
+            scan: engine.scans(),
+            time_ms: engine.time_ms(),
+            behind: engine.behind(),
+            ahead: engine.ahead(),
+            next: engine.next(),
+            hit: self.hit.clone(),
+            breakpoints: engine.breakpoints(),
+            forced: engine.forced(),
+            delta: in_part && !whole,
+            answers: self.answers,
+            commands: in_part.then_some(self.answers),
+            operands,
+            tags,
+            power,
+            faults: engine.faults(),
+        }
+    }
+}
