@@ -71,6 +71,17 @@ async function why(simulation: Simulation, view: WhyView, given: Tag | undefined
     }
 }
 
+/** Opens what was done so far as a new file of scenarios; a person saves it beside the program. */
+async function record(simulation: Simulation): Promise<void> {
+    const recorded = await simulation.record();
+    if (recorded) {
+        const document = await vscode.workspace.openTextDocument({ language: 'ladder-test', content: recorded.text });
+        await vscode.window.showTextDocument(document, vscode.ViewColumn.Beside);
+        const told = [`Save it as ${recorded.file} beside the program to run it`, ...(recorded.notes ?? [])];
+        void vscode.window.showInformationMessage(`Ladder: ${told.join('; ')}.`);
+    }
+}
+
 const speeds: readonly { readonly label: string; readonly description: string; readonly speed: Speed }[] = [
     { label: '0.01x', description: 'very slow motion', speed: 0.01 },
     { label: '0.1x', description: 'slow motion', speed: 0.1 },
@@ -115,6 +126,7 @@ export function registerCommands(server: Server, simulation: Simulation, click: 
         'ladder.simulation.speed': () => setSpeed(simulation),
         'ladder.simulation.pause': () => simulation.pause(),
         'ladder.simulation.reset': () => simulation.command('reset', {}),
+        'ladder.simulation.record': () => record(simulation),
         'ladder.simulation.warmRestart': () => simulation.command('warmRestart', {}),
         'ladder.simulation.stop': () => simulation.stop(),
         'ladder.simulation.set': (tag) => assign(simulation, 'set', tag),

@@ -119,6 +119,13 @@ export interface Why {
     readonly reason: Reason;
 }
 
+/** What was done, as a file of scenarios. */
+export interface Recorded {
+    readonly file: string;
+    readonly text: string;
+    readonly notes?: readonly string[];
+}
+
 /** What each command takes besides the session, and what it answers. */
 export interface Commands {
     start: { argument: { uri: string; options: { show: Shown } }; answer: { session: string; state: State; notes?: string[] } };
@@ -128,6 +135,7 @@ export interface Commands {
     back: { argument: { scans: number }; answer: State };
     breakpoints: { argument: { lines: number[]; tags: string[] }; answer: State };
     why: { argument: { tag: string }; answer: Why };
+    record: { argument: object; answer: Recorded };
     warmRestart: { argument: object; answer: State };
     run: { argument: { speed?: number; realTime?: boolean }; answer: State };
     show: { argument: Shown; answer: State };

@@ -3,7 +3,7 @@ import * as vscode from 'vscode';
 
 import type { Server } from './server.ts';
 import { breakpointLines, toggled } from './breakpoints.ts';
-import type { Commands, Operand, Shown, State, Tag, Why } from './protocol.ts';
+import type { Commands, Operand, Recorded, Shown, State, Tag, Why } from './protocol.ts';
 import { operandAt } from './operands.ts';
 import { Session, type Speed } from './session.ts';
 
@@ -143,6 +143,12 @@ export class Simulation implements vscode.Disposable {
         if (state) {
             this.#show(session, state);
         }
+    }
+
+    /** What was done so far, as a scenario. */
+    async record(): Promise<Recorded | undefined> {
+        const session = this.current;
+        return session && (await this.#tell(session.command('record', {})));
     }
 
     /** Why a tag holds what it holds, in words. */

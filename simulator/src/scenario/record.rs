@@ -85,6 +85,7 @@ pub fn record(session: &Session, program: &str, name: &str) -> Result<Recorded, 
     if outputs.is_empty() {
         return Err("the program writes no tag that a scenario could look at".into());
     }
+    let cold: Vec<Value> = outputs.iter().map(|point| simulation.value(point)).collect();
     let mut played = play(&mut simulation, &mut rows, &outputs, scans);
     if played.len() < scans as usize {
         push_once(&mut notes, "the program stops in the midst of it".into());
@@ -100,7 +101,7 @@ pub fn record(session: &Session, program: &str, name: &str) -> Result<Recorded, 
                 .into(),
         );
     }
-    leave_out_what_rests(&mut outputs, &mut played);
+    leave_out_what_rests(&mut outputs, &mut played, &cold);
     let scans = played.len() as u64;
     let step = step(&moments, &outputs_change(&played), scans);
     let steps = scans / step;
@@ -170,8 +171,9 @@ fn outputs(simulation: &Simulation) -> Vec<Point> {
 
 /// Beside the outputs only a few other tags are looked at, and only those that change: BOOLs, or whatever there is where
 /// nothing else comes out of the program.
-fn leave_out_what_rests(points: &mut Vec<Point>, played: &mut [Vec<Value>]) {
-    let changes = |index: usize| played.windows(2).any(|pair| pair[0][index] != pair[1][index]);
+/// `cold` is what they hold in a cold start.
+fn leave_out_what_rests(points: &mut Vec<Point>, played: &mut [Vec<Value>], cold: &[Value]) {
+    let changes = |index: usize| played.iter().any(|values| values[index] != cold[index]);
     let changes: Vec<bool> = (0..points.len()).map(changes).collect();
     let is_output = |point: &Point| point.role == Role::Output;
     let is_level = |point: &Point, changes: bool| changes && !is_output(point) && point.ty == Scalar::Bool;

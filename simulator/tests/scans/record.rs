@@ -107,6 +107,7 @@ fn what_was_pressed_and_what_came_of_it() {
             scenario "what was done"
             start    ------------
             warm  => _-----------
+            run   => ------------
         "#]],
     );
 }
@@ -156,14 +157,15 @@ fn stepping_back_records_up_to_there() {
         &session,
         MOTOR,
         expect![[r#"
-        program motor.clad
-        step 30ms
-        interval 10ms
+            program motor.clad
+            step 30ms
+            interval 10ms
 
-        scenario "what was done"
-        start    -
-        warm  => _
-    "#]],
+            scenario "what was done"
+            start    -
+            warm  => _
+            run   => -
+        "#]],
     );
 }
 
@@ -198,14 +200,15 @@ fn forces_and_changes_are_played_as_inputs() {
         &session,
         MOTOR,
         expect![[r#"
-        program motor.clad
-        step 20ms
-        interval 10ms
+            program motor.clad
+            step 20ms
+            interval 10ms
 
-        scenario "what was done"
-        start    -_
-        warm  => __
-    "#]],
+            scenario "what was done"
+            start    -_
+            warm  => __
+            run   => --
+        "#]],
     );
     let run = session.simulation().resolve("run").unwrap();
     session.force(&run, Value::Bool(false)).unwrap();

@@ -170,6 +170,11 @@ local subcommands = {
       return #before == 0 and tag_names(any, lead) or {}
     end,
   },
+  record = {
+    run = function(arguments)
+      require('ladder.record').record(drawing(), table.concat(arguments, ' '))
+    end,
+  },
   warm = {
     run = function()
       simulation().command(drawing(), 'warmRestart')
