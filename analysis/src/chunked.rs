@@ -23,6 +23,13 @@ impl<T> Default for Chunked<T> {
     }
 }
 
+impl<T> Chunked<T> {
+    /// How many values there are.
+    pub(crate) fn len(&self) -> usize {
+        self.len
+    }
+}
+
 impl<T: Clone> Chunked<T> {
     /// Adds a value at the end.
     pub(crate) fn push(&mut self, value: T) {
@@ -33,6 +40,27 @@ impl<T: Clone> Chunked<T> {
             Arc::make_mut(last).push(value);
         }
         self.len += 1;
+    }
+
+    /// A value to change. Panics where there are not so many.
+    pub(crate) fn get_mut(&mut self, index: usize) -> &mut T {
+        &mut Arc::make_mut(&mut self.chunks[index / CHUNK])[index % CHUNK]
+    }
+
+    /// Leaves the first so many values, and gives the others.
+    pub(crate) fn split_off(&mut self, first: usize) -> Vec<T> {
+        let mut rest = Vec::with_capacity(self.len.saturating_sub(first));
+        let last = first.div_ceil(CHUNK);
+        let whole = self.chunks.split_off(last.min(self.chunks.len()));
+        if !first.is_multiple_of(CHUNK)
+            && first < self.len
+            && let Some(chunk) = self.chunks.last_mut()
+        {
+            rest = Arc::make_mut(chunk).split_off(first % CHUNK);
+        }
+        rest.extend(whole.iter().flat_map(|chunk| chunk.iter().cloned()));
+        self.len = self.len.min(first);
+        rest
     }
 }
 

@@ -2,6 +2,7 @@
 
 use crate::declare;
 use crate::diagnostic::Diagnostic;
+use crate::edited;
 use crate::facts::NodeKind;
 use crate::foreign_comment::ForeignComments;
 use crate::infer;
@@ -20,7 +21,7 @@ use crate::user_block::{self, UserBlockFacts};
 use crate::uses;
 use ladder_instructions::{Op, Profile, Shape};
 use ladder_syntax::wiring::PartKind;
-use ladder_syntax::{LineIndex, LineKind, Name, Parse, TextRange, TextSize};
+use ladder_syntax::{LineIndex, LineKind, Name, Parse, Structure, TextRange, TextSize};
 use std::collections::HashMap;
 use std::sync::{Arc, OnceLock};
 
@@ -43,6 +44,12 @@ pub struct Context {
     pub scopes: Vec<Scope>,
     /// Nothing is wrong with the declarations.
     pub(crate) declared_cleanly: bool,
+    /// The line behind the last section, and behind the last first line of a block definition.
+    pub(crate) declared_to: usize,
+    /// An edit between the declarations and the end changes what it names, and nothing else; see [`edited`](crate::edited).
+    pub(crate) settled: bool,
+    /// The places of each tag say by themselves what type it has.
+    pub(crate) typed_by_places: bool,
     /// The definitions of user-defined blocks: the file's own as in the structure, then those of other files that
     /// it uses.
     pub user_blocks: Vec<UserBlockFacts>,
@@ -58,12 +65,10 @@ pub struct Context {
     pub bodies: Vec<Body>,
     /// The other files of the workspace.
     pub others: Others,
-    /// For each logical line how many physical lines end above it.
-    line_ends_above: OnceLock<Vec<u32>>,
-    foreign_comments: OnceLock<ForeignComments>,
+    pub(crate) foreign_comments: OnceLock<ForeignComments>,
     /// The labels of each body by name, in the order of the text.
-    labels_by_name: HashMap<(Body, Name), Vec<usize>>,
-    functions_by_name: HashMap<Name, usize>,
+    pub(crate) labels_by_name: HashMap<(Body, Name), Vec<usize>>,
+    pub(crate) functions_by_name: HashMap<Name, usize>,
 }
 
 /// What a network belongs to. A label is seen within its own body only.
@@ -123,16 +128,7 @@ impl Context {
         let Some(line) = self.parse.line_at(offset) else {
             return 1;
         };
-        let above = self.line_ends_above.get_or_init(|| {
-            let mut above = Vec::with_capacity(self.parse.lines().len());
-            let mut sum = 0;
-            for line in self.parse.lines() {
-                above.push(sum);
-                sum += line.line_ends;
-            }
-            above
-        });
-        let mut number = above[line] as usize + 1;
+        let mut number = self.parse.lines().line_ends_above(line) as usize + 1;
         if self.parse.lines()[line].line_ends > 0 {
             let within = usize::from(offset - self.parse.line_start(line));
             let text = self.parse.lines()[line].green().to_string();
@@ -157,6 +153,15 @@ impl Context {
         };
         let offset = line - network.first_line;
         network.wiring.unpaired.is_empty() && network.wiring.line_offsets.binary_search(&offset).is_ok()
+    }
+
+    /// Where a tag is declared, or first used.
+    pub fn place_of(&self, tag: &TagFacts) -> TextRange {
+        let first = || self.uses(tag).next();
+        match tag.origin {
+            Origin::Undeclared | Origin::Form => first().map_or(tag.declared_at, |place| place.range),
+            Origin::Declared(_) | Origin::Implicit | Origin::Shared => tag.declared_at,
+        }
     }
 
     /// Where a tag is used, from top to bottom.
@@ -219,11 +224,16 @@ pub fn context(parse: &Arc<Parse>, name: &str, others: &Others) -> Context {
 
 /// As [`context()`]. What an earlier text had as well is taken from its context.
 pub fn context_after(before: Option<&Context>, parse: &Arc<Parse>, name: &str, others: &Others) -> Context {
+    if let Some(context) = before.and_then(|before| edited::edited(before, parse, name, others)) {
+        return context;
+    }
     let mut context = skeleton(parse, name, others, before);
     uses::collect(&mut context);
     let mut found = std::mem::take(&mut context.found);
+    let of_declarations = found.len();
     shared::share(&mut context, &mut found);
-    infer::infer(&mut context, &mut found);
+    context.typed_by_places = infer::infer(&mut context, &mut found);
+    context.settled = found.len() == of_declarations && edited::may_settle(&context);
     context.found = found;
     context
 }
@@ -261,7 +271,8 @@ pub(crate) fn skeleton(parse: &Arc<Parse>, name: &str, others: &Others, before: 
         let scope = drawn.block.map_or(0, |block| block + 1);
         networks.push(facts, first, parse.line_start(first), scope);
     }
-    break_neighbours(parse, &mut networks);
+    let all = 0..networks.len();
+    break_neighbours(parse, &mut networks, all);
     let mut context = Context {
         parse: Arc::clone(parse),
         name: Arc::from(name),
@@ -271,6 +282,9 @@ pub(crate) fn skeleton(parse: &Arc<Parse>, name: &str, others: &Others, before: 
         networks,
         scopes,
         declared_cleanly,
+        declared_to: declared_to(structure),
+        settled: false,
+        typed_by_places: false,
         user_blocks: known.into_list(),
         own_blocks,
         signatures,
@@ -278,13 +292,19 @@ pub(crate) fn skeleton(parse: &Arc<Parse>, name: &str, others: &Others, before: 
         functions: Vec::new(),
         labels: Vec::new(),
         bodies: Vec::new(),
-        line_ends_above: OnceLock::new(),
         foreign_comments: OnceLock::new(),
         labels_by_name: HashMap::new(),
         functions_by_name: HashMap::new(),
     };
     bodies(&mut context);
     context
+}
+
+/// The line behind the last section, and behind the last first line of a block definition.
+pub(crate) fn declared_to(structure: &Structure) -> usize {
+    let sections = structure.sections.iter().map(|section| section.lines.end);
+    let headers = structure.blocks.iter().map(|block| block.lines.start + 1);
+    sections.chain(headers).max().unwrap_or_default()
 }
 
 /// The scopes with their declared tags.
@@ -295,7 +315,7 @@ fn declared(parse: &Parse, out: &mut Vec<Diagnostic>) -> Vec<Scope> {
         let mut scope = Scope::default();
         scope.block = Some(index);
         for name in ["EN", "ENO"] {
-            scope.add(implicit(name, parse.line_range(definition.lines.start)));
+            scope.declare(implicit(name, parse.line_range(definition.lines.start)));
         }
         scope
     }));
@@ -303,15 +323,12 @@ fn declared(parse: &Parse, out: &mut Vec<Diagnostic>) -> Vec<Scope> {
         let scope = section.block.map_or(0, |block| block + 1);
         declare::section(parse, section, &mut scopes[scope], out);
     }
-    for scope in &mut scopes {
-        scope.declared = scope.tags.len();
-    }
     scopes
 }
 
 /// The first rung below an open `\`, or above an open `/`, was probably meant to belong to the network.
-fn break_neighbours(parse: &Parse, networks: &mut Networks) {
-    for index in 0..networks.len() {
+pub(crate) fn break_neighbours(parse: &Parse, networks: &mut Networks, among: std::ops::Range<usize>) {
+    for index in among {
         let network = networks.at(index);
         if network.wiring.unpaired.is_empty() {
             continue;
@@ -345,7 +362,7 @@ fn implicit(name: &str, at: TextRange) -> TagFacts {
         constant: false,
         initial: Vec::new(),
         address: None,
-        at,
+        declared_at: at,
         uses: Uses::default(),
         shared: None,
         foreign: None,

@@ -125,7 +125,7 @@ fn declaration(
             first.mistyped |= !alike || first.origin != Origin::Declared(context.kind);
             continue;
         }
-        let index = scope.add(TagFacts {
+        let index = scope.declare(TagFacts {
             name: name.text().into(),
             ty,
             mistyped: ty.is_none(),
@@ -135,7 +135,7 @@ fn declaration(
             constant: context.constant,
             initial: initial.clone(),
             address: address.as_ref().map(|token| token.text().to_owned()),
-            at: range,
+            declared_at: range,
             uses: Uses::default(),
             shared: None,
             foreign: None,

@@ -202,7 +202,7 @@ fn globals(context: &Context) -> Vec<Global> {
             constant: tag.constant,
             retain: tag.retain,
             initial: tag.initial.clone(),
-            at: tag.at,
+            at: tag.declared_at,
         });
     }
     // Two scopes of the file may introduce one tag.

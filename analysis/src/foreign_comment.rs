@@ -29,10 +29,16 @@ impl ForeignComments {
     /// Looks for them. `is_drawn` says whether a logical line is a rung of a sound drawing.
     pub(crate) fn find(parse: &Parse, is_drawn: impl Fn(usize) -> bool) -> ForeignComments {
         let mut found: Vec<ForeignComment> = Vec::new();
-        for line in 0..parse.lines().len() {
-            let within = found.last().is_some_and(|last| last.lines.contains(&line));
-            if !within && may_hold_one(parse, line, &is_drawn) {
-                found.extend(on_line(parse, line));
+        let lines = parse.lines();
+        for (number, part) in lines.parts().iter().enumerate() {
+            if !part.is_faulty() && !part.begins_with_up() {
+                continue;
+            }
+            for line in lines.first_line(number)..lines.first_line(number + 1) {
+                let within = found.last().is_some_and(|last| last.lines.contains(&line));
+                if !within && may_hold_one(parse, line, &is_drawn) {
+                    found.extend(on_line(parse, line));
+                }
             }
         }
         ForeignComments(found)

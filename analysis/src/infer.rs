@@ -18,16 +18,33 @@ use crate::types::{Scalar, Type};
 use ladder_instructions::{Accepts, Law, StateType, States, Timing, TypeClass};
 use ladder_syntax::{Name, TextRange};
 
-/// Gives every tag its type.
-pub(crate) fn infer(context: &mut Context, out: &mut Vec<Diagnostic>) {
+/// Gives every tag its type, and says whether its places alone have given it.
+pub(crate) fn infer(context: &mut Context, out: &mut Vec<Diagnostic>) -> bool {
     let law = context.profile.law();
     by_place(context, out);
+    let mut tags = context.scopes.iter().flat_map(|scope| &scope.tags);
+    if tags.all(|tag| tag.ty.is_some()) {
+        internal_unless_bool(context);
+        return true;
+    }
     by_company(context);
     for scope in &mut context.scopes {
-        for tag in &mut scope.tags {
-            tag.ty.get_or_insert(Type::Scalar(Scalar::integer_of(law)));
-            if tag.origin == Origin::Undeclared && tag.ty != Some(Type::BOOL) {
-                tag.role = Role::Internal;
+        for tag in 0..scope.tags.len() {
+            if scope.tags[tag].ty.is_none() {
+                scope.tags[tag].ty = Some(Type::Scalar(Scalar::integer_of(law)));
+            }
+        }
+    }
+    internal_unless_bool(context);
+    false
+}
+
+/// Only a BOOL without a declaration is an input or output.
+fn internal_unless_bool(context: &mut Context) {
+    for scope in &mut context.scopes {
+        for tag in scope.declared..scope.tags.len() {
+            if scope.tags[tag].origin == Origin::Undeclared && scope.tags[tag].ty != Some(Type::BOOL) {
+                scope.tags[tag].role = Role::Internal;
             }
         }
     }
@@ -77,7 +94,7 @@ fn by_place(context: &mut Context, out: &mut Vec<Diagnostic>) {
     }
 }
 
-fn answer(context: &Context, tag: &TagFacts, out: &mut Vec<Diagnostic>) -> Option<Type> {
+pub(crate) fn answer(context: &Context, tag: &TagFacts, out: &mut Vec<Diagnostic>) -> Option<Type> {
     let mut first: Option<(Type, TextRange)> = None;
     // `(R)` also takes timers and counters: it makes a tag BOOL only where no other place has a say.
     let mut reset = false;

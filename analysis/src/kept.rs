@@ -4,7 +4,7 @@
 //! itself follows from its lines' nodes, and from the signatures of the user-defined blocks that it holds. So two texts are compared by their nodes' addresses: the lines that both
 //! begin with, and those that both end with.
 
-use crate::context::Context;
+use crate::context::{Context, declared_to};
 use crate::network::{NetworkFacts, UserBlocks};
 use crate::scope::Scope;
 use ladder_syntax::{Network, Parse, Structure};
@@ -55,12 +55,8 @@ impl<'c> Kept<'c> {
                 .map(|block| block.lines.start)
                 .collect::<Vec<_>>()
         };
-        let sections = structure.sections.iter().map(|section| section.lines.end);
-        let last = sections
-            .chain(headers(structure).iter().map(|header| header + 1))
-            .max();
         let same = self.before.declared_cleanly
-            && last.is_none_or(|last| last <= self.above)
+            && declared_to(structure) <= self.above
             && old.sections == structure.sections
             && headers(old) == headers(structure);
         if !same {

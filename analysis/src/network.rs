@@ -1,14 +1,17 @@
 //! A network with its blocks bound to the instruction table: which row each block is, and which operand each value is
 //! given for.
 
+use crate::control_flow::ControlFlow;
 use crate::facts::{self, BlockFacts, Head};
 use crate::known_blocks::KnownBlocks;
 use crate::order::{Order, order};
 use crate::uses::{self, Named};
 use crate::verdict::Verdict;
 use ladder_instructions::{Accepts, Coil, Instruction, Op, Operand, lookup};
-use ladder_syntax::wiring::{PartKind, Wiring, wiring};
-use ladder_syntax::{Name, Network, Parse, Surroundings, SyntaxError, SyntaxErrorKind, TextRange, TextSize};
+use ladder_syntax::wiring::{PartKind, RungPart, Wiring, wiring};
+use ladder_syntax::{
+    LineKind, Name, Network, Parse, Surroundings, SyntaxError, SyntaxErrorKind, TextRange, TextSize,
+};
 use std::sync::Arc;
 
 /// A network, its wiring, order and blocks: all that follows from its own lines and the blocks that it holds, wherever
@@ -32,6 +35,12 @@ pub struct NetworkFacts {
     pub(crate) named: Arc<[Named]>,
     /// The user-defined blocks that it holds.
     pub(crate) user_blocks: UserBlocks,
+    /// What it has of program flow.
+    pub(crate) control_flow: ControlFlow,
+    /// Each of its blocks is an instruction or a block that is known.
+    pub(crate) known: bool,
+    /// A comment stands in it, on a line of its own or behind a rung.
+    pub(crate) commented: bool,
     /// A block of it keeps its state in a tag.
     pub(crate) keeps_state: bool,
     pub(crate) verdict: Verdict,
@@ -137,6 +146,13 @@ impl BoundBlock {
     }
 }
 
+impl NetworkFacts {
+    /// How many logical lines it takes, from its first rung to its last.
+    pub(crate) fn line_count(&self) -> usize {
+        self.wiring.line_offsets.last().map_or(0, |last| last + 1)
+    }
+}
+
 /// The facts of a network.
 pub(crate) fn network(parse: &Parse, network: &Network, known: &mut KnownBlocks<'_>) -> NetworkFacts {
     let wiring = wiring(parse, network);
@@ -173,6 +189,14 @@ pub(crate) fn network(parse: &Parse, network: &Network, known: &mut KnownBlocks<
     let mut formals = blocks.iter().flat_map(|bound| bound.formals.iter());
     let keeps_state = formals
         .any(|formal| matches!(formal, Formal::Operand(row) if matches!(row.accepts, Accepts::State(_))));
+    let control_flow = blocks
+        .iter()
+        .map(ControlFlow::of)
+        .fold(ControlFlow::default(), ControlFlow::with);
+    let is_known = blocks
+        .iter()
+        .all(|bound| matches!(bound.meaning, Meaning::Instruction(_) | Meaning::User(_)));
+    let commented = is_commented(parse, network, &wiring);
     NetworkFacts {
         wiring: Arc::new(wiring),
         order: Arc::new(order),
@@ -182,9 +206,19 @@ pub(crate) fn network(parse: &Parse, network: &Network, known: &mut KnownBlocks<
         names_tags_only,
         named,
         user_blocks,
+        control_flow,
+        known: is_known,
+        commented,
         keeps_state,
         verdict: Verdict::default(),
     }
+}
+
+fn is_commented(parse: &Parse, network: &Network, wiring: &Wiring) -> bool {
+    let mut lines = parse.lines().range(network.lines.clone());
+    let aside = |part: &RungPart| part.kind == PartKind::Comment && part.segment.is_none();
+    lines.any(|line| matches!(line.kind, LineKind::Comment | LineKind::Rail))
+        || wiring.rungs.iter().flat_map(|rung| &rung.parts).any(aside)
 }
 
 fn user_blocks(blocks: &[BoundBlock], known: &KnownBlocks<'_>) -> UserBlocks {

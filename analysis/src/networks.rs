@@ -8,7 +8,7 @@ use crate::chunked::Chunked;
 use crate::network::{BoundBlock, NetworkFacts};
 use crate::scope::{Use, UseRef};
 use ladder_syntax::{Parse, TextRange, TextSize};
-use std::ops::Deref;
+use std::ops::{Deref, Range};
 use std::sync::Arc;
 
 /// The networks of a file, from top to bottom.
@@ -19,6 +19,18 @@ pub struct Networks {
     places: Vec<NetworkPlace>,
     /// For each number which network it is.
     index_of: Vec<u32>,
+    /// Numbers that no network has.
+    free: Vec<u32>,
+}
+
+/// A network that takes the place of another.
+pub(crate) struct Spliced {
+    /// Its number, if it had one before.
+    pub(crate) id: Option<u32>,
+    pub(crate) facts: Arc<NetworkFacts>,
+    pub(crate) first_line: usize,
+    pub(crate) start: TextSize,
+    pub(crate) scope: usize,
 }
 
 /// Where a network is.
@@ -54,6 +66,54 @@ impl Networks {
             broken: facts.broken_by_itself,
         });
         self.facts.push(facts);
+    }
+
+    /// Puts others in the place of some. Those that are new get the numbers `free` of those that are gone, as far as these
+    /// reach; what stands below is so many more lines and bytes further down.
+    pub(crate) fn splice(
+        &mut self,
+        old: Range<usize>,
+        new: Vec<Spliced>,
+        free: Vec<u32>,
+        lines: isize,
+        bytes: i64,
+    ) {
+        for place in &mut self.places[old.end..] {
+            place.first_line = place.first_line.wrapping_add_signed(lines as i32);
+            place.start = place.start.wrapping_add_signed(bytes as i32);
+        }
+        self.free.extend(free);
+        let same_count = old.len() == new.len();
+        let first = old.start;
+        let mut places = Vec::with_capacity(new.len());
+        for network in new {
+            let id = network.id.unwrap_or_else(|| self.number(&network.facts));
+            places.push(NetworkPlace {
+                id,
+                first_line: network.first_line as u32,
+                start: network.start.into(),
+                scope: network.scope as u32,
+                broken: network.facts.broken_by_itself,
+            });
+        }
+        let end = first + places.len();
+        self.places.splice(old, places);
+        let moved = if same_count { end } else { self.places.len() };
+        for index in first..moved {
+            self.index_of[self.places[index].id as usize] = index as u32;
+        }
+    }
+
+    /// A number for a network that has none.
+    fn number(&mut self, facts: &Arc<NetworkFacts>) -> u32 {
+        if let Some(id) = self.free.pop() {
+            *self.facts.get_mut(id as usize) = Arc::clone(facts);
+            return id;
+        }
+        let id = self.facts.len() as u32;
+        self.facts.push(Arc::clone(facts));
+        self.index_of.push(0);
+        id
     }
 
     /// How many there are.
@@ -103,7 +163,7 @@ impl Networks {
     /// Some of them, from top to bottom.
     pub fn range(
         &self,
-        range: std::ops::Range<usize>,
+        range: Range<usize>,
     ) -> impl DoubleEndedIterator<Item = NetworkAt<'_>> + ExactSizeIterator + Clone {
         range.map(|index| self.at(index))
     }
@@ -157,6 +217,11 @@ impl Networks {
         self.places[index].scope = scope as u32;
     }
 
+    /// As its own text says.
+    pub(crate) fn reset_broken(&mut self, index: usize) {
+        self.places[index].broken = self.facts(index).broken_by_itself;
+    }
+
     pub(crate) fn set_broken(&mut self, index: usize) {
         self.places[index].broken = true;
     }
@@ -165,7 +230,7 @@ impl Networks {
 impl<'c> IntoIterator for &'c Networks {
     type Item = NetworkAt<'c>;
     type IntoIter = std::iter::Map<
-        std::iter::Zip<std::ops::Range<usize>, std::iter::Repeat<&'c Networks>>,
+        std::iter::Zip<Range<usize>, std::iter::Repeat<&'c Networks>>,
         fn((usize, &'c Networks)) -> NetworkAt<'c>,
     >;
 

@@ -12,7 +12,7 @@ use crate::rules::syntax_errors::identifiers;
 use crate::scope::{Access, Origin, SectionKind};
 use crate::uses::Named;
 use ladder_instructions::Op;
-use ladder_syntax::{LineKind, Name};
+use ladder_syntax::{LineKind, Name, Part};
 use rustc_hash::{FxHashMap, FxHashSet};
 
 /// How a tag is used.
@@ -62,7 +62,8 @@ impl Outward {
             outward.blocks(context, network);
         }
         let unread = |line: &&ladder_syntax::Line| !line.errors.is_empty() || line.kind == LineKind::Stray;
-        for line in context.parse.lines().iter().filter(unread) {
+        let faulty = context.parse.lines().of_parts_that(Part::is_faulty);
+        for line in faulty.map(|(_, line)| line).filter(unread) {
             for word in identifiers(&line.syntax().text().to_string()) {
                 outward.anything(Name::new(word));
             }

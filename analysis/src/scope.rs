@@ -3,6 +3,7 @@
 use crate::context::Context;
 use crate::network::BoundBlock;
 use crate::program::Role;
+use crate::tags::Tags;
 use crate::types::{Scalar, Type};
 use crate::value::Value;
 use ladder_syntax::{Name, TextRange};
@@ -129,6 +130,11 @@ impl Uses {
         self.0.is_empty()
     }
 
+    /// The places that write it.
+    pub(crate) fn writers(&self) -> impl Iterator<Item = UseRef> {
+        self.0.iter().copied().filter(|place| place.access.writes())
+    }
+
     /// How each place uses it.
     pub fn accesses(&self) -> impl Iterator<Item = Access> {
         self.0.iter().map(|place| place.access)
@@ -164,8 +170,8 @@ pub struct TagFacts {
     pub initial: Vec<Value>,
     /// The address behind AT, or the address itself.
     pub address: Option<String>,
-    /// Where it is declared, or first used.
-    pub at: TextRange,
+    /// Where it is declared; for one without a declaration see [`Context::place_of`].
+    pub(crate) declared_at: TextRange,
     /// Where it is used. A shared tag counts the uses in all scopes.
     pub uses: Uses,
     /// The scope and tag that this entry leads to, if it is one of another scope.
@@ -185,8 +191,11 @@ impl TagFacts {
 #[derive(Debug, Clone, Default)]
 pub struct Scope {
     /// In the order of declaration, then of first use.
-    pub tags: Vec<TagFacts>,
-    by_name: FxHashMap<Name, usize>,
+    pub tags: Tags,
+    /// The tags that were there before any use was looked at, by name, and by the address at which they are declared.
+    declared_names: Arc<FxHashMap<Name, usize>>,
+    /// Those that a use has brought in.
+    found_names: Arc<FxHashMap<Name, usize>>,
     /// So many of the tags were there before any use was looked at.
     pub(crate) declared: usize,
     /// The block definition whose body it is.
@@ -196,7 +205,8 @@ pub struct Scope {
 impl Scope {
     /// The tag of a name.
     pub fn find(&self, name: &Name) -> Option<usize> {
-        self.by_name.get(name).copied()
+        let found = || self.found_names.get(name);
+        self.declared_names.get(name).or_else(found).copied()
     }
 
     /// The scope as it was before any use was looked at. None if what was found since has changed a declared tag.
@@ -206,11 +216,11 @@ impl Scope {
                 || Origin::Declared(SectionKind::External) == tag.origin;
             !common && tag.shared.is_none() && !tag.mistyped
         };
-        let declared = &self.tags[..self.declared];
-        if !declared.iter().all(plain) {
+        let declared = self.tags.iter().take(self.declared);
+        if !declared.clone().all(plain) {
             return None;
         }
-        let tags = declared.iter().map(|tag| TagFacts {
+        let declared = declared.map(|tag| TagFacts {
             name: tag.name.clone(),
             initial: tag.initial.clone(),
             address: tag.address.clone(),
@@ -218,32 +228,48 @@ impl Scope {
             foreign: None,
             ..*tag
         });
-        let mut by_name = self.by_name.clone();
-        for found in &self.tags[self.declared..] {
-            let name = Name::new(&found.name);
-            if by_name.get(&name).is_some_and(|&tag| tag >= self.declared) {
-                by_name.remove(&name);
-            }
-        }
+        let mut tags = Tags::default();
+        declared.for_each(|tag| tags.push(tag));
         Some(Scope {
-            tags: tags.collect(),
-            by_name,
+            tags,
+            declared_names: Arc::clone(&self.declared_names),
+            found_names: Arc::default(),
             declared: self.declared,
             block: self.block,
         })
     }
 
-    /// Adds a tag; the first one of a name is found by it.
+    /// Adds a tag before any use is looked at; the first one of a name is found by it.
+    pub(crate) fn declare(&mut self, tag: TagFacts) -> usize {
+        let names = Arc::make_mut(&mut self.declared_names);
+        names.entry(Name::new(&tag.name)).or_insert(self.tags.len());
+        self.tags.push(tag);
+        self.declared = self.tags.len();
+        self.declared - 1
+    }
+
+    /// Adds a tag that a use brings in.
     pub(crate) fn add(&mut self, tag: TagFacts) -> usize {
         let index = self.tags.len();
-        self.by_name.entry(Name::new(&tag.name)).or_insert(index);
+        let names = Arc::make_mut(&mut self.found_names);
+        names.entry(Name::new(&tag.name)).or_insert(index);
         self.tags.push(tag);
         index
     }
 
+    /// Exchanges the tags that uses have brought in.
+    pub(crate) fn replace_found(&mut self, change: impl FnOnce(Vec<Arc<TagFacts>>) -> Vec<Arc<TagFacts>>) {
+        let found = change(self.tags.split_off(self.declared));
+        let names = (self.declared..).zip(&found);
+        self.found_names = Arc::new(names.map(|(index, tag)| (Name::new(&tag.name), index)).collect());
+        self.tags.extend(found);
+    }
+
     /// Lets a tag be found by its direct address too; the first one at an address is.
     pub(crate) fn find_by_address(&mut self, address: &str, index: usize) {
-        self.by_name.entry(Name::new(address)).or_insert(index);
+        Arc::make_mut(&mut self.declared_names)
+            .entry(Name::new(address))
+            .or_insert(index);
     }
 
     /// Whether the scope has at least one declaration.

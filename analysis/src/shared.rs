@@ -97,7 +97,7 @@ fn import(
         constant: global.constant,
         initial: global.initial.clone(),
         address: None,
-        at: used.at,
+        declared_at: context.place_of(used),
         uses: Uses::default(),
         shared: None,
         foreign: Some(Arc::clone(&file.file)),
@@ -134,7 +134,7 @@ fn lead(context: &mut Context, from: Entry, to: Entry) {
         target.role,
         target.constant,
         target.retain,
-        target.at,
+        context.place_of(target),
         target.mistyped,
     );
     let foreign = target.foreign.clone();
@@ -142,7 +142,7 @@ fn lead(context: &mut Context, from: Entry, to: Entry) {
     entry.shared = Some(to);
     if !entry.is_declared() {
         entry.origin = Origin::Shared;
-        entry.at = at;
+        entry.declared_at = at;
     }
     (
         entry.ty,

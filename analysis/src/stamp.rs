@@ -18,11 +18,10 @@ pub(crate) fn stamps(context: &Context) -> Vec<u64> {
             continue;
         }
         let stamp = stamp(tag);
-        for place in context.uses(tag) {
-            let within = place.range.start() - context.networks.at(place.network).range.start();
+        for place in &tag.uses.0 {
             // A tag of another scope is met twice, here and there: the order does not matter.
-            let sum = &mut stamps[place.network];
-            *sum = sum.wrapping_add(hash((stamp, u32::from(within))));
+            let sum = &mut stamps[context.networks.index_of(place.network)];
+            *sum = sum.wrapping_add(hash((stamp, place.named)));
         }
     }
     stamps

@@ -53,9 +53,9 @@ pub(crate) fn access(bound: &BoundBlock, formal: Formal, user_blocks: &[UserBloc
 pub(crate) struct Named {
     pub(crate) key: Name,
     /// Where it stands, from the start of the block's line.
-    range: TextRange,
+    pub(crate) range: TextRange,
     pub(crate) block: u32,
-    operand: u32,
+    pub(crate) operand: u32,
     pub(crate) access: Access,
     part: Extent,
 }
@@ -178,14 +178,9 @@ impl Extent {
 fn enter(network: NetworkAt<'_>, id: u32, law: &Law, scope: &mut Scope) {
     for (number, named) in (0..).zip(network.named.iter()) {
         let bound = network.block(named.block as usize);
-        let range = bound.absolute(named.range);
         let index = scope.find(&named.key).unwrap_or_else(|| {
             let written = &bound.facts.operands[named.operand as usize].value;
-            scope.add(undeclared(
-                spelled(written, named.range).unwrap_or_default(),
-                range,
-                law,
-            ))
+            scope.add(undeclared(spelled(written, named.range).unwrap_or_default(), law))
         });
         scope.tags[index].uses.0.push(UseRef {
             network: id,
@@ -196,7 +191,7 @@ fn enter(network: NetworkAt<'_>, id: u32, law: &Law, scope: &mut Scope) {
 }
 
 /// A tag that is first met in an operand.
-fn undeclared(name: &str, at: TextRange, law: &Law) -> TagFacts {
+pub(crate) fn undeclared(name: &str, law: &Law) -> TagFacts {
     let form = type_by_form(name).map(|(scalar, role)| match scalar {
         Scalar::Lreal => (Scalar::real_of(law), role),
         other => (other, role),
@@ -216,7 +211,7 @@ fn undeclared(name: &str, at: TextRange, law: &Law) -> TagFacts {
         constant: false,
         initial: Vec::new(),
         address: is_address.then(|| name.to_owned()),
-        at,
+        declared_at: TextRange::default(),
         uses: Uses::default(),
         shared: None,
         foreign: None,
@@ -225,7 +220,7 @@ fn undeclared(name: &str, at: TextRange, law: &Law) -> TagFacts {
 }
 
 /// The name that stands at a place of an operand, as it is written.
-fn spelled(node: &Node, at: TextRange) -> Option<&str> {
+pub(crate) fn spelled(node: &Node, at: TextRange) -> Option<&str> {
     match &node.kind {
         NodeKind::Name(name) | NodeKind::Address(name) => (node.range == at).then_some(name),
         NodeKind::Member(inner, _) | NodeKind::Unary(_, inner) | NodeKind::Paren(inner) => spelled(inner, at),
@@ -244,14 +239,14 @@ fn spelled(node: &Node, at: TextRange) -> Option<&str> {
 /// An undeclared BOOL that is read and never written is an input; one that coils write and nothing reads is an
 /// output (LANGUAGE §4). Types are not known yet: only BOOL places make a tag either, and infer checks.
 fn roles(scope: &mut Scope, networks: &Networks) {
-    for tag in &mut scope.tags {
-        if tag.origin == Origin::Undeclared {
-            tag.role = role(&tag.uses, networks);
+    for tag in scope.declared..scope.tags.len() {
+        if scope.tags[tag].origin == Origin::Undeclared {
+            scope.tags[tag].role = role(&scope.tags[tag].uses, networks);
         }
     }
 }
 
-fn role(uses: &Uses, networks: &Networks) -> Role {
+pub(crate) fn role(uses: &Uses, networks: &Networks) -> Role {
     let read = uses.accesses().any(Access::reads);
     let written = uses.accesses().any(Access::writes);
     let mut writers = uses.0.iter().filter(|place| place.access.writes());

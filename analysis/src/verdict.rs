@@ -17,13 +17,15 @@ pub(crate) enum Pass {
     Form,
     /// The types of the operands.
     Types,
+    /// Blocks one by one.
+    Blocks,
     /// What stands behind what on a wire.
     Wiring,
     /// When its wires have power.
     Power,
 }
 
-const PASSES: usize = 4;
+const PASSES: usize = 5;
 
 /// What each pass found when it looked last.
 #[derive(Debug, Default)]

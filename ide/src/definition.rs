@@ -190,8 +190,8 @@ fn at_address(file: &Context, address: &Name) -> Vec<Target> {
         .filter(|tag| tag.address.as_ref().is_some_and(|it| Name::new(it) == *address))
         .map(|tag| Target {
             file: Arc::clone(&file.name),
-            range: tag.at,
-            focus: tag.at,
+            range: file.place_of(tag),
+            focus: file.place_of(tag),
         })
         .collect()
 }

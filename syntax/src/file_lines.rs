@@ -17,6 +17,8 @@ pub struct FileLines {
     lines_before: Vec<u32>,
     /// How many bytes stand before each part, and at the end the length of the text.
     bytes_before: Vec<u32>,
+    /// How many physical lines end before each part, and at the end how many there are.
+    ends_before: Vec<u32>,
 }
 
 impl FileLines {
@@ -28,19 +30,24 @@ impl FileLines {
     fn of_parts(parts: Vec<Arc<Part>>) -> FileLines {
         let mut lines_before = Vec::with_capacity(parts.len() + 1);
         let mut bytes_before = Vec::with_capacity(parts.len() + 1);
-        let (mut lines, mut bytes) = (0, 0);
+        let mut ends_before = Vec::with_capacity(parts.len() + 1);
+        let (mut lines, mut bytes, mut ends) = (0, 0, 0);
         for part in &parts {
             lines_before.push(lines);
             bytes_before.push(bytes);
+            ends_before.push(ends);
+            ends += part.line_ends();
             lines += part.lines.len() as u32;
             bytes += part.len();
         }
         lines_before.push(lines);
         bytes_before.push(bytes);
+        ends_before.push(ends);
         FileLines {
             parts,
             lines_before,
             bytes_before,
+            ends_before,
         }
     }
 
@@ -100,6 +107,13 @@ impl FileLines {
         self.parts.iter().flat_map(|part| part.lines.iter())
     }
 
+    /// The lines of some parts, with their numbers.
+    pub fn of_parts_that(&self, wanted: impl Fn(&Part) -> bool) -> impl Iterator<Item = (usize, &Line)> {
+        let parts = self.parts.iter().zip(&self.lines_before);
+        let wanted = parts.filter(move |(part, _)| wanted(part));
+        wanted.flat_map(|(part, &first)| (first as usize..).zip(&part.lines))
+    }
+
     /// The lines of a range.
     pub fn range(&self, range: Range<usize>) -> impl Iterator<Item = &Line> {
         self.from(range.start).take(range.len())
@@ -130,6 +144,23 @@ impl FileLines {
         let lines = (0..rest(self)).rev().zip((0..rest(old)).rev()).take(most - below);
         let lines = lines.map(|(new, line)| (&self[new], &old[line]));
         (above, below + lines.take_while(is_same).count())
+    }
+
+    /// The parts that are not those of an earlier text: of this one, and of the earlier one.
+    pub fn parts_changed_since(&self, old: &FileLines) -> (Range<usize>, Range<usize>) {
+        let is_same = |(new, old): &(&Arc<Part>, &Arc<Part>)| Arc::ptr_eq(new, old);
+        let above = self.parts.iter().zip(&old.parts).take_while(is_same).count();
+        let (new, old) = (&self.parts[above..], &old.parts[above..]);
+        let below = new.iter().rev().zip(old.iter().rev()).take_while(is_same).count();
+        (above..above + new.len() - below, above..above + old.len() - below)
+    }
+
+    /// How many physical lines end above a line.
+    pub fn line_ends_above(&self, line: usize) -> u32 {
+        let part = self.part_of(line);
+        let within = self.parts.get(part).into_iter().flat_map(|part| &part.lines);
+        let within = within.take(line - self.first_line(part));
+        self.ends_before[part] + within.map(|line| line.line_ends).sum::<u32>()
     }
 
     /// The parts, from top to bottom.

@@ -2,6 +2,7 @@
 
 use crate::file_lines::FileLines;
 use crate::lines::read_all;
+use crate::part::Part;
 use crate::structure::{Structure, structure_of_parts};
 use crate::tree_builder::TreeBuilder;
 use crate::unclosed_comment::unclosed_comment;
@@ -101,8 +102,7 @@ impl Parse {
     pub fn errors(&self) -> Vec<SyntaxError> {
         let mut errors: Vec<SyntaxError> = self
             .lines()
-            .iter()
-            .enumerate()
+            .of_parts_that(Part::is_faulty)
             .filter(|(_, line)| !line.errors.is_empty())
             .flat_map(|(index, line)| {
                 let start = self.line_start(index);

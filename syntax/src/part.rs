@@ -5,6 +5,7 @@ use crate::SyntaxKind;
 use crate::line::{Line, LineKind};
 use crate::structure::{PartItem, group};
 use rowan::{GreenNode, NodeOrToken};
+use std::ops::Range;
 use std::sync::Arc;
 
 /// Where nothing is open a part ends once it has so many lines. Edits let it grow to twice as many.
@@ -27,6 +28,8 @@ pub struct Part {
     line_ends: u32,
     /// Whether a line has a mistake.
     faulty: bool,
+    /// Whether a rung begins with a `/`.
+    begins_with_up: bool,
 }
 
 impl Part {
@@ -44,7 +47,10 @@ impl Part {
             starts,
             items: group(&lines),
             line_ends: lines.iter().map(|line| line.line_ends).sum(),
-            faulty: lines.iter().any(|line| !line.errors.is_empty()),
+            faulty: lines
+                .iter()
+                .any(|line| !line.errors.is_empty() || line.kind == LineKind::Stray),
+            begins_with_up: lines.iter().any(begins_with_up),
             lines,
         }
     }
@@ -69,15 +75,36 @@ impl Part {
         self.lines.is_empty()
     }
 
+    /// The lines of its networks, counted from its first line, from top to bottom.
+    pub fn networks(&self) -> impl Iterator<Item = Range<usize>> {
+        self.items.iter().filter_map(|item| match *item {
+            PartItem::Network(first, end) => Some(first as usize..end as usize),
+            PartItem::Line(_) => None,
+        })
+    }
+
     /// How many physical lines end in it.
     pub fn line_ends(&self) -> u32 {
         self.line_ends
     }
 
-    /// Whether one of its lines has a mistake.
+    /// Whether one of its rungs begins with a `/`: nearly all begin with a rail.
+    pub fn begins_with_up(&self) -> bool {
+        self.begins_with_up
+    }
+
+    /// Whether one of its lines has a mistake, or is one.
     pub fn is_faulty(&self) -> bool {
         self.faulty
     }
+}
+
+fn begins_with_up(line: &Line) -> bool {
+    let tokens = line.green().children().filter_map(NodeOrToken::into_token);
+    let mut drawn = tokens.skip_while(|token| token.text().trim().is_empty());
+    line.kind == LineKind::Rung
+        && line.ups > 0
+        && drawn.next().is_some_and(|token| token.text().starts_with('/'))
 }
 
 /// Cuts lines into parts.

@@ -56,8 +56,8 @@ pub(super) fn allows(context: &Context, out: &mut Vec<Diagnostic>) -> Vec<Allow>
         }
     }
     // Comments within a network, on lines of their own or behind its rungs, speak of it.
-    for (network, facts) in parse.structure().networks.iter().zip(&context.networks) {
-        for line in network.lines.clone() {
+    for facts in context.networks.iter().filter(|network| network.commented) {
+        for line in facts.first_line..facts.first_line + facts.line_count() {
             if holds_comments(parse.lines()[line].kind) {
                 read_line(parse, line, || facts.range, &mut allows, out);
             }

@@ -297,7 +297,7 @@ impl Resolver<'_, '_> {
         };
         let (file, declared) = match elsewhere {
             Some((file, global)) => (Some(&file.file), global.at),
-            None => (None, tag.at),
+            None => (None, self.context.place_of(tag)),
         };
         let diagnostic = constant_write::constant(&tag.name, range, file, declared);
         self.report(diagnostic);

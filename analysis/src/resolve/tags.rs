@@ -96,7 +96,7 @@ fn is_common(tag: &TagFacts) -> bool {
 fn place(unit: &Unit<'_>, index: usize, tag: &TagFacts, program: &mut Program) -> Location {
     let own = Location {
         file: index as u32,
-        range: tag.at,
+        range: unit.context.place_of(tag),
     };
     if tag.foreign.is_none() {
         return own;

@@ -14,6 +14,9 @@ use std::collections::HashMap;
 pub(crate) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
     let mut leaves = None;
     for tag in context.own_tags() {
+        if tag.uses.writers().nth(1).is_none() {
+            continue;
+        }
         let coils = context.writers(tag).filter(|place| is_plain_coil(context, place));
         if coils.clone().nth(1).is_none() {
             continue;

@@ -12,5 +12,8 @@ pub(crate) fn twice(name: TokenView<'_>, range: TextRange, first: &TagFacts) -> 
         .help(
             "remove one of the declarations, or give one tag another name; capitals do not tell names apart",
         )
-        .related(first.at, format!("`{}` is first declared here", first.name))
+        .related(
+            first.declared_at,
+            format!("`{}` is first declared here", first.name),
+        )
 }

@@ -1,8 +1,8 @@
 //! `endless-jump`: a jump back that a scan cannot get out of.
 
-use super::control_flow::ControlFlow;
 use super::flow::{Exit, Flow};
 use crate::context::Context;
+use crate::control_flow::ControlFlow;
 use crate::diagnostic::Diagnostic;
 use crate::facts::{Node, NodeKind};
 use crate::networks::{BlockAt, NetworkAt};

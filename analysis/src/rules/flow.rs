@@ -1,11 +1,11 @@
 //! The ways that a scan can take from network to network, shared by the rules about what is never reached, never
 //! left, or always ended.
 
-use super::control_flow::ControlFlow;
 use super::survey::Survey;
 use super::{endless_jump, unconditional_end, unreachable};
 use crate::boolean::power::{NetworkPower, Question};
 use crate::context::{Body, Context};
+use crate::control_flow::ControlFlow;
 use crate::diagnostic::Diagnostic;
 use crate::facts::NodeKind;
 use crate::networks::BlockAt;

@@ -54,7 +54,8 @@ impl Doubt {
         let mut doubt = Doubt::default();
         let parse = &*context.parse;
         let foreign = context.foreign_comments();
-        for (index, line) in parse.lines().iter().enumerate() {
+        let anywhere = !foreign.0.is_empty();
+        for (index, line) in parse.lines().of_parts_that(|part| anywhere || part.is_faulty()) {
             if let Some(comment) = foreign.on_line(index) {
                 doubt.misread.insert(index);
                 doubt.declarations |= comment.ends_section;

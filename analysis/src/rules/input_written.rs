@@ -41,7 +41,10 @@ pub(super) fn check(summary: &Summary<'_>, out: &mut Vec<Diagnostic>) {
         found = found.related(other.range, format!("`{}` is written here as well", tag.name));
     }
     if tag.is_declared() {
-        found = found.related(tag.at, format!("`{}` is declared as an input here", tag.name));
+        found = found.related(
+            tag.declared_at,
+            format!("`{}` is declared as an input here", tag.name),
+        );
     }
     out.push(found);
 }

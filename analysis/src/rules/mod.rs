@@ -16,7 +16,6 @@ mod complex_network;
 mod constant_power;
 pub(crate) mod constant_write;
 mod contact_after_coil;
-mod control_flow;
 pub(crate) mod cplc_draft;
 mod dead_end;
 pub(crate) mod did_you_mean;
@@ -187,7 +186,7 @@ pub(crate) fn check(context: &Context, stamps: &[u64], settings: &RuleSettings, 
     for check in CHECKS {
         check(context, out);
     }
-    let survey = survey::survey(context, settings, out);
+    let survey = survey::survey(context, stamps, settings, out);
     tag_summary::check(context, &survey, out);
     recursive_call::check(context, &survey, out);
     wiring_walk::check(context, &survey, stamps, out);

@@ -43,5 +43,5 @@ pub(super) fn check(summary: &Summary<'_>, out: &mut Vec<Diagnostic>) {
         ),
         _ => return,
     };
-    out.push(Diagnostic::new(Rule::NeverRead, tag.at, message).help(help));
+    out.push(Diagnostic::new(Rule::NeverRead, summary.context.place_of(tag), message).help(help));
 }

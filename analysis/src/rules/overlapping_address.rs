@@ -15,7 +15,7 @@ pub(super) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
     for area in areas {
         let overlapped = widest.filter(|wide| wide.letter == area.letter && area.first <= wide.last);
         if let Some(wide) = overlapped {
-            out.push(overlapping(&area, &wide));
+            out.push(overlapping(context, &area, &wide));
         }
         if overlapped.is_none_or(|wide| area.last > wide.last) {
             widest = Some(area);
@@ -70,8 +70,8 @@ const fn bits(size: u8) -> Option<u64> {
     })
 }
 
-fn overlapping(area: &Area<'_>, wide: &Area<'_>) -> Diagnostic {
-    let (later, earlier) = if area.tag.at.start() < wide.tag.at.start() {
+fn overlapping(context: &Context, area: &Area<'_>, wide: &Area<'_>) -> Diagnostic {
+    let (later, earlier) = if context.place_of(area.tag).start() < context.place_of(wide.tag).start() {
         (wide, area)
     } else {
         (area, wide)
@@ -85,7 +85,7 @@ fn overlapping(area: &Area<'_>, wide: &Area<'_>) -> Diagnostic {
     };
     Diagnostic::new(
         Rule::OverlappingAddress,
-        later.tag.at,
+        context.place_of(later.tag),
         format!(
             "{} and {} would share memory in a controller; here each is a tag of its own",
             name(later),
@@ -95,5 +95,8 @@ fn overlapping(area: &Area<'_>, wide: &Area<'_>) -> Diagnostic {
     .help(
         "use one address for one thing: name a bit of the word (tag.3), or put the bits into it with [PACK]",
     )
-    .related(earlier.tag.at, format!("{} stands here", name(earlier)))
+    .related(
+        context.place_of(earlier.tag),
+        format!("{} stands here", name(earlier)),
+    )
 }

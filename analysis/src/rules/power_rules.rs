@@ -1,11 +1,11 @@
 //! The rules that decide on a network's boolean function: which networks are worth it, and one table for all of
 //! them.
 
-use super::control_flow::ControlFlow;
 use super::survey::Survey;
 use super::{constant_power, duplicate_branch, order_sensitive, redundant_element};
 use crate::boolean::power::{NetworkPower, Powers, Question};
 use crate::context::Context;
+use crate::control_flow::ControlFlow;
 use crate::diagnostic::Diagnostic;
 use crate::networks::{BlockAt, NetworkAt};
 use crate::operand_value::{Number, number, scalar};

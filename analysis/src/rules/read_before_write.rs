@@ -1,14 +1,14 @@
 //! `read-before-write`: a rung reads what a rung below it writes, and so sees the value of the scan before,
 //! although the two could stand in the other order.
 
-use super::control_flow::ControlFlow;
 use super::survey::Survey;
 use crate::context::Context;
+use crate::control_flow::ControlFlow;
 use crate::diagnostic::Diagnostic;
 use crate::operand_value::{each_tag, tag};
 use crate::program::Role;
 use crate::rule::Rule;
-use crate::scope::{Access, Origin, SectionKind, TagFacts, Use};
+use crate::scope::{Access, Origin, SectionKind, TagFacts, Use, UseRef};
 use crate::uses::access;
 use rustc_hash::FxHashSet;
 
@@ -55,10 +55,12 @@ fn candidates<'c>(context: &'c Context, survey: &Survey) -> impl Iterator<Item =
         if shared || tag.role == Role::Input || tag.retain || tag.constant || !tag.initial.is_empty() {
             return None;
         }
-        let write = context.writers(tag).min_by_key(|place| place.network)?;
-        let read = context
-            .uses(tag)
-            .find(|place| place.access.reads() && place.network < write.network)?;
+        let network = |place: &UseRef| context.networks.index_of(place.network);
+        let write = tag.uses.writers().min_by_key(network)?;
+        let above = network(&write);
+        let mut reads = tag.uses.0.iter().filter(|place| place.access.reads());
+        let read = *reads.find(|place| network(place) < above)?;
+        let (read, write) = (context.networks.use_of(read), context.networks.use_of(write));
         let body = context.bodies[write.network];
         let clear = |place: Use| context.bodies[place.network] == body && !place.indexed;
         (context.uses(tag).all(clear) && !bodies_that_jump.contains(&body)).then_some(Late {

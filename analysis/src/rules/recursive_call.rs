@@ -1,9 +1,9 @@
 //! `recursive-call`: a function that calls itself, directly or through others.
 
 use super::circles::{Use, circles, way};
-use super::control_flow::ControlFlow;
 use super::survey::Survey;
 use crate::context::{Body, Context};
+use crate::control_flow::ControlFlow;
 use crate::diagnostic::Diagnostic;
 use crate::facts::NodeKind;
 use crate::network::Meaning;

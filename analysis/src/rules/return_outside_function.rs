@@ -1,8 +1,8 @@
 //! `return-outside-function`: a `<RET>` in the main program.
 
-use super::control_flow::ControlFlow;
 use super::survey::Survey;
 use crate::context::{Body, Context};
+use crate::control_flow::ControlFlow;
 use crate::diagnostic::Diagnostic;
 use crate::rule::Rule;
 use ladder_instructions::Op;

@@ -3,10 +3,10 @@
 //! Decided for coils whose conditions stand in series: the later one always acts with the earlier one if each of
 //! its conditions is one of the earlier one's, and nothing between them writes what they ask for.
 
-use super::control_flow::ControlFlow;
 use super::survey::Survey;
 use crate::boolean::written::written;
 use crate::context::Context;
+use crate::control_flow::ControlFlow;
 use crate::diagnostic::Diagnostic;
 use crate::facts::{Node, NodeKind};
 use crate::networks::NetworkAt;
@@ -33,6 +33,9 @@ pub(super) fn check(context: &Context, survey: &Survey, out: &mut Vec<Diagnostic
         .with(ControlFlow::CALL)
         .with(ControlFlow::FLOW_BLOCK);
     for tag in context.own_tags().filter(|tag| tag.ty == Some(Type::BOOL)) {
+        if tag.uses.writers().nth(1).is_none() {
+            continue;
+        }
         let coil = |place: &Use| context.networks.at(place.network).block(place.block).coil();
         let writers = || context.writers(tag);
         let is_latch = |place: &Use| matches!(coil(place), Some(Coil::Sets | Coil::Resets)) && place.whole;

@@ -29,9 +29,12 @@ pub(crate) fn check_declared(
                 shown(first.ty)
             );
             out.push(
-                Diagnostic::new(Rule::DuplicateDeclaration, tag.at, message)
+                Diagnostic::new(Rule::DuplicateDeclaration, tag.declared_at, message)
                     .help(HELP)
-                    .related(first.at, format!("`{}` is first declared here", first.name)),
+                    .related(
+                        first.declared_at,
+                        format!("`{}` is first declared here", first.name),
+                    ),
             );
         }
     }
@@ -58,7 +61,7 @@ fn otherwise(tag: &TagFacts, file: &Exports, global: &Global) -> Diagnostic {
     } else {
         format!("`{}` is {} in {}", tag.name, shown(global.ty), file.file)
     };
-    Diagnostic::new(Rule::DuplicateDeclaration, tag.at, message)
+    Diagnostic::new(Rule::DuplicateDeclaration, tag.declared_at, message)
         .help(HELP)
         .related_in(
             &file.file,
@@ -87,7 +90,7 @@ pub(crate) fn check_others(
         tag.name, first.file, file.file
     );
     let used = context.uses(tag).next();
-    let at = used.map_or(tag.at, |place| place.range);
+    let at = used.map_or(tag.declared_at, |place| place.range);
     out.push(
         Diagnostic::new(Rule::DuplicateDeclaration, at, message)
             .help(HELP)
@@ -106,7 +109,7 @@ pub(crate) fn check_external(tag: &TagFacts, global: Option<&TagFacts>, out: &mu
     let Some(global) = global else {
         let message = format!("no file of the workspace declares `{}` as VAR_GLOBAL", tag.name);
         out.push(
-            Diagnostic::new(Rule::BadDeclaration, tag.at, message).help(
+            Diagnostic::new(Rule::BadDeclaration, tag.declared_at, message).help(
                 "VAR_EXTERNAL names a global that is declared elsewhere: declare it, or correct the name",
             ),
         );
@@ -121,10 +124,11 @@ pub(crate) fn check_external(tag: &TagFacts, global: Option<&TagFacts>, out: &mu
         shown(tag.ty),
         shown(global.ty)
     );
-    let found = Diagnostic::new(Rule::BadDeclaration, tag.at, message).help("write the type of the global");
+    let found =
+        Diagnostic::new(Rule::BadDeclaration, tag.declared_at, message).help("write the type of the global");
     out.push(match &global.foreign {
         Some(_) => found,
-        None => found.related(global.at, "the global is declared here"),
+        None => found.related(global.declared_at, "the global is declared here"),
     });
     false
 }

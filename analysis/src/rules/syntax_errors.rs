@@ -205,7 +205,8 @@ impl LostFrames {
             section: None,
             block: None,
         };
-        for (index, line) in parse.lines().iter().enumerate() {
+        let anywhere = !foreign.0.is_empty();
+        for (index, line) in parse.lines().of_parts_that(|part| anywhere || part.is_faulty()) {
             let frame = matches!(
                 line.kind,
                 LineKind::SectionHeader | LineKind::SectionEnd | LineKind::BlockHeader | LineKind::BlockEnd

@@ -6,7 +6,7 @@ use crate::context::Context;
 use crate::diagnostic::Diagnostic;
 use crate::outward::TagUse;
 use crate::program::Role;
-use crate::scope::{Origin, SectionKind, TagFacts, Use};
+use crate::scope::{Origin, SectionKind, TagFacts};
 use crate::types::Type;
 use ladder_instructions::Coil;
 use ladder_syntax::Name;
@@ -47,24 +47,18 @@ impl<'c> Summary<'c> {
             summary.elsewhere = context.others.tag_use(&Name::new(&tag.name));
         }
         let can_be_set = !matches!(tag.ty, Some(Type::State(_)));
-        for place in context.uses(tag) {
-            summary.reads += usize::from(place.access.reads());
-            if place.access.writes() {
-                summary.writes += 1;
-                if can_be_set {
-                    match summary.coil(&place) {
-                        Some(Coil::Sets) => summary.sets += 1,
-                        Some(Coil::Resets) => summary.resets += 1,
-                        _ => {}
-                    }
-                }
+        for access in tag.uses.accesses() {
+            summary.reads += usize::from(access.reads());
+            summary.writes += usize::from(access.writes());
+        }
+        for place in tag.uses.writers().filter(|_| can_be_set) {
+            match context.networks.block_of(place).coil() {
+                Some(Coil::Sets) => summary.sets += 1,
+                Some(Coil::Resets) => summary.resets += 1,
+                _ => {}
             }
         }
         summary
-    }
-
-    fn coil(&self, place: &Use) -> Option<Coil> {
-        self.context.networks.at(place.network).block(place.block).coil()
     }
 
     /// Whether something reads it, in whichever file.

@@ -1,8 +1,8 @@
 //! `unbalanced-loop`: `<FOR>` and `<NEXT>` that do not belong together.
 
-use super::control_flow::ControlFlow;
 use super::survey::Survey;
 use crate::context::Context;
+use crate::control_flow::ControlFlow;
 use crate::diagnostic::Diagnostic;
 use crate::rule::Rule;
 use ladder_instructions::Op;

@@ -14,6 +14,7 @@ use crate::network::Formal;
 use crate::program::Role;
 use crate::rule::{Rule, Severity};
 use crate::scope::{Origin, SectionKind, TagFacts, Use};
+use crate::tags::Tags;
 use crate::types::{Scalar, Type};
 use ladder_instructions::Accepts;
 use ladder_syntax::{Name, TextRange};
@@ -139,7 +140,7 @@ fn in_body(context: &Context, scope: usize, places: &Places, tag: &TagFacts, ran
         let outside = &context.scopes[0].tags[outside];
         if outside.shared.is_none() {
             found = found.related(
-                outside.at,
+                context.place_of(outside),
                 "a tag of this name stands in the program: the block does not see it",
             );
         }
@@ -210,7 +211,7 @@ fn declare(places: &Places, role: Role, tag: &TagFacts) -> Option<Fix> {
 }
 
 /// In a file without declarations: used once, and one letter away from a tag that is used more often.
-fn slips(context: &Context, tags: &[TagFacts], out: &mut Vec<Diagnostic>) {
+fn slips(context: &Context, tags: &Tags, out: &mut Vec<Diagnostic>) {
     let undeclared = || tags.iter().filter(|tag| tag.origin == Origin::Undeclared);
     if undeclared().all(|tag| tag.uses.len() != 1) {
         return;
@@ -228,14 +229,14 @@ fn slips(context: &Context, tags: &[TagFacts], out: &mut Vec<Diagnostic>) {
         out.push(
             found(
                 Severity::Info,
-                tag.at,
+                context.place_of(tag),
                 format!("`{}` stands here only, and looks like `{other}`", tag.name),
             )
             .help("a typing mistake makes a new tag: correct it, or declare the tags of the file")
             .fix(
                 Applicability::Unsafe,
                 format!("Replace with `{other}`"),
-                tag.at,
+                context.place_of(tag),
                 other,
             ),
         );

@@ -1,8 +1,8 @@
 //! `unused-label`: a label that nothing jumps to.
 
-use super::control_flow::ControlFlow;
 use super::survey::Survey;
 use crate::context::{Body, Context};
+use crate::control_flow::ControlFlow;
 use crate::diagnostic::Diagnostic;
 use crate::facts::NodeKind;
 use crate::network::Meaning;

@@ -1,9 +1,9 @@
 //! One walk over each network's steps, shared by the rules about what stands behind what on a wire.
 
-use super::control_flow::ControlFlow;
 use super::survey::Survey;
 use super::{bypassed, contact_after_coil, dead_end, latched_power, redundant_element, shorted_branch};
 use crate::context::Context;
+use crate::control_flow::ControlFlow;
 use crate::diagnostic::Diagnostic;
 use crate::networks::{BlockAt, NetworkAt};
 use crate::program::Step;

@@ -10,9 +10,9 @@ pub(super) fn hover(context: &Context, offset: TextSize) -> Option<Hover> {
         .scopes
         .iter()
         .flat_map(|scope| &scope.tags)
-        .find(|tag| tag.is_declared() && tag.at.contains_inclusive(offset))?;
+        .find(|tag| tag.is_declared() && context.place_of(tag).contains_inclusive(offset))?;
     Some(Hover {
-        range: tag.at,
+        range: context.place_of(tag),
         markdown: tag_card(context, tag, None),
     })
 }

@@ -147,7 +147,7 @@ pub(crate) fn tag_card(context: &Context, tag: &TagFacts, here: Option<TextSize>
         Origin::Declared(section) => format!(
             "declared in {} on line {}",
             section.keyword(),
-            line_link(context.line_number(tag.at.start()))
+            line_link(context.line_number(context.place_of(tag).start()))
         ),
         Origin::Form => "its name gives its type".to_owned(),
         Origin::Implicit => "every block has it".to_owned(),

@@ -98,7 +98,13 @@ fn tag(file: &Context, scope: usize, key: &Name, new: &str) -> Result<(), Rename
     let context = file;
     if let Some(other) = context.scopes[scope].find(key) {
         let other = &context.scopes[scope].tags[other];
-        return Err(taken(file, other.foreign.as_deref(), new, other.at, "tag"));
+        return Err(taken(
+            file,
+            other.foreign.as_deref(),
+            new,
+            file.place_of(other),
+            "tag",
+        ));
     }
     if scope > 0 {
         // A body's own tag may hide one of the workspace that the body does not name.
@@ -129,7 +135,13 @@ fn global(file: &Context, symbol: &Symbol, key: &Name, new: &str) -> Result<(), 
                 Origin::Declared(SectionKind::Global | SectionKind::External)
             );
         if !hides || tag_of(file, number, old).as_ref() == Some(symbol) {
-            return Err(taken(file, tag.foreign.as_deref(), new, tag.at, "tag"));
+            return Err(taken(
+                file,
+                tag.foreign.as_deref(),
+                new,
+                file.place_of(tag),
+                "tag",
+            ));
         }
     }
     Ok(())

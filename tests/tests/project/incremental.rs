@@ -1,7 +1,7 @@
 //! After every edit the analysis that takes over what an earlier one found says the same as one from scratch.
 
 use ladder_analysis::context::Context;
-use ladder_analysis::scope::{Scope, TagFacts, Use, Uses};
+use ladder_analysis::scope::{Scope, Use};
 use ladder_analysis::{Analysis, Others, RuleSettings, analyze, analyze_after};
 use ladder_syntax::{Parse, parse};
 use ladder_tests::generator::{Dice, Mode, program};
@@ -140,17 +140,17 @@ fn show(analysis: &Analysis) -> String {
 }
 
 /// The tags of each scope, and where they are used.
-fn tags(context: &Context) -> Vec<Vec<impl std::fmt::Debug>> {
+fn tags(context: &Context) -> Vec<String> {
     let of_scope = |scope: &Scope| {
         let tags = scope.tags.iter().map(|tag| {
             let uses: Vec<Use> = context.uses(tag).collect();
-            let tag = TagFacts {
-                uses: Uses::default(),
-                ..tag.clone()
-            };
-            (tag, uses)
+            let what = (&tag.name, tag.ty, tag.role, tag.origin, tag.mistyped);
+            let declared = (tag.retain, tag.constant, &tag.initial, &tag.address);
+            let elsewhere = (tag.shared, &tag.foreign);
+            let place = context.place_of(tag);
+            format!("{what:?} {declared:?} {elsewhere:?} {place:?} {uses:?}")
         });
-        tags.collect()
+        tags.collect::<Vec<_>>().join("\n")
     };
     context.scopes.iter().map(of_scope).collect()
 }
@@ -228,6 +228,71 @@ fn edits_of_sensible_programs() {
 #[test]
 fn edits_of_wild_programs() {
     steps(Mode::Wild, 0..asked(40), 25);
+}
+
+/// Programs of several parts, in which somebody types: letters come and go in one place, and now and then elsewhere.
+#[test]
+fn typing_in_long_programs() {
+    for seed in 0..asked(40) / 4 {
+        let mut dice = Dice::new(seed);
+        let rungs = [
+            "+--[ ]( a )--[/]( b )--( )( c )--+\n",
+            "+--\\--[ ]( b )--\\--[TON]( t, T#1s )--( )( d )--+\n|  /--[ ]( d )--/                            |\n",
+            "# note #\n",
+            "\n",
+            "|\n",
+            "+--[ ]( e )--[/]( e )--(S)( f )--+\n\n",
+            "+--[ ]( t.Q )--(R)( f )--( )( d )--+ # ladder: allow(double-coil) #\n",
+            "+--[GT]( n, 5 )--[MOV]( 3, n )--+\n",
+            "+--[P]( g )--<LBL>( here )--( )( h )--+\n",
+            "+--[ ]( i )--<JMP>( here )--+\n\n",
+            "+--[$F]( a )--( )( j )--+\n",
+        ];
+        let body: String = (0..80).map(|_| dice.of(&rungs)).collect();
+        let declared = dice.of(&[
+            "",
+            "VAR\n    a, b, c : BOOL;\n    t : TON;\nEND_VAR\n\n",
+            "VAR\n    a, b, c, d, e, f, g, h, i, j : BOOL;\n    t : TON;\n    n : INT;\nEND_VAR\n\n",
+            "FUNCTION_BLOCK [$F]\nVAR_INPUT\n    x : BOOL;\nEND_VAR\n+--[ ]( x )--( )( ENO )--+\nEND_FUNCTION_BLOCK\n\n",
+        ]);
+        let declared = format!("{declared}+--[ ]( a )--( )( b )--+\n\n");
+        let mut document = Document::new(format!("{declared}{body}"));
+        for _ in 0..6 {
+            let mut at = somewhere(&document.text, &mut dice);
+            for letter in dice
+                .of(&[
+                    "--[ ]( new_one )--",
+                    "5",
+                    "x",
+                    "\n",
+                    "# note #",
+                    "--[/]( a )",
+                    "\\",
+                    "(S)( A )",
+                    "+--( )( c )--+\n",
+                ])
+                .chars()
+            {
+                let mut text = document.text.clone();
+                text.insert(at, letter);
+                at += letter.len_utf8();
+                document.becomes(text);
+            }
+            for _ in 0..dice.below(6) {
+                let mut text = document.text.clone();
+                let Some((last, _)) = text[..at].char_indices().next_back() else {
+                    break;
+                };
+                text.replace_range(last..at, "");
+                at = last;
+                document.becomes(text);
+            }
+            if dice.one_in(3) {
+                let next = edited(&document.text, &mut dice);
+                document.becomes(next);
+            }
+        }
+    }
 }
 
 /// What decides about findings in a network beside its own lines: it must not keep them when that changes.

@@ -86,9 +86,9 @@ fn group(context: &Context, index: usize, section: &Section) -> Group {
 }
 
 fn without_declaration(context: &Context) -> Group {
-    let tags = context.scopes.first().map_or(&[][..], |scope| &scope.tags);
+    let tags = context.scopes.first().into_iter();
     let tags = tags
-        .iter()
+        .flat_map(|scope| &scope.tags)
         .filter(|tag| matches!(tag.origin, Origin::Form | Origin::Undeclared));
     let rows = tags.map(|tag| {
         let role = match tag.role {

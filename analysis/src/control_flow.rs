@@ -1,46 +1,45 @@
 //! What networks have of program flow: the rules about the whole program look no further where there is none.
 
-use crate::network::Meaning;
-use crate::networks::BlockAt;
+use crate::network::{BoundBlock, Meaning};
 use ladder_instructions::{Coil, Op, Shape};
 
 /// What in a network moves the program on to another place than the next network, or can, as bits; and its coils.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
-pub(super) struct ControlFlow(u16);
+pub(crate) struct ControlFlow(u16);
 
 impl ControlFlow {
-    pub(super) const JUMP: ControlFlow = ControlFlow(1);
-    pub(super) const RETURN: ControlFlow = ControlFlow(1 << 1);
-    pub(super) const END: ControlFlow = ControlFlow(1 << 2);
-    pub(super) const FOR: ControlFlow = ControlFlow(1 << 3);
-    pub(super) const NEXT: ControlFlow = ControlFlow(1 << 4);
-    pub(super) const MCR: ControlFlow = ControlFlow(1 << 5);
-    pub(super) const CALL: ControlFlow = ControlFlow(1 << 6);
+    pub(crate) const JUMP: ControlFlow = ControlFlow(1);
+    pub(crate) const RETURN: ControlFlow = ControlFlow(1 << 1);
+    pub(crate) const END: ControlFlow = ControlFlow(1 << 2);
+    pub(crate) const FOR: ControlFlow = ControlFlow(1 << 3);
+    pub(crate) const NEXT: ControlFlow = ControlFlow(1 << 4);
+    pub(crate) const MCR: ControlFlow = ControlFlow(1 << 5);
+    pub(crate) const CALL: ControlFlow = ControlFlow(1 << 6);
     /// A user-defined block in the shape `<$B>`, which may jump, return and end.
-    pub(super) const FLOW_BLOCK: ControlFlow = ControlFlow(1 << 7);
+    pub(crate) const FLOW_BLOCK: ControlFlow = ControlFlow(1 << 7);
     /// Any other user-defined block.
-    pub(super) const USER_BLOCK: ControlFlow = ControlFlow(1 << 8);
+    pub(crate) const USER_BLOCK: ControlFlow = ControlFlow(1 << 8);
     /// A coil, a set coil, a reset coil.
-    pub(super) const SET: ControlFlow = ControlFlow(1 << 9);
-    pub(super) const RESET: ControlFlow = ControlFlow(1 << 10);
-    pub(super) const COIL: ControlFlow = ControlFlow(1 << 11);
+    pub(crate) const SET: ControlFlow = ControlFlow(1 << 9);
+    pub(crate) const RESET: ControlFlow = ControlFlow(1 << 10);
+    pub(crate) const COIL: ControlFlow = ControlFlow(1 << 11);
     /// What can leave a network before its end.
-    pub(super) const LEAVES: ControlFlow = ControlFlow(
+    pub(crate) const LEAVES: ControlFlow = ControlFlow(
         ControlFlow::JUMP.0 | ControlFlow::RETURN.0 | ControlFlow::END.0 | ControlFlow::FLOW_BLOCK.0,
     );
 
     /// Whether one of these is there.
-    pub(super) const fn has(self, other: ControlFlow) -> bool {
+    pub(crate) const fn has(self, other: ControlFlow) -> bool {
         self.0 & other.0 != 0
     }
 
     /// Both together.
-    pub(super) const fn with(self, other: ControlFlow) -> ControlFlow {
+    pub(crate) const fn with(self, other: ControlFlow) -> ControlFlow {
         ControlFlow(self.0 | other.0)
     }
 
     /// What one block adds.
-    pub(super) fn of(bound: BlockAt<'_>) -> ControlFlow {
+    pub(crate) fn of(bound: &BoundBlock) -> ControlFlow {
         match bound.meaning {
             Meaning::Instruction(row) => match row.op {
                 Op::Jmp => ControlFlow::JUMP,

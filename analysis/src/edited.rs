@@ -1,0 +1,393 @@
+//! The context of a text behind a small edit, from the one before it.
+//!
+//! An edit below the declarations that touches rungs, rails, comments and blank lines alone changes what a few networks
+//! name, and with it the uses of a few tags. All else is taken over: networks and tags are shared with the context
+//! before, and only the plain numbers that say where networks are get copied. What comes out is what reading the whole
+//! text gives; where that is not certain there is no short way, and the whole text is read.
+
+use crate::context::{Body, Context, break_neighbours};
+use crate::infer;
+use crate::known_blocks::KnownBlocks;
+use crate::network::{self, NetworkFacts, UserBlocks};
+use crate::networks::Spliced;
+use crate::others::Others;
+use crate::program::Role;
+use crate::scope::{Origin, Scope, SectionKind, TagFacts, UseRef};
+use crate::types::Type;
+use crate::uses;
+use ladder_instructions::Op;
+use ladder_syntax::{LineKind, Mode, Name, Network, Parse, TextRange};
+use rustc_hash::{FxHashMap, FxHashSet};
+use std::ops::Range;
+use std::sync::{Arc, OnceLock};
+
+/// Whether a context of a whole text can be the beginning: no tag is shared with another scope or file, no block comes
+/// from another file, and what is declared is all that a body names.
+pub(crate) fn may_settle(context: &Context) -> bool {
+    let common = |tag: &TagFacts| {
+        let origin = matches!(
+            tag.origin,
+            Origin::Shared | Origin::Declared(SectionKind::Global | SectionKind::External)
+        );
+        origin || tag.shared.is_some() || tag.foreign.is_some() || tag.mistyped
+    };
+    let [file, bodies @ ..] = context.scopes.as_slice() else {
+        return false;
+    };
+    let own_only = bodies.iter().all(|body| body.tags.len() == body.declared);
+    let alone = |scope: &Scope| !scope.tags.iter().any(common);
+    own_only
+        && context.user_blocks.len() == context.own_blocks
+        && !context.others.have_globals()
+        && alone(file)
+        && bodies.iter().all(alone)
+        && (!context.others.have_files() || !context.networks.iter().any(|network| is_strange(&network)))
+}
+
+/// Where two texts differ, in lines and bytes.
+struct Change {
+    /// The lines of the earlier text, and of the later one.
+    old: Range<usize>,
+    new: Range<usize>,
+    /// How many more lines and bytes the later one has.
+    lines: isize,
+    bytes: i64,
+}
+
+/// The context of a text that came from another one's by edits; none if it takes more than a look at what they touch.
+pub(crate) fn edited(before: &Context, parse: &Arc<Parse>, name: &str, others: &Others) -> Option<Context> {
+    // A block that nobody knows may be one of a file that has come.
+    let has_company = others.have_files() && !before.others.have_files();
+    if !before.settled || !before.is_called(name) || others.have_globals() || has_company {
+        return None;
+    }
+    let change = change(before, parse)?;
+    let mut next = Edited::networks(before, parse, &change)?;
+    next.context.others = others.clone();
+    next.places(before);
+    next.names()?;
+    Some(next.context)
+}
+
+/// Where the texts differ, if that is where networks are, and nothing but networks.
+fn change(before: &Context, parse: &Parse) -> Option<Change> {
+    let (old, new) = (before.parse.lines(), parse.lines());
+    let (above, below) = new.shared_with(old);
+    let change = Change {
+        old: above..old.len() - below,
+        new: above..new.len() - below,
+        lines: new.len() as isize - old.len() as isize,
+        bytes: i64::from(u32::from(parse.text_len())) - i64::from(u32::from(before.parse.text_len())),
+    };
+    let drawn = |line: &ladder_syntax::Line| {
+        line.mode_after == Mode::Network
+            && (line.kind == LineKind::Rung || line.kind == LineKind::Stray || line.kind.is_decoration())
+    };
+    // Comments before the first network may say what profile the file has.
+    let below_first = before.networks.first().is_some_and(|first| {
+        let last = first.wiring.line_offsets.last();
+        last.is_some_and(|last| first.first_line + last < above)
+    });
+    let plain = above >= before.declared_to
+        && below_first
+        && before.parse.unclosed_comment().is_none()
+        && parse.unclosed_comment().is_none()
+        && old.range(change.old.clone()).all(drawn)
+        && new.range(change.new.clone()).all(drawn);
+    plain.then_some(change)
+}
+
+/// A context on its way from one text to the next.
+struct Edited {
+    context: Context,
+    /// The networks that are not there any more, by the numbers that they had.
+    removed: Vec<(u32, Arc<NetworkFacts>)>,
+    /// The scope of each of them.
+    removed_scopes: Vec<usize>,
+    /// The networks that are new.
+    added: Vec<usize>,
+    /// The networks in whose parts the edit lies.
+    new: Range<usize>,
+}
+
+impl Edited {
+    /// Takes over the networks on whose lines nothing has changed, and reads the others.
+    fn networks(before: &Context, parse: &Arc<Parse>, change: &Change) -> Option<Edited> {
+        let (old_lines, new_lines) = (before.parse.lines(), parse.lines());
+        let (new_parts, old_parts) = new_lines.parts_changed_since(old_lines);
+        let lines = old_lines.first_line(old_parts.start)..old_lines.first_line(old_parts.end);
+        let networks = &before.networks;
+        let first = networks.partition_point(|network| network.first_line < lines.start);
+        let end = networks.partition_point(|network| network.first_line < lines.end);
+        let mut gone: Vec<bool> = vec![true; end - first];
+        let mut known = KnownBlocks::new(before.user_blocks.clone(), &before.others);
+        let mut spliced = Vec::new();
+        let mut bodies: Vec<Body> = Vec::new();
+        let mut added = Vec::new();
+        let mut next_old = first;
+        for part in new_parts {
+            let base = new_lines.first_line(part);
+            for within in new_lines.parts()[part].networks() {
+                let drawn = base + within.start..base + within.end;
+                let start = parse.line_start(drawn.start);
+                let same = same_lines(&drawn, change).and_then(|at| {
+                    while next_old < end && networks.at(next_old).first_line < at {
+                        next_old += 1;
+                    }
+                    let is_it = next_old < end && networks.at(next_old).first_line == at;
+                    (is_it && networks.at(next_old).line_count() == drawn.len()).then_some(next_old)
+                });
+                if let Some(index) = same {
+                    gone[index - first] = false;
+                    let place = networks.at(index);
+                    bodies.push(before.bodies[index]);
+                    spliced.push(Spliced {
+                        id: Some(networks.id(index)),
+                        facts: Arc::clone(networks.facts(index)),
+                        first_line: drawn.start,
+                        start,
+                        scope: place.scope,
+                    });
+                    continue;
+                }
+                // It belongs where the one before it does: no definition begins or ends between them.
+                let index = first + spliced.len();
+                let (scope, body, behind) = match spliced.last() {
+                    Some(last) => (last.scope, *bodies.last()?, last.first_line),
+                    None => {
+                        let last = first.checked_sub(1)?;
+                        let place = networks.at(last);
+                        (place.scope, before.bodies[last], place.first_line)
+                    }
+                };
+                let mut between = new_lines.range(behind..drawn.start);
+                if between.any(|line| matches!(line.kind, LineKind::BlockEnd | LineKind::BlockHeader)) {
+                    return None;
+                }
+                let network = Network {
+                    lines: drawn.clone(),
+                    block: None,
+                };
+                let facts = network::network(parse, &network, &mut known);
+                if is_marked(&facts) || (is_strange(&facts) && before.others.have_files()) {
+                    return None;
+                }
+                added.push(index);
+                bodies.push(body);
+                spliced.push(Spliced {
+                    id: None,
+                    facts: Arc::new(facts),
+                    first_line: drawn.start,
+                    start,
+                    scope,
+                });
+            }
+        }
+        let gone = (first..end).zip(gone).filter(|(_, gone)| *gone);
+        let gone: Vec<usize> = gone.map(|(index, _)| index).collect();
+        if gone.iter().any(|&index| is_marked(networks.facts(index))) {
+            return None;
+        }
+        let removed = gone
+            .iter()
+            .map(|&index| (networks.id(index), Arc::clone(networks.facts(index))));
+        let removed: Vec<_> = removed.collect();
+        let removed_scopes = gone.iter().map(|&index| networks.at(index).scope).collect();
+        let new = first..first + spliced.len();
+        let ids = removed.iter().map(|(id, _)| *id).collect();
+        let mut context = Context {
+            parse: Arc::clone(parse),
+            foreign_comments: OnceLock::new(),
+            ..before.clone()
+        };
+        context
+            .networks
+            .splice(first..end, spliced, ids, change.lines, change.bytes);
+        context.bodies.splice(first..end, bodies);
+        Some(Edited {
+            context,
+            removed,
+            removed_scopes,
+            added,
+            new,
+        })
+    }
+
+    /// Gives labels and functions their new places, and looks anew which networks around the edit have a mistake.
+    fn places(&mut self, before: &Context) {
+        let context = &mut self.context;
+        let networks = &context.networks;
+        // Their networks have not changed, so they have the same numbers.
+        let follow = |network: &mut usize, at: &mut TextRange| {
+            let within = *at - before.networks.at(*network).range.start();
+            *network = networks.index_of(before.networks.id(*network));
+            *at = within + networks.at(*network).range.start();
+        };
+        for label in &mut context.labels {
+            follow(&mut label.network, &mut label.at);
+        }
+        for function in &mut context.functions {
+            follow(&mut function.network, &mut function.at);
+        }
+        let around = self.new.start.saturating_sub(1)..(self.new.end + 1).min(context.networks.len());
+        for index in around.clone() {
+            context.networks.reset_broken(index);
+        }
+        let sources = around.start.saturating_sub(1)..(around.end + 1).min(context.networks.len());
+        break_neighbours(&context.parse, &mut context.networks, sources);
+    }
+
+    /// Enters what the new networks name, and takes out what the others did.
+    fn names(&mut self) -> Option<()> {
+        let law = self.context.profile.law();
+        let gone: FxHashSet<u32> = self.removed.iter().map(|(id, _)| *id).collect();
+        let mut touched: FxHashMap<(usize, usize), Vec<UseRef>> = FxHashMap::default();
+        for ((_, facts), &scope) in self.removed.iter().zip(&self.removed_scopes) {
+            for named in facts.named.iter() {
+                let tag = self.context.scopes[scope].find(&named.key)?;
+                touched.entry((scope, tag)).or_default();
+            }
+        }
+        // Tags that nobody has named before, in their order.
+        let mut new: Vec<TagFacts> = Vec::new();
+        let mut new_names: FxHashMap<Name, usize> = FxHashMap::default();
+        for &index in &self.added {
+            let network = self.context.networks.at(index);
+            let id = self.context.networks.id(index);
+            for (number, named) in (0..).zip(network.named.iter()) {
+                let place = UseRef {
+                    network: id,
+                    named: number,
+                    access: named.access,
+                };
+                if let Some(tag) = self.context.scopes[network.scope].find(&named.key) {
+                    touched.entry((network.scope, tag)).or_default().push(place);
+                    continue;
+                }
+                if network.scope > 0 {
+                    return None;
+                }
+                let at = *new_names.entry(named.key.clone()).or_insert_with(|| {
+                    let block = &network.facts().blocks[named.block as usize];
+                    let written = &block.facts.operands[named.operand as usize].value;
+                    let name = uses::spelled(written, named.range).unwrap_or_default();
+                    new.push(uses::undeclared(name, law));
+                    new.len() - 1
+                });
+                new[at].uses.0.push(place);
+            }
+        }
+        // What a tag is compared with, or gets its value from, may have no type but from it.
+        if !new.is_empty() && !self.context.typed_by_places {
+            return None;
+        }
+        let mut found_changed = !new.is_empty();
+        let context = &mut self.context;
+        let mut found: Vec<(usize, usize)> = Vec::new();
+        for ((scope, tag), places) in touched {
+            let is_found = tag >= context.scopes[scope].declared;
+            let facts = &mut context.scopes[scope].tags[tag];
+            let first = facts.uses.0.first().copied();
+            facts.uses.0.retain(|place| !gone.contains(&place.network));
+            if !places.is_empty() {
+                facts.uses.0.extend(places);
+                let networks = &context.networks;
+                let in_order = |place: &UseRef| (networks.index_of(place.network), place.named);
+                facts.uses.0.sort_by_key(in_order);
+            }
+            if is_found {
+                let now = facts.uses.0.first().copied();
+                // Another first use may mean another place among the tags, and another spelling.
+                found_changed |= first != now || first.is_some_and(|first| gone.contains(&first.network));
+                found.push((scope, tag));
+            }
+        }
+        for (scope, tag) in found {
+            let before = context.scopes[scope].tags[tag].ty;
+            let after = if context.scopes[scope].tags[tag].uses.is_empty() {
+                None
+            } else {
+                respelled(context, scope, tag);
+                let typed = typed(context, &context.scopes[scope].tags[tag])?;
+                context.scopes[scope].tags[tag] = typed;
+                context.scopes[scope].tags[tag].ty
+            };
+            if before != after && !context.typed_by_places {
+                return None;
+            }
+        }
+        let new = new.iter().map(|tag| typed(context, tag).map(Arc::new));
+        let new: Vec<Arc<TagFacts>> = new.collect::<Option<_>>()?;
+        if found_changed {
+            let networks = &context.networks;
+            context.scopes[0].replace_found(|mut tags| {
+                tags.retain(|tag| !tag.uses.is_empty());
+                tags.extend(new);
+                let first = |tag: &Arc<TagFacts>| {
+                    let place = tag.uses.0[0];
+                    (networks.index_of(place.network), place.named)
+                };
+                tags.sort_by_cached_key(first);
+                tags
+            });
+        }
+        Some(())
+    }
+}
+
+/// Where a network's lines are in the earlier text, if they are there.
+fn same_lines(drawn: &Range<usize>, change: &Change) -> Option<usize> {
+    if drawn.end <= change.new.start {
+        Some(drawn.start)
+    } else if drawn.start >= change.new.end {
+        Some(drawn.start.wrapping_add_signed(-change.lines))
+    } else {
+        None
+    }
+}
+
+/// Whether other networks may mean something else when this one comes or goes: it has a label or begins a function.
+fn is_marked(facts: &NetworkFacts) -> bool {
+    let marks = |op: Option<Op>| matches!(op, Some(Op::Fun | Op::Lbl));
+    facts.blocks.iter().any(|bound| marks(bound.op()))
+}
+
+/// Whether a network holds a block that the file does not define.
+fn is_strange(facts: &NetworkFacts) -> bool {
+    facts.user_blocks == UserBlocks::Others
+}
+
+/// A tag is spelled as where it stands first.
+fn respelled(context: &mut Context, scope: usize, tag: usize) {
+    let facts = &context.scopes[scope].tags[tag];
+    let Some(place) = facts.uses.0.first() else { return };
+    let network = context
+        .networks
+        .at(context.networks.index_of(place.network))
+        .facts();
+    let named = &network.named[place.named as usize];
+    let written = &network.blocks[named.block as usize].facts.operands[named.operand as usize].value;
+    let name = uses::spelled(written, named.range).unwrap_or_default();
+    if *facts.name != *name {
+        let spelled = uses::undeclared(name, context.profile.law());
+        let facts = &mut context.scopes[scope].tags[tag];
+        (facts.name, facts.address) = (spelled.name, spelled.address);
+    }
+}
+
+/// An undeclared tag with the type and the role that its places give it. None if they do not, or do not agree.
+fn typed(context: &Context, tag: &TagFacts) -> Option<TagFacts> {
+    let mut tag = tag.clone();
+    if tag.origin != Origin::Undeclared {
+        // Its name says both.
+        return tag.ty.is_some().then_some(tag);
+    }
+    let mut conflicts = Vec::new();
+    tag.ty = Some(infer::answer(context, &tag, &mut conflicts)?);
+    tag.role = if tag.ty == Some(Type::BOOL) {
+        uses::role(&tag.uses, &context.networks)
+    } else {
+        Role::Internal
+    };
+    conflicts.is_empty().then_some(tag)
+}

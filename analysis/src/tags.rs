@@ -1,0 +1,108 @@
+//! The tags of a scope, in chunks that contexts before and behind an edit share.
+
+use crate::chunked::Chunked;
+use crate::scope::TagFacts;
+use std::ops::{Index, IndexMut};
+use std::sync::Arc;
+
+/// The tags of a scope: in the order of declaration, then of first use.
+#[derive(Debug, Clone, Default)]
+pub struct Tags(Chunked<Arc<TagFacts>>);
+
+impl Tags {
+    /// How many there are.
+    pub fn len(&self) -> usize {
+        self.0.len()
+    }
+
+    /// Whether there are none.
+    pub fn is_empty(&self) -> bool {
+        self.0.len() == 0
+    }
+
+    /// A tag, if there are so many.
+    pub fn get(&self, tag: usize) -> Option<&TagFacts> {
+        (tag < self.len()).then(|| &self[tag])
+    }
+
+    /// All of them, in their order.
+    pub fn iter(&self) -> Iter<'_> {
+        Iter {
+            tags: self,
+            range: 0..self.len(),
+        }
+    }
+
+    /// Those from one on.
+    pub fn from(&self, first: usize) -> Iter<'_> {
+        Iter {
+            tags: self,
+            range: first..self.len(),
+        }
+    }
+
+    pub(crate) fn push(&mut self, tag: TagFacts) {
+        self.0.push(Arc::new(tag));
+    }
+
+    /// Leaves the first so many, and gives the others.
+    pub(crate) fn split_off(&mut self, first: usize) -> Vec<Arc<TagFacts>> {
+        self.0.split_off(first)
+    }
+
+    pub(crate) fn extend(&mut self, tags: impl IntoIterator<Item = Arc<TagFacts>>) {
+        for tag in tags {
+            self.0.push(tag);
+        }
+    }
+}
+
+/// Tags of a scope, in their order.
+#[derive(Debug, Clone)]
+pub struct Iter<'t> {
+    tags: &'t Tags,
+    range: std::ops::Range<usize>,
+}
+
+impl<'t> Iterator for Iter<'t> {
+    type Item = &'t TagFacts;
+
+    fn next(&mut self) -> Option<&'t TagFacts> {
+        self.range.next().map(|tag| &self.tags[tag])
+    }
+
+    fn size_hint(&self) -> (usize, Option<usize>) {
+        self.range.size_hint()
+    }
+}
+
+impl DoubleEndedIterator for Iter<'_> {
+    fn next_back(&mut self) -> Option<Self::Item> {
+        self.range.next_back().map(|tag| &self.tags[tag])
+    }
+}
+
+impl ExactSizeIterator for Iter<'_> {}
+
+impl<'t> IntoIterator for &'t Tags {
+    type Item = &'t TagFacts;
+    type IntoIter = Iter<'t>;
+
+    fn into_iter(self) -> Iter<'t> {
+        self.iter()
+    }
+}
+
+impl Index<usize> for Tags {
+    type Output = TagFacts;
+
+    fn index(&self, tag: usize) -> &TagFacts {
+        &self.0[tag]
+    }
+}
+
+impl IndexMut<usize> for Tags {
+    fn index_mut(&mut self, tag: usize) -> &mut TagFacts {
+        Arc::make_mut(self.0.get_mut(tag))
+    }
+}
