@@ -292,6 +292,8 @@ impl Plant {
         );
         if newest != self.generation {
             self.drawings.push((self.generation, before));
+            let oldest = self.session.oldest_generation();
+            self.drawings.retain(|(number, _)| *number >= oldest);
             self.generation = newest;
             self.rebind();
         }

@@ -77,6 +77,9 @@ impl Engine {
                 Err(_) => self.texts.stale = true,
             }
         }
+        // Texts of programs that cannot be stepped back to any more are of no use.
+        let oldest = self.session.oldest_generation();
+        self.texts.known.retain(|(number, _)| *number >= oldest);
         let generation = self.session.generation();
         self.texts.looked_at = generation;
         if let Some(running) = self.texts.of(generation).cloned() {

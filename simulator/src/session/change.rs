@@ -99,6 +99,11 @@ impl Session {
         self.later.first().map_or(self.generation, |era| era.generation)
     }
 
+    /// The number of the oldest program that can still be stepped back to.
+    pub fn oldest_generation(&self) -> u64 {
+        self.earlier.first().map_or(self.generation, |era| era.generation)
+    }
+
     fn finish_scan(&mut self) {
         let _ = self.go_on(crate::machine::Until::End);
         if self.simulation.is_open() {
