@@ -1,4 +1,4 @@
-//! Every place of a thing in the workspace, reads and writes told apart.
+//! Every place of a thing in the workspace, with reads and writes distinguished.
 
 use crate::neighbour::Workspace;
 use crate::symbol::{Found, Usage, everywhere, find};

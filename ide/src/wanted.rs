@@ -12,7 +12,7 @@ use ladder_instructions::{
 };
 use ladder_syntax::Name;
 
-/// What a block is, as far as it can be told from its first part.
+/// What a block is, as far as its first part shows.
 #[derive(Clone, Copy)]
 pub(crate) enum Called<'c> {
     Row(&'static Instruction),

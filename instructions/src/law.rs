@@ -26,7 +26,7 @@ pub struct Law {
     pub remainder: Remainder,
     /// What becomes of a number that does not fit where `[TYP]` puts it.
     pub conversion: Conversion,
-    /// Where the controller tells of itself.
+    /// Where the controller reports its own state.
     pub controller: Controller,
     /// What a contact, or anything else that asks for a BOOL, takes.
     pub truth: Truth,
@@ -135,7 +135,7 @@ pub enum Conversion {
     Clamped,
 }
 
-/// Where the controller tells of itself, and of what goes wrong.
+/// Where the controller reports its own state, and errors.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Controller {
     /// In `SYS`; what goes wrong is a fault.
@@ -145,7 +145,7 @@ pub enum Controller {
     Banks,
 }
 
-/// What may stand where a BOOL is asked for.
+/// What is accepted where a BOOL is required.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Truth {
     /// A BOOL.
@@ -196,7 +196,7 @@ pub enum Tables {
 pub enum Serial {
     /// All at once.
     AtOnce,
-    /// A byte each second scan: blocks wait until it is free, and their power tells that they are not done.
+    /// A byte each second scan: blocks wait until it is free, and their power shows that they are not done.
     EverySecondScan,
 }
 

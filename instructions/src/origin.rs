@@ -3,7 +3,7 @@
 use crate::Op;
 use std::fmt;
 
-/// A source of an instruction: what it is called there, and where that is told.
+/// A source of an instruction: what it is called there, and where that is documented.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Origin {
     /// IEC 61131-3, third edition: its name there, and the clause.

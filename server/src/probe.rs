@@ -66,7 +66,7 @@ impl Document {
         self.revision.text()
     }
 
-    /// What is found in it, with the places as the editor is told them.
+    /// What is found in it, with the places as the editor gets them.
     pub fn findings(&self) -> Vec<(Range, Diagnostic)> {
         let analysis = self.revision.analysis();
         let found = analysis.map_or(&[][..], |analysis| analysis.diagnostics());

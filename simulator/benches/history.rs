@@ -57,7 +57,7 @@ fn scan(session: &mut Session, scans: usize, inputs: usize, batches: usize) -> f
     fastest
 }
 
-/// Each rung hangs on others above it, as in a sequence with interlocks, so that reasons lead far.
+/// Each rung depends on others above it, as in a sequence with interlocks, so that reasons lead far.
 fn chain(rungs: usize) -> String {
     let mut text = String::new();
     for n in 0..rungs {

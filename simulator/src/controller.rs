@@ -4,7 +4,7 @@
 use crate::fault::Trouble;
 use crate::memory::{Bit, Memory};
 
-/// A relay that tells of an error in a scan.
+/// A relay that reports an error in a scan.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Relay {
     /// A division by zero.
@@ -28,7 +28,7 @@ impl Relay {
         }
     }
 
-    /// The relay that tells of a trouble.
+    /// The relay that reports a trouble.
     pub(crate) const fn of(trouble: Trouble) -> Option<Relay> {
         Some(match trouble {
             Trouble::DivisionByZero => Relay::Zero,

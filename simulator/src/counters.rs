@@ -45,7 +45,7 @@ impl Counter {
         memory.word(self.words.offset(CV))
     }
 
-    /// Writes CV; what it was tells whether it changed.
+    /// Writes CV; what it was shows whether it changed.
     fn set_count<const FORCED: bool>(self, memory: &mut Memory, count: i64) {
         let before = self.count(memory);
         memory.put_word::<FORCED>(self.words.offset(CV), count);

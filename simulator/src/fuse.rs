@@ -4,7 +4,7 @@
 //! than in doing it, so stretches of them are gathered into groups that read at most three bits; a group's results
 //! are truth tables of eight entries. A [`Record`] looks up one result. All records that follow each other run in
 //! one loop, and each remembers in one byte which row of its table it took: from that the power of every element of
-//! the group can be told afterwards ([`Power::Row`]), at no cost while scanning.
+//! the group can be computed afterwards ([`Power::Row`]), at no cost while scanning.
 //!
 //! Fused code does the same as the plain code it is made of, as long as no bit is forced; with forces the plain code
 //! runs.

@@ -100,7 +100,7 @@ pub(crate) enum Routine {
     // Ports.
     /// Sends a byte: from.
     Send,
-    /// Takes a byte: to, and to the power that tells whether there was one.
+    /// Takes a byte: to, and to the power that shows whether there was one.
     Receive,
     /// Sends a text with numbers in it: text, list of pairs of a number and its type.
     SendText,
@@ -152,7 +152,7 @@ pub(crate) enum Routine {
     Cut,
     /// A number held in another type: as `Cut`.
     Clamp,
-    /// What the controller tells of itself: slot of the array SC, its first index, how many, the same of SD, interval.
+    /// What the controller reports of itself: slot of the array SC, its first index, how many, the same of SD, interval.
     Controller,
 
     /// An entry of a table: to, whether there is one, type, index, list.

@@ -1,4 +1,4 @@
-//! A place as machines are told it.
+//! A place as it is written for other programs.
 
 use super::source::Source;
 use ladder_syntax::TextRange;

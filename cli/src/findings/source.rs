@@ -190,7 +190,7 @@ impl Source {
         Some(other.within(Arc::clone(workspace)))
     }
 
-    /// The workspace around the file. Settings that cannot be used are told by the commands, which read them first.
+    /// The workspace around the file. Settings that cannot be used are reported by the commands, which read them first.
     fn workspace(&self) -> Option<&Arc<Workspace>> {
         let load = || Workspace::of(Path::new(&self.file)).ok().map(Arc::new);
         self.workspace.get_or_init(load).as_ref()

@@ -1,4 +1,4 @@
-//! What the commands write can be told from what others wrote.
+//! What the commands write can be distinguished from what others wrote.
 
 use std::fs::File;
 use std::io::{self, Read, Seek, SeekFrom};

@@ -53,7 +53,7 @@ impl Retention {
         Ok(Retention { file: opened })
     }
 
-    /// Between two scans: saves if that is due. A failure is told at the end, when it fails again.
+    /// Between two scans: saves if that is due. A failure is reported at the end, when it fails again.
     pub(crate) fn keep(&mut self, simulation: &Simulation) {
         if self.file.is_due(Instant::now()) {
             let _ = self.file.save(&simulation.retained());

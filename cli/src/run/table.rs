@@ -37,7 +37,7 @@ impl Table {
         let text = text.strip_prefix('\u{feff}').unwrap_or(text);
         let mut reader = ReaderBuilder::new()
             .has_headers(false)
-            // Counted here, so that a blank line can be told from a short row.
+            // Counted here, so that a blank line can be distinguished from a short row.
             .flexible(true)
             .trim(Trim::All)
             .from_reader(text.as_bytes());

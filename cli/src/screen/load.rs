@@ -40,14 +40,14 @@ pub(super) fn first(request: &Request) -> Result<Option<Plant>, Failure> {
     let Some(program) = run::program(&source) else {
         return Ok(None);
     };
-    // A batch run keeps nothing unless it is told to; here a person sits.
+    // A batch run keeps nothing unless asked to; here a person sits.
     let of_workspace = Settings::of(request.file)?.simulate.retain;
     let retain = request.retain.map(KeptIn::File);
     let retain = retain.or(of_workspace.as_ref().map(KeptIn::OfWorkspace));
     plant(request, &source, program, retain).map(Some)
 }
 
-/// Loads the program while the screen is up: what is wrong with it is told in one line.
+/// Loads the program while the screen is up: what is wrong with it is shown in one line.
 pub(super) fn again(request: &Request) -> Result<(Source, Arc<Program>), String> {
     let source = source(request).map_err(|failure| failure.to_string())?;
     match source.program() {

@@ -13,7 +13,7 @@
 //!   not what the program is long.
 //! - `fold` makes wide networks as narrow as the screen, where they have nothing but wire; `bands` says which lines belong
 //!   together there.
-//! - `draw` reads view and plant and writes characters; what no colour tells is told by a heavier line or a sign.
+//! - `draw` reads view and plant and writes characters; what a colour shows is also shown by a heavier line or a sign.
 //! - `guard` and `signals` give the terminal back as it was, however the screen ends.
 
 mod app;

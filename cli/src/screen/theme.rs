@@ -1,4 +1,4 @@
-//! How things look. Nothing is told by colour alone: what is live is also heavier, what is high has a dot, what is
+//! How things look. Nothing is shown by colour alone: what is live is also heavier, what is high has a dot, what is
 //! forced has an `F`.
 
 use ratatui::style::{Color, Modifier, Style};

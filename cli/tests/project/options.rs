@@ -1,4 +1,4 @@
-//! The guide tells of every option there is, and of no other.
+//! The guide describes every option there is, and of no other.
 
 use ladder_tests::{book, project};
 use std::collections::BTreeSet;
@@ -29,7 +29,7 @@ fn the_guide_tells_of_every_option() {
         .collect();
     let told = options(&guide);
     let missing: Vec<&String> = there.difference(&told).collect();
-    assert!(missing.is_empty(), "the guide does not tell of {missing:?}");
+    assert!(missing.is_empty(), "the guide does not describe {missing:?}");
     // Other programs' options.
     let foreign = [
         "--path",

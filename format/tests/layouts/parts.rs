@@ -70,7 +70,7 @@ fn switched_off_over_parts() {
     assert_eq!(new.matches(rung).count(), MANY);
 }
 
-/// Where the comment is told that is never closed decides from where on nothing is formatted.
+/// Where the comment that is never closed is reported decides from where on nothing is formatted.
 #[test]
 fn a_comment_that_is_never_closed() {
     let rung = "+-[ ](a)-( )(y)-+\n";

@@ -1,4 +1,4 @@
-//! The legend: the kinds and modifiers that are told, by their names in the protocol.
+//! The legend: the kinds and modifiers that are sent, by their names in the protocol.
 
 /// What a word is.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]

@@ -84,7 +84,7 @@ END_VAR
         profiles: Profiles::WITHOUT_IOT,
         differs: &[(
             Profile::Ldmicro,
-            "A byte takes two scans. It is sent when EN is high and the line is free; the power behind it tells that the line is busy.",
+            "A byte takes two scans. It is sent when EN is high and the line is free; the power behind it shows that the line is busy.",
         )],
         title: "Send a byte",
         operands: &[Operand::input(
@@ -139,7 +139,7 @@ END_VAR
         profiles: Profiles::WITHOUT_IOT,
         differs: &[(
             Profile::Ldmicro,
-            "Sends a byte every second scan, whenever the line is free; the power behind it tells that there is more to send. A rise of EN begins anew, and so does the start of the program. `\\3` is the number with three digits, `\\-3` with its sign before them (1 to 5 digits), `\\\\` a backslash.",
+            "Sends a byte every second scan, whenever the line is free; the power behind it shows that there is more to send. A rise of EN begins anew, and so does the start of the program. `\\3` is the number with three digits, `\\-3` with its sign before them (1 to 5 digits), `\\\\` a backslash.",
         )],
         title: "Send formatted text",
         operands: &[

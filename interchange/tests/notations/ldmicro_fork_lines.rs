@@ -222,7 +222,7 @@ fn what_has_no_counterpart_stays() {
         QUAD_ENCOD n 0 Xa Xb Xz Ya / 5: it is about the hardware of the controller, and there is no such port here
         SPI a b c d e f g h: it is about the hardware of the controller, and there is no such port here
         I2C_RD a b c d e f g h: it is about the hardware of the controller, and there is no such port here
-        UART_RECV_AVAIL: there is no port here that tells whether the line is free or a byte has come
+        UART_RECV_AVAIL: there is no port here that shows whether the line is free or a byte has come
         STRING s n 3 97 98 99: LDmicro writes a number into a text as C does, and there is no such instruction here
     "#]].assert_eq(&out);
 }

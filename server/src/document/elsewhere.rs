@@ -81,7 +81,7 @@ impl FileText {
 
 impl Elsewhere {
     /// The files beside a document, as they are when they are first asked for. `documents` are the open programs,
-    /// `companions` other open files. Who is told to stop finds no more files.
+    /// `companions` other open files. Once it is cancelled it finds no more files.
     pub(crate) fn of(
         own: &Arc<Revision>,
         documents: &Arc<Documents>,

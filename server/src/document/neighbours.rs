@@ -46,7 +46,7 @@ struct Folder {
     changes: u64,
 }
 
-/// Which files see something else once a file has told what it says.
+/// Which files see something else once what a file exports has changed.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub(crate) struct News {
     /// The other ones.
@@ -202,7 +202,7 @@ impl Neighbours {
         self.lock().folder(path).1.settings.format.clone()
     }
 
-    /// What the rules are told before they look at a file.
+    /// The settings of the rules for a file.
     pub(crate) fn rules(&self, path: &Path) -> RuleSettings {
         self.lock().folder(path).1.settings.rules_for(path)
     }
@@ -288,7 +288,7 @@ impl Neighbours {
             .retain(|root, folder| !folder.open.is_empty() || wanted(root));
     }
 
-    /// The files that are not as they were read, for an editor that does not tell of changes. This looks at every
+    /// The files that are not as they were read, for an editor that does not report changes. This looks at every
     /// file, but reads none.
     pub(crate) fn changed_on_disk(&self) -> Vec<PathBuf> {
         let state = self.lock();
@@ -493,8 +493,8 @@ pub(crate) struct Membership {
     pub(crate) path: PathBuf,
     /// The workspaces.
     pub(crate) neighbours: Arc<Neighbours>,
-    /// Whether what the file says was told to the others.
-    told: Arc<OnceLock<()>>,
+    /// Whether what the file exports was passed on to the others.
+    passed_on: Arc<OnceLock<()>>,
     /// How many changes there had been when it was read.
     read_at: Arc<OnceLock<u64>>,
 }
@@ -504,26 +504,26 @@ impl Membership {
         Membership {
             path,
             neighbours: Arc::clone(neighbours),
-            told: Arc::default(),
+            passed_on: Arc::default(),
             read_at: Arc::default(),
         }
     }
 
-    /// As [`Neighbours::view`], for the text that is to be told.
+    /// As [`Neighbours::view`], for the text that is to be passed on.
     pub(super) fn view(&self) -> (Arc<str>, Others) {
         let (name, others, changes) = self.neighbours.view_now(&self.path);
         let _ = self.read_at.set(changes);
         (name, others)
     }
 
-    /// The same file, with a text that nobody was told of.
+    /// The same file, with a text that was not passed on yet.
     pub(super) fn anew(&self) -> Membership {
         Membership::new(self.path.clone(), &self.neighbours)
     }
 
     /// Tells the others what the file says now. Gives, once, who sees something else than before.
     pub(super) fn tell(&self, analysis: &Arc<Analysis>) -> News {
-        if self.told.set(()).is_err() {
+        if self.passed_on.set(()).is_err() {
             return News::default();
         }
         let read_at = self.read_at.get().copied();

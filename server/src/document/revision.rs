@@ -176,7 +176,7 @@ impl Revision {
         self.len() <= MAX_OPEN_BYTES && self.rope.len_lines() <= MAX_OPEN_LINES
     }
 
-    /// Throws away what was known of the text before: when its successor has been told, and nobody waits.
+    /// Throws away what was known of the text before: when the findings of its successor are sent, and nobody waits.
     pub(crate) fn forget_superseded(&self) {
         drop(std::mem::take(&mut *self.superseded()));
     }

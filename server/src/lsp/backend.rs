@@ -67,7 +67,7 @@ impl Backend {
         Backend::counting(client, Busy::default())
     }
 
-    /// A server that tells whether work is under way.
+    /// A server that shows whether work is under way.
     pub(crate) fn counting(client: Client, busy: Busy) -> Self {
         Backend {
             shared: Shared::new(client, busy),

@@ -62,29 +62,29 @@ pub(crate) struct Agreed {
     pub(crate) lens_commands: code_lens::Commands,
     /// A semantic token may span lines.
     pub(crate) multiline_tokens: bool,
-    /// Parameters of signatures may be told by their place in the label.
+    /// Parameters of signatures may be given by their place in the label.
     pub(crate) label_offsets: bool,
     /// The documentation of signatures may be Markdown.
     pub(crate) signature_markdown: bool,
-    /// The client can be asked to tell of changed files.
+    /// The client can be asked to report changed files.
     pub(crate) watches_files: bool,
-    /// The operations on files that the client tells of.
-    pub(crate) file_operations: file_operations::Told,
+    /// The operations on files that the client reports.
+    pub(crate) file_operations: file_operations::Reported,
     /// The client asks for diagnostics, so none are published.
     pub(crate) pulls_diagnostics: bool,
     /// The client takes diagnostics of other files beside those that it asks for.
     pub(crate) related_documents: bool,
-    /// The client can be told that diagnostics are other ones now.
+    /// The client can be notified that diagnostics have changed.
     pub(crate) refreshes_diagnostics: bool,
     /// The client shows progress that the server begins.
     pub(crate) progress: bool,
     /// The client can be asked for its settings.
     pub(crate) configuration: bool,
-    /// The client wants to be asked to tell of changed settings.
+    /// The client wants to be asked to report changed settings.
     pub(crate) registers_configuration: bool,
-    /// The client can be told that inlay hints are other ones now.
+    /// The client can be notified that inlay hints have changed.
     pub(crate) refreshes_inlay_hints: bool,
-    /// The client can be told that code lenses are other ones now.
+    /// The client can be notified that code lenses have changed.
     pub(crate) refreshes_code_lenses: bool,
 }
 
@@ -160,7 +160,7 @@ impl Agreed {
                 .or(pull.and_then(|it| it.data_support))
                 .unwrap_or(false),
             versioned_edits: edit.and_then(|it| it.document_changes).unwrap_or(false),
-            file_operations: file_operations::Told::by(
+            file_operations: file_operations::Reported::by(
                 workspace.and_then(|workspace| workspace.file_operations.as_ref()),
             ),
             pulls_diagnostics: pull.is_some(),
@@ -405,7 +405,7 @@ mod tests {
                 disabled_actions: true,
                 markdown: true,
                 watches_files: true,
-                file_operations: file_operations::Told {
+                file_operations: file_operations::Reported {
                     created: true,
                     will_rename: true,
                     renamed: true,

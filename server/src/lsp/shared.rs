@@ -12,8 +12,8 @@ use crate::busy::Busy;
 use crate::document::Documents;
 use crate::document::neighbours::Neighbours;
 use crate::lsp::capabilities::Agreed;
-use crate::lsp::documents::{foreign::Previews, pull::Found, settings_file::Told};
-use crate::lsp::features::semantic_tokens::TokensTold;
+use crate::lsp::documents::{foreign::Previews, pull::Found, settings_file::Sent};
+use crate::lsp::features::semantic_tokens::TokensSent;
 use crate::lsp::transport::outbox::Outbox;
 use crate::simulation::Sessions;
 use ladder_workspace::EditorSettings;
@@ -24,17 +24,17 @@ pub(crate) struct Shared {
     agreed: OnceLock<Agreed>,
     /// What the editor's own settings say.
     editor: RwLock<Arc<EditorSettings>>,
-    /// How often the client was asked for its settings, or told them.
+    /// How often the client was asked for its settings, or sent them.
     editor_asked: AtomicU64,
     /// What was said last about mistakes in them.
     settings_complaint: Mutex<String>,
     /// What was said of settings files that are not open.
-    pub(crate) settings_files: Told,
+    pub(crate) settings_files: Sent,
     /// What was found in files that are not open.
     pub(crate) found: Found,
-    /// Whether the client is about to be told that diagnostics are other ones now.
+    /// Whether the client is about to be notified that diagnostics have changed.
     pub(crate) refresh_due: AtomicBool,
-    /// When the files on disk were last looked at for a client that does not tell of changes.
+    /// When the files on disk were last looked at for a client that does not report changes.
     pub(crate) looked_around: Mutex<Option<Instant>>,
     /// The folders that the client has open.
     pub(crate) folders: Mutex<Vec<PathBuf>>,
@@ -53,8 +53,8 @@ pub(crate) struct Shared {
     pub(crate) sessions: Sessions,
     pub(crate) outbox: Outbox,
     /// The semantic tokens that the client has.
-    pub(crate) tokens_told: TokensTold,
-    /// Told when the process that started the server is gone.
+    pub(crate) tokens_sent: TokensSent,
+    /// Notified when the process that started the server is gone.
     pub(crate) orphaned: Notify,
 }
 
@@ -65,7 +65,7 @@ impl Shared {
             editor: RwLock::default(),
             editor_asked: AtomicU64::new(0),
             settings_complaint: Mutex::default(),
-            settings_files: Told::default(),
+            settings_files: Sent::default(),
             found: Found::default(),
             refresh_due: AtomicBool::new(false),
             looked_around: Mutex::new(None),
@@ -77,7 +77,7 @@ impl Shared {
             companions: Arc::default(),
             previews: Arc::default(),
             neighbours: Arc::default(),
-            tokens_told: TokensTold::default(),
+            tokens_sent: TokensSent::default(),
             sessions: Sessions::default(),
             orphaned: Notify::new(),
         })
@@ -104,7 +104,7 @@ impl Shared {
         *self.editor.write().unwrap_or_else(PoisonError::into_inner) = Arc::new(settings);
     }
 
-    /// The client is about to be asked for its settings, or has told them: the number of the occasion.
+    /// The client is about to be asked for its settings, or has sent them: the number of the occasion.
     pub(crate) fn editor_settings_asked(&self) -> u64 {
         self.editor_asked.fetch_add(1, Ordering::Relaxed) + 1
     }
@@ -146,6 +146,6 @@ impl Shared {
     /// The document is gone from the editor, and with it the drawing that its simulations would show.
     pub(crate) fn document_closed(&self, uri: &str) {
         self.sessions.stop_all_of(uri);
-        self.tokens_told.forget(uri);
+        self.tokens_sent.forget(uri);
     }
 }

@@ -179,14 +179,14 @@ async fn the_ladder_text_is_followed() {
         begun["text"].as_str().unwrap().contains("( )( Valve )"),
         "{begun}"
     );
-    // Broken while a person types: what was told last stays.
+    // Broken while a person types: what was sent last stays.
     replace(&mut client, URI, 2, &TANK.replace("y.Valve", "y.")).await;
     assert_eq!(published(&mut client, URI, 2).await.len(), 1);
     replace(&mut client, URI, 3, &TANK.replace("y.Valve", "y.Inlet")).await;
     let told = client.notification("ladder/preview", |_| true).await;
     assert_eq!((&told["uri"], &told["version"]), (&json!(URI), &json!(3)));
     assert!(told["text"].as_str().unwrap().contains("( )( Inlet )"), "{told}");
-    // The same text is not told twice, and nobody follows what is closed.
+    // The same text is not sent twice, and nobody follows what is closed.
     replace(&mut client, URI, 4, &TANK.replace("(y.Valve", "( y.Inlet")).await;
     published(&mut client, URI, 4).await;
     client

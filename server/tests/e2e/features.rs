@@ -248,7 +248,7 @@ async fn a_refactoring_tells_its_edits_when_it_is_chosen() {
     client.finish().await;
 }
 
-/// A call that hangs on a contact cannot be inlined: the editor shows why, if it can.
+/// A call that depends on a contact cannot be inlined: the editor shows why, if it can.
 #[tokio::test]
 async fn what_cannot_be_done_comes_with_its_reason() {
     let text = "+--[ ]( a )--<CALL>( f )--+\n\n+--<FUN>( f )--( )( y )--+\n";

@@ -115,7 +115,7 @@ async fn a_wrong_length_is_recovered_from_at_the_next_header() {
             [-32700, -32600].contains(&unaddressed(&mut client).await),
             "{what}"
         );
-        assert!(client.unaddressed.is_empty(), "{what}: told once");
+        assert!(client.unaddressed.is_empty(), "{what}: reported once");
         client.finish().await;
     }
 }

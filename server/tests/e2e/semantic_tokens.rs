@@ -107,7 +107,7 @@ async fn a_change_is_told_as_a_delta() {
         let start = edits[0]["start"].as_u64().unwrap() as usize;
         let end = start + edits[0]["deleteCount"].as_u64().unwrap() as usize;
         let new = edits[0]["data"].as_array().cloned().unwrap_or_default();
-        assert!(new.len() < told.len() / 2, "it tells little: {delta}");
+        assert!(new.len() < told.len() / 2, "it is short: {delta}");
         told.splice(start..end, new);
         let whole = ask(&mut client, "full", json!({})).await;
         assert_eq!(told, data(&whole));
@@ -118,7 +118,7 @@ async fn a_change_is_told_as_a_delta() {
     assert_eq!(
         data(&unknown),
         told,
-        "to a client that asks for something else all is told"
+        "to a client that asks for something else all is sent"
     );
     client.finish().await;
 }

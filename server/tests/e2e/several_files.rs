@@ -204,7 +204,7 @@ async fn a_hover_tells_of_the_other_files() {
     client.finish().await;
 }
 
-/// What one file does with the tags and functions of another is told where these are declared, as it is now.
+/// What one file does with the tags and functions of another is reported where these are declared, as it is now.
 #[tokio::test]
 async fn what_nobody_uses_follows_the_files_that_could() {
     const SHARED: &str = "VAR_GLOBAL total : DINT; END_VAR\nVAR_OUTPUT y : BOOL; END_VAR\n\

@@ -103,7 +103,7 @@ async fn a_version_that_does_not_grow_is_refused_and_told() {
         );
     }
     let shown = client.arrived("window/showMessage");
-    assert_eq!(shown.len(), 1, "the person is told once");
+    assert_eq!(shown.len(), 1, "the person sees it once");
     assert_eq!(
         client.hover(0, 8).await.unwrap()["range"],
         span([0, 8, 0, 9]),

@@ -39,7 +39,7 @@ pub(crate) struct Code {
     pub(crate) operands: Vec<u32>,
     /// Powers that a call which can come back to the same network must keep.
     pub(crate) saved: Vec<Vec<Bit>>,
-    /// Where errors are told that are no faults.
+    /// Where errors are reported that are no faults.
     pub(crate) relays: Relays,
     /// Most frames that can be open at once.
     pub(crate) depth: usize,
@@ -118,7 +118,7 @@ pub(crate) struct BlockPlace {
     pub(crate) out: Bit,
     /// Where it is drawn.
     pub(crate) location: Location,
-    /// Where its errors are told.
+    /// Where its errors are reported.
     pub(crate) controller: Controller,
 }
 

@@ -1,4 +1,4 @@
-//! The arrays in which a Click controller tells of itself ([`Controller::Banks`](ladder_instructions::Controller)).
+//! The arrays in which a Click controller reports of itself ([`Controller::Banks`](ladder_instructions::Controller)).
 
 use super::Compiler;
 use crate::controller::{Relay, Relays, STOP};

@@ -104,7 +104,7 @@ impl Compiler<'_> {
         Ok(out)
     }
 
-    /// `[URCV]`: its power tells whether a byte came.
+    /// `[URCV]`: its power shows whether a byte came.
     pub(super) fn receive(&mut self, arguments: Arguments, en: Bit) -> Result<Bit> {
         self.ports.serial = true;
         let (place, ty) = arguments.place(0)?;

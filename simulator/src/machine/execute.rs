@@ -20,7 +20,7 @@ pub(super) enum Onward {
     Skip(u32),
     /// The next one; what was done counts for so many further blocks.
     Work(u32),
-    /// [`Machine::flow`](super::Machine::flow) tells.
+    /// [`Machine::flow`](super::Machine::flow) decides.
     Flow,
 }
 

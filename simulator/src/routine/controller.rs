@@ -1,4 +1,4 @@
-//! What a Click controller tells of itself in the arrays SC and SD.
+//! What a Click controller reports of itself in the arrays SC and SD.
 
 use super::Operands;
 use crate::controller::Relay;

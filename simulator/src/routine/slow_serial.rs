@@ -18,7 +18,7 @@ fn push(memory: &mut Memory, byte: u8, free: Word, clock: Clock) {
     memory.words[free.0 as usize] = clock.scan + SCANS;
 }
 
-/// The power tells whether the line is busy.
+/// The power shows whether the line is busy.
 pub(super) fn send(memory: &mut Memory, with: &mut Operands, clock: Clock) {
     let (out, en, from, free) = (with.bit(), with.bit(), with.word(), with.word());
     if memory.bit(en) && is_free(memory, free, clock) {
@@ -42,7 +42,7 @@ enum SentByte {
     },
 }
 
-/// A rise of EN begins the text anew; it is also sent once at the start. The power tells whether it is under way.
+/// A rise of EN begins the text anew; it is also sent once at the start. The power shows whether it is under way.
 pub(super) fn send_text(memory: &mut Memory, with: &mut Operands, clock: Clock) {
     let (out, en, text) = (with.bit(), with.bit(), with.text());
     let (has_number, number) = (with.number() != 0, with.word());

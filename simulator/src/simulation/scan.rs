@@ -11,7 +11,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 pub enum Stepped {
     /// In front of this block or network, which runs next.
     At(Location),
-    /// The scan is over. [`Simulation::status`] tells whether another can follow.
+    /// The scan is over. [`Simulation::status`] shows whether another can follow.
     Done,
     /// A fault stopped the program in the midst of this scan.
     Stopped,

@@ -96,7 +96,7 @@ impl Write for Recorder {
     }
 }
 
-/// A value as it stands in a bus: `1s500ms` is a time without being told.
+/// A value as it stands in a bus: `1s500ms` is a time even without its type.
 fn shown(value: &Value, ty: Scalar) -> String {
     let text = value_text::display(value, ty);
     match text.strip_prefix("T#") {

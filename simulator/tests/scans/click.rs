@@ -1,4 +1,4 @@
-//! The profile `click`: timers, counters, numbers, and what the controller tells of itself.
+//! The profile `click`: timers, counters, numbers, and what the controller reports of itself.
 
 use crate::support::{check, get, simulation};
 use expect_test::expect;

@@ -69,7 +69,7 @@ impl Typing {
             let answer = self.server.request(method, &params);
             let took = started.elapsed();
             assert!(answer.get("error").is_none(), "{method}: {answer}");
-            // A delta refers to what was told before.
+            // A delta refers to what was sent before.
             if let Some(id) = answer["result"].get("resultId") {
                 params["previousResultId"] = id.clone();
             }

@@ -67,7 +67,7 @@ fn in_steps(program: &Arc<Program>, text: &str) {
         stepped.step_block();
         stepped.step_block();
         assert!(stepped.restore(&before), "in scan {scan} of\n{text}");
-        // Faults are told once, whatever becomes of their scan.
+        // Faults are reported once, whatever becomes of their scan.
         stepped.take_faults();
         while let Stepped::At(_) = stepped.step_block() {}
         for point in whole.points() {

@@ -179,7 +179,7 @@ fn redundant_elements_are_redundant_and_all_others_are_not() {
             }
             return;
         }
-        // What never conducts, or leads nowhere, makes others redundant, and is told in their place.
+        // What never conducts, or leads nowhere, makes others redundant, and is reported in their place.
         let others = [
             Rule::ConstantPower,
             Rule::DuplicateBranch,

@@ -53,7 +53,7 @@ impl Settings {
         }
     }
 
-    /// What the rules are told before they look at a program.
+    /// The settings of the rules.
     pub fn rules_for(&self, program: &Path) -> RuleSettings {
         let mut rules = RuleSettings {
             scan_interval: self.simulate.interval,
@@ -96,7 +96,7 @@ impl Settings {
     /// As [`Settings::read`], from its text. `file` names it in messages and says where its paths start.
     ///
     /// # Errors
-    /// Something in it is wrong; all that is wrong is told.
+    /// Something in it is wrong; all mistakes are listed.
     pub fn parse(file: &Path, text: &str) -> Result<Settings, SettingsError> {
         let (settings, mistakes) = Settings::examine(file, text);
         if mistakes.is_empty() {

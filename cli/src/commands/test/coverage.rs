@@ -177,7 +177,7 @@ pub(super) struct Missed {
     pub(super) marks: String,
 }
 
-/// What was not exercised, in the order of the files. Of a network that was never reached only that is told.
+/// What was not exercised, in the order of the files. Of a network that was never reached only that is reported.
 pub(super) fn missed(covered: &Covered) -> Vec<Missed> {
     let mut missed = Vec::new();
     for file in covered.files.values() {

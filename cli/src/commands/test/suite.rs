@@ -32,7 +32,7 @@ impl Wishes {
     /// A program among the others of its workspace, which many files of scenarios share.
     fn source(&self, program: &Path, bytes: Vec<u8>) -> Result<Source, NotRead> {
         let source = Source::of_bytes(program, bytes, None)?;
-        // Settings that cannot be used are told where they are read.
+        // Settings that cannot be used are reported where they are read.
         let workspace = match self.workspaces.lock() {
             Ok(mut workspaces) => workspaces.of(program).ok().flatten(),
             Err(_) => None,
@@ -70,7 +70,7 @@ pub(super) fn run(path: &Path, wishes: &Wishes) -> FileReport {
     report
 }
 
-/// What is wrong with a scenario file, as far as it can be told.
+/// The mistakes of a scenario file, as far as they can be found.
 pub(super) fn check(path: &Path, source: &Source, renderer: &Renderer) -> Vec<Problem> {
     let wishes = Wishes {
         filter: None,
@@ -286,7 +286,7 @@ fn broken_program(program: &Path, error: &NotRead) -> Problem {
     Problem::unusable(place.unwrap_or_else(|| FileRange::start(&file)), &error.failure)
 }
 
-/// The program that a file names cannot be read: told where it is named.
+/// The program that a file names cannot be read: reported where it is named.
 fn missing_program(source: &Source, range: TextRange, error: &FileError, renderer: &Renderer) -> Problem {
     let found = Mistake {
         range,

@@ -27,7 +27,7 @@ pub(crate) fn begin(shared: &Shared, options: Option<&Value>) {
     }
 }
 
-/// Asks to be told of changes, and for what is set now. To be spawned: no handler waits for a client's answer.
+/// Asks to be notified of changes, and for what is set now. To be spawned: no handler waits for a client's answer.
 pub(crate) async fn register(shared: &Arc<Shared>) {
     if shared.agreed().registers_configuration {
         let registration = Registration {

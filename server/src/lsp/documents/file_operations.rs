@@ -1,6 +1,6 @@
 //! Files that a person makes, renames and deletes in the editor.
 //!
-//! A client that tells of such operations need not watch the disk. Before a file is renamed the scenarios are put right
+//! A client that reports such operations need not watch the disk. Before a file is renamed the scenarios are put right
 //! that name it: `program motor.clad` is the one place where a file says the name of another.
 
 use std::path::{Component, Path, PathBuf};
@@ -197,9 +197,9 @@ fn edit_of(shared: &Shared, changes: &[(Arc<Revision>, Edit)]) -> Option<Workspa
     Some(whole)
 }
 
-/// Which operations the client tells of.
+/// Which operations the client reports.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
-pub(crate) struct Told {
+pub(crate) struct Reported {
     /// Files that were made.
     pub(crate) created: bool,
     /// Files that are about to be renamed.
@@ -210,10 +210,10 @@ pub(crate) struct Told {
     pub(crate) deleted: bool,
 }
 
-impl Told {
+impl Reported {
     /// By what the client says it can.
-    pub(crate) fn by(client: Option<&WorkspaceFileOperationsClientCapabilities>) -> Told {
-        client.map_or_else(Told::default, |it| Told {
+    pub(crate) fn by(client: Option<&WorkspaceFileOperationsClientCapabilities>) -> Reported {
+        client.map_or_else(Reported::default, |it| Reported {
             created: it.did_create.unwrap_or(false),
             will_rename: it.will_rename.unwrap_or(false),
             renamed: it.did_rename.unwrap_or(false),
@@ -222,19 +222,19 @@ impl Told {
     }
 }
 
-/// What the client is asked to tell of files that come and go, if it does.
-pub(crate) fn options(told: Told) -> Option<WorkspaceFileOperationsServerCapabilities> {
+/// What the client is asked to report files that come and go, if it does.
+pub(crate) fn options(reported: Reported) -> Option<WorkspaceFileOperationsServerCapabilities> {
     let operations = WorkspaceFileOperationsServerCapabilities {
-        did_create: told.created.then(followed_files),
-        will_rename: told.will_rename.then(followed_files),
-        did_rename: told.renamed.then(followed_files),
-        did_delete: told.deleted.then(followed_files),
+        did_create: reported.created.then(followed_files),
+        will_rename: reported.will_rename.then(followed_files),
+        did_rename: reported.renamed.then(followed_files),
+        did_delete: reported.deleted.then(followed_files),
         ..WorkspaceFileOperationsServerCapabilities::default()
     };
-    (told != Told::default()).then_some(operations)
+    (reported != Reported::default()).then_some(operations)
 }
 
-/// The files whose coming and going the client tells of.
+/// The files whose coming and going the client reports.
 fn followed_files() -> FileOperationRegistrationOptions {
     let filter = |glob: &str, kind| FileOperationFilter {
         scheme: Some("file".into()),

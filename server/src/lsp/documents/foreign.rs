@@ -104,10 +104,10 @@ fn item(revision: &Revision, range: TextRange, severity: Severity, code: &str, m
     }
 }
 
-/// Whose ladder text is followed: by address, with what was told last.
+/// Whose ladder text is followed: by address, with what was sent last.
 #[derive(Debug, Default)]
 pub(crate) struct Previews {
-    told: Mutex<HashMap<String, String>>,
+    sent: Mutex<HashMap<String, String>>,
 }
 
 impl Previews {
@@ -126,10 +126,10 @@ impl Previews {
         self.lock().remove(uri);
     }
 
-    /// Whether this is news to the one who follows. True once: it is told then.
+    /// Whether this is news to the one who follows. True once: it is sent then.
     pub(crate) fn is_news(&self, previewed: &Previewed) -> bool {
-        let mut told = self.lock();
-        let last = told.get_mut(&previewed.uri);
+        let mut sent = self.lock();
+        let last = sent.get_mut(&previewed.uri);
         let Some(last) = last.filter(|last| **last != previewed.text) else {
             return false;
         };
@@ -137,14 +137,14 @@ impl Previews {
         true
     }
 
-    /// A panic elsewhere leaves at worst a text that is told twice.
+    /// A panic elsewhere leaves at worst a text that is sent twice.
     fn lock(&self) -> MutexGuard<'_, HashMap<String, String>> {
-        self.told.lock().unwrap_or_else(PoisonError::into_inner)
+        self.sent.lock().unwrap_or_else(PoisonError::into_inner)
     }
 }
 
 /// Tells the one who follows it the ladder text of a program, if it is another one now. One that cannot be read has none:
-/// what was told last stays. For a blocking thread.
+/// what was sent last stays. For a blocking thread.
 pub(crate) fn tell_preview(shared: &Shared, revision: &Arc<Revision>) {
     if !shared.previews.follow(&revision.uri) || !shared.companions.is_current(revision) {
         return;

@@ -1,7 +1,7 @@
 //! Diagnostics for clients that ask for them: of a document, and of the whole workspace.
 //!
 //! Such a client is never sent any unasked. Each list has an identity that follows from what is in it, so a client
-//! that has it already is told so, whichever way it came there.
+//! that has it already gets word of that, whichever way it came there.
 
 use std::collections::{BTreeMap, HashMap};
 use std::hash::{DefaultHasher, Hash, Hasher};
@@ -29,7 +29,7 @@ use crate::document::neighbours::{Membership, OnDisk};
 use crate::lsp::transport::{blocking::blocking, progress::Progress};
 use crate::lsp::{convert, shared::Shared};
 
-/// Changes that come together are told together.
+/// Changes that come together are reported together.
 const GATHER: Duration = Duration::from_millis(50);
 
 /// A client that does not answer by then never will; nothing depends on it.

@@ -14,17 +14,17 @@ use crate::document::address::{path_of, uri_of};
 use crate::document::position::{self, Encoding};
 use crate::lsp::{convert, shared::Shared};
 
-/// What the client was told, by file: what was wrong when it was told last.
-pub(crate) type Told = Mutex<BTreeMap<PathBuf, Vec<Diagnostic>>>;
+/// What was sent to the client, by file: the mistakes that were there last.
+pub(crate) type Sent = Mutex<BTreeMap<PathBuf, Vec<Diagnostic>>>;
 
 /// A settings file was closed: what was said of it was taken back, and is said again.
 pub(crate) fn tell_anew(shared: &Arc<Shared>, uri: &str) {
     if let Some(path) = path_of(uri) {
-        let mut told = shared
+        let mut sent = shared
             .settings_files
             .lock()
             .unwrap_or_else(PoisonError::into_inner);
-        told.remove(&path);
+        sent.remove(&path);
     }
     shared.in_background(|shared| tell(shared));
 }
@@ -41,43 +41,43 @@ pub(crate) fn tell(shared: &Shared) {
         }
     }
     let mut later = Vec::new();
-    let mut told = shared
+    let mut sent = shared
         .settings_files
         .lock()
         .unwrap_or_else(PoisonError::into_inner);
-    if *told == wrong {
+    if *sent == wrong {
         return;
     }
     if agreed.pulls_diagnostics {
         // The client asks for them, beside those of a program; one that does not take them there gets a message.
         if !agreed.related_documents {
             for (path, diagnostics) in &wrong {
-                if told.get(path) == Some(diagnostics) {
+                if sent.get(path) == Some(diagnostics) {
                     continue;
                 }
                 if concerns_an_open_program(shared, path) {
                     shared.outbox.show(sentence(path, diagnostics));
                 } else {
-                    // Nobody looks at it now: told when a program is opened below it.
+                    // Nobody looks at it now: sent when a program is opened below it.
                     later.push(path.clone());
                 }
             }
         }
     } else {
         for (path, diagnostics) in &wrong {
-            if told.get(path) != Some(diagnostics) {
+            if sent.get(path) != Some(diagnostics) {
                 shared
                     .outbox
                     .diagnostics_on_disk(&uri_of(path), diagnostics.clone());
             }
         }
-        let mended = told.keys().filter(|path| !wrong.contains_key(*path));
+        let mended = sent.keys().filter(|path| !wrong.contains_key(*path));
         for path in mended.filter(|path| !open.contains(path)) {
             shared.outbox.no_diagnostics(&uri_of(path));
         }
     }
     wrong.retain(|path, _| !later.contains(path));
-    *told = wrong;
+    *sent = wrong;
 }
 
 /// Whether a program is open that the settings file stands above.

@@ -94,7 +94,7 @@ pub(crate) fn closed(shared: &Arc<Shared>, params: &DidCloseTextDocumentParams) 
     }
 }
 
-/// A document was saved: for a client that does not tell of changed files.
+/// A document was saved: for a client that does not report changed files.
 pub(crate) fn saved(shared: &Arc<Shared>, params: &DidSaveTextDocumentParams) {
     if !shared.agreed().watches_files
         && let Some(path) = address::path_of(params.text_document.uri.as_str())

@@ -1,4 +1,4 @@
-//! The files beside the open documents: a client that can is asked to tell of changes; for any other the server looks
+//! The files beside the open documents: a client that can is asked to report changes; for any other the server looks
 //! for itself, now and then.
 
 use std::sync::{Arc, PoisonError};
@@ -33,7 +33,7 @@ pub(crate) async fn register(shared: &Arc<Shared>) {
     let _ = tokio::time::timeout(PATIENCE, asked).await;
 }
 
-/// Looks whether files are other ones than those that were read, if the client does not tell of that. The one who
+/// Looks whether files are other ones than those that were read, if the client does not report that. The one who
 /// calls does not wait for it.
 pub(crate) fn look_around(shared: &Arc<Shared>) {
     if shared.agreed().watches_files {

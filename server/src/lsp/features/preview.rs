@@ -32,7 +32,7 @@ pub(crate) async fn execute(shared: &Arc<Shared>, params: ExecuteCommandParams) 
             Some(Ok(opened)) => {
                 beside.previews.begin(&revision.uri, opened.foreign().ladder());
                 let previewed = foreign::previewed(&revision, opened);
-                // A change that came meanwhile was told to nobody.
+                // A change that came meanwhile was sent to nobody.
                 if let Some(newest) = beside.companions.get(&revision.uri) {
                     foreign::tell_preview(&beside, &newest);
                 }

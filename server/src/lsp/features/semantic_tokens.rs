@@ -21,9 +21,9 @@ use crate::lsp::transport::blocking::blocking;
 use crate::lsp::transport::prepared;
 use crate::lsp::{convert, shared::Shared};
 
-/// The tokens that each document was last told, so that only what changes is told again.
+/// The tokens that were last sent of each document, so that only what changes is sent again.
 #[derive(Debug, Default)]
-pub(crate) struct TokensTold {
+pub(crate) struct TokensSent {
     by_uri: Mutex<HashMap<String, Last>>,
 }
 
@@ -33,26 +33,26 @@ struct Last {
     tokens: Arc<[SemanticToken]>,
 }
 
-impl TokensTold {
-    /// Keeps what is told now, and gives it a name.
+impl TokensSent {
+    /// Keeps what is sent now, and gives it a name.
     fn keep(&self, uri: &str, tokens: Arc<[SemanticToken]>) -> String {
-        let mut told = self.by_uri.lock().unwrap_or_else(PoisonError::into_inner);
-        let id = told.get(uri).map_or(1, |last| last.id + 1);
-        told.insert(uri.to_owned(), Last { id, tokens });
+        let mut sent = self.by_uri.lock().unwrap_or_else(PoisonError::into_inner);
+        let id = sent.get(uri).map_or(1, |last| last.id + 1);
+        sent.insert(uri.to_owned(), Last { id, tokens });
         id.to_string()
     }
 
-    /// What was told by this name, if it was the last.
+    /// What was sent by this name, if it was the last.
     fn last(&self, uri: &str, id: &str) -> Option<Arc<[SemanticToken]>> {
-        let told = self.by_uri.lock().unwrap_or_else(PoisonError::into_inner);
-        let last = told.get(uri).filter(|last| last.id.to_string() == id)?;
+        let sent = self.by_uri.lock().unwrap_or_else(PoisonError::into_inner);
+        let last = sent.get(uri).filter(|last| last.id.to_string() == id)?;
         Some(last.tokens.clone())
     }
 
     /// The document is closed.
     pub(crate) fn forget(&self, uri: &str) {
-        let mut told = self.by_uri.lock().unwrap_or_else(PoisonError::into_inner);
-        told.remove(uri);
+        let mut sent = self.by_uri.lock().unwrap_or_else(PoisonError::into_inner);
+        sent.remove(uri);
     }
 }
 
@@ -81,7 +81,7 @@ pub(crate) async fn full(
     let Some(tokens) = tokens(shared, uri, None).await? else {
         return Ok(None);
     };
-    let result_id = Some(shared.tokens_told.keep(uri, tokens.clone()));
+    let result_id = Some(shared.tokens_sent.keep(uri, tokens.clone()));
     all(result_id, &tokens)
 }
 
@@ -129,8 +129,8 @@ pub(crate) async fn delta(
     let Some(new) = tokens(shared, uri, None).await? else {
         return Ok(None);
     };
-    let old = shared.tokens_told.last(uri, &params.previous_result_id);
-    let result_id = Some(shared.tokens_told.keep(uri, new.clone()));
+    let old = shared.tokens_sent.last(uri, &params.previous_result_id);
+    let result_id = Some(shared.tokens_sent.keep(uri, new.clone()));
     let Some(old) = old else {
         return all(result_id, &new);
     };

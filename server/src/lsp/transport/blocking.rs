@@ -6,7 +6,7 @@ use super::guard::internal_error;
 use crate::cancel::Cancel;
 
 /// Runs a job on a blocking thread. When the handler that awaits it is dropped (the client cancelled the
-/// request), a job that has not begun never begins, and one that runs is told by its [`Cancel`].
+/// request), a job that has not begun never begins, and one that runs is stopped by its [`Cancel`].
 pub(crate) async fn blocking<T, F>(job: F) -> Result<T>
 where
     T: Send + 'static,

@@ -1,4 +1,4 @@
-//! Messages out of a stream of bytes, also where a header tells the wrong length.
+//! Messages out of a stream of bytes, also where a header gives the wrong length.
 //!
 //! A header counts wherever it stands, because no message can hold one: inside a JSON text a line end is written `\n`, and
 //! outside of one there are no such words. So a body ends where the next header begins, if that is before the end
@@ -40,9 +40,9 @@ pub(crate) struct Frames<R> {
     /// What was read and not looked at yet, from `at` on.
     buffer: Vec<u8>,
     at: usize,
-    /// That bytes are being skipped was told already.
+    /// That bytes are being skipped was reported already.
     lost: bool,
-    /// The length of a body that begins here: it was told first that bytes before its header were skipped.
+    /// The length of a body that begins here: it was reported first that bytes before its header were skipped.
     announced: Option<u64>,
 }
 
@@ -83,15 +83,15 @@ impl<R: AsyncRead + Unpin> Frames<R> {
             }
             match length {
                 Some(length) => {
-                    let told = std::mem::replace(&mut self.lost, false);
-                    if stray && !told {
+                    let reported = std::mem::replace(&mut self.lost, false);
+                    if stray && !reported {
                         self.announced = Some(length);
                         return Ok(Some(Frame::Stray));
                     }
                     return self.body(length).await.map(Some);
                 }
                 None if lines == 0 => {}
-                // The rest of what was told already.
+                // The rest of what was reported already.
                 None if self.lost && stray => (lines, stray) = (0, false),
                 None => {
                     self.lost = true;
@@ -112,7 +112,7 @@ impl<R: AsyncRead + Unpin> Frames<R> {
         true
     }
 
-    /// That a body was no message was told. What follows may be the rest of it, and is skipped without a further word.
+    /// That a body was no message was reported. What follows may be the rest of it, and is skipped without a further word.
     pub(crate) fn skip_quietly(&mut self) {
         self.lost = true;
     }

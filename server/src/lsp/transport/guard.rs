@@ -3,11 +3,11 @@
 //! - A panic in a handler answers its request with -32603, and the server lives on.
 //! - `initialize` and `shutdown` are answered before the next message is looked at, so that a client that
 //!   does not wait (a script, a replayed session) loses nothing.
-//! - `shutdown` and `exit` are recorded: [`Life`] tells how the process is to end, also while the client keeps
+//! - `shutdown` and `exit` are recorded: [`Life`] knows how the process is to end, also while the client keeps
 //!   the input open.
 //! - A request for a method of the protocol itself (`$/..`) is answered with -32601.
 //! - A message that could not be decoded is answered (see [`inlet`](crate::lsp::transport::inlet)), and so is a notification
-//!   with parameters that make no sense: the client is told, instead of silence.
+//!   with parameters that make no sense: the client gets a message instead of silence.
 
 use std::any::Any;
 use std::panic::{AssertUnwindSafe, catch_unwind};
@@ -27,7 +27,7 @@ use super::{inlet::MALFORMED, outbox::Outbox};
 use crate::lsp::capabilities::since_3_18;
 use crate::lsp::documents::sync::misread;
 
-/// How the session stands.
+/// The state of the session.
 #[derive(Debug, Default)]
 pub(crate) struct Life {
     state: Mutex<State>,

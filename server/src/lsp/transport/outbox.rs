@@ -113,7 +113,7 @@ async fn send(client: Client, mut inbox: mpsc::UnboundedReceiver<(Note, Work)>) 
         match note {
             Note::Diagnostics(documents, revision, _) if !documents.is_current(&revision) => {}
             Note::Preview(documents, revision, previews, previewed) => {
-                // What was not sent was not told: in this order.
+                // What was not sent is news later: in this order.
                 if documents.is_current(&revision) && previews.is_news(&previewed) {
                     client.send_notification::<LadderPreview>(previewed).await;
                 }

@@ -21,7 +21,7 @@ use crate::lsp::shared::Shared;
 /// Work that takes no longer than this is not worth a line on the screen.
 const MOMENT: Duration = Duration::from_millis(200);
 
-/// Steps are told no more often.
+/// Steps are reported no more often.
 const PACE: Duration = Duration::from_millis(100);
 
 /// A client that has not agreed by then sees nothing.

@@ -37,7 +37,7 @@ where
     serve_counting(input, output, Busy::default()).await
 }
 
-/// As [`serve`], and tells whether work is under way.
+/// As [`serve`], and shows whether work is under way.
 pub(crate) async fn serve_counting<I, O>(input: I, output: O, busy: Busy) -> Ending
 where
     I: AsyncRead + Send + Unpin + 'static,

@@ -13,7 +13,7 @@ pub(super) enum Blocker {
     Rail,
 }
 
-/// More ways than this are not told apart.
+/// More ways than this are not distinguished.
 const MOST_WAYS: usize = 64;
 
 /// The blocks that power came through to a step with power, from left to right. Of two wires with power that meet, the

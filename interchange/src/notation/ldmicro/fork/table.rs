@@ -54,7 +54,7 @@ const HARDWARE: &str = "it is about the hardware of the controller, and there is
 const REGISTER: &str = "it is about a register of the controller";
 const UNKNOWN_BITS: &str = "which bit goes where is not documented";
 const SEGMENTS: &str = "which segments each character lights is not documented";
-const SERIAL: &str = "there is no port here that tells whether the line is free or a byte has come";
+const SERIAL: &str = "there is no port here that shows whether the line is free or a byte has come";
 const PERIOD: &str = "how many scans or loops it counts is not documented";
 
 /// All of them.
