@@ -23,6 +23,8 @@ impl ControlFlow {
     pub(crate) const SET: ControlFlow = ControlFlow(1 << 9);
     pub(crate) const RESET: ControlFlow = ControlFlow(1 << 10);
     pub(crate) const COIL: ControlFlow = ControlFlow(1 << 11);
+    /// A label, or the beginning of a function.
+    pub(crate) const MARK: ControlFlow = ControlFlow(1 << 12);
     /// What can leave a network before its end.
     pub(crate) const LEAVES: ControlFlow = ControlFlow(
         ControlFlow::JUMP.0 | ControlFlow::RETURN.0 | ControlFlow::END.0 | ControlFlow::FLOW_BLOCK.0,
@@ -49,6 +51,7 @@ impl ControlFlow {
                 Op::Next => ControlFlow::NEXT,
                 Op::Mcr => ControlFlow::MCR,
                 Op::Call => ControlFlow::CALL,
+                Op::Lbl | Op::Fun => ControlFlow::MARK,
                 _ => match row.coil {
                     Some(Coil::Sets) => ControlFlow::SET,
                     Some(Coil::Resets) => ControlFlow::RESET,

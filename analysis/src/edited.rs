@@ -6,6 +6,7 @@
 //! text gives; where that is not certain there is no short way, and the whole text is read.
 
 use crate::context::{Body, Context, break_neighbours};
+use crate::control_flow::ControlFlow;
 use crate::infer;
 use crate::known_blocks::KnownBlocks;
 use crate::network::{self, NetworkFacts, UserBlocks};
@@ -15,7 +16,6 @@ use crate::program::Role;
 use crate::scope::{Origin, Scope, SectionKind, TagFacts, UseRef};
 use crate::types::Type;
 use crate::uses;
-use ladder_instructions::Op;
 use ladder_syntax::{LineKind, Mode, Name, Network, Parse, TextRange};
 use rustc_hash::{FxHashMap, FxHashSet};
 use std::ops::Range;
@@ -348,8 +348,7 @@ fn same_lines(drawn: &Range<usize>, change: &Change) -> Option<usize> {
 
 /// Whether other networks may mean something else when this one comes or goes: it has a label or begins a function.
 fn is_marked(facts: &NetworkFacts) -> bool {
-    let marks = |op: Option<Op>| matches!(op, Some(Op::Fun | Op::Lbl));
-    facts.blocks.iter().any(|bound| marks(bound.op()))
+    facts.control_flow.has(ControlFlow::MARK)
 }
 
 /// Whether a network holds a block that the file does not define.

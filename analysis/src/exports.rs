@@ -9,7 +9,7 @@ use crate::others::Others;
 use crate::outward::Outward;
 use crate::program::Role;
 use crate::rules::unknown_label;
-use crate::scope::{Origin, SectionKind};
+use crate::scope::{Origin, SectionKind, UseRef};
 use crate::types::Type;
 use crate::user_block::UserBlockFacts;
 use crate::value::Value;
@@ -215,6 +215,18 @@ fn globals(context: &Context) -> Vec<Global> {
 
 fn states(context: &Context) -> Vec<(Name, TextRange)> {
     let mut states = Vec::new();
+    // Then every tag is the file's own but those that uses have brought in: nearly always none of these keeps a state.
+    let mut found = context
+        .scopes
+        .iter()
+        .flat_map(|scope| scope.tags.from(scope.declared));
+    let keeps = |place: &UseRef| {
+        let formal = context.networks.formal_of(*place);
+        matches!(formal, Formal::Operand(row) if matches!(row.accepts, Accepts::State(_)))
+    };
+    if context.settled && !found.any(|tag| tag.uses.0.iter().any(keeps)) {
+        return states;
+    }
     for network in context.networks.iter().filter(|network| network.keeps_state) {
         let scope = &context.scopes[network.scope];
         for bound in network.blocks() {

@@ -5,7 +5,7 @@
 //! A network keeps its number (`id`) while it stays, so that whoever refers to it need not know how many stand above it.
 
 use crate::chunked::Chunked;
-use crate::network::{BoundBlock, NetworkFacts};
+use crate::network::{BoundBlock, Formal, NetworkFacts};
 use crate::scope::{Use, UseRef};
 use ladder_syntax::{Parse, TextRange, TextSize};
 use std::ops::{Deref, Range};
@@ -206,6 +206,13 @@ impl Networks {
     pub(crate) fn block_of(&self, place: UseRef) -> &BoundBlock {
         let facts = &self.facts[place.network as usize];
         &facts.blocks[facts.named[place.named as usize].block as usize]
+    }
+
+    /// What the operand is given for in which a tag is used.
+    pub(crate) fn formal_of(&self, place: UseRef) -> Formal {
+        let facts = &self.facts[place.network as usize];
+        let named = &facts.named[place.named as usize];
+        facts.blocks[named.block as usize].formals[named.operand as usize]
     }
 
     /// The shared facts of a network.

@@ -5,6 +5,7 @@
 //! counts as read, written and called: better no finding than a wrong one.
 
 use crate::context::Context;
+use crate::control_flow::ControlFlow;
 use crate::facts::NodeKind;
 use crate::network::Meaning;
 use crate::networks::NetworkAt;
@@ -58,8 +59,15 @@ impl Outward {
     pub(crate) fn of(context: &Context) -> Outward {
         let mut outward = Outward::default();
         for network in &context.networks {
-            outward.names(context, network, &network.named);
-            outward.blocks(context, network);
+            if !context.settled {
+                outward.names(context, network, &network.named);
+            }
+            if network.control_flow.has(ControlFlow::CALL) {
+                outward.blocks(context, network);
+            }
+        }
+        if context.settled {
+            outward.found(context);
         }
         let unread = |line: &&ladder_syntax::Line| !line.errors.is_empty() || line.kind == LineKind::Stray;
         let faulty = context.parse.lines().of_parts_that(Part::is_faulty);
@@ -69,6 +77,30 @@ impl Outward {
             }
         }
         outward
+    }
+
+    /// As [`Outward::names`] of all networks, where every tag is the file's own but those that uses have brought in.
+    fn found(&mut self, context: &Context) {
+        let found = context
+            .scopes
+            .iter()
+            .flat_map(|scope| scope.tags.from(scope.declared));
+        for tag in found.filter(|tag| !tag.name.starts_with('%')) {
+            let used = tag.uses.0.iter().map(|place| {
+                let known = match context.networks.block_of(*place).meaning {
+                    Meaning::Instruction(_) => true,
+                    Meaning::User(block) => context.user_blocks[block].import.is_none(),
+                    Meaning::Unknown | Meaning::UnknownUser => false,
+                };
+                if known {
+                    TagUse::of(place.access)
+                } else {
+                    TagUse::BOTH
+                }
+            });
+            self.tags
+                .insert(Name::new(&tag.name), used.fold(TagUse::default(), TagUse::with));
+        }
     }
 
     fn names(&mut self, context: &Context, network: NetworkAt<'_>, named: &[Named]) {

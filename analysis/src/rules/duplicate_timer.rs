@@ -5,7 +5,7 @@ use crate::context::Context;
 use crate::diagnostic::Diagnostic;
 use crate::network::Formal;
 use crate::rule::Rule;
-use crate::scope::{Origin, SectionKind, TagFacts, Use};
+use crate::scope::{Origin, SectionKind, TagFacts, Use, UseRef};
 use crate::types::Type;
 use ladder_instructions::{Accepts, StateType, States};
 use ladder_syntax::Name;
@@ -25,7 +25,8 @@ pub(crate) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
         } else {
             continue;
         };
-        let mut owners = context.uses(tag).filter(|place| owns(context, place, state));
+        let owners = tag.uses.0.iter().filter(|place| owns(context, **place, state));
+        let mut owners = owners.map(|place| context.networks.use_of(*place));
         let Some(first) = owners.next() else { continue };
         if tag.foreign.is_some() || tag.origin == Origin::Declared(SectionKind::Global) {
             out.extend(in_another_file(context, rule, tag, state, &first));
@@ -35,9 +36,8 @@ pub(crate) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
 }
 
 /// Whether a block keeps its state in the tag. One of another type is a mistake of its own.
-fn owns(context: &Context, place: &Use, state: StateType) -> bool {
-    let bound = context.networks.at(place.network).block(place.block);
-    matches!(bound.formals[place.operand], Formal::Operand(o) if o.accepts == Accepts::State(state))
+fn owns(context: &Context, place: UseRef, state: StateType) -> bool {
+    matches!(context.networks.formal_of(place), Formal::Operand(o) if o.accepts == Accepts::State(state))
 }
 
 /// A global belongs to one block of the whole workspace.

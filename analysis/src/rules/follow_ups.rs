@@ -7,6 +7,7 @@
 use super::frame_keyword;
 use super::syntax_errors::{identifiers, looks_like_declaration};
 use crate::context::Context;
+use crate::control_flow::ControlFlow;
 use crate::diagnostic::Diagnostic;
 use crate::excerpt::Excerpts;
 use crate::facts::{Node, NodeKind};
@@ -79,10 +80,13 @@ impl Doubt {
             };
             doubt.block_header |= line.kind == LineKind::BlockHeader;
         }
-        for bound in context.networks.iter().flat_map(NetworkAt::blocks) {
+        let marked = |network: &NetworkAt<'_>| !network.known || network.control_flow.has(ControlFlow::MARK);
+        for bound in context.networks.iter().filter(marked).flat_map(NetworkAt::blocks) {
             doubt.block(bound);
         }
-        doubt.mistyped = mistyped(context);
+        if !context.settled {
+            doubt.mistyped = mistyped(context);
+        }
         let definitions = parse.structure().blocks.iter();
         let open = definitions.filter(|block| !block.closed);
         doubt.open_blocks = open

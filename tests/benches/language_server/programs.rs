@@ -48,7 +48,10 @@ impl Program {
             let [inputs, outputs, inner] = &mut sections;
             let _ = writeln!(inputs, "    start_{n}, stop_{n} : BOOL;");
             let _ = writeln!(outputs, "    run_{n}, ready_{n} : BOOL;");
-            let _ = writeln!(inner, "    timer_{n} : TON;\n    drive_{n} : BOOL;");
+            let _ = writeln!(inner, "    timer_{n} : TON;");
+            if kind == Kind::Warned {
+                let _ = writeln!(inner, "    drive_{n} : BOOL;");
+            }
             let _ = match kind {
                 Kind::Clean => writeln!(
                     drawn,

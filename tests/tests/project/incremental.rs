@@ -2,7 +2,7 @@
 
 use ladder_analysis::context::Context;
 use ladder_analysis::scope::{Scope, Use};
-use ladder_analysis::{Analysis, Others, RuleSettings, analyze, analyze_after};
+use ladder_analysis::{Analysis, Exports, Others, RuleSettings, analyze, analyze_after, exports};
 use ladder_syntax::{Parse, parse};
 use ladder_tests::generator::{Dice, Mode, program};
 use std::sync::Arc;
@@ -103,6 +103,11 @@ impl Document {
             show(&fresh),
             "after an edit from\n{}\nto\n{text}",
             self.text
+        );
+        let shown = Exports::of(&analysis.context, "main");
+        assert!(
+            shown.says_the_same(&exports(&parsed, "main")),
+            "{shown:#?}\n{text}"
         );
         (self.text, self.parse, self.analysis) = (text, parsed, analysis);
     }
