@@ -46,7 +46,7 @@ pub struct Context {
     pub(crate) declared_cleanly: bool,
     /// The line behind the last section, and behind the last first line of a block definition.
     pub(crate) declared_to: usize,
-    /// An edit between the declarations and the end changes what it names, and nothing else; see [`edited`](crate::edited).
+    /// An edit between the declarations and the end changes what it names, and nothing else; see [`edited`].
     pub(crate) settled: bool,
     /// The places of each tag say by themselves what type it has.
     pub(crate) typed_by_places: bool,
