@@ -60,6 +60,7 @@ impl Inputs {
     }
 
     /// Goes on with another program. A column whose tag that does not have, or has as another type, gives nothing.
+    #[cfg(feature = "screen")]
     pub(crate) fn rebind(&mut self, simulation: &Simulation) {
         for (point, name) in self.points.iter_mut().zip(&self.table.names) {
             if let Ok(found) = simulation.resolve(name)
