@@ -10,6 +10,7 @@ use tower_lsp::ls_types::{
     TextEdit, Uri, WorkspaceEdit,
 };
 
+use crate::document::positions::Positions;
 use crate::document::{self, Beside, Revision};
 use crate::lsp::capabilities::Agreed;
 use ladder_analysis::Severity;
@@ -103,15 +104,40 @@ pub(crate) fn diagnostics<'f>(
     found: impl IntoIterator<Item = &'f ladder_analysis::Diagnostic>,
 ) -> Vec<Diagnostic> {
     let mut beside = Beside::new(revision);
-    let found = found.into_iter();
+    let found: Vec<_> = found.into_iter().collect();
+    let ranges = if found.len() > FEW {
+        Ranges::Many(revision.positions())
+    } else {
+        Ranges::Few(revision)
+    };
     found
-        .map(|found| diagnostic(agreed, revision, &mut beside, found))
+        .into_iter()
+        .map(|found| diagnostic(agreed, revision, &ranges, &mut beside, found))
         .collect()
+}
+
+/// For so many findings each place is looked up by itself; for more a table of all lines costs less.
+const FEW: usize = 50;
+
+/// What counts the lines and columns of findings.
+enum Ranges<'r> {
+    Few(&'r Revision),
+    Many(Positions),
+}
+
+impl Ranges<'_> {
+    fn range(&self, place: TextRange) -> document::position::Range {
+        match self {
+            Ranges::Few(revision) => revision.range(place),
+            Ranges::Many(positions) => positions.range(place),
+        }
+    }
 }
 
 fn diagnostic(
     agreed: Agreed,
     revision: &Revision,
+    ranges: &Ranges<'_>,
     beside: &mut Beside<'_>,
     found: &ladder_analysis::Diagnostic,
 ) -> Diagnostic {
@@ -126,7 +152,7 @@ fn diagnostic(
             let location = match &related.file {
                 None => Location {
                     uri: own.clone()?,
-                    range: range_in(revision, related.range),
+                    range: range(ranges.range(related.range)),
                 },
                 Some(file) => {
                     let (address, place) = beside.range(file, related.range)?;
@@ -146,7 +172,7 @@ fn diagnostic(
         // A client that cannot link other places still gets to know of them.
         for related in &found.related {
             let (file, place) = match &related.file {
-                None => ("", Some(revision.range(related.range))),
+                None => ("", Some(ranges.range(related.range))),
                 Some(file) => {
                     let place = beside.range(file, related.range);
                     (&**file, place.map(|(_, place)| place))
@@ -161,7 +187,7 @@ fn diagnostic(
     let unnecessary = agreed.unnecessary_tag && UNNECESSARY.contains(&found.rule.name());
     let titles: Vec<_> = found.fixes.iter().map(|fix| &fix.title).collect();
     Diagnostic {
-        range: range_in(revision, found.range),
+        range: range(ranges.range(found.range)),
         severity: Some(match found.severity {
             Severity::Error => DiagnosticSeverity::ERROR,
             Severity::Warning => DiagnosticSeverity::WARNING,
