@@ -236,6 +236,46 @@ pub struct Bound {
     pub range: TextRange,
 }
 
+impl Bound {
+    /// The places that it names, with where they are written.
+    pub fn places(&self) -> Vec<(&Place, TextRange)> {
+        let mut found = Vec::new();
+        match &self.argument {
+            Argument::Value(expression) => expression.each_read(&mut |place, at| found.push((place, at))),
+            Argument::Place(place, _) => found.push((place, self.range)),
+            _ => {}
+        }
+        found
+    }
+}
+
+impl Expr {
+    /// Every place that it reads, with where it is written.
+    fn each_read<'e>(&'e self, give: &mut impl FnMut(&'e Place, TextRange)) {
+        match &self.kind {
+            ExprKind::Read(place) => give(place, self.range),
+            ExprKind::Pass(inner) | ExprKind::Unary(_, inner) => inner.each_read(give),
+            ExprKind::Binary(_, left, right) | ExprKind::Compare(_, left, right) => {
+                left.each_read(give);
+                right.each_read(give);
+            }
+            ExprKind::Call(_, arguments) => arguments.iter().for_each(|argument| argument.each_read(give)),
+            ExprKind::Constant(_) | ExprKind::Sum(_) => {}
+        }
+    }
+}
+
+impl Place {
+    /// The tag that it is, or lies in; none for a system tag.
+    pub fn root(&self) -> Option<TagId> {
+        match self {
+            Place::Tag(tag) | Place::Element(tag, _) | Place::Member(tag, _) => Some(*tag),
+            Place::Bit(inner, ..) => inner.root(),
+            Place::System(_) => None,
+        }
+    }
+}
+
 /// What is given for an operand.
 #[derive(Debug, Clone)]
 pub enum Argument {

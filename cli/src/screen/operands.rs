@@ -1,7 +1,7 @@
 //! What of a block's operands can be looked at.
 
 use super::sheet::{Operand, Shown};
-use ladder_analysis::program::{Argument, Block, BlockKind, Bound, Expr, ExprKind, Place, Program, TagId};
+use ladder_analysis::program::{Argument, Block, BlockKind, Bound, Place, Program, TagId};
 use ladder_analysis::types::{Scalar, Type};
 use ladder_instructions::{Direction, Instruction};
 use ladder_simulator::{Point, Simulation};
@@ -24,7 +24,7 @@ pub(super) fn named(text: &str, block: &Block, simulation: &Simulation) -> Vec<O
             operands.extend(state(program, tag, bound.range, simulation));
             continue;
         }
-        for (place, range) in places(bound) {
+        for (place, range) in bound.places() {
             let written = matches!(bound.argument, Argument::Place(..)) && writes(bound);
             if let Some(point) = point(text, place, range, simulation) {
                 operands.push(Operand {
@@ -66,7 +66,7 @@ pub(super) fn shown(text: &str, block: &Block, simulation: &Simulation) -> Vec<S
         }
         let of_state =
             matches!(block.arguments.first(), Some(first) if matches!(first.argument, Argument::State(_)));
-        for (place, range) in places(bound) {
+        for (place, range) in bound.places() {
             // The preset of a timer stands beside what it has reached.
             if of_state {
                 continue;
@@ -118,48 +118,16 @@ fn writes(bound: &Bound) -> bool {
         .is_none_or(|operand| operand.direction != Direction::In)
 }
 
-/// The places that an argument names, with where they are written.
-fn places(bound: &Bound) -> Vec<(&Place, TextRange)> {
-    let mut found = Vec::new();
-    match &bound.argument {
-        Argument::Value(expression) => read_in(expression, &mut found),
-        Argument::Place(place, _) => found.push((place, bound.range)),
-        _ => {}
-    }
-    found
-}
-
-fn read_in<'e>(expression: &'e Expr, found: &mut Vec<(&'e Place, TextRange)>) {
-    match &expression.kind {
-        ExprKind::Read(place) => found.push((place, expression.range)),
-        ExprKind::Pass(inner) | ExprKind::Unary(_, inner) => read_in(inner, found),
-        ExprKind::Binary(_, left, right) | ExprKind::Compare(_, left, right) => {
-            read_in(left, found);
-            read_in(right, found);
-        }
-        ExprKind::Call(_, arguments) => arguments.iter().for_each(|argument| read_in(argument, found)),
-        ExprKind::Constant(_) | ExprKind::Sum(_) => {}
-    }
-}
-
 /// The value of a place, if it always is the same one: not `a[i]`, and not the tags of a user-defined block's body,
 /// of which every place where the block stands has its own.
 fn point(text: &str, place: &Place, range: TextRange, simulation: &Simulation) -> Option<Point> {
     let tag = match place {
         Place::System(_) => None,
-        place => Some(root(place)?),
+        place => Some(place.root()?),
     };
     let program = simulation.program();
     if tag.is_some_and(|tag| program.tags[tag.0 as usize].block.is_some()) {
         return None;
     }
     simulation.resolve(&text[range]).ok()
-}
-
-fn root(place: &Place) -> Option<TagId> {
-    match place {
-        Place::Tag(tag) | Place::Element(tag, _) | Place::Member(tag, _) => Some(*tag),
-        Place::Bit(inner, ..) => root(inner),
-        Place::System(_) => None,
-    }
 }

@@ -5,7 +5,7 @@ use std::collections::HashMap;
 use std::ops::Range;
 
 use ladder_analysis::program::{
-    Argument, Block, BlockKind, Bound, ElementKind, Expr, ExprKind, Network, Place, Step, TagId,
+    Argument, Block, BlockKind, Bound, ElementKind, ExprKind, Network, Place, Step, TagId,
 };
 use ladder_analysis::types::{Scalar, Type};
 use ladder_analysis::value::Value;
@@ -318,7 +318,7 @@ fn operands_of(block: &Block, revision: &Revision, simulation: &Simulation, oper
             operands.push(named(bound.range, members(tag, simulation)));
             continue;
         }
-        for (place, range) in places(bound) {
+        for (place, range) in bound.places() {
             let point = point(place, range, revision, simulation);
             operands.extend(point.map(|point| named(range, vec![point])));
         }
@@ -339,46 +339,14 @@ fn members(tag: TagId, simulation: &Simulation) -> Vec<Point> {
     names.filter_map(|name| simulation.resolve(&name).ok()).collect()
 }
 
-/// The places that an argument names, with where they are written.
-fn places(bound: &Bound) -> Vec<(&Place, TextRange)> {
-    let mut found = Vec::new();
-    match &bound.argument {
-        Argument::Value(expression) => read_in(expression, &mut found),
-        Argument::Place(place, _) => found.push((place, bound.range)),
-        _ => {}
-    }
-    found
-}
-
-fn read_in<'e>(expression: &'e Expr, found: &mut Vec<(&'e Place, TextRange)>) {
-    match &expression.kind {
-        ExprKind::Read(place) => found.push((place, expression.range)),
-        ExprKind::Pass(inner) | ExprKind::Unary(_, inner) => read_in(inner, found),
-        ExprKind::Binary(_, left, right) | ExprKind::Compare(_, left, right) => {
-            read_in(left, found);
-            read_in(right, found);
-        }
-        ExprKind::Call(_, arguments) => arguments.iter().for_each(|argument| read_in(argument, found)),
-        ExprKind::Constant(_) | ExprKind::Sum(_) => {}
-    }
-}
-
 /// The value of a place, if it always is the same one: not `a[i]`, and not the tags of a user-defined block's body,
 /// of which every place where the block stands has its own.
 fn point(place: &Place, range: TextRange, revision: &Revision, simulation: &Simulation) -> Option<Point> {
     let in_body = |tag: TagId| simulation.program().tags[tag.0 as usize].block.is_some();
-    if root(place).is_some_and(in_body) {
+    if place.root().is_some_and(in_body) {
         return None;
     }
     simulation.resolve(&revision.stretch(bytes(range))).ok()
-}
-
-fn root(place: &Place) -> Option<TagId> {
-    match place {
-        Place::Tag(tag) | Place::Element(tag, _) | Place::Member(tag, _) => Some(*tag),
-        Place::Bit(inner, ..) => root(inner),
-        Place::System(_) => None,
-    }
 }
 
 fn bytes(range: TextRange) -> Range<usize> {
