@@ -100,14 +100,20 @@ fn change(before: &Context, parse: &Parse) -> Option<Change> {
 /// A context on its way from one text to the next.
 struct Edited {
     context: Context,
-    /// The networks that are not there any more, by the numbers that they had.
-    removed: Vec<(u32, Arc<NetworkFacts>)>,
-    /// The scope of each of them.
-    removed_scopes: Vec<usize>,
+    /// The networks that are not there any more.
+    removed: Vec<Removed>,
     /// The networks that are new.
     added: Vec<usize>,
     /// The networks in whose parts the edit lies.
     new: Range<usize>,
+}
+
+/// A network that is not there any more.
+struct Removed {
+    /// The number that it had.
+    id: u32,
+    facts: Arc<NetworkFacts>,
+    scope: usize,
 }
 
 impl Edited {
@@ -184,17 +190,17 @@ impl Edited {
             }
         }
         let gone = (first..end).zip(gone).filter(|(_, gone)| *gone);
-        let gone: Vec<usize> = gone.map(|(index, _)| index).collect();
-        if gone.iter().any(|&index| is_marked(networks.facts(index))) {
+        let removed = gone.map(|(index, _)| Removed {
+            id: networks.id(index),
+            facts: Arc::clone(networks.facts(index)),
+            scope: networks.at(index).scope,
+        });
+        let removed: Vec<Removed> = removed.collect();
+        if removed.iter().any(|network| is_marked(&network.facts)) {
             return None;
         }
-        let removed = gone
-            .iter()
-            .map(|&index| (networks.id(index), Arc::clone(networks.facts(index))));
-        let removed: Vec<_> = removed.collect();
-        let removed_scopes = gone.iter().map(|&index| networks.at(index).scope).collect();
         let new = first..first + spliced.len();
-        let ids = removed.iter().map(|(id, _)| *id).collect();
+        let ids = removed.iter().map(|network| network.id).collect();
         let mut context = Context {
             parse: Arc::clone(parse),
             foreign_comments: OnceLock::new(),
@@ -207,7 +213,6 @@ impl Edited {
         Some(Edited {
             context,
             removed,
-            removed_scopes,
             added,
             new,
         })
@@ -240,12 +245,12 @@ impl Edited {
     /// Enters what the new networks name, and takes out what the others did.
     fn names(&mut self) -> Option<()> {
         let law = self.context.profile.law();
-        let gone: FxHashSet<u32> = self.removed.iter().map(|(id, _)| *id).collect();
+        let gone: FxHashSet<u32> = self.removed.iter().map(|network| network.id).collect();
         let mut touched: FxHashMap<(usize, usize), Vec<UseRef>> = FxHashMap::default();
-        for ((_, facts), &scope) in self.removed.iter().zip(&self.removed_scopes) {
-            for named in facts.named.iter() {
-                let tag = self.context.scopes[scope].find(&named.key)?;
-                touched.entry((scope, tag)).or_default();
+        for removed in &self.removed {
+            for named in removed.facts.named.iter() {
+                let tag = self.context.scopes[removed.scope].find(&named.key)?;
+                touched.entry((removed.scope, tag)).or_default();
             }
         }
         // Tags that nobody has named before, in their order.
@@ -268,10 +273,7 @@ impl Edited {
                     return None;
                 }
                 let at = *new_names.entry(named.key.clone()).or_insert_with(|| {
-                    let block = &network.facts().blocks[named.block as usize];
-                    let written = &block.facts.operands[named.operand as usize].value;
-                    let name = uses::spelled(written, named.range).unwrap_or_default();
-                    new.push(uses::undeclared(name, law));
+                    new.push(uses::undeclared(uses::spelling(network.facts(), named), law));
                     new.len() - 1
                 });
                 new[at].uses.0.push(place);
@@ -364,9 +366,7 @@ fn respelled(context: &mut Context, scope: usize, tag: usize) {
         .networks
         .at(context.networks.index_of(place.network))
         .facts();
-    let named = &network.named[place.named as usize];
-    let written = &network.blocks[named.block as usize].facts.operands[named.operand as usize].value;
-    let name = uses::spelled(written, named.range).unwrap_or_default();
+    let name = uses::spelling(network, &network.named[place.named as usize]);
     if *facts.name != *name {
         let spelled = uses::undeclared(name, context.profile.law());
         let facts = &mut context.scopes[scope].tags[tag];

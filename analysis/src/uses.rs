@@ -3,7 +3,7 @@
 
 use crate::context::Context;
 use crate::facts::{Node, NodeKind};
-use crate::network::{BoundBlock, Formal};
+use crate::network::{BoundBlock, Formal, NetworkFacts};
 use crate::networks::{NetworkAt, Networks};
 use crate::program::{ParameterKind, Role};
 use crate::scope::{Access, Origin, Scope, TagFacts, Use, UseRef, Uses, type_by_form};
@@ -53,7 +53,7 @@ pub(crate) fn access(bound: &BoundBlock, formal: Formal, user_blocks: &[UserBloc
 pub(crate) struct Named {
     pub(crate) key: Name,
     /// Where it stands, from the start of the block's line.
-    pub(crate) range: TextRange,
+    range: TextRange,
     pub(crate) block: u32,
     pub(crate) operand: u32,
     pub(crate) access: Access,
@@ -177,11 +177,9 @@ impl Extent {
 /// Enters the uses of a network's tags.
 fn enter(network: NetworkAt<'_>, id: u32, law: &Law, scope: &mut Scope) {
     for (number, named) in (0..).zip(network.named.iter()) {
-        let bound = network.block(named.block as usize);
-        let index = scope.find(&named.key).unwrap_or_else(|| {
-            let written = &bound.facts.operands[named.operand as usize].value;
-            scope.add(undeclared(spelled(written, named.range).unwrap_or_default(), law))
-        });
+        let index = scope
+            .find(&named.key)
+            .unwrap_or_else(|| scope.add(undeclared(spelling(network.facts(), named), law)));
         scope.tags[index].uses.0.push(UseRef {
             network: id,
             named: number,
@@ -219,8 +217,14 @@ pub(crate) fn undeclared(name: &str, law: &Law) -> TagFacts {
     }
 }
 
+/// A name of a network's operands, as it is written.
+pub(crate) fn spelling<'n>(network: &'n NetworkFacts, named: &Named) -> &'n str {
+    let block = &network.blocks[named.block as usize];
+    spelled(&block.facts.operands[named.operand as usize].value, named.range).unwrap_or_default()
+}
+
 /// The name that stands at a place of an operand, as it is written.
-pub(crate) fn spelled(node: &Node, at: TextRange) -> Option<&str> {
+fn spelled(node: &Node, at: TextRange) -> Option<&str> {
     match &node.kind {
         NodeKind::Name(name) | NodeKind::Address(name) => (node.range == at).then_some(name),
         NodeKind::Member(inner, _) | NodeKind::Unary(_, inner) | NodeKind::Paren(inner) => spelled(inner, at),
