@@ -43,6 +43,7 @@
 #![allow(dead_code, reason = "parts that further instructions take")]
 
 mod carry;
+pub mod chart;
 mod code;
 mod compile;
 mod controller;

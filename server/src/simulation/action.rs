@@ -6,7 +6,7 @@ use ladder_syntax::TextSize;
 use serde::Serialize;
 use serde_json::Value;
 
-use super::messages::{Found, History, Recorded, Search, Shown, State, Why};
+use super::messages::{Found, History, Recorded, Search, Shown, State, Trace, Traced, Why};
 use crate::document::Revision;
 
 /// What a session is asked to do.
@@ -20,6 +20,8 @@ pub(crate) enum Action {
     StepRung,
     /// Go back so many scans.
     Back(u64),
+    /// Go to how things stood when so many scans were done.
+    GoTo(u64),
     /// These lines of rungs and these tags stop a run.
     Breakpoints(Vec<u32>, Vec<String>),
     /// Say why a tag holds what it holds.
@@ -28,6 +30,8 @@ pub(crate) enum Action {
     Record(String),
     /// Say what tags held in the last scans.
     History(Vec<String>, u64),
+    /// Record tags, and say what is drawn of them.
+    Trace(Trace),
     /// Scan until told otherwise.
     Run {
         /// Pause after so many scans.
@@ -68,7 +72,12 @@ impl Action {
     pub(super) fn is_urgent(&self) -> bool {
         matches!(
             self,
-            Action::Pause | Action::Reset | Action::WarmRestart | Action::Back(_) | Action::Stop
+            Action::Pause
+                | Action::Reset
+                | Action::WarmRestart
+                | Action::Back(_)
+                | Action::GoTo(_)
+                | Action::Stop
         )
     }
 
@@ -80,6 +89,7 @@ impl Action {
                 | Action::Why(_)
                 | Action::Record(_)
                 | Action::History(..)
+                | Action::Trace(_)
                 | Action::Tags(_)
                 | Action::ValuesAt(_)
         )
@@ -98,6 +108,8 @@ pub(crate) enum Answer {
     Recorded(Recorded),
     /// Values of the past.
     History(History),
+    /// What is drawn of tags.
+    Trace(Box<Traced>),
     /// Tags that were searched for.
     Found(Found),
     /// Values, in words.

@@ -7,6 +7,7 @@ use std::time::Duration;
 use ladder_analysis::program::Location;
 use ladder_analysis::value::Value;
 use ladder_analysis::{Analysis, NotWhole};
+use ladder_simulator::chart::Recorder;
 use ladder_simulator::{Brake, Breakpoint, HistoryLimits, Point, Session, Simulation, Status, Stop};
 use serde_json::Value as Json;
 
@@ -45,6 +46,8 @@ pub(super) struct Engine {
     pub(super) view: Option<View>,
     /// What it said last.
     pub(super) shown: Option<messages::Shown>,
+    /// The tags whose trace the client shows.
+    pub(super) recorder: Recorder,
 }
 
 impl Engine {
@@ -93,6 +96,7 @@ impl Engine {
             drawing: OnceCell::new(),
             view: None,
             shown: None,
+            recorder: Recorder::default(),
         };
         engine.set_inputs()?;
         if let Some(shown) = &options.show {
@@ -157,6 +161,19 @@ impl Engine {
         self.session
             .step_back(usize::try_from(scans).unwrap_or(usize::MAX));
         self.look_at_what_runs();
+    }
+
+    /// Goes to how things stood when so many scans were done.
+    pub(super) fn go_to(&mut self, scan: u64) -> Result<(), Failure> {
+        if !self.session.go_to(scan) {
+            let reach = self.reach();
+            return Err(Failure::Failed(format!(
+                "scan {scan} is not kept; one can go to the scans from {} to {}",
+                reach.first, reach.last
+            )));
+        }
+        self.look_at_what_runs();
+        Ok(())
     }
 
     /// How many scans can be stepped back.

@@ -77,6 +77,7 @@ impl Engine {
                 Err(_) => self.texts.stale = true,
             }
         }
+        self.recorder.look(&self.session);
         // Texts of programs that cannot be stepped back to any more are of no use.
         let oldest = self.session.oldest_generation();
         self.texts.known.retain(|(number, _)| *number >= oldest);
@@ -88,8 +89,9 @@ impl Engine {
         is_another
     }
 
-    /// Stepping over a change leads to another program.
+    /// Something has happened: it is recorded. Stepping over a change leads to another program.
     pub(super) fn look_at_what_runs(&mut self) {
+        self.recorder.look(&self.session);
         let generation = self.session.generation();
         if self.texts.looked_at == generation {
             return;

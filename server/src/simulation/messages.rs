@@ -1,6 +1,7 @@
 //! What travels between editor and simulator. `docs/protocol.md` shows each message.
 
 mod shown;
+mod trace;
 mod why;
 
 use std::collections::BTreeMap;
@@ -10,6 +11,7 @@ use serde_json::Value;
 
 use crate::document::position::Range;
 pub use shown::{Contact, Found, Lines, Operand, Search, Show, Shown};
+pub use trace::{Cursors, GoTo, Reach, Tick, Trace, TraceColumn, TraceTag, Traced, TracedKind};
 pub use why::{CauseKind, PassOrStop, Reading, Since, TagReason, Why, WriteReason};
 
 /// The argument of `ladder.simulate.start`.

@@ -19,6 +19,7 @@ mod session;
 mod sessions;
 mod sight;
 mod standing;
+mod trace;
 mod value;
 mod view;
 

@@ -4,19 +4,22 @@ use serde::de::DeserializeOwned;
 use serde_json::Value;
 
 use super::messages::{
-    Assign, Breakpoints, OfSession, OfTag, Past, Record, Run, Search, Show, Start, StepBy, Unforce,
+    Assign, Breakpoints, GoTo, OfSession, OfTag, Past, Record, Run, Search, Show, Start, StepBy, Trace,
+    Unforce,
 };
 
 /// What a client can ask for with `workspace/executeCommand`.
-pub(crate) const COMMANDS: [&str; 20] = [
+pub(crate) const COMMANDS: [&str; 22] = [
     "ladder.simulate.start",
     "ladder.simulate.step",
     "ladder.simulate.stepBlock",
     "ladder.simulate.stepRung",
     "ladder.simulate.back",
+    "ladder.simulate.goTo",
     "ladder.simulate.breakpoints",
     "ladder.simulate.why",
     "ladder.simulate.history",
+    "ladder.simulate.trace",
     "ladder.simulate.record",
     "ladder.simulate.run",
     "ladder.simulate.pause",
@@ -48,9 +51,11 @@ pub(crate) enum Request {
     StepBlock(OfSession),
     StepRung(OfSession),
     Back(StepBy),
+    GoTo(GoTo),
     Breakpoints(Breakpoints),
     Why(OfTag),
     History(Past),
+    Trace(Trace),
     Record(Record),
     Run(Run),
     Pause(OfSession),
@@ -75,9 +80,11 @@ impl Request {
             Some("stepBlock") => Ok(Request::StepBlock(read(command, argument(arguments)?)?)),
             Some("stepRung") => Ok(Request::StepRung(read(command, argument(arguments)?)?)),
             Some("back") => Ok(Request::Back(read(command, argument(arguments)?)?)),
+            Some("goTo") => Ok(Request::GoTo(read(command, argument(arguments)?)?)),
             Some("breakpoints") => Ok(Request::Breakpoints(read(command, argument(arguments)?)?)),
             Some("why") => Ok(Request::Why(read(command, argument(arguments)?)?)),
             Some("history") => Ok(Request::History(read(command, argument(arguments)?)?)),
+            Some("trace") => Ok(Request::Trace(read(command, argument(arguments)?)?)),
             Some("record") => Ok(Request::Record(read(command, argument(arguments)?)?)),
             Some("run") => Ok(Request::Run(read(command, argument(arguments)?)?)),
             Some("pause") => Ok(Request::Pause(read(command, argument(arguments)?)?)),

@@ -228,6 +228,10 @@ impl Runner {
                 let past = self.simulation.engine.past(&tags, scans);
                 past.map(Answer::History)
             }
+            Action::Trace(asked) => {
+                let traced = self.simulation.engine.trace(&asked);
+                traced.map(|traced| Answer::Trace(Box::new(traced)))
+            }
             Action::Record(name) => self.simulation.engine.record(&name).map(Answer::Recorded),
             Action::Tags(search) => Ok(Answer::Found(self.simulation.engine.search(&search))),
             Action::ValuesAt(offset) => Ok(Answer::Values(self.simulation.engine.values_at(offset))),
@@ -281,6 +285,12 @@ impl Runner {
                 self.simulation.engine.back(scans);
                 self.simulation.take_status();
             }
+            Action::GoTo(scan) => {
+                self.pause();
+                self.simulation.engine.go_to(scan)?;
+                self.simulation.hit = None;
+                self.simulation.take_status();
+            }
             Action::Breakpoints(lines, tags) => {
                 self.simulation.engine.set_breakpoints(&lines, &tags)?;
             }
@@ -288,6 +298,7 @@ impl Runner {
             Action::Why(_)
             | Action::Record(_)
             | Action::History(..)
+            | Action::Trace(_)
             | Action::Tags(_)
             | Action::ValuesAt(_)
             | Action::HasShown => {}

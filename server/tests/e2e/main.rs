@@ -24,5 +24,6 @@ mod several_files;
 mod shown;
 mod simulate;
 mod sync;
+mod trace;
 mod untrusted;
 mod workspace;

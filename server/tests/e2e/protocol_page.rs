@@ -187,6 +187,12 @@ async fn the_page_shows_every_command_whole() {
                 is_whole::<messages::History>(answer);
                 continue;
             }
+            "trace" => {
+                is_whole::<messages::Trace>(argument);
+                is_whole::<messages::Traced>(answer);
+                continue;
+            }
+            "goTo" => is_whole::<messages::GoTo>(argument),
             "breakpoints" => is_whole::<messages::Breakpoints>(argument),
             "step" | "back" => is_whole::<messages::StepBy>(argument),
             "run" => is_whole::<messages::Run>(argument),

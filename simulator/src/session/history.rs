@@ -13,6 +13,7 @@ use super::delta::{Bytes, Way};
 use super::rewind::Rewind;
 use super::serial::SerialLog;
 use super::touched::Touched;
+use crate::memory::Memory;
 use crate::simulation::{Force, Simulation, Status};
 use std::collections::{BTreeMap, VecDeque};
 
@@ -413,19 +414,48 @@ impl History {
     /// Goes forward one kept scan. None if there is none; else whether something was given behind it, which is
     /// given again now.
     pub(super) fn forward(&mut self, simulation: &mut Simulation) -> Option<bool> {
-        let entry = self.entries.get(self.here)?;
-        let (given, ran) = (entry.given as usize, entry.ran as usize);
-        self.serial.forward(entry.sent);
-        if let Some(change) = &entry.forces {
-            self.forces.clone_from(&change.1);
+        (self.forward_by(simulation, 1) == 1).then(|| self.give_what_waits(simulation))
+    }
+
+    /// Goes forward up to so many kept scans; how many it were. What was given behind the newest one still waits.
+    pub(super) fn forward_by(&mut self, simulation: &mut Simulation, scans: usize) -> usize {
+        let scans = scans.min(self.ahead());
+        for _ in 0..scans {
+            let entry = &self.entries[self.here];
+            let (given, ran) = (entry.given as usize, entry.ran as usize);
+            self.serial.forward(entry.sent);
+            if let Some(change) = &entry.forces {
+                self.forces.clone_from(&change.1);
+            }
+            self.here += 1;
+            self.go(self.bytes_here, given, Way::Forward);
+            self.bytes_here += given;
+            self.go(self.bytes_here, ran, Way::Forward);
+            self.bytes_here += ran;
         }
-        self.here += 1;
-        self.go(self.bytes_here, given, Way::Forward);
-        self.bytes_here += given;
-        self.go(self.bytes_here, ran, Way::Forward);
-        self.bytes_here += ran;
-        self.restore(simulation);
-        Some(self.give_what_waits(simulation))
+        if scans > 0 {
+            self.restore(simulation);
+        }
+        scans
+    }
+
+    /// Looks at the memory of tags after each of the scans ahead, without moving the history.
+    pub(super) fn look_ahead(&self, mut look: impl FnMut(&Memory)) {
+        let mut banks = self.banks.clone();
+        let (mut start, mut bytes) = (self.bytes_here, Vec::new());
+        for entry in self.entries.iter().skip(self.here) {
+            let end = start + entry.bytes();
+            bytes.clear();
+            bytes.extend(self.bytes.range(start..end));
+            let (given, ran) = bytes.split_at(entry.given as usize);
+            for part in [given, ran] {
+                if !part.is_empty() {
+                    banks.go_over_tags(&mut Bytes(part), Way::Forward);
+                }
+            }
+            look(&banks.memory);
+            start = end;
+        }
     }
 
     /// Moves the banks over a part of the bytes.

@@ -226,6 +226,35 @@ impl Session {
         }
     }
 
+    /// Goes to how things stood when so many scans were done, if that is kept: back, or forward over scans that were
+    /// stepped back from. Breakpoints are passed by, and a scan that is open is given up. False, and nothing happens, if it
+    /// is not kept.
+    pub fn go_to(&mut self, scans: u64) -> bool {
+        let now = self.simulation.scans();
+        let (behind, ahead) = (self.scans_behind() as u64, self.scans_ahead() as u64);
+        if scans + behind < now || scans > now + ahead {
+            return false;
+        }
+        if self.simulation.is_open() {
+            self.give_up_scan();
+        }
+        if let Some(back @ 1..) = now.checked_sub(scans) {
+            self.step_back(back as usize);
+            return true;
+        }
+        let mut left = (scans - now) as usize;
+        while left > 0 {
+            let gone = self.history.forward_by(&mut self.simulation, left);
+            if gone == 0 {
+                break;
+            }
+            left -= gone;
+            self.changed = self.history.give_what_waits(&mut self.simulation);
+            self.go_to_later();
+        }
+        true
+    }
+
     /// How many scans can be stepped back.
     pub fn scans_behind(&self) -> usize {
         self.history.behind() + self.earlier.iter().map(Era::kept).sum::<usize>()
@@ -234,6 +263,11 @@ impl Session {
     /// How many scans were stepped back from and can be gone forward to again.
     pub fn scans_ahead(&self) -> usize {
         self.history.ahead() + self.later.iter().map(Era::kept).sum::<usize>()
+    }
+
+    /// Whether anything was given since the last scan.
+    pub fn is_given(&self) -> bool {
+        self.changed
     }
 
     /// Makes the place where the simulation stands the newest: what was stepped back from is forgotten.

@@ -1,6 +1,7 @@
 //! What a point held after each of the kept scans.
 
 use super::Session;
+use super::change::Era;
 use super::history::History;
 use crate::simulation::Simulation;
 use crate::tags::Point;
@@ -28,13 +29,7 @@ impl Session {
             if known == 0 || more == 0 {
                 break;
             }
-            let then: Vec<_> = points
-                .iter()
-                .map(|point| {
-                    let then = simulation.resolve(&point.name).ok();
-                    (point.ty, then.filter(|then| then.ty == point.ty))
-                })
-                .collect();
+            let then = points_of(simulation, points);
             note(history, simulation, &then, 1, more, &mut past);
             known += more;
         }
@@ -43,6 +38,33 @@ impl Session {
         }
         past
     }
+
+    /// What points hold after each of the scans that were stepped back from, the oldest first: for each point as many
+    /// values as there are such scans. Where the program is changed in them a point is the one of that name and type.
+    pub fn future(&self, points: &[Point]) -> Vec<Vec<Value>> {
+        let mut future: Vec<Vec<Value>> = vec![Vec::new(); points.len()];
+        let here = (&self.simulation, &self.history);
+        let later = self.later.iter().rev().map(Era::parts);
+        for (simulation, history) in std::iter::once(here).chain(later) {
+            let then = points_of(simulation, points);
+            history.look_ahead(|memory| {
+                for ((ty, point), values) in then.iter().zip(future.iter_mut()) {
+                    let value = point.as_ref().map(|point| point.read(memory));
+                    values.push(value.unwrap_or_else(|| Value::zero(*ty)));
+                }
+            });
+        }
+        future
+    }
+}
+
+/// The points of those names and types in a program, each with its type.
+fn points_of(simulation: &Simulation, points: &[Point]) -> Vec<(Scalar, Option<Point>)> {
+    let found = points.iter().map(|point| {
+        let then = simulation.resolve(&point.name).ok();
+        (point.ty, then.filter(|then| then.ty == point.ty))
+    });
+    found.collect()
 }
 
 /// Goes back and notes values after so many scans, but for the newest few.

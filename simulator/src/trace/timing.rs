@@ -3,7 +3,6 @@
 //! BOOL is a waveform; other values are drawn as a bus with the value in it, or, where they change too often to be
 //! read, as a curve. The picture follows the light or dark scheme of its reader, and its text stays text.
 
-mod axis;
 mod draw;
 
 use super::{Header, Write};

@@ -196,7 +196,13 @@ fn walk_about(name: &str, text: &str, seed: u64) {
                     }
                 }
             }
-            0 | 1 => {
+            0 => {
+                let wanted = dice.roll(last as u64 + 3);
+                let is_kept = wanted <= last as u64;
+                assert_eq!(session.go_to(wanted), is_kept, "{}", context(at));
+                at = if is_kept { wanted as usize } else { at };
+            }
+            1 => {
                 let wanted = dice.roll(12) as usize;
                 let gone = session.step_back(wanted);
                 assert_eq!(gone, wanted.min(at), "{}", context(at));
@@ -242,6 +248,12 @@ fn walk_about(name: &str, text: &str, seed: u64) {
                 "{}",
                 context(at)
             );
+        }
+        let future = session.future(&points);
+        for ahead in 0..session.scans_ahead() {
+            let values: Vec<&Value> = future.iter().map(|values| &values[ahead]).collect();
+            let then = &seen[at + 1 + ahead].values;
+            assert_eq!(values, then.iter().collect::<Vec<_>>(), "{}", context(at));
         }
     }
 }

@@ -45,6 +45,8 @@ pub(crate) async fn execute(shared: &Arc<Shared>, params: ExecuteCommandParams) 
         Request::StepBlock(it) => act(shared, &it.session, Action::StepBlock).await,
         Request::StepRung(it) => act(shared, &it.session, Action::StepRung).await,
         Request::Back(it) => act(shared, &it.session, Action::Back(it.scans.unwrap_or(1))).await,
+        Request::GoTo(it) => act(shared, &it.session, Action::GoTo(it.scan)).await,
+        Request::Trace(it) => act(shared, &it.session.clone(), Action::Trace(it)).await,
         Request::Breakpoints(it) => act(shared, &it.session, Action::Breakpoints(it.lines, it.tags)).await,
         Request::Why(it) => act(shared, &it.session, Action::Why(it.tag)).await,
         Request::History(it) => {

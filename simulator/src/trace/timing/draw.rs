@@ -1,7 +1,7 @@
 //! The picture itself.
 
-use super::axis::{Tick, ticks};
 use super::{Lane, Signal, Timing};
+use crate::chart::{Tick, time_ticks};
 use ladder_syntax::xml::Escaped;
 use std::fmt::Write;
 use unicode_width::UnicodeWidthStr;
@@ -129,7 +129,11 @@ impl Page {
     fn axis(&self, timing: &Timing, out: &mut String) -> std::fmt::Result {
         let (top, bottom) = (MARGIN + AXIS - 6.0, self.height - MARGIN);
         let end = timing.interval.max(1) as f64 * timing.columns.max(1) as f64;
-        for Tick { time, label } in ticks(end, self.plot / 84.0) {
+        for Tick {
+            at: time,
+            text: label,
+        } in time_ticks(0.0, end, self.plot / 84.0)
+        {
             let x = self.left + time / end * self.plot;
             writeln!(
                 out,

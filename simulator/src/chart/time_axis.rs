@@ -1,23 +1,27 @@
 //! The time axis: where its ticks stand, and what they say.
 
-/// A tick: its time in nanoseconds, and its label.
-pub(super) struct Tick {
-    pub(super) time: f64,
-    pub(super) label: String,
-}
+use super::Tick;
+use crate::value_text;
+use ladder_analysis::types::Scalar;
+use ladder_analysis::value::Value;
 
-/// Ticks at round times up to `end` (nanoseconds), at most `most` of them.
-pub(super) fn ticks(end: f64, most: f64) -> Vec<Tick> {
-    let step = step(end / most.max(1.0));
-    let last = (end / step * (1.0 + 1e-9)) as u32;
-    (0..=last)
-        .map(|n| f64::from(n) * step)
+/// Ticks at round times from `first` to `last` (nanoseconds), at most `most` of them and one more.
+pub(crate) fn ticks(first: f64, last: f64, most: f64) -> Vec<Tick> {
+    let step = step((last - first) / most.max(1.0));
+    let from = libm::ceil(first / step - ROUNDING) as i64;
+    let to = libm::floor(last / step + ROUNDING) as i64;
+    (from..=to)
+        .take(most.max(1.0) as usize + 2)
+        .map(|n| n as f64 * step)
         .map(|time| Tick {
-            time,
-            label: label(time, step),
+            at: time,
+            text: label(time, step, last),
         })
         .collect()
 }
+
+/// What is lost where times are computed, in steps.
+const ROUNDING: f64 = 1e-6;
 
 const SECOND: f64 = 1e9;
 
@@ -43,9 +47,18 @@ fn step(least: f64) -> f64 {
 }
 
 /// `0`, `500 ms`, `1.5 s`, `1m30`: the unit goes with the distance of the ticks, so that all of them have the same.
-fn label(time: f64, step: f64) -> String {
+fn label(time: f64, step: f64, last: f64) -> String {
     if time == 0.0 {
         return "0".to_owned();
+    }
+    if time < 0.0 {
+        return format!("-{}", label(-time, step, last));
+    }
+    if (SECOND / 1000.0..60.0 * SECOND).contains(&step) && last >= 120.0 * SECOND {
+        // Far from the start seconds alone would be counted in thousands.
+        let rounded = (libm::round(time / 1e6) as i64).saturating_mul(1_000_000);
+        let text = value_text::display(&Value::Int(rounded), Scalar::Time);
+        return text.trim_start_matches("T#").to_owned();
     }
     if step >= 60.0 * SECOND {
         let minutes = (time / SECOND / 60.0) as u64;
@@ -71,8 +84,11 @@ mod tests {
     use super::*;
     use expect_test::expect;
 
-    fn labels(end: f64) -> String {
-        let labels: Vec<String> = ticks(end, 6.0).into_iter().map(|tick| tick.label).collect();
+    fn labels(first: f64, last: f64) -> String {
+        let labels: Vec<String> = ticks(first, last, 6.0)
+            .into_iter()
+            .map(|tick| tick.text)
+            .collect();
         labels.join(", ")
     }
 
@@ -80,7 +96,7 @@ mod tests {
     fn ticks_stand_at_round_times() {
         let all: Vec<String> = [40.0, 90e6, 600e6, 9e9, 100e9, 4000e9, 200_000e9, 9e15]
             .into_iter()
-            .map(labels)
+            .map(|last| labels(0.0, last))
             .collect();
         expect![[r#"
             0, 10 ns, 20 ns, 30 ns, 40 ns
@@ -91,6 +107,29 @@ mod tests {
             0, 15 min, 30 min, 45 min, 1 h
             0, 12 h, 24 h, 36 h, 48 h
             0, 480 h, 960 h, 1440 h, 1920 h, 2400 h"#]]
+        .assert_eq(&all.join("\n"));
+    }
+
+    #[test]
+    fn a_window_has_only_its_own_ticks() {
+        let all: Vec<String> = [
+            (95e6, 180e6),
+            (1.45e9, 2.61e9),
+            (119e9, 121.4e9),
+            (7200e9, 7200.5e9),
+            (-5e9, 5e9),
+            (5e9, 5e9),
+        ]
+        .into_iter()
+        .map(|(first, last)| labels(first, last))
+        .collect();
+        expect![[r#"
+            100 ms, 120 ms, 140 ms, 160 ms, 180 ms
+            1.6 s, 1.8 s, 2 s, 2.2 s, 2.4 s, 2.6 s
+            1m59s, 1m59s500ms, 2m, 2m500ms, 2m1s
+            2h, 2h100ms, 2h200ms, 2h300ms, 2h400ms, 2h500ms
+            -4 s, -2 s, 0, 2 s, 4 s
+            5000000000 ns"#]]
         .assert_eq(&all.join("\n"));
     }
 }
