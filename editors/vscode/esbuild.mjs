@@ -1,4 +1,4 @@
-// Bundles the extension into one file; node_modules is not shipped.
+// Bundles the extension into one file, and each page of a view into another; node_modules is not shipped.
 import { readdirSync, readFileSync, writeFileSync } from 'node:fs';
 
 import { build } from 'esbuild';
@@ -19,6 +19,23 @@ const { metafile } = await build({
     metafile: true,
     logLevel: 'warning',
 });
+
+// The pages of views: each a script and a style of its own, for the browser that the editor is.
+const pages = readdirSync('webview', { withFileTypes: true }).filter((entry) => entry.isDirectory());
+for (const { name } of pages) {
+    await build({
+        entryPoints: { [name]: `webview/${name}/main.ts`, [`${name}.style`]: `webview/${name}/${name}.css` },
+        entryNames: '[name]',
+        outdir: 'dist/webview',
+        bundle: true,
+        platform: 'browser',
+        target: 'es2022',
+        format: 'iife',
+        minify: production,
+        sourcemap: false,
+        logLevel: 'warning',
+    });
+}
 
 // The licences of the bundled packages ask to go with every copy of them.
 function licence(folder) {

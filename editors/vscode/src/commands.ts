@@ -11,6 +11,7 @@ import type { Server } from './server.ts';
 import type { Speed } from './session.ts';
 import type { Simulation } from './simulation.ts';
 import { toggleCommentInEditor } from './toggleComment.ts';
+import type { TraceView } from './trace/traceView.ts';
 import type { WhyRow } from './whyTree.ts';
 import type { WhyView } from './whyView.ts';
 
@@ -71,6 +72,14 @@ async function why(simulation: Simulation, view: WhyView, given: Tag | undefined
     }
 }
 
+/** Shows a tag in the trace. */
+async function trace(simulation: Simulation, view: TraceView, given: Tag | undefined): Promise<void> {
+    const tag = await chosen(simulation, given, 'Add to Trace', () => true);
+    if (tag) {
+        await view.add(tag.name);
+    }
+}
+
 /** Opens what was done so far as a new file of scenarios; a person saves it beside the program. */
 async function record(simulation: Simulation): Promise<void> {
     const recorded = await simulation.record();
@@ -114,7 +123,12 @@ async function start(click: Click, simulation: Simulation): Promise<void> {
     }
 }
 
-export function registerCommands(server: Server, simulation: Simulation, click: Click, whyView: WhyView): vscode.Disposable {
+export interface Views {
+    readonly why: WhyView;
+    readonly trace: TraceView;
+}
+
+export function registerCommands(server: Server, simulation: Simulation, click: Click, views: Views): vscode.Disposable {
     // A command comes with the tag of a row, a lens with the address of its file, the palette with nothing.
     const commands: Record<string, (given?: any) => unknown> = {
         'ladder.simulation.start': () => start(click, simulation),
@@ -135,7 +149,10 @@ export function registerCommands(server: Server, simulation: Simulation, click: 
         'ladder.simulation.toggle': (tag) => toggle(simulation, tag),
         'ladder.test': (uri?: unknown) => runScenarios(server.program(), typeof uri === 'string' ? uri : undefined),
         'ladder.simulation.breakOnChange': (tag) => breakOnChange(simulation, tag),
-        'ladder.simulation.why': (tag) => why(simulation, whyView, tag),
+        'ladder.simulation.why': (tag) => why(simulation, views.why, tag),
+        'ladder.trace.add': (tag) => trace(simulation, views.trace, tag),
+        'ladder.trace.choose': () => views.trace.pick(),
+        'ladder.trace.show': () => views.trace.show(),
         // Not `ladder.convert`: the client registers the server's commands under their own names.
         'ladder.convertFile': (uri) => convert(server, uri),
         'ladder.exportAs': (uri) => exportAs(server, uri),
@@ -147,7 +164,7 @@ export function registerCommands(server: Server, simulation: Simulation, click: 
     };
     return vscode.Disposable.from(
         vscode.commands.registerCommand('ladder.showReferences', showReferences),
-        vscode.commands.registerCommand('ladder.simulation.why.open', (row: WhyRow) => whyView.open(row)),
+        vscode.commands.registerCommand('ladder.simulation.why.open', (row: WhyRow) => views.why.open(row)),
         ...Object.entries(commands).map(([name, run]) => vscode.commands.registerCommand(name, run)),
     );
 }

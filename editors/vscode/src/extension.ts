@@ -10,6 +10,7 @@ import { Server } from './server.ts';
 import { Simulation } from './simulation.ts';
 import { showStatus } from './statusBar.ts';
 import { showTags } from './tagsView.ts';
+import { TraceView } from './trace/traceView.ts';
 import { WhyView } from './whyView.ts';
 
 let server: Server | undefined;
@@ -24,13 +25,14 @@ export async function activate(context: vscode.ExtensionContext): Promise<Api> {
     server = new Server(context.extensionPath);
     const simulation = new Simulation(server);
     const click = new Click(server);
-    const whyView = new WhyView(simulation);
+    const views = { why: new WhyView(simulation), trace: new TraceView(simulation, context) };
     context.subscriptions.push(
         server,
         simulation,
         click,
-        whyView,
-        registerCommands(server, simulation, click, whyView),
+        views.why,
+        views.trace,
+        registerCommands(server, simulation, click, views),
         showPower(simulation),
         showFaults(simulation),
         showStatus(simulation),

@@ -1,6 +1,8 @@
 // What the simulator of the language server says and is asked, as docs/protocol.md of the project defines it.
 import type { Range } from 'vscode-languageclient/node';
 
+import type { Traced, TraceAsked } from './trace/messages.ts';
+
 export type Value = boolean | number | string;
 
 export interface Tag {
@@ -133,8 +135,10 @@ export interface Commands {
     stepBlock: { argument: object; answer: State };
     stepRung: { argument: object; answer: State };
     back: { argument: { scans: number }; answer: State };
+    goTo: { argument: { scan: number }; answer: State };
     breakpoints: { argument: { lines: number[]; tags: string[] }; answer: State };
     why: { argument: { tag: string }; answer: Why };
+    trace: { argument: TraceAsked & { tags: readonly string[] }; answer: Traced };
     record: { argument: object; answer: Recorded };
     warmRestart: { argument: object; answer: State };
     run: { argument: { speed?: number; realTime?: boolean }; answer: State };

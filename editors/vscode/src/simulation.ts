@@ -134,7 +134,7 @@ export class Simulation implements vscode.Disposable {
         }
     }
 
-    async command<Name extends 'step' | 'stepBlock' | 'stepRung' | 'back' | 'run' | 'set' | 'force' | 'unforce' | 'reset' | 'warmRestart'>(
+    async command<Name extends 'step' | 'stepBlock' | 'stepRung' | 'back' | 'goTo' | 'run' | 'set' | 'force' | 'unforce' | 'reset' | 'warmRestart'>(
         name: Name,
         argument: Commands[Name]['argument'],
     ): Promise<void> {

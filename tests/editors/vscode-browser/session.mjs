@@ -256,6 +256,87 @@ async function operate(page) {
         await command(page, 'Ladder: Set Speed of the Simulation...');
         await answer(page, 'Speed of the Simulation', '0.01x');
         await page.getByText('0.01x speed').waitFor({ timeout: 5000 });
+        await command(page, 'Ladder: Set Speed of the Simulation...');
+        await answer(page, 'Speed of the Simulation', '1x');
+        await page.getByText('0.01x speed').waitFor({ state: 'detached', timeout: 5000 });
+    });
+}
+
+/** The page of a view, which stands in a frame of a frame. */
+const inView = (page) => page.frameLocator('iframe.webview.ready').frameLocator('#active-frame');
+
+/** The scan that the status bar tells. */
+async function scanShown(page) {
+    const text = await page.getByText(/Ladder: (paused|running), scan \d+/).first().textContent();
+    return Number(/scan (\d+)/.exec(text)[1]);
+}
+
+async function traceTags(page) {
+    const view = inView(page);
+    const traceRow = (name) => view.locator('#rows tr', { has: page.locator(`th span:text-is("${name}")`) });
+    await step('the trace shows inputs and outputs while the program runs', async () => {
+        await command(page, 'Ladder: Show Trace');
+        await traceRow('start').waitFor({ timeout: 10000 });
+        await page.locator('.monaco-editor .view-line').first().click();
+        await page.keyboard.press('F5');
+        await until('thirty scans in the trace', 20, async () => Number(/scan (\d+)/.exec(await view.locator('#place').textContent())?.[1]) > 34);
+        await page.keyboard.press('F6');
+        await page.getByText('Ladder: paused').waitFor({ timeout: 5000 });
+        const last = await scanShown(page);
+        await until('the last scan in the trace', 5, async () => (await view.locator('#place').textContent()).startsWith(`scan ${last},`));
+        for (const name of ['start', 'stop', 'lamp']) {
+            assert.match(await traceRow(name).locator('.line').getAttribute('d'), /^M[\d.]+ [\d.]+H/, name);
+        }
+        assert.equal(await traceRow('start').locator('td.now').textContent(), '1');
+    });
+    await step('a tag is added from the Tags view, and drawn over a scale', async () => {
+        await row(page, 'warmup.ET').hover();
+        await row(page, 'warmup.ET').locator('.codicon-pulse').click();
+        await traceRow('warmup.ET').locator('.line').waitFor({ timeout: 5000 });
+        await traceRow('warmup.ET').getByText('20 ms').first().waitFor({ timeout: 5000 });
+    });
+    await step('two cursors, and the difference between them', async () => {
+        await view.locator('#trace').focus();
+        await page.keyboard.press('0');
+        await until('everything', 5, async () => (await view.locator('#follow').getAttribute('aria-pressed')) === 'true');
+        await page.keyboard.press('Home');
+        await page.keyboard.press('b');
+        for (let times = 0; times < 3; times += 1) {
+            await page.keyboard.press('ArrowRight');
+        }
+        await until('the difference', 5, async () => (await view.locator('#measure').textContent()).includes('B − A +30ms'));
+        assert.equal(await traceRow('warmup.ET').locator('td.difference').textContent(), '+20ms');
+        await screenshot(page, 'trace');
+    });
+    await step('zoom and fit', async () => {
+        const ticks = async () => (await view.locator('#axis .tick').allTextContents()).join(' ');
+        await page.keyboard.press('0');
+        const whole = await ticks();
+        await page.keyboard.press('+');
+        await until('other ticks', 5, async () => (await ticks()) !== whole);
+        await page.keyboard.press('0');
+        await until('the ticks of everything', 5, async () => (await ticks()) === whole);
+    });
+    await step('a click in the trace shows the program as it was', async () => {
+        const picture = traceRow('start').locator('svg');
+        const last = await scanShown(page);
+        const box = await picture.boundingBox();
+        await picture.click({ position: { x: box.width / 2, y: box.height / 2 } });
+        await until('an earlier scan', 5, async () => (await scanShown(page)) < last);
+        const there = await scanShown(page);
+        assert.ok(Math.abs(there - last / 2) < last / 8 + 2, `scan ${there} of ${last}`);
+        await until('the rest as what was stepped back from', 5, async () => (await picture.locator('.ahead').count()) === 1);
+        await screenshot(page, 'trace-back');
+        await view.locator('#trace').focus();
+        await page.keyboard.press('a');
+        await page.keyboard.press('Home');
+        for (let times = 0; times < 3; times += 1) {
+            await page.keyboard.press('ArrowRight');
+        }
+        await page.keyboard.press('Enter');
+        await page.getByText('Ladder: paused, scan 4,').waitFor({ timeout: 5000 });
+        await page.keyboard.press('Escape');
+        await page.locator('.monaco-editor .view-line').first().click();
     });
 }
 
@@ -302,6 +383,7 @@ async function main() {
         await look(page);
         await screenshot(page, 'power');
         await operate(page);
+        await traceTags(page);
         await edit(page);
     } finally {
         await screenshot(page, 'end');

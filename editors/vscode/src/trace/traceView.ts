@@ -1,0 +1,172 @@
+// The view "Trace": chosen tags over time, drawn by the page in `webview/trace`, which asks for what it shows.
+import { randomBytes } from 'node:crypto';
+
+import * as vscode from 'vscode';
+
+import type { Session } from '../session.ts';
+import type { Simulation } from '../simulation.ts';
+import { showValue } from '../value.ts';
+import { added, atFirst, moved, MOST, picked, removed } from './chosenTags.ts';
+import type { FromPage, Situation, ToPage, TraceAsked } from './messages.ts';
+import { page } from './page.ts';
+
+export class TraceView implements vscode.WebviewViewProvider, vscode.Disposable {
+    readonly #simulation: Simulation;
+    readonly #context: vscode.ExtensionContext;
+    readonly #subscriptions: vscode.Disposable;
+    #view: vscode.WebviewView | undefined;
+    /** The tags of programs for which none were chosen. */
+    readonly #atFirst = new WeakMap<Session, readonly string[]>();
+
+    constructor(simulation: Simulation, context: vscode.ExtensionContext) {
+        this.#simulation = simulation;
+        this.#context = context;
+        this.#subscriptions = vscode.Disposable.from(
+            vscode.window.registerWebviewViewProvider('ladder.trace', this),
+            simulation.onDidChange(() => this.#tell()),
+        );
+    }
+
+    resolveWebviewView(view: vscode.WebviewView): void {
+        this.#view = view;
+        const { webview } = view;
+        const folder = vscode.Uri.joinPath(this.#context.extensionUri, 'dist', 'webview');
+        webview.options = { enableScripts: true, localResourceRoots: [folder] };
+        const served = (name: string) => webview.asWebviewUri(vscode.Uri.joinPath(folder, name)).toString();
+        const subscriptions = vscode.Disposable.from(
+            webview.onDidReceiveMessage((message: FromPage) => this.#receive(message)),
+            view.onDidChangeVisibility(() => this.#tell()),
+            view.onDidDispose(() => {
+                this.#view = undefined;
+                subscriptions.dispose();
+            }),
+        );
+        webview.html = page({
+            script: served('trace.js'),
+            style: served('trace.style.css'),
+            styles: webview.cspSource,
+            nonce: randomBytes(16).toString('base64'),
+        });
+    }
+
+    /** Shows a tag in the trace as well, and the trace. */
+    async add(tag: string): Promise<void> {
+        const session = this.#simulation.current;
+        if (session) {
+            this.#choose(session, added(await this.#tags(session), tag));
+            await this.show();
+        }
+    }
+
+    async show(): Promise<void> {
+        await vscode.commands.executeCommand('ladder.trace.focus', { preserveFocus: true });
+    }
+
+    /** Asks which tags are to be shown. */
+    async pick(): Promise<void> {
+        const session = this.#simulation.current;
+        if (!session) {
+            return;
+        }
+        const before = await this.#tags(session);
+        const names = new Set(before.map((name) => name.toLowerCase()));
+        const items = (await this.#simulation.allTags()).map((tag) => ({
+            label: tag.name,
+            description: `${showValue(tag)}  ${tag.type}, ${tag.role}`,
+            picked: names.has(tag.name.toLowerCase()),
+        }));
+        const chosen = await vscode.window.showQuickPick(items, {
+            title: 'Tags of the Trace',
+            placeHolder: `Up to ${MOST} tags`,
+            canPickMany: true,
+            matchOnDescription: true,
+        });
+        if (chosen) {
+            this.#choose(session, picked(before, chosen.map(({ label }) => label)));
+        }
+    }
+
+    #key(session: Session): string {
+        return `ladder.trace ${session.document.uri.toString()}`;
+    }
+
+    async #tags(session: Session): Promise<readonly string[]> {
+        const chosen = this.#context.workspaceState.get<readonly string[]>(this.#key(session));
+        if (chosen) {
+            return chosen;
+        }
+        const known = this.#atFirst.get(session) ?? atFirst(await this.#simulation.allTags());
+        this.#atFirst.set(session, known);
+        return known;
+    }
+
+    #choose(session: Session, tags: readonly string[]): void {
+        if (tags.length > MOST) {
+            void vscode.window.showWarningMessage(`Ladder: a trace shows up to ${MOST} tags; the first of them are kept.`);
+        }
+        void this.#context.workspaceState.update(this.#key(session), tags.slice(0, MOST)).then(() => this.#tell());
+    }
+
+    #send(message: ToPage): void {
+        void this.#view?.webview.postMessage(message);
+    }
+
+    /** Says how the simulation stands: the page asks for what it shows of it. */
+    async #tell(): Promise<void> {
+        if (!this.#view?.visible) {
+            return;
+        }
+        const session = this.#simulation.current;
+        const tags = session ? await this.#tags(session) : [];
+        if (session !== this.#simulation.current) {
+            return;
+        }
+        const running = session?.state.status === 'running';
+        const situation: Situation = session ? { session: session.id, running, tags } : { running, tags };
+        this.#send({ kind: 'situation', situation });
+    }
+
+    async #receive(message: FromPage): Promise<void> {
+        const session = this.#simulation.current;
+        if (message.kind === 'ready') {
+            await this.#tell();
+            return;
+        }
+        if (!session) {
+            return;
+        }
+        switch (message.kind) {
+            case 'ask':
+                await this.#ask(session, message.asked);
+                return;
+            case 'goTo':
+                await this.#simulation.command('goTo', { scan: message.scan });
+                return;
+            case 'choose':
+                await this.pick();
+                return;
+            case 'remove':
+                this.#choose(session, removed(await this.#tags(session), message.tag));
+                return;
+            case 'move':
+                this.#choose(session, moved(await this.#tags(session), message.tag, message.by));
+                return;
+            case 'runOrPause':
+                await (session.state.status === 'running' ? this.#simulation.pause() : this.#simulation.run());
+        }
+    }
+
+    async #ask(session: Session, asked: TraceAsked): Promise<void> {
+        try {
+            const traced = await session.urgent('trace', { ...asked, tags: await this.#tags(session) });
+            this.#send({ kind: 'traced', session: session.id, asked, traced });
+        } catch {
+            // The simulation has ended meanwhile.
+            this.#send({ kind: 'refused' });
+        }
+    }
+
+    dispose(): void {
+        this.#subscriptions.dispose();
+    }
+}
