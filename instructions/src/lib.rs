@@ -32,6 +32,7 @@ mod operand;
 mod origin;
 mod power;
 mod profile;
+mod purpose;
 mod spelling;
 mod table;
 
@@ -45,6 +46,7 @@ pub use operand::{Accepts, Direction, Operand, Presence, StateType, TypeClass};
 pub use origin::{Origin, origin};
 pub use power::{Coil, Edge, Power};
 pub use profile::{Profile, Profiles};
+pub use purpose::{Purpose, purpose};
 pub use table::TABLE;
 
 /// The outline of a block: which brackets its first part stands in (LANGUAGE §2).

@@ -50,6 +50,15 @@ pub(crate) fn known_elsewhere(spelling: Option<Spelling>) -> Option<&'static Ins
         .map(|(_, op)| by_op(*op))
 }
 
+/// The names that an instruction goes by elsewhere.
+pub(crate) fn names_elsewhere(row: &Instruction) -> impl Iterator<Item = &'static str> {
+    let op = row.op;
+    KNOWN_ELSEWHERE
+        .iter()
+        .filter(move |(_, of)| *of == op)
+        .map(|(name, _)| *name)
+}
+
 /// See [`closest`](crate::closest).
 pub(crate) fn closest(shape: Shape, mnemonic: &str) -> Option<&'static Instruction> {
     if let Some(row) = known_elsewhere(Spelling::read(mnemonic)) {

@@ -40,6 +40,11 @@ impl Names {
         &self.context
     }
 
+    /// The text itself.
+    pub(crate) fn text(&self) -> &str {
+        &self.text
+    }
+
     /// What can be written at an offset.
     pub(crate) fn completions(&self, offset: TextSize, trigger: Option<char>) -> Completions {
         completions(&self.context, offset, trigger)

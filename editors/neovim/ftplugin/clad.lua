@@ -21,6 +21,8 @@ set.spell = false
 set.iskeyword:append('$')
 set.matchpairs = '(:),[:]'
 
+require('ladder.completion').attach(vim.api.nvim_get_current_buf())
+
 -- The editor's own `gc` would put a `#` around a `#`.
 if not vim.g.no_plugin_maps and not vim.g.no_clad_maps then
   local function map(modes, keys, action, description)
@@ -36,7 +38,8 @@ end
 
 vim.b.undo_ftplugin = table.concat({
   'setlocal commentstring< comments< wrap< expandtab< tabstop< shiftwidth< virtualedit<',
-  'setlocal textwidth< formatoptions< conceallevel< spell< iskeyword< matchpairs<',
+  'setlocal textwidth< formatoptions< conceallevel< spell< iskeyword< matchpairs< completeopt<',
+  "lua pcall(vim.api.nvim_del_augroup_by_name, 'ladder.completion.' .. vim.api.nvim_get_current_buf())",
   'silent! nunmap <buffer> gc',
   'silent! xunmap <buffer> gc',
   'silent! nunmap <buffer> gcc',

@@ -17,7 +17,9 @@ return {
   capabilities = {
     workspace = { diagnostics = { refreshSupport = true } },
     -- What the lenses above networks may do here: see `commands`.
-    experimental = { commands = { 'ladder.simulation.start', 'ladder.test', 'ladder.showReferences' } },
+    experimental = {
+      commands = { 'ladder.simulation.start', 'ladder.test', 'ladder.showReferences', 'ladder.completion.cut' },
+    },
   },
   commands = {
     ['ladder.simulation.start'] = function(command)
@@ -28,6 +30,9 @@ return {
     end,
     ['ladder.showReferences'] = function(command, context)
       require('ladder.lenses').show(command, context)
+    end,
+    ['ladder.completion.cut'] = function(command, context)
+      require('ladder.completion').cut(command.arguments[1], context.bufnr)
     end,
   },
   handlers = {

@@ -13,6 +13,16 @@ if vim.g.ladder_enable ~= false then
   vim.lsp.enable('ladder')
 end
 
+vim.api.nvim_create_autocmd('LspAttach', {
+  group = vim.api.nvim_create_augroup('ladder', { clear = true }),
+  callback = function(event)
+    local client = vim.lsp.get_client_by_id(event.data.client_id)
+    if client and client.name == 'ladder' and vim.bo[event.buf].filetype == 'clad' then
+      require('ladder.colours').attach(client, event.buf)
+    end
+  end,
+})
+
 vim.api.nvim_create_user_command('LadderClick', function()
   require('ladder.click').open(vim.api.nvim_get_current_buf())
 end, { desc = 'Open this Python file as a Click program' })

@@ -68,7 +68,10 @@ highlight default link cladSection Keyword
 highlight default link cladAt Keyword
 highlight default link cladType Type
 
-" Long comments are common; without this a jump into one colours it wrongly.
-syntax sync fromstart
+" Where a line begins as a rung does, no comment is open: colours are told from there, whatever stands above. A comment
+" with such a line in it is coloured by the server's tokens.
+syntax sync clear
+syntax sync match cladSyncRung grouphere NONE /^[+|\\/\[<]/
+syntax sync minlines=20 maxlines=400
 
 let b:current_syntax = 'clad'

@@ -6,7 +6,7 @@ use super::proposals::Proposals;
 use crate::typing::{Head, Operand, Typing};
 use crate::wanted::Called;
 use ladder_analysis::user_block::UserBlockFacts;
-use ladder_instructions::{Accepts, Instruction, Op, Presence, Profile, Shape, TABLE};
+use ladder_instructions::{Accepts, Instruction, Op, Presence, Profile, Purpose, Shape, TABLE, purpose};
 use rustc_hash::FxHashSet;
 use std::ops::Range;
 
@@ -74,13 +74,22 @@ fn propose_row(typing: &Typing<'_>, row: &'static Instruction, around: Around<'_
         ("", Around::Wire) => row.title,
         _ => name,
     };
-    // Another spelling leads to the one that is written.
+    // Another spelling leads to the one that is written, and so does a word that says what it is for.
     let prefix = typing.prefix().to_ascii_uppercase();
     let spelled = |spelling: &&str| !prefix.is_empty() && spelling.starts_with(&*prefix);
+    let mut order = (0, 0);
     let filter = if spelled(&filter) {
         filter
+    } else if let Some(spelling) = row.spellings().find(spelled) {
+        spelling
+    } else if let Some(purpose) = purpose(row, typing.prefix()) {
+        order = match purpose {
+            Purpose::Title => (1, 0),
+            Purpose::Sentence => (2, 0),
+        };
+        typing.prefix()
     } else {
-        row.spellings().find(spelled).unwrap_or(filter)
+        filter
     };
     let (range, text) = written(
         typing,
@@ -90,15 +99,18 @@ fn propose_row(typing: &Typing<'_>, row: &'static Instruction, around: Around<'_
         acts(row),
         around,
     );
-    out.add(Completion {
-        label: row.block(),
-        detail: row.title.to_owned(),
-        kind: CompletionKind::Instruction,
-        range: typing.absolute(range),
-        filter: filter.to_owned(),
-        text,
-        topic: Topic::Instruction(row.op, typing.context.profile),
-    });
+    out.add_at(
+        order,
+        Completion {
+            label: row.block(),
+            detail: row.title.to_owned(),
+            kind: CompletionKind::Instruction,
+            range: typing.absolute(range),
+            filter: filter.to_owned(),
+            text,
+            topic: Topic::Instruction(row.op, typing.context.profile),
+        },
+    );
 }
 
 fn propose_user(typing: &Typing<'_>, block: &UserBlockFacts, around: Around<'_>, out: &mut Proposals<'_>) {
@@ -189,26 +201,13 @@ fn written(
         }
         Around::Head(head) => head,
     };
-    // A blank first part has its blank already, if one is written.
-    let before = &typing.text[..word.start];
-    let blank = name.is_empty() && before.ends_with(' ');
-    let inside = if blank { "" } else { inside };
+    // From its opening bracket on, so that an editor that shows the label in its place shows the block as it will be.
+    let text = Snippet::default().text(&format!("{open}{inside}{close}"));
     match (head.closed, head.has_list) {
-        (Some(end), true) => {
-            let tidy = name.is_empty() && typing.text[word.end..end].starts_with(' ');
-            let text = if tidy { "" } else { inside };
-            (word, Snippet::plain_text(text))
-        }
-        (Some(end), false) => {
-            let text = Snippet::default().text(&format!("{inside}{close}"));
-            with_list(typing, word.start..end, end, text, operands, acts, shape)
-        }
-        (None, true) => (word, Snippet::plain_text(format!("{inside}{close}"))),
-        (None, false) => {
-            let end = word.end;
-            let text = Snippet::default().text(&format!("{inside}{close}"));
-            with_list(typing, word, end, text, operands, acts, shape)
-        }
+        (Some(end), true) => (head.open..end, text),
+        (Some(end), false) => with_list(typing, head.open..end, end, text, operands, acts, shape),
+        (None, true) => (head.open..word.end, text),
+        (None, false) => with_list(typing, head.open..word.end, word.end, text, operands, acts, shape),
     }
 }
 

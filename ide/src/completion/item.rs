@@ -23,7 +23,7 @@ pub struct Completion {
     pub kind: CompletionKind,
     /// What is replaced: one stretch of the cursor's line that holds the cursor.
     pub range: TextRange,
-    /// What the written word is compared with.
+    /// What is compared with the text from the start of the range to the cursor.
     pub filter: String,
     /// What is inserted, with tab stops.
     pub text: Snippet,

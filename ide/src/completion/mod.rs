@@ -44,7 +44,10 @@ pub fn completions(context: &Context, offset: TextSize, trigger: Option<char>) -
     // `[TON]($0` gets the blanks that its layout has.
     let crowded = matches!(&typing.place, CursorContext::Operand(operand) if operand.first_word)
         && typing.text[..typing.word.start].ends_with(['(', ',']);
-    out.finish(if crowded { " " } else { "" }, &behind)
+    let mut found = out.finish(if crowded { " " } else { "" }, &behind);
+    // More letters may say what an instruction is for, and bring others into view.
+    found.cut |= matches!(typing.place, CursorContext::Wire | CursorContext::Head(_));
+    found
 }
 
 /// Whether a character that was typed is worth a list: a comma between names, or a bracket around a type's bounds,

@@ -11,6 +11,8 @@ pub(super) const MOST: usize = 128;
 pub(super) struct Proposals<'t> {
     prefix: &'t str,
     word: TextRange,
+    /// What stands on the line in front of the word.
+    before: &'t str,
     /// How well each fits, its place in the order of the proposals, and itself.
     found: Vec<(Order, Completion)>,
 }
@@ -23,6 +25,7 @@ impl<'t> Proposals<'t> {
         Proposals {
             prefix: typing.prefix(),
             word: typing.absolute(typing.word.clone()),
+            before: &typing.text[..typing.word.start],
             found: Vec::new(),
         }
     }
@@ -113,6 +116,17 @@ impl<'t> Proposals<'t> {
         let cut = self.found.len() > MOST;
         self.found.truncate(MOST);
         let mut items: Vec<Completion> = self.found.into_iter().map(|(_, item)| item).collect();
+        for item in &mut items {
+            // An editor compares with what stands in the whole range up to the cursor.
+            let more = usize::from(
+                self.word
+                    .start()
+                    .checked_sub(item.range.start())
+                    .unwrap_or_default(),
+            );
+            item.filter
+                .insert_str(0, &self.before[self.before.len() - more..]);
+        }
         if !before.is_empty() || *behind != Snippet::default() {
             for item in &mut items {
                 let word = std::mem::take(&mut item.text);

@@ -56,6 +56,8 @@ pub(crate) enum CursorContext {
 #[derive(Debug)]
 pub(crate) struct Head {
     pub(crate) shape: Shape,
+    /// Where its opening bracket is.
+    pub(crate) open: usize,
     /// Behind its closing bracket, if that is there.
     pub(crate) closed: Option<usize>,
     /// Whether an operand list follows.
@@ -329,6 +331,7 @@ fn on_rung(line: &GreenNodeData, typing: &mut Typing<'_>) -> Option<CursorContex
             };
             Some(CursorContext::Head(Head {
                 shape,
+                open: start,
                 closed: head_closed.then_some(head_end),
                 has_list: list.is_some(),
             }))

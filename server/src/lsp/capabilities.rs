@@ -54,6 +54,11 @@ pub(crate) struct Agreed {
     pub(crate) snippets: bool,
     /// The documentation of completions may be Markdown.
     pub(crate) completion_markdown: bool,
+    /// The documentation of completions cannot be asked for later.
+    pub(crate) documented_at_once: bool,
+    /// Of a completion's edit the client replaces only what stands before the cursor. What stands behind it the client
+    /// cuts with a command.
+    pub(crate) cuts_behind: bool,
     /// Symbols of a document may hold others.
     pub(crate) nested_symbols: bool,
     /// How many stretches of a document the client wants to fold.
@@ -218,6 +223,12 @@ impl Agreed {
             signature_markdown: markdown(signature.and_then(|it| it.documentation_format.as_ref())),
             snippets: completion.and_then(|it| it.snippet_support).unwrap_or(false),
             completion_markdown: markdown(completion.and_then(|it| it.documentation_format.as_ref())),
+            documented_at_once: completion.is_some_and(|it| {
+                // A client from before that could be said resolves it.
+                let resolved = it.resolve_support.as_ref();
+                resolved.is_some_and(|it| it.properties.iter().all(|name| name != "documentation"))
+            }),
+            cuts_behind: completion::cuts_behind(client),
             resolves_edits: actions.is_some_and(|it| {
                 let resolved = it.resolve_support.as_ref();
                 let edits = resolved.is_some_and(|it| it.properties.iter().any(|name| name == "edit"));
@@ -257,7 +268,7 @@ pub(crate) fn offered(agreed: Agreed) -> ServerCapabilities {
         inlay_hint_provider: Some(OneOf::Left(true)),
         semantic_tokens_provider: Some(semantic_tokens::options()),
         signature_help_provider: Some(signature::options()),
-        completion_provider: Some(completion::options()),
+        completion_provider: Some(completion::options(agreed)),
         diagnostic_provider: agreed.pulls_diagnostics.then(pull::options),
         workspace: Some(WorkspaceServerCapabilities {
             workspace_folders: Some(WorkspaceFoldersServerCapabilities {
@@ -364,7 +375,10 @@ mod tests {
                 "hover": {"contentFormat": ["markdown", "plaintext"]},
                 "definition": {"linkSupport": true},
                 "rename": {"prepareSupport": true},
-                "completion": {"completionItem": {"snippetSupport": true, "documentationFormat": ["markdown"]}},
+                "completion": {"completionItem": {
+                    "snippetSupport": true, "documentationFormat": ["markdown"],
+                    "resolveSupport": {"properties": ["command"]}
+                }},
                 "documentSymbol": {"hierarchicalDocumentSymbolSupport": true},
                 "foldingRange": {"rangeLimit": 5000},
                 "codeAction": {
@@ -391,7 +405,8 @@ mod tests {
                 "inlayHint": {"refreshSupport": true},
                 "codeLens": {"refreshSupport": true}
             },
-            "general": {"positionEncodings": ["utf-8"]}
+            "general": {"positionEncodings": ["utf-8"]},
+            "experimental": {"commands": ["ladder.completion.cut"]}
         });
         assert_eq!(
             agreed(client),
@@ -430,6 +445,8 @@ mod tests {
                 signature_markdown: true,
                 snippets: true,
                 completion_markdown: true,
+                documented_at_once: true,
+                cuts_behind: true,
                 nested_symbols: true,
                 fold_limit: Some(5000),
             }

@@ -37,10 +37,12 @@ async fn a_half_written_block_is_completed_and_documented() {
     assert_eq!(
         timer["textEdit"],
         json!({
-            "range": {"start": {"line": 1, "character": 11}, "end": {"line": 1, "character": 13}},
-            "newText": "TON]( ${1:t}, ${2:T#1s} )--$0"
+            "range": {"start": {"line": 1, "character": 10}, "end": {"line": 1, "character": 13}},
+            "newText": "[TON]( ${1:t}, ${2:T#1s} )--$0"
         })
     );
+    assert_eq!(timer["filterText"], "[TON");
+    assert_eq!(timer.get("command"), None);
     assert_eq!(timer.get("documentation"), None, "nobody has looked at it yet");
     let resolved = client
         .request("completionItem/resolve", timer.clone())
@@ -56,13 +58,43 @@ async fn a_half_written_block_is_completed_and_documented() {
 }
 
 #[tokio::test]
+async fn a_client_that_replaces_up_to_the_cursor_cuts_the_rest() {
+    let capabilities = json!({
+        "textDocument": {"completion": {"completionItem": {
+            "snippetSupport": true, "resolveSupport": {"properties": ["additionalTextEdits", "command"]}
+        }}},
+        "experimental": {"commands": ["ladder.completion.cut"]}
+    });
+    let mut client = Client::with(capabilities).await;
+    client.open("+--[TO]--( )( y )--+\n").await;
+    let items = complete(&mut client, 0, 6).await;
+    let timer = labelled(&items, "[TON]");
+    assert_eq!(
+        timer["textEdit"],
+        json!({
+            "range": {"start": {"line": 0, "character": 3}, "end": {"line": 0, "character": 6}},
+            "newText": "[TON]( ${1:t}, ${2:T#1s} )$0"
+        })
+    );
+    assert_eq!(timer["command"]["command"], "ladder.completion.cut");
+    assert_eq!(
+        timer["command"]["arguments"],
+        json!([{"cut": "]", "before": "--( )( y )--+"}])
+    );
+    // It cannot ask for that later.
+    let text = timer["documentation"].as_str().unwrap();
+    assert!(text.contains("On-delay timer"), "{text}");
+    client.finish().await;
+}
+
+#[tokio::test]
 async fn a_client_without_snippets_gets_plain_text() {
     let mut client = Client::with(json!({})).await;
     client.open("+--[ ]( start )--( )( \n").await;
     let items = complete(&mut client, 0, 4).await;
     let contact = labelled(&items, "[/]");
     assert_eq!(contact.get("insertTextFormat"), None);
-    assert_eq!(contact["textEdit"]["newText"], "/");
+    assert_eq!(contact["textEdit"]["newText"], "[/]");
     let items = complete(&mut client, 0, 22).await;
     let tag = labelled(&items, "start");
     assert_eq!(tag["textEdit"]["newText"], "start )--+");

@@ -4,6 +4,7 @@ local t = require('harness')
 local ladder = require('ladder')
 
 require('units')(t)
+require('typed')(t)
 
 local messages = {}
 vim.notify = function(message)
@@ -625,14 +626,14 @@ t.step('completion proposes tags of the right type', function()
   local client = require('ladder.server').of(bufnr)
   local params = vim.lsp.util.make_position_params(0, client.offset_encoding)
   local answer = client:request_sync('textDocument/completion', params, 2000, bufnr)
-  local items = vim.lsp.completion._lsp_to_complete_items(answer.result, 'TO', client.id)
+  local items = vim.lsp.completion._lsp_to_complete_items(answer.result, '[TO', client.id)
   local timer = vim.iter(items):find(function(item)
     return item.abbr == '[TON]'
   end)
   assert(timer, vim.inspect(vim.tbl_map(function(item)
     return item.abbr
   end, items)))
-  t.equal('the word that stands for it while it is chosen', 'TON', timer.word)
+  t.equal('the word that stands for it while it is chosen', '[TON]', timer.word)
 end)
 
 t.step('lenses start simulations and count jumps', function()

@@ -75,8 +75,10 @@ fn mnemonics_by_the_brackets() {
     check(
         "+--[MOVE$0",
         expect![[r#"
-        [MOV]          Move
-    "#]],
+            [MOV]          Move
+            [BMOV]         Move a range
+            [SHIFT]        Shift register
+        "#]],
     );
     check(
         "+--[/$0",
@@ -84,6 +86,63 @@ fn mnemonics_by_the_brackets() {
         [/]            Closed contact
     "#]],
     );
+    check(
+        "+--[timer$0",
+        expect![[r#"
+        [TON]          On-delay timer
+        [TOF]          Off-delay timer
+        [TP]           Pulse timer
+        [RTO]          Retentive on-delay timer
+        [RTOF]         Retentive off-delay timer
+    "#]],
+    );
+    check(
+        "+--[ count$0",
+        expect![[r#"
+        [CTU]          Up counter
+        [CTD]          Down counter
+        [CTUD]         Up-down counter
+        [CTC]          Circular counter
+        [MUX]          Select one of many
+        [LUT]          Look-up table
+        [RTOF]         Retentive off-delay timer
+    "#]],
+    );
+    check(
+        "+--greater$0",
+        expect![[r#"
+        [GT]           Greater than
+        [GE]           Greater or equal
+    "#]],
+    );
+    check(
+        "+--(set$0",
+        expect![[r#"
+            (S)            Set coil
+            (SM)           Set retentive coil
+        "#]],
+    );
+}
+
+#[test]
+fn a_list_begins_at_the_bracket() {
+    for (fixture, written) in [
+        ("+--[$0", "["),
+        ("+--[TO$0]( t, 5s )--+", "[TO"),
+        ("+--[ ]( a )--($0)", "("),
+        ("+--< J$0", "< J"),
+    ] {
+        let (text, found) = found(fixture);
+        for item in found.items {
+            assert!(
+                text[item.range].starts_with(written),
+                "{} in {fixture}",
+                item.label
+            );
+            let found = item.filter.starts_with(&written[..1]) && item.filter.len() > 1;
+            assert!(found || item.filter == written, "{} in {fixture}", item.filter);
+        }
+    }
 }
 
 #[test]

@@ -92,7 +92,18 @@ fn what_is_accepted_reads() {
                 let before = mistakes(&line);
                 let cursor = TextSize::new((PLANT.len() + cut) as u32);
                 let analysis = analyze(&Arc::new(parse(&text)), "test.clad");
-                for item in completions(&analysis.context, cursor, None).items {
+                let items = completions(&analysis.context, cursor, None).items;
+                // An editor that shows a list behind one column needs one column for all.
+                let starts: std::collections::BTreeSet<_> =
+                    items.iter().map(|item| item.range.start()).collect();
+                assert!(starts.len() < 2, "{line} at {cut}");
+                for item in items {
+                    let written = &text[item.range.start().into()..cursor.into()];
+                    let mut letters = item.filter.chars();
+                    let found = written
+                        .chars()
+                        .all(|c| letters.any(|letter| letter.eq_ignore_ascii_case(&c)));
+                    assert!(found, "{} is found by {written} in {line} at {cut}", item.label);
                     assert!(item.range.contains_inclusive(cursor));
                     assert!(!text[item.range].contains('\n'));
                     let range = item.range - TextSize::of(PLANT);

@@ -31,18 +31,22 @@ pub(crate) struct Commands {
     show: bool,
 }
 
+/// Whether the client names a command in `experimental.commands`.
+pub(crate) fn names_command(client: &ClientCapabilities, name: &str) -> bool {
+    let named = client
+        .experimental
+        .as_ref()
+        .and_then(|it| it["commands"].as_array());
+    named.is_some_and(|named| named.iter().any(|it| it == name))
+}
+
 impl Commands {
     /// What the client names in `experimental.commands`.
     pub(crate) fn of(client: &ClientCapabilities) -> Commands {
-        let named = client
-            .experimental
-            .as_ref()
-            .and_then(|it| it["commands"].as_array());
-        let can = |name: &str| named.is_some_and(|named| named.iter().any(|it| it == name));
         Commands {
-            start: can(START),
-            test: can(TEST),
-            show: can(SHOW),
+            start: names_command(client, START),
+            test: names_command(client, TEST),
+            show: names_command(client, SHOW),
         }
     }
 

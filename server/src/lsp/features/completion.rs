@@ -3,25 +3,38 @@
 use std::sync::Arc;
 
 use ladder_ide::{Completion, CompletionKind, Profile, Topic};
+use ladder_syntax::{TextRange, TextSize};
 use serde_json::{Value, json};
 use tower_lsp::jsonrpc::Result;
 use tower_lsp::ls_types::{
-    CompletionItem, CompletionItemKind, CompletionList, CompletionOptions, CompletionParams,
-    CompletionResponse, CompletionTextEdit, Documentation, InsertTextFormat, InsertTextMode, TextEdit,
+    ClientCapabilities, Command, CompletionItem, CompletionItemKind, CompletionList, CompletionOptions,
+    CompletionParams, CompletionResponse, CompletionTextEdit, Documentation, InsertTextFormat,
+    InsertTextMode, TextEdit,
 };
 
+use super::code_lens::names_command;
 use crate::document::Revision;
+use crate::language::Names;
 use crate::lsp::transport::blocking::blocking;
 use crate::lsp::{capabilities::Agreed, convert, markup, shared::Shared};
 
 /// The characters that open a list by themselves. Which of them do so in which place is for `ladder-ide` to say.
 const TRIGGERS: [&str; 8] = ["[", "(", "<", ".", "$", "%", ",", ":"];
 
-/// What the server offers.
-pub(crate) fn options() -> CompletionOptions {
+/// Cuts what stood behind the cursor and belongs to what was accepted: the text, and what stands behind it on its line.
+const CUT: &str = "ladder.completion.cut";
+
+/// Whether the client names the command that cuts, because it replaces nothing behind the cursor by itself.
+pub(crate) fn cuts_behind(client: &ClientCapabilities) -> bool {
+    names_command(client, CUT)
+}
+
+/// What the server offers. A client that cannot ask for documentation later is not asked to: some wait for the answer
+/// before they insert what was accepted.
+pub(crate) fn options(agreed: Agreed) -> CompletionOptions {
     CompletionOptions {
         trigger_characters: Some(TRIGGERS.map(str::to_owned).to_vec()),
-        resolve_provider: Some(true),
+        resolve_provider: Some(!agreed.documented_at_once),
         ..CompletionOptions::default()
     }
 }
@@ -42,7 +55,16 @@ pub(crate) async fn completion(
         let offset = revision.offset(convert::our_position(place.position));
         let found = names.completions(offset, trigger);
         let items = found.items.into_iter().enumerate();
-        let items = items.map(|(index, item)| proposal(agreed, &revision, index, item));
+        let items = items.map(|(index, item)| {
+            let documentation = agreed
+                .documented_at_once
+                .then(|| card(agreed, &revision, names, &item.topic))
+                .flatten();
+            CompletionItem {
+                documentation,
+                ..proposal(agreed, (&revision, names), offset, index, item)
+            }
+        });
         Some(CompletionResponse::List(CompletionList {
             is_incomplete: found.cut,
             items: items.collect(),
@@ -51,7 +73,13 @@ pub(crate) async fn completion(
     .await
 }
 
-fn proposal(agreed: Agreed, revision: &Revision, index: usize, item: Completion) -> CompletionItem {
+fn proposal(
+    agreed: Agreed,
+    (revision, names): (&Revision, &Names),
+    cursor: TextSize,
+    index: usize,
+    item: Completion,
+) -> CompletionItem {
     let as_snippet = agreed.snippets && !item.text.is_word();
     let new_text = if as_snippet {
         item.text.snippet()
@@ -59,7 +87,19 @@ fn proposal(agreed: Agreed, revision: &Revision, index: usize, item: Completion)
         item.text.plain()
     };
     let several_lines = new_text.contains('\n');
+    let behind = TextRange::new(cursor, item.range.end());
+    let cut = agreed.cuts_behind && !behind.is_empty();
+    let range = if cut {
+        TextRange::new(item.range.start(), cursor)
+    } else {
+        item.range
+    };
     CompletionItem {
+        command: cut.then(|| Command {
+            title: "Take the place of what stands behind".to_owned(),
+            command: CUT.to_owned(),
+            arguments: Some(vec![what_to_cut(names.text(), behind)]),
+        }),
         kind: Some(kind(item.kind)),
         detail: Some(item.detail).filter(|detail| !detail.is_empty()),
         sort_text: Some(format!("{index:03}")),
@@ -67,13 +107,20 @@ fn proposal(agreed: Agreed, revision: &Revision, index: usize, item: Completion)
         insert_text_format: as_snippet.then_some(InsertTextFormat::SNIPPET),
         insert_text_mode: several_lines.then_some(InsertTextMode::AS_IS),
         text_edit: Some(CompletionTextEdit::Edit(TextEdit {
-            range: convert::range_in(revision, item.range),
+            range: convert::range_in(revision, range),
             new_text,
         })),
         data: data(revision, &item.topic),
         label: item.label,
         ..CompletionItem::default()
     }
+}
+
+/// A stretch of a line, and what stands behind it.
+fn what_to_cut(text: &str, range: TextRange) -> Value {
+    let behind = &text[range.end().into()..];
+    let line_end = behind.find(['\n', '\r']).unwrap_or(behind.len());
+    json!({ "cut": &text[range], "before": &behind[..line_end] })
 }
 
 const fn kind(kind: CompletionKind) -> CompletionItemKind {
@@ -147,12 +194,15 @@ async fn documentation(shared: &Arc<Shared>, data: Value) -> Result<Option<Docum
     let Some(revision) = text("uri").and_then(|uri| shared.documents.get(&uri)) else {
         return Ok(None);
     };
-    blocking(move |_| {
-        let card = revision.names()?.documentation(&topic)?;
-        Some(markup::documentation(
-            markdown,
-            markup::linked(card, &revision.uri),
-        ))
-    })
-    .await
+    let agreed = shared.agreed();
+    blocking(move |_| card(agreed, &revision, revision.names()?, &topic)).await
+}
+
+/// What a topic of a text is documented by.
+fn card(agreed: Agreed, revision: &Revision, names: &Names, topic: &Topic) -> Option<Documentation> {
+    let card = names.documentation(topic)?;
+    Some(markup::documentation(
+        agreed.completion_markdown,
+        markup::linked(card, &revision.uri),
+    ))
 }
