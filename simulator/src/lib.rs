@@ -74,7 +74,11 @@ pub use compile::CompileError;
 pub use diagram::{diagram, diagram_of};
 pub use fault::Fault;
 pub use retain::Kept;
-pub use session::{Breakpoint, Cause, HistoryLimits, Hit, Reason, Session, Since, Stop, Why, Wording, Write};
-pub use simulation::{Options, Simulation, State, Status, Stepped, ValueRefused};
-pub use tags::{Point, UnknownTag};
+pub use session::{
+    Breakpoint, Cause, HistoryLimits, Hit, Reason, Session, Since, StepBy, Stop, Why, Wording, Write,
+};
+pub use simulation::{
+    Activation, Instance, Options, Routine, Simulation, State, Status, Stepped, ValueRefused,
+};
+pub use tags::{Point, UnknownTag, members_of};
 pub use work::Brake;

@@ -37,6 +37,8 @@ pub(crate) struct Places {
     pub(crate) remembered: Vec<Remembered>,
     /// The tags of bodies, with the path of the place.
     pub(crate) body_tags: Vec<(Vec<BlockAt>, TagId, Home)>,
+    /// What the in-outs of bodies stand for, likewise.
+    pub(crate) body_in_outs: Vec<(Vec<BlockAt>, TagId, Home)>,
     /// Edges that belong to a tag.
     pub(crate) of_tags: HashMap<EdgeOf, Bit>,
     /// The scan from which on the serial port is free.

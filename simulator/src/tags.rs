@@ -4,7 +4,7 @@ use crate::compile::{CHANNELS, Ports};
 use crate::layout::{self, Home, MemberSlot};
 use crate::memory::{Bit, Memory, TextSlot, Word};
 use crate::system::{self, SystemSlot};
-use ladder_analysis::program::{Member, Program, Role, SystemTag};
+use ladder_analysis::program::{Member, Program, Role, SystemTag, TagId};
 use ladder_analysis::types::{Scalar, Type};
 use ladder_analysis::value::Value;
 use ladder_analysis::with_article;
@@ -100,6 +100,14 @@ impl Names {
             tags.entry(Name::new(address)).or_insert(index);
         }
         Names { tags }
+    }
+
+    /// The tags of one place where a user-defined block stands.
+    pub(crate) fn of_instance(program: &Program, tags: impl Iterator<Item = TagId>) -> Names {
+        let named = tags.map(|tag| (Name::new(&program.tags[tag.0 as usize].name), tag.0));
+        Names {
+            tags: named.collect(),
+        }
     }
 
     /// The value that a text names.
@@ -421,6 +429,11 @@ fn members(state: StateType) -> &'static [(&'static str, Member)] {
         StateType::Sr | StateType::Rs => &[("Q1", Q1)],
         _ => &[("Q", Q), ("CV", Cv), ("CU", Cu), ("R", R), ("LD", Ld), ("PV", Pv)],
     }
+}
+
+/// The names of the members that a timer, counter or bistable has, those first that show what it does.
+pub fn members_of(state: StateType) -> impl Iterator<Item = &'static str> {
+    members(state).iter().map(|(name, _)| *name)
 }
 
 /// Of these the ones that a list of all tags shows.

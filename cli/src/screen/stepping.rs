@@ -66,6 +66,10 @@ impl App<'_> {
     pub(super) fn toggle(&mut self, breakpoint: Breakpoint) {
         let what = match &breakpoint {
             Breakpoint::Change(point) => format!("when {} changes", point.name),
+            Breakpoint::Block(location) => {
+                let place = self.plant.sheet.place(*location);
+                format!("at the block in line {}", place.map_or(0, |(line, _)| line + 1))
+            }
             Breakpoint::Network(network) => {
                 let network = self.plant.simulation().program().networks.get(*network);
                 let place = network.and_then(|network| self.plant.sheet.place(network.location));
@@ -81,6 +85,10 @@ impl App<'_> {
     pub(super) fn stopped_at(&mut self, hit: Hit) {
         self.view.running = false;
         match hit {
+            Hit::Block(location) => {
+                self.show(location);
+                self.view.say("stopped before this block: . , s step on, p runs on");
+            }
             Hit::Network(location) => {
                 self.show(location);
                 self.view

@@ -64,6 +64,10 @@ impl Engine {
                         tag: None,
                     }
                 }
+                Breakpoint::Block(location) => messages::Breakpoint {
+                    range: Some(self.place(*location).1),
+                    tag: None,
+                },
                 Breakpoint::Change(point) => messages::Breakpoint {
                     range: None,
                     tag: Some(point.name.clone()),
@@ -79,6 +83,13 @@ impl Engine {
                 let (_, range) = self.place(*location);
                 messages::Hit {
                     message: format!("stopped in front of the rung in line {}", range.start.line + 1),
+                    range: Some(range),
+                }
+            }
+            Hit::Block(location) => {
+                let (_, range) = self.place(*location);
+                messages::Hit {
+                    message: format!("stopped in front of the block in line {}", range.start.line + 1),
                     range: Some(range),
                 }
             }

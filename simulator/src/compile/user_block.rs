@@ -46,6 +46,7 @@ impl Compiler<'_> {
                 let bound = given(number).ok_or_else(|| arguments.mistaken())?;
                 let home = self.reference(&bound.argument, arguments)?;
                 self.homes[tag.0 as usize] = home;
+                self.places.body_in_outs.push((self.standing.clone(), tag, home));
             }
         }
         self.own_tags(index)?;

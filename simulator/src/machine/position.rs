@@ -98,6 +98,14 @@ impl OpenScan<'_> {
         self.machine.position.budget
     }
 
+    /// The instruction that runs next, then those through which each routine that is open was called, from the inside
+    /// out. The bodies of user-defined blocks are none of their own.
+    pub(crate) fn activations(self) -> impl Iterator<Item = u32> {
+        let frames = std::iter::once(&self.machine.position.frame).chain(self.machine.frames.iter().rev());
+        let calls = frames.filter(|frame| frame.back > 0).map(|frame| frame.back - 1);
+        std::iter::once(self.pc()).chain(calls)
+    }
+
     /// How far the main program has come.
     pub(crate) fn main(self) -> u32 {
         let mut frames =

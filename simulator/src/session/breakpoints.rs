@@ -14,8 +14,22 @@ use std::sync::atomic::{AtomicBool, Ordering};
 pub enum Breakpoint {
     /// In front of a network, by its number in the program: whenever it is about to be evaluated.
     Network(usize),
+    /// In front of the block at this place, wherever its code runs: the body of a user-defined block has code for each
+    /// place where that stands.
+    Block(Location),
     /// Behind the block that changes what a point holds. What is given from outside does not count.
     Change(Point),
+}
+
+/// How far a run in steps goes, unless a breakpoint stops it.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum StepBy {
+    /// In front of the next block.
+    Block,
+    /// In front of the next network.
+    Network,
+    /// To the end of the scan.
+    Scan,
 }
 
 /// Why a run stopped at a breakpoint.
@@ -23,6 +37,8 @@ pub enum Breakpoint {
 pub enum Hit {
     /// This network runs next.
     Network(Location),
+    /// This block runs next.
+    Block(Location),
     /// A point has changed.
     Change {
         /// The point.
@@ -88,7 +104,13 @@ impl Session {
 
     /// Runs one scan, or the rest of the one that is open, unless a breakpoint stops it. None if it came to its end.
     pub fn run_scan(&mut self) -> Option<Stop> {
-        if self.breakpoints.is_empty() {
+        self.run_step(StepBy::Scan)
+    }
+
+    /// Goes a step on, into functions and the bodies of user-defined blocks too, unless a breakpoint stops it before.
+    /// Begins a scan if none is open. None if the scan came to its end.
+    pub fn run_step(&mut self, by: StepBy) -> Option<Stop> {
+        if self.breakpoints.is_empty() && by == StepBy::Scan {
             return (!self.scan()).then(|| self.why_not());
         }
         let fresh = !self.simulation.is_open();
@@ -96,21 +118,13 @@ impl Session {
             return Some(self.why_not());
         }
         if (fresh || self.unseen_network)
-            && let Some(hit) = self.network_hit()
+            && let Some(hit) = self.hit_here()
         {
             self.unseen_network = false;
             return Some(Stop::Breakpoint(hit));
         }
         self.simulation.machine.pass_stops();
-        let watches = self
-            .breakpoints
-            .iter()
-            .any(|breakpoint| matches!(breakpoint, Breakpoint::Change(_)));
-        let until = if watches {
-            Until::BlockOrNetwork
-        } else {
-            Until::Network
-        };
+        let until = self.until(by);
         loop {
             let before = self.watched_values();
             let block = self.simulation.next_block();
@@ -122,12 +136,39 @@ impl Session {
             match stepped {
                 Stepped::Done => return None,
                 Stepped::Stopped => return Some(self.why_not()),
-                Stepped::At(_) => {
-                    if let Some(hit) = self.network_hit() {
+                Stepped::At(location) => {
+                    if let Some(hit) = self.hit_here() {
                         return Some(Stop::Breakpoint(hit));
+                    }
+                    if self.ends_step(by) {
+                        return Some(Stop::At(location));
                     }
                 }
             }
+        }
+    }
+
+    /// How far the machine runs at once.
+    fn until(&self, by: StepBy) -> Until {
+        let looks_at_blocks = |breakpoint: &Breakpoint| !matches!(breakpoint, Breakpoint::Network(_));
+        if self.breakpoints.iter().any(looks_at_blocks) {
+            return Until::BlockOrNetwork;
+        }
+        match by {
+            StepBy::Block if self.breakpoints.is_empty() => Until::Block,
+            StepBy::Block => Until::BlockOrNetwork,
+            StepBy::Network | StepBy::Scan => Until::Network,
+        }
+    }
+
+    /// Whether what stands here ends a step.
+    fn ends_step(&self, by: StepBy) -> bool {
+        let pc = self.simulation.machine.open_scan().pc();
+        let code = &self.simulation.compiled.code;
+        match by {
+            StepBy::Block => code.block_from(pc).is_some(),
+            StepBy::Network => code.networks_at(pc).next().is_some(),
+            StepBy::Scan => false,
         }
     }
 
@@ -140,28 +181,34 @@ impl Session {
         }
     }
 
-    /// The network with a breakpoint that runs next.
-    fn network_hit(&self) -> Option<Hit> {
+    /// The network or block with a breakpoint that runs next.
+    fn hit_here(&self) -> Option<Hit> {
         let pc = self.simulation.machine.open_scan().pc();
-        let mut here = self.simulation.compiled.code.networks_at(pc);
-        let network = here.find(|&network| self.breakpoints.contains(&Breakpoint::Network(network)))?;
-        Some(Hit::Network(self.simulation.program().networks[network].location))
+        let code = &self.simulation.compiled.code;
+        let is_set = |breakpoint| self.breakpoints.contains(&breakpoint);
+        if let Some(network) = code
+            .networks_at(pc)
+            .find(|&network| is_set(Breakpoint::Network(network)))
+        {
+            return Some(Hit::Network(self.simulation.program().networks[network].location));
+        }
+        let block = code.block_from(pc)?.location;
+        is_set(Breakpoint::Block(block)).then_some(Hit::Block(block))
     }
 
     fn watched_values(&self) -> Vec<Value> {
-        let points = self.breakpoints.iter().filter_map(|breakpoint| match breakpoint {
-            Breakpoint::Change(point) => Some(self.simulation.value(point)),
-            Breakpoint::Network(_) => None,
-        });
-        points.collect()
+        self.watched().map(|point| self.simulation.value(point)).collect()
+    }
+
+    fn watched(&self) -> impl Iterator<Item = &Point> {
+        self.breakpoints.iter().filter_map(|breakpoint| match breakpoint {
+            Breakpoint::Change(point) => Some(point),
+            Breakpoint::Network(_) | Breakpoint::Block(_) => None,
+        })
     }
 
     fn change_hit(&self, before: Vec<Value>, block: Option<Location>) -> Option<Hit> {
-        let points = self.breakpoints.iter().filter_map(|breakpoint| match breakpoint {
-            Breakpoint::Change(point) => Some(point),
-            Breakpoint::Network(_) => None,
-        });
-        points.zip(before).find_map(|(point, before)| {
+        self.watched().zip(before).find_map(|(point, before)| {
             let after = self.simulation.value(point);
             (after != before).then(|| Hit::Change {
                 point: point.clone(),

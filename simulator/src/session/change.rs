@@ -76,6 +76,7 @@ impl Session {
             // The state fits to the slot; only what leads to the text is another.
             (newest.program, newest.compiled) = (new.program, new.compiled);
             (newest.names, newest.points) = (new.names, new.points);
+            (newest.instances, newest.bodies) = (new.instances, new.bodies);
             self.writers = OnceCell::new();
             return Ok(Changeover::None);
         }
@@ -130,6 +131,8 @@ impl Session {
             .iter()
             .filter_map(|breakpoint| match breakpoint {
                 Breakpoint::Network(network) => moved.network(*network).map(Breakpoint::Network),
+                // Where a block went is not known by its place alone: whoever set it sets it anew.
+                Breakpoint::Block(_) => None,
                 Breakpoint::Change(point) => new.resolve(&point.name).ok().map(Breakpoint::Change),
             })
             .collect();

@@ -24,11 +24,11 @@ use crate::retain::Kept;
 use crate::simulation::{Options, Simulation, Status, ValueRefused};
 use crate::tags::Point;
 use crate::work::Brake;
-pub use breakpoints::{Breakpoint, Hit};
+pub use breakpoints::{Breakpoint, Hit, StepBy};
 use change::Era;
 use history::History;
 pub use history::HistoryLimits;
-use ladder_analysis::program::{Program, Role};
+use ladder_analysis::program::{Location, Program, Role};
 use ladder_analysis::value::Value;
 use std::cell::OnceCell;
 use std::collections::VecDeque;
@@ -52,6 +52,8 @@ pub enum Stop {
     Faulted,
     /// A breakpoint.
     Breakpoint(Hit),
+    /// It went the step that it was to: this block or network runs next.
+    At(Location),
 }
 
 /// A simulation with its history.
@@ -335,6 +337,22 @@ impl Session {
         let scans = self.simulation.machine.scan;
         let now = self.simulation.status() == Status::Faulted || (self.simulation.is_open() && !self.repeats);
         record.scan < scans || (record.scan == scans && now)
+    }
+
+    /// The faults of one scan, in their order, as far as they have happened and are kept. Of the scan that is open those
+    /// so far.
+    pub fn faults_of(&self, scan: u64) -> Vec<Fault> {
+        let scan = scan as i64;
+        if self.repeats && scan == self.simulation.machine.scan {
+            let again = self.simulation.machine.faults.iter();
+            return again.map(|record| self.simulation.fault(record)).collect();
+        }
+        let first = self.faults.partition_point(|record| record.scan < scan);
+        let of_scan = self.faults.iter().skip(first);
+        of_scan
+            .take_while(|record| record.scan == scan && self.has_happened(record))
+            .map(|record| self.simulation.fault(record))
+            .collect()
     }
 
     fn forget_faults_ahead(&mut self) {

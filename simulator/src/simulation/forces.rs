@@ -129,6 +129,19 @@ impl Simulation {
         }
     }
 
+    /// What a point will be given or held at when the scan that is open has ended.
+    pub fn waiting(&self, point: &Point) -> Option<&Value> {
+        let waiting = self.pending.iter().rev().find_map(|change| match change {
+            Change::Set(other, value) | Change::Force(other, value) if other.name == point.name => {
+                Some(Some(value))
+            }
+            Change::Unforce(other) if other.name == point.name => Some(None),
+            Change::UnforceAll => Some(None),
+            _ => None,
+        });
+        waiting.flatten()
+    }
+
     /// Whether a point is forced.
     pub fn is_forced(&self, point: &Point) -> bool {
         !self.forces.is_empty() && self.forces.contains_key(&point.name)

@@ -1,6 +1,8 @@
 //! A program that runs: scans, inputs, forces, faults, and what can be seen of it.
 
+mod activations;
 mod forces;
+mod instances;
 mod power;
 mod restart;
 mod scan;
@@ -15,9 +17,12 @@ use crate::work::Brake;
 use ladder_analysis::program::{Location, Program};
 use ladder_analysis::value::Value;
 use std::collections::BTreeMap;
-use std::sync::Arc;
+use std::sync::{Arc, OnceLock};
 
+pub use activations::{Activation, Routine};
+pub(crate) use activations::Bodies;
 pub use forces::ValueRefused;
+pub use instances::Instance;
 pub(crate) use power::PowerSource;
 pub use scan::Stepped;
 pub use state::State;
@@ -70,6 +75,10 @@ pub struct Simulation {
     pub(crate) open: bool,
     /// What waits for its end.
     pub(crate) pending: Vec<Change>,
+    /// Where user-defined blocks stand, for those who ask.
+    pub(crate) instances: OnceLock<Vec<Instance>>,
+    /// Where their bodies' code is, likewise.
+    pub(crate) bodies: OnceLock<Bodies>,
 }
 
 /// A force that is in effect.
@@ -121,6 +130,8 @@ impl Simulation {
             ran_plain: false,
             open: false,
             pending: Vec::new(),
+            instances: OnceLock::new(),
+            bodies: OnceLock::new(),
         })
     }
 
@@ -199,14 +210,17 @@ impl Simulation {
         &self.points
     }
 
-    /// The value that a text names: `run`, `t1.ET`, `a[3]`, `w.15`, `SYS.SCAN`, in any case; or a channel of a port,
-    /// `PORT.ADC[0]`.
+    /// The value that a text names: `run`, `t1.ET`, `a[3]`, `w.15`, `SYS.SCAN`, in any case; a channel of a port,
+    /// `PORT.ADC[0]`; or a tag of a place where a user-defined block stands, `$RAMP#2.level`, see [`Self::instances`].
     ///
     /// # Errors
     /// There is no such value.
     pub fn resolve(&self, text: &str) -> Result<Point, UnknownTag> {
         if let Some(port) = tags::port(self.compiled.ports, text) {
             return port;
+        }
+        if let Some(of_instance) = self.resolve_in_instance(text) {
+            return of_instance;
         }
         self.names.resolve(&self.program, &self.compiled.homes, text)
     }

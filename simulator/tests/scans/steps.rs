@@ -2,9 +2,10 @@
 
 use crate::support::simulation;
 use expect_test::{Expect, expect};
+use ladder_analysis::program::Location;
 use ladder_analysis::value::Value;
 use ladder_simulator::value_text::cell;
-use ladder_simulator::{Breakpoint, HistoryLimits, Hit, Session, Stepped, Stop};
+use ladder_simulator::{Breakpoint, HistoryLimits, Hit, Routine, Session, StepBy, Stepped, Stop};
 use ladder_syntax::{TextRange, TextSize};
 use std::sync::atomic::AtomicBool;
 
@@ -164,6 +165,7 @@ fn network(session: &Session, text: &str, mark: &str) -> Breakpoint {
 fn told(text: &str, session: &Session, (scans, stop): &(u64, Stop)) -> String {
     let why = match stop {
         Stop::Breakpoint(Hit::Network(at)) => format!("in front of {}", text_at(text, at.range)),
+        Stop::Breakpoint(Hit::Block(at)) => format!("in front of {}", text_at(text, at.range)),
         Stop::Breakpoint(Hit::Change {
             point,
             before,
@@ -301,4 +303,130 @@ fn breakpoints_change_nothing_else() {
     }
     assert_eq!(stopped.step_back(9), 9);
     assert_eq!(get(&stopped, "x y n z"), "x=0 y=0 n=0 z=0");
+}
+
+/// The place of the first text of this kind.
+fn block(text: &str, mark: &str) -> Location {
+    let start = TextSize::try_from(text.find(mark).unwrap()).unwrap();
+    let range = TextRange::at(start, TextSize::of(mark));
+    Location { file: 0, range }
+}
+
+#[test]
+fn a_run_stops_in_front_of_a_block() {
+    let never = AtomicBool::new(false);
+    let mut session = session(TWO);
+    set(&mut session, "x", true);
+    for mark in ["[ ]( x )", "[ADD]( n, n, 10 )"] {
+        session.add_breakpoint(Breakpoint::Block(block(TWO, mark)));
+    }
+    let mut shown = String::new();
+    for _ in 0..4 {
+        let run = session.run(10, &never);
+        shown.push_str(&told(TWO, &session, &run));
+    }
+    expect![[r#"
+        0 scans, then in front of [ ]( x ); 0 done
+        0 scans, then in front of [ADD]( n, n, 10 ); 0 done
+        1 scans, then in front of [ ]( x ); 1 done
+        0 scans, then in front of [ADD]( n, n, 10 ); 1 done
+    "#]]
+    .assert_eq(&shown);
+}
+
+const NESTED: &str = "FUNCTION_BLOCK [$INNER]\n\
+    VAR_INPUT a : BOOL; END_VAR\nVAR n : INT; t : TON; END_VAR\n\
+    +--[ ]( a )--[ADD]( n, n, 1 )--[TON]( t, T#1s )--+\n\
+    END_FUNCTION_BLOCK\n\
+    FUNCTION_BLOCK [$OUTER]\n\
+    VAR_IN_OUT total : INT; END_VAR\n\
+    +--[$INNER]( TRUE )--[ADD]( total, total, 1 )--+\n\
+    END_FUNCTION_BLOCK\n\
+    VAR sum : INT; END_VAR\n\
+    +--[$OUTER]( sum )--[$INNER]( FALSE )--[$OUTER]( sum )--+\n\
+    +--<CALL>( count )--+\n\
+    +--<FUN>( count )--+\n\
+    +--[$INNER]( TRUE )--+\n\
+    +--<RET>--+\n";
+
+/// What is open at each stop, the innermost first, and what the innermost instance holds.
+#[test]
+fn what_is_open_in_a_scan() {
+    let mut session = session(NESTED);
+    let mut shown = String::new();
+    while session.run_step(StepBy::Block).is_some() {
+        let simulation = session.simulation();
+        let activations = simulation.activations();
+        let names = activations.iter().map(|open| {
+            let routine = match (open.routine, open.instance) {
+                (Routine::Main, _) => "main".to_owned(),
+                (Routine::Function(function), _) => simulation.program().functions[function].name.clone(),
+                (Routine::Block(_), instance) => simulation.instances()[instance.unwrap()].name.clone(),
+            };
+            format!("{routine} {}", text_at(NESTED, open.location.range))
+        });
+        let names: Vec<String> = names.collect();
+        shown.push_str(&format!("{} {}\n", simulation.blocks_done(), names.join(" < ")));
+    }
+    expect![[r#"
+        1 $OUTER#1 [$INNER]( TRUE ) < main [$OUTER]( sum )
+        2 $OUTER#1.$INNER#1 [ ]( a ) < $OUTER#1 [$INNER]( TRUE ) < main [$OUTER]( sum )
+        3 $OUTER#1.$INNER#1 [ADD]( n, n, 1 ) < $OUTER#1 [$INNER]( TRUE ) < main [$OUTER]( sum )
+        4 $OUTER#1.$INNER#1 [TON]( t, T#1s ) < $OUTER#1 [$INNER]( TRUE ) < main [$OUTER]( sum )
+        5 $OUTER#1 [ADD]( total, total, 1 ) < main [$OUTER]( sum )
+        6 main [$INNER]( FALSE )
+        7 $INNER#1 [ ]( a ) < main [$INNER]( FALSE )
+        8 $INNER#1 [ADD]( n, n, 1 ) < main [$INNER]( FALSE )
+        9 $INNER#1 [TON]( t, T#1s ) < main [$INNER]( FALSE )
+        10 main [$OUTER]( sum )
+        11 $OUTER#2 [$INNER]( TRUE ) < main [$OUTER]( sum )
+        12 $OUTER#2.$INNER#1 [ ]( a ) < $OUTER#2 [$INNER]( TRUE ) < main [$OUTER]( sum )
+        13 $OUTER#2.$INNER#1 [ADD]( n, n, 1 ) < $OUTER#2 [$INNER]( TRUE ) < main [$OUTER]( sum )
+        14 $OUTER#2.$INNER#1 [TON]( t, T#1s ) < $OUTER#2 [$INNER]( TRUE ) < main [$OUTER]( sum )
+        15 $OUTER#2 [ADD]( total, total, 1 ) < main [$OUTER]( sum )
+        16 main <CALL>( count )
+        18 count [$INNER]( TRUE ) < main <CALL>( count )
+        19 $INNER#2 [ ]( a ) < count [$INNER]( TRUE ) < main <CALL>( count )
+        20 $INNER#2 [ADD]( n, n, 1 ) < count [$INNER]( TRUE ) < main <CALL>( count )
+        21 $INNER#2 [TON]( t, T#1s ) < count [$INNER]( TRUE ) < main <CALL>( count )
+        22 count <RET> < main <CALL>( count )
+    "#]].assert_eq(&shown);
+    assert!(session.simulation().activations().is_empty());
+}
+
+#[test]
+fn tags_of_user_defined_blocks() {
+    let mut session = session(NESTED);
+    session.scan();
+    let names = ["$INNER#1.n", "$inner#2.N", "$OUTER#2.$INNER#1.n", "$OUTER#1.total", "sum"];
+    let got: Vec<String> = names.iter().map(|name| get(&session, name)).collect();
+    expect![[r#"
+        $INNER#1.n=0
+        $inner#2.N=1
+        $OUTER#2.$INNER#1.n=1
+        $OUTER#1.total=2
+        sum=2"#]].assert_eq(&got.join("\n"));
+    let mut instances = String::new();
+    for instance in session.simulation().instances() {
+        let program = session.simulation().program();
+        let tags = instance.tags().map(|tag| program.tags[tag.0 as usize].name.as_str());
+        instances.push_str(&format!("{}: {}\n", instance.name, tags.collect::<Vec<_>>().join(" ")));
+    }
+    expect![[r#"
+        $OUTER#1: EN ENO total
+        $OUTER#1.$INNER#1: EN ENO a n t
+        $INNER#1: EN ENO a n t
+        $OUTER#2: EN ENO total
+        $OUTER#2.$INNER#1: EN ENO a n t
+        $INNER#2: EN ENO a n t
+    "#]].assert_eq(&instances);
+    for wrong in ["$INNER#9.n", "$INNER#1.x", "$", "$INNER#1", "$OUTER#1.$INNER#1"] {
+        assert!(session.simulation().resolve(wrong).is_err(), "{wrong}");
+    }
+    let point = session.simulation().resolve("$INNER#1.n").unwrap();
+    session.force(&point, Value::Int(7)).unwrap();
+    session.scan();
+    assert_eq!(get(&session, "$INNER#1.n $INNER#2.n"), "$INNER#1.n=7 $INNER#2.n=2");
+    assert_eq!(session.step_back(1), 1);
+    assert_eq!(get(&session, "$INNER#2.n"), "$INNER#2.n=1");
 }

@@ -73,7 +73,7 @@ fn breakpoint_lines(scene: Scene) -> Vec<usize> {
         .iter()
         .filter_map(|breakpoint| match breakpoint {
             Breakpoint::Network(network) => program.networks.get(*network),
-            Breakpoint::Change(_) => None,
+            Breakpoint::Block(_) | Breakpoint::Change(_) => None,
         });
     networks
         .filter_map(|network| Some(scene.plant.sheet.place(network.location)?.0))

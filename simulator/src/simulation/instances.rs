@@ -1,0 +1,113 @@
+//! The tags of user-defined blocks: they exist once for each place where a block stands.
+
+use super::Simulation;
+use crate::layout::Home;
+use crate::places::BlockAt;
+use crate::tags::{Names, Point, UnknownTag};
+use ladder_analysis::program::{BlockKind, Location, TagId};
+use ladder_syntax::Name;
+use std::collections::{BTreeMap, HashMap};
+
+/// A place where a user-defined block stands, with tags of its own.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Instance {
+    /// The block's name and a number: `$RAMP#2` is the second place of `$RAMP` in the order of the code. Of a block in the
+    /// body of another, the name of that stands before it: `$OUTER#1.$RAMP#1`.
+    pub name: String,
+    /// The block: index into [`Program::blocks`](ladder_analysis::program::Program::blocks).
+    pub block: usize,
+    /// Where it stands.
+    pub location: Location,
+    /// The block, behind those in whose bodies it stands.
+    pub(super) path: Vec<BlockAt>,
+    tags: Vec<(TagId, Home)>,
+}
+
+impl Instance {
+    /// Its tags, in the order of their declaration: index into
+    /// [`Program::tags`](ladder_analysis::program::Program::tags).
+    pub fn tags(&self) -> impl Iterator<Item = TagId> {
+        self.tags.iter().map(|(tag, _)| *tag)
+    }
+}
+
+impl Simulation {
+    /// The places where user-defined blocks stand, in the order of the code. A block of another's body has a place for
+    /// each of that one's. What is called by several places has one.
+    pub fn instances(&self) -> &[Instance] {
+        self.instances.get_or_init(|| self.find_instances())
+    }
+
+    fn find_instances(&self) -> Vec<Instance> {
+        let places = &self.compiled.places;
+        let mut by_path: BTreeMap<&[BlockAt], Vec<(TagId, Home)>> = BTreeMap::new();
+        for (path, tag, home) in places.body_in_outs.iter().chain(&places.body_tags) {
+            by_path.entry(path).or_default().push((*tag, *home));
+        }
+        let mut names: HashMap<&[BlockAt], String> = HashMap::new();
+        let mut numbers: HashMap<(String, usize), usize> = HashMap::new();
+        let mut instances = Vec::with_capacity(by_path.len());
+        for (path, mut tags) in by_path {
+            let Some((last, outer)) = path.split_last() else {
+                continue;
+            };
+            let drawn = &self.program.networks[last.network].blocks[last.block];
+            let BlockKind::User(block) = drawn.kind else {
+                continue;
+            };
+            tags.sort_by_key(|(tag, _)| *tag);
+            let outer = names.get(outer).map_or(String::new(), |outer| format!("{outer}."));
+            let number = numbers.entry((outer.clone(), block)).or_default();
+            *number += 1;
+            let name = format!("{outer}{}#{number}", self.program.blocks[block].name);
+            names.insert(path, name.clone());
+            instances.push(Instance {
+                name,
+                block,
+                location: drawn.location,
+                path: path.to_vec(),
+                tags,
+            });
+        }
+        instances
+    }
+
+    /// A tag of an instance, by a text such as `$RAMP#2.level`. None if the text does not begin as one.
+    pub(super) fn resolve_in_instance(&self, text: &str) -> Option<Result<Point, UnknownTag>> {
+        let text = text.trim();
+        if !text.starts_with('$') {
+            return None;
+        }
+        let typed = Name::new(text);
+        let named = |instance: &&Instance| {
+            let rest = typed.as_str().strip_prefix(Name::new(&instance.name).as_str());
+            rest.is_some_and(|rest| rest.starts_with('.') && !rest.starts_with(".$"))
+        };
+        let Some(instance) = self.instances().iter().find(named) else {
+            return Some(Err(UnknownTag {
+                message: format!(
+                    "there is no place `{text}`: write the block's name, its number and a tag of its body, as in $RAMP#1.level"
+                ),
+            }));
+        };
+        // A name and its spelling have as many dots.
+        let dots = instance.name.matches('.').count();
+        let tag = text.splitn(dots + 2, '.').last().unwrap_or_default();
+        Some(self.resolve_within(instance, tag))
+    }
+
+    /// A tag of an instance by its name in the body: `level`, `t1.ET`.
+    ///
+    /// # Errors
+    /// The body has no such tag.
+    pub fn resolve_within(&self, instance: &Instance, tag: &str) -> Result<Point, UnknownTag> {
+        let mut homes = self.compiled.homes.clone();
+        for (tag, home) in &instance.tags {
+            homes[tag.0 as usize] = *home;
+        }
+        let names = Names::of_instance(&self.program, instance.tags());
+        let mut point = names.resolve(&self.program, &homes, tag)?;
+        point.name = format!("{}.{}", instance.name, point.name);
+        Ok(point)
+    }
+}
