@@ -1,6 +1,6 @@
 //! What stands on the command line.
 
-use crate::commands::{check, convert, explain, fmt, lsp, render, sim, test, tree};
+use crate::commands::{check, convert, dap, explain, fmt, lsp, render, sim, test, tree};
 #[cfg(feature = "pages")]
 use crate::commands::{completions, man};
 #[cfg(not(feature = "pages"))]
@@ -42,6 +42,7 @@ enum Command {
     Convert(convert::Arguments),
     Explain(explain::Arguments),
     Lsp(lsp::Arguments),
+    Dap(dap::Arguments),
     Tree(tree::Arguments),
     #[cfg(feature = "pages")]
     Completions(completions::Arguments),
@@ -58,8 +59,9 @@ enum Command {
 impl Ladder {
     pub(crate) fn run(self) -> ExitCode {
         let result = match self.command {
-            // The server has an exit status of its own, which the protocol asks for.
+            // They have exit statuses of their own.
             Command::Lsp(arguments) => return lsp::run(&arguments),
+            Command::Dap(arguments) => return dap::run(&arguments),
             Command::Check(arguments) => check::run(&arguments),
             Command::Fmt(arguments) => fmt::run(&arguments),
             Command::Sim(arguments) => sim::run(&arguments),

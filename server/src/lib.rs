@@ -19,6 +19,7 @@
 //!   the framework.
 //! - `notation` translates programs of other systems for the editor, and reads those that are open; it knows the custom
 //!   messages of that.
+//! - `debug` is the debug adapter, `ladder dap`, over the same engine.
 //! - `recording` and `replay` keep what a client sent, and play it again.
 //! - `lsp` speaks the protocol. It is the only folder that names `tower-lsp`, and its page has the rules that
 //!   keep a server on it alive, in order and answering.
@@ -29,6 +30,7 @@
 
 mod busy;
 mod cancel;
+mod debug;
 mod document;
 mod language;
 mod lsp;
@@ -66,6 +68,19 @@ pub fn run_stdio(mirror: Option<&Path>) -> ExitCode {
                 "the session cannot be recorded in {}: {error}",
                 ladder_workspace::shown::path(mirror)
             );
+            ExitCode::from(2)
+        }
+    }
+}
+
+/// Serves one debugger over standard input and output, until it disconnects or closes the input.
+///
+/// The exit status is 0, or 2 if the adapter could not start.
+pub fn run_debug_adapter() -> ExitCode {
+    match debug::serve(tokio::io::stdin, std::io::stdout()) {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(error) => {
+            eprintln!("the debug adapter cannot start: {error}");
             ExitCode::from(2)
         }
     }

@@ -4,6 +4,7 @@ pub(crate) mod check;
 #[cfg(feature = "pages")]
 pub(crate) mod completions;
 pub(crate) mod convert;
+pub(crate) mod dap;
 pub(crate) mod explain;
 pub(crate) mod fmt;
 pub(crate) mod lsp;

@@ -20,7 +20,7 @@ mod sessions;
 mod sight;
 mod standing;
 mod trace;
-mod value;
+pub(crate) mod value;
 mod view;
 
 pub(crate) use action::{Action, Answer};

@@ -42,7 +42,7 @@ fn real_to_json(real: f64) -> Json {
 }
 
 /// A value from the client. The message says what the type takes.
-pub(super) fn from_json(json: &Json, ty: Scalar) -> Result<Value, String> {
+pub(crate) fn from_json(json: &Json, ty: Scalar) -> Result<Value, String> {
     match json {
         Json::String(text) if ty.is_string() => Ok(Value::Text(text.as_bytes().into())),
         Json::String(text) => value_text::parse(text, ty),

@@ -12,6 +12,7 @@
 mod bind;
 mod draw;
 mod parse;
+mod play;
 mod record;
 mod run;
 #[cfg(test)]
@@ -23,6 +24,7 @@ pub use bind::{Case, bind};
 pub use draw::{Line, LineKind, draw, sentence};
 use ladder_syntax::TextRange;
 pub use parse::{Cell, Direction, Row, Scenario, Suite, parse};
+pub use play::Unmet;
 pub use record::{Recorded, record, recorded_file};
 pub use run::{Difference, Ran, run};
 pub use tolerance::Tolerance;

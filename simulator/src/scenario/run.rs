@@ -1,6 +1,7 @@
 //! Playing a scenario.
 
-use super::bind::{Case, Target};
+use super::Tolerance;
+use super::bind::{Case, Expected, Target};
 use crate::fault::Fault;
 use crate::simulation::{Simulation, Status};
 use ladder_analysis::value::Value;
@@ -118,22 +119,21 @@ fn give(case: &Case, step: usize, simulation: &mut Simulation) {
     }
 }
 
+/// Whether a value is what a row expects, or near enough.
+pub(super) fn is_met(row: &Expected, wanted: &Value, got: &Value) -> bool {
+    let allows = |tolerance: Tolerance| tolerance.allows(wanted, got, row.target.ty());
+    got == wanted || row.tolerance.is_some_and(allows)
+}
+
 fn compare(case: &Case, ran: &mut Ran) {
     for (index, (row, got)) in case.expected.iter().zip(&ran.got).enumerate() {
-        let ty = row.target.ty();
         let mut range = row.range;
         let mut steps = Vec::new();
         for (step, ((wanted, place), got)) in row.values.iter().zip(got).enumerate() {
             let Some(wanted) = wanted else {
                 continue;
             };
-            let met = got.as_ref().is_some_and(|got| {
-                got == wanted
-                    || row
-                        .tolerance
-                        .is_some_and(|tolerance| tolerance.allows(wanted, got, ty))
-            });
-            if met {
+            if got.as_ref().is_some_and(|got| is_met(row, wanted, got)) {
                 continue;
             }
             if steps.is_empty() {

@@ -148,6 +148,11 @@ impl Session {
         }
     }
 
+    /// Whether the scan that is open has halted where a network begins.
+    pub fn is_in_front_of_network(&self) -> bool {
+        self.simulation.is_open() && self.ends_step(StepBy::Network)
+    }
+
     /// How far the machine runs at once.
     fn until(&self, by: StepBy) -> Until {
         let looks_at_blocks = |breakpoint: &Breakpoint| !matches!(breakpoint, Breakpoint::Network(_));

@@ -34,7 +34,7 @@ pub struct Activation {
 #[derive(Debug)]
 pub(crate) struct Bodies {
     /// User-defined blocks with their code, in the order of that.
-    bodies: Vec<Body>,
+    all: Vec<Body>,
     blocks: HashMap<Location, BlockAt>,
     instances: HashMap<Vec<BlockAt>, usize>,
 }
@@ -70,7 +70,7 @@ impl Simulation {
     fn activations_at(&self, pc: u32, innermost: bool, found: &mut Vec<Activation>) {
         let bodies = self.bodies.get_or_init(|| self.find_bodies());
         let around: Vec<&Body> = bodies
-            .bodies
+            .all
             .iter()
             .take_while(|body| body.start < pc)
             .filter(|body| pc < body.end)
@@ -150,7 +150,7 @@ impl Simulation {
             matches!(kind, BlockKind::User(_))
         };
         let places = self.compiled.code.blocks.iter();
-        let bodies = places
+        let all = places
             .filter_map(|place| {
                 let block = *blocks.get(&place.location).filter(|at| is_user(at))?;
                 Some(Body {
@@ -162,7 +162,7 @@ impl Simulation {
             .collect();
         let instances = self.instances().iter().enumerate();
         Bodies {
-            bodies,
+            all,
             blocks,
             instances: instances
                 .map(|(number, instance)| (instance.path.clone(), number))

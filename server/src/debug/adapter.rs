@@ -1,0 +1,487 @@
+//! The requests, one function each.
+
+use std::collections::HashSet;
+use std::io::Write;
+use std::path::Path;
+use std::sync::Arc;
+use std::sync::atomic::AtomicUsize;
+
+use ladder_analysis::program::Location;
+use ladder_simulator::Brake;
+use ladder_syntax::TextRange;
+use serde_json::{Value as Json, json};
+
+use super::breakpoints::{self, Table};
+use super::capabilities::capabilities;
+use super::launch::{self, Configuration};
+use super::messages::{
+    BreakpointLocations, Completions, DataBreakpointInfo, Evaluate, Force, Initialize, Request, Restart, Scopes,
+    SetBreakpoints, SetDataBreakpoints, SetExceptionBreakpoints, SetExpression, SetVariable, SourceBreakpoint,
+    StackTrace, Step as StepArguments, Variables,
+};
+use super::running::{EXPECTATIONS, FAULTS, Going, Stopped};
+use super::sources::Counting;
+use super::stack;
+use super::stepping::Step;
+use super::target::Target;
+use super::variables::{self, Handles};
+use super::wire::Outlet;
+
+/// A program has one thread.
+pub(super) const THREAD: i64 = 1;
+
+/// How far a session has come.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Phase {
+    /// Before `initialize`.
+    New,
+    /// Before `launch`.
+    Ready,
+    /// Before `configurationDone`.
+    Launched,
+    /// The program runs or stands.
+    Live,
+    /// The program is over.
+    Over,
+}
+
+/// A session of the debug adapter.
+pub(super) struct Adapter<W> {
+    out: Outlet<W>,
+    /// What goes out behind the answer.
+    events: Vec<(&'static str, Json)>,
+    pub(super) client: Initialize,
+    pub(super) counting: Counting,
+    pub(super) phase: Phase,
+    pub(super) configuration: Configuration,
+    pub(super) target: Option<Target>,
+    pub(super) table: Table,
+    pub(super) handles: Handles,
+    pub(super) going: Option<Going>,
+    /// Why it stands.
+    pub(super) stopped: Option<Stopped>,
+    pub(super) stops_at_faults: bool,
+    pub(super) stops_at_expectations: bool,
+    /// A scan, and how many of its faults were looked at.
+    pub(super) faults_seen: (u64, usize),
+    /// The faults that were written.
+    pub(super) faults_told: HashSet<(Location, String)>,
+    /// That the program has ended was shown.
+    pub(super) end_is_shown: bool,
+    /// How many requests wait that a long scan is given up for.
+    pub(super) urgent: Arc<AtomicUsize>,
+    /// The client is gone, or wants to be.
+    is_left: bool,
+}
+
+impl<W: Write> Adapter<W> {
+    pub(super) fn new(output: W, urgent: Arc<AtomicUsize>) -> Adapter<W> {
+        let client = Initialize::default();
+        Adapter {
+            out: Outlet::new(output),
+            events: Vec::new(),
+            counting: Counting::of(&client),
+            client,
+            phase: Phase::New,
+            configuration: Configuration::default(),
+            target: None,
+            table: Table::default(),
+            handles: Handles::default(),
+            going: None,
+            stopped: None,
+            stops_at_faults: true,
+            stops_at_expectations: true,
+            faults_seen: (0, 0),
+            faults_told: HashSet::new(),
+            end_is_shown: false,
+            urgent,
+            is_left: false,
+        }
+    }
+
+    /// Whether there is nothing more to be done.
+    pub(super) fn is_over(&self) -> bool {
+        self.is_left || self.out.is_broken()
+    }
+
+    /// Whether the program runs.
+    pub(super) fn is_running(&self) -> bool {
+        self.going.is_some()
+    }
+
+    /// Answers a request, and sends what follows from it.
+    pub(super) fn handle(&mut self, request: &Request, outcome: Result<Json, String>) {
+        self.out.answer(request.seq, &request.command, outcome);
+        self.send_events();
+    }
+
+    /// Answers something that is no request.
+    pub(super) fn refuse(&mut self, seq: i64, problem: String) {
+        self.out.answer(seq, "", Err(problem));
+    }
+
+    /// Sends the events that have come up.
+    pub(super) fn send_events(&mut self) {
+        for (event, body) in std::mem::take(&mut self.events) {
+            self.out.event(event, body);
+        }
+    }
+
+    pub(super) fn event(&mut self, event: &'static str, body: Json) {
+        self.events.push((event, body));
+    }
+
+    /// Writes into the client's console, with the place in the program that it is about.
+    pub(super) fn write(&mut self, category: &str, text: &str, place: Option<Location>) {
+        let mut body = json!({"category": category, "output": text});
+        if let (Some(place), Some(target)) = (place, &self.target) {
+            let source = target.source(place.file);
+            let range = self.counting.range(source, place.range);
+            body["source"] = source.json();
+            body["line"] = range["line"].clone();
+            body["column"] = range["column"].clone();
+        }
+        self.event("output", body);
+    }
+
+    /// The same, about a place in the scenario.
+    pub(super) fn write_in_scenario(&mut self, text: &str, place: TextRange) {
+        let mut body = json!({"category": "stderr", "output": text});
+        if let Some(play) = self.target.as_ref().and_then(|target| target.play.as_ref()) {
+            let range = self.counting.range(&play.file, place);
+            body["source"] = play.file.json();
+            body["line"] = range["line"].clone();
+            body["column"] = range["column"].clone();
+        }
+        self.event("output", body);
+    }
+
+    pub(super) fn target(&mut self) -> Result<&mut Target, String> {
+        self.target.as_mut().ok_or_else(no_program)
+    }
+
+    /// The client's session is over: what is kept is saved.
+    pub(super) fn leave(&mut self) {
+        self.is_left = true;
+        self.going = None;
+        if self.phase != Phase::Over
+            && let Some(target) = &mut self.target
+        {
+            let _ = target.save();
+        }
+    }
+
+    /// The program has met a mistake of the engine: it cannot be trusted any more.
+    pub(super) fn give_up(&mut self) {
+        self.going = None;
+        self.target = None;
+        self.write("stderr", "the simulator has met a mistake of its own and stops; please report it\n", None);
+        self.end(2);
+        self.send_events();
+    }
+
+    /// What a request asks for.
+    pub(super) fn answer(&mut self, request: &Request) -> Result<Json, String> {
+        match (request.command.as_str(), self.phase) {
+            ("initialize", Phase::New) => return self.initialize(request),
+            ("initialize", _) => return Err("the session is initialized already".into()),
+            ("disconnect", _) => {
+                self.leave();
+                return Ok(Json::Null);
+            }
+            (_, Phase::New) => return Err("the first request is `initialize`".into()),
+            _ => {}
+        }
+        match request.command.as_str() {
+            "launch" => self.launch(request),
+            "attach" => Err("there is nothing to attach to: a program is launched".into()),
+            "configurationDone" => self.configuration_done(),
+            "restart" => self.restart(request),
+            "terminate" => {
+                self.end(0);
+                Ok(Json::Null)
+            }
+            "threads" => Ok(json!({"threads": [{"id": THREAD, "name": "Scan"}]})),
+            "setBreakpoints" => self.set_breakpoints(&request.arguments()?),
+            "setFunctionBreakpoints" | "setInstructionBreakpoints" => Ok(json!({"breakpoints": []})),
+            "breakpointLocations" => self.breakpoint_locations(&request.arguments()?),
+            "dataBreakpointInfo" => self.data_breakpoint_info(&request.arguments()?),
+            "setDataBreakpoints" => self.set_data_breakpoints(&request.arguments()?),
+            "setExceptionBreakpoints" => self.set_exception_breakpoints(&request.arguments()?),
+            "exceptionInfo" => self.exception_info(),
+            "stackTrace" => self.stack_trace(&request.arguments()?),
+            "scopes" => {
+                let Scopes { frame_id } = request.arguments()?;
+                let target = self.target.as_ref().ok_or_else(no_program)?;
+                Ok(json!({"scopes": variables::scopes(target, frame_id, &mut self.handles)}))
+            }
+            "variables" => self.variables(&request.arguments()?),
+            "setVariable" => self.set_variable(&request.arguments::<SetVariable>()?),
+            "setExpression" => self.set_expression(&request.arguments::<SetExpression>()?),
+            "evaluate" => self.evaluate(&request.arguments::<Evaluate>()?),
+            "completions" => self.completions(&request.arguments::<Completions>()?),
+            "pause" => {
+                self.must_be_live()?;
+                if self.is_running() {
+                    self.stop(Stopped::because("pause", ""));
+                }
+                Ok(Json::Null)
+            }
+            "continue" => {
+                self.must_stand()?;
+                self.start_run()?;
+                Ok(json!({"allThreadsContinued": true}))
+            }
+            "reverseContinue" => {
+                self.must_stand()?;
+                self.run_back()?;
+                Ok(Json::Null)
+            }
+            "next" | "stepIn" | "stepOut" | "stepBack" => {
+                let StepArguments { granularity } = request.arguments()?;
+                self.must_stand()?;
+                match request.command.as_str() {
+                    "next" => self.step(Step::next(granularity))?,
+                    "stepIn" => self.step(Step::Into)?,
+                    "stepOut" => self.step(Step::Out)?,
+                    _ => self.step_back(granularity)?,
+                }
+                Ok(Json::Null)
+            }
+            "ladder/force" => {
+                let arguments: Force = request.arguments()?;
+                let point = self.point_of_force(&arguments)?;
+                let point = point.ok_or("ladder/force: `name` is missing")?;
+                self.force(&point, arguments.value.as_deref(), arguments.frame_id)?;
+                Ok(variables::point_json(self.target()?.simulation(), &point))
+            }
+            "ladder/unforce" => {
+                let point = self.point_of_force(&request.arguments()?)?;
+                self.unforce(point.as_ref())?;
+                Ok(Json::Null)
+            }
+            other => Err(format!("there is no request `{other}`")),
+        }
+    }
+
+    fn must_be_live(&mut self) -> Result<(), String> {
+        match self.phase {
+            Phase::Live => Ok(()),
+            Phase::Over => Err("the program is over".into()),
+            Phase::New | Phase::Ready => Err(no_program()),
+            Phase::Launched => Err("the program has not begun: `configurationDone` is missing".into()),
+        }
+    }
+
+    fn must_stand(&mut self) -> Result<(), String> {
+        self.must_be_live()?;
+        if self.is_running() {
+            return Err("the program runs; pause it first".into());
+        }
+        Ok(())
+    }
+
+    fn initialize(&mut self, request: &Request) -> Result<Json, String> {
+        self.client = request.arguments()?;
+        if self.client.path_format.as_deref().is_some_and(|format| format != "path") {
+            return Err("files are named by their paths: pathFormat must be `path`".into());
+        }
+        self.counting = Counting::of(&self.client);
+        self.phase = Phase::Ready;
+        Ok(capabilities())
+    }
+
+    fn launch(&mut self, request: &Request) -> Result<Json, String> {
+        if self.phase != Phase::Ready {
+            return Err("the program is launched already".into());
+        }
+        self.load(request.arguments()?)?;
+        self.phase = Phase::Launched;
+        // Breakpoints can be placed only now.
+        self.event("initialized", Json::Null);
+        Ok(Json::Null)
+    }
+
+    fn load(&mut self, configuration: Configuration) -> Result<(), String> {
+        configuration.speed()?;
+        // The file of retentive tags is in use by the program that ran before.
+        if let Some(mut before) = self.target.take() {
+            let _ = before.save();
+        }
+        let (mut target, notes) = launch::load(&configuration)?;
+        let urgent = self.urgent.clone();
+        target.session.set_brake(Some(Brake::new(move || urgent.load(std::sync::atomic::Ordering::SeqCst) > 0)));
+        self.target = Some(target);
+        self.configuration = configuration;
+        self.faults_seen = (0, 0);
+        self.faults_told.clear();
+        self.end_is_shown = false;
+        for note in notes {
+            self.write("console", &format!("{note}\n"), None);
+        }
+        Ok(())
+    }
+
+    fn configuration_done(&mut self) -> Result<Json, String> {
+        match self.phase {
+            Phase::Launched => self.begin()?,
+            Phase::Ready => return Err(no_program()),
+            _ => {}
+        }
+        Ok(Json::Null)
+    }
+
+    /// The program begins.
+    fn begin(&mut self) -> Result<(), String> {
+        self.phase = Phase::Live;
+        self.arm();
+        if self.configuration.stop_on_entry && !self.configuration.no_debug {
+            self.stop(Stopped::because("entry", "Before the first scan"));
+            return Ok(());
+        }
+        self.start_run()
+    }
+
+    fn restart(&mut self, request: &Request) -> Result<Json, String> {
+        let Restart { arguments } = request.arguments()?;
+        if matches!(self.phase, Phase::Ready) {
+            return Err(no_program());
+        }
+        let configuration = match arguments {
+            Some(arguments) => serde_json::from_value(arguments).map_err(|error| format!("restart: {error}"))?,
+            None => self.configuration.clone(),
+        };
+        self.going = None;
+        self.forget_stop();
+        if let Err(problem) = self.load(configuration) {
+            self.phase = Phase::Live;
+            self.end(1);
+            return Err(problem);
+        }
+        let target = self.target.as_ref().ok_or_else(no_program)?;
+        for told in self.table.place_anew(target, self.counting) {
+            self.event("breakpoint", json!({"reason": "changed", "breakpoint": told}));
+        }
+        self.begin()?;
+        Ok(Json::Null)
+    }
+
+    /// Tells the engine where it is to stop.
+    fn arm(&mut self) {
+        let Some(target) = &mut self.target else {
+            return;
+        };
+        if self.configuration.no_debug {
+            target.session.clear_breakpoints();
+        } else {
+            self.table.arm(target);
+        }
+    }
+
+    fn set_breakpoints(&mut self, arguments: &SetBreakpoints) -> Result<Json, String> {
+        let of_line = |&line: &i64| SourceBreakpoint {
+            line,
+            ..SourceBreakpoint::default()
+        };
+        let wanted = match &arguments.breakpoints {
+            Some(breakpoints) => breakpoints.clone(),
+            None => arguments.lines.iter().map(of_line).collect(),
+        };
+        let target = self.target.as_ref().ok_or_else(no_program)?;
+        let path = arguments.source.path.as_deref().unwrap_or_default();
+        let Some(file) = target.file_of(Path::new(path)) else {
+            let told = wanted.iter().map(|wanted| {
+                json!({
+                    "verified": false, "line": wanted.line,
+                    "message": "the program that runs uses nothing of this file",
+                })
+            });
+            return Ok(json!({"breakpoints": told.collect::<Vec<_>>()}));
+        };
+        let told = self.table.set_in_file(target, file, wanted, self.counting);
+        self.arm();
+        Ok(json!({"breakpoints": told}))
+    }
+
+    fn breakpoint_locations(&mut self, arguments: &BreakpointLocations) -> Result<Json, String> {
+        let counting = self.counting;
+        let target = self.target()?;
+        let path = arguments.source.path.as_deref().unwrap_or_default();
+        let Some(file) = target.file_of(Path::new(path)) else {
+            return Ok(json!({"breakpoints": []}));
+        };
+        let last = target.source(file).line_count();
+        let first = counting.line(arguments.line);
+        let end = arguments.end_line.map_or(first, |line| counting.line(line)).min(last);
+        Ok(json!({"breakpoints": breakpoints::locations(target, file, first..=end, counting)}))
+    }
+
+    fn data_breakpoint_info(&mut self, arguments: &DataBreakpointInfo) -> Result<Json, String> {
+        let point = match arguments.variables_reference.filter(|&reference| reference > 0) {
+            Some(reference) => {
+                let container = self.handles.get(reference)?;
+                variables::point_in(self.target()?, &container, &arguments.name)
+            }
+            None => self.target()?.scope(arguments.frame_id).resolve(&arguments.name),
+        };
+        Ok(match point {
+            Ok(point) => json!({
+                "dataId": point.name,
+                "description": format!("{} changes", point.name),
+                "accessTypes": ["write"],
+                "canPersist": true,
+            }),
+            Err(problem) => json!({"dataId": null, "description": problem}),
+        })
+    }
+
+    fn set_data_breakpoints(&mut self, arguments: &SetDataBreakpoints) -> Result<Json, String> {
+        let target = self.target.as_ref().ok_or_else(no_program)?;
+        let told = self.table.set_data(target, arguments.breakpoints.clone());
+        self.arm();
+        Ok(json!({"breakpoints": told}))
+    }
+
+    fn set_exception_breakpoints(&mut self, arguments: &SetExceptionBreakpoints) -> Result<Json, String> {
+        let options = arguments.filter_options.iter().map(|option| option.filter_id.as_str());
+        let filters: Vec<&str> = arguments.filters.iter().map(String::as_str).chain(options).collect();
+        if let Some(unknown) = filters.iter().find(|filter| ![FAULTS, EXPECTATIONS].contains(filter)) {
+            return Err(format!("there is no filter `{unknown}`: there are {FAULTS} and {EXPECTATIONS}"));
+        }
+        self.stops_at_faults = filters.contains(&FAULTS);
+        self.stops_at_expectations = filters.contains(&EXPECTATIONS);
+        Ok(Json::Null)
+    }
+
+    fn exception_info(&mut self) -> Result<Json, String> {
+        let exception = self.stopped.as_ref().and_then(|stopped| Some((stopped.exception?, &stopped.description)));
+        let (kind, description) = exception.ok_or("the program did not stop for a fault")?;
+        let id = if kind == FAULTS { "Fault" } else { "Expectation failed" };
+        Ok(json!({"exceptionId": id, "description": description, "breakMode": "always"}))
+    }
+
+    fn stack_trace(&mut self, arguments: &StackTrace) -> Result<Json, String> {
+        let place = self.stopped.as_ref().and_then(|stopped| stopped.place);
+        let counting = self.counting;
+        let frames = stack::frames(self.target()?, place, counting);
+        let total = frames.len();
+        let start = arguments.start_frame.unwrap_or(0);
+        let levels = arguments.levels.filter(|&levels| levels > 0).unwrap_or(usize::MAX);
+        let frames: Vec<Json> = frames.into_iter().skip(start).take(levels).collect();
+        Ok(json!({"stackFrames": frames, "totalFrames": total}))
+    }
+
+    fn variables(&mut self, arguments: &Variables) -> Result<Json, String> {
+        let container = self.handles.get(arguments.variables_reference)?;
+        let target = self.target.as_ref().ok_or_else(no_program)?;
+        let window = (arguments.start.unwrap_or(0), arguments.count);
+        let filter = arguments.filter.as_deref();
+        let listed = variables::list(target, &container, filter, window, &mut self.handles);
+        Ok(json!({"variables": listed}))
+    }
+}
+
+/// Nothing is launched.
+pub(super) fn no_program() -> String {
+    "no program is launched".into()
+}

@@ -1,0 +1,43 @@
+//! What the adapter can do, as it says at the beginning.
+
+use serde_json::{Value as Json, json};
+
+use super::running::{EXPECTATIONS, FAULTS};
+
+/// The answer to `initialize`.
+pub(super) fn capabilities() -> Json {
+    json!({
+        "supportsConfigurationDoneRequest": true,
+        "supportsConditionalBreakpoints": true,
+        "supportsHitConditionalBreakpoints": true,
+        "supportsLogPoints": true,
+        "supportsBreakpointLocationsRequest": true,
+        "supportsDataBreakpoints": true,
+        "supportsStepBack": true,
+        "supportsSteppingGranularity": true,
+        "supportsRestartRequest": true,
+        "supportsTerminateRequest": true,
+        "supportsSetVariable": true,
+        "supportsSetExpression": true,
+        "supportsEvaluateForHovers": true,
+        "supportsClipboardContext": true,
+        "supportsCompletionsRequest": true,
+        "completionTriggerCharacters": [".", "$"],
+        "supportsExceptionInfoRequest": true,
+        "supportsExceptionFilterOptions": true,
+        "exceptionBreakpointFilters": [
+            {
+                "filter": FAULTS,
+                "label": "Faults",
+                "description": "Stops behind a block that meets a fault: a division by zero, an index outside its array",
+                "default": true,
+            },
+            {
+                "filter": EXPECTATIONS,
+                "label": "Failed expectations",
+                "description": "Stops behind the first step of a scenario that does not come out as expected",
+                "default": true,
+            },
+        ],
+    })
+}

@@ -1,0 +1,370 @@
+//! The configuration of a launch, and what becomes of it.
+
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+
+use ladder_analysis::program::Program;
+use ladder_analysis::types::Scalar;
+use ladder_analysis::value::Value;
+use ladder_analysis::{Analysis, NotWhole};
+use ladder_simulator::scenario;
+use ladder_simulator::{HistoryLimits, Options, Session, Simulation, value_text};
+use ladder_workspace::{Named, RetentiveFile, Root, Workspace, shown};
+use serde::Deserialize;
+use serde_json::{Map, Value as Json};
+
+use super::play::Play;
+use super::sources::Source;
+use super::target::Target;
+use super::watch::Scope;
+use crate::simulation::value::from_json;
+
+/// The configuration.
+#[derive(Debug, Clone, Default, Deserialize)]
+#[serde(rename_all = "camelCase", default)]
+pub(super) struct Configuration {
+    /// The program, or a file of scenarios.
+    pub program: Option<String>,
+    /// The scenario to run; without it the first of its file.
+    pub scenario: Option<String>,
+    /// The file of it; without it the one beside the program, of its name.
+    pub scenario_file: Option<String>,
+    /// What tags hold from the first scan on.
+    pub inputs: Map<String, Json>,
+    /// What tags are held at.
+    pub forces: Map<String, Json>,
+    /// The file that keeps retentive tags.
+    pub retain: Option<String>,
+    /// The time from one scan to the next: `10ms`, or a number of milliseconds.
+    pub cycle: Option<Json>,
+    pub speed: Option<Speed>,
+    pub stop_on_entry: bool,
+    /// How many scans can be stepped back.
+    pub history: Option<u64>,
+    /// What a step back goes back by.
+    pub step_back: Option<BackBy>,
+    /// Breakpoints do not stop it.
+    pub no_debug: bool,
+}
+
+/// How fast a run goes.
+#[derive(Debug, Clone, Copy, PartialEq, Deserialize)]
+#[serde(untagged)]
+pub(super) enum Speed {
+    /// So many times as fast as real time.
+    Times(f64),
+    Named(NamedSpeed),
+}
+
+#[derive(Debug, Clone, Copy, PartialEq, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub(super) enum NamedSpeed {
+    /// As fast as it goes.
+    Max,
+}
+
+/// What a step back goes back by.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub(super) enum BackBy {
+    Block,
+    #[default]
+    Rung,
+    Scan,
+}
+
+/// How fast a run may be.
+const SPEEDS: std::ops::RangeInclusive<f64> = 0.001..=1000.0;
+
+/// The longest time between two scans, in milliseconds: a day.
+const LONGEST: f64 = 86_400_000.0;
+
+impl Configuration {
+    /// So many times as fast as real time; none for as fast as it goes.
+    pub(super) fn speed(&self) -> Result<Option<f64>, String> {
+        match self.speed {
+            Some(Speed::Named(NamedSpeed::Max)) => Ok(None),
+            None if self.scenario_asked_for() => Ok(None),
+            None => Ok(Some(1.0)),
+            Some(Speed::Times(times)) if SPEEDS.contains(&times) => Ok(Some(times)),
+            Some(Speed::Times(times)) => Err(format!(
+                "speed is {times}: it is \"max\" or from 0.001 to 1000 times real time"
+            )),
+        }
+    }
+
+    fn scenario_asked_for(&self) -> bool {
+        let is_file = self.program.as_deref().is_some_and(|program| is_scenario_file(program));
+        is_file || self.scenario.is_some() || self.scenario_file.is_some()
+    }
+
+    /// The time from one scan to the next, in nanoseconds.
+    fn interval(&self) -> Result<Option<i64>, String> {
+        let wrong = || "cycle: write the time from one scan to the next, such as \"10ms\", or milliseconds".to_owned();
+        let nanoseconds = match &self.cycle {
+            None | Some(Json::Null) => return Ok(None),
+            Some(Json::String(text)) => match value_text::parse(text, Scalar::Time) {
+                Ok(Value::Int(nanoseconds)) => nanoseconds,
+                Ok(_) => return Err(wrong()),
+                Err(problem) => return Err(format!("cycle: {problem}")),
+            },
+            Some(number) => {
+                let milliseconds = number.as_f64().ok_or_else(wrong)?;
+                if !(1e-6..=LONGEST).contains(&milliseconds) {
+                    return Err("cycle: it is more than 0 and at most a day".into());
+                }
+                (milliseconds * 1e6).round() as i64
+            }
+        };
+        if nanoseconds > 0 {
+            Ok(Some(nanoseconds))
+        } else {
+            Err("cycle: the time from one scan to the next must be longer than 0".into())
+        }
+    }
+}
+
+fn is_scenario_file(name: &str) -> bool {
+    ladder_workspace::is_scenario(Path::new(name))
+}
+
+/// Loads the program and makes it ready for its first scan. The second part are sentences for the person.
+pub(super) fn load(configuration: &Configuration) -> Result<(Target, Vec<String>), String> {
+    let play = scenario_of(configuration)?;
+    let program_path = match (&play, &configuration.program) {
+        (Some(asked), _) => asked.program.clone(),
+        (None, Some(program)) => absolute(program)?,
+        (None, None) => return Err("`program` is missing: name the .clad file to run".into()),
+    };
+    let Loaded {
+        program,
+        sources,
+        workspace,
+    } = load_program(&program_path)?;
+    let simulate = &workspace.settings().simulate;
+    let mut options: Options = simulate.options(&program);
+    if let Some((interval, _)) = play.as_ref().and_then(|asked| asked.suite.interval) {
+        options.interval = interval;
+    }
+    if let Some(interval) = configuration.interval()? {
+        options.interval = interval;
+    }
+    let limits = match configuration.history.or(simulate.history) {
+        Some(scans) => HistoryLimits::of_scans(usize::try_from(scans).unwrap_or(usize::MAX)),
+        None => HistoryLimits::default(),
+    };
+    let simulation = Simulation::new(program, options).map_err(|error| error.to_string())?;
+    let play = play.map(|asked| asked.bind(&simulation)).transpose()?;
+    let mut session = Session::of(simulation, limits);
+    let mut notes = Vec::new();
+    // A scenario starts cold, as its test does.
+    let retain = match &configuration.retain {
+        Some(name) => Some(inside(&program_path, name, "retain")?),
+        None => simulate.retain.clone().filter(|_| play.is_none()),
+    };
+    let retention = match retain {
+        Some(file) => {
+            let name = program_path.file_name().unwrap_or_default().to_string_lossy().into_owned();
+            let (file, found) = RetentiveFile::open_named(&file, &name).map_err(|error| error.to_string())?;
+            notes.extend(found.notes);
+            notes.extend(found.kept.iter().flat_map(|kept| session.warm_start(kept)));
+            Some(file)
+        }
+        None => None,
+    };
+    assign(&mut session, "inputs", &configuration.inputs, |session, point, value| {
+        session.set(point, value)
+    })?;
+    assign(&mut session, "forces", &configuration.forces, |session, point, value| {
+        session.force(point, value)
+    })?;
+    let target = Target::new(session, sources, play, retention);
+    Ok((target, notes))
+}
+
+fn assign(
+    session: &mut Session,
+    what: &str,
+    values: &Map<String, Json>,
+    give: impl Fn(&mut Session, &ladder_simulator::Point, Value) -> Result<(), ladder_simulator::ValueRefused>,
+) -> Result<(), String> {
+    for (tag, value) in values {
+        let wrong = |problem: String| format!("{what}: {problem}");
+        let scope = Scope {
+            simulation: session.simulation(),
+            instance: None,
+        };
+        let point = scope.resolve(tag).map_err(wrong)?;
+        let value = from_json(value, point.ty).map_err(|problem| wrong(format!("{tag}: {problem}")))?;
+        give(session, &point, value).map_err(|refused| wrong(refused.message))?;
+    }
+    Ok(())
+}
+
+/// A path that the client gave: it must be whole, for nobody chose the folder that the adapter runs in.
+fn absolute(path: &str) -> Result<PathBuf, String> {
+    let path = Path::new(path);
+    if path.is_absolute() {
+        return Ok(path.to_owned());
+    }
+    Err(format!(
+        "{}: name the whole path of the file, for example with ${{workspaceFolder}} before it",
+        shown::path(path)
+    ))
+}
+
+/// A file that the configuration names beside the program: it lies in the folder of the program's workspace.
+fn inside(program: &Path, name: &str, what: &str) -> Result<Named, String> {
+    let path = Path::new(name);
+    if !path.is_absolute() {
+        return Ok(Named::in_file(program, name));
+    }
+    let root = Root::of(program).map_err(|error| format!("{what}: {error}"))?;
+    let relative = path.strip_prefix(root.folder()).ok().and_then(Path::to_str);
+    let relative = relative.ok_or_else(|| {
+        format!(
+            "{what}: {} lies outside of {}, where the program is",
+            shown::path(path),
+            shown::path(root.folder())
+        )
+    })?;
+    Ok(Named::in_settings(root.folder(), &relative.replace('\\', "/")))
+}
+
+struct Loaded {
+    program: Arc<Program>,
+    sources: Vec<Source>,
+    workspace: Workspace,
+}
+
+/// Reads a program with what it uses of its workspace.
+fn load_program(path: &Path) -> Result<Loaded, String> {
+    if !ladder_workspace::is_program(path) {
+        return Err(format!(
+            "{}: a .clad file can be debugged; `ladder convert` makes one of a program of another system",
+            shown::path(path)
+        ));
+    }
+    let text = ladder_workspace::read(path).map_err(|error| error.to_string())?;
+    let workspace = Workspace::of(path).map_err(|error| error.to_string())?;
+    let own = workspace.program_at(path);
+    let analysis = match own {
+        Some(own) if own.text == text => workspace.analysis(own),
+        Some(own) => workspace.analyze_guest(&text, &own.name),
+        None => workspace.analyze_guest(&text, &path.to_string_lossy()),
+    };
+    let source = Source::new(path.to_owned(), text);
+    let program = match workspace.link(&analysis) {
+        Ok(program) => program,
+        Err(NotWhole::Missing(file)) => {
+            return Err(format!("{}, which the program uses, cannot be read any more", shown::line(&file)));
+        }
+        Err(NotWhole::Errors(file)) => {
+            let other = workspace.program_named(&file).filter(|_| file != analysis.context.name);
+            return Err(match other {
+                Some(other) => {
+                    let source = Source::new(other.path().to_owned(), other.text.clone());
+                    first_error(&source, &workspace.analysis(other))
+                }
+                None => first_error(&source, &analysis),
+            });
+        }
+    };
+    let mut sources = vec![source];
+    for name in program.files.iter().skip(1) {
+        let other = workspace.program_named(name);
+        let other = other.ok_or_else(|| format!("{}, which the program uses, cannot be read any more", shown::line(name)))?;
+        sources.push(Source::new(other.path().to_owned(), other.text.clone()));
+    }
+    Ok(Loaded {
+        program,
+        sources,
+        workspace,
+    })
+}
+
+/// Why a program with errors is not run: the first of them, and how many there are.
+fn first_error(source: &Source, analysis: &Analysis) -> String {
+    let errors: Vec<_> = analysis.errors().collect();
+    let file = shown::path(&source.path);
+    let Some(first) = errors.first() else {
+        return format!("{file}: the program cannot be run");
+    };
+    let line = source.line(first.range.start()) + 1;
+    let more = match errors.len() {
+        1 => String::new(),
+        all => format!(" (and {} more)", all - 1),
+    };
+    format!("{file}:{line}: {}{more}; a program with errors is not run", first.message)
+}
+
+/// A scenario that was asked for, before its program is known.
+struct Asked {
+    file: Source,
+    suite: scenario::Suite,
+    name: Option<String>,
+    program: PathBuf,
+}
+
+/// The scenario that the configuration asks for, if it does.
+fn scenario_of(configuration: &Configuration) -> Result<Option<Asked>, String> {
+    if !configuration.scenario_asked_for() {
+        return Ok(None);
+    }
+    let program = configuration.program.as_deref();
+    let file = match (&configuration.scenario_file, program) {
+        (Some(file), _) => absolute(file)?,
+        (None, Some(program)) if is_scenario_file(program) => absolute(program)?,
+        (None, Some(program)) => absolute(program)?.with_extension(ladder_workspace::SCENARIO_EXTENSION),
+        (None, None) => return Err("`scenarioFile` is missing: name the .ladder-test file of the scenario".into()),
+    };
+    let text = ladder_workspace::read(&file).map_err(|error| error.to_string())?;
+    let suite = scenario::parse(&text);
+    let file = Source::new(file, text);
+    let Some((named, _)) = &suite.program else {
+        return Err(mistake(&file, &suite.mistakes));
+    };
+    let named = Named::in_file(&file.path, named);
+    let program = named.locate().map_err(|error| error.to_string())?;
+    Ok(Some(Asked {
+        name: configuration.scenario.clone(),
+        program,
+        suite,
+        file,
+    }))
+}
+
+impl Asked {
+    fn bind(self, simulation: &Simulation) -> Result<Play, String> {
+        let (cases, found) = scenario::bind(&self.suite, simulation);
+        let mistakes: Vec<_> = self.suite.mistakes.iter().cloned().chain(found).collect();
+        if !mistakes.is_empty() {
+            return Err(mistake(&self.file, &mistakes));
+        }
+        let names: Vec<String> = cases.iter().map(|case| format!("\"{}\"", case.name)).collect();
+        let mut cases = cases.into_iter();
+        let case = match &self.name {
+            None => cases.next(),
+            Some(name) => cases.find(|case| case.name == *name),
+        };
+        let case = case.ok_or_else(|| {
+            format!(
+                "{}: there is no scenario \"{}\"; the file has {}",
+                shown::path(&self.file.path),
+                self.name.as_deref().unwrap_or_default(),
+                names.join(", ")
+            )
+        })?;
+        Ok(Play::new(self.file, case))
+    }
+}
+
+fn mistake(file: &Source, mistakes: &[scenario::Mistake]) -> String {
+    let first = mistakes.iter().min_by_key(|mistake| mistake.range.start());
+    let path = shown::path(&file.path);
+    first.map_or(format!("{path}: it names no program"), |first| {
+        let line = file.line(first.range.start()) + 1;
+        let help = first.help.as_ref().map_or(String::new(), |help| format!("; {help}"));
+        format!("{path}:{line}: {}{help}", first.message)
+    })
+}

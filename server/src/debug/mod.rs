@@ -1,0 +1,39 @@
+//! The debug adapter: what `ladder dap` runs. It speaks the Debug Adapter Protocol and drives the scan engine.
+//!
+//! ```text
+//! client's bytes -> wire, on a thread of its own -> serve -> adapter: one function for each request
+//!                                                              |
+//!      target: the program, its files, its session <-----------+--> breakpoints, variables, stack, console
+//!                                                              |
+//! client <- wire <- answers, and behind them events <----------+
+//! ```
+//!
+//! - A request is answered by the thread that runs the program, between two scans or where it has stopped. A long scan
+//!   is given up for `pause` and its like, so that these never wait.
+//! - Every request gets exactly one answer, also after a panic. Events go out behind the answer that they follow from.
+//! - What is stopped in front of the first network of a scan stands between two scans: what is set there counts for the
+//!   next one.
+//!
+//! `docs/src/guide/debugging.md` is the page for people.
+
+mod adapter;
+mod breakpoints;
+mod capabilities;
+mod condition;
+mod console;
+mod launch;
+mod messages;
+mod play;
+mod running;
+mod serve;
+mod sources;
+mod stack;
+mod stepping;
+mod target;
+#[cfg(test)]
+mod tests;
+mod variables;
+mod watch;
+mod wire;
+
+pub(crate) use serve::serve;

@@ -1,0 +1,73 @@
+//! A scenario that is debugged.
+
+use ladder_simulator::Session;
+use ladder_simulator::scenario::{Case, Unmet};
+
+use super::sources::Source;
+
+/// A scenario on its way.
+#[derive(Debug)]
+pub(super) struct Play {
+    pub file: Source,
+    pub case: Case,
+    /// The scan for which its values were given last.
+    given_for: Option<u64>,
+    /// What the program had sent through the serial port when the step began.
+    sent_before: Vec<u8>,
+    /// An expectation was not met.
+    pub has_failed: bool,
+}
+
+impl Play {
+    pub(super) fn new(file: Source, case: Case) -> Play {
+        Play {
+            file,
+            case,
+            given_for: None,
+            sent_before: Vec::new(),
+            has_failed: false,
+        }
+    }
+
+    /// Before a scan: gives what stands before its step, unless the history gives it again.
+    pub(super) fn give(&mut self, session: &mut Session) {
+        let scan = session.simulation().scans();
+        let Some(step) = self.case.step_before(scan) else {
+            return;
+        };
+        if session.scans_ahead() > 0 || self.given_for == Some(scan) {
+            return;
+        }
+        self.given_for = Some(scan);
+        self.sent_before = session.serial();
+        self.case.give(step, session);
+    }
+
+    /// Behind a scan: what is not as expected, if a step ends here.
+    pub(super) fn unmet(&mut self, session: &Session) -> Vec<Unmet> {
+        let scans = session.simulation().scans();
+        let ends_step = scans > 0 && scans.is_multiple_of(self.case.scans);
+        if !ends_step {
+            return Vec::new();
+        }
+        let Some(step) = self.case.step_before(scans - self.case.scans) else {
+            return Vec::new();
+        };
+        let sent = session.serial();
+        let during = sent.strip_prefix(self.sent_before.as_slice()).unwrap_or(&sent);
+        let unmet = self.case.unmet(step, session.simulation(), during);
+        self.has_failed |= !unmet.is_empty();
+        unmet
+    }
+
+    /// Whether all of its steps have been run.
+    pub(super) fn is_over(&self, session: &Session) -> bool {
+        session.simulation().scans() >= self.case.scans.saturating_mul(self.case.steps as u64)
+    }
+
+    /// The step that a scan belongs to, from 0.
+    pub(super) fn step(&self, scan: u64) -> usize {
+        let step = usize::try_from(scan / self.case.scans).unwrap_or(usize::MAX);
+        step.min(self.case.steps.saturating_sub(1))
+    }
+}

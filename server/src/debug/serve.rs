@@ -1,0 +1,78 @@
+//! One session, from the first byte to the end.
+
+use std::io::Write;
+use std::panic::{AssertUnwindSafe, catch_unwind};
+use std::sync::Arc;
+use std::sync::atomic::{AtomicUsize, Ordering};
+use std::sync::mpsc::{Receiver, RecvTimeoutError, TryRecvError, channel};
+use std::time::Instant;
+
+use tokio::io::AsyncRead;
+
+use super::adapter::Adapter;
+use super::messages::Request;
+use super::wire::{self, Incoming};
+
+/// Serves one client until it disconnects or its input ends.
+///
+/// # Errors
+/// The operating system has no thread for the input.
+pub(crate) fn serve<I, W>(input: impl FnOnce() -> I + Send + 'static, output: W) -> std::io::Result<()>
+where
+    I: AsyncRead + Unpin,
+    W: Write,
+{
+    let (sender, inbox) = channel();
+    let urgent = Arc::<AtomicUsize>::default();
+    let counter = urgent.clone();
+    let runtime = tokio::runtime::Builder::new_current_thread().enable_all().build()?;
+    // It reads as long as there is input; whoever waits for it to end would wait for the client.
+    std::thread::Builder::new().name("input".into()).spawn(move || {
+        runtime.block_on(async { wire::read(input(), sender, counter).await });
+        runtime.shutdown_background();
+    })?;
+    let mut adapter = Adapter::new(output, urgent.clone());
+    while !adapter.is_over() {
+        match next(&inbox, &adapter) {
+            Ok(Incoming::Request(request)) => {
+                if request.is_urgent() {
+                    urgent.fetch_sub(1, Ordering::SeqCst);
+                }
+                handle(&mut adapter, &request);
+            }
+            Ok(Incoming::Broken { seq, problem }) => adapter.refuse(seq, problem),
+            Err(RecvTimeoutError::Timeout) => go_on(&mut adapter),
+            Err(RecvTimeoutError::Disconnected) => adapter.leave(),
+        }
+    }
+    Ok(())
+}
+
+/// What comes next: a message, or the time to go on.
+fn next<W: Write>(inbox: &Receiver<Incoming>, adapter: &Adapter<W>) -> Result<Incoming, RecvTimeoutError> {
+    if !adapter.is_running() {
+        return inbox.recv().map_err(|_| RecvTimeoutError::Disconnected);
+    }
+    match adapter.due() {
+        Some(due) => inbox.recv_timeout(due.saturating_duration_since(Instant::now())),
+        None => inbox.try_recv().map_err(|error| match error {
+            TryRecvError::Empty => RecvTimeoutError::Timeout,
+            TryRecvError::Disconnected => RecvTimeoutError::Disconnected,
+        }),
+    }
+}
+
+/// Answers a request, whatever happens.
+pub(super) fn handle<W: Write>(adapter: &mut Adapter<W>, request: &Request) {
+    let outcome = catch_unwind(AssertUnwindSafe(|| adapter.answer(request)));
+    let outcome = outcome.unwrap_or_else(|_| Err("the adapter has met a mistake of its own; please report it".into()));
+    adapter.handle(request, outcome);
+}
+
+/// Goes on with a run, whatever happens.
+pub(super) fn go_on<W: Write>(adapter: &mut Adapter<W>) {
+    if catch_unwind(AssertUnwindSafe(|| adapter.go_on())).is_err() {
+        adapter.give_up();
+    }
+    adapter.send_events();
+}

@@ -1,0 +1,137 @@
+//! The files of a program, and places in them as the client counts them.
+
+use std::path::{Path, PathBuf};
+
+use ladder_syntax::{LineIndex, TextRange, TextSize};
+use serde_json::{Value as Json, json};
+
+use super::messages::Initialize;
+
+/// A file with its text.
+#[derive(Debug)]
+pub(super) struct Source {
+    pub path: PathBuf,
+    pub text: String,
+    index: LineIndex,
+}
+
+impl Source {
+    pub(super) fn new(path: PathBuf, text: String) -> Source {
+        Source {
+            path,
+            index: LineIndex::new(&text),
+            text,
+        }
+    }
+
+    /// Whether a path of the client means this file.
+    pub(super) fn is(&self, path: &Path) -> bool {
+        if self.path == path {
+            return true;
+        }
+        let same_name = self.path.file_name() == path.file_name() || path.is_symlink() || self.path.is_symlink();
+        same_name && matches!((self.path.canonicalize(), path.canonicalize()), (Ok(a), Ok(b)) if a == b)
+    }
+
+    /// The line of an offset, from 0.
+    pub(super) fn line(&self, offset: TextSize) -> usize {
+        self.index.line(offset)
+    }
+
+    /// The range of a line, from 0, without its end.
+    pub(super) fn line_range(&self, line: usize) -> TextRange {
+        let range = self.index.range(line);
+        let text = self.text[range].trim_end_matches(['\r', '\n']);
+        TextRange::at(range.start(), TextSize::of(text))
+    }
+
+    pub(super) fn line_count(&self) -> usize {
+        self.index.line_count()
+    }
+
+    /// The file and its name as the protocol has it.
+    pub(super) fn json(&self) -> Json {
+        let name = self.path.file_name().map(|name| name.to_string_lossy());
+        json!({"name": name, "path": self.path.to_string_lossy()})
+    }
+
+    /// Line and column in UTF-16 units, both from 0.
+    fn place(&self, offset: TextSize) -> (usize, usize) {
+        let offset = offset.min(TextSize::of(self.text.as_str()));
+        let line = self.index.line(offset);
+        let before = TextRange::new(self.index.range(line).start(), offset);
+        let text = self.text.get(std::ops::Range::<usize>::from(before)).unwrap_or_default();
+        (line, text.encode_utf16().count())
+    }
+
+    /// The offset of a column in UTF-16 units from 0, brought back into its line.
+    fn offset(&self, line: usize, column: usize) -> TextSize {
+        let range = self.line_range(line);
+        let mut units = 0;
+        for (at, letter) in self.text[range].char_indices() {
+            if units >= column {
+                return range.start() + TextSize::new(at as u32);
+            }
+            units += letter.len_utf16();
+        }
+        range.end()
+    }
+}
+
+/// How the client counts.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Counting {
+    first_line: i64,
+    first_column: i64,
+}
+
+impl Counting {
+    pub(super) fn of(client: &Initialize) -> Counting {
+        Counting {
+            first_line: i64::from(client.lines_start_at_1),
+            first_column: i64::from(client.columns_start_at_1),
+        }
+    }
+
+    /// A line of the client, from 0; lines before the first are the first.
+    pub(super) fn line(self, line: i64) -> usize {
+        usize::try_from(line.saturating_sub(self.first_line)).unwrap_or(0)
+    }
+
+    /// A line for the client.
+    pub(super) fn line_out(self, line: usize) -> i64 {
+        line as i64 + self.first_line
+    }
+
+    /// The offset of a place of the client.
+    pub(super) fn offset(self, source: &Source, line: usize, column: i64) -> TextSize {
+        let column = usize::try_from(column.saturating_sub(self.first_column)).unwrap_or(0);
+        source.offset(line, column)
+    }
+
+    /// A column of a text of one line, in bytes.
+    pub(super) fn bytes_before(self, text: &str, column: i64) -> usize {
+        let column = usize::try_from(column.saturating_sub(self.first_column)).unwrap_or(0);
+        let mut units = 0;
+        for (at, letter) in text.char_indices() {
+            if units >= column {
+                return at;
+            }
+            units += letter.len_utf16();
+        }
+        text.len()
+    }
+
+    /// `line`, `column`, `endLine` and `endColumn` of a range; a range that reaches behind its first line ends with that.
+    pub(super) fn range(self, source: &Source, range: TextRange) -> Json {
+        let (line, column) = source.place(range.start());
+        let end = range.end().min(source.line_range(line).end().max(range.start()));
+        let (_, end_column) = source.place(end);
+        json!({
+            "line": self.line_out(line),
+            "column": column as i64 + self.first_column,
+            "endLine": self.line_out(line),
+            "endColumn": end_column as i64 + self.first_column,
+        })
+    }
+}

@@ -1,0 +1,89 @@
+//! The call stack: what is open in the scan, from the innermost block out to the main program and the scenario.
+
+use ladder_simulator::{Activation, Routine};
+use ladder_syntax::TextRange;
+use serde_json::{Value as Json, json};
+
+use super::sources::Counting;
+use super::target::Target;
+
+/// The frames, the innermost first. `place` is where the innermost shows itself, if not where it goes on.
+pub(super) fn frames(
+    target: &Target,
+    place: Option<ladder_analysis::program::Location>,
+    counting: Counting,
+) -> Vec<Json> {
+    let is_open = target.session.is_open();
+    let mut frames = Vec::new();
+    for (depth, activation) in target.activations().iter().enumerate() {
+        let location = place.filter(|_| depth == 0).unwrap_or(activation.location);
+        let source = target.source(location.file);
+        let mut frame = json!({
+            "id": depth + 1,
+            "name": name(target, activation, is_open),
+            "source": source.json(),
+        });
+        extend(&mut frame, &counting.range(source, location.range));
+        frames.push(frame);
+    }
+    if let Some(play) = &target.play {
+        let scans = target.simulation().scans();
+        // Between two scans what counts is the step that has ended, unless none has.
+        let scan = if is_open { scans } else { scans.saturating_sub(1) };
+        let step = play.step(scan);
+        let mut frame = json!({
+            "id": frames.len() + 1,
+            "name": format!("scenario \"{}\", step {}", play.case.name, step + 1),
+            "source": play.file.json(),
+            "presentationHint": "subtle",
+        });
+        extend(&mut frame, &counting.range(&play.file, play.case.place_of(step)));
+        frames.push(frame);
+    }
+    frames
+}
+
+fn extend(frame: &mut Json, range: &Json) {
+    if let (Some(frame), Some(range)) = (frame.as_object_mut(), range.as_object()) {
+        frame.extend(range.clone());
+    }
+}
+
+/// `main, rung in line 12`
+fn name(target: &Target, activation: &Activation, is_open: bool) -> String {
+    let program = target.simulation().program();
+    let routine = match activation.routine {
+        Routine::Main => "main".to_owned(),
+        Routine::Function(function) => program.functions[function].name.clone(),
+        Routine::Block(block) => target
+            .instance_of(activation)
+            .map_or_else(|| program.blocks[block].name.clone(), |instance| instance.name.clone()),
+    };
+    let network = program.networks[activation.network].location;
+    let source = target.source(network.file);
+    let line = source.line(network.range.start()) + 1;
+    if !is_open && target.simulation().status() != ladder_simulator::Status::Faulted {
+        return format!("{routine}, before scan {}", target.simulation().scans());
+    }
+    format!("{routine}, rung in line {line}{}", comment_above(target, network.file, network.range))
+}
+
+/// What a comment directly above a rung says, if it is short.
+fn comment_above(target: &Target, file: u32, network: TextRange) -> String {
+    const LONGEST: usize = 60;
+    let source = target.source(file);
+    let line = source.line(network.start());
+    let Some(above) = line.checked_sub(1) else {
+        return String::new();
+    };
+    let text = source.text[source.line_range(above)].trim();
+    let comment = text.strip_prefix('#').and_then(|text| text.strip_suffix('#'));
+    match comment.map(str::trim).filter(|comment| !comment.is_empty() && !comment.contains('#')) {
+        None => String::new(),
+        Some(comment) if comment.chars().count() <= LONGEST => format!(": {comment}"),
+        Some(comment) => {
+            let start: String = comment.chars().take(LONGEST - 1).collect();
+            format!(": {}…", start.trim_end())
+        }
+    }
+}

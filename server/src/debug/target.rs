@@ -1,0 +1,124 @@
+//! What is debugged: the program with its files, its session and what is given to it.
+
+use std::path::Path;
+use std::time::Instant;
+
+use ladder_analysis::program::Location;
+use ladder_simulator::{Activation, Instance, Routine, Session, Simulation, Stop};
+use ladder_syntax::TextRange;
+use ladder_workspace::RetentiveFile;
+
+use super::play::Play;
+use super::sources::Source;
+use super::watch::Scope;
+
+/// A program that is debugged.
+#[derive(Debug)]
+pub(super) struct Target {
+    pub session: Session,
+    /// Its files, in the order of the program model's.
+    pub sources: Vec<Source>,
+    pub play: Option<Play>,
+    retention: Option<RetentiveFile>,
+}
+
+impl Target {
+    pub(super) fn new(
+        session: Session,
+        sources: Vec<Source>,
+        play: Option<Play>,
+        retention: Option<RetentiveFile>,
+    ) -> Target {
+        Target {
+            session,
+            sources,
+            play,
+            retention,
+        }
+    }
+
+    pub(super) fn simulation(&self) -> &Simulation {
+        self.session.simulation()
+    }
+
+    /// Before a scan that is not open yet: what a scenario gives.
+    pub(super) fn give(&mut self) {
+        if let Some(play) = self.play.as_mut().filter(|_| !self.session.is_open()) {
+            play.give(&mut self.session);
+        }
+    }
+
+    /// Runs on to the end of the scan, up to a breakpoint.
+    pub(super) fn run_scan(&mut self) -> Option<Stop> {
+        self.give();
+        self.session.run_scan()
+    }
+
+    /// Between two scans: saves retentive tags if that is due.
+    pub(super) fn keep(&mut self) {
+        if let Some(file) = self.retention.as_mut().filter(|file| file.is_due(Instant::now())) {
+            let _ = file.save(&self.session.simulation().retained());
+        }
+    }
+
+    /// At the end: saves retentive tags; what goes wrong is for the person.
+    pub(super) fn save(&mut self) -> Option<String> {
+        let file = self.retention.as_mut()?;
+        let saved = file.save(&self.session.simulation().retained());
+        saved.err().map(|error| error.to_string())
+    }
+
+    /// The file of the program that a path of the client means, by its number.
+    pub(super) fn file_of(&self, path: &Path) -> Option<u32> {
+        let file = self.sources.iter().position(|source| source.is(path))?;
+        u32::try_from(file).ok()
+    }
+
+    pub(super) fn source(&self, file: u32) -> &Source {
+        &self.sources[file as usize]
+    }
+
+    /// The place where it stands: what is open in the scan, or the first network of the next one.
+    pub(super) fn activations(&self) -> Vec<Activation> {
+        let open = self.simulation().activations();
+        if !open.is_empty() {
+            return open;
+        }
+        let program = self.simulation().program();
+        let first = program.networks.get(program.main.start).filter(|_| !program.main.is_empty());
+        let first = first.map(|network| Activation {
+            routine: Routine::Main,
+            network: program.main.start,
+            location: network.location,
+            instance: None,
+        });
+        first.into_iter().collect()
+    }
+
+    /// The instance that an activation runs for.
+    pub(super) fn instance_of(&self, activation: &Activation) -> Option<&Instance> {
+        self.simulation().instances().get(activation.instance?)
+    }
+
+    /// Where names are looked up in a frame; without one in the innermost.
+    pub(super) fn scope(&self, frame: Option<i64>) -> Scope<'_> {
+        let activations = self.activations();
+        let index = frame.map_or(0, |frame| frame.saturating_sub(1));
+        let activation = usize::try_from(index).ok().and_then(|index| activations.get(index).copied());
+        let instance = activation.and_then(|activation| activation.instance);
+        Scope {
+            simulation: self.simulation(),
+            instance: instance.and_then(|instance| self.simulation().instances().get(instance)),
+        }
+    }
+
+    /// `motor.clad:3`
+    pub(super) fn place_name(&self, location: Location) -> String {
+        self.place_in(self.source(location.file), location.range)
+    }
+
+    pub(super) fn place_in(&self, source: &Source, range: TextRange) -> String {
+        let name = source.path.file_name().unwrap_or_default().to_string_lossy();
+        format!("{name}:{}", source.line(range.start()) + 1)
+    }
+}

@@ -1,0 +1,78 @@
+//! A scenario played step by step, for those who look into it while it runs.
+
+use super::bind::{Case, Target};
+use super::run::is_met;
+use crate::session::Session;
+use crate::simulation::{Simulation, Status};
+use crate::value_text;
+use ladder_analysis::value::Value;
+use ladder_syntax::TextRange;
+
+/// An expectation that is not met.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Unmet {
+    /// The tag.
+    pub tag: String,
+    /// Where the value stands that was expected.
+    pub range: TextRange,
+    /// What is wrong, in words.
+    pub message: String,
+}
+
+impl Case {
+    /// The step whose first scan this is; none if it is in the midst of a step, or behind the last.
+    pub fn step_before(&self, scan: u64) -> Option<usize> {
+        let step = usize::try_from(scan / self.scans).ok()?;
+        (scan.is_multiple_of(self.scans) && step < self.steps).then_some(step)
+    }
+
+    /// Gives what stands before a step.
+    pub fn give(&self, step: usize, session: &mut Session) {
+        for row in &self.given {
+            match (&row.target, row.values.get(step)) {
+                (Target::Point(point), Some(Some(value))) => {
+                    // What could be refused was found when the row was read.
+                    let _ = session.set(point, value.clone());
+                }
+                (Target::Serial, Some(Some(Value::Text(bytes)))) => session.feed_serial(bytes),
+                _ => {}
+            }
+        }
+    }
+
+    /// Where the first value of a step stands, or the scenario's name.
+    pub fn place_of(&self, step: usize) -> TextRange {
+        let values = self.expected.iter().find_map(|row| row.values.get(step));
+        values.map_or(self.range, |(_, place)| *place)
+    }
+
+    /// What is not as expected at the end of a step; `sent` is what the program sent through the serial port
+    /// meanwhile.
+    pub fn unmet(&self, step: usize, simulation: &Simulation, sent: &[u8]) -> Vec<Unmet> {
+        let stopped = simulation.status() == Status::Faulted;
+        let mut unmet = Vec::new();
+        for row in &self.expected {
+            let Some((Some(wanted), range)) = row.values.get(step) else {
+                continue;
+            };
+            let got = match &row.target {
+                // A scan that would follow would see it.
+                Target::Point(point) if stopped && point.name == "SYS.FAULT" => Some(Value::Bool(true)),
+                _ if stopped => None,
+                Target::Point(point) => Some(simulation.value(point)),
+                Target::Serial => Some(Value::Text(sent.into())),
+            };
+            if got.as_ref().is_some_and(|got| is_met(row, wanted, got)) {
+                continue;
+            }
+            let shown = |value: &Value| value_text::display(value, row.target.ty());
+            let got = got.as_ref().map_or("nothing, for a fault stopped the program".to_owned(), shown);
+            unmet.push(Unmet {
+                tag: row.name.clone(),
+                range: *range,
+                message: format!("{} is {got}, expected {}", row.name, shown(wanted)),
+            });
+        }
+        unmet
+    }
+}
