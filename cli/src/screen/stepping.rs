@@ -87,7 +87,8 @@ impl App<'_> {
         match hit {
             Hit::Block(location) => {
                 self.show(location);
-                self.view.say("stopped before this block: . , s step on, p runs on");
+                self.view
+                    .say("stopped before this block: . , s step on, p runs on");
             }
             Hit::Network(location) => {
                 self.show(location);

@@ -75,6 +75,7 @@ fn manual_pages() {
         ladder-check.1
         ladder-completions.1
         ladder-convert.1
+        ladder-dap.1
         ladder-explain.1
         ladder-fmt.1
         ladder-lsp.1

@@ -15,9 +15,9 @@ use super::breakpoints::{self, Table};
 use super::capabilities::capabilities;
 use super::launch::{self, Configuration};
 use super::messages::{
-    BreakpointLocations, Completions, DataBreakpointInfo, Evaluate, Force, Initialize, Request, Restart, Scopes,
-    SetBreakpoints, SetDataBreakpoints, SetExceptionBreakpoints, SetExpression, SetVariable, SourceBreakpoint,
-    StackTrace, Step as StepArguments, Variables,
+    BreakpointLocations, Completions, DataBreakpointInfo, Evaluate, Force, Initialize, Request, Restart,
+    Scopes, SetBreakpoints, SetDataBreakpoints, SetExceptionBreakpoints, SetExpression, SetVariable,
+    SourceBreakpoint, StackTrace, Step as StepArguments, Variables,
 };
 use super::running::{EXPECTATIONS, FAULTS, Going, Stopped};
 use super::sources::Counting;
@@ -175,7 +175,11 @@ impl<W: Write> Adapter<W> {
     pub(super) fn give_up(&mut self) {
         self.going = None;
         self.target = None;
-        self.write("stderr", "the simulator has met a mistake of its own and stops; please report it\n", None);
+        self.write(
+            "stderr",
+            "the simulator has met a mistake of its own and stops; please report it\n",
+            None,
+        );
         self.end(2);
         self.send_events();
     }
@@ -283,7 +287,12 @@ impl<W: Write> Adapter<W> {
 
     fn initialize(&mut self, request: &Request) -> Result<Json, String> {
         self.client = request.arguments()?;
-        if self.client.path_format.as_deref().is_some_and(|format| format != "path") {
+        if self
+            .client
+            .path_format
+            .as_deref()
+            .is_some_and(|format| format != "path")
+        {
             return Err("files are named by their paths: pathFormat must be `path`".into());
         }
         self.counting = Counting::of(&self.client);
@@ -310,7 +319,9 @@ impl<W: Write> Adapter<W> {
         }
         let (mut target, notes) = launch::load(&configuration)?;
         let urgent = self.urgent.clone();
-        target.session.set_brake(Some(Brake::new(move || urgent.load(std::sync::atomic::Ordering::SeqCst) > 0)));
+        target.session.set_brake(Some(Brake::new(move || {
+            urgent.load(std::sync::atomic::Ordering::SeqCst) > 0
+        })));
         self.target = Some(target);
         self.configuration = configuration;
         self.faults_seen = (0, 0);
@@ -348,7 +359,9 @@ impl<W: Write> Adapter<W> {
             return Err(no_program());
         }
         let configuration = match arguments {
-            Some(arguments) => serde_json::from_value(arguments).map_err(|error| format!("restart: {error}"))?,
+            Some(arguments) => {
+                serde_json::from_value(arguments).map_err(|error| format!("restart: {error}"))?
+            }
             None => self.configuration.clone(),
         };
         self.going = None;
@@ -412,7 +425,10 @@ impl<W: Write> Adapter<W> {
         };
         let last = target.source(file).line_count();
         let first = counting.line(arguments.line);
-        let end = arguments.end_line.map_or(first, |line| counting.line(line)).min(last);
+        let end = arguments
+            .end_line
+            .map_or(first, |line| counting.line(line))
+            .min(last);
         Ok(json!({"breakpoints": breakpoints::locations(target, file, first..=end, counting)}))
     }
 
@@ -443,10 +459,23 @@ impl<W: Write> Adapter<W> {
     }
 
     fn set_exception_breakpoints(&mut self, arguments: &SetExceptionBreakpoints) -> Result<Json, String> {
-        let options = arguments.filter_options.iter().map(|option| option.filter_id.as_str());
-        let filters: Vec<&str> = arguments.filters.iter().map(String::as_str).chain(options).collect();
-        if let Some(unknown) = filters.iter().find(|filter| ![FAULTS, EXPECTATIONS].contains(filter)) {
-            return Err(format!("there is no filter `{unknown}`: there are {FAULTS} and {EXPECTATIONS}"));
+        let options = arguments
+            .filter_options
+            .iter()
+            .map(|option| option.filter_id.as_str());
+        let filters: Vec<&str> = arguments
+            .filters
+            .iter()
+            .map(String::as_str)
+            .chain(options)
+            .collect();
+        if let Some(unknown) = filters
+            .iter()
+            .find(|filter| ![FAULTS, EXPECTATIONS].contains(filter))
+        {
+            return Err(format!(
+                "there is no filter `{unknown}`: there are {FAULTS} and {EXPECTATIONS}"
+            ));
         }
         self.stops_at_faults = filters.contains(&FAULTS);
         self.stops_at_expectations = filters.contains(&EXPECTATIONS);
@@ -454,9 +483,16 @@ impl<W: Write> Adapter<W> {
     }
 
     fn exception_info(&mut self) -> Result<Json, String> {
-        let exception = self.stopped.as_ref().and_then(|stopped| Some((stopped.exception?, &stopped.description)));
+        let exception = self
+            .stopped
+            .as_ref()
+            .and_then(|stopped| Some((stopped.exception?, &stopped.description)));
         let (kind, description) = exception.ok_or("the program did not stop for a fault")?;
-        let id = if kind == FAULTS { "Fault" } else { "Expectation failed" };
+        let id = if kind == FAULTS {
+            "Fault"
+        } else {
+            "Expectation failed"
+        };
         Ok(json!({"exceptionId": id, "description": description, "breakMode": "always"}))
     }
 
@@ -466,13 +502,16 @@ impl<W: Write> Adapter<W> {
         let frames = stack::frames(self.target()?, place, counting);
         let total = frames.len();
         let start = arguments.start_frame.unwrap_or(0);
-        let levels = arguments.levels.filter(|&levels| levels > 0).unwrap_or(usize::MAX);
+        let levels = arguments
+            .levels
+            .filter(|&levels| levels > 0)
+            .unwrap_or(usize::MAX);
         let frames: Vec<Json> = frames.into_iter().skip(start).take(levels).collect();
         Ok(json!({"stackFrames": frames, "totalFrames": total}))
     }
 
     fn variables(&mut self, arguments: &Variables) -> Result<Json, String> {
-        let container = self.handles.get(arguments.variables_reference)?;
+        let container = self.handles.get(arguments.reference)?;
         let target = self.target.as_ref().ok_or_else(no_program)?;
         let window = (arguments.start.unwrap_or(0), arguments.count);
         let filter = arguments.filter.as_deref();

@@ -40,7 +40,9 @@ impl Beside {
         let place = scope.instance.map(|instance| instance.name.clone());
         match self.compiled.entry(place) {
             std::collections::hash_map::Entry::Occupied(known) => Ok(known.into_mut()),
-            std::collections::hash_map::Entry::Vacant(free) => Ok(free.insert(Watch::new(&self.text, scope)?)),
+            std::collections::hash_map::Entry::Vacant(free) => {
+                Ok(free.insert(Watch::new(&self.text, scope)?))
+            }
         }
     }
 
@@ -135,7 +137,9 @@ impl Table {
         let mut told = Vec::new();
         for (id, wanted) in asked {
             let line = counting.line(wanted.line);
-            let column = wanted.column.map(|column| counting.offset(target.source(file), line, column));
+            let column = wanted
+                .column
+                .map(|column| counting.offset(target.source(file), line, column));
             let Some((breakpoint, location)) = place(target, file, line, column) else {
                 told.push(json!({
                     "id": id, "verified": false, "line": wanted.line,
@@ -182,8 +186,12 @@ impl Table {
                 hit_condition: wanted.hit_condition.clone(),
                 ..SourceBreakpoint::default()
             };
-            let point = target.simulation().resolve(&wanted.data_id).map_err(|unknown| unknown.message);
-            let marker = point.and_then(|point| Marker::new(*id, Breakpoint::Change(point), target, None, &beside));
+            let point = target
+                .simulation()
+                .resolve(&wanted.data_id)
+                .map_err(|unknown| unknown.message);
+            let marker =
+                point.and_then(|point| Marker::new(*id, Breakpoint::Change(point), target, None, &beside));
             match marker {
                 Ok(marker) => {
                     markers.push(marker);
@@ -267,7 +275,12 @@ impl Marker {
         location: Option<Location>,
         wanted: &SourceBreakpoint,
     ) -> Result<Marker, Problem> {
-        let given = |text: &Option<String>| text.as_deref().map(str::trim).filter(|text| !text.is_empty()).map(str::to_owned);
+        let given = |text: &Option<String>| {
+            text.as_deref()
+                .map(str::trim)
+                .filter(|text| !text.is_empty())
+                .map(str::to_owned)
+        };
         let condition = given(&wanted.condition).map(|text| {
             let beside = Beside::new(&text, target, location);
             beside.and_then(|mut beside| {
@@ -309,7 +322,10 @@ impl Marker {
         }
         if counts {
             self.hits += 1;
-            if self.hit_condition.is_some_and(|condition| !condition.holds(self.hits)) {
+            if self
+                .hit_condition
+                .is_some_and(|condition| !condition.holds(self.hits))
+            {
                 return Verdict::Pass;
             }
         }
@@ -342,10 +358,16 @@ impl Beside {
 
 /// Where a breakpoint of a line is: at the rung that begins there, at the first block that runs of those in the line, or
 /// what comes first below it. With a column at the block there, or the next one of the line.
-fn place(target: &Target, file: u32, line: usize, column: Option<TextSize>) -> Option<(Breakpoint, Location)> {
+fn place(
+    target: &Target,
+    file: u32,
+    line: usize,
+    column: Option<TextSize>,
+) -> Option<(Breakpoint, Location)> {
     let source = target.source(file);
     if let Some(offset) = column {
-        let behind = blocks(target, file).filter(|block| source.line(block.start()) == line && block.end() > offset);
+        let behind =
+            blocks(target, file).filter(|block| source.line(block.start()) == line && block.end() > offset);
         if let Some(range) = behind.min_by_key(|block| block.start()) {
             let location = Location { file, range };
             return Some((Breakpoint::Block(location), location));
@@ -355,13 +377,22 @@ fn place(target: &Target, file: u32, line: usize, column: Option<TextSize>) -> O
     let networks = program.networks.iter().enumerate();
     let starts = networks
         .filter(|(_, network)| network.location.file == file)
-        .map(|(number, network)| (source.line(network.location.range.start()), Breakpoint::Network(number), network.location));
+        .map(|(number, network)| {
+            (
+                source.line(network.location.range.start()),
+                Breakpoint::Network(number),
+                network.location,
+            )
+        });
     let blocks = blocks(target, file).map(|range| {
         let location = Location { file, range };
         (source.line(range.start()), Breakpoint::Block(location), location)
     });
     // Of a line the rung goes before its blocks; of the blocks the first in their order of evaluation.
-    let (_, breakpoint, location) = starts.chain(blocks).filter(|(at, ..)| *at >= line).min_by_key(|(at, ..)| *at)?;
+    let (_, breakpoint, location) = starts
+        .chain(blocks)
+        .filter(|(at, ..)| *at >= line)
+        .min_by_key(|(at, ..)| *at)?;
     Some((breakpoint, location))
 }
 
@@ -373,7 +404,12 @@ fn blocks(target: &Target, file: u32) -> impl Iterator<Item = TextRange> {
 }
 
 /// Every place in some lines where a breakpoint can be.
-pub(super) fn locations(target: &Target, file: u32, lines: std::ops::RangeInclusive<usize>, counting: Counting) -> Vec<Json> {
+pub(super) fn locations(
+    target: &Target,
+    file: u32,
+    lines: std::ops::RangeInclusive<usize>,
+    counting: Counting,
+) -> Vec<Json> {
     let source = target.source(file);
     let networks = target.simulation().program().networks.iter();
     let rungs = networks

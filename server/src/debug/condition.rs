@@ -69,7 +69,11 @@ pub(super) fn pieces(message: &str) -> Result<Vec<Piece>, String> {
                     match letters.next() {
                         Some('}') => break,
                         Some(letter) => expression.push(letter),
-                        None => return Err(format!("`{message}`: a brace is not closed; `{{{{` is a brace itself")),
+                        None => {
+                            return Err(format!(
+                                "`{message}`: a brace is not closed; `{{{{` is a brace itself"
+                            ));
+                        }
                     }
                 }
                 if !text.is_empty() {
@@ -103,7 +107,15 @@ mod tests {
         assert_eq!(met("<= 2"), Ok(vec![1, 2]));
         assert_eq!(met("< 2"), Ok(vec![1]));
         assert_eq!(met("%2"), Ok(vec![2, 4, 6]));
-        for wrong in ["", "many", "% 0", ">= 0", "-1", "5 times", "99999999999999999999999"] {
+        for wrong in [
+            "",
+            "many",
+            "% 0",
+            ">= 0",
+            "-1",
+            "5 times",
+            "99999999999999999999999",
+        ] {
             assert!(met(wrong).is_err(), "{wrong}");
         }
     }

@@ -2,8 +2,8 @@
 
 use std::io::Write;
 
-use ladder_simulator::{Point, members_of};
 use ladder_analysis::types::Type;
+use ladder_simulator::{Point, members_of};
 use serde_json::{Value as Json, json};
 
 use super::adapter::Adapter;
@@ -36,7 +36,10 @@ impl<W: Write> Adapter<W> {
             "force" if !rest.starts_with(":=") && !rest.is_empty() => {
                 let (name, value) = match rest.split_once(":=") {
                     Some((name, value)) => (name, Some(value)),
-                    None => rest.trim().split_once(char::is_whitespace).map_or((rest, None), |(name, value)| (name, Some(value))),
+                    None => rest
+                        .trim()
+                        .split_once(char::is_whitespace)
+                        .map_or((rest, None), |(name, value)| (name, Some(value))),
                 };
                 let point = self.point(name.trim(), arguments.frame_id)?;
                 self.force(&point, value, arguments.frame_id)?;
@@ -67,7 +70,10 @@ impl<W: Write> Adapter<W> {
         let target = self.target.as_ref().ok_or_else(super::adapter::no_program)?;
         let scope = target.scope(frame);
         let simulation = target.simulation();
-        let instance = simulation.instances().iter().position(|instance| instance.name.eq_ignore_ascii_case(text));
+        let instance = simulation
+            .instances()
+            .iter()
+            .position(|instance| instance.name.eq_ignore_ascii_case(text));
         let whole = scope.tag(text).filter(|(_, ty)| ty.scalar().is_none());
         let container = match (instance, whole) {
             (Some(number), _) => Some(Container::Instance(number)),
@@ -94,19 +100,30 @@ impl<W: Write> Adapter<W> {
     fn assign(&mut self, point: &Point, text: &str, frame: Option<i64>) -> Result<(), Problem> {
         let target = self.target()?;
         let value = variables::read(text, point.ty, target.scope(frame))?;
-        target.session.set(point, value).map_err(|refused| refused.message)?;
+        target
+            .session
+            .set(point, value)
+            .map_err(|refused| refused.message)?;
         self.has_changed();
         Ok(())
     }
 
     /// Holds a tag at a value, or at the one that it has.
-    pub(super) fn force(&mut self, point: &Point, text: Option<&str>, frame: Option<i64>) -> Result<(), Problem> {
+    pub(super) fn force(
+        &mut self,
+        point: &Point,
+        text: Option<&str>,
+        frame: Option<i64>,
+    ) -> Result<(), Problem> {
         let target = self.target()?;
         let value = match text {
             Some(text) => variables::read(text, point.ty, target.scope(frame))?,
             None => target.simulation().value(point),
         };
-        target.session.force(point, value).map_err(|refused| refused.message)?;
+        target
+            .session
+            .force(point, value)
+            .map_err(|refused| refused.message)?;
         self.has_changed();
         Ok(())
     }
@@ -125,7 +142,10 @@ impl<W: Write> Adapter<W> {
     /// What the client shows of tags is old.
     fn has_changed(&mut self) {
         if self.client.takes_invalidated {
-            self.event("invalidated", json!({"areas": ["variables"], "threadId": super::adapter::THREAD}));
+            self.event(
+                "invalidated",
+                json!({"areas": ["variables"], "threadId": super::adapter::THREAD}),
+            );
         }
     }
 
@@ -165,11 +185,15 @@ impl<W: Write> Adapter<W> {
         let at = self.counting.bytes_before(line, arguments.column);
         let before = &line[..at];
         let is_part = |c: char| c.is_alphanumeric() || matches!(c, '_' | '.' | '#' | '$');
-        let start = before.rfind(|c| !is_part(c)).map_or(0, |at| at + before[at..].chars().next().map_or(1, char::len_utf8));
+        let start = before
+            .rfind(|c| !is_part(c))
+            .map_or(0, |at| at + before[at..].chars().next().map_or(1, char::len_utf8));
         let typed = before[start..].to_lowercase();
         let target = self.target()?;
         let names = names(target.scope(arguments.frame_id));
-        let fitting = names.into_iter().filter(|(name, _)| name.to_lowercase().starts_with(&typed));
+        let fitting = names
+            .into_iter()
+            .filter(|(name, _)| name.to_lowercase().starts_with(&typed));
         let length = before[start..].encode_utf16().count();
         let from = before[..start].encode_utf16().count();
         let targets: Vec<Json> = fitting
@@ -194,7 +218,11 @@ fn names(scope: super::watch::Scope<'_>) -> Vec<(String, String)> {
         }
         names.push((name, ty.to_string()));
     };
-    for tag in scope.instance.into_iter().flat_map(ladder_simulator::Instance::tags) {
+    for tag in scope
+        .instance
+        .into_iter()
+        .flat_map(ladder_simulator::Instance::tags)
+    {
         let tag = &program.tags[tag.0 as usize];
         push(tag.name.clone(), tag.ty);
     }

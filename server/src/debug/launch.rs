@@ -1,6 +1,6 @@
 //! The configuration of a launch, and what becomes of it.
 
-use std::path::{Path, PathBuf};
+use std::path::{Component, Path, PathBuf};
 use std::sync::Arc;
 
 use ladder_analysis::program::Program;
@@ -94,13 +94,15 @@ impl Configuration {
     }
 
     fn scenario_asked_for(&self) -> bool {
-        let is_file = self.program.as_deref().is_some_and(|program| is_scenario_file(program));
+        let is_file = self.program.as_deref().is_some_and(is_scenario_file);
         is_file || self.scenario.is_some() || self.scenario_file.is_some()
     }
 
     /// The time from one scan to the next, in nanoseconds.
     fn interval(&self) -> Result<Option<i64>, String> {
-        let wrong = || "cycle: write the time from one scan to the next, such as \"10ms\", or milliseconds".to_owned();
+        let wrong = || {
+            "cycle: write the time from one scan to the next, such as \"10ms\", or milliseconds".to_owned()
+        };
         let nanoseconds = match &self.cycle {
             None | Some(Json::Null) => return Ok(None),
             Some(Json::String(text)) => match value_text::parse(text, Scalar::Time) {
@@ -164,7 +166,11 @@ pub(super) fn load(configuration: &Configuration) -> Result<(Target, Vec<String>
     };
     let retention = match retain {
         Some(file) => {
-            let name = program_path.file_name().unwrap_or_default().to_string_lossy().into_owned();
+            let name = program_path
+                .file_name()
+                .unwrap_or_default()
+                .to_string_lossy()
+                .into_owned();
             let (file, found) = RetentiveFile::open_named(&file, &name).map_err(|error| error.to_string())?;
             notes.extend(found.notes);
             notes.extend(found.kept.iter().flat_map(|kept| session.warm_start(kept)));
@@ -172,12 +178,8 @@ pub(super) fn load(configuration: &Configuration) -> Result<(Target, Vec<String>
         }
         None => None,
     };
-    assign(&mut session, "inputs", &configuration.inputs, |session, point, value| {
-        session.set(point, value)
-    })?;
-    assign(&mut session, "forces", &configuration.forces, |session, point, value| {
-        session.force(point, value)
-    })?;
+    assign(&mut session, "inputs", &configuration.inputs, Session::set)?;
+    assign(&mut session, "forces", &configuration.forces, Session::force)?;
     let target = Target::new(session, sources, play, retention);
     Ok((target, notes))
 }
@@ -257,10 +259,15 @@ fn load_program(path: &Path) -> Result<Loaded, String> {
     let program = match workspace.link(&analysis) {
         Ok(program) => program,
         Err(NotWhole::Missing(file)) => {
-            return Err(format!("{}, which the program uses, cannot be read any more", shown::line(&file)));
+            return Err(format!(
+                "{}, which the program uses, cannot be read any more",
+                shown::line(&file)
+            ));
         }
         Err(NotWhole::Errors(file)) => {
-            let other = workspace.program_named(&file).filter(|_| file != analysis.context.name);
+            let other = workspace
+                .program_named(&file)
+                .filter(|_| file != analysis.context.name);
             return Err(match other {
                 Some(other) => {
                     let source = Source::new(other.path().to_owned(), other.text.clone());
@@ -273,7 +280,12 @@ fn load_program(path: &Path) -> Result<Loaded, String> {
     let mut sources = vec![source];
     for name in program.files.iter().skip(1) {
         let other = workspace.program_named(name);
-        let other = other.ok_or_else(|| format!("{}, which the program uses, cannot be read any more", shown::line(name)))?;
+        let other = other.ok_or_else(|| {
+            format!(
+                "{}, which the program uses, cannot be read any more",
+                shown::line(name)
+            )
+        })?;
         sources.push(Source::new(other.path().to_owned(), other.text.clone()));
     }
     Ok(Loaded {
@@ -295,7 +307,10 @@ fn first_error(source: &Source, analysis: &Analysis) -> String {
         1 => String::new(),
         all => format!(" (and {} more)", all - 1),
     };
-    format!("{file}:{line}: {}{more}; a program with errors is not run", first.message)
+    format!(
+        "{file}:{line}: {}{more}; a program with errors is not run",
+        first.message
+    )
 }
 
 /// A scenario that was asked for, before its program is known.
@@ -316,7 +331,9 @@ fn scenario_of(configuration: &Configuration) -> Result<Option<Asked>, String> {
         (Some(file), _) => absolute(file)?,
         (None, Some(program)) if is_scenario_file(program) => absolute(program)?,
         (None, Some(program)) => absolute(program)?.with_extension(ladder_workspace::SCENARIO_EXTENSION),
-        (None, None) => return Err("`scenarioFile` is missing: name the .ladder-test file of the scenario".into()),
+        (None, None) => {
+            return Err("`scenarioFile` is missing: name the .ladder-test file of the scenario".into());
+        }
     };
     let text = ladder_workspace::read(&file).map_err(|error| error.to_string())?;
     let suite = scenario::parse(&text);
@@ -325,13 +342,24 @@ fn scenario_of(configuration: &Configuration) -> Result<Option<Asked>, String> {
         return Err(mistake(&file, &suite.mistakes));
     };
     let named = Named::in_file(&file.path, named);
-    let program = named.locate().map_err(|error| error.to_string())?;
+    // Links are followed only to see that they stay inside; the client knows the file by the name that it has.
+    let located = named.locate().map_err(|error| error.to_string())?;
+    let plain = named.path();
+    let program = if plain.canonicalize().is_ok_and(|path| path == located) && !has_parents(&plain) {
+        plain
+    } else {
+        located
+    };
     Ok(Some(Asked {
         name: configuration.scenario.clone(),
         program,
         suite,
         file,
     }))
+}
+
+fn has_parents(path: &Path) -> bool {
+    path.components().any(|part| part == Component::ParentDir)
 }
 
 impl Asked {
@@ -364,7 +392,10 @@ fn mistake(file: &Source, mistakes: &[scenario::Mistake]) -> String {
     let path = shown::path(&file.path);
     first.map_or(format!("{path}: it names no program"), |first| {
         let line = file.line(first.range.start()) + 1;
-        let help = first.help.as_ref().map_or(String::new(), |help| format!("; {help}"));
+        let help = first
+            .help
+            .as_ref()
+            .map_or(String::new(), |help| format!("; {help}"));
         format!("{path}:{line}: {}{help}", first.message)
     })
 }

@@ -31,10 +31,11 @@ impl Request {
         let seq = message.get("seq").and_then(Json::as_i64).unwrap_or(0);
         let refused = |message: String| NoRequest { seq, message };
         match message.get("type").and_then(Json::as_str) {
-            Some("request") => {
-                serde_json::from_value(message).map_err(|error| refused(format!("the request is broken: {error}")))
-            }
-            Some(other) => Err(refused(format!("a client sends requests, no message of type `{other}`"))),
+            Some("request") => serde_json::from_value(message)
+                .map_err(|error| refused(format!("the request is broken: {error}"))),
+            Some(other) => Err(refused(format!(
+                "a client sends requests, no message of type `{other}`"
+            ))),
             None => Err(refused("the message has no `type`".into())),
         }
     }
@@ -167,7 +168,8 @@ pub(super) struct Scopes {
 #[derive(Debug, Clone, Deserialize)]
 #[serde(rename_all = "camelCase")]
 pub(super) struct Variables {
-    pub variables_reference: i64,
+    #[serde(rename = "variablesReference")]
+    pub reference: i64,
     pub filter: Option<String>,
     pub start: Option<usize>,
     pub count: Option<usize>,

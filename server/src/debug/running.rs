@@ -73,7 +73,11 @@ impl<W: Write> Adapter<W> {
         let target = self.target()?;
         let interval = Duration::from_nanos(target.simulation().options().interval.unsigned_abs());
         // An interval that is too long to be counted never ends.
-        let pace = speed.map(|speed| Duration::try_from_secs_f64(interval.as_secs_f64() / speed).unwrap_or(NEVER).min(NEVER));
+        let pace = speed.map(|speed| {
+            Duration::try_from_secs_f64(interval.as_secs_f64() / speed)
+                .unwrap_or(NEVER)
+                .min(NEVER)
+        });
         self.forget_stop();
         self.going = Some(Going::Forward(pace.map(|pace| (now, pace))));
         Ok(())
@@ -81,7 +85,10 @@ impl<W: Write> Adapter<W> {
 
     /// When the next scan is due; none while it is at once.
     pub(super) fn due(&self) -> Option<Instant> {
-        let is_open = self.target.as_ref().is_some_and(|target| target.session.is_open());
+        let is_open = self
+            .target
+            .as_ref()
+            .is_some_and(|target| target.session.is_open());
         match self.going {
             Some(Going::Forward(Some((due, _)))) if !is_open => Some(due),
             _ => None,
@@ -108,7 +115,9 @@ impl<W: Write> Adapter<W> {
     }
 
     fn is_between_scans(&self) -> bool {
-        self.target.as_ref().is_none_or(|target| !target.session.is_open())
+        self.target
+            .as_ref()
+            .is_none_or(|target| !target.session.is_open())
     }
 
     /// Stops or ends, if that is what follows.
@@ -196,7 +205,10 @@ impl<W: Write> Adapter<W> {
         match verdict {
             Verdict::Pass => None,
             Verdict::Log(lines) => {
-                let place = self.target.as_ref().and_then(|target| Some(target.activations().first()?.location));
+                let place = self
+                    .target
+                    .as_ref()
+                    .and_then(|target| Some(target.activations().first()?.location));
                 self.write("console", &lines, place);
                 None
             }
@@ -232,7 +244,12 @@ impl<W: Write> Adapter<W> {
             } => {
                 let value = |it| value_text::display(it, point.ty);
                 let place = block.map_or(String::new(), |block| format!(" at {}", target.place_name(block)));
-                format!("{} changed from {} to {}{place}", point.name, value(before), value(after))
+                format!(
+                    "{} changed from {} to {}{place}",
+                    point.name,
+                    value(before),
+                    value(after)
+                )
             }
         }
     }
@@ -250,7 +267,10 @@ impl<W: Write> Adapter<W> {
             return After::Stop(stopped);
         }
         let is_over = self.target.as_ref().is_some_and(|target| {
-            target.play.as_ref().is_some_and(|play| play.is_over(&target.session))
+            target
+                .play
+                .as_ref()
+                .is_some_and(|play| play.is_over(&target.session))
         });
         if is_over { self.finish() } else { After::Go }
     }
@@ -267,7 +287,11 @@ impl<W: Write> Adapter<W> {
             .into_iter()
             .map(|unmet| (format!("step {step}: {}\n", unmet.message), unmet.range))
             .collect();
-        let description = format!("{} in step {step} ({})", first.message, target.place_in(&play.file, first.range));
+        let description = format!(
+            "{} in step {step} ({})",
+            first.message,
+            play.file.place_name(first.range)
+        );
         for (line, range) in lines {
             self.write_in_scenario(&line, range);
         }
@@ -307,7 +331,10 @@ impl<W: Write> Adapter<W> {
     /// Whether the scenario came to its end.
     fn is_whole(&self) -> bool {
         self.target.as_ref().is_none_or(|target| {
-            target.play.as_ref().is_none_or(|play| play.is_over(&target.session))
+            target
+                .play
+                .as_ref()
+                .is_none_or(|play| play.is_over(&target.session))
         })
     }
 
@@ -320,7 +347,11 @@ impl<W: Write> Adapter<W> {
         let is_within = target.session.is_open() || status == Status::Faulted;
         let scan = if is_within { scans } else { scans.checked_sub(1)? };
         let faults = target.session.faults_of(scan);
-        let seen = if self.faults_seen.0 == scan { self.faults_seen.1 } else { 0 };
+        let seen = if self.faults_seen.0 == scan {
+            self.faults_seen.1
+        } else {
+            0
+        };
         let fault = faults.get(seen)?.clone();
         self.tell_faults(&faults[seen..]);
         if !self.stops_at_faults || self.configuration.no_debug {

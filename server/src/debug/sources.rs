@@ -29,7 +29,8 @@ impl Source {
         if self.path == path {
             return true;
         }
-        let same_name = self.path.file_name() == path.file_name() || path.is_symlink() || self.path.is_symlink();
+        let same_name =
+            self.path.file_name() == path.file_name() || path.is_symlink() || self.path.is_symlink();
         same_name && matches!((self.path.canonicalize(), path.canonicalize()), (Ok(a), Ok(b)) if a == b)
     }
 
@@ -49,6 +50,12 @@ impl Source {
         self.index.line_count()
     }
 
+    /// `motor.clad:3`
+    pub(super) fn place_name(&self, range: TextRange) -> String {
+        let name = self.path.file_name().unwrap_or_default().to_string_lossy();
+        format!("{name}:{}", self.line(range.start()) + 1)
+    }
+
     /// The file and its name as the protocol has it.
     pub(super) fn json(&self) -> Json {
         let name = self.path.file_name().map(|name| name.to_string_lossy());
@@ -60,7 +67,10 @@ impl Source {
         let offset = offset.min(TextSize::of(self.text.as_str()));
         let line = self.index.line(offset);
         let before = TextRange::new(self.index.range(line).start(), offset);
-        let text = self.text.get(std::ops::Range::<usize>::from(before)).unwrap_or_default();
+        let text = self
+            .text
+            .get(std::ops::Range::<usize>::from(before))
+            .unwrap_or_default();
         (line, text.encode_utf16().count())
     }
 

@@ -55,9 +55,10 @@ fn name(target: &Target, activation: &Activation, is_open: bool) -> String {
     let routine = match activation.routine {
         Routine::Main => "main".to_owned(),
         Routine::Function(function) => program.functions[function].name.clone(),
-        Routine::Block(block) => target
-            .instance_of(activation)
-            .map_or_else(|| program.blocks[block].name.clone(), |instance| instance.name.clone()),
+        Routine::Block(block) => target.instance_of(activation).map_or_else(
+            || program.blocks[block].name.clone(),
+            |instance| instance.name.clone(),
+        ),
     };
     let network = program.networks[activation.network].location;
     let source = target.source(network.file);
@@ -65,7 +66,10 @@ fn name(target: &Target, activation: &Activation, is_open: bool) -> String {
     if !is_open && target.simulation().status() != ladder_simulator::Status::Faulted {
         return format!("{routine}, before scan {}", target.simulation().scans());
     }
-    format!("{routine}, rung in line {line}{}", comment_above(target, network.file, network.range))
+    format!(
+        "{routine}, rung in line {line}{}",
+        comment_above(target, network.file, network.range)
+    )
 }
 
 /// What a comment directly above a rung says, if it is short.
@@ -78,7 +82,10 @@ fn comment_above(target: &Target, file: u32, network: TextRange) -> String {
     };
     let text = source.text[source.line_range(above)].trim();
     let comment = text.strip_prefix('#').and_then(|text| text.strip_suffix('#'));
-    match comment.map(str::trim).filter(|comment| !comment.is_empty() && !comment.contains('#')) {
+    match comment
+        .map(str::trim)
+        .filter(|comment| !comment.is_empty() && !comment.contains('#'))
+    {
         None => String::new(),
         Some(comment) if comment.chars().count() <= LONGEST => format!(": {comment}"),
         Some(comment) => {

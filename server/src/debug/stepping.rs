@@ -99,18 +99,25 @@ impl<W: Write> Adapter<W> {
 
     /// How many routines are open.
     fn depth(&self) -> usize {
-        self.target.as_ref().map_or(0, |target| target.activations().len())
+        self.target
+            .as_ref()
+            .map_or(0, |target| target.activations().len())
     }
 
     /// Where it stands: the block, and how many were evaluated before.
     fn here(&self) -> Option<(Location, u64)> {
         let target = self.target.as_ref()?;
-        Some((target.activations().first()?.location, target.simulation().blocks_done()))
+        Some((
+            target.activations().first()?.location,
+            target.simulation().blocks_done(),
+        ))
     }
 
     /// A breakpoint on a block may have let the step halt between two rungs.
     fn is_in_front_of_rung(&self) -> bool {
-        self.target.as_ref().is_some_and(|target| target.session.is_in_front_of_network())
+        self.target
+            .as_ref()
+            .is_some_and(|target| target.session.is_in_front_of_network())
     }
 
     /// Goes back.
@@ -183,7 +190,10 @@ impl<W: Write> Adapter<W> {
         let Some(target) = &mut self.target else {
             return After::Go;
         };
-        let limit = target.session.is_open().then(|| target.simulation().blocks_done());
+        let limit = target
+            .session
+            .is_open()
+            .then(|| target.simulation().blocks_done());
         if target.session.breakpoints().is_empty() {
             target.session.step_back(usize::MAX);
             return After::Stop(Stopped::because("entry", "This is as far back as it goes"));
@@ -194,8 +204,14 @@ impl<W: Write> Adapter<W> {
         let mut number = 0;
         let mut last = None;
         while let Some(Stop::Breakpoint(hit)) = self.next_hit() {
-            let done = self.target.as_ref().map_or(0, |target| target.simulation().blocks_done());
-            let is_open = self.target.as_ref().is_some_and(|target| target.session.is_open());
+            let done = self
+                .target
+                .as_ref()
+                .map_or(0, |target| target.simulation().blocks_done());
+            let is_open = self
+                .target
+                .as_ref()
+                .is_some_and(|target| target.session.is_open());
             if limit.is_some_and(|limit| done >= limit || !is_open) {
                 break;
             }

@@ -5,7 +5,6 @@ use std::time::Instant;
 
 use ladder_analysis::program::Location;
 use ladder_simulator::{Activation, Instance, Routine, Session, Simulation, Stop};
-use ladder_syntax::TextRange;
 use ladder_workspace::RetentiveFile;
 
 use super::play::Play;
@@ -85,7 +84,10 @@ impl Target {
             return open;
         }
         let program = self.simulation().program();
-        let first = program.networks.get(program.main.start).filter(|_| !program.main.is_empty());
+        let first = program
+            .networks
+            .get(program.main.start)
+            .filter(|_| !program.main.is_empty());
         let first = first.map(|network| Activation {
             routine: Routine::Main,
             network: program.main.start,
@@ -104,7 +106,9 @@ impl Target {
     pub(super) fn scope(&self, frame: Option<i64>) -> Scope<'_> {
         let activations = self.activations();
         let index = frame.map_or(0, |frame| frame.saturating_sub(1));
-        let activation = usize::try_from(index).ok().and_then(|index| activations.get(index).copied());
+        let activation = usize::try_from(index)
+            .ok()
+            .and_then(|index| activations.get(index).copied());
         let instance = activation.and_then(|activation| activation.instance);
         Scope {
             simulation: self.simulation(),
@@ -114,11 +118,6 @@ impl Target {
 
     /// `motor.clad:3`
     pub(super) fn place_name(&self, location: Location) -> String {
-        self.place_in(self.source(location.file), location.range)
-    }
-
-    pub(super) fn place_in(&self, source: &Source, range: TextRange) -> String {
-        let name = source.path.file_name().unwrap_or_default().to_string_lossy();
-        format!("{name}:{}", source.line(range.start()) + 1)
+        self.source(location.file).place_name(location.range)
     }
 }

@@ -103,10 +103,24 @@ pub(super) fn scopes(target: &Target, frame: i64, handles: &mut Handles) -> Vec<
     };
     let scope = target.scope(Some(frame));
     if let Some(instance) = scope.instance {
-        let number = simulation.instances().iter().position(|other| other.name == instance.name);
-        push(&instance.name, Container::Instance(number.unwrap_or(0)), Some("locals"), false);
+        let number = simulation
+            .instances()
+            .iter()
+            .position(|other| other.name == instance.name);
+        push(
+            &instance.name,
+            Container::Instance(number.unwrap_or(0)),
+            Some("locals"),
+            false,
+        );
     }
-    for group in [Group::Inputs, Group::Outputs, Group::Internal, Group::States, Group::Constants] {
+    for group in [
+        Group::Inputs,
+        Group::Outputs,
+        Group::Internal,
+        Group::States,
+        Group::Constants,
+    ] {
         let mut visible = program.tags.iter().filter(|tag| tag.block.is_none());
         if visible.any(|tag| Group::of(tag) == group) {
             push(group.name(), Container::Tags(group), None, false);
@@ -144,27 +158,51 @@ pub(super) fn list(
         Container::Tags(Group::System) => {
             let names = SystemTag::list();
             let names = names.split([',', ' ']).filter(|name| !name.is_empty());
-            let names = names.map(|name| if name.starts_with("SYS.") { name.to_owned() } else { format!("SYS.{name}") });
-            names.filter_map(|name| value_row(simulation, &name, &name)).skip(start).take(take).collect()
+            let names = names.map(|name| {
+                if name.starts_with("SYS.") {
+                    name.to_owned()
+                } else {
+                    format!("SYS.{name}")
+                }
+            });
+            names
+                .filter_map(|name| value_row(simulation, &name, &name))
+                .skip(start)
+                .take(take)
+                .collect()
         }
         Container::Tags(group) => {
             let tags = simulation.program().tags.iter().filter(|tag| tag.block.is_none());
             let tags = tags.filter(|tag| Group::of(tag) == *group);
-            tags.filter_map(|tag| row(simulation, &tag.name, &tag.name, tag.ty)).skip(start).take(take).collect()
+            tags.filter_map(|tag| row(simulation, &tag.name, &tag.name, tag.ty))
+                .skip(start)
+                .take(take)
+                .collect()
         }
         Container::Instance(number) => {
             let Some(instance) = simulation.instances().get(*number) else {
                 return Vec::new();
             };
-            let tags = instance.tags().map(|tag| &simulation.program().tags[tag.0 as usize]);
+            let tags = instance
+                .tags()
+                .map(|tag| &simulation.program().tags[tag.0 as usize]);
             let own = tags.filter_map(|tag| {
-                row(simulation, &tag.name, &format!("{}.{}", instance.name, tag.name), tag.ty)
+                row(
+                    simulation,
+                    &tag.name,
+                    &format!("{}.{}", instance.name, tag.name),
+                    tag.ty,
+                )
             });
-            own.chain(inner(simulation, Some(instance))).skip(start).take(take).collect()
+            own.chain(inner(simulation, Some(instance)))
+                .skip(start)
+                .take(take)
+                .collect()
         }
         Container::Instances => inner(simulation, None).skip(start).take(take).collect(),
         Container::Whole(name, Type::State(state)) => {
-            let members = members_of(*state).filter_map(|member| value_row(simulation, member, &format!("{name}.{member}")));
+            let members = members_of(*state)
+                .filter_map(|member| value_row(simulation, member, &format!("{name}.{member}")));
             members.skip(start).take(take).collect()
         }
         Container::Whole(name, Type::Array { first, last, .. }) => {
@@ -176,7 +214,9 @@ pub(super) fn list(
         }
         Container::Whole(name, Type::Scalar(_)) => value_row(simulation, name, name).into_iter().collect(),
     };
-    rows.into_iter().map(|row| shown(simulation, row, handles)).collect()
+    rows.into_iter()
+        .map(|row| shown(simulation, row, handles))
+        .collect()
 }
 
 /// The places of user-defined blocks that stand in the body of one, or in none.
@@ -186,7 +226,10 @@ fn inner<'s>(simulation: &'s Simulation, outer: Option<&'s Instance>) -> impl It
         let short = match outer {
             None => (!instance.name.contains('.')).then_some(instance.name.as_str()),
             Some(outer) => {
-                let rest = instance.name.strip_prefix(&outer.name).and_then(|rest| rest.strip_prefix('.'));
+                let rest = instance
+                    .name
+                    .strip_prefix(&outer.name)
+                    .and_then(|rest| rest.strip_prefix('.'));
                 rest.filter(|rest| !rest.contains('.'))
             }
         };
@@ -253,7 +296,10 @@ fn value_text_of(simulation: &Simulation, point: &Point) -> String {
         text.push_str(FORCED);
     }
     if let Some(waiting) = simulation.waiting(point) {
-        text.push_str(&format!("{WAITING}{} behind this scan", value_text::display(waiting, point.ty)));
+        text.push_str(&format!(
+            "{WAITING}{} behind this scan",
+            value_text::display(waiting, point.ty)
+        ));
     }
     text
 }
@@ -264,16 +310,27 @@ pub(super) fn open_json(simulation: &Simulation, container: Container, handles: 
         Container::Whole(name, ty @ Type::State(state)) => {
             let values = members_of(*state).take(2).filter_map(|member| {
                 let point = simulation.resolve(&format!("{name}.{member}")).ok()?;
-                Some(format!("{member}={}", value_text::display(&simulation.value(&point), point.ty)))
+                Some(format!(
+                    "{member}={}",
+                    value_text::display(&simulation.value(&point), point.ty)
+                ))
             });
-            (values.collect::<Vec<_>>().join(" "), ty.to_string(), Some(name.clone()))
+            (
+                values.collect::<Vec<_>>().join(" "),
+                ty.to_string(),
+                Some(name.clone()),
+            )
         }
         Container::Whole(name, ty) => (ty.to_string(), ty.to_string(), Some(name.clone())),
         Container::Instance(number) => {
             let instance = simulation.instances().get(*number);
             let block = instance.map(|instance| simulation.program().blocks[instance.block].name.clone());
             let block = block.unwrap_or_default();
-            (block.clone(), block, instance.map(|instance| instance.name.clone()))
+            (
+                block.clone(),
+                block,
+                instance.map(|instance| instance.name.clone()),
+            )
         }
         Container::Instances | Container::Tags(_) => (String::new(), String::new(), None),
     };
@@ -294,7 +351,10 @@ pub(super) fn point_in(target: &Target, container: &Container, name: &str) -> Re
     let whole = match container {
         Container::Instance(number) => {
             let instance = simulation.instances().get(*number);
-            format!("{}.{name}", instance.map_or("", |instance| instance.name.as_str()))
+            format!(
+                "{}.{name}",
+                instance.map_or("", |instance| instance.name.as_str())
+            )
         }
         Container::Whole(tag, Type::Array { .. }) => format!("{tag}{name}"),
         Container::Whole(tag, Type::State(_)) => format!("{tag}.{name}"),

@@ -31,7 +31,7 @@ pub(super) struct Scope<'s> {
     pub instance: Option<&'s Instance>,
 }
 
-impl<'s> Scope<'s> {
+impl Scope<'_> {
     /// The place that a text names.
     pub(super) fn resolve(self, text: &str) -> Result<Point, Problem> {
         if let Some(instance) = self.instance {
@@ -132,7 +132,11 @@ impl Watch {
                 value: simulation.value(point),
                 ty: point.ty,
             }),
-            Kind::Computed { small, inputs, result } => {
+            Kind::Computed {
+                small,
+                inputs,
+                result,
+            } => {
                 small.reset();
                 for (from, to) in inputs {
                     // A real that is not finite is refused.
@@ -258,7 +262,11 @@ impl<'s> Small<'s> {
     }
 
     /// What an expression names.
-    fn names_in(&mut self, node: &SyntaxNode, replaced: &mut Vec<(TextRange, String)>) -> Result<(), Problem> {
+    fn names_in(
+        &mut self,
+        node: &SyntaxNode,
+        replaced: &mut Vec<(TextRange, String)>,
+    ) -> Result<(), Problem> {
         use SyntaxKind::{ADDRESS_EXPR, CALL_EXPR, INDEX_EXPR, MEMBER_EXPR, NAME_EXPR};
         match node.kind() {
             NAME_EXPR | MEMBER_EXPR | INDEX_EXPR | ADDRESS_EXPR => {
@@ -296,14 +304,18 @@ impl<'s> Small<'s> {
     /// An array with an index that is a tag, or with a range.
     fn array(&mut self, node: &SyntaxNode, replaced: &mut Vec<(TextRange, String)>) -> Result<(), Problem> {
         let mut parts = node.children();
-        let array = parts.next().map_or(String::new(), |array| array.text().to_string());
+        let array = parts
+            .next()
+            .map_or(String::new(), |array| array.text().to_string());
         let array: String = array.split_whitespace().collect();
         let found = self.scope.tag(&array);
         let Some((whole, Type::Array { first, last, element })) = found else {
             return self.scope.resolve(&array).map(|_| ());
         };
         if last - first >= MOST_ELEMENTS {
-            return Err(format!("{whole} is too large for an expression with an index that is no number"));
+            return Err(format!(
+                "{whole} is too large for an expression with an index that is no number"
+            ));
         }
         let name = self.name(&whole, element);
         self.declarations
@@ -368,7 +380,8 @@ impl<'s> Small<'s> {
             Profile::Iec => String::new(),
             other => format!("# ladder: profile {} #\n", other.name()),
         };
-        let text = format!("{directive}VAR\n{declarations}result : {ty};\nEND_VAR\n{BEFORE}{expression}{BEHIND}");
+        let text =
+            format!("{directive}VAR\n{declarations}result : {ty};\nEND_VAR\n{BEFORE}{expression}{BEHIND}");
         let analysis = analyze(&Arc::new(parse(&text)), "expression");
         if let Some(error) = analysis.errors().next() {
             let mut message = error.message.clone();

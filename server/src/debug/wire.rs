@@ -16,7 +16,10 @@ use crate::lsp::transport::frames::{Frame, Frames};
 pub(super) enum Incoming {
     Request(Request),
     /// Something that is no request: what is wrong with it, and its number if it has one.
-    Broken { seq: i64, problem: String },
+    Broken {
+        seq: i64,
+        problem: String,
+    },
 }
 
 /// Reads messages until the input ends. `urgent` counts those that a long scan is given up for.
@@ -43,7 +46,8 @@ pub(super) async fn read(input: impl AsyncRead + Unpin, to: Sender<Incoming>, ur
             },
             Frame::Stray => Incoming::Broken {
                 seq: 0,
-                problem: "a message begins with `Content-Length: `, its length in bytes and an empty line".into(),
+                problem: "a message begins with `Content-Length: `, its length in bytes and an empty line"
+                    .into(),
             },
         };
         if let Incoming::Request(request) = &incoming

@@ -66,7 +66,9 @@ impl Case {
                 continue;
             }
             let shown = |value: &Value| value_text::display(value, row.target.ty());
-            let got = got.as_ref().map_or("nothing, for a fault stopped the program".to_owned(), shown);
+            let got = got
+                .as_ref()
+                .map_or("nothing, for a fault stopped the program".to_owned(), shown);
             unmet.push(Unmet {
                 tag: row.name.clone(),
                 range: *range,

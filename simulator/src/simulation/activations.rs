@@ -107,9 +107,12 @@ impl Simulation {
             // Its first block, which is behind what begins the network.
             let behind = code.blocks.partition_point(|place| place.start < pc);
             let first = code.blocks[behind..].iter().find(|place| place.start < place.end);
-            let location = first
-                .map(|place| place.location)
-                .filter(|location| bodies.blocks.get(location).is_some_and(|at| at.network == network));
+            let location = first.map(|place| place.location).filter(|location| {
+                bodies
+                    .blocks
+                    .get(location)
+                    .is_some_and(|at| at.network == network)
+            });
             return Some((
                 network,
                 location.unwrap_or(self.program.networks[network].location),

@@ -56,7 +56,9 @@ impl Simulation {
                 continue;
             };
             tags.sort_by_key(|(tag, _)| *tag);
-            let outer = names.get(outer).map_or(String::new(), |outer| format!("{outer}."));
+            let outer = names
+                .get(outer)
+                .map_or(String::new(), |outer| format!("{outer}."));
             let number = numbers.entry((outer.clone(), block)).or_default();
             *number += 1;
             let name = format!("{outer}{}#{number}", self.program.blocks[block].name);

@@ -19,8 +19,8 @@ use ladder_analysis::value::Value;
 use std::collections::BTreeMap;
 use std::sync::{Arc, OnceLock};
 
-pub use activations::{Activation, Routine};
 pub(crate) use activations::Bodies;
+pub use activations::{Activation, Routine};
 pub use forces::ValueRefused;
 pub use instances::Instance;
 pub(crate) use power::PowerSource;

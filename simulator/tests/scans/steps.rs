@@ -390,7 +390,8 @@ fn what_is_open_in_a_scan() {
         20 $INNER#2 [ADD]( n, n, 1 ) < count [$INNER]( TRUE ) < main <CALL>( count )
         21 $INNER#2 [TON]( t, T#1s ) < count [$INNER]( TRUE ) < main <CALL>( count )
         22 count <RET> < main <CALL>( count )
-    "#]].assert_eq(&shown);
+    "#]]
+    .assert_eq(&shown);
     assert!(session.simulation().activations().is_empty());
 }
 
@@ -398,19 +399,32 @@ fn what_is_open_in_a_scan() {
 fn tags_of_user_defined_blocks() {
     let mut session = session(NESTED);
     session.scan();
-    let names = ["$INNER#1.n", "$inner#2.N", "$OUTER#2.$INNER#1.n", "$OUTER#1.total", "sum"];
+    let names = [
+        "$INNER#1.n",
+        "$inner#2.N",
+        "$OUTER#2.$INNER#1.n",
+        "$OUTER#1.total",
+        "sum",
+    ];
     let got: Vec<String> = names.iter().map(|name| get(&session, name)).collect();
     expect![[r#"
         $INNER#1.n=0
         $inner#2.N=1
         $OUTER#2.$INNER#1.n=1
         $OUTER#1.total=2
-        sum=2"#]].assert_eq(&got.join("\n"));
+        sum=2"#]]
+    .assert_eq(&got.join("\n"));
     let mut instances = String::new();
     for instance in session.simulation().instances() {
         let program = session.simulation().program();
-        let tags = instance.tags().map(|tag| program.tags[tag.0 as usize].name.as_str());
-        instances.push_str(&format!("{}: {}\n", instance.name, tags.collect::<Vec<_>>().join(" ")));
+        let tags = instance
+            .tags()
+            .map(|tag| program.tags[tag.0 as usize].name.as_str());
+        instances.push_str(&format!(
+            "{}: {}\n",
+            instance.name,
+            tags.collect::<Vec<_>>().join(" ")
+        ));
     }
     expect![[r#"
         $OUTER#1: EN ENO total
@@ -419,14 +433,18 @@ fn tags_of_user_defined_blocks() {
         $OUTER#2: EN ENO total
         $OUTER#2.$INNER#1: EN ENO a n t
         $INNER#2: EN ENO a n t
-    "#]].assert_eq(&instances);
+    "#]]
+    .assert_eq(&instances);
     for wrong in ["$INNER#9.n", "$INNER#1.x", "$", "$INNER#1", "$OUTER#1.$INNER#1"] {
         assert!(session.simulation().resolve(wrong).is_err(), "{wrong}");
     }
     let point = session.simulation().resolve("$INNER#1.n").unwrap();
     session.force(&point, Value::Int(7)).unwrap();
     session.scan();
-    assert_eq!(get(&session, "$INNER#1.n $INNER#2.n"), "$INNER#1.n=7 $INNER#2.n=2");
+    assert_eq!(
+        get(&session, "$INNER#1.n $INNER#2.n"),
+        "$INNER#1.n=7 $INNER#2.n=2"
+    );
     assert_eq!(session.step_back(1), 1);
     assert_eq!(get(&session, "$INNER#2.n"), "$INNER#2.n=1");
 }
