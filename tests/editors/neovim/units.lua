@@ -43,6 +43,34 @@ return function(t)
     end
   end)
 
+  local function rows(tag, window)
+    local lines = vim.tbl_map(function(cells)
+      return (require('ladder.waves').line(cells))
+    end, require('ladder.waves').draw(tag, window))
+    return table.concat(lines, '\n')
+  end
+
+  t.step('a trace is drawn with characters', function()
+    local window = { first = 0, count = 12, newest = 10, here = 10 }
+    local bit = { kind = 'bit', columns = { { 1, 0 }, { 3, 1 }, { 6, 0 }, { 7, 1 }, { 8, 2 }, { 9, 0 } } }
+    t.equal('a waveform', ' ▁▁╱▔▔╲╱╲▁▁ ', rows(bit, window))
+    bit.columns = { { 0, 0 }, { 2, 2 }, { 3, 0 }, { 5, 2 }, { 6, 1 } }
+    t.equal('pulses within a column', '▁▁▒▁▁╱▔▔▔▔▔ ', rows(bit, window))
+    local number = { kind = 'number', range = { 0, 15 } }
+    number.columns = { { 0, 0, 0, 0 }, { 2, 4, 4, 4 }, { 4, 7, 7, 7 }, { 5, 8, 8, 8 }, { 6, 15, 15, 15 } }
+    t.equal('a number', '     ▁█████ \n▁▁▅▅███████ ', rows(number, window))
+    t.equal('a text', '│i│busy     ', rows({ kind = 'text', columns = { { -1, 'idle' }, { 2, 'busy' } } }, window))
+    local ticks = { { at = 4, text = '1 s' }, { at = 8, text = '2 s' }, { at = 40, text = '3 s' } }
+    local axis = require('ladder.waves').axis(ticks, window, 2)
+    t.equal('the times', '  │1 s      ', (require('ladder.waves').line(axis)))
+    local columns = { columns = { { 3, 0 }, { 7, 1 }, { 9, 0 } } }
+    local edge = require('ladder.waves').edge
+    t.equal('the next change', 7, edge(columns, 3, 1))
+    t.equal('the change before', 7, edge(columns, 9, -1))
+    t.equal('behind the last', nil, edge(columns, 9, 1))
+    t.equal('a long name', 'conve…', (require('ladder.waves').line(require('ladder.waves').cells('conveyor', 6))))
+  end)
+
   local cases = read('values.json')
 
   t.step('times read as they are written in a program', function()

@@ -250,6 +250,14 @@ local subcommands = {
       require('ladder.panel').toggle(drawing())
     end,
   },
+  trace = {
+    run = function(arguments)
+      require('ladder.trace').toggle(drawing(), arguments)
+    end,
+    complete = function(_, lead)
+      return tag_names(any, lead)
+    end,
+  },
   check = {
     run = function()
       vim.diagnostic.setloclist({ title = 'Ladder check' })

@@ -37,6 +37,12 @@ local links = {
   LadderBreakpoint = 'DiagnosticError',
   LadderTagName = 'Identifier',
   LadderTagType = 'Type',
+  LadderLow = 'LadderPowerOff',
+  LadderAxis = 'LadderPowerOff',
+  LadderCursorA = 'CurSearch',
+  LadderCursorB = 'Visual',
+  LadderCursorAValue = 'LadderValue',
+  LadderCursorBValue = 'LadderValue',
 }
 
 --- What was defined here, to tell it from what a scheme or a user has defined since.
