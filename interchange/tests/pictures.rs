@@ -69,6 +69,7 @@ fn power_and_values() {
         &Options {
             power: Some(power),
             value: Some(&value),
+            live: false,
         },
     );
     expect_file!["pictures/power.svg"].assert_eq(&picture);

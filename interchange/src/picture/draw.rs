@@ -29,6 +29,27 @@ pub(super) struct Drawing<'d> {
     /// The column of the right rail, where the network ends at one.
     pub(super) rail: Option<u32>,
     pub(super) power: Option<&'d HashMap<TextRange, bool>>,
+    /// Somebody will show the power of a running program on it.
+    pub(super) live: bool,
+}
+
+/// The power of a line.
+#[derive(Debug, Clone)]
+pub(super) struct Power {
+    pub(super) flow: Flow,
+    /// In a live drawing the parts that carry it.
+    pub(super) of: Vec<Element>,
+}
+
+impl Power {
+    /// What is not joined to anything has none, as far as power is shown.
+    fn none(beside: Flow) -> Power {
+        let flow = match beside {
+            Flow::Unknown => Flow::Unknown,
+            _ => Flow::Dead,
+        };
+        Power { flow, of: Vec::new() }
+    }
 }
 
 /// What is known of the power in a part.
@@ -68,12 +89,13 @@ impl Drawing<'_> {
             y += room.over + room.under + BETWEEN;
         }
         let bottom = y - BETWEEN;
-        let flows = self.flows_of_lines();
-        self.verticals(paper, &wires, &flows);
+        let powers = self.powers_of_lines();
+        self.verticals(paper, &wires, &powers);
         for (rung, &y) in wires.iter().enumerate() {
-            self.rung(paper, rung, y, &flows);
+            self.rung(paper, rung, y, &powers);
         }
         paper.of(None);
+        paper.powered_by(&[]);
         self.rails(paper, top, bottom);
         bottom
     }
@@ -93,25 +115,42 @@ impl Drawing<'_> {
         Element { network, rung, part }
     }
 
+    fn power(&self, rung: usize, part: usize) -> Power {
+        Power {
+            flow: self.flow(rung, part),
+            of: if self.live {
+                vec![self.element(rung, part)]
+            } else {
+                Vec::new()
+            },
+        }
+    }
+
     /// The power of each vertical line: that of its points, which is the same for all but where branches come together.
-    fn flows_of_lines(&self) -> Vec<Flow> {
-        let flow_of = |thing: &super::grid::Thing| {
-            let mut flow = Flow::Unknown;
+    fn powers_of_lines(&self) -> Vec<Power> {
+        let power_of = |thing: &super::grid::Thing| {
+            let mut power = Power {
+                flow: Flow::Unknown,
+                of: Vec::new(),
+            };
             for &(rung, slot) in &thing.slots {
                 for item in self.layout.grid.rungs[rung][slot].items.clone() {
-                    match self.flow(rung, self.figure.rungs[rung][item].part) {
-                        Flow::Live => return Flow::Live,
-                        other => flow = other,
+                    let part = self.figure.rungs[rung][item].part;
+                    if power.flow != Flow::Live {
+                        power.flow = self.flow(rung, part);
+                    }
+                    if self.live {
+                        power.of.push(self.element(rung, part));
                     }
                 }
             }
-            flow
+            power
         };
         let things = self.layout.grid.things.iter();
         things
             .map(|thing| match thing.kind {
-                Kind::Node => flow_of(thing),
-                _ => Flow::Unknown,
+                Kind::Node => power_of(thing),
+                _ => Power::none(Flow::Unknown),
             })
             .collect()
     }
@@ -129,7 +168,7 @@ impl Drawing<'_> {
     }
 
     /// The lines from rung to rung, one for each two rungs that a node joins.
-    fn verticals(&self, paper: &mut Paper, wires: &[i32], flows: &[Flow]) {
+    fn verticals(&self, paper: &mut Paper, wires: &[i32], powers: &[Power]) {
         for (rung, slots) in self.layout.grid.rungs.iter().enumerate() {
             for slot in slots {
                 let Some(part) = self.leads_down(rung, slot) else {
@@ -137,7 +176,9 @@ impl Drawing<'_> {
                 };
                 let (at, _) = self.ends(slot);
                 paper.of(Some(self.element(rung, part)));
-                let look = flows[slot.thing].line();
+                let power = &powers[slot.thing];
+                let look = power.flow.line();
+                paper.powered_by(&power.of);
                 paper.node(look, (at, wires[rung]), (at, wires[rung + 1]));
             }
         }
@@ -162,50 +203,51 @@ impl Drawing<'_> {
         }
     }
 
-    fn rung(&self, paper: &mut Paper, rung: usize, y: i32, flows: &[Flow]) {
+    fn rung(&self, paper: &mut Paper, rung: usize, y: i32, powers: &[Power]) {
         let room = self.figure.rooms[rung];
         paper.of(None);
+        paper.powered_by(&[]);
         for (line, comment) in self.figure.above[rung].iter().enumerate() {
             let base = y - room.over + (line as i32 + 1) * LINE - 4;
             let at = (MARGIN + 3 * UNIT, base);
             paper.text(Look::Comment, at, Anchor::Start, width(comment), comment);
         }
         let slots = &self.layout.grid.rungs[rung];
-        let mut arriving = Flow::Unknown;
+        let mut arriving = Power::none(Flow::Unknown);
         let mut from = 0;
         for (index, slot) in slots.iter().enumerate() {
             let item = &self.figure.rungs[rung][slot.items.start];
             let (left, right) = self.ends(slot);
             let own = match item.drawn {
-                Drawn::Connector(_) => flows[slot.thing],
-                _ => self.flow(rung, item.part),
+                Drawn::Connector(_) => powers[slot.thing].clone(),
+                _ => self.power(rung, item.part),
             };
             if slot.joined && index > 0 {
                 if let Some(wire) = item.wire {
-                    arriving = self.flow(rung, wire);
+                    arriving = self.power(rung, wire);
                 }
                 paper.of(Some(self.element(rung, item.wire.unwrap_or(item.part))));
-                paper.wire(arriving.line(), (from, y), (left, y));
+                paper.powered_by(&arriving.of);
+                paper.wire(arriving.flow.line(), (from, y), (left, y));
             } else {
-                arriving = match own {
-                    Flow::Unknown => Flow::Unknown,
-                    _ => Flow::Dead,
-                };
+                arriving = Power::none(own.flow);
             }
             paper.of(Some(self.element(rung, item.part)));
+            paper.powered_by(&[]);
             let goes_on = slots.get(index + 1).is_some_and(|next| next.joined);
             self.draw_slot(
                 paper,
                 rung,
                 slot,
                 WireEnds { left, right, y },
-                (arriving, own),
+                (&arriving, &own),
                 goes_on,
             );
             arriving = own;
             from = right;
         }
         paper.of(None);
+        paper.powered_by(&[]);
         let comment = &self.figure.behind[rung];
         let right = match self.rail {
             Some(column) => MARGIN + (column as i32 + 1) * UNIT,
@@ -222,7 +264,7 @@ impl Drawing<'_> {
         rung: usize,
         slot: &Slot,
         place: WireEnds,
-        flow: (Flow, Flow),
+        flow: (&Power, &Power),
         goes_on: bool,
     ) {
         let WireEnds { left, right, y } = place;
@@ -238,15 +280,19 @@ impl Drawing<'_> {
                 let down = self.leads_down(rung, slot).is_some();
                 let arms = [slot.joined, goes_on, up, down];
                 if arms.iter().filter(|there| **there).count() > 2 {
-                    paper.dot(own.dot(), (left, y));
+                    paper.powered_by(&own.of);
+                    paper.dot(own.flow.dot(), (left, y));
                 }
             }
             Drawn::Stub => {
-                paper.wire(own.line(), (left, y), (right, y));
+                paper.powered_by(&own.of);
+                paper.wire(own.flow.line(), (left, y), (right, y));
             }
             Drawn::Comment(text) => {
                 if slot.joined || goes_on {
-                    paper.wire(own.line(), (left, y), (right, y));
+                    paper.powered_by(&own.of);
+                    paper.wire(own.flow.line(), (left, y), (right, y));
+                    paper.powered_by(&[]);
                 }
                 let at = (i32::midpoint(left, right), y - 6);
                 paper.text(Look::Comment, at, Anchor::Middle, width(text), text);

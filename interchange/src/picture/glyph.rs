@@ -1,10 +1,10 @@
 //! The symbols of blocks: contacts, coils, boxes.
 
-use super::draw::Flow;
+use super::draw::Power;
 use super::paper::Paper;
-use super::scene::{Anchor, PathStep};
+use super::scene::{Anchor, At, PathStep};
 use super::style::{HALF, LINE, Look, UNIT};
-use super::symbol::{Label, Mark, NAME, ROWS, Symbol, width};
+use super::symbol::{Label, Mark, NAME, ROWS, Symbol, VALUE, width};
 
 /// Where a symbol stands: its ends on the wire.
 #[derive(Clone, Copy)]
@@ -21,33 +21,47 @@ impl WireEnds {
 }
 
 /// Draws a block: power `arriving` at its left, and `own` leaving it.
-pub(super) fn draw(paper: &mut Paper, symbol: &Symbol, place: WireEnds, arriving: Flow, own: Flow) {
+pub(super) fn draw(paper: &mut Paper, symbol: &Symbol, place: WireEnds, arriving: &Power, own: &Power) {
     let WireEnds { left, right, y } = place;
     let middle = place.middle();
     match symbol {
         Symbol::Contact { mark, over, under } => {
             let half = mark.width() as i32 * UNIT / 2;
-            paper.line(arriving.line(), (left, y), (middle - half, y));
-            paper.line(own.line(), (middle + half, y), (right, y));
+            paper.gate([
+                PathStep::Move((middle - half, y - HALF)),
+                PathStep::Line((middle + half, y - HALF)),
+                PathStep::Line((middle + half, y + HALF)),
+                PathStep::Line((middle - half, y + HALF)),
+                PathStep::Close,
+            ]);
+            lead(paper, arriving, (left, y), (middle - half, y));
+            lead(paper, own, (middle + half, y), (right, y));
             for bar in [middle - half, middle + half] {
                 paper.line(Look::Line, (bar, y - HALF), (bar, y + HALF));
             }
             draw_mark(paper, mark, middle, y);
-            draw_label(paper, over, middle, y - HALF - 5);
-            draw_label(paper, under, middle, y + HALF + LINE - 4);
+            draw_label(paper, over, middle, y - HALF - 5, Side::Over);
+            draw_label(paper, under, middle, y + HALF + LINE - 4, Side::Under);
         }
         Symbol::Coil { mark, over } => {
             let half = mark.width() as i32 * UNIT / 2;
-            paper.line(arriving.line(), (left, y), (middle - half - 3, y));
-            paper.line(own.line(), (middle + half + 3, y), (right, y));
+            let (upper, lower) = (y - HALF, y + HALF);
+            paper.gate([
+                PathStep::Move((middle - half, upper)),
+                PathStep::Bow((middle - half - 6, y), (middle - half, lower)),
+                PathStep::Line((middle + half, lower)),
+                PathStep::Bow((middle + half + 6, y), (middle + half, upper)),
+                PathStep::Close,
+            ]);
+            lead(paper, arriving, (left, y), (middle - half - 3, y));
+            lead(paper, own, (middle + half + 3, y), (right, y));
             for (end, bow) in [(middle - half, -6), (middle + half, 6)] {
-                let (upper, lower) = (y - HALF, y + HALF);
                 let bowed = end + bow;
                 let bow = PathStep::Bow((bowed, y), (end, lower));
                 paper.path(Look::Line, [PathStep::Move((end, upper)), bow]);
             }
             draw_mark(paper, mark, middle, y);
-            draw_label(paper, over, middle, y - HALF - 5);
+            draw_label(paper, over, middle, y - HALF - 5, Side::Over);
         }
         Symbol::Box {
             over,
@@ -58,7 +72,7 @@ pub(super) fn draw(paper: &mut Paper, symbol: &Symbol, place: WireEnds, arriving
         } => {
             let height = symbol.room().under + NAME;
             paper.rect(Look::Box, (left, y - NAME), right - left, height);
-            draw_label(paper, over, middle, y - NAME - 5);
+            draw_label(paper, over, middle, y - NAME - 5, Side::Over);
             let base = y - NAME + LINE - 3;
             paper.text(Look::Name, (middle, base), Anchor::Middle, width(name), name);
             if let Some((into, out)) = pins {
@@ -66,8 +80,10 @@ pub(super) fn draw(paper: &mut Paper, symbol: &Symbol, place: WireEnds, arriving
                 paper.text(Look::Pin, (right - 4, y + 4), Anchor::End, width(out), out);
             }
             let names = *names as i32 * UNIT;
-            for (row, (name, label)) in rows.iter().enumerate() {
-                let base = y + ROWS + (row as i32 + 1) * LINE - 4;
+            let mut bottom = y + ROWS;
+            for (name, label) in rows {
+                bottom += label.height().max(LINE);
+                let base = bottom - 4;
                 paper.text(
                     Look::Pin,
                     (left + UNIT / 2, base),
@@ -80,6 +96,7 @@ pub(super) fn draw(paper: &mut Paper, symbol: &Symbol, place: WireEnds, arriving
                 } else {
                     left + names + UNIT + UNIT / 2
                 };
+                paper.operand(Some(label.operand));
                 paper.text(
                     Look::Text,
                     (at, base),
@@ -87,6 +104,10 @@ pub(super) fn draw(paper: &mut Paper, symbol: &Symbol, place: WireEnds, arriving
                     width(&label.text),
                     &label.text,
                 );
+                if label.room {
+                    paper.value((at, base - VALUE + 1), Anchor::Start, right - UNIT / 2 - at);
+                }
+                paper.operand(None);
                 if let Some(value) = &label.value {
                     let at = (at + width(&label.text) + UNIT, base);
                     paper.text(Look::Value, at, Anchor::Start, width(value), value);
@@ -103,9 +124,10 @@ pub(super) fn draw(paper: &mut Paper, symbol: &Symbol, place: WireEnds, arriving
                     PathStep::Line((tip, y)),
                     PathStep::Line((at, lower)),
                 ];
-                paper.path(arriving.line(), steps);
+                paper.powered_by(&arriving.of);
+                paper.path(arriving.flow.line(), steps);
             }
-            paper.line(arriving.line(), (left, y), (left + 7, y));
+            lead(paper, arriving, (left, y), (left + 7, y));
             let at = (left + 2 * UNIT + 4, y + 4);
             paper.text(Look::Name, at, Anchor::Start, width(name), name);
         }
@@ -131,6 +153,13 @@ pub(super) fn draw(paper: &mut Paper, symbol: &Symbol, place: WireEnds, arriving
     }
 }
 
+/// The wire from a symbol to the end of its room.
+fn lead(paper: &mut Paper, power: &Power, from: At, to: At) {
+    paper.powered_by(&power.of);
+    paper.line(power.flow.line(), from, to);
+    paper.powered_by(&[]);
+}
+
 fn draw_mark(paper: &mut Paper, mark: &Mark, middle: i32, y: i32) {
     match mark {
         Mark::Nothing => {}
@@ -139,8 +168,28 @@ fn draw_mark(paper: &mut Paper, mark: &Mark, middle: i32, y: i32) {
     }
 }
 
-/// A tag, with its value behind it.
-fn draw_label(paper: &mut Paper, label: &Label, middle: i32, base: i32) {
+/// On which side of its symbol a label is; its value is further out.
+#[derive(Clone, Copy)]
+enum Side {
+    Over,
+    Under,
+}
+
+/// A tag, with its value behind it, or room for it.
+fn draw_label(paper: &mut Paper, label: &Label, middle: i32, base: i32, side: Side) {
+    paper.operand(Some(label.operand));
+    write_label(paper, label, middle, base);
+    if label.room {
+        let base = match side {
+            Side::Over => base - VALUE,
+            Side::Under => base + VALUE,
+        };
+        paper.value((middle, base), Anchor::Middle, width(&label.text).max(9 * UNIT));
+    }
+    paper.operand(None);
+}
+
+fn write_label(paper: &mut Paper, label: &Label, middle: i32, base: i32) {
     let Some(value) = &label.value else {
         paper.text(
             Look::Text,

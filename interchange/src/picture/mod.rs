@@ -8,6 +8,7 @@
 //!         --draw----> shapes on Paper, each knowing which part of the program it shows: a Scene
 //!                         --svg---> a document for screens
 //!                         --sheet-> pages for a printer, still as shapes
+//!                         --live--> networks one by one, for a page that shows their power
 //! ```
 //!
 //! A [`Scene`] is all that a writer of documents needs to know: the same drawing is written as SVG, as pixels and as
@@ -19,6 +20,7 @@ mod draw;
 mod figure;
 mod glyph;
 mod grid;
+pub mod live;
 mod measure;
 mod nodes;
 mod page;
@@ -28,6 +30,7 @@ pub mod sheet;
 pub mod style;
 mod svg;
 mod symbol;
+mod wrap;
 
 pub use scene::Scene;
 pub use style::Theme;
@@ -45,6 +48,9 @@ pub struct Options<'o> {
     pub power: Option<HashMap<TextRange, bool>>,
     /// The value of an operand, by its text, where there is one worth showing beside it.
     pub value: Option<&'o Values<'o>>,
+    /// There is room for values above operands, and each shape knows whose power it shows: somebody will write the
+    /// state of a running program on the drawing.
+    pub live: bool,
 }
 
 /// The value of an operand by its text; none if it is not shown.

@@ -19,7 +19,7 @@ const WIDEST: u32 = 100;
 const LEAST: u32 = 40;
 
 /// One thing on the page.
-enum PageItem {
+pub(super) enum PageItem {
     Comment(Vec<String>),
     Heading(String),
     /// The index of a network, and what it looks like.
@@ -33,33 +33,44 @@ enum PageItem {
 /// Draws the page.
 pub(super) fn draw(context: &Context, options: &Options<'_>) -> Scene {
     let text = context.parse.to_string();
-    let words = Words {
-        context,
-        text: &text,
-        value: options.value,
-    };
-    let mut parts = parts(context, &words);
+    let words = Words::of(context, &text, options);
+    let mut items = items(&context.parse.structure().items, &words);
     // As in the text: one right rail for all networks but those that are wider than a page.
-    let least_rails = parts.iter().filter_map(|part| match part {
+    let least_rails = items.iter().filter_map(|item| match item {
         PageItem::Network(_, drawn) => drawn.1.least_rail,
         _ => None,
     });
     let rail = least_rails.filter(|&rail| rail <= WIDEST).max();
     let rail = rail.unwrap_or(0).max(LEAST);
-    let mut paper = Paper::default();
+    let mut paper = Paper::new(options.live);
     let mut y = MARGIN;
     let mut close = true;
-    for part in &mut parts {
-        if !matches!(part, PageItem::Section(..)) {
-            if !close || matches!(part, PageItem::Comment(_)) {
+    for item in &mut items {
+        if !matches!(item, PageItem::Section(..)) {
+            if !close || matches!(item, PageItem::Comment(_)) {
                 y += APART;
             }
-            close = matches!(part, PageItem::Comment(_) | PageItem::Heading(_));
+            close = matches!(item, PageItem::Comment(_) | PageItem::Heading(_));
         }
-        let top = y;
-        let kind = match part {
+        y = item.draw(&mut paper, y, rail, context, options);
+    }
+    paper.finish(y, MARGIN, 20 * UNIT)
+}
+
+impl PageItem {
+    /// Draws it below `top`, a network up to the right rail in this column if it is no wider. Gives its lower end.
+    pub(super) fn draw(
+        &mut self,
+        paper: &mut Paper,
+        top: i32,
+        rail: u32,
+        context: &Context,
+        options: &Options<'_>,
+    ) -> i32 {
+        let mut y = top;
+        let kind = match self {
             PageItem::Comment(lines) => {
-                y = texts(&mut paper, Look::Comment, lines, y);
+                y = texts(paper, Look::Comment, lines, y);
                 BlockKind::Comment(std::mem::take(lines))
             }
             PageItem::Heading(heading) => {
@@ -83,22 +94,23 @@ pub(super) fn draw(context: &Context, options: &Options<'_>) -> Scene {
                     layout,
                     rail,
                     power: options.power.as_ref(),
+                    live: options.live,
                 };
-                y = drawing.draw(&mut paper, y);
+                y = drawing.draw(paper, y);
                 network(context, *index)
             }
             PageItem::Text(index, lines) => {
-                y = texts(&mut paper, Look::Text, lines, y);
+                y = texts(paper, Look::Text, lines, y);
                 network(context, *index)
             }
-            PageItem::Section(section, noted) => {
-                let (section, noted) = (*section, *noted);
-                BlockKind::Declarations { section, noted }
-            }
+            PageItem::Section(section, noted) => BlockKind::Declarations {
+                section: *section,
+                noted: *noted,
+            },
         };
         paper.end_block(kind, top, y);
+        y
     }
-    paper.finish(y, MARGIN, 20 * UNIT)
 }
 
 fn network(context: &Context, index: usize) -> BlockKind {
@@ -116,47 +128,65 @@ fn texts(paper: &mut Paper, look: Look, lines: &[String], mut y: i32) -> i32 {
     y
 }
 
-fn parts(context: &Context, words: &Words<'_>) -> Vec<PageItem> {
-    let parse = &context.parse;
-    let mut parts: Vec<PageItem> = Vec::new();
+/// What is shown of the items of a file.
+pub(super) fn items(items: &[Item], words: &Words<'_>) -> Vec<PageItem> {
+    let mut found: Vec<PageItem> = Vec::new();
     // Comments on lines that follow each other are one text.
     let mut goes_on = false;
-    for item in &parse.structure().items {
-        let follows = std::mem::replace(&mut goes_on, false);
-        match *item {
+    for &item in items {
+        let follows = std::mem::replace(&mut goes_on, is_comment(words.context, item));
+        match PageItem::of(item, words) {
+            Some(PageItem::Comment(lines)) if follows => match found.last_mut() {
+                Some(PageItem::Comment(before)) => before.extend(lines),
+                _ => found.push(PageItem::Comment(lines)),
+            },
+            Some(PageItem::Section(section, _)) => {
+                let noted = follows && matches!(found.last(), Some(PageItem::Comment(_)));
+                found.push(PageItem::Section(section, noted));
+            }
+            item => found.extend(item),
+        }
+    }
+    found
+}
+
+/// Whether it is a line with nothing but comments.
+pub(super) fn is_comment(context: &Context, item: Item) -> bool {
+    matches!(item, Item::Decoration(line) if context.parse.lines()[line].kind == LineKind::Comment)
+}
+
+impl PageItem {
+    /// What is shown of an item of a file, if anything is.
+    fn of(item: Item, words: &Words<'_>) -> Option<PageItem> {
+        let context = words.context;
+        Some(match item {
             Item::Network(index) if context.networks.at(index).broken => {
                 let range = context.networks.at(index).range;
                 let lines = words.text_of(range).lines().map(str::to_owned);
-                parts.push(PageItem::Text(index, lines.collect()));
+                PageItem::Text(index, lines.collect())
             }
             Item::Network(index) => {
                 let figure = figure(context.networks.at(index), words);
                 let layout = layout(&figure);
-                parts.push(PageItem::Network(index, Box::new((figure, layout))));
+                PageItem::Network(index, Box::new((figure, layout)))
             }
             Item::BlockHeader(block) => {
                 let name = context
                     .user_blocks
                     .get(block)
                     .map_or("", |block| block.name.as_str());
-                parts.push(PageItem::Heading(format!("FUNCTION_BLOCK {name}")));
+                PageItem::Heading(format!("FUNCTION_BLOCK {name}"))
             }
-            Item::BlockEnd(_) => parts.push(PageItem::Heading("END_FUNCTION_BLOCK".to_owned())),
-            Item::Decoration(line) if parse.lines()[line].kind == LineKind::Comment => {
+            Item::BlockEnd(_) => PageItem::Heading("END_FUNCTION_BLOCK".to_owned()),
+            Item::Decoration(line) if is_comment(context, item) => {
                 let lines = words.comments_of(line);
-                goes_on = true;
-                match parts.last_mut() {
-                    Some(PageItem::Comment(before)) if follows => before.extend(lines),
-                    _ if lines.is_empty() => {}
-                    _ => parts.push(PageItem::Comment(lines)),
+                if lines.is_empty() {
+                    return None;
                 }
+                PageItem::Comment(lines)
             }
-            Item::Section(section) => {
-                let noted = follows && matches!(parts.last(), Some(PageItem::Comment(_)));
-                parts.push(PageItem::Section(section, noted));
-            }
-            Item::Decoration(_) | Item::Stray(_) => {}
-        }
+            Item::Section(section) => PageItem::Section(section, false),
+            Item::Decoration(_) | Item::Stray(_) => return None,
+        })
     }
-    parts
 }

@@ -9,6 +9,12 @@ pub(super) struct Paper {
     scene: Scene,
     /// The part of the program that is drawn at present.
     element: Option<Element>,
+    /// Whether somebody will show the state of a running program on it.
+    live: bool,
+    /// The parts whose power the shapes drawn at present show.
+    power: Vec<Element>,
+    /// The operand of the element that is drawn at present.
+    operand: Option<usize>,
     /// The right end of what the present block draws.
     right: i32,
     /// The first shape of the present block.
@@ -16,6 +22,50 @@ pub(super) struct Paper {
 }
 
 impl Paper {
+    /// A sheet; `live` for the state of a running program.
+    pub(super) fn new(live: bool) -> Paper {
+        Paper {
+            live,
+            ..Paper::default()
+        }
+    }
+
+    /// What is drawn from now on shows the power of these parts.
+    pub(super) fn powered_by(&mut self, parts: &[Element]) {
+        if self.live {
+            self.power.clear();
+            self.power.extend_from_slice(parts);
+        }
+    }
+
+    /// What is drawn from now on names this operand.
+    pub(super) fn operand(&mut self, operand: Option<usize>) {
+        if self.live {
+            self.operand = operand;
+        }
+    }
+
+    /// The gap of a contact or the inside of a coil, which a live drawing fills.
+    pub(super) fn gate(&mut self, steps: impl Into<Vec<PathStep>>) {
+        if self.live {
+            self.path(Look::Gate, steps);
+        }
+    }
+
+    /// Room for the value of the present operand.
+    pub(super) fn value(&mut self, at: At, anchor: Anchor, width: i32) {
+        if self.live {
+            let text = String::new();
+            let form = Form::Text {
+                at,
+                anchor,
+                width,
+                text,
+            };
+            self.shape(Look::Value, Role::Symbol, form);
+        }
+    }
+
     /// What is drawn from now on shows this part of the program.
     pub(super) fn of(&mut self, element: Option<Element>) {
         self.element = element;
@@ -85,6 +135,8 @@ impl Paper {
             look,
             role,
             element: self.element,
+            power: self.power.clone(),
+            operand: self.operand,
             form,
         };
         self.right = self.right.max(shape.extent().right);

@@ -92,6 +92,10 @@ pub struct Shape {
     pub role: Role,
     /// The part of the program that it shows: of a wire between two rungs its `\`.
     pub element: Option<Element>,
+    /// In a live drawing the parts whose power it shows: one of them with power is enough.
+    pub power: Vec<Element>,
+    /// In a live drawing the operand of the element that it names, or whose value belongs here.
+    pub operand: Option<usize>,
     /// Its lines or letters.
     pub form: Form,
 }

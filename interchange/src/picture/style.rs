@@ -57,6 +57,8 @@ pub enum Look {
     Comment,
     /// The value that a tag has.
     Value,
+    /// The gap of a contact or the inside of a coil: in a live drawing it is filled or not.
+    Gate,
 }
 
 /// A colour by its purpose.
@@ -168,6 +170,7 @@ impl Look {
             Look::Pin => "pin",
             Look::Comment => "comment",
             Look::Value => "value",
+            Look::Gate => "gate",
         }
     }
 

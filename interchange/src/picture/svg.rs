@@ -24,7 +24,7 @@ pub fn svg(scene: &Scene, theme: Theme) -> String {
             out.push_str(&format!("<g><title>Line {line}</title>\n"));
         }
         for shape in shapes {
-            write(shape, &mut out);
+            write(shape, "", &mut out);
         }
         if network.is_some() {
             out.push_str("</g>\n");
@@ -34,19 +34,24 @@ pub fn svg(scene: &Scene, theme: Theme) -> String {
     out
 }
 
-fn write(shape: &Shape, out: &mut String) {
+/// Writes a shape, with these attributes besides.
+pub(super) fn write(shape: &Shape, attributes: &str, out: &mut String) {
     let class = shape.look.class();
     // Writing to a String does not fail.
     let _ = match &shape.form {
         Form::Line((x1, y1), (x2, y2)) => {
             writeln!(
                 out,
-                r#"<line class="{class}" x1="{x1}" y1="{y1}" x2="{x2}" y2="{y2}"/>"#
+                r#"<line class="{class}"{attributes} x1="{x1}" y1="{y1}" x2="{x2}" y2="{y2}"/>"#
             )
         }
         Form::Path(steps) => {
             let steps: Vec<String> = steps.iter().map(|&step| command(step)).collect();
-            writeln!(out, r#"<path class="{class}" d="{}"/>"#, steps.join(" "))
+            writeln!(
+                out,
+                r#"<path class="{class}"{attributes} d="{}"/>"#,
+                steps.join(" ")
+            )
         }
         Form::Rect {
             at: (x, y),
@@ -54,9 +59,12 @@ fn write(shape: &Shape, out: &mut String) {
             height,
         } => writeln!(
             out,
-            r#"<rect class="{class}" x="{x}" y="{y}" width="{width}" height="{height}" rx="2"/>"#
+            r#"<rect class="{class}"{attributes} x="{x}" y="{y}" width="{width}" height="{height}" rx="2"/>"#
         ),
-        Form::Dot((x, y)) => writeln!(out, r#"<circle class="{class}" cx="{x}" cy="{y}" r="{DOT}"/>"#),
+        Form::Dot((x, y)) => writeln!(
+            out,
+            r#"<circle class="{class}"{attributes} cx="{x}" cy="{y}" r="{DOT}"/>"#
+        ),
         Form::Text {
             at: (x, y),
             anchor,
@@ -74,7 +82,7 @@ fn write(shape: &Shape, out: &mut String) {
             };
             writeln!(
                 out,
-                r#"<text{class} x="{x}" y="{y}"{anchor}>{}</text>"#,
+                r#"<text{class}{attributes} x="{x}" y="{y}"{anchor}>{}</text>"#,
                 Escaped(text)
             )
         }

@@ -5,9 +5,9 @@
 
 use super::measure::columns;
 use super::style::{HALF, LINE, UNIT};
-use super::{Values, comment};
+use super::{Options, Values, comment};
 use ladder_analysis::context::Context;
-use ladder_analysis::facts::OperandFacts;
+use ladder_analysis::facts::{NodeKind, OperandFacts};
 use ladder_analysis::network::{Formal, Meaning};
 use ladder_analysis::networks::BlockAt;
 use ladder_instructions::{Direction, Group, Instruction, Op, Shape};
@@ -18,12 +18,30 @@ use ladder_syntax::TextRange;
 pub(super) struct Label {
     pub(super) text: String,
     pub(super) value: Option<String>,
+    /// Which operand of its block it is.
+    pub(super) operand: usize,
+    /// There is room for the value that somebody will write there.
+    pub(super) room: bool,
 }
+
+/// The columns that a value has at the least where there is room for one.
+const VALUE_COLUMNS: u32 = 9;
+/// The height of a line of values in a live drawing.
+pub(super) const VALUE: i32 = 14;
 
 impl Label {
     fn width(&self) -> u32 {
         let value = self.value.as_deref().map_or(0, |value| columns(value) + 1);
-        columns(&self.text) + value
+        let room = if self.room { VALUE_COLUMNS } else { 0 };
+        (columns(&self.text) + value).max(room)
+    }
+
+    /// What it takes beside its own line.
+    pub(super) fn height(&self) -> i32 {
+        if self.text.is_empty() {
+            return 0;
+        }
+        LINE + if self.room { VALUE + 2 } else { 0 }
     }
 }
 
@@ -85,16 +103,15 @@ pub(super) const NAME: i32 = LINE + 12;
 
 impl Symbol {
     pub(super) fn room(&self) -> Room {
-        let text = |label: &Label| if label.text.is_empty() { 0 } else { LINE };
         match self {
             Symbol::Contact { mark, over, under } => Room {
                 columns: (mark.width() + 3).max(over.width()).max(under.width()),
-                over: HALF + text(over),
-                under: HALF + text(under),
+                over: HALF + over.height(),
+                under: HALF + under.height(),
             },
             Symbol::Coil { mark, over } => Room {
                 columns: (mark.width() + 3).max(over.width()),
-                over: HALF + text(over),
+                over: HALF + over.height(),
                 under: HALF,
             },
             Symbol::Box {
@@ -112,8 +129,13 @@ impl Symbol {
                     .unwrap_or(0);
                 Room {
                     columns: (columns(name).max(pins).max(widest) + 2).max(over.width()),
-                    over: NAME + text(over),
-                    under: ROWS + rows.len() as i32 * LINE + if rows.is_empty() { 0 } else { 4 },
+                    over: NAME + over.height(),
+                    under: ROWS
+                        + rows
+                            .iter()
+                            .map(|(_, label)| label.height().max(LINE))
+                            .sum::<i32>()
+                        + if rows.is_empty() { 0 } else { 4 },
                 }
             }
             Symbol::Jump(name) => Room {
@@ -146,9 +168,20 @@ pub(super) struct Words<'c> {
     pub(super) context: &'c Context,
     pub(super) text: &'c str,
     pub(super) value: Option<&'c Values<'c>>,
+    /// There is room for values that somebody will write.
+    pub(super) room: bool,
 }
 
 impl<'c> Words<'c> {
+    pub(super) fn of(context: &'c Context, text: &'c str, options: &Options<'c>) -> Words<'c> {
+        Words {
+            context,
+            text,
+            value: options.value,
+            room: options.live,
+        }
+    }
+
     /// A place's text.
     pub(super) fn text_of(&self, range: TextRange) -> &'c str {
         self.text
@@ -181,7 +214,12 @@ impl<'c> Words<'c> {
         let text = self.operand(bound, operand);
         let value = self.value.and_then(|value| value(&text));
         let value = value.map(|value| format!("= {value}"));
-        Label { text, value }
+        Label {
+            text,
+            value,
+            operand: index,
+            room: self.room && has_value(operand) && !is_drawn(bound),
+        }
     }
 
     /// The name of a label or function.
@@ -195,6 +233,7 @@ impl<'c> Words<'c> {
     pub(super) fn symbol(&self, bound: BlockAt<'_>, scope: usize) -> Symbol {
         let words = Words {
             value: self.value.filter(|_| scope == 0),
+            room: self.room && scope == 0,
             ..*self
         };
         words.symbol_of(bound)
@@ -301,6 +340,22 @@ impl<'c> Words<'c> {
             _ => String::new(),
         }
     }
+}
+
+/// Whether an operand can have another value than it says itself.
+fn has_value(operand: &OperandFacts) -> bool {
+    !matches!(operand.value.kind, NodeKind::Literal(_) | NodeKind::Missing)
+}
+
+/// Whether the drawing of a block shows the value of its operand: a contact that is closed, a coil that has power.
+fn is_drawn(bound: BlockAt<'_>) -> bool {
+    let row = bound.instruction();
+    row.is_some_and(|row| {
+        matches!(
+            row.op,
+            Op::Contact | Op::NegatedContact | Op::Coil | Op::NegatedCoil
+        )
+    })
 }
 
 fn sign(op: Op) -> &'static str {

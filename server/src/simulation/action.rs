@@ -43,6 +43,8 @@ pub(crate) enum Action {
     Pause,
     /// Give a tag a value.
     Set(String, Value),
+    /// Give a tag of BOOL its other value for one scan.
+    Pulse(String),
     /// Hold a tag at a value.
     Force(String, Value),
     /// Let a tag go, or all.

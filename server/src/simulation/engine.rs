@@ -14,6 +14,7 @@ use serde_json::Value as Json;
 use super::drawing::Drawing;
 use super::follow::Texts;
 use super::messages;
+use super::pulse::Pulse;
 use super::request::Failure;
 use super::retention::Retention;
 use super::sight::Sight;
@@ -36,6 +37,8 @@ pub(super) struct Engine {
     pub(super) session: Session,
     pub(super) texts: Texts,
     retention: Option<Retention>,
+    /// Tags that go back when their scan is done.
+    pub(super) pulses: Vec<Pulse>,
     /// What inputs hold from the first scan on.
     inputs: Vec<(Point, Value)>,
     /// Where the elements of the drawing stand, in the order in which the engine lists their power, for a client that
@@ -91,6 +94,7 @@ impl Engine {
             session,
             texts: Texts::new(revision),
             retention,
+            pulses: Vec::new(),
             inputs,
             places: OnceCell::new(),
             drawing: OnceCell::new(),
@@ -131,6 +135,7 @@ impl Engine {
     /// Runs one scan, unless the program has come to its end; gives the breakpoint that stops it.
     pub(super) fn scan(&mut self) -> Option<messages::Hit> {
         let stop = self.session.run_scan();
+        self.end_pulses();
         self.look_at_what_runs();
         if let Some(retention) = &mut self.retention {
             retention.keep(&self.session);
@@ -153,11 +158,13 @@ impl Engine {
         } else {
             self.session.step_network();
         }
+        self.end_pulses();
         self.look_at_what_runs();
     }
 
     /// Goes back up to so many scans.
     pub(super) fn back(&mut self, scans: u64) {
+        self.pulses.clear();
         self.session
             .step_back(usize::try_from(scans).unwrap_or(usize::MAX));
         self.look_at_what_runs();
@@ -247,6 +254,7 @@ impl Engine {
 
     /// Begins again from cold: as it was started. Forces stay.
     pub(super) fn reset(&mut self) -> Result<(), Failure> {
+        self.pulses.clear();
         self.session.reset();
         self.look_at_what_runs();
         self.set_inputs()
@@ -254,6 +262,7 @@ impl Engine {
 
     /// Begins again with what is retentive. Forces stay.
     pub(super) fn warm_restart(&mut self) -> Result<(), Failure> {
+        self.pulses.clear();
         self.session.warm_restart();
         self.look_at_what_runs();
         self.set_inputs()

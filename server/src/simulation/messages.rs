@@ -86,7 +86,7 @@ pub struct Breakpoints {
     pub tags: Vec<String>,
 }
 
-/// The argument of `ladder.simulate.why`.
+/// The argument of `ladder.simulate.why` and `ladder.simulate.pulse`.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "camelCase", deny_unknown_fields)]
 pub struct OfTag {

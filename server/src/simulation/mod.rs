@@ -12,6 +12,7 @@ mod follow;
 mod inquiry;
 pub mod messages;
 mod picture;
+mod pulse;
 mod reasons;
 mod request;
 mod retention;

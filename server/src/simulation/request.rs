@@ -9,7 +9,7 @@ use super::messages::{
 };
 
 /// What a client can ask for with `workspace/executeCommand`.
-pub(crate) const COMMANDS: [&str; 22] = [
+pub(crate) const COMMANDS: [&str; 23] = [
     "ladder.simulate.start",
     "ladder.simulate.step",
     "ladder.simulate.stepBlock",
@@ -24,6 +24,7 @@ pub(crate) const COMMANDS: [&str; 22] = [
     "ladder.simulate.run",
     "ladder.simulate.pause",
     "ladder.simulate.set",
+    "ladder.simulate.pulse",
     "ladder.simulate.force",
     "ladder.simulate.unforce",
     "ladder.simulate.state",
@@ -60,6 +61,7 @@ pub(crate) enum Request {
     Run(Run),
     Pause(OfSession),
     Set(Assign),
+    Pulse(OfTag),
     Force(Assign),
     Unforce(Unforce),
     State(OfSession),
@@ -89,6 +91,7 @@ impl Request {
             Some("run") => Ok(Request::Run(read(command, argument(arguments)?)?)),
             Some("pause") => Ok(Request::Pause(read(command, argument(arguments)?)?)),
             Some("set") => Ok(Request::Set(read(command, argument(arguments)?)?)),
+            Some("pulse") => Ok(Request::Pulse(read(command, argument(arguments)?)?)),
             Some("force") => Ok(Request::Force(read(command, argument(arguments)?)?)),
             Some("unforce") => Ok(Request::Unforce(read(command, argument(arguments)?)?)),
             Some("state") => Ok(Request::State(read(command, argument(arguments)?)?)),

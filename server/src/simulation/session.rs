@@ -312,6 +312,7 @@ impl Runner {
             Action::Show(shown) => self.simulation.engine.show(&shown),
             Action::Pause => self.pause(),
             Action::Set(tag, value) => self.simulation.engine.set(&tag, &value)?,
+            Action::Pulse(tag) => self.simulation.engine.pulse(&tag)?,
             Action::Force(tag, value) => self.simulation.engine.force(&tag, &value)?,
             Action::Unforce(tag) => self.simulation.engine.unforce(tag.as_deref())?,
             Action::State => {}

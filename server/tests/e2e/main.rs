@@ -6,6 +6,7 @@ mod companions;
 mod completion;
 mod configuration;
 mod diagnostics;
+mod diagram;
 mod features;
 mod follow;
 mod history;

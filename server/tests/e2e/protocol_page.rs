@@ -6,7 +6,7 @@
 use std::collections::BTreeSet;
 use std::fmt::Write;
 
-use ladder_server::{messages, notation_messages};
+use ladder_server::{Diagram, Drawn, messages, notation_messages};
 use serde::Serialize;
 use serde::de::DeserializeOwned;
 use serde_json::{Value, json};
@@ -152,6 +152,11 @@ async fn the_page_shows_every_command_whole() {
                 is_whole::<messages::OfSession>(argument);
                 continue;
             }
+            "diagram" => {
+                is_whole::<Diagram>(argument);
+                is_whole::<Drawn>(answer);
+                continue;
+            }
             "convert" => {
                 is_whole::<notation_messages::Convert>(argument);
                 is_whole::<notation_messages::Converted>(answer);
@@ -198,6 +203,7 @@ async fn the_page_shows_every_command_whole() {
             "run" => is_whole::<messages::Run>(argument),
             "show" => is_whole::<messages::Show>(argument),
             "set" | "force" => is_whole::<messages::Assign>(argument),
+            "pulse" => is_whole::<messages::OfTag>(argument),
             "unforce" => is_whole::<messages::Unforce>(argument),
             _ => is_whole::<messages::OfSession>(argument),
         }

@@ -434,3 +434,56 @@ async fn an_end_and_a_fault_stop_the_program_for_good() {
     assert_eq!(fault["range"], span([0, 3, 0, 17]), "where the watchdog struck");
     client.finish().await;
 }
+
+#[tokio::test]
+async fn a_pulse_is_one_scan_long() {
+    let program = "\
+VAR_INPUT  button : BOOL;  END_VAR
+VAR  on : DINT;  edges : DINT;  END_VAR
++--[ ]( button )-----------[ADD]( on, on, 1 )-----+
++--[ ]( button )--[OSR]----[ADD]( edges, edges, 1 )--+
+";
+    let (mut client, s, _) = started(program).await;
+    let pulse = json!({"session": s, "tag": "button"});
+    let state = client.simulate("pulse", pulse.clone()).await.unwrap();
+    assert_eq!(tag(&state, "button")["value"], true);
+    // One pulse at a time.
+    client.simulate("pulse", pulse.clone()).await.unwrap();
+    let state = step(&mut client, &s, 1).await;
+    assert_eq!(
+        (&tag(&state, "on")["value"], &tag(&state, "button")["value"]),
+        (&json!(1), &json!(false))
+    );
+    let state = step(&mut client, &s, 3).await;
+    assert_eq!(tag(&state, "on")["value"], 1);
+
+    // In the midst of a scan it waits for the next one.
+    client.simulate("stepBlock", json!({"session": s})).await.unwrap();
+    client.simulate("pulse", pulse.clone()).await.unwrap();
+    let state = step(&mut client, &s, 3).await;
+    assert_eq!(
+        (&tag(&state, "on")["value"], &tag(&state, "edges")["value"]),
+        (&json!(2), &json!(2))
+    );
+
+    // A tag that is on is off for one scan.
+    set(&mut client, &s, "button", json!(true)).await.unwrap();
+    client.simulate("pulse", pulse.clone()).await.unwrap();
+    let state = step(&mut client, &s, 3).await;
+    assert_eq!(
+        (&tag(&state, "on")["value"], &tag(&state, "button")["value"]),
+        (&json!(4), &json!(true))
+    );
+
+    let force = json!({"session": s, "tag": "button", "value": true});
+    client.simulate("force", force).await.unwrap();
+    let refused = client.simulate("pulse", pulse).await.unwrap_err();
+    assert_eq!(refused, (-32803, "button is forced; release it first".to_owned()));
+    let wrong = json!({"session": s, "tag": "on"});
+    let refused = client.simulate("pulse", wrong).await.unwrap_err();
+    assert_eq!(
+        refused,
+        (-32602, "on is a DINT; only a tag of BOOL has pulses".to_owned())
+    );
+    client.finish().await;
+}

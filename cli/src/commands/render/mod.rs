@@ -271,6 +271,7 @@ fn running(arguments: &Arguments, source: &Source, scans: u64) -> Result<Option<
     let options = Options {
         power: Some(power),
         value: Some(&value),
+        live: false,
     };
     let scene = picture::scene(&source.analyze().context, &options);
     Ok(Some((scene, run.outcome())))

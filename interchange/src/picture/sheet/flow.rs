@@ -4,11 +4,11 @@ use super::super::paper::Paper;
 use super::super::scene::{Anchor, At, Block, BlockKind, Extent, Form, Role, Scene, Shape};
 use super::super::style::{LINE, Look, MARGIN, UNIT};
 use super::super::symbol::width;
+use super::super::wrap::paragraph;
 use super::cut::{Along, cut, stretch};
 use super::declarations::{Group, groups};
 use super::pages::{FULL, Pages, SMALLEST, Strip};
 use super::table::Table;
-use super::wrap::paragraph;
 use ladder_analysis::context::Context;
 use std::collections::HashMap;
 use std::ops::Range;
@@ -314,6 +314,8 @@ fn tiles(shapes: &[Shape], beside: &[Range<i32>], below: &[Range<i32>]) -> Vec<(
         let (right, left) = (format!("{number} →"), format!("→ {number}"));
         for row in touched(below, y..y) {
             let mark = |at, anchor, text: &str| Shape {
+                power: Vec::new(),
+                operand: None,
                 look: Look::Pin,
                 role: Role::Symbol,
                 element: None,

@@ -13,7 +13,6 @@ mod declarations;
 mod flow;
 mod pages;
 mod table;
-mod wrap;
 
 use super::scene::{Extent, Scene, Shape};
 use ladder_analysis::context::Context;

@@ -5,8 +5,8 @@ use super::super::paper::Paper;
 use super::super::scene::{Anchor, Shape};
 use super::super::style::{LINE, Look, UNIT};
 use super::super::symbol::width;
+use super::super::wrap::wrap;
 use super::declarations::{COLUMNS, Group, Row};
-use super::wrap::wrap;
 
 /// Columns between two columns of the table.
 const APART: u32 = 2;

@@ -5,6 +5,7 @@ pub(crate) mod call_hierarchy;
 pub(crate) mod code_action;
 pub(crate) mod code_lens;
 pub(crate) mod completion;
+pub(crate) mod diagram;
 pub(crate) mod folding;
 pub(crate) mod foreign_hover;
 pub(crate) mod formatting;

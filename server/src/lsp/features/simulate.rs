@@ -64,6 +64,7 @@ pub(crate) async fn execute(shared: &Arc<Shared>, params: ExecuteCommandParams) 
         }
         Request::Pause(it) => act(shared, &it.session, Action::Pause).await,
         Request::Set(it) => act(shared, &it.session, Action::Set(it.tag, it.value)).await,
+        Request::Pulse(it) => act(shared, &it.session, Action::Pulse(it.tag)).await,
         Request::Force(it) => act(shared, &it.session, Action::Force(it.tag, it.value)).await,
         Request::Unforce(it) => act(shared, &it.session, Action::Unforce(it.tag)).await,
         Request::State(it) => act(shared, &it.session, Action::State).await,

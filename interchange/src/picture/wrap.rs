@@ -1,6 +1,6 @@
 //! Breaking texts into lines.
 
-use super::super::measure::columns;
+use super::measure::columns;
 
 /// A text in lines of at most so many columns. Words that are longer are broken.
 pub(super) fn wrap(text: &str, width: u32) -> Vec<String> {

@@ -1,0 +1,260 @@
+//! Parts of a drawing for a page that shows a running program: each comment and network by itself, and in it the places
+//! in the text of all that can be live. The page that shows it knows nothing of ladder logic.
+//!
+//! ```text
+//! <svg class="drawing">
+//!   <line data-power="0:1"/>                     a wire: it is live if one of these parts has power
+//!   <g class="element contact" data-at="0:3" data-end="0:15" data-name="Open contact">
+//!     <rect class="hit"/>                        where somebody points at it
+//!     <path class="gate"/>                       the gap, filled when power can pass
+//!     <text data-operand="0:8">start</text>      the name of an operand
+//!     <text class="value" data-operand="0:8"/>   where its value belongs
+//!   </g>
+//! </svg>
+//! ```
+
+use super::Options;
+use super::page::{self, PageItem};
+use super::paper::Paper;
+use super::scene::{BlockKind, Element, Form, Role, Scene, Shape};
+use super::style::{Look, MARGIN, UNIT};
+use super::svg::write;
+use super::symbol::Words;
+use super::wrap::paragraph;
+use ladder_analysis::context::Context;
+use ladder_analysis::networks::BlockAt;
+use ladder_instructions::Group;
+use ladder_syntax::xml::Escaped;
+use ladder_syntax::{Item, Structure, TextRange, TextSize};
+use std::collections::HashMap;
+use std::fmt::Write;
+
+/// Blank above and below a piece.
+const EDGE: i32 = 4;
+
+/// A comment, heading or network, drawn by itself.
+#[derive(Debug)]
+pub struct Piece {
+    /// Where it stands in the text, line ends included.
+    pub range: TextRange,
+    /// The drawing, from its own upper left corner.
+    scene: Scene,
+}
+
+/// What a piece is.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Kind {
+    /// Comments on lines of their own.
+    Comment,
+    /// The first or last line of a user-defined block.
+    Heading,
+    /// A network.
+    Network,
+    /// A network with a mistake in its drawing, shown as text.
+    Broken,
+}
+
+/// Draws what has something in a stretch of a text, with the right rail in this column where a network is no wider.
+/// `text` is that of the context.
+pub fn pieces(context: &Context, text: &str, stretch: TextRange, rail: u32) -> Vec<Piece> {
+    let options = Options {
+        live: true,
+        ..Options::default()
+    };
+    let words = Words::of(context, text, &options);
+    let structure = context.parse.structure();
+    let is_comment = |item: &Item| page::is_comment(context, *item);
+    let items = items_in(context, structure, stretch, &is_comment);
+    // Comments on lines that follow each other are one text.
+    let groups = items.chunk_by(|above, below| is_comment(above) && is_comment(below));
+    let pieces = groups.filter_map(|group| {
+        let (first, last) = (*group.first()?, *group.last()?);
+        let range = lines_of(context, structure, first).cover(lines_of(context, structure, last));
+        let mut item = page::items(group, &words).pop()?;
+        match &mut item {
+            PageItem::Section(..) => return None,
+            PageItem::Comment(lines) => *lines = paragraph(lines, rail),
+            _ => {}
+        }
+        let mut paper = Paper::new(true);
+        let bottom = item.draw(&mut paper, EDGE, rail, context, &options);
+        let mut scene = paper.finish(bottom, MARGIN, 0);
+        scene.height = bottom + EDGE;
+        Some(Piece { range, scene })
+    });
+    pieces.collect()
+}
+
+/// The items of a file that have something in a stretch of it, and all of the comments of which it has some.
+fn items_in<'s>(
+    context: &Context,
+    structure: &'s Structure,
+    stretch: TextRange,
+    is_comment: &dyn Fn(&Item) -> bool,
+) -> &'s [Item] {
+    let items = &structure.items;
+    let lines = |item: &Item| lines_of(context, structure, *item);
+    let mut first = items.partition_point(|item| lines(item).end() <= stretch.start());
+    let mut end = items.partition_point(|item| lines(item).start() < stretch.end());
+    end = end.max(first);
+    while first > 0 && first < items.len() && is_comment(&items[first]) && is_comment(&items[first - 1]) {
+        first -= 1;
+    }
+    while end > first && end < items.len() && is_comment(&items[end - 1]) && is_comment(&items[end]) {
+        end += 1;
+    }
+    &items[first..end]
+}
+
+/// The lines of an item, line ends included.
+fn lines_of(context: &Context, structure: &Structure, item: Item) -> TextRange {
+    let parse = &context.parse;
+    let line = match item {
+        Item::Network(index) => return context.networks.at(index).range,
+        Item::Section(index) => {
+            let lines = &structure.sections[index].lines;
+            let last = lines.end.max(lines.start + 1) - 1;
+            return parse.line_range(lines.start).cover(parse.line_range(last));
+        }
+        Item::BlockHeader(index) => structure.blocks[index].lines.start,
+        Item::BlockEnd(line) | Item::Decoration(line) | Item::Stray(line) => line,
+    };
+    parse.line_range(line)
+}
+
+impl Piece {
+    /// What it is.
+    pub fn kind(&self, context: &Context) -> Kind {
+        match self.scene.blocks.first().map(|block| &block.kind) {
+            Some(&BlockKind::Network { index, .. }) if context.networks.at(index).broken => Kind::Broken,
+            Some(BlockKind::Network { .. }) => Kind::Network,
+            Some(BlockKind::Heading) => Kind::Heading,
+            _ => Kind::Comment,
+        }
+    }
+
+    /// Its width and height, in pixels.
+    pub fn size(&self) -> (i32, i32) {
+        (self.scene.width, self.scene.height)
+    }
+
+    /// The drawing. `place` says how the page calls a place in the text.
+    pub fn svg(&self, context: &Context, place: &dyn Fn(TextSize) -> String) -> String {
+        let Scene { width, height, .. } = self.scene;
+        let mut out = format!(
+            "<svg xmlns=\"http://www.w3.org/2000/svg\" class=\"drawing\" width=\"{width}\" height=\"{height}\" \
+             viewBox=\"0 0 {width} {height}\">\n"
+        );
+        let elements = Elements::of(&self.scene, context);
+        let mut open = None;
+        for shape in &self.scene.shapes {
+            let element = shape
+                .element
+                .filter(|element| shape.role == Role::Symbol && elements.symbols.contains_key(element));
+            if element != open {
+                if open.is_some() {
+                    out.push_str("</g>\n");
+                }
+                if let Some(element) = element {
+                    elements.open(element, place, &mut out);
+                }
+                open = element;
+            }
+            write(shape, &elements.attributes(shape, place), &mut out);
+        }
+        if open.is_some() {
+            out.push_str("</g>\n");
+        }
+        out.push_str("</svg>");
+        out
+    }
+}
+
+/// The blocks of a piece's network, by the elements that show them.
+struct Elements<'c> {
+    context: &'c Context,
+    symbols: HashMap<Element, Symbol<'c>>,
+}
+
+/// A block, and where it is drawn.
+struct Symbol<'c> {
+    block: BlockAt<'c>,
+    columns: (i32, i32),
+    rows: (i32, i32),
+}
+
+impl<'c> Elements<'c> {
+    fn of(scene: &Scene, context: &'c Context) -> Elements<'c> {
+        let mut symbols = HashMap::new();
+        if let Some(first) = scene.placed.first() {
+            let network = context.networks.at(first.element.network);
+            let blocks = network.blocks();
+            let blocks: HashMap<_, _> = blocks
+                .map(|block| ((block.facts.rung, block.facts.part), block))
+                .collect();
+            for placed in &scene.placed {
+                let element = placed.element;
+                if let Some(&block) = blocks.get(&(element.rung, element.part)) {
+                    let (columns, rows) = (placed.columns, placed.rows);
+                    symbols.insert(element, Symbol { block, columns, rows });
+                }
+            }
+        }
+        Elements { context, symbols }
+    }
+
+    /// Begins the group of a symbol.
+    fn open(&self, element: Element, place: &dyn Fn(TextSize) -> String, out: &mut String) {
+        let Symbol { block, columns, rows } = &self.symbols[&element];
+        let range = self.range(element);
+        let (kind, name) = match block.instruction() {
+            Some(row) if row.group == Group::Condition => ("contact", row.title),
+            Some(row) if row.coil.is_some() => ("coil", row.title),
+            Some(row) => ("block", row.title),
+            None => ("block", block.facts.head.text()),
+        };
+        let (width, height) = (columns.1 - columns.0, rows.1 - rows.0);
+        // Writing to a String does not fail.
+        let _ = write!(
+            out,
+            "<g class=\"element {kind}\" data-at=\"{}\" data-end=\"{}\" data-name=\"{}\">\n\
+             <rect class=\"hit\" x=\"{}\" y=\"{}\" width=\"{width}\" height=\"{height}\" rx=\"3\"/>\n",
+            place(range.start()),
+            place(range.end()),
+            Escaped(name),
+            columns.0,
+            rows.0,
+        );
+    }
+
+    fn range(&self, element: Element) -> TextRange {
+        let network = self.context.networks.at(element.network);
+        network.part_range(&self.context.parse, element.rung, element.part)
+    }
+
+    /// What makes a shape live: whose power it shows, and which operand it names.
+    fn attributes(&self, shape: &Shape, place: &dyn Fn(TextSize) -> String) -> String {
+        let mut attributes = String::new();
+        if !shape.power.is_empty() {
+            let mut parts: Vec<String> = Vec::with_capacity(shape.power.len());
+            for &part in &shape.power {
+                let part = place(self.range(part).start());
+                if !parts.contains(&part) {
+                    parts.push(part);
+                }
+            }
+            let _ = write!(attributes, " data-power=\"{}\"", parts.join(" "));
+        }
+        let operand = shape.element.zip(shape.operand).and_then(|(element, operand)| {
+            let block = self.symbols.get(&element)?.block;
+            Some(block.absolute(block.facts.operands.get(operand)?.value.range))
+        });
+        if let Some(range) = operand {
+            let _ = write!(attributes, " data-operand=\"{}\"", place(range.start()));
+        }
+        if let (Look::Value, Form::Text { width, .. }) = (shape.look, &shape.form) {
+            let _ = write!(attributes, " data-room=\"{}\"", width / UNIT);
+        }
+        attributes
+    }
+}

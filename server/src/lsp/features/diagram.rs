@@ -1,0 +1,25 @@
+//! `ladder.diagram`: the diagram of an open program, for a page beside its text.
+
+use std::sync::Arc;
+
+use tower_lsp::jsonrpc::Result;
+use tower_lsp::ls_types::{ExecuteCommandParams, LSPAny};
+
+use super::simulate::{error, json};
+use crate::diagram::{Diagram, draw};
+use crate::lsp::shared::Shared;
+use crate::lsp::transport::blocking::blocking;
+use crate::simulation::{Failure, argument_of};
+
+/// The command.
+pub(crate) const DIAGRAM: &str = "ladder.diagram";
+
+pub(crate) async fn execute(shared: &Arc<Shared>, params: ExecuteCommandParams) -> Result<LSPAny> {
+    let asked: Diagram = argument_of(DIAGRAM, params.arguments).map_err(error)?;
+    let failed = |message: String| error(Failure::Failed(message));
+    let revision = shared.documents.get(&asked.uri);
+    let revision = revision.ok_or_else(|| failed(format!("{} is not open in the editor", asked.uri)))?;
+    let name = revision.name().to_owned();
+    let drawn = blocking(move |_| draw(&revision, &asked)).await?;
+    json(&drawn.ok_or_else(|| failed(format!("{name} is too large to be drawn")))?)
+}
