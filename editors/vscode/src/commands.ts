@@ -3,6 +3,7 @@ import * as vscode from 'vscode';
 
 import { CLICK, type Click } from './click.ts';
 import { convert, exportAs } from './conversion.ts';
+import type { DiagramEditors } from './diagram/editor.ts';
 import { showReferences } from './lenses.ts';
 import { askValue, pickTag } from './prompts.ts';
 import type { Tag } from './protocol.ts';
@@ -54,6 +55,23 @@ async function toggle(simulation: Simulation, given: Tag | undefined): Promise<v
     const tag = await chosen(simulation, given, 'Toggle Tag', isBool);
     if (tag) {
         await simulation.toggle(tag);
+    }
+}
+
+const isFreeBool = (tag: Tag) => typeof tag.value === 'boolean' && isWritable(tag) && !tag.forced;
+
+/** A tag of BOOL has its other value for one scan. */
+async function pulse(simulation: Simulation, given: Tag | undefined): Promise<void> {
+    const tag = await chosen(simulation, given, 'Pulse Tag', isFreeBool);
+    if (tag) {
+        await simulation.command('pulse', { tag: tag.name });
+    }
+}
+
+async function forceTo(simulation: Simulation, given: Tag | undefined, value: boolean): Promise<void> {
+    const tag = await chosen(simulation, given, value ? 'Force On' : 'Force Off', isFreeBool);
+    if (tag) {
+        await simulation.command('force', { tag: tag.name, value });
     }
 }
 
@@ -126,6 +144,7 @@ async function start(click: Click, simulation: Simulation): Promise<void> {
 export interface Views {
     readonly why: WhyView;
     readonly trace: TraceView;
+    readonly diagrams: DiagramEditors;
 }
 
 export function registerCommands(server: Server, simulation: Simulation, click: Click, views: Views): vscode.Disposable {
@@ -147,6 +166,11 @@ export function registerCommands(server: Server, simulation: Simulation, click: 
         'ladder.simulation.force': (tag) => assign(simulation, 'force', tag),
         'ladder.simulation.unforce': (tag) => release(simulation, tag),
         'ladder.simulation.toggle': (tag) => toggle(simulation, tag),
+        'ladder.simulation.pulse': (tag) => pulse(simulation, tag),
+        'ladder.simulation.forceOn': (tag) => forceTo(simulation, tag, true),
+        'ladder.simulation.forceOff': (tag) => forceTo(simulation, tag, false),
+        'ladder.openDiagram': (uri) => views.diagrams.open(uri),
+        'ladder.diagram.reveal': (context) => views.diagrams.reveal(context),
         'ladder.test': (uri?: unknown) => runScenarios(server.program(), typeof uri === 'string' ? uri : undefined),
         'ladder.simulation.breakOnChange': (tag) => breakOnChange(simulation, tag),
         'ladder.simulation.why': (tag) => why(simulation, views.why, tag),

@@ -4,6 +4,7 @@ import * as vscode from 'vscode';
 import { Click } from './click.ts';
 import { registerCommands } from './commands.ts';
 import { showPower } from './decorations.ts';
+import { DiagramEditors } from './diagram/editor.ts';
 import { showFaults } from './faults.ts';
 import type { State } from './protocol.ts';
 import { Server } from './server.ts';
@@ -25,13 +26,18 @@ export async function activate(context: vscode.ExtensionContext): Promise<Api> {
     server = new Server(context.extensionPath);
     const simulation = new Simulation(server);
     const click = new Click(server);
-    const views = { why: new WhyView(simulation), trace: new TraceView(simulation, context) };
+    const views = {
+        why: new WhyView(simulation),
+        trace: new TraceView(simulation, context),
+        diagrams: new DiagramEditors(context.extensionUri, server, simulation),
+    };
     context.subscriptions.push(
         server,
         simulation,
         click,
         views.why,
         views.trace,
+        views.diagrams,
         registerCommands(server, simulation, click, views),
         showPower(simulation),
         showFaults(simulation),

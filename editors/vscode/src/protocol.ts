@@ -1,6 +1,7 @@
 // What the simulator of the language server says and is asked, as docs/protocol.md of the project defines it.
 import type { Range } from 'vscode-languageclient/node';
 
+import type { Drawn, Lines } from './diagram/messages.ts';
 import type { Traced, TraceAsked } from './trace/messages.ts';
 
 export type Value = boolean | number | string;
@@ -147,6 +148,7 @@ export interface Commands {
     pause: { argument: object; answer: State };
     set: { argument: { tag: string; value: Value }; answer: State };
     force: { argument: { tag: string; value: Value }; answer: State };
+    pulse: { argument: { tag: string }; answer: State };
     unforce: { argument: { tag?: string }; answer: State };
     reset: { argument: object; answer: State };
     stop: { argument: object; answer: { session: string; stopped: true } };
@@ -183,6 +185,10 @@ export interface Previewed {
 
 /** The commands beside those of the simulator. */
 export interface OtherCommands {
+    'ladder.diagram': {
+        argument: { uri: string; lines: Lines; rail: number; known: readonly string[] };
+        answer: Drawn;
+    };
     'ladder.preview': { argument: { uri: string }; answer: Previewed };
     'ladder.convert': { argument: { uri: string; text?: string; from?: string; to: string }; answer: Converted };
     'ladder.notations': {

@@ -3,6 +3,7 @@ import * as vscode from 'vscode';
 
 import type { Server } from './server.ts';
 import { breakpointLines, toggled } from './breakpoints.ts';
+import type { Lines } from './diagram/messages.ts';
 import type { Commands, Operand, Recorded, Shown, State, Tag, Why } from './protocol.ts';
 import { operandAt } from './operands.ts';
 import { Session, type Speed } from './session.ts';
@@ -13,6 +14,7 @@ const MARGIN = 5;
 export class Simulation implements vscode.Disposable {
     readonly #sessions = new Map<string, Session>();
     readonly #context = new Map<string, boolean>();
+    readonly #shownElsewhere = new Set<(document: vscode.TextDocument) => Lines | undefined>();
     readonly #server: Server;
     readonly #changed = new vscode.EventEmitter<vscode.TextDocument>();
     readonly #subscriptions: vscode.Disposable;
@@ -88,6 +90,20 @@ export class Simulation implements vscode.Disposable {
         this.#listedTags = names;
     }
 
+    /** Somebody else shows lines of documents, until that ends. */
+    alsoShows(lines: (document: vscode.TextDocument) => Lines | undefined): vscode.Disposable {
+        this.#shownElsewhere.add(lines);
+        return new vscode.Disposable(() => this.#shownElsewhere.delete(lines));
+    }
+
+    /** From now on commands are about this document. */
+    lookAt(document: vscode.TextDocument): void {
+        if (document.languageId === 'clad' && document !== this.#lastDocument) {
+            this.#lastDocument = document;
+            this.#announce(document);
+        }
+    }
+
     #shown(document: vscode.TextDocument): Shown {
         const editors = vscode.window.visibleTextEditors.filter((editor) => editor.document === document);
         const lines = editors.flatMap(({ visibleRanges }) =>
@@ -96,7 +112,8 @@ export class Simulation implements vscode.Disposable {
                 last: Math.min(end.line + MARGIN, document.lineCount - 1),
             })),
         );
-        return { lines, tags: this.#lastDocument === document ? this.#listedTags() : [] };
+        const elsewhere = [...this.#shownElsewhere].flatMap((shown) => shown(document) ?? []);
+        return { lines: [...lines, ...elsewhere], tags: this.#lastDocument === document ? this.#listedTags() : [] };
     }
 
     /** The operand at the cursor, if the program that is simulated has the focus. */
@@ -134,7 +151,7 @@ export class Simulation implements vscode.Disposable {
         }
     }
 
-    async command<Name extends 'step' | 'stepBlock' | 'stepRung' | 'back' | 'goTo' | 'run' | 'set' | 'force' | 'unforce' | 'reset' | 'warmRestart'>(
+    async command<Name extends 'step' | 'stepBlock' | 'stepRung' | 'back' | 'goTo' | 'run' | 'set' | 'pulse' | 'force' | 'unforce' | 'reset' | 'warmRestart'>(
         name: Name,
         argument: Commands[Name]['argument'],
     ): Promise<void> {

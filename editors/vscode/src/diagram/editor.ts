@@ -1,0 +1,67 @@
+// Diagrams as editors of their own for ladder text: the editor keeps the text open for them, and restores them.
+import * as vscode from 'vscode';
+
+import type { Server } from '../server.ts';
+import type { Simulation } from '../simulation.ts';
+import { folderOf, pageOf } from './page.ts';
+import { DiagramPanel } from './panel.ts';
+
+/** As package.json declares it. */
+export const DIAGRAM = 'ladder.diagram';
+
+export class DiagramEditors implements vscode.CustomTextEditorProvider, vscode.Disposable {
+    readonly #extension: vscode.Uri;
+    readonly #server: Server;
+    readonly #simulation: Simulation;
+    readonly #panels = new Map<vscode.WebviewPanel, DiagramPanel>();
+    readonly #registration: vscode.Disposable;
+
+    constructor(extension: vscode.Uri, server: Server, simulation: Simulation) {
+        this.#extension = extension;
+        this.#server = server;
+        this.#simulation = simulation;
+        this.#registration = vscode.window.registerCustomEditorProvider(DIAGRAM, this);
+    }
+
+    resolveCustomTextEditor(document: vscode.TextDocument, webview: vscode.WebviewPanel): void {
+        webview.webview.options = { enableScripts: true, localResourceRoots: [folderOf(this.#extension)] };
+        const panel = new DiagramPanel(document, webview, this.#server, this.#simulation);
+        this.#panels.set(webview, panel);
+        webview.onDidDispose(() => {
+            this.#panels.delete(webview);
+            panel.dispose();
+        });
+        webview.webview.html = pageOf(webview.webview, this.#extension);
+    }
+
+    /** Opens the diagram of a program beside its text, or brings it to the front. */
+    async open(given?: unknown): Promise<void> {
+        const active = vscode.window.activeTextEditor?.document;
+        const uri = given instanceof vscode.Uri ? given : active?.languageId === 'clad' ? active.uri : undefined;
+        if (!uri) {
+            void vscode.window.showWarningMessage('Open a ladder program (.clad) to see its diagram.');
+            return;
+        }
+        const there = [...this.#panels].find(([, { document }]) => document.uri.toString() === uri.toString());
+        if (there) {
+            there[0].reveal(undefined, true);
+            return;
+        }
+        const options = { viewColumn: vscode.ViewColumn.Beside, preserveFocus: true, preview: false };
+        await vscode.commands.executeCommand('vscode.openWith', uri, DIAGRAM, options);
+    }
+
+    /** Shows in the text what the menu of an element was opened on. */
+    async reveal(context?: { place?: string }): Promise<void> {
+        const [line, character] = (context?.place ?? '').split(':').map(Number);
+        const panel = [...this.#panels].find(([webview]) => webview.active)?.[1];
+        if (panel && line !== undefined && character !== undefined) {
+            const place = { line, character };
+            await panel.reveal(place, place, true);
+        }
+    }
+
+    dispose(): void {
+        this.#registration.dispose();
+    }
+}

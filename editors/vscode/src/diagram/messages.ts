@@ -1,0 +1,89 @@
+// What the diagram's page and the extension say to each other. Lines and characters count from 0.
+import type { Contact, Tag, Value } from '../protocol.ts';
+
+/** Lines that follow one another, both ends included. */
+export interface Lines {
+    readonly first: number;
+    readonly last: number;
+}
+
+export interface Place {
+    readonly line: number;
+    readonly character: number;
+}
+
+/** A comment, heading or network, as the server draws it. */
+export interface DrawnPiece {
+    readonly kind: 'comment' | 'heading' | 'network' | 'broken';
+    readonly lines: Lines;
+    readonly width: number;
+    readonly height: number;
+    /** Two drawings with the same key are the same. */
+    readonly key: string;
+    /** Missing if the page has it. */
+    readonly svg?: string;
+}
+
+/** The answer to `ladder.diagram`. */
+export interface Drawn {
+    readonly uri: string;
+    readonly version: number;
+    readonly lineCount: number;
+    /** The lines of which all is told. */
+    readonly lines: Lines;
+    readonly pieces: readonly DrawnPiece[];
+}
+
+/** Lines of the text that have been replaced by so many others. */
+export interface LineChange {
+    readonly first: number;
+    readonly last: number;
+    readonly count: number;
+}
+
+/** Power of an element: its line, its character, whether it has power, and what a contact does. */
+export type PowerAt = readonly [line: number, character: number, on: boolean, contact?: Contact];
+
+/** The tags of an operand: its line, its character, and whether the drawing shows the value already. */
+export type OperandAt = readonly [line: number, character: number, tags: readonly string[], drawn: boolean];
+
+/** What has changed of what the page shows; all of it if it is whole. */
+export interface LiveUpdate {
+    readonly whole: boolean;
+    readonly status: 'paused' | 'running' | 'ended' | 'faulted';
+    readonly scan: number;
+    /** Time of the simulation, as text. */
+    readonly time: string;
+    readonly forced: number;
+    readonly faults: number;
+    /** Lines of the text have changed, and the server has not told of them yet, or has errors to tell. */
+    readonly stale: boolean;
+    readonly power: readonly PowerAt[];
+    readonly operands: readonly OperandAt[];
+    readonly tags: readonly Tag[];
+}
+
+export type ToPage =
+    | { readonly type: 'open'; readonly name: string; readonly version: number; readonly lineCount: number; readonly line: number }
+    | { readonly type: 'edited'; readonly version: number; readonly lineCount: number; readonly changes: readonly LineChange[] }
+    | { readonly type: 'drawn'; readonly drawn: Drawn }
+    /** There is no drawing: why, for people. */
+    | { readonly type: 'failed'; readonly version: number; readonly message: string }
+    | { readonly type: 'live'; readonly update: LiveUpdate | undefined }
+    | { readonly type: 'cursor'; readonly place: Place };
+
+export type FromPage =
+    | { readonly type: 'ready' }
+    | { readonly type: 'ask'; readonly lines: Lines; readonly rail: number; readonly known: readonly string[] }
+    /** These lines are in sight. */
+    | { readonly type: 'sees'; readonly lines: Lines }
+    /** The last update is on the screen. */
+    | { readonly type: 'painted' }
+    | { readonly type: 'toggle'; readonly tag: string }
+    | { readonly type: 'pulse'; readonly tag: string }
+    | { readonly type: 'set'; readonly tag: string; readonly value: Value }
+    | { readonly type: 'force'; readonly tag: string; readonly value: Value }
+    | { readonly type: 'unforce'; readonly tag: string }
+    | { readonly type: 'why'; readonly tag: string }
+    | { readonly type: 'reveal'; readonly from: Place; readonly to: Place; readonly focus: boolean }
+    | { readonly type: 'command'; readonly name: 'start' | 'run' | 'pause' | 'step' | 'back' | 'stop' };

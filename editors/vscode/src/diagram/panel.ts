@@ -1,0 +1,217 @@
+// One diagram of a program: draws what its page shows, tells it what runs, and does what a person asks there.
+import * as vscode from 'vscode';
+
+import type { Server } from '../server.ts';
+import type { Simulation } from '../simulation.ts';
+import { Feed } from './feed.ts';
+import type { FromPage, Lines, Place, ToPage } from './messages.ts';
+
+/** Nobody is told more often where the cursor is. In milliseconds. */
+const CURSOR_EVERY = 50;
+
+export class DiagramPanel implements vscode.Disposable {
+    readonly document: vscode.TextDocument;
+    readonly #panel: vscode.WebviewPanel;
+    readonly #server: Server;
+    readonly #simulation: Simulation;
+    readonly #feed = new Feed();
+    readonly #subscriptions: vscode.Disposable;
+    /** The lines that the page shows. */
+    #lines: Lines | undefined;
+    #isReady = false;
+    /** The page has something to paint, and says when it has. */
+    #isPainting = false;
+    #owes = false;
+    #later: NodeJS.Timeout | undefined;
+    /** What the page itself has shown in the text: the cursor is there because of that. */
+    #revealed: vscode.Range | undefined;
+
+    constructor(document: vscode.TextDocument, panel: vscode.WebviewPanel, server: Server, simulation: Simulation) {
+        this.document = document;
+        this.#panel = panel;
+        this.#server = server;
+        this.#simulation = simulation;
+        this.#subscriptions = vscode.Disposable.from(
+            panel.webview.onDidReceiveMessage((message: FromPage) => void this.#receive(message)),
+            panel.onDidChangeViewState(() => this.#appear()),
+            vscode.workspace.onDidChangeTextDocument((event) => this.#edited(event)),
+            vscode.window.onDidChangeTextEditorSelection((event) => this.#cursor(event)),
+            simulation.onDidChange((changed) => {
+                if (changed === document) {
+                    this.#tellLive();
+                }
+            }),
+            simulation.alsoShows((other) => (other === document && this.#panel.visible ? this.#lines : undefined)),
+            server.onDidStart(() => this.#open()),
+            new vscode.Disposable(() => clearTimeout(this.#later)),
+        );
+        this.#appear();
+    }
+
+    dispose(): void {
+        this.#subscriptions.dispose();
+        this.#simulation.look();
+    }
+
+    #send(message: ToPage): void {
+        void this.#panel.webview.postMessage(message);
+    }
+
+    /** Commands are about the diagram that one looks at. */
+    #appear(): void {
+        if (this.#panel.active) {
+            this.#simulation.lookAt(this.document);
+        }
+        this.#simulation.look();
+    }
+
+    #open(): void {
+        if (!this.#isReady) {
+            return;
+        }
+        const { document } = this;
+        const editor = vscode.window.visibleTextEditors.find((editor) => editor.document === document);
+        const line = editor?.visibleRanges[0]?.start.line ?? 0;
+        const name = document.uri.path.split('/').at(-1) ?? '';
+        this.#send({ type: 'open', name, version: document.version, lineCount: document.lineCount, line });
+        this.#feed.forget();
+        this.#isPainting = false;
+        this.#tellLive();
+    }
+
+    async #receive(message: FromPage): Promise<void> {
+        const simulation = this.#simulation;
+        switch (message.type) {
+            case 'ready':
+                this.#isReady = true;
+                this.#open();
+                break;
+            case 'ask':
+                await this.#draw(message);
+                break;
+            case 'sees':
+                this.#lines = message.lines;
+                simulation.look();
+                this.#tellLive();
+                break;
+            case 'painted':
+                this.#isPainting = false;
+                if (this.#owes) {
+                    this.#tellLive();
+                }
+                break;
+            case 'reveal':
+                await this.reveal(message.from, message.to, message.focus);
+                break;
+            case 'command':
+                simulation.lookAt(this.document);
+                await vscode.commands.executeCommand(`ladder.simulation.${message.name}`);
+                break;
+            case 'toggle':
+            case 'pulse':
+            case 'set':
+            case 'force':
+            case 'unforce':
+            case 'why':
+                simulation.lookAt(this.document);
+                await this.#act(message);
+        }
+    }
+
+    async #act(message: Extract<FromPage, { tag: string }>): Promise<void> {
+        const { tag } = message;
+        const known = this.#simulation.current?.tag(tag);
+        switch (message.type) {
+            case 'toggle':
+                await (known && this.#simulation.toggle(known));
+                break;
+            case 'set':
+            case 'force':
+                await this.#simulation.command(message.type, { tag, value: message.value });
+                break;
+            case 'why':
+                await vscode.commands.executeCommand('ladder.simulation.why', { name: tag });
+                break;
+            case 'pulse':
+            case 'unforce':
+                await this.#simulation.command(message.type, { tag });
+        }
+    }
+
+    async #draw({ lines, rail, known }: Extract<FromPage, { type: 'ask' }>): Promise<void> {
+        const { document } = this;
+        const { version } = document;
+        try {
+            const drawn = await this.#server.execute('ladder.diagram', { uri: document.uri.toString(), lines, rail, known });
+            this.#send({ type: 'drawn', drawn });
+        } catch (error) {
+            this.#send({ type: 'failed', version, message: error instanceof Error ? error.message : String(error) });
+        }
+    }
+
+    #edited({ document, contentChanges }: vscode.TextDocumentChangeEvent): void {
+        if (document !== this.document || contentChanges.length === 0) {
+            return;
+        }
+        const changes = contentChanges.map(({ range, text }) => ({
+            first: range.start.line,
+            last: range.end.line,
+            count: text.split(/\r\n|\r|\n/).length,
+        }));
+        // The editor lists them from the end of the text to its start, so that none moves another.
+        this.#send({ type: 'edited', version: document.version, lineCount: document.lineCount, changes });
+    }
+
+    #cursor({ textEditor, selections }: vscode.TextEditorSelectionChangeEvent): void {
+        const [selection] = selections;
+        if (textEditor.document !== this.document || !selection) {
+            return;
+        }
+        const revealed = this.#revealed;
+        this.#revealed = undefined;
+        if (revealed && selection.isEqual(revealed)) {
+            return;
+        }
+        clearTimeout(this.#later);
+        const { line, character } = selection.active;
+        this.#later = setTimeout(() => this.#send({ type: 'cursor', place: { line, character } }), CURSOR_EVERY);
+    }
+
+    /** Shows a place in the text, in the editor that shows it already if there is one. */
+    async reveal(from: Place, to: Place, focus: boolean): Promise<void> {
+        const { document } = this;
+        const selection = document.validateRange(new vscode.Range(from.line, from.character, to.line, to.character));
+        const shown = vscode.window.visibleTextEditors.find((editor) => editor.document === document);
+        this.#revealed = selection;
+        const viewColumn = shown?.viewColumn ?? (this.#panel.viewColumn === vscode.ViewColumn.One ? vscode.ViewColumn.Beside : vscode.ViewColumn.One);
+        if (shown && !focus) {
+            shown.selection = new vscode.Selection(selection.start, selection.end);
+            shown.revealRange(selection, vscode.TextEditorRevealType.InCenterIfOutsideViewport);
+            return;
+        }
+        await vscode.window.showTextDocument(document, { viewColumn, selection, preserveFocus: !focus });
+    }
+
+    /** Tells the page how the program stands: the next time when it has painted the last one. */
+    #tellLive(): void {
+        if (!this.#isReady) {
+            return;
+        }
+        if (this.#isPainting || !this.#panel.visible) {
+            this.#owes = true;
+            return;
+        }
+        this.#owes = false;
+        const session = this.#simulation.of(this.document);
+        if (!session) {
+            this.#feed.forget();
+            this.#send({ type: 'live', update: undefined });
+        } else if (!session.stale) {
+            this.#send({ type: 'live', update: this.#feed.news(session, this.#lines ?? { first: 0, last: -1 }) });
+        } else {
+            // Of a text that is newer than what is known nothing is told until the server has seen it.
+            return;
+        }
+        this.#isPainting = true;
+    }
+}

@@ -1,0 +1,89 @@
+// What the page knows of the running program, by places in the text.
+import type { LineChange, LiveUpdate } from '../../src/diagram/messages.ts';
+import type { Contact, Tag } from '../../src/protocol.ts';
+import { moved } from './layout.ts';
+
+/** The power of an element, and what it does with it if it is a contact. */
+export interface Power {
+    readonly on: boolean;
+    readonly contact: Contact | undefined;
+}
+
+/** The tags of an operand, the most telling one first. */
+export interface Operand {
+    readonly tags: readonly string[];
+    /** The drawing shows the value already. */
+    readonly drawn: boolean;
+}
+
+type ByPlace<T> = Map<number, Map<number, T>>;
+
+function put<T>(map: ByPlace<T>, line: number, character: number, value: T): void {
+    const here = map.get(line) ?? new Map<number, T>();
+    here.set(character, value);
+    map.set(line, here);
+}
+
+function shift<T>(map: ByPlace<T>, changes: readonly LineChange[]): ByPlace<T> {
+    return new Map([...map].map(([line, here]) => [moved(line, changes), here]));
+}
+
+export class Live {
+    /** The last update, or none if nothing runs. */
+    state: LiveUpdate | undefined;
+    #power: ByPlace<Power> = new Map();
+    #operands: ByPlace<Operand> = new Map();
+    readonly #tags = new Map<string, Tag>();
+
+    take(update: LiveUpdate | undefined): void {
+        this.state = update;
+        if (!update || update.whole) {
+            this.#power.clear();
+            this.#operands.clear();
+            this.#tags.clear();
+        }
+        for (const [line, character, on, contact] of update?.power ?? []) {
+            put(this.#power, line, character, { on, contact });
+        }
+        for (const [line, character, tags, drawn] of update?.operands ?? []) {
+            put(this.#operands, line, character, { tags, drawn });
+        }
+        for (const tag of update?.tags ?? []) {
+            this.#tags.set(tag.name.toLowerCase(), tag);
+        }
+    }
+
+    /** The text has changed: what is known moves with its lines until the server tells of the new ones. */
+    edit(changes: readonly LineChange[]): void {
+        this.#power = shift(this.#power, changes);
+        this.#operands = shift(this.#operands, changes);
+    }
+
+    power(line: number, character: number): Power | undefined {
+        return this.#power.get(line)?.get(character);
+    }
+
+    operand(line: number, character: number): Operand | undefined {
+        return this.#operands.get(line)?.get(character);
+    }
+
+    tag(name: string): Tag | undefined {
+        return this.#tags.get(name.toLowerCase());
+    }
+
+    /** The tags of some operands that are known. */
+    tagsOf(operands: readonly (readonly [line: number, character: number])[]): Tag[] {
+        const names = operands.flatMap(([line, character]) => this.operand(line, character)?.tags ?? []);
+        return [...new Set(names)].flatMap((name) => this.tag(name) ?? []);
+    }
+}
+
+/** Whether a click inverts a tag: the rule of "Toggle Tag". */
+export function toggles(tag: Tag | undefined): tag is Tag & { value: boolean } {
+    return tag !== undefined && typeof tag.value === 'boolean' && tag.readOnly !== true;
+}
+
+/** The contact of an input is a switch: a click on it inverts the tag. Anything else leads to the text. */
+export function isSwitch(kind: string, tag: Tag | undefined): boolean {
+    return kind === 'contact' && toggles(tag) && tag.role === 'input';
+}
