@@ -19,6 +19,7 @@ vim.api.nvim_create_autocmd('LspAttach', {
     local client = vim.lsp.get_client_by_id(event.data.client_id)
     if client and client.name == 'ladder' and vim.bo[event.buf].filetype == 'clad' then
       require('ladder.colours').attach(client, event.buf)
+      require('ladder.drawing').attach(client, event.buf)
     end
   end,
 })

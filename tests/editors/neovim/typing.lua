@@ -24,7 +24,9 @@ function M.open(t, lines, setup)
   vim.rpcrequest(channel, 'nvim_ui_attach', 120, 40, vim.empty_dict())
   local self = setmetatable({ t = t, channel = channel, file = file }, keyboard)
   t.eventually('the language server to attach', function()
-    return self:lua("local c = vim.lsp.get_clients({ name = 'ladder' })[1] return c ~= nil and c.initialized")
+    return self:lua([[local bufnr = vim.api.nvim_get_current_buf()
+      local client = vim.lsp.get_clients({ name = 'ladder' })[1]
+      return client ~= nil and client.attached_buffers[bufnr] == true]])
   end)
   return self
 end

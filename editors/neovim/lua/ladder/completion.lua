@@ -78,11 +78,7 @@ function M.attach(bufnr)
     end
   end
   settle()
-  vim.api.nvim_create_autocmd('OptionSet', { group = group, pattern = 'completeopt', callback = vim.schedule_wrap(function()
-    if vim.api.nvim_buf_is_valid(bufnr) then
-      settle()
-    end
-  end) })
+  vim.api.nvim_create_autocmd('OptionSet', { group = group, pattern = 'completeopt', callback = settle })
   vim.api.nvim_create_autocmd('CompleteDone', {
     group = group,
     buffer = bufnr,

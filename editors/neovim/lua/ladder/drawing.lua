@@ -1,0 +1,126 @@
+--- The drawing while a person types: Enter begins the next rung or branch, a `/` closes a branch, and a network is drawn
+--- anew when insert mode is left.
+local M = {}
+
+--- Milliseconds that a key may wait for the server.
+local PATIENCE = 300
+
+--- The keys that the server is asked about.
+local ENTER, CLOSE = '\n', '/'
+
+local function is_wanted()
+  return vim.g.ladder_draw ~= false
+end
+
+--- Has the server go on behind a key that was just typed. The next key waits, so that it finds what was begun.
+local function go_on(client, bufnr, state, typed)
+  if vim.api.nvim_get_current_buf() ~= bufnr or not vim.startswith(vim.fn.mode(), 'i') then
+    return
+  end
+  local params = vim.lsp.util.make_position_params(0, client.offset_encoding)
+  params.ch = typed
+  params.options = { tabSize = vim.bo[bufnr].tabstop, insertSpaces = true }
+  local answer = client:request_sync('textDocument/onTypeFormatting', params, PATIENCE, bufnr)
+  local edits = answer and answer.result
+  if not edits or #edits == 0 then
+    return
+  end
+  vim.lsp.util.apply_text_edits(edits, bufnr, client.offset_encoding)
+  if typed == ENTER then
+    local row = vim.api.nvim_win_get_cursor(0)[1]
+    local line = vim.api.nvim_get_current_line()
+    vim.api.nvim_win_set_cursor(0, { row, #line })
+    state.begun = line:match('^%+%-*$') and row or nil
+  end
+end
+
+--- Draws the networks that were typed in, unless something else is done meanwhile.
+local function draw(client, bufnr, state)
+  local begun = state.begun
+  state.begun = nil
+  -- A rung that was begun and left empty was not wanted.
+  if begun and (vim.api.nvim_buf_get_lines(bufnr, begun - 1, begun, false)[1] or ''):match('^%+%-*$') then
+    pcall(vim.cmd.undojoin)
+    vim.api.nvim_buf_set_lines(bufnr, begun - 1, begun, false, { '' })
+    return
+  end
+  if not state.changed then
+    return
+  end
+  local first, last = vim.fn.line("'["), vim.fn.line("']")
+  local tick = vim.api.nvim_buf_get_changedtick(bufnr)
+  client:request('textDocument/rangeFormatting', {
+    textDocument = vim.lsp.util.make_text_document_params(bufnr),
+    range = { start = { line = first - 1, character = 0 }, ['end'] = { line = math.max(first, last) - 1, character = 0 } },
+    options = { tabSize = vim.bo[bufnr].tabstop, insertSpaces = true },
+  }, function(_, edits)
+    local current = vim.api.nvim_buf_is_valid(bufnr) and vim.api.nvim_buf_get_changedtick(bufnr) == tick
+    if not edits or #edits == 0 or not current then
+      return
+    end
+    vim.api.nvim_buf_call(bufnr, function()
+      -- One step of undo with what was typed.
+      pcall(vim.cmd.undojoin)
+      vim.lsp.util.apply_text_edits(edits, bufnr, client.offset_encoding)
+    end)
+  end, bufnr)
+end
+
+--- @param client vim.lsp.Client
+--- @param bufnr integer
+function M.attach(client, bufnr)
+  local state = { changed = false, begun = nil }
+  local group = vim.api.nvim_create_augroup('ladder.drawing.' .. bufnr, { clear = true })
+  local function on(events, callback)
+    vim.api.nvim_create_autocmd(events, { group = group, buffer = bufnr, callback = callback })
+  end
+  local attached = true
+  vim.api.nvim_buf_attach(bufnr, false, {
+    on_lines = function(_, _, _, first, old, new)
+      if not attached then
+        return true
+      end
+      state.changed = true
+      if new - old ~= 1 or not is_wanted() then
+        return
+      end
+      vim.schedule(function()
+        -- The cursor stands on the line that is new: after Enter, or `o` in normal mode.
+        if vim.api.nvim_get_current_buf() == bufnr and vim.api.nvim_win_get_cursor(0)[1] == new then
+          go_on(client, bufnr, state, ENTER)
+        end
+      end)
+    end,
+  })
+  on('InsertEnter', function()
+    state.changed = false
+  end)
+  on('InsertCharPre', function()
+    if vim.v.char == CLOSE and is_wanted() then
+      vim.schedule(function()
+        local column = vim.api.nvim_win_get_cursor(0)[2]
+        if vim.api.nvim_get_current_line():sub(column, column) == CLOSE then
+          go_on(client, bufnr, state, CLOSE)
+        end
+      end)
+    end
+  end)
+  on('InsertLeave', function()
+    if is_wanted() then
+      draw(client, bufnr, state)
+    end
+  end)
+  on('BufWritePre', function()
+    if vim.g.ladder_format_on_save then
+      vim.lsp.buf.format({ bufnr = bufnr, id = client.id })
+    end
+  end)
+  on('LspDetach', function(event)
+    if event.data.client_id == client.id then
+      attached = false
+      vim.api.nvim_del_augroup_by_id(group)
+    end
+  end)
+end
+
+return M

@@ -1,0 +1,387 @@
+//! What typing brings about, with `$0` where the cursor is.
+
+use super::on_type;
+use crate::fixture::Fixture;
+use expect_test::{Expect, expect};
+use ladder_format::{Options, apply};
+
+/// The character before the cursor is the one that was typed; blanks there are those that an editor puts behind a
+/// line end.
+fn check(text: &str, expected: Expect) {
+    let fixture = Fixture::new(text);
+    let (context, offset, _) = fixture.ask();
+    let before = fixture.text("main.clad");
+    let typed = before[..usize::from(offset)]
+        .trim_end_matches(' ')
+        .chars()
+        .next_back();
+    let typed = typed.unwrap();
+    let edits = on_type(context, offset, typed, &Options::default());
+    let shown = if edits.is_empty() {
+        "nothing".to_owned()
+    } else {
+        let after = apply(before, &edits);
+        let solid = |text: &str| text.replace([' ', '-', '|', '+', '/', '\\', '\n', '\r'], "");
+        assert_eq!(solid(before), solid(&after), "nothing is lost");
+        after.replace('\r', "").replace(" \n", "·\n")
+    };
+    expected.assert_eq(&(shown + "\n"));
+}
+
+#[test]
+fn a_completed_block_draws_its_network() {
+    check(
+        "+--\\--[ ]( start )$0--\\--( )( run )--+\n|  /--[ ]( run )--/\n",
+        expect![[r#"
+            +--\--[ ]( start )--\------( )( run )--+
+            |  /--[ ]( run )----/                  |
+
+        "#]],
+    );
+    check(
+        "+--[ ]( a )$0",
+        expect![[r#"
+        nothing
+    "#]],
+    );
+    check(
+        "+--[ ]( a )--<RET>$0--+\n",
+        expect![[r#"
+        +--[ ]( a )---------------------<RET>--+
+
+    "#]],
+    );
+    check(
+        "+--\\--[ ]( a )--\\--( )( y )--+\n|  /--[ ]( bbbbbbb )--/$0\n",
+        expect![[r#"
+            +--\--[ ]( a )--------\------( )( y )--+
+            |  /--[ ]( bbbbbbb )--/                |
+
+        "#]],
+    );
+    check(
+        "+--[ ]( a )--( )( y )--+$0\n\n+-[ ]( x )-( )( z )-+\n",
+        expect![[r#"
+            +--[ ]( a )------------------( )( y )--+
+
+            +-[ ]( x )-( )( z )-+
+
+        "#]],
+    );
+}
+
+#[test]
+fn what_is_half_typed_stays() {
+    check(
+        "+--[ ]( a )--( )$0--+\n",
+        expect![[r#"
+        nothing
+    "#]],
+    );
+    check(
+        "+--[CALC]( y, (a + b)$0 --( )( x )--+\n",
+        expect![[r#"
+        nothing
+    "#]],
+    );
+    check(
+        "+--\\--[ ]( a )--\\--( )( y )$0--+\n|  /--[ ]( b )\n",
+        expect![[r#"
+            nothing
+        "#]],
+    );
+    check(
+        "+--[ ]( a )$0-------------[TON]( t\n",
+        expect![[r#"
+        nothing
+    "#]],
+    );
+    check(
+        "# a (b)$0 #\n+-[ ]( a )-( )( y )-+\n",
+        expect![[r#"
+        nothing
+    "#]],
+    );
+    check(
+        "+-[ ]( a )-( )( y )-+  # (c)$0 #\n",
+        expect![[r#"
+        nothing
+    "#]],
+    );
+    check(
+        "+-[ ]( a )-[MOV]( y, 'x)$0' )-+\n",
+        expect![[r#"
+        nothing
+    "#]],
+    );
+    check(
+        "+-[/$0]( a )-( )( y )-+\n",
+        expect![[r#"
+        nothing
+    "#]],
+    );
+    check(
+        "# open +-[ ]( a )$0-( )( y )-+\n",
+        expect![[r#"
+        nothing
+    "#]],
+    );
+}
+
+#[test]
+fn enter_goes_on_with_the_rail() {
+    check(
+        "+--\\--[ ]( a )--\\--( )( y )--+\n$0",
+        expect![[r#"
+            +--\--[ ]( a )--\--( )( y )--+
+            |  /--
+        "#]],
+    );
+    check(
+        "+--[ ]( ä )--\\--[ ]( b )--\\--( )( y )--+\n  $0\n",
+        expect![[r#"
+            +--[ ]( ä )--\--[ ]( b )--\--( )( y )--+
+            |            /--
+
+        "#]],
+    );
+    check(
+        "+--\\--[ ]( a )--\\--( )( y )--+\n$0\n|  /--[ ]( b )--/            |\n",
+        expect![[r#"
+            +--\--[ ]( a )--\--( )( y )--+
+            | ·
+            |  /--[ ]( b )--/            |
+
+        "#]],
+    );
+    check(
+        "+--\\--[ ]( a )--\\--( )( y )--+\r\n|  |  |\r\n$0\r\n",
+        expect![[r#"
+            +--\--[ ]( a )--\--( )( y )--+
+            |  |  |
+            |  /--
+
+        "#]],
+    );
+    check(
+        "[ ]( b )--\\--[ ]( a )--\n$0\n",
+        expect![[r#"
+            [ ]( b )--\--[ ]( a )--
+                      /--
+
+        "#]],
+    );
+}
+
+#[test]
+fn enter_elsewhere() {
+    check(
+        "+--[ ]( a )-( )( y )--+\n$0",
+        expect![[r#"
+            +--[ ]( a )------------------( )( y )--+
+            +--
+        "#]],
+    );
+    check(
+        "+--[ ]( a )-( )( y )--+\n\n$0\n",
+        expect![[r#"
+        nothing
+    "#]],
+    );
+    check(
+        "+--[ ]( a )\n$0--( )( y )--+\n",
+        expect![[r#"
+        nothing
+    "#]],
+    );
+    check(
+        "+--[ ]( a\n$0\n",
+        expect![[r#"
+        nothing
+    "#]],
+    );
+    check(
+        "VAR\n$0\nEND_VAR\n",
+        expect![[r#"
+        VAR
+           ·
+        END_VAR
+
+    "#]],
+    );
+    check(
+        "VAR\n    a : INT;\n  $0\nEND_VAR\n",
+        expect![[r#"
+            VAR
+                a : INT;
+               ·
+            END_VAR
+
+        "#]],
+    );
+    check(
+        "VAR\n    a : INT;\nEND_VAR\n$0\n",
+        expect![[r#"
+        nothing
+    "#]],
+    );
+    check(
+        "# comment\n$0\n #\n+-[ ]( a )-+\n",
+        expect![[r#"
+        nothing
+    "#]],
+    );
+    check(
+        "+--[ ]( a )--+  # open\n$0",
+        expect![[r#"
+        nothing
+    "#]],
+    );
+    check(
+        "\n$0",
+        expect![[r#"
+        nothing
+    "#]],
+    );
+}
+
+#[test]
+fn enter_behind_a_rung_begins_the_next() {
+    check(
+        "+--[ ]( a )--( )( y )--+\n$0\n\n+--[ ]( x )--( )( z )--+\n",
+        expect![[r#"
+            +--[ ]( a )--( )( y )--+
+            +--
+
+            +--[ ]( x )--( )( z )--+
+
+        "#]],
+    );
+    check(
+        "+--\\--[ ]( a )--\\--( )( y )--+\n|  /--[ ]( b )--/            |\n$0",
+        expect![[r#"
+            +--\--[ ]( a )--\------------( )( y )--+
+            |  /--[ ]( b )--/                      |
+            +--
+        "#]],
+    );
+    // A rung stands there already: a line is put between.
+    check(
+        "+--[ ]( a )------------------( )( y )--+\n$0\n+--[ ]( x )------------------( )( z )--+\n",
+        expect![[r#"
+            nothing
+        "#]],
+    );
+    // Nothing is known of rails.
+    check(
+        "--[ ]( a )--( )( y )--\n$0",
+        expect![[r#"
+        nothing
+    "#]],
+    );
+    // Not finished.
+    check(
+        "+--[ ]( a )--\n$0",
+        expect![[r#"
+        nothing
+    "#]],
+    );
+    // Again and again: a line further down, then not at all.
+    check(
+        "+--[ ]( a )------------------( )( y )--+\n+--\n$0",
+        expect![[r#"
+        +--[ ]( a )------------------( )( y )--+
+
+        +--
+    "#]],
+    );
+    check(
+        "+--[ ]( a )------------------( )( y )--+\n\n+--\n$0",
+        expect![[r#"
+            +--[ ]( a )------------------( )( y )--+
+
+
+
+        "#]],
+    );
+}
+
+#[test]
+fn a_branch_is_drawn_as_it_is_typed() {
+    check(
+        "+--\\\n$0--[ ]( a )--( )( y )--+\n",
+        expect![[r#"
+        +--\--[ ]( a )--( )( y )--+
+        |  /--
+
+    "#]],
+    );
+    check(
+        "+--[ ]( a )--\\\n$0 --[ ]( b )--( )( y )--+\n\n+--[ ]( x )--+\n",
+        expect![[r#"
+            +--[ ]( a )--\--[ ]( b )--( )( y )--+
+            |            /--
+
+            +--[ ]( x )--+
+
+        "#]],
+    );
+    check(
+        "+--\\--[ ]( a )--( )( y )--+\n|  /--[ ]( b )/$0\n",
+        expect![[r#"
+            +--\--[ ]( a )--\------------( )( y )--+
+            |  /--[ ]( b )--/                      |
+
+        "#]],
+    );
+    check(
+        "+--\\--[ ]( first )--[ ]( second )--( )( y )--+\n|  /--[ ]( b )--/$0\n",
+        expect![[r#"
+            +--\--[ ]( first )--\--[ ]( second )-------------( )( y )--+
+            |  /--[ ]( b )------/                                      |
+
+        "#]],
+    );
+    check(
+        "+--\\--[ ]( first )--[ ]( second )--( )( y )--+\n|  /--[ ]( b )-----------------------/$0\n",
+        expect![[r#"
+            +--\--[ ]( first )--[ ]( second )--\-------------( )( y )--+
+            |  /--[ ]( b )---------------------/                       |
+
+        "#]],
+    );
+    check(
+        "+--\\--[ ]( a )\n|  /--[ ]( b )/$0\n\n+--[ ]( x )------------------( )( z )--+\n",
+        expect![[r#"
+            +--\--[ ]( a )--\--
+            |  /--[ ]( b )--/
+
+            +--[ ]( x )------------------( )( z )--+
+
+        "#]],
+    );
+    check(
+        "+--[ ]( s )--\\--( )( y )--( )( z )--+\n             /--( )( x )/$0\n",
+        expect![[r#"
+            +--[ ]( s )--\--( )( y )--\--( )( z )--+
+            |            /--( )( x )--/            |
+
+        "#]],
+    );
+    // The `/` of the branch was there.
+    check(
+        "+--\\--[ ]( a )--( )( y )--+\n|  /--/$0\n",
+        expect![[r#"
+            +--\--[ ]( a )--( )( y )--+
+            |  /--
+
+        "#]],
+    );
+    // One that has a partner, and one without a branch.
+    check(
+        "+--[ ]( a )--( )( y )--+\n/$0\n",
+        expect![[r#"
+        nothing
+    "#]],
+    );
+}
