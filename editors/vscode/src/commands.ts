@@ -6,6 +6,7 @@ import { convert, exportAs } from './conversion.ts';
 import type { DiagramEditors } from './diagram/editor.ts';
 import { showReferences } from './lenses.ts';
 import { askValue, pickTag } from './prompts.ts';
+import { forceVariable, releaseVariable, startDebugging, stepBackScan } from './debugger.ts';
 import type { Tag } from './protocol.ts';
 import { runScenarios } from './scenarios.ts';
 import type { Server } from './server.ts';
@@ -182,6 +183,10 @@ export function registerCommands(server: Server, simulation: Simulation, click: 
         'ladder.exportAs': (uri) => exportAs(server, uri),
         'ladder.click.open': () => click.open(),
         'ladder.click.preview': () => click.preview(),
+        'ladder.debug.start': () => startDebugging(),
+        'ladder.debug.force': (row) => forceVariable(row),
+        'ladder.debug.unforce': (row) => releaseVariable(row),
+        'ladder.debug.stepBackScan': () => stepBackScan(),
         'ladder.toggleComment': () => toggleCommentInEditor(),
         'ladder.restartServer': () => server.restart(),
         'ladder.showLog': () => server.log.show(),

@@ -3,6 +3,7 @@ import * as vscode from 'vscode';
 
 import { Click } from './click.ts';
 import { registerCommands } from './commands.ts';
+import { registerDebugger } from './debugger.ts';
 import { showPower } from './decorations.ts';
 import { DiagramEditors } from './diagram/editor.ts';
 import { showFaults } from './faults.ts';
@@ -39,6 +40,7 @@ export async function activate(context: vscode.ExtensionContext): Promise<Api> {
         views.trace,
         views.diagrams,
         registerCommands(server, simulation, click, views),
+        registerDebugger(server),
         showPower(simulation),
         showFaults(simulation),
         showStatus(simulation),

@@ -252,6 +252,11 @@ impl<W: Write> Adapter<W> {
                 }
                 Ok(Json::Null)
             }
+            "ladder/stepBackScan" => {
+                self.must_stand()?;
+                self.step_back_by(super::launch::BackBy::Scan)?;
+                Ok(Json::Null)
+            }
             "ladder/force" => {
                 let arguments: Force = request.arguments()?;
                 let point = self.point_of_force(&arguments)?;

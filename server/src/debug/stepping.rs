@@ -127,6 +127,11 @@ impl<W: Write> Adapter<W> {
             Some(Granularity::Line) => BackBy::Rung,
             Some(Granularity::Statement) | None => self.configuration.step_back.unwrap_or_default(),
         };
+        self.step_back_by(by)
+    }
+
+    /// Goes back by a block, a rung or a scan.
+    pub(super) fn step_back_by(&mut self, by: BackBy) -> Result<(), String> {
         self.forget_stop();
         self.end_is_shown = false;
         let went = self.go_back(by)?;

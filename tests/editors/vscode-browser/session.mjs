@@ -9,6 +9,8 @@ import { fileURLToPath } from 'node:url';
 
 import { chromium } from 'playwright-core';
 
+import { debug, PROGRAM, TEXT } from './debug.mjs';
+
 const { LADDER_BIN, LADDER_FIXTURES, LADDER_CHROMIUM, LADDER_PACKAGES, LADDER_SCREENSHOTS } = process.env;
 const codeServer = fileURLToPath(import.meta.resolve('code-server/out/node/entry.js'));
 const scratch = mkdtempSync(join(tmpdir(), 'ladder-vscode-'));
@@ -63,6 +65,7 @@ function prepare() {
     writeFileSync(report, '');
     cpSync(LADDER_FIXTURES, join(scratch, 'project'), { recursive: true });
     writeFileSync(join(scratch, 'project/ladder.toml'), '');
+    writeFileSync(join(scratch, 'project', PROGRAM), TEXT);
     writeFileSync(join(scratch, 'project/watch.clad'), '+--[TON]( clock, T#1h )--( )( late )--+\n');
     // Without these code-server would write its configuration and data into the user's home.
     const folders = ['--user-data-dir', join(scratch, 'data'), '--extensions-dir', join(scratch, 'extensions')];
@@ -385,6 +388,7 @@ async function main() {
         await operate(page);
         await traceTags(page);
         await edit(page);
+        await debug(page, { step, screenshot });
     } finally {
         await screenshot(page, 'end');
         await browser.close();

@@ -1,0 +1,167 @@
+// The debugger: the adapter is the program `ladder` itself.
+import { homedir } from 'node:os';
+import { isAbsolute, join } from 'node:path';
+
+import * as vscode from 'vscode';
+
+import { completed, expressionAt, type ActiveFile } from './debugConfiguration.ts';
+import type { Server } from './server.ts';
+
+const TYPE = 'ladder';
+
+/** A row of the variables view, as the editor hands it to a command of its menu. */
+interface VariableRow {
+    readonly sessionId?: string;
+    readonly container?: { readonly variablesReference?: number };
+    readonly variable?: { readonly name: string; readonly evaluateName?: string; readonly value: string };
+}
+
+function activeFile(): ActiveFile | undefined {
+    const document = vscode.window.activeTextEditor?.document;
+    return document?.uri.scheme === 'file' ? { languageId: document.languageId, path: document.uri.fsPath } : undefined;
+}
+
+class Configurations implements vscode.DebugConfigurationProvider {
+    resolveDebugConfiguration(
+        _folder: vscode.WorkspaceFolder | undefined,
+        given: vscode.DebugConfiguration,
+    ): vscode.ProviderResult<vscode.DebugConfiguration> {
+        const configuration = completed(given, activeFile());
+        if (!configuration) {
+            void vscode.window.showErrorMessage('Ladder: open a program (.clad) or its scenarios (.ladder-test), and start again.');
+            return undefined;
+        }
+        return configuration as vscode.DebugConfiguration;
+    }
+
+    async resolveDebugConfigurationWithSubstitutedVariables(
+        folder: vscode.WorkspaceFolder | undefined,
+        given: vscode.DebugConfiguration,
+    ): Promise<vscode.DebugConfiguration> {
+        const configuration = { ...given };
+        for (const name of ['program', 'scenarioFile', 'retain']) {
+            const path: unknown = configuration[name];
+            if (folder && typeof path === 'string' && path !== '' && !isAbsolute(path)) {
+                configuration[name] = join(folder.uri.fsPath, path);
+            }
+        }
+        // The adapter reads what is on disk.
+        const names = [configuration['program'], configuration['scenarioFile']];
+        for (const document of vscode.workspace.textDocuments) {
+            if (document.isDirty && names.includes(document.uri.fsPath)) {
+                await document.save();
+            }
+        }
+        return configuration;
+    }
+}
+
+/** The programs of the workspace, for the list behind "Show all automatic debug configurations". */
+const programs: vscode.DebugConfigurationProvider = {
+    async provideDebugConfigurations() {
+        const files = await vscode.workspace.findFiles('**/*.clad', undefined, 100);
+        return files.map((file) => ({
+            type: TYPE,
+            request: 'launch',
+            name: vscode.workspace.asRelativePath(file),
+            program: file.fsPath,
+            stopOnEntry: true,
+        }));
+    },
+};
+
+class Adapters implements vscode.DebugAdapterDescriptorFactory {
+    readonly #server: Server;
+
+    constructor(server: Server) {
+        this.#server = server;
+    }
+
+    createDebugAdapterDescriptor(): vscode.DebugAdapterDescriptor {
+        const program = this.#server.program();
+        if (program === undefined) {
+            throw new Error(
+                vscode.workspace.isTrusted
+                    ? 'there is no program "ladder"; the log says more ("Ladder: Show Log").'
+                    : 'nothing is run in a workspace that is not trusted.',
+            );
+        }
+        // Not in the folder that is open, where Windows would look for libraries.
+        return new vscode.DebugAdapterExecutable(program, ['dap'], { cwd: homedir() });
+    }
+}
+
+const values: vscode.EvaluatableExpressionProvider = {
+    provideEvaluatableExpression(document, { line, character }) {
+        const found = expressionAt(document.lineAt(line).text, character);
+        return found && new vscode.EvaluatableExpression(new vscode.Range(line, found.start, line, found.end));
+    },
+};
+
+function sessionOf(row: VariableRow | undefined): vscode.DebugSession | undefined {
+    const session = vscode.debug.activeDebugSession;
+    return session?.type === TYPE && (row?.sessionId === undefined || row.sessionId === session.id) ? session : undefined;
+}
+
+/** Holds a variable at a value that is asked for. */
+export async function forceVariable(row: VariableRow | undefined): Promise<void> {
+    const session = sessionOf(row);
+    if (!session || !row?.variable) {
+        return;
+    }
+    const { evaluateName, value } = row.variable;
+    const name = evaluateName ?? row.variable.name;
+    const wanted = await vscode.window.showInputBox({
+        title: `Force ${name}`,
+        prompt: `${name} is held at this value until it is released`,
+        value: value.replace(/ \(forced\)$/, ''),
+    });
+    if (wanted !== undefined) {
+        await tell(session.customRequest('ladder/force', { name, value: wanted }));
+    }
+}
+
+/** Lets a variable go. */
+export async function releaseVariable(row: VariableRow | undefined): Promise<void> {
+    const session = sessionOf(row);
+    const name = row?.variable?.evaluateName ?? row?.variable?.name;
+    if (session && name !== undefined) {
+        await tell(session.customRequest('ladder/unforce', { name }));
+    }
+}
+
+/** Goes back to the start of the scan, or to that of the one before. */
+export async function stepBackScan(): Promise<void> {
+    const session = sessionOf(undefined);
+    if (session) {
+        await tell(session.customRequest('ladder/stepBackScan', {}));
+    }
+}
+
+async function tell(asked: Thenable<unknown>): Promise<void> {
+    try {
+        await asked;
+    } catch (error) {
+        void vscode.window.showErrorMessage(`Ladder: ${error instanceof Error ? error.message : String(error)}`);
+    }
+}
+
+/** Starts the program, or the first scenario, of the active editor. */
+export async function startDebugging(): Promise<void> {
+    const file = activeFile();
+    const folder = file && vscode.workspace.getWorkspaceFolder(vscode.Uri.file(file.path));
+    const configuration = completed({}, file);
+    if (configuration) {
+        await vscode.debug.startDebugging(folder, configuration as vscode.DebugConfiguration);
+    }
+}
+
+export function registerDebugger(server: Server): vscode.Disposable {
+    const { Dynamic } = vscode.DebugConfigurationProviderTriggerKind;
+    return vscode.Disposable.from(
+        vscode.debug.registerDebugConfigurationProvider(TYPE, new Configurations()),
+        vscode.debug.registerDebugConfigurationProvider(TYPE, programs, Dynamic),
+        vscode.debug.registerDebugAdapterDescriptorFactory(TYPE, new Adapters(server)),
+        vscode.languages.registerEvaluatableExpressionProvider({ language: 'clad' }, values),
+    );
+}

@@ -1,0 +1,95 @@
+// The debugger in the page: F5 starts the program, a breakpoint stops it, tags are shown and held.
+import assert from 'node:assert/strict';
+
+/** The program that is debugged: its name in the project, and its text. */
+export const PROGRAM = 'press.clad';
+export const TEXT = `VAR_INPUT
+    button : BOOL;
+END_VAR
+VAR
+    presses : INT;
+END_VAR
+VAR_OUTPUT
+    lamp : BOOL;
+END_VAR
+
++--[P]( button )--[ADD]( presses, presses, 1 )--+
+
+# Enough #
++--[GE]( presses, 1 )-----------------( )( lamp )--+
+`;
+
+/** The row of the variables, or of the watched expressions, that begins with a text. */
+const row = (page, name) => page.locator('.debug-view-content .monaco-list-row', { hasText: name }).first();
+
+/** Opens a scope of the variables; the editor may have opened the first of them itself. */
+async function expand(page, scope) {
+    const found = row(page, scope);
+    await found.waitFor({ timeout: 5000 });
+    if ((await found.getAttribute('aria-expanded')) !== 'true') {
+        await found.click();
+    }
+}
+
+async function open(page, name) {
+    await page.keyboard.press('Control+P');
+    await page.locator('.quick-input-widget input').first().waitFor({ timeout: 5000 });
+    await page.keyboard.type(name);
+    await page.locator('.quick-input-list .monaco-list-row', { hasText: name }).first().click({ timeout: 5000 });
+    await page.locator('.tab.active', { hasText: name }).waitFor({ timeout: 5000 });
+}
+
+export async function debug(page, { step, screenshot }) {
+    const stack = page.locator('.debug-call-stack');
+    await step('F5 starts the program of the editor, without a launch.json', async () => {
+        await open(page, PROGRAM);
+        await page.locator('.monaco-editor .view-line', { hasText: '[GE]' }).click();
+        await page.keyboard.press('F9');
+        await page.locator('.codicon-debug-breakpoint').first().waitFor({ timeout: 5000 });
+        await page.keyboard.press('F5');
+        await page.locator('.debug-toolbar').waitFor({ timeout: 15000 });
+        await page.keyboard.press('Control+Shift+D');
+        await stack.getByText('main, before scan 0').waitFor({ timeout: 15000 });
+        await expand(page, 'Inputs');
+        await row(page, 'button').getByText('FALSE').waitFor({ timeout: 5000 });
+    });
+    await step('an input is held from the menu of the variables', async () => {
+        await row(page, 'button').click({ button: 'right' });
+        // A click that comes too soon behind the opening of a menu is none to the editor.
+        await page.locator('.action-label', { hasText: 'Force Value...' }).hover({ timeout: 5000 });
+        await page.keyboard.press('Enter');
+        await page.locator('.quick-input-title', { hasText: 'Force button' }).waitFor({ timeout: 5000 });
+        await page.keyboard.type('TRUE');
+        await page.keyboard.press('Enter');
+        await row(page, 'button').getByText('TRUE (forced)').waitFor({ timeout: 5000 });
+    });
+    await step('a breakpoint stops in front of its rung, and the tags are shown', async () => {
+        await page.keyboard.press('F5');
+        await stack.getByText('main, rung in line 14: Enough').waitFor({ timeout: 5000 });
+        await page.locator('.debug-top-stack-frame-column, .codicon-debug-breakpoint-stackframe, .debug-top-stack-frame-line').first().waitFor({ timeout: 5000 });
+        await expand(page, 'Internal');
+        await row(page, 'presses').getByText('1').waitFor({ timeout: 5000 });
+        await screenshot(page, 'debug');
+    });
+    await step('F11 goes to the next block, Shift+F11 to the end of the scan', async () => {
+        await page.keyboard.press('F11');
+        await page.getByText('Ln 14, Col 50 (11 selected)').waitFor({ timeout: 5000 });
+        await page.keyboard.press('Shift+F11');
+        await stack.getByText('main, before scan 1').waitFor({ timeout: 5000 });
+    });
+    await step('the console takes expressions and assignments', async () => {
+        await page.keyboard.press('Control+Shift+Y');
+        const input = page.locator('.repl-input-wrapper .monaco-editor');
+        await input.click();
+        await page.keyboard.type('presses > 0');
+        await page.keyboard.press('Escape');
+        await page.keyboard.press('Enter');
+        await page.locator('.repl .monaco-list-row', { hasText: 'TRUE' }).first().waitFor({ timeout: 5000 });
+        await screenshot(page, 'debug-console');
+    });
+    await step('Shift+F5 ends it', async () => {
+        await page.keyboard.press('Shift+F5');
+        await page.locator('.debug-toolbar').waitFor({ state: 'hidden', timeout: 5000 });
+        assert.equal(await page.locator('.notification-list-item', { hasText: 'rror' }).count(), 0);
+    });
+}
