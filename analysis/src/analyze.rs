@@ -2,31 +2,67 @@
 
 use crate::context::{Context, context_after};
 use crate::diagnostic::Diagnostic;
+use crate::findings::{self, Finding, Ledger};
 use crate::others::Others;
 use crate::program::Program;
 use crate::resolve::{self, Resolved, numbers::Unit};
-use crate::rule::Severity;
+use crate::rule::{Rule, Severity};
 use crate::rule_settings::RuleSettings;
-use crate::{lint, rules, stamp};
 use ladder_syntax::Parse;
-use std::sync::{Arc, OnceLock};
+use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 
 /// What is known of a file.
-#[derive(Debug, Clone)]
+#[derive(Debug)]
 pub struct Analysis {
     /// Names, networks and blocks.
     pub context: Arc<Context>,
-    /// The findings, in the order of their places.
-    pub diagnostics: Vec<Diagnostic>,
+    findings: Vec<Finding>,
     /// Errors that settings or comments hide, or count as less: the program does not run all the same.
     pub hidden_errors: Vec<Diagnostic>,
+    /// The findings with all that they say, once somebody wants them all.
+    diagnostics: OnceLock<Vec<Diagnostic>>,
+    /// Until the analysis of the next text takes it.
+    ledger: Mutex<Option<Ledger>>,
     program: OnceLock<Option<Arc<Program>>>,
 }
 
 impl Analysis {
+    /// What is found, in the order of the places.
+    pub fn findings(&self) -> &[Finding] {
+        &self.findings
+    }
+
+    /// The same with all that each finding says.
+    pub fn diagnostics(&self) -> &[Diagnostic] {
+        let all = || self.findings.iter();
+        self.diagnostics
+            .get_or_init(|| all().map(|found| found.diagnostic(&self.context)).collect())
+    }
+
+    /// Changes a finding of a rule, if there is one for which `wanted` holds.
+    pub fn change_finding(
+        &mut self,
+        rule: Rule,
+        wanted: impl Fn(&Diagnostic) -> bool,
+        change: impl FnOnce(&mut Diagnostic),
+    ) {
+        let context = &self.context;
+        let mut all = self.findings.iter_mut().filter(|found| found.rule == rule);
+        let found = all.find_map(|finding| {
+            let found = finding.diagnostic(context);
+            wanted(&found).then_some((finding, found))
+        });
+        if let Some((finding, mut found)) = found {
+            change(&mut found);
+            *finding = Finding::in_file(found);
+            self.diagnostics = OnceLock::new();
+        }
+    }
+
     /// Whether a finding is an error: the program is not simulated.
     pub fn has_errors(&self) -> bool {
-        self.errors().next().is_some()
+        let is_error = |found: &Finding| found.severity == Severity::Error;
+        self.findings.iter().any(is_error) || !self.hidden_errors.is_empty()
     }
 
     /// The program, if there are no errors and it uses no function or block of another file: see
@@ -53,8 +89,28 @@ impl Analysis {
 
     /// What keeps the program from being simulated.
     pub fn errors(&self) -> impl Iterator<Item = &Diagnostic> {
-        let shown = self.diagnostics.iter().filter(|d| d.severity == Severity::Error);
+        let shown = self.diagnostics().iter();
+        let shown = shown.filter(|found| found.severity == Severity::Error);
         shown.chain(&self.hidden_errors)
+    }
+
+    /// What the analysis of the next text begins with; the first that asks gets it.
+    fn take_ledger(&self) -> Option<Ledger> {
+        self.ledger.lock().unwrap_or_else(PoisonError::into_inner).take()
+    }
+}
+
+impl Clone for Analysis {
+    /// The next text begins with what the original keeps: a copy has nothing to hand on.
+    fn clone(&self) -> Analysis {
+        Analysis {
+            context: Arc::clone(&self.context),
+            findings: self.findings.clone(),
+            hidden_errors: self.hidden_errors.clone(),
+            diagnostics: self.diagnostics.clone(),
+            ledger: Mutex::default(),
+            program: self.program.clone(),
+        }
     }
 }
 
@@ -82,32 +138,25 @@ pub fn analyze_after(
     others: &Others,
     settings: &RuleSettings,
 ) -> Analysis {
-    let before = before.map(|before| &*before.context);
-    analyze_context(Arc::new(context_after(before, parse, name, others)), settings)
+    let known = before.map(|before| &*before.context);
+    let context = Arc::new(context_after(known, parse, name, others));
+    analyze_context(before, context, settings)
 }
 
-/// Analyses a file whose names, networks and blocks are known.
-pub fn analyze_context(context: Arc<Context>, settings: &RuleSettings) -> Analysis {
-    let parse = &context.parse;
-    let mut diagnostics = context.found.clone();
-    let stamps = stamp::stamps(&context);
-    let unresolved = resolve::check_all(&context, &stamps, &mut diagnostics);
-    rules::check(&context, &stamps, settings, &mut diagnostics);
-    rules::unclosed_comment::hide_what_follows(parse, &mut diagnostics);
-    rules::cplc_draft::hide_all_else(parse, &mut diagnostics);
-    diagnostics.iter_mut().for_each(Diagnostic::say_how_many_more);
-    let hidden_errors = lint::apply(&context, settings, &mut diagnostics);
-    diagnostics.sort_by_key(|d| (d.range.start(), d.range.end(), d.rule));
-    // The first says it best: what is found while types are inferred comes before what follows from it.
-    diagnostics.dedup_by(|later, first| later.rule == first.rule && later.range == first.range);
-    let mut analysis = Analysis {
+/// Analyses a file whose names, networks and blocks are known. `before` is the analysis of an earlier text of it.
+pub fn analyze_context(
+    before: Option<&Analysis>,
+    context: Arc<Context>,
+    settings: &RuleSettings,
+) -> Analysis {
+    let ledger = before.and_then(Analysis::take_ledger);
+    let found = findings::find(ledger, &context, settings);
+    Analysis {
         context,
-        diagnostics,
-        hidden_errors,
+        findings: found.shown,
+        hidden_errors: found.hidden_errors,
+        diagnostics: OnceLock::new(),
+        ledger: Mutex::new(Some(found.ledger)),
         program: OnceLock::new(),
-    };
-    if let Some(block) = unresolved.filter(|_| !analysis.has_errors()) {
-        analysis.diagnostics.push(rules::bad_operand::meaningless(block));
     }
-    analysis
 }

@@ -23,6 +23,7 @@ use ladder_instructions::{Op, Profile, Shape};
 use ladder_syntax::wiring::PartKind;
 use ladder_syntax::{LineIndex, LineKind, Name, Parse, Structure, TextRange, TextSize};
 use std::collections::HashMap;
+use std::sync::atomic::{AtomicU64, Ordering};
 use std::sync::{Arc, OnceLock};
 
 /// A file's names, networks and blocks.
@@ -32,6 +33,10 @@ pub struct Context {
     pub parse: Arc<Parse>,
     /// What messages call the file.
     pub name: Arc<str>,
+    /// Which context this is: no two have the same number.
+    pub(crate) serial: u64,
+    /// What is other than in the context that it was made from, if that is known.
+    pub(crate) change: Option<Change>,
     /// What is wrong with declarations and with the types of tags.
     pub(crate) found: Vec<Diagnostic>,
     /// Whose arithmetic and timing the program has.
@@ -50,6 +55,8 @@ pub struct Context {
     pub(crate) settled: bool,
     /// The places of each tag say by themselves what type it has.
     pub(crate) typed_by_places: bool,
+    /// Sections and block definitions begin and end where they should.
+    pub(crate) is_framed: bool,
     /// The definitions of user-defined blocks: the file's own as in the structure, then those of other files that
     /// it uses.
     pub user_blocks: Vec<UserBlockFacts>,
@@ -69,6 +76,27 @@ pub struct Context {
     /// The labels of each body by name, in the order of the text.
     pub(crate) labels_by_name: HashMap<(Body, Name), Vec<usize>>,
     pub(crate) functions_by_name: HashMap<Name, usize>,
+}
+
+/// What a context has that the one before it has not, so that whoever looked at that one looks at no more than this.
+#[derive(Debug, Clone, Default)]
+pub(crate) struct Change {
+    /// The number of the context before.
+    pub(crate) since: u64,
+    /// The networks that are new, or have another network beside them.
+    pub(crate) networks: Vec<usize>,
+    /// The numbers of networks that are gone; new networks may have them now.
+    pub(crate) removed: Vec<u32>,
+    /// The tags that are used at other places, or have come or gone, by scope and name.
+    pub(crate) tags: Vec<(usize, Name)>,
+    /// Of these the ones that have another type or spelling: what is found at all their places may be other.
+    pub(crate) retyped: Vec<(usize, Name)>,
+}
+
+/// A number that no context has.
+pub(crate) fn next_serial() -> u64 {
+    static NEXT: AtomicU64 = AtomicU64::new(1);
+    NEXT.fetch_add(1, Ordering::Relaxed)
 }
 
 /// What a network belongs to. A label is seen within its own body only.
@@ -276,6 +304,8 @@ pub(crate) fn skeleton(parse: &Arc<Parse>, name: &str, others: &Others, before: 
     let mut context = Context {
         parse: Arc::clone(parse),
         name: Arc::from(name),
+        serial: next_serial(),
+        change: None,
         found,
         profile,
         cycle: profile::cycle(parse),
@@ -285,6 +315,7 @@ pub(crate) fn skeleton(parse: &Arc<Parse>, name: &str, others: &Others, before: 
         declared_to: declared_to(structure),
         settled: false,
         typed_by_places: false,
+        is_framed: structure.is_framed(),
         user_blocks: known.into_list(),
         own_blocks,
         signatures,

@@ -2,7 +2,7 @@
 
 use crate::rule::{Rule, Severity};
 use ladder_format::Edit;
-use ladder_syntax::{TextRange, TextSize};
+use ladder_syntax::TextRange;
 use std::sync::Arc;
 
 /// A finding names at most so many other places.
@@ -138,18 +138,6 @@ impl Diagnostic {
         let related = |place: &Related| place.file.is_none() && stretch.contains_range(place.range);
         let edits = |fix: &Fix| fix.edits.iter().all(|edit| stretch.contains_range(edit.range));
         stretch.contains_range(self.range) && self.related.iter().all(related) && self.fixes.iter().all(edits)
-    }
-
-    /// The same where so many more bytes stand in front of all its places.
-    pub(crate) fn moved(&self, bytes: i64) -> Diagnostic {
-        let to = |at: TextSize| TextSize::new((i64::from(u32::from(at)) + bytes) as u32);
-        let moved = |range: &mut TextRange| *range = TextRange::new(to(range.start()), to(range.end()));
-        let mut found = self.clone();
-        moved(&mut found.range);
-        found.related.iter_mut().for_each(|place| moved(&mut place.range));
-        let edits = found.fixes.iter_mut().flat_map(|fix| &mut fix.edits);
-        edits.for_each(|edit| moved(&mut edit.range));
-        found
     }
 
     /// Says at the last related place how many more there are.

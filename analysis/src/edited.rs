@@ -5,7 +5,7 @@
 //! before, and only the plain numbers that say where networks are get copied. What comes out is what reading the whole
 //! text gives; where that is not certain there is no short way, and the whole text is read.
 
-use crate::context::{Body, Context, break_neighbours};
+use crate::context::{self, Body, Context, break_neighbours};
 use crate::control_flow::ControlFlow;
 use crate::infer;
 use crate::known_blocks::KnownBlocks;
@@ -65,8 +65,28 @@ pub(crate) fn edited(before: &Context, parse: &Arc<Parse>, name: &str, others: &
     let mut next = Edited::networks(before, parse, &change)?;
     next.context.others = others.clone();
     next.places(before);
-    next.names()?;
-    Some(next.context)
+    let tags = next.names()?;
+    let networks = next.looked_at(before);
+    let Edited {
+        mut context, removed, ..
+    } = next;
+    context.change = Some(context::Change {
+        since: before.serial,
+        networks,
+        removed: removed.iter().map(|network| network.id).collect(),
+        tags: tags.used,
+        retyped: tags.retyped,
+    });
+    Some(context)
+}
+
+/// The tags that an edit concerns.
+#[derive(Default)]
+struct EditedTags {
+    /// Those that are used at other places.
+    used: Vec<(usize, Name)>,
+    /// Those that have another type or spelling.
+    retyped: Vec<(usize, Name)>,
 }
 
 /// Where the texts differ, if that is where networks are, and nothing but networks.
@@ -203,6 +223,7 @@ impl Edited {
         let ids = removed.iter().map(|network| network.id).collect();
         let mut context = Context {
             parse: Arc::clone(parse),
+            serial: context::next_serial(),
             foreign_comments: OnceLock::new(),
             ..before.clone()
         };
@@ -242,8 +263,21 @@ impl Edited {
         break_neighbours(&context.parse, &mut context.networks, sources);
     }
 
-    /// Enters what the new networks name, and takes out what the others did.
-    fn names(&mut self) -> Option<()> {
+    /// The networks that are new, and those beside the edit of which another is to be thought now.
+    fn looked_at(&self, before: &Context) -> Vec<usize> {
+        let networks = &self.context.networks;
+        let around = self.new.start.saturating_sub(1)..(self.new.end + 1).min(networks.len());
+        let is_other = |&index: &usize| {
+            self.added.binary_search(&index).is_ok() || {
+                let old = before.networks.index_of(networks.id(index));
+                before.networks.at(old).broken != networks.at(index).broken
+            }
+        };
+        around.filter(is_other).collect()
+    }
+
+    /// Enters what the new networks name, and takes out what the others did. Gives the tags that this concerns.
+    fn names(&mut self) -> Option<EditedTags> {
         let law = self.context.profile.law();
         let gone: FxHashSet<u32> = self.removed.iter().map(|network| network.id).collect();
         let mut touched: FxHashMap<(usize, usize), Vec<UseRef>> = FxHashMap::default();
@@ -286,9 +320,11 @@ impl Edited {
         let mut found_changed = !new.is_empty();
         let context = &mut self.context;
         let mut found: Vec<(usize, usize)> = Vec::new();
+        let mut edited = EditedTags::default();
         for ((scope, tag), places) in touched {
             let is_found = tag >= context.scopes[scope].declared;
             let facts = &mut context.scopes[scope].tags[tag];
+            edited.used.push((scope, Name::new(&facts.name)));
             let first = facts.uses.0.first().copied();
             facts.uses.0.retain(|place| !gone.contains(&place.network));
             if !places.is_empty() {
@@ -305,6 +341,7 @@ impl Edited {
             }
         }
         for (scope, tag) in found {
+            let spelled = context.scopes[scope].tags[tag].name.clone();
             let before = context.scopes[scope].tags[tag].ty;
             let after = if context.scopes[scope].tags[tag].uses.is_empty() {
                 None
@@ -317,7 +354,11 @@ impl Edited {
             if before != after && !context.typed_by_places {
                 return None;
             }
+            if before != after || spelled != context.scopes[scope].tags[tag].name {
+                edited.retyped.push((scope, Name::new(&spelled)));
+            }
         }
+        edited.used.extend(new_names.into_keys().map(|name| (0, name)));
         let new = new.iter().map(|tag| typed(context, tag).map(Arc::new));
         let new: Vec<Arc<TagFacts>> = new.collect::<Option<_>>()?;
         if found_changed {
@@ -333,7 +374,7 @@ impl Edited {
                 tags
             });
         }
-        Some(())
+        Some(edited)
     }
 }
 

@@ -14,7 +14,7 @@ fn check(text: &str, expected: Expect) {
         shown.push_str(&format!("{} : {ty}, {:?}\n", tag.name, tag.role));
     }
     for found in analysis
-        .diagnostics
+        .diagnostics()
         .iter()
         .filter(|d| d.severity == crate::Severity::Error)
     {

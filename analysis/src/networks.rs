@@ -188,6 +188,16 @@ impl Networks {
         self.index_of[id as usize] as usize
     }
 
+    /// Where the network of a number starts.
+    pub(crate) fn start_of(&self, id: u32) -> TextSize {
+        TextSize::new(self.places[self.index_of(id)].start)
+    }
+
+    /// How many numbers there are, with those that no network has.
+    pub(crate) fn numbers(&self) -> usize {
+        self.index_of.len()
+    }
+
     /// The number of a network.
     pub(crate) fn id(&self, index: usize) -> u32 {
         self.places[index].id

@@ -8,23 +8,23 @@ use crate::value::Value;
 use rustc_hash::FxHasher;
 use std::hash::{Hash, Hasher};
 
-/// The stamps of the networks, as in the context.
-pub(crate) fn stamps(context: &Context) -> Vec<u64> {
-    let all = (context.profile, context.signatures);
-    let of_scope = |network: NetworkAt<'_>| hash((all, network.scope));
-    let mut stamps: Vec<u64> = context.networks.iter().map(of_scope).collect();
-    for tag in context.scopes.iter().flat_map(|scope| &scope.tags) {
-        if tag.uses.is_empty() {
+/// The stamp of a network.
+pub(crate) fn of_network(context: &Context, network: NetworkAt<'_>) -> u64 {
+    let mut sum = hash((context.profile, context.signatures, network.scope));
+    let scope = &context.scopes[network.scope];
+    for (number, named) in (0u32..).zip(network.named.iter()) {
+        let Some(tag) = scope.find(&named.key) else {
             continue;
+        };
+        let mut facts = &scope.tags[tag];
+        // A tag of another scope adds both what it is here and what it is there.
+        while let Some((scope, tag)) = facts.shared {
+            sum = sum.wrapping_add(hash((stamp(facts), number)));
+            facts = &context.scopes[scope].tags[tag];
         }
-        let stamp = stamp(tag);
-        for place in &tag.uses.0 {
-            // A tag of another scope is met twice, here and there: the order does not matter.
-            let sum = &mut stamps[context.networks.index_of(place.network)];
-            *sum = sum.wrapping_add(hash((stamp, place.named)));
-        }
+        sum = sum.wrapping_add(hash((stamp(facts), number)));
     }
-    stamps
+    sum
 }
 
 fn hash(value: impl Hash) -> u64 {

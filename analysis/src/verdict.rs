@@ -5,18 +5,18 @@
 //! here is ever needed, it only saves looking.
 
 use crate::diagnostic::Diagnostic;
+use crate::findings::Anchored;
 use crate::networks::NetworkAt;
-use ladder_syntax::TextRange;
-use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
-use std::sync::{Mutex, MutexGuard, PoisonError};
+use std::sync::atomic::{AtomicU64, Ordering};
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
 /// The passes whose findings are kept.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Pass {
-    /// The drawing and the form of the blocks.
-    Form,
     /// The types of the operands.
     Types,
+    /// The drawing and the form of the blocks.
+    Form,
     /// Blocks one by one.
     Blocks,
     /// What stands behind what on a wire.
@@ -25,61 +25,60 @@ pub(crate) enum Pass {
     Power,
 }
 
-const PASSES: usize = 5;
+const PASSES: usize = Pass::ALL.len();
+
+impl Pass {
+    /// In the order in which their findings count.
+    pub(crate) const ALL: [Pass; 5] = [Pass::Types, Pass::Form, Pass::Blocks, Pass::Wiring, Pass::Power];
+}
+
+/// Findings in a network.
+pub(crate) type InNetwork = Vec<Arc<Anchored>>;
 
 /// What each pass found when it looked last.
 #[derive(Debug, Default)]
 pub(crate) struct Verdict {
     /// With which key each pass looked. 0: it has not.
     keys: [AtomicU64; PASSES],
-    /// Most networks have no findings, and no lock is taken for them.
-    some: AtomicBool,
-    found: Mutex<Option<Box<Found>>>,
+    /// None: no pass has found anything.
+    found: Mutex<Option<Box<[InNetwork; PASSES]>>>,
 }
 
-/// Ranges count from the start of the network.
-#[derive(Debug, Default, Clone)]
-struct Found([Vec<Diagnostic>; PASSES]);
-
 impl Verdict {
-    /// If a pass has looked with this key, adds what it found to `out`, and is done. The key is never 0.
-    pub(crate) fn recall(&self, pass: Pass, key: u64, network: TextRange, out: &mut Vec<Diagnostic>) -> bool {
+    /// What a pass has found with this key, if it has looked with it. The key is never 0.
+    fn recall(&self, pass: Pass, key: u64) -> Option<InNetwork> {
         let kept = &self.keys[pass as usize];
         if kept.load(Ordering::Acquire) != key {
-            return false;
+            return None;
         }
-        if self.some.load(Ordering::Acquire) {
-            let found = self.found();
-            // Another text's analysis may have looked meanwhile.
-            if kept.load(Ordering::Acquire) != key {
-                return false;
-            }
-            let start = i64::from(u32::from(network.start()));
-            let found = found.as_ref().map_or(&[][..], |found| &found.0[pass as usize]);
-            out.extend(found.iter().map(|found| found.moved(start)));
+        let found = self.found();
+        // Another text's analysis may have looked meanwhile.
+        if kept.load(Ordering::Acquire) != key {
+            return None;
         }
-        true
+        Some(
+            found
+                .as_ref()
+                .map_or_else(Vec::new, |found| found[pass as usize].clone()),
+        )
     }
 
-    /// Keeps what a pass has found with a key, unless it speaks of places outside of the network.
-    pub(crate) fn keep(&self, pass: Pass, key: u64, network: TextRange, found: &[Diagnostic]) {
-        if !found.iter().all(|found| found.lies_in(network)) {
+    /// Keeps what a pass has found with a key, unless it names places outside of the network.
+    fn keep(&self, pass: Pass, key: u64, found: &[Arc<Anchored>]) {
+        if found.iter().any(|found| found.is_volatile()) {
             return;
         }
         let mut kept = self.found();
         if !found.is_empty() {
-            let start = i64::from(u32::from(network.start()));
-            let of_pass = &mut kept.get_or_insert_default().0[pass as usize];
-            *of_pass = found.iter().map(|found| found.moved(-start)).collect();
-            self.some.store(true, Ordering::Release);
+            kept.get_or_insert_default()[pass as usize] = found.to_vec();
         } else if let Some(kept) = kept.as_mut() {
-            kept.0[pass as usize] = Vec::new();
+            kept[pass as usize] = Vec::new();
         }
         self.keys[pass as usize].store(key, Ordering::Release);
     }
 
     /// What is kept stays whole: it is changed in one step.
-    fn found(&self) -> MutexGuard<'_, Option<Box<Found>>> {
+    fn found(&self) -> MutexGuard<'_, Option<Box<[InNetwork; PASSES]>>> {
         self.found.lock().unwrap_or_else(PoisonError::into_inner)
     }
 }
@@ -89,26 +88,31 @@ impl Clone for Verdict {
         let found = self.found();
         Verdict {
             keys: std::array::from_fn(|pass| AtomicU64::new(self.keys[pass].load(Ordering::Acquire))),
-            some: AtomicBool::new(found.is_some()),
             found: Mutex::new(found.clone()),
         }
     }
 }
 
-/// Adds what a pass finds in a network to `out`: what is kept if it has looked with this key before, else what `look`
-/// finds now.
+/// What a pass finds in a network: what is kept if it has looked with this key before, else what `look` finds now.
+/// Without a key nothing is kept, nor if `look` answers no.
 pub(crate) fn once(
     pass: Pass,
-    key: u64,
+    key: Option<u64>,
     network: NetworkAt<'_>,
-    out: &mut Vec<Diagnostic>,
-    look: impl FnOnce(&mut Vec<Diagnostic>),
-) {
-    let key = key | 1;
-    if network.verdict.recall(pass, key, network.range, out) {
-        return;
+    look: impl FnOnce(&mut Vec<Diagnostic>) -> bool,
+) -> InNetwork {
+    let key = key.map(|key| key | 1);
+    if let Some(found) = key.and_then(|key| network.verdict.recall(pass, key)) {
+        return found;
     }
-    let before = out.len();
-    look(out);
-    network.verdict.keep(pass, key, network.range, &out[before..]);
+    let mut found = Vec::new();
+    let may_keep = look(&mut found);
+    let found: InNetwork = found
+        .into_iter()
+        .map(|found| Arc::new(Anchored::at_network(found, network)))
+        .collect();
+    if let Some(key) = key.filter(|_| may_keep) {
+        network.verdict.keep(pass, key, &found);
+    }
+    found
 }

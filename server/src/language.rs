@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use ladder_analysis::context::{Context, context_after};
-use ladder_analysis::{Diagnostic, Others, RuleSettings, analyze_context};
+use ladder_analysis::{Diagnostic, Others, Rule, RuleSettings, analyze_context, says_cplc_draft};
 use ladder_format::{Edit, Options, format};
 use ladder_ide::{Action, ActionKind, fix_all, quick_fixes, refactorings};
 use ladder_ide::{
@@ -89,10 +89,13 @@ pub(crate) struct Analysis {
 }
 
 impl Analysis {
-    /// Looks for what is wrong.
-    pub(crate) fn of(names: &Names, rules: &RuleSettings) -> Self {
-        let mut whole = analyze_context(Arc::clone(&names.context), rules);
-        offer_conversion(&mut whole.diagnostics, &names.text, &Options::default());
+    /// Looks for what is wrong. What an earlier text of the document has in common with it is not looked at again.
+    pub(crate) fn of(names: &Names, before: Option<&Analysis>, rules: &RuleSettings) -> Self {
+        let before = before.map(|before| &*before.whole);
+        let mut whole = analyze_context(before, Arc::clone(&names.context), rules);
+        whole.change_finding(Rule::UnexpectedCharacter, says_cplc_draft, |found| {
+            offer_conversion(std::slice::from_mut(found), &names.text, &Options::default());
+        });
         Analysis {
             whole: Arc::new(whole),
             text: Arc::clone(&names.text),
@@ -101,7 +104,7 @@ impl Analysis {
 
     /// What is wrong, in the order of the places.
     pub(crate) fn diagnostics(&self) -> &[Diagnostic] {
-        &self.whole.diagnostics
+        self.whole.diagnostics()
     }
 
     /// All of it, for those who put the files of a workspace together.

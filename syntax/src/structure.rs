@@ -24,6 +24,13 @@ pub struct Structure {
     pub(crate) problems: Vec<(usize, SyntaxErrorKind)>,
 }
 
+impl Structure {
+    /// Whether sections and block definitions begin and end where they should.
+    pub fn is_framed(&self) -> bool {
+        self.problems.is_empty()
+    }
+}
+
 /// One thing in a file. Numbers of networks, sections and blocks are indices into [`Structure`]'s lists.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Item {

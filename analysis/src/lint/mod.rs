@@ -9,40 +9,49 @@ use crate::context::Context;
 use crate::diagnostic::{Applicability, Diagnostic};
 use crate::rule::{Rule, Severity};
 use crate::rule_settings::{Level, RuleSettings};
+use ladder_syntax::TextSize;
 use scope::Allow;
 use switches::Switches;
 
-/// Gives the findings their severities and takes those away that are switched off. What comes back are the errors
-/// that are hidden or count as less now: a program with them does not run all the same.
-pub(crate) fn apply(
-    context: &Context,
-    settings: &RuleSettings,
-    findings: &mut Vec<Diagnostic>,
-) -> Vec<Diagnostic> {
-    let mut allows = scope::allows(context, findings);
-    let mut switches = Switches::of(&allows);
-    let mut blocking = Vec::new();
-    findings.retain_mut(|finding| {
-        let shown = level(settings, finding).filter(|_| !switches.hide(finding));
-        if finding.severity == Severity::Error && shown != Some(Severity::Error) {
-            blocking.push(finding.clone());
+/// The comments of a file that switch rules off, while its findings are gone through.
+pub(crate) struct Allows {
+    allows: Vec<Allow>,
+    switches: Switches,
+}
+
+impl Allows {
+    /// None in a file without comments to the tools.
+    pub(crate) fn none() -> Allows {
+        Allows {
+            allows: Vec::new(),
+            switches: Switches::of(&[]),
         }
-        if let Some(severity) = shown {
-            finding.severity = severity;
-        }
-        shown.is_some()
-    });
-    switches.note_used(&mut allows);
-    for allow in &allows {
-        findings.extend(unused(allow, settings));
     }
-    blocking
+
+    /// Those of a file. What is wrong with comments to the tools goes to `out`.
+    pub(crate) fn of(context: &Context, out: &mut Vec<Diagnostic>) -> Allows {
+        let allows = scope::allows(context, out);
+        let switches = Switches::of(&allows);
+        Allows { allows, switches }
+    }
+
+    /// Whether a comment hides what a rule finds at a place.
+    pub(crate) fn hide(&mut self, rule: Rule, at: TextSize) -> bool {
+        !self.allows.is_empty() && self.switches.hide(rule, at)
+    }
+
+    /// The comments that hide nothing, once all findings are gone through.
+    pub(crate) fn unused(mut self, settings: &RuleSettings) -> Vec<Diagnostic> {
+        self.switches.note_used(&mut self.allows);
+        let unused = self.allows.iter().filter_map(|allow| unused(allow, settings));
+        unused.collect()
+    }
 }
 
 /// The severity that a finding has by the settings; none if its rule is off.
-fn level(settings: &RuleSettings, finding: &Diagnostic) -> Option<Severity> {
-    match settings.level(finding.rule) {
-        None => Some(finding.severity),
+pub(crate) fn level(settings: &RuleSettings, rule: Rule, severity: Severity) -> Option<Severity> {
+    match settings.level(rule) {
+        None => Some(severity),
         Some(Level::Shown(severity)) => Some(severity),
         // A rule that is off unless set may still have errors to tell.
         Some(Level::Off) => None,

@@ -1,9 +1,8 @@
 //! Which findings comments hide, found without asking every comment about every finding.
 
 use super::scope::Allow;
-use crate::diagnostic::Diagnostic;
 use crate::rule::Rule;
-use ladder_syntax::TextRange;
+use ladder_syntax::{TextRange, TextSize};
 use std::collections::BTreeMap;
 
 /// What comments switch off: each rule once for each stretch of the text.
@@ -57,17 +56,16 @@ impl Switches {
     }
 
     /// Whether a finding is hidden. What hides it is noted as used.
-    pub(super) fn hide(&mut self, finding: &Diagnostic) -> bool {
-        let at = finding.range.start();
+    pub(super) fn hide(&mut self, rule: Rule, at: TextSize) -> bool {
         let mut hidden = false;
-        if let Some(used) = self.everywhere.get_mut(&finding.rule) {
+        if let Some(used) = self.everywhere.get_mut(&rule) {
             *used = true;
             hidden = true;
         }
         let end = self.local.partition_point(|switch| switch.covers.start() <= at);
         let around = self.local[..end].iter_mut().rev();
         for switch in around.take_while(|switch| switch.covers.end() >= at) {
-            if switch.rule == finding.rule {
+            if switch.rule == rule {
                 switch.used = true;
                 hidden = true;
             }

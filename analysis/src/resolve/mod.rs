@@ -16,7 +16,7 @@ mod unchanged;
 
 pub use argument::in_class;
 pub use expression::is_function;
-pub(crate) use unchanged::check_all;
+pub(crate) use unchanged::check_network;
 
 use crate::context::{Body, Callee, Context};
 use crate::diagnostic::Diagnostic;

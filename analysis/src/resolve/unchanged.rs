@@ -1,29 +1,23 @@
-//! Which networks need no second look: what they name still has the same types.
+//! The types of a network's operands, looked at again only where what they name has another type.
 
 use super::check;
 use crate::context::Context;
-use crate::diagnostic::Diagnostic;
-use crate::verdict::Pass;
+use crate::networks::NetworkAt;
+use crate::verdict::{self, InNetwork, Pass};
 use ladder_syntax::TextRange;
 
-/// Resolves all networks for the sake of their mistakes, which go to `out`. Gives the first block that could not be
-/// resolved whole. `stamps` are those of the networks' tags.
-pub(crate) fn check_all(context: &Context, stamps: &[u64], out: &mut Vec<Diagnostic>) -> Option<TextRange> {
+/// Resolves a network for the sake of its mistakes. Gives them, and the first block that could not be resolved whole.
+/// `stamp` is that of its tags.
+pub(crate) fn check_network(
+    context: &Context,
+    network: NetworkAt<'_>,
+    stamp: u64,
+) -> (InNetwork, Option<TextRange>) {
     let mut unresolved = None;
-    for (index, network) in context.networks.iter().enumerate() {
-        // Never 0.
-        let key = stamps[index] | 1;
-        if network.names_tags_only && network.verdict.recall(Pass::Types, key, network.range, out) {
-            continue;
-        }
-        let before = out.len();
-        let here = check(context, index, out);
-        if here.is_none() {
-            network
-                .verdict
-                .keep(Pass::Types, key, network.range, &out[before..]);
-        }
-        unresolved = unresolved.or(here);
-    }
-    unresolved
+    let key = network.names_tags_only.then_some(stamp);
+    let found = verdict::once(Pass::Types, key, network, |out| {
+        unresolved = check(context, network.index, out);
+        unresolved.is_none()
+    });
+    (found, unresolved)
 }

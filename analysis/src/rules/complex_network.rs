@@ -3,6 +3,7 @@
 use crate::context::Context;
 use crate::diagnostic::Diagnostic;
 use crate::network::BoundBlock;
+use crate::networks::NetworkAt;
 use crate::rule::Rule;
 use ladder_instructions::Role;
 
@@ -11,27 +12,25 @@ const MOST_CONDITIONS: usize = 16;
 /// How many lines.
 const MOST_LINES: usize = 10;
 
-pub(super) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
-    for network in context.networks.iter().filter(|network| !network.broken) {
-        let rungs = network.wiring.rungs.len();
-        if network.blocks.len() <= MOST_CONDITIONS && rungs <= MOST_LINES {
-            continue;
-        }
-        let is_condition = |role| role == Role::Condition;
-        let rows = network.blocks.iter().filter_map(BoundBlock::instruction);
-        let conditions = rows.filter(|row| is_condition(row.role)).count();
-        let message = if conditions > MOST_CONDITIONS {
-            format!("this network has {conditions} conditions, more than {MOST_CONDITIONS}")
-        } else if rungs > MOST_LINES {
-            format!("this network has {rungs} lines, more than {MOST_LINES}")
-        } else {
-            continue;
-        };
-        let Some(range) = super::no_output::first_rung(context, network) else {
-            continue;
-        };
-        out.push(Diagnostic::new(Rule::ComplexNetwork, range, message).help(
-            "give parts of it tags of their own, each on a rung above, with names that say what they mean",
-        ));
+pub(super) fn check(context: &Context, network: NetworkAt<'_>, out: &mut Vec<Diagnostic>) {
+    let rungs = network.wiring.rungs.len();
+    if network.broken || (network.blocks.len() <= MOST_CONDITIONS && rungs <= MOST_LINES) {
+        return;
     }
+    let is_condition = |role| role == Role::Condition;
+    let rows = network.blocks.iter().filter_map(BoundBlock::instruction);
+    let conditions = rows.filter(|row| is_condition(row.role)).count();
+    let message = if conditions > MOST_CONDITIONS {
+        format!("this network has {conditions} conditions, more than {MOST_CONDITIONS}")
+    } else if rungs > MOST_LINES {
+        format!("this network has {rungs} lines, more than {MOST_LINES}")
+    } else {
+        return;
+    };
+    let Some(range) = super::no_output::first_rung(context, network) else {
+        return;
+    };
+    out.push(Diagnostic::new(Rule::ComplexNetwork, range, message).help(
+        "give parts of it tags of their own, each on a rung above, with names that say what they mean",
+    ));
 }

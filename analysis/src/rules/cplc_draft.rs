@@ -21,6 +21,11 @@ pub(crate) fn hide_all_else(parse: &Parse, diagnostics: &mut Vec<Diagnostic>) {
     }
 }
 
+/// Whether a text begins as one in the draft does.
+pub(crate) fn is_it(parse: &Parse) -> bool {
+    beginning(parse).is_some()
+}
+
 /// Whether a finding is the one that says that a file is in the draft.
 pub fn is_told(found: &Diagnostic) -> bool {
     found.rule == Rule::UnexpectedCharacter && found.message == MESSAGE

@@ -1,40 +1,36 @@
 //! `double-coil`: a tag is written by more than one plain coil, so that the last one alone decides.
 
 use crate::context::Context;
+use crate::control_flow::ControlFlow;
 use crate::diagnostic::Diagnostic;
 use crate::facts::{Node, NodeKind};
 use crate::literal::Literal;
-use crate::network::Meaning;
-use crate::networks::NetworkAt;
 use crate::rule::Rule;
-use crate::scope::Use;
-use ladder_instructions::{Coil, Op, Shape};
+use crate::scope::{TagFacts, Use};
+use ladder_instructions::Coil;
 use std::collections::HashMap;
 
-pub(crate) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
-    let mut leaves = None;
-    for tag in context.own_tags() {
-        if tag.uses.writers().nth(1).is_none() {
+/// Looks at the coils of one tag. `leaving` is asked for where there are two of them.
+pub(super) fn check(context: &Context, tag: &TagFacts, leaving: &Leaving, out: &mut Vec<Diagnostic>) {
+    if tag.uses.writers().nth(1).is_none() {
+        return;
+    }
+    let coils = context.writers(tag).filter(|place| is_plain_coil(context, place));
+    if coils.clone().nth(1).is_none() {
+        return;
+    }
+    // A tag as a whole, or its bits and elements one by one.
+    let mut places: HashMap<String, Vec<Use>> = HashMap::new();
+    for coil in coils {
+        let Some(part) = part(&operand(context, &coil).kind) else {
             continue;
-        }
-        let coils = context.writers(tag).filter(|place| is_plain_coil(context, place));
-        if coils.clone().nth(1).is_none() {
-            continue;
-        }
-        let leaves = leaves.get_or_insert_with(|| leaving_networks(context));
-        // A tag as a whole, or its bits and elements one by one.
-        let mut places: HashMap<String, Vec<Use>> = HashMap::new();
-        for coil in coils {
-            let Some(part) = part(&operand(context, &coil).kind) else {
-                continue;
-            };
-            places.entry(part).or_default().push(coil);
-        }
-        for (part, coils) in places {
-            let name = format!("{}{part}", tag.name);
-            for together in coils.chunk_by(|a, b| both_run(context, leaves, a, b)) {
-                out.extend(double(context, &name, together));
-            }
+        };
+        places.entry(part).or_default().push(coil);
+    }
+    for (part, coils) in places {
+        let name = format!("{}{part}", tag.name);
+        for together in coils.chunk_by(|a, b| both_run(context, leaving, a, b)) {
+            out.extend(double(context, &name, together));
         }
     }
 }
@@ -92,29 +88,35 @@ fn part(kind: &NodeKind) -> Option<String> {
 }
 
 /// For each network, and for the end, how many networks before hold a block that may leave the straight way down: what stands behind
-/// such a block may be the other case of what stands before.
-fn leaving_networks(context: &Context) -> Vec<usize> {
-    let leaves = |network: NetworkAt<'_>| {
-        network.blocks().any(|bound| match bound.meaning {
-            Meaning::Instruction(row) => matches!(row.op, Op::Jmp | Op::Ret | Op::End | Op::For),
-            Meaning::User(_) | Meaning::UnknownUser => bound.facts.shape == Shape::Function,
-            Meaning::Unknown => false,
-        })
-    };
-    let mut before = Vec::with_capacity(context.networks.len() + 1);
-    let mut count = 0;
-    before.push(count);
-    for network in &context.networks {
-        count += usize::from(leaves(network));
-        before.push(count);
+/// such a block may be the other case of what stands before. Empty: none does.
+#[derive(Debug, Default, PartialEq, Eq)]
+pub(crate) struct Leaving(Vec<u32>);
+
+impl Leaving {
+    /// What the networks have of program flow, all together and one by one.
+    pub(crate) fn of(any: ControlFlow, networks: impl Iterator<Item = ControlFlow>) -> Leaving {
+        let leaves = ControlFlow::LEAVES.with(ControlFlow::FOR);
+        if !any.has(leaves) {
+            return Leaving::default();
+        }
+        let mut count = 0;
+        let mut before = vec![count];
+        before.extend(networks.map(|network| {
+            count += u32::from(network.has(leaves));
+            count
+        }));
+        Leaving(before)
     }
-    before
+
+    fn before(&self, network: usize) -> u32 {
+        self.0.get(network).copied().unwrap_or_default()
+    }
 }
 
 /// Whether two coils, the first before the second in the text, both run in every scan, as far as a look at the
 /// text can say.
-fn both_run(context: &Context, leaves: &[usize], a: &Use, b: &Use) -> bool {
+fn both_run(context: &Context, leaving: &Leaving, a: &Use, b: &Use) -> bool {
     // Within one network the block that leaves it may stand between them.
     let end = b.network.max(a.network + 1);
-    context.bodies[a.network] == context.bodies[b.network] && leaves[end] == leaves[a.network]
+    context.bodies[a.network] == context.bodies[b.network] && leaving.before(end) == leaving.before(a.network)
 }

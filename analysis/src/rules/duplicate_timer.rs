@@ -10,29 +10,28 @@ use crate::types::Type;
 use ladder_instructions::{Accepts, StateType, States};
 use ladder_syntax::Name;
 
-pub(crate) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
+/// Looks at the blocks of one tag.
+pub(super) fn check(context: &Context, tag: &TagFacts, out: &mut Vec<Diagnostic>) {
+    let Some(Type::State(state)) = tag.ty else {
+        return;
+    };
     if context.profile.law().states == States::Shared {
         return;
     }
-    for tag in context.own_tags() {
-        let Some(Type::State(state)) = tag.ty else {
-            continue;
-        };
-        let rule = if state.is_timer() {
-            Rule::DuplicateTimer
-        } else if state.is_counter() {
-            Rule::DuplicateCounter
-        } else {
-            continue;
-        };
-        let owners = tag.uses.0.iter().filter(|place| owns(context, **place, state));
-        let mut owners = owners.map(|place| context.networks.use_of(*place));
-        let Some(first) = owners.next() else { continue };
-        if tag.foreign.is_some() || tag.origin == Origin::Declared(SectionKind::Global) {
-            out.extend(in_another_file(context, rule, tag, state, &first));
-        }
-        out.extend(owners.map(|second| second_block(rule, tag, state, &first, &second)));
+    let rule = if state.is_timer() {
+        Rule::DuplicateTimer
+    } else if state.is_counter() {
+        Rule::DuplicateCounter
+    } else {
+        return;
+    };
+    let owners = tag.uses.0.iter().filter(|place| owns(context, **place, state));
+    let mut owners = owners.map(|place| context.networks.use_of(*place));
+    let Some(first) = owners.next() else { return };
+    if tag.foreign.is_some() || tag.origin == Origin::Declared(SectionKind::Global) {
+        out.extend(in_another_file(context, rule, tag, state, &first));
     }
+    out.extend(owners.map(|second| second_block(rule, tag, state, &first, &second)));
 }
 
 /// Whether a block keeps its state in the tag. One of another type is a mistake of its own.

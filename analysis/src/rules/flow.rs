@@ -31,7 +31,7 @@ pub(super) struct Exit {
 /// A body's networks and the ways between them.
 pub(super) struct Flow<'c> {
     pub(super) context: &'c Context,
-    pub(super) survey: &'c Survey,
+    pub(super) survey: &'c Survey<'c>,
     /// The body's networks from top to bottom.
     pub(super) networks: Vec<usize>,
     /// The blocks that leave, in the order of the networks and of evaluation; what stands behind one that always
@@ -44,7 +44,7 @@ pub(super) struct Flow<'c> {
 }
 
 /// Asks the rules about each body that holds jumps, returns or ends.
-pub(super) fn check(context: &Context, survey: &Survey, out: &mut Vec<Diagnostic>) {
+pub(super) fn check(context: &Context, survey: &Survey<'_>, out: &mut Vec<Diagnostic>) {
     let leaves = ControlFlow::LEAVES;
     if !survey.whole || !survey.any.has(leaves) {
         return;
@@ -56,7 +56,7 @@ pub(super) fn check(context: &Context, survey: &Survey, out: &mut Vec<Diagnostic
     for networks in bodies.into_values() {
         if !networks
             .iter()
-            .any(|&network| survey.control_flow[network].has(leaves))
+            .any(|&network| survey.control_flow(network).has(leaves))
         {
             continue;
         }
@@ -69,7 +69,7 @@ pub(super) fn check(context: &Context, survey: &Survey, out: &mut Vec<Diagnostic
 }
 
 impl<'c> Flow<'c> {
-    fn new(context: &'c Context, survey: &'c Survey, networks: Vec<usize>) -> Flow<'c> {
+    fn new(context: &'c Context, survey: &'c Survey<'c>, networks: Vec<usize>) -> Flow<'c> {
         let count = networks.len();
         let mut flow = Flow {
             context,
@@ -102,7 +102,7 @@ impl<'c> Flow<'c> {
     /// The program flow of some of the networks.
     pub(super) fn control_flow(&self, networks: impl Iterator<Item = usize>) -> ControlFlow {
         networks.fold(ControlFlow::default(), |all, at| {
-            all.with(self.survey.control_flow[self.networks[at]])
+            all.with(self.survey.control_flow(self.networks[at]))
         })
     }
 
@@ -119,7 +119,7 @@ impl<'c> Flow<'c> {
         let mut end = None;
         for (at, &network) in self.networks.iter().enumerate().rev() {
             ends[at] = end;
-            if self.survey.control_flow[network].has(ControlFlow::NEXT) {
+            if self.survey.control_flow(network).has(ControlFlow::NEXT) {
                 end = Some(at);
             }
         }
@@ -127,7 +127,7 @@ impl<'c> Flow<'c> {
     }
 
     fn network(&mut self, at: usize, rail_varies: bool, loop_end: Option<usize>) {
-        let control_flow = self.survey.control_flow[self.networks[at]];
+        let control_flow = self.survey.control_flow(self.networks[at]);
         let mut goes_on = true;
         if control_flow.has(ControlFlow::JUMP.with(ControlFlow::RETURN).with(ControlFlow::END)) {
             goes_on = !self.exits_of(at, rail_varies && !control_flow.has(ControlFlow::MCR));

@@ -7,7 +7,6 @@
 use super::frame_keyword;
 use super::syntax_errors::{identifiers, looks_like_declaration};
 use crate::context::Context;
-use crate::control_flow::ControlFlow;
 use crate::diagnostic::Diagnostic;
 use crate::excerpt::Excerpts;
 use crate::facts::{Node, NodeKind};
@@ -18,18 +17,35 @@ use ladder_instructions::Op;
 use ladder_syntax::{LineKind, Name, Parse, SyntaxErrorKind, TextRange};
 use rustc_hash::FxHashSet;
 
-/// Removes what follows from the mistakes of the text. The findings about these themselves are added later.
-pub(crate) fn remove(context: &Context, found: &mut Vec<Diagnostic>) {
-    if found.is_empty() {
-        return;
+/// Says of findings whether they follow from the mistakes of the text. Those about the mistakes themselves are not to
+/// be asked about.
+pub(crate) struct FollowUps<'c> {
+    context: &'c Context,
+    doubt: Doubt,
+    excerpts: Excerpts<'c>,
+}
+
+impl<'c> FollowUps<'c> {
+    /// None: there is no mistake that anything could follow from. `marked` are the networks with a block that is not
+    /// known, with a label, or with the beginning of a function.
+    pub(crate) fn new(context: &'c Context, marked: impl Iterator<Item = NetworkAt<'c>>) -> Option<Self> {
+        let doubt = Doubt::new(context, marked);
+        let is_some = doubt != Doubt::default() || !context.foreign_comments().0.is_empty();
+        is_some.then(|| FollowUps {
+            context,
+            doubt,
+            excerpts: Excerpts::new(&context.parse),
+        })
     }
-    let doubt = Doubt::new(context);
-    let mut excerpts = Excerpts::new(&context.parse);
-    found.retain(|diagnostic| !doubt.explains(context, diagnostic, &mut excerpts));
+
+    /// Whether a finding follows from a mistake.
+    pub(crate) fn explain(&mut self, found: &Diagnostic) -> bool {
+        self.doubt.explains(self.context, found, &mut self.excerpts)
+    }
 }
 
 /// What mistakes leave in doubt.
-#[derive(Default)]
+#[derive(Default, PartialEq, Eq)]
 struct Doubt {
     /// Rungs on which something was misread.
     misread: FxHashSet<usize>,
@@ -51,7 +67,7 @@ struct Doubt {
 }
 
 impl Doubt {
-    fn new(context: &Context) -> Doubt {
+    fn new<'c>(context: &'c Context, marked: impl Iterator<Item = NetworkAt<'c>>) -> Doubt {
         let mut doubt = Doubt::default();
         let parse = &*context.parse;
         let foreign = context.foreign_comments();
@@ -80,22 +96,22 @@ impl Doubt {
             };
             doubt.block_header |= line.kind == LineKind::BlockHeader;
         }
-        let marked = |network: &NetworkAt<'_>| !network.known || network.control_flow.has(ControlFlow::MARK);
-        for bound in context.networks.iter().filter(marked).flat_map(NetworkAt::blocks) {
-            doubt.block(bound);
-        }
+        marked
+            .flat_map(NetworkAt::blocks)
+            .for_each(|bound| doubt.block(bound));
         if !context.settled {
             doubt.mistyped = mistyped(context);
         }
-        let definitions = parse.structure().blocks.iter();
-        let open = definitions.filter(|block| !block.closed);
-        doubt.open_blocks = open
-            .map(|block| {
+        if !context.is_framed {
+            let definitions = parse.structure().blocks.iter();
+            let open = definitions.filter(|block| !block.closed);
+            let lines = |block: &ladder_syntax::BlockDefinition| {
                 let last = parse.line_range(block.lines.end - 1);
                 parse.line_range(block.lines.start).cover(last)
-            })
-            .collect();
-        doubt.lost_header |= !doubt.open_blocks.is_empty() || has_lost_header(parse);
+            };
+            doubt.open_blocks = open.map(lines).collect();
+        }
+        doubt.lost_header |= !doubt.open_blocks.is_empty() || (!context.is_framed && has_lost_header(parse));
         doubt
     }
 

@@ -6,7 +6,7 @@ use crate::foreign_comment::ForeignComment;
 use crate::rule::Rule;
 
 /// One finding for each.
-pub(super) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
+pub(crate) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
     out.extend(context.foreign_comments().0.iter().map(found));
 }
 

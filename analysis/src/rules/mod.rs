@@ -11,7 +11,7 @@ pub(crate) mod bad_literal;
 pub(crate) mod bad_operand;
 mod bypassed;
 mod circles;
-mod commented_out_rung;
+pub(crate) mod commented_out_rung;
 mod complex_network;
 mod constant_power;
 pub(crate) mod constant_write;
@@ -20,7 +20,7 @@ pub(crate) mod cplc_draft;
 mod dead_end;
 pub(crate) mod did_you_mean;
 mod division_by_zero;
-mod double_coil;
+pub(crate) mod double_coil;
 mod duplicate_block;
 mod duplicate_branch;
 pub(crate) mod duplicate_declaration;
@@ -29,8 +29,8 @@ mod duplicate_label;
 mod duplicate_timer;
 mod endless_jump;
 mod flow;
-mod follow_ups;
-mod foreign_comment;
+pub(crate) mod follow_ups;
+pub(crate) mod foreign_comment;
 mod frame_keyword;
 mod input_written;
 mod latched_power;
@@ -44,8 +44,8 @@ mod no_output;
 mod open_wire;
 mod order_sensitive;
 mod overlapping_address;
-mod power_rules;
-mod read_before_write;
+pub(crate) mod power_rules;
+pub(crate) mod read_before_write;
 mod real_equality;
 mod recursive_block;
 mod recursive_call;
@@ -53,14 +53,14 @@ mod redundant_element;
 mod result_arrow;
 mod return_outside_function;
 mod rung_not_powered;
-mod set_and_reset;
+pub(crate) mod set_and_reset;
 mod set_without_reset;
 pub(crate) mod shared_globals;
 mod short_preset;
 mod shorted_branch;
-mod survey;
+pub(crate) mod survey;
 pub(crate) mod syntax_errors;
-mod tag_summary;
+pub(crate) mod tag_summary;
 pub(crate) mod type_mismatch;
 mod unbalanced_loop;
 mod unclosed_block;
@@ -77,16 +77,16 @@ mod unpaired_connector;
 mod unreachable;
 mod unused_function;
 mod unused_label;
-mod wiring_walk;
+pub(crate) mod wiring_walk;
 mod wrong_place;
 mod wrong_shape;
 
 use crate::context::Context;
 use crate::diagnostic::Diagnostic;
 use crate::networks::NetworkAt;
-use crate::rule::{Rule, Severity};
-use crate::rule_settings::RuleSettings;
-use crate::verdict::{self, Pass};
+use crate::rule::Severity;
+use crate::scope::TagFacts;
+use crate::verdict::{self, InNetwork, Pass};
 use rustc_hash::FxHasher;
 use std::hash::{Hash, Hasher};
 use survey::Survey;
@@ -108,29 +108,25 @@ const OF_NETWORKS: &[NetworkCheck] = &[
     no_output::check,
 ];
 
-type Check = fn(&Context, &mut Vec<Diagnostic>);
+type FileCheck = fn(&Context, &mut Vec<Diagnostic>);
 
-/// Every rule that looks at the whole context.
-const CHECKS: &[Check] = &[
+/// Rules that look at the names and definitions of a file.
+const OF_FILE: &[FileCheck] = &[
     undeclared_tag::check,
-    duplicate_timer::check,
     duplicate_label::check,
     duplicate_function::check,
     unknown_label::check,
     duplicate_block::check,
     recursive_block::check,
-    double_coil::check,
     overlapping_address::check,
-    commented_out_rung::check,
 ];
 
-type SurveyedCheck = fn(&Context, &Survey, &mut Vec<Diagnostic>);
+type ProgramCheck = fn(&Context, &Survey<'_>, &mut Vec<Diagnostic>);
 
-/// Those that need to know what is in the file at all.
-const SURVEYED: &[SurveyedCheck] = &[
+/// Rules that need to know what is in the file at all.
+const OF_PROGRAM: &[ProgramCheck] = &[
+    recursive_call::check,
     flow::check,
-    set_and_reset::check,
-    read_before_write::check,
     return_outside_function::check,
     unbalanced_loop::check,
     unused_function::check,
@@ -139,7 +135,7 @@ const SURVEYED: &[SurveyedCheck] = &[
 
 /// Once so much was found in a file, no more is looked for in single networks and lines: nobody reads it, and each
 /// finding takes a hundred times the memory of the character that it is about.
-const MOST_FINDINGS: usize = 50_000;
+pub(crate) const MOST_FINDINGS: usize = 50_000;
 
 /// Whether enough was found since there were `before` findings; then the last of them says so.
 fn is_enough(before: usize, out: &mut [Diagnostic]) -> bool {
@@ -147,57 +143,61 @@ fn is_enough(before: usize, out: &mut [Diagnostic]) -> bool {
         return false;
     }
     if let Some(last) = out.last_mut() {
-        last.help = Some(format!(
-            "{MOST_FINDINGS} findings are enough: what stands behind this place is not checked"
-        ));
-        // What was not looked at may be wrong: such a program does not run.
-        last.severity = Severity::Error;
+        say_enough(last);
     }
     true
 }
 
-/// Looks at each network by itself.
-fn of_networks(context: &Context, out: &mut Vec<Diagnostic>) {
-    let before = out.len();
-    for network in &context.networks {
-        if is_enough(before, out) {
-            return;
-        }
-        let look = |out: &mut Vec<Diagnostic>| {
-            for check in OF_NETWORKS {
-                check(context, network, out);
-            }
-        };
-        // Elsewhere what surrounds the network, or another file, has a say.
-        if network.names_tags_only && !network.broken {
-            let mut hasher = FxHasher::default();
-            (context.profile, context.signatures, network.scope).hash(&mut hasher);
-            verdict::once(Pass::Form, hasher.finish(), network, out, look);
-        } else {
-            look(out);
-        }
-    }
+/// Has the last finding say that no more is looked for.
+pub(crate) fn say_enough(last: &mut Diagnostic) {
+    last.help = Some(format!(
+        "{MOST_FINDINGS} findings are enough: what stands behind this place is not checked"
+    ));
+    // What was not looked at may be wrong: such a program does not run.
+    last.severity = Severity::Error;
 }
 
-/// Runs them.
-/// `stamps` are those of the networks' tags.
-pub(crate) fn check(context: &Context, stamps: &[u64], settings: &RuleSettings, out: &mut Vec<Diagnostic>) {
-    of_networks(context, out);
-    for check in CHECKS {
-        check(context, out);
-    }
-    let survey = survey::survey(context, stamps, settings, out);
-    tag_summary::check(context, &survey, out);
-    recursive_call::check(context, &survey, out);
-    wiring_walk::check(context, &survey, stamps, out);
-    power_rules::check(context, &survey, stamps, out);
-    for check in SURVEYED {
-        check(context, &survey, out);
-    }
-    if settings.is_on(Rule::ComplexNetwork) {
-        complex_network::check(context, out);
-    }
-    follow_ups::remove(context, out);
-    foreign_comment::check(context, out);
-    syntax_errors::check(context, out);
+/// Looks at a network by itself: its drawing and the form of its blocks.
+pub(crate) fn of_network(context: &Context, network: NetworkAt<'_>) -> InNetwork {
+    // Elsewhere what surrounds the network, or another file, has a say.
+    let key = (network.names_tags_only && !network.broken).then(|| {
+        let mut hasher = FxHasher::default();
+        (context.profile, context.signatures, network.scope).hash(&mut hasher);
+        hasher.finish()
+    });
+    verdict::once(Pass::Form, key, network, |out| {
+        OF_NETWORKS.iter().for_each(|check| check(context, network, out));
+        true
+    })
+}
+
+/// Looks at the names and definitions of a file.
+pub(crate) fn of_file(context: &Context, out: &mut Vec<Diagnostic>) {
+    OF_FILE.iter().for_each(|check| check(context, out));
+}
+
+/// What the rules about tags need to know of the rest of the file.
+#[derive(Debug, PartialEq, Eq)]
+pub(crate) struct AroundTags {
+    /// The file has outputs. In one that has none, its internal tags are what people look at.
+    pub(crate) has_outputs: bool,
+    pub(crate) leaving: double_coil::Leaving,
+}
+
+/// Looks at the places of one tag.
+pub(crate) fn of_tag(
+    context: &Context,
+    scope: usize,
+    tag: &TagFacts,
+    around: &AroundTags,
+    out: &mut Vec<Diagnostic>,
+) {
+    duplicate_timer::check(context, tag, out);
+    double_coil::check(context, tag, &around.leaving, out);
+    tag_summary::check(context, scope, tag, around.has_outputs, out);
+}
+
+/// Looks at the program as a whole.
+pub(crate) fn of_program(context: &Context, survey: &Survey<'_>, out: &mut Vec<Diagnostic>) {
+    OF_PROGRAM.iter().for_each(|check| check(context, survey, out));
 }

@@ -7,6 +7,7 @@ use crate::boolean::power::{NetworkPower, Powers, Question};
 use crate::context::Context;
 use crate::control_flow::ControlFlow;
 use crate::diagnostic::Diagnostic;
+use crate::findings::Anchored;
 use crate::networks::{BlockAt, NetworkAt};
 use crate::operand_value::{Number, number, scalar};
 use crate::program::Step;
@@ -14,11 +15,11 @@ use crate::rule::Rule;
 use crate::scope::Access;
 use crate::types::Scalar;
 use crate::uses::Named;
-use crate::verdict::{self, Pass};
+use crate::verdict::{self, InNetwork, Pass};
 use ladder_instructions::{Op, Power, Role};
-use ladder_syntax::TextSize;
 use rustc_hash::FxHasher;
 use std::hash::{Hash, Hasher};
+use std::sync::Arc;
 
 /// A network and its table.
 pub(super) struct Table<'c> {
@@ -33,35 +34,34 @@ pub(super) struct Table<'c> {
     parents: Vec<Option<usize>>,
 }
 
-/// Looks at every network in which one value is asked for more than once: where each is asked for once, every
-/// contact counts. `stamps` are those of the networks' tags.
-pub(super) fn check(context: &Context, survey: &Survey, stamps: &[u64], out: &mut Vec<Diagnostic>) {
-    let rail_varies = survey.any.has(ControlFlow::MCR);
-    // A wire round a contact is told already.
-    let mut bypassed: Vec<TextSize> = out
-        .iter()
-        .filter(|found| matches!(found.rule, Rule::ShortedBranch | Rule::RedundantElement))
-        .map(|found| found.range.start())
-        .collect();
-    bypassed.sort_unstable();
-    for (index, network) in context.networks.iter().enumerate() {
-        if !survey.sound[index] {
-            continue;
-        }
-        let next = bypassed.partition_point(|&at| at < network.range.start());
-        let surroundings = Surroundings {
-            rail_varies: rail_varies && !survey.control_flow[index].has(ControlFlow::MCR),
-            is_bypassed: bypassed.get(next).is_some_and(|&at| at < network.range.end()),
-        };
-        let look = |out: &mut Vec<Diagnostic>| of_network(context, network, surroundings, out);
-        if network.names_tags_only {
-            let mut hasher = FxHasher::default();
-            (stamps[index], surroundings).hash(&mut hasher);
-            verdict::once(Pass::Power, hasher.finish(), network, out, look);
-        } else {
-            look(out);
-        }
+/// Looks at a network in which one value is asked for more than once: where each is asked for once, every
+/// contact counts. `stamp` is that of its tags, `wiring` what was found in its wiring.
+pub(crate) fn check(
+    context: &Context,
+    survey: &Survey<'_>,
+    network: NetworkAt<'_>,
+    stamp: u64,
+    wiring: &[Arc<Anchored>],
+) -> InNetwork {
+    if !survey.is_sound(network) {
+        return InNetwork::new();
     }
+    let bypassed =
+        |found: &Arc<Anchored>| matches!(found.rule(), Rule::ShortedBranch | Rule::RedundantElement);
+    let surroundings = Surroundings {
+        rail_varies: survey.any.has(ControlFlow::MCR) && !network.control_flow.has(ControlFlow::MCR),
+        // A wire round a contact is told already.
+        is_bypassed: wiring.iter().any(bypassed),
+    };
+    let key = network.names_tags_only.then(|| {
+        let mut hasher = FxHasher::default();
+        (stamp, surroundings).hash(&mut hasher);
+        hasher.finish()
+    });
+    verdict::once(Pass::Power, key, network, |out| {
+        of_network(context, network, surroundings, out);
+        true
+    })
 }
 
 /// What else than a network itself decides what is said of its power.

@@ -2,7 +2,7 @@
 //! although the two could stand in the other order.
 
 use super::survey::Survey;
-use crate::context::Context;
+use crate::context::{Body, Context};
 use crate::control_flow::ControlFlow;
 use crate::diagnostic::Diagnostic;
 use crate::operand_value::{each_tag, tag};
@@ -12,11 +12,22 @@ use crate::scope::{Access, Origin, SectionKind, TagFacts, Use, UseRef};
 use crate::uses::access;
 use rustc_hash::FxHashSet;
 
-pub(super) fn check(context: &Context, survey: &Survey, out: &mut Vec<Diagnostic>) {
+/// Looks at the tags that are [read above](is_read_above) where they are written.
+pub(crate) fn check<'c>(
+    context: &'c Context,
+    survey: &Survey<'_>,
+    read_above: impl Iterator<Item = &'c TagFacts>,
+    out: &mut Vec<Diagnostic>,
+) {
     if !survey.whole {
         return;
     }
-    let late: Vec<Late<'_>> = candidates(context, survey).collect();
+    let mut late: Vec<Late<'_>> = read_above.filter_map(|tag| Late::of(context, tag)).collect();
+    if late.is_empty() {
+        return;
+    }
+    let jumping = bodies_that_jump(context, survey);
+    late.retain(|late| !jumping.contains(&context.bodies[late.write.network]));
     if late.is_empty() {
         return;
     }
@@ -37,15 +48,24 @@ struct Late<'c> {
     write: Use,
 }
 
-fn candidates<'c>(context: &'c Context, survey: &Survey) -> impl Iterator<Item = Late<'c>> {
+/// Whether a tag is read above the first rung that writes it, all of it in one body.
+pub(crate) fn is_read_above(context: &Context, tag: &TagFacts) -> bool {
+    Late::of(context, tag).is_some()
+}
+
+/// The bodies in which the straight way down is not the only one.
+fn bodies_that_jump(context: &Context, survey: &Survey<'_>) -> FxHashSet<Body> {
     let unclear = ControlFlow::LEAVES.with(ControlFlow::FOR);
-    let mut bodies_that_jump = FxHashSet::default();
-    for (network, control_flow) in survey.control_flow.iter().enumerate() {
-        if control_flow.has(unclear) {
-            bodies_that_jump.insert(context.bodies[network]);
-        }
+    if !survey.any.has(unclear) {
+        return FxHashSet::default();
     }
-    context.own_tags().filter_map(move |tag| {
+    let networks = 0..context.networks.len();
+    let jumping = networks.filter(|&network| survey.control_flow(network).has(unclear));
+    jumping.map(|network| context.bodies[network]).collect()
+}
+
+impl<'c> Late<'c> {
+    fn of(context: &Context, tag: &'c TagFacts) -> Option<Late<'c>> {
         // A function or block of another file may write what is shared.
         let shared = matches!(
             tag.origin,
@@ -63,12 +83,8 @@ fn candidates<'c>(context: &'c Context, survey: &Survey) -> impl Iterator<Item =
         let (read, write) = (context.networks.use_of(read), context.networks.use_of(write));
         let body = context.bodies[write.network];
         let clear = |place: Use| context.bodies[place.network] == body && !place.indexed;
-        (context.uses(tag).all(clear) && !bodies_that_jump.contains(&body)).then_some(Late {
-            tag,
-            read,
-            write,
-        })
-    })
+        context.uses(tag).all(clear).then_some(Late { tag, read, write })
+    }
 }
 
 /// Whether the reading rung also reads what the value is made of: it compares old and new on purpose.

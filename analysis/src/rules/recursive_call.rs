@@ -12,7 +12,7 @@ use crate::rule::Rule;
 use ladder_instructions::Op;
 use ladder_syntax::Name;
 
-pub(super) fn check(context: &Context, survey: &Survey, out: &mut Vec<Diagnostic>) {
+pub(super) fn check(context: &Context, survey: &Survey<'_>, out: &mut Vec<Diagnostic>) {
     if context.functions.is_empty() || !survey.any.has(ControlFlow::CALL) {
         return;
     }

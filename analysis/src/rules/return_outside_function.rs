@@ -7,14 +7,14 @@ use crate::diagnostic::Diagnostic;
 use crate::rule::Rule;
 use ladder_instructions::Op;
 
-pub(super) fn check(context: &Context, survey: &Survey, out: &mut Vec<Diagnostic>) {
+pub(super) fn check(context: &Context, survey: &Survey<'_>, out: &mut Vec<Diagnostic>) {
     if !survey.any.has(ControlFlow::RETURN) {
         return;
     }
     for (index, network) in context.networks.iter().enumerate() {
         if context.bodies[index] != Body::Main
-            || !survey.sound[index]
-            || !survey.control_flow[index].has(ControlFlow::RETURN)
+            || !survey.is_sound(network)
+            || !survey.control_flow(index).has(ControlFlow::RETURN)
         {
             continue;
         }

@@ -13,7 +13,7 @@ use crate::networks::NetworkAt;
 use crate::operand_value::{each_tag, tag};
 use crate::program::Step;
 use crate::rule::Rule;
-use crate::scope::Use;
+use crate::scope::{TagFacts, Use, UseRef};
 use crate::types::Type;
 use ladder_instructions::{Coil, Power, Role};
 use rustc_hash::FxHashSet;
@@ -21,7 +21,23 @@ use rustc_hash::FxHashSet;
 /// How many coils of one tag are compared with each other.
 const MOST: usize = 16;
 
-pub(super) fn check(context: &Context, survey: &Survey, out: &mut Vec<Diagnostic>) {
+/// Whether a tag is set and reset, as far as a look at its coils says.
+pub(crate) fn is_latch(context: &Context, tag: &TagFacts) -> bool {
+    if tag.ty != Some(Type::BOOL) || tag.uses.writers().nth(1).is_none() {
+        return false;
+    }
+    let sets = |place: &UseRef| context.networks.block_of(*place).coil() == Some(Coil::Sets);
+    let writers = || tag.uses.writers();
+    writers().take(MOST).any(|place| sets(&place)) && !writers().all(|place| sets(&place))
+}
+
+/// Looks at the tags that are set and reset.
+pub(crate) fn check<'c>(
+    context: &'c Context,
+    survey: &Survey<'_>,
+    latches: impl Iterator<Item = &'c TagFacts>,
+    out: &mut Vec<Diagnostic>,
+) {
     if !survey.any.has(ControlFlow::SET)
         || !survey.any.has(ControlFlow::RESET)
         || survey.any.has(ControlFlow::MCR)
@@ -32,18 +48,12 @@ pub(super) fn check(context: &Context, survey: &Survey, out: &mut Vec<Diagnostic
         .with(ControlFlow::FOR)
         .with(ControlFlow::CALL)
         .with(ControlFlow::FLOW_BLOCK);
-    for tag in context.own_tags().filter(|tag| tag.ty == Some(Type::BOOL)) {
-        if tag.uses.writers().nth(1).is_none() {
-            continue;
-        }
+    for tag in latches {
         let coil = |place: &Use| context.networks.at(place.network).block(place.block).coil();
-        let writers = || context.writers(tag);
         let is_latch = |place: &Use| matches!(coil(place), Some(Coil::Sets | Coil::Resets)) && place.whole;
         let sets = |place: &Use| coil(place) == Some(Coil::Sets);
-        if writers().take(MOST).filter(sets).count() == 0 || writers().all(|place| sets(&place)) {
-            continue;
-        }
-        let coils: Vec<Latch> = writers()
+        let coils: Vec<Latch> = context
+            .writers(tag)
             .filter(is_latch)
             .take(MOST)
             .filter_map(|place| Latch::new(context, place, sets(&place)))
@@ -54,7 +64,7 @@ pub(super) fn check(context: &Context, survey: &Survey, out: &mut Vec<Diagnostic
                     && later.conditions.is_subset(&earlier.conditions)
                     && context.bodies[later.place.network] == context.bodies[earlier.place.network]
                     && !(earlier.place.network..=later.place.network)
-                        .any(|network| survey.control_flow[network].has(unclear))
+                        .any(|network| survey.control_flow(network).has(unclear))
                     && !is_changed_between(context, earlier, later)
             });
             if let Some(later) = undone {

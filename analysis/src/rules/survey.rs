@@ -1,35 +1,45 @@
-//! One walk over all networks, shared by the rules that look at blocks one by one and by those that look at the
-//! whole program.
+//! The rules that look at blocks one by one, and what those that look at the whole program need to know of it.
 
 use super::{
-    alternative_mnemonic, ambiguous_sign, division_by_zero, real_equality, result_arrow, short_preset,
+    alternative_mnemonic, ambiguous_sign, complex_network, division_by_zero, real_equality, result_arrow,
+    short_preset,
 };
 use crate::context::Context;
 use crate::control_flow::ControlFlow;
 use crate::diagnostic::Diagnostic;
 use crate::network::Meaning;
-use crate::networks::{BlockAt, NetworkAt};
-use crate::rule::{Rule, Severity};
+use crate::networks::{BlockAt, NetworkAt, Networks};
+use crate::rule::Rule;
 use crate::rule_settings::RuleSettings;
-use crate::verdict::{self, Pass};
+use crate::verdict::{self, InNetwork, Pass};
 use ladder_instructions::Op;
-use ladder_syntax::{Part, TextSize};
-use rustc_hash::FxHasher;
+use rustc_hash::{FxHashSet, FxHasher};
 use std::hash::{Hash, Hasher};
 
-/// What the walk found.
-pub(super) struct Survey {
+/// What is known of the file as a whole.
+pub(crate) struct Survey<'l> {
     /// Everything could be read, every block is known and nothing is an error: what the text does not hold is not
     /// there. Rules about the whole program are silent otherwise.
-    pub(super) whole: bool,
-    /// No tag is undeclared that should not be: a slip in a name is told once.
-    pub(super) names_known: bool,
-    /// For each network whether it is drawn and written without errors. Rules about its power are silent otherwise.
-    pub(super) sound: Vec<bool>,
-    /// For each network what it has of program flow.
-    pub(super) control_flow: Vec<ControlFlow>,
-    /// All of them together.
-    pub(super) any: ControlFlow,
+    pub(crate) whole: bool,
+    /// What the networks together have of program flow.
+    pub(crate) any: ControlFlow,
+    pub(crate) networks: &'l Networks,
+    /// What each network has of program flow, by its number.
+    pub(crate) control_flow: &'l [ControlFlow],
+    /// The numbers of networks in which there is an error.
+    pub(crate) unsound: &'l FxHashSet<u32>,
+}
+
+impl Survey<'_> {
+    /// What a network has of program flow.
+    pub(super) fn control_flow(&self, network: usize) -> ControlFlow {
+        self.control_flow[self.networks.id(network) as usize]
+    }
+
+    /// Whether a network is drawn and written without errors. Rules about its power are silent otherwise.
+    pub(super) fn is_sound(&self, network: NetworkAt<'_>) -> bool {
+        !network.broken && !self.unsound.contains(&self.networks.id(network.index))
+    }
 }
 
 /// What a rule about single blocks is asked with.
@@ -40,56 +50,35 @@ pub(super) struct SurveyedBlock<'c> {
     pub(super) settings: &'c RuleSettings,
 }
 
-/// Walks over all networks and asks the rules about single blocks. `stamps` are those of the networks' tags.
-pub(super) fn survey(
+/// Asks the rules about single blocks of a network. `stamp` is that of its tags.
+pub(crate) fn of_network(
     context: &Context,
-    stamps: &[u64],
+    network: NetworkAt<'_>,
+    stamp: u64,
     settings: &RuleSettings,
-    out: &mut Vec<Diagnostic>,
-) -> Survey {
-    let is_error = |found: &&Diagnostic| found.severity == Severity::Error;
-    let mut errors: Vec<TextSize> = out
-        .iter()
-        .filter(is_error)
-        .map(|found| found.range.start())
-        .collect();
-    errors.sort_unstable();
-    let mut survey = Survey {
-        whole: errors.is_empty()
-            && context
-                .parse
-                .lines()
-                .of_parts_that(Part::is_faulty)
-                .all(|(_, line)| line.errors.is_empty()),
-        names_known: out.iter().all(|found| found.rule != Rule::UndeclaredTag),
-        sound: Vec::with_capacity(context.networks.len()),
-        control_flow: Vec::with_capacity(context.networks.len()),
-        any: ControlFlow::default(),
-    };
+) -> InNetwork {
     let spelling = settings.is_on(Rule::AlternativeMnemonic);
-    for network in &context.networks {
-        survey.whole &= !network.broken && network.known;
-        let look = |out: &mut Vec<Diagnostic>| blocks(context, network, settings, spelling, out);
-        if network.names_tags_only {
-            let mut hasher = FxHasher::default();
-            (
-                stamps[network.index],
-                settings.scan_interval,
-                context.cycle,
-                spelling,
-            )
-                .hash(&mut hasher);
-            verdict::once(Pass::Blocks, hasher.finish(), network, out, look);
-        } else {
-            look(out);
+    let complex = settings.is_on(Rule::ComplexNetwork);
+    let key = network.names_tags_only.then(|| {
+        let mut hasher = FxHasher::default();
+        (
+            stamp,
+            settings.scan_interval,
+            context.cycle,
+            spelling,
+            complex,
+            network.broken,
+        )
+            .hash(&mut hasher);
+        hasher.finish()
+    });
+    verdict::once(Pass::Blocks, key, network, |out| {
+        blocks(context, network, settings, spelling, out);
+        if complex {
+            complex_network::check(context, network, out);
         }
-        let next = errors.partition_point(|&at| at < network.range.start());
-        let has_error = errors.get(next).is_some_and(|&at| at < network.range.end());
-        survey.sound.push(!network.broken && !has_error);
-        survey.any = survey.any.with(network.control_flow);
-        survey.control_flow.push(network.control_flow);
-    }
-    survey
+        true
+    })
 }
 
 /// Asks the rules about single blocks.

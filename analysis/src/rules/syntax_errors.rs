@@ -18,10 +18,11 @@ use ladder_syntax::{
 
 pub(crate) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
     let parse = &*context.parse;
-    let errors = parse.errors();
-    if errors.is_empty() {
+    let is_faulty = parse.lines().parts().iter().any(|part| part.is_faulty());
+    if !is_faulty && context.is_framed && parse.unclosed_comment().is_none() {
         return;
     }
+    let errors = parse.errors();
     let taken = taken_rests(parse, &errors);
     let foreign = context.foreign_comments();
     let lost = LostFrames::new(parse, foreign);

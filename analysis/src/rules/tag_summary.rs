@@ -1,11 +1,10 @@
-//! One walk over all tags, shared by the rules about how a tag is used in the whole program.
+//! How a tag is used in the whole program, for the rules about that.
 
-use super::survey::Survey;
 use super::{input_written, never_read, never_written, set_without_reset};
 use crate::context::Context;
 use crate::diagnostic::Diagnostic;
 use crate::outward::TagUse;
-use crate::program::Role;
+use crate::rule::Rule;
 use crate::scope::{Origin, SectionKind, TagFacts};
 use crate::types::Type;
 use ladder_instructions::Coil;
@@ -88,36 +87,41 @@ impl<'c> Summary<'c> {
     }
 }
 
-/// Walks over all tags and asks the rules about the use of tags.
-pub(super) fn check(context: &Context, survey: &Survey, out: &mut Vec<Diagnostic>) {
-    let has_outputs = context.scopes[0].tags.iter().any(|tag| tag.role == Role::Output);
-    for (scope, facts) in context.scopes.iter().enumerate() {
-        for tag in facts
-            .tags
-            .iter()
-            .filter(|tag| tag.shared.is_none() && !tag.mistyped)
-        {
-            let summary = Summary::new(context, scope, tag, has_outputs || scope > 0);
-            input_written::check(&summary, out);
-            if !survey.whole {
-                continue;
-            }
-            // A global is told of in the first file that declares it.
-            let counts = if summary.is_global() {
-                !context.others.is_declared_before(&Name::new(&tag.name))
-            } else {
-                !summary.is_shared()
-            };
-            // A file of declarations only has just been begun, unless others use them.
-            let has_begun =
-                !context.networks.is_empty() || (summary.is_global() && context.others.have_files());
-            if counts && survey.names_known && has_begun {
-                never_read::check(&summary, out);
-                never_written::check(&summary, out);
-            }
-            if !summary.is_shared() {
-                set_without_reset::check(&summary, out);
-            }
-        }
+/// Asks the rules about the use of a tag.
+pub(super) fn check(
+    context: &Context,
+    scope: usize,
+    tag: &TagFacts,
+    has_outputs: bool,
+    out: &mut Vec<Diagnostic>,
+) {
+    if tag.mistyped {
+        return;
+    }
+    let summary = Summary::new(context, scope, tag, has_outputs || scope > 0);
+    input_written::check(&summary, out);
+    // A global is told of in the first file that declares it.
+    let counts = if summary.is_global() {
+        !context.others.is_declared_before(&Name::new(&tag.name))
+    } else {
+        !summary.is_shared()
+    };
+    // A file of declarations only has just been begun, unless others use them.
+    let has_begun = !context.networks.is_empty() || (summary.is_global() && context.others.have_files());
+    if counts && has_begun {
+        never_read::check(&summary, out);
+        never_written::check(&summary, out);
+    }
+    if !summary.is_shared() {
+        set_without_reset::check(&summary, out);
+    }
+}
+
+/// Whether what a rule says of a tag's use is true only where the file as a whole is known.
+pub(crate) fn says_it(rule: Rule, whole: bool, names_known: bool) -> bool {
+    match rule {
+        Rule::NeverRead | Rule::NeverWritten => whole && names_known,
+        Rule::SetWithoutReset | Rule::ResetWithoutSet => whole,
+        _ => true,
     }
 }

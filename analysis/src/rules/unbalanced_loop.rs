@@ -8,7 +8,7 @@ use crate::rule::Rule;
 use ladder_instructions::Op;
 use ladder_syntax::TextRange;
 
-pub(super) fn check(context: &Context, survey: &Survey, out: &mut Vec<Diagnostic>) {
+pub(super) fn check(context: &Context, survey: &Survey<'_>, out: &mut Vec<Diagnostic>) {
     let loops = ControlFlow::FOR.with(ControlFlow::NEXT);
     // Of a loop that cannot be read, only one half may be left.
     if !survey.any.has(loops) || !survey.whole {
@@ -19,7 +19,7 @@ pub(super) fn check(context: &Context, survey: &Survey, out: &mut Vec<Diagnostic
         if index == 0 || context.bodies[index] != context.bodies[index - 1] {
             out.extend(open.take().map(no_next));
         }
-        if !survey.control_flow[index].has(loops) {
+        if !survey.control_flow(index).has(loops) {
             continue;
         }
         // A loop begins behind the network of its FOR and ends with that of the next NEXT.

@@ -10,14 +10,14 @@ use ladder_instructions::Op;
 use ladder_syntax::Name;
 use rustc_hash::FxHashSet;
 
-pub(super) fn check(context: &Context, survey: &Survey, out: &mut Vec<Diagnostic>) {
+pub(super) fn check(context: &Context, survey: &Survey<'_>, out: &mut Vec<Diagnostic>) {
     // A file without a main program holds functions for others, maybe of another workspace.
     if context.functions.is_empty() || !survey.whole || !context.bodies.contains(&Body::Main) {
         return;
     }
     let mut called: FxHashSet<usize> = FxHashSet::default();
     for (index, network) in context.networks.iter().enumerate() {
-        if !survey.control_flow[index].has(ControlFlow::CALL) {
+        if !survey.control_flow(index).has(ControlFlow::CALL) {
             continue;
         }
         for bound in network.blocks().filter(|bound| bound.op() == Some(Op::Call)) {

@@ -12,7 +12,7 @@ use ladder_instructions::Op;
 use ladder_syntax::Name;
 use rustc_hash::FxHashSet;
 
-pub(super) fn check(context: &Context, survey: &Survey, out: &mut Vec<Diagnostic>) {
+pub(super) fn check(context: &Context, survey: &Survey<'_>, out: &mut Vec<Diagnostic>) {
     if context.labels.is_empty() || !survey.whole {
         return;
     }
@@ -20,7 +20,7 @@ pub(super) fn check(context: &Context, survey: &Survey, out: &mut Vec<Diagnostic
     // Labels that bodies of <$B> blocks jump to wherever such a block stands.
     let mut outside: FxHashSet<Name> = FxHashSet::default();
     for (index, network) in context.networks.iter().enumerate() {
-        if !survey.control_flow[index].has(ControlFlow::JUMP) {
+        if !survey.control_flow(index).has(ControlFlow::JUMP) {
             continue;
         }
         for bound in network.blocks().filter(|bound| bound.op() == Some(Op::Jmp)) {
@@ -40,7 +40,7 @@ pub(super) fn check(context: &Context, survey: &Survey, out: &mut Vec<Diagnostic
     }
     // What a block of another file jumps to is looked up by unknown-label only.
     let has_foreign_block: FxHashSet<Body> = (0..context.networks.len())
-        .filter(|&index| survey.control_flow[index].has(ControlFlow::FLOW_BLOCK))
+        .filter(|&index| survey.control_flow(index).has(ControlFlow::FLOW_BLOCK))
         .filter(|&index| {
             context
                 .networks
@@ -51,7 +51,7 @@ pub(super) fn check(context: &Context, survey: &Survey, out: &mut Vec<Diagnostic
         .map(|index| context.bodies[index])
         .collect();
     let has_flow_block: FxHashSet<Body> = (0..context.networks.len())
-        .filter(|&index| survey.control_flow[index].has(ControlFlow::FLOW_BLOCK))
+        .filter(|&index| survey.control_flow(index).has(ControlFlow::FLOW_BLOCK))
         .map(|index| context.bodies[index])
         .collect();
     for label in &context.labels {

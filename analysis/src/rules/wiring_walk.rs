@@ -7,7 +7,7 @@ use crate::control_flow::ControlFlow;
 use crate::diagnostic::Diagnostic;
 use crate::networks::{BlockAt, NetworkAt};
 use crate::program::Step;
-use crate::verdict::{self, Pass};
+use crate::verdict::{self, InNetwork, Pass};
 
 /// A network and what the rules ask of each of its steps.
 pub(super) struct Walk<'c> {
@@ -27,20 +27,17 @@ impl<'c> Walk<'c> {
     }
 }
 
-/// Walks over all networks that are drawn without a mistake. `stamps` are those of their tags, which messages spell.
-pub(super) fn check(context: &Context, survey: &Survey, stamps: &[u64], out: &mut Vec<Diagnostic>) {
-    for (index, network) in context.networks.iter().enumerate() {
-        // What does nothing at all is no-output.
-        if !survey.sound[index] || !network.blocks().any(super::no_output::may_act) {
-            continue;
-        }
-        let look = |out: &mut Vec<Diagnostic>| of_network(context, network, survey.control_flow[index], out);
-        if network.names_tags_only {
-            verdict::once(Pass::Wiring, stamps[index], network, out, look);
-        } else {
-            look(out);
-        }
+/// Looks at a network that is drawn without a mistake. `stamp` is that of its tags, which messages spell.
+pub(crate) fn check(context: &Context, survey: &Survey<'_>, network: NetworkAt<'_>, stamp: u64) -> InNetwork {
+    // What does nothing at all is no-output.
+    if !survey.is_sound(network) || !network.blocks().any(super::no_output::may_act) {
+        return InNetwork::new();
     }
+    let key = network.names_tags_only.then_some(stamp);
+    verdict::once(Pass::Wiring, key, network, |out| {
+        of_network(context, network, network.control_flow, out);
+        true
+    })
 }
 
 fn of_network(

@@ -67,7 +67,9 @@ fn check_files_with(texts: &str, settings: &RuleSettings, expected: Expect) {
     let exported = Arc::new(Exported::new(summaries.collect()));
     let mut shown = String::new();
     for (name, text, parse) in &parsed {
-        let found = analyze_with(parse, name, &exported.others_of(name), settings).diagnostics;
+        let found = analyze_with(parse, name, &exported.others_of(name), settings)
+            .diagnostics()
+            .to_vec();
         if found.is_empty() {
             continue;
         }
@@ -118,7 +120,7 @@ fn findings(text: &str, settings: &RuleSettings) -> String {
     let parsed = Arc::new(parse(text));
     let index = LineIndex::new(text);
     let mut shown = String::new();
-    for diagnostic in analyze_with(&parsed, "test.clad", &Others::default(), settings).diagnostics {
+    for diagnostic in analyze_with(&parsed, "test.clad", &Others::default(), settings).diagnostics() {
         let line = index.line(diagnostic.range.start());
         // The mark keeps the indentation of the text.
         shown.push_str(&format!("> {}\n", text[index.range(line)].trim_end()));
@@ -155,7 +157,9 @@ fn show(text: &str, index: &LineIndex, found: &Diagnostic, out: &mut String) {
             out.push('\n');
         }
         let (alone, everything) = (Others::default(), RuleSettings::everything());
-        let again = analyze_with(&Arc::new(parse(&fixed)), "test.clad", &alone, &everything).diagnostics;
+        let again = analyze_with(&Arc::new(parse(&fixed)), "test.clad", &alone, &everything)
+            .diagnostics()
+            .to_vec();
         let stays = again
             .iter()
             .any(|d| d.rule == found.rule && d.message == found.message && d.range == found.range);

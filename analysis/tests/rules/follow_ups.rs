@@ -370,7 +370,9 @@ fn what_is_no_comment() {
 /// How many findings there are that are errors or warnings.
 fn found(program: &str) -> usize {
     let parse = std::sync::Arc::new(ladder_syntax::parse(program));
-    let found = ladder_analysis::analyze(&parse, "test.clad").diagnostics;
+    let found = ladder_analysis::analyze(&parse, "test.clad")
+        .diagnostics()
+        .to_vec();
     let serious = found
         .iter()
         .filter(|found| found.severity > ladder_analysis::Severity::Info);

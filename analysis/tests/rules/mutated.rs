@@ -51,7 +51,7 @@ const PIECES: [&str; 24] = [
 
 fn check(text: &str) {
     let analysis = analyze(&Arc::new(parse(text)), "test.clad");
-    for found in &analysis.diagnostics {
+    for found in analysis.diagnostics() {
         assert!(
             text.get(std::ops::Range::<usize>::from(found.range)).is_some(),
             "{found:?} in:\n{text}"

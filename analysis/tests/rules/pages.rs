@@ -28,7 +28,8 @@ fn found(program: &str) -> Vec<Diagnostic> {
         &Others::default(),
         &RuleSettings::everything(),
     )
-    .diagnostics
+    .diagnostics()
+    .to_vec()
 }
 
 /// The rules that LANGUAGE §7 marks with a star: they come with a fix.

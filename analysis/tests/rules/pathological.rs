@@ -9,7 +9,7 @@ use std::sync::Arc;
 
 /// How many findings there are.
 fn findings(text: &str) -> usize {
-    analyze(&Arc::new(parse(text)), "test.clad").diagnostics.len()
+    analyze(&Arc::new(parse(text)), "test.clad").diagnostics().len()
 }
 
 const MANY: usize = 4_000;
@@ -27,7 +27,9 @@ fn a_finding_names_a_bounded_number_of_places() {
     ] {
         let size = |count: usize| {
             let text = format!("VAR_INPUT start : BOOL; END_VAR\n{}", rung.repeat(count));
-            let found = analyze(&Arc::new(parse(&text)), "test.clad").diagnostics;
+            let found = analyze(&Arc::new(parse(&text)), "test.clad")
+                .diagnostics()
+                .to_vec();
             let most = found.iter().map(|found| found.related.len()).max().unwrap_or(0);
             assert!(most <= MOST_RELATED, "{rung}: {most}");
             let all = found
@@ -57,9 +59,9 @@ fn after_very_many_findings_no_more_are_looked_for() {
         analyze(&Arc::new(parse(&text)), "test.clad")
     };
     let few = analysis(1);
-    assert!(few.diagnostics.len() >= 2000 && !few.has_errors());
+    assert!(few.diagnostics().len() >= 2000 && !few.has_errors());
     let many = analysis(26);
-    let wires = many.diagnostics.iter();
+    let wires = many.diagnostics().iter();
     let wires: Vec<_> = wires.filter(|found| found.rule == Rule::MissingWire).collect();
     assert!(wires.len() < 52_000, "{}", wires.len());
     // Nobody has looked at the rest: it does not run.
@@ -83,7 +85,9 @@ fn many_comments_that_switch_rules_off() {
             "missing-wire, ".repeat(MANY)
         ),
     ] {
-        let found = analyze(&Arc::new(parse(&text)), "test.clad").diagnostics;
+        let found = analyze(&Arc::new(parse(&text)), "test.clad")
+            .diagnostics()
+            .to_vec();
         let first = found.iter().find(|found| found.rule == Rule::MissingWire);
         let hidden = first.map_or(text.len(), |found| found.range.start().into());
         assert!(hidden >= text.find('+').unwrap() + rung.len(), "{hidden}");
@@ -101,7 +105,9 @@ fn circles_of_calls() {
                 "+--<FUN>( f{n} )--+\n+--[ ]( a )--<CALL>( f{a} )--<CALL>( f{b} )--+"
             );
         }
-        let found = analyze(&Arc::new(parse(&text)), "test.clad").diagnostics;
+        let found = analyze(&Arc::new(parse(&text)), "test.clad")
+            .diagnostics()
+            .to_vec();
         let circles = found.iter().filter(|found| found.rule == Rule::RecursiveCall);
         assert!(circles.clone().count() > 0);
         circles.map(|found| found.message.len()).max().unwrap()
@@ -196,7 +202,7 @@ fn types_that_follow_from_each_other() {
     }
     let _ = writeln!(text, "+--[MOV]( a{MANY}, T#5s )--+");
     let parse = Arc::new(parse(&text));
-    let found = analyze(&parse, "test.clad").diagnostics;
+    let found = analyze(&parse, "test.clad").diagnostics().to_vec();
     // Each rung reads what the next one writes: that is told of each of them.
     assert!(
         found.iter().all(|found| found.rule == Rule::ReadBeforeWrite),

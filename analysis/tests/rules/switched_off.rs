@@ -19,7 +19,7 @@ fn analysed(text: &str, levels: &[(Rule, Level)]) -> Analysis {
 fn check(text: &str, levels: &[(Rule, Level)], expected: Expect) {
     let analysis = analysed(text, levels);
     let mut out = String::new();
-    for found in &analysis.diagnostics {
+    for found in analysis.diagnostics() {
         let place = &text[usize::from(found.range.start())..usize::from(found.range.end())];
         let line = text[..usize::from(found.range.start())].matches('\n').count() + 1;
         let severity = found.severity.name();
@@ -173,7 +173,7 @@ fn a_comment_that_hides_nothing_is_told_and_can_be_removed() {
     "#]],
     );
     let analysis = analysed(text, &[]);
-    let fix = &analysis.diagnostics[0].fixes[0];
+    let fix = &analysis.diagnostics()[0].fixes[0];
     assert_eq!(
         ladder_format::apply(text, &fix.edits),
         "+--[ ]( a )--( )( y )--+\n"

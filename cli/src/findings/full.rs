@@ -121,7 +121,7 @@ const LONGEST_EXCERPT: usize = 16 << 10;
 
 /// The lines as they would be.
 fn suggestion<'a>(source: &'a Source, fix: &'a Fix) -> Option<Group<'a>> {
-    let findings = source.analyze().diagnostics.len();
+    let findings = source.analyze().diagnostics().len();
     let edits = if source.text.len() <= SHORT && source.text.len() * findings <= MOST_READ {
         fix::aligned(&source.text, fix, &source.format_options())
     } else {

@@ -133,7 +133,7 @@ impl Source {
     /// What is found in the program, with its places in the file. Of a program of another system the fixes are left out:
     /// they would change a text that is nowhere.
     pub(crate) fn findings(&self) -> Vec<Diagnostic> {
-        self.in_file(self.analyze().diagnostics.clone())
+        self.in_file(self.analyze().diagnostics().to_vec())
     }
 
     /// What keeps the program from being run, beside the remarks, with its places in the file.

@@ -16,9 +16,12 @@ use std::sync::Arc;
 /// formatting gives each half at least some of it, and what is said about the dead half depends on that.
 fn findings(text: &str) -> Vec<(Rule, String)> {
     let analysis = analyze(&Arc::new(parse(text)), "main");
-    let cut = analysis.diagnostics.iter().any(|d| d.rule == Rule::MisplacedRail);
+    let cut = analysis
+        .diagnostics()
+        .iter()
+        .any(|d| d.rule == Rule::MisplacedRail);
     let mut findings: Vec<_> = analysis
-        .diagnostics
+        .diagnostics()
         .into_iter()
         .filter(|d| !matches!(d.rule, Rule::MissingWire | Rule::MisleadingAlignment))
         .filter(|d| !(cut && d.rule == Rule::OpenWire))

@@ -8,7 +8,7 @@ use ladder_syntax::TextRange;
 /// The fixes of the findings that a range touches, the best of each first. Only a safe one is preferred: editors may
 /// make it unasked.
 pub fn quick_fixes(analysis: &Analysis, range: TextRange) -> Vec<Action> {
-    let findings = analysis.diagnostics.iter().enumerate();
+    let findings = analysis.diagnostics().iter().enumerate();
     let touched = findings
         .filter(|(_, found)| found.range.start() <= range.end() && range.start() <= found.range.end());
     touched
@@ -24,7 +24,7 @@ pub fn quick_fixes(analysis: &Analysis, range: TextRange) -> Vec<Action> {
 
 /// The safe fixes of all findings at once, as far as they do not touch each other: the rest is for the next round.
 pub fn fix_all(analysis: &Analysis) -> Option<Action> {
-    let mut fixes = analysis.diagnostics.iter().flat_map(|found| &found.fixes);
+    let mut fixes = analysis.diagnostics().iter().flat_map(|found| &found.fixes);
     let can = fixes.any(ladder_analysis::Fix::is_safe);
     can.then(|| Action::later(ActionKind::FixAll, "Apply all safe fixes", Work::SafeFixes))
 }

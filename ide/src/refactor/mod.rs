@@ -111,7 +111,7 @@ impl Action {
     pub fn edits(&self, analysis: &Analysis) -> Vec<Edit> {
         match &self.work {
             Work::Edits(edits) => edits.clone(),
-            Work::SafeFixes => fixes::safe_fixes(&analysis.diagnostics),
+            Work::SafeFixes => fixes::safe_fixes(analysis.diagnostics()),
             Work::Declarations(scope) => declare_tags::edits(&analysis.context, *scope),
         }
     }

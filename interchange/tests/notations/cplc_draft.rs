@@ -25,7 +25,7 @@ fn read(text: &str) -> String {
     out.extend(converted.report.entries.iter().map(remark));
     let analysis =
         ladder_analysis::analyze(&ladder_syntax::parse(&converted.written.text).into(), "test.clad");
-    for found in &analysis.diagnostics {
+    for found in analysis.diagnostics() {
         let place = converted.place_of(found.range.start());
         out.push_str(&format!("{place} {}: {}\n", found.rule, found.message));
     }
@@ -34,7 +34,7 @@ fn read(text: &str) -> String {
 
 fn write(ladder: &str) -> String {
     let analysis = ladder_analysis::analyze(&ladder_syntax::parse(ladder).into(), "test.clad");
-    assert!(!analysis.has_errors(), "{:?}", analysis.diagnostics);
+    assert!(!analysis.has_errors(), "{:?}", analysis.diagnostics());
     let notation = by_name("cplc-draft").expect("the notation is registered");
     let writing = notation.write(&analysis).expect("it can be written");
     let mut out = String::from_utf8(writing.bytes).expect("it is text");

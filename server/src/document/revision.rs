@@ -139,8 +139,10 @@ impl Revision {
                 Some(place) => place.neighbours.rules(&place.path),
                 None => RuleSettings::default(),
             };
-            let analysis = Analysis::of(names, &rules);
-            self.superseded().analysis = self.latest().analysis.replace(analysis.clone());
+            let before = self.latest().analysis.clone();
+            let analysis = Analysis::of(names, before.as_ref(), &rules);
+            self.latest().analysis = Some(analysis.clone());
+            self.superseded().analysis = before;
             analysis
         }))
     }

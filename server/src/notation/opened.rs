@@ -41,7 +41,7 @@ impl Opened {
         let foreign = Foreign::read(notation, &source)?;
         let analysis = analyse(&Arc::new(ladder_syntax::parse(foreign.ladder())));
         Ok(Opened {
-            findings: foreign.in_file(analysis.diagnostics),
+            findings: foreign.in_file(analysis.diagnostics().to_vec()),
             foreign,
         })
     }

@@ -25,7 +25,7 @@ impl Ladder {
         let begin = Instant::now();
         let analysis = analyze(&Arc::new(ladder_syntax::parse(&text)), "bench.clad");
         let Some(program) = analysis.program().cloned() else {
-            panic!("errors in the program: {:?}", analysis.diagnostics.first());
+            panic!("errors in the program: {:?}", analysis.diagnostics().first());
         };
         let analysed_in = begin.elapsed();
         let begin = Instant::now();

@@ -24,7 +24,7 @@ fn simulation(program: &str, interval: Option<i64>) -> Simulation {
     let program = analysis
         .program()
         .cloned()
-        .unwrap_or_else(|| panic!("{:?}", analysis.diagnostics));
+        .unwrap_or_else(|| panic!("{:?}", analysis.diagnostics()));
     let options = Options {
         interval: interval.unwrap_or(Options::default().interval),
         ..Options::default()

@@ -9,7 +9,7 @@ use std::sync::Arc;
 fn starts(ty: &str, literal: &str) -> String {
     let text = format!("VAR y : {ty} := {literal}; END_VAR\n+--[PERSIST]( y )--+\n");
     let analysis = analyze(&Arc::new(ladder_syntax::parse(&text)), "test.clad");
-    match analysis.diagnostics.first() {
+    match analysis.diagnostics().first() {
         Some(found) => found.rule.to_string(),
         None => get(&simulation(&text), "y"),
     }

@@ -64,7 +64,7 @@ fn program(declarations: &str, rung: &str) -> Option<Simulation> {
     let text = format!("VAR\n{declarations}\nok : BOOL;\nEND_VAR\n{rung}\n");
     let analysis = analyze(&Arc::new(ladder_syntax::parse(&text)), "table.clad");
     let errors: Vec<_> = analysis
-        .diagnostics
+        .diagnostics()
         .iter()
         .filter(|found| found.severity == Severity::Error)
         .collect();

@@ -8,7 +8,7 @@ use std::sync::Arc;
 /// The rules that find something wrong in a text.
 fn found(text: &str) -> Vec<String> {
     let analysis = analyze(&Arc::new(ladder_syntax::parse(text)), "test.clad");
-    let rules = analysis.diagnostics.iter();
+    let rules = analysis.diagnostics().iter();
     rules.map(|found| found.rule.to_string()).collect()
 }
 

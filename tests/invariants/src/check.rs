@@ -19,7 +19,7 @@ pub(crate) fn check(data: &[u8]) {
     let text = input::text(data);
     let analysis = analyze(&Arc::new(parse(&text)), "main.clad");
     let mut tried = 0;
-    for found in &analysis.diagnostics {
+    for found in analysis.diagnostics() {
         places(&text, found);
         for fix in &found.fixes {
             apart(&fix.edits, TextSize::of(text.as_str()));
@@ -59,7 +59,7 @@ fn lies_in(text: &str, range: TextRange, found: &Diagnostic) {
 fn reads(text: &str) {
     let parse = parse(text);
     assert_eq!(parse.to_string(), text);
-    for found in &analyze(&Arc::new(parse), "main.clad").diagnostics {
+    for found in analyze(&Arc::new(parse), "main.clad").diagnostics() {
         places(text, found);
     }
 }

@@ -67,7 +67,7 @@ fn back(notation: &dyn Notation, converted: &Converted) {
     let text = &converted.written.text;
     let analysis = analyze(&Arc::new(parse(text)), "main.clad");
     if analysis
-        .diagnostics
+        .diagnostics()
         .iter()
         .any(|found| found.severity == Severity::Error)
     {

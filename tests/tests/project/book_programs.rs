@@ -48,14 +48,14 @@ fn programs_hold_no_mistakes() {
             if fence.says("wrong") {
                 // Pages of rules that are off unless set show programs that only these find fault with.
                 if analyze_with(&parse, "program", &Others::default(), &RuleSettings::everything())
-                    .diagnostics
+                    .diagnostics()
                     .is_empty()
                 {
                     problems.push(format!("{place}: nothing is wrong"));
                 }
                 continue;
             }
-            let found = analyze(&parse, "program").diagnostics;
+            let found = analyze(&parse, "program").diagnostics().to_vec();
             for finding in found {
                 if finding.severity > Severity::Info {
                     problems.push(format!("{place}: {}: {}", finding.rule, finding.message));

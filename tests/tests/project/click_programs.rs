@@ -16,7 +16,7 @@ fn program_of(notation: &str, source: &Source<'_>) -> (Converted, Arc<Program>) 
     let text = &converted.written.text;
     let analysis = analyze(&ladder_syntax::parse(text).into(), "test.clad");
     let complaints: Vec<&str> = analysis
-        .diagnostics
+        .diagnostics()
         .iter()
         .filter(|found| found.severity == Severity::Error)
         .map(|found| found.message.as_str())

@@ -118,7 +118,7 @@ fn show(analysis: &Analysis) -> String {
     let context = &analysis.context;
     format!(
         "{:#?}\n{:#?}\n{:?}\n{:?}\n{:?}",
-        analysis.diagnostics,
+        analysis.diagnostics(),
         analysis.hidden_errors,
         analysis.program(),
         tags(context),

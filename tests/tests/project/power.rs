@@ -146,7 +146,7 @@ fn each(check: impl Fn(&Lone)) {
 fn constant_power_is_just_where_no_power_comes_through() {
     each(|lone| {
         let found = |block: usize| {
-            lone.analysis.diagnostics.iter().any(|found| {
+            lone.analysis.diagnostics().iter().any(|found| {
                 found.rule == Rule::ConstantPower
                     && found.message.starts_with("no power ever")
                     && lone.block_at(found.range) == block
@@ -167,7 +167,7 @@ fn redundant_elements_are_redundant_and_all_others_are_not() {
     each(|lone| {
         let of = |rule: Rule| {
             lone.analysis
-                .diagnostics
+                .diagnostics()
                 .iter()
                 .filter(move |found| found.rule == rule)
         };

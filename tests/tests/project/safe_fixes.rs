@@ -53,7 +53,7 @@ fn damaged(text: &str, dice: &mut Dice) -> String {
 fn mended(text: &str) -> String {
     let mut text = text.to_owned();
     for _ in 0..8 {
-        let found = analysis(&text).diagnostics;
+        let found = analysis(&text).diagnostics().to_vec();
         let fixes = fix::together(&found, Applicability::Safe);
         if fixes.is_empty() {
             break;

@@ -31,7 +31,7 @@ impl Tested {
         let runs = analysis
             .program()
             .cloned()
-            .unwrap_or_else(|| panic!("{}: {:#?}", program.display(), analysis.diagnostics));
+            .unwrap_or_else(|| panic!("{}: {:#?}", program.display(), analysis.diagnostics()));
         let options = Options {
             interval: suite
                 .interval

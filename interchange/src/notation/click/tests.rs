@@ -33,7 +33,7 @@ fn remarks(converted: &Converted) -> String {
 fn complaints(text: &str) -> String {
     let analysis = ladder_analysis::analyze(&ladder_syntax::parse(text).into(), "test.clad");
     let mut out = String::new();
-    for diagnostic in &analysis.diagnostics {
+    for diagnostic in analysis.diagnostics() {
         let line = text[..usize::from(diagnostic.range.start())].lines().count();
         let shown = text.lines().nth(line.saturating_sub(1)).unwrap_or("").trim();
         out.push_str(&format!(

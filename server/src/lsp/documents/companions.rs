@@ -160,7 +160,7 @@ fn compiled(shared: &Shared, path: &Path, interval: Option<i64>) -> Result<Simul
         .analysis_of(path)
         .map_err(|error| NotReady::Missing(error.to_string()))?;
     let errors = |of: &str| NotReady::Errors(format!("{of} has errors; its scenarios run when it has none"));
-    if analysis.diagnostics.iter().any(is_error) {
+    if analysis.diagnostics().iter().any(is_error) {
         return Err(errors(&name));
     }
     let program = shared.neighbours.link(path, &analysis).map_err(|_| {

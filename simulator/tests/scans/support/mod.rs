@@ -18,7 +18,11 @@ pub(crate) fn simulation_with(text: &str, options: Options) -> Simulation {
     match analysis.program().cloned() {
         Some(program) => Simulation::new(program, options).unwrap_or_else(|error| panic!("{error}")),
         None => {
-            let messages: Vec<&str> = analysis.diagnostics.iter().map(|d| d.message.as_str()).collect();
+            let messages: Vec<&str> = analysis
+                .diagnostics()
+                .iter()
+                .map(|d| d.message.as_str())
+                .collect();
             panic!("errors in the program:\n{}\n{text}", messages.join("\n"));
         }
     }

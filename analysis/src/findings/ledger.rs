@@ -1,0 +1,485 @@
+//! What is found in a file, by owner, kept from one text to the next.
+//!
+//! A network owns what is found in it by itself, a tag what is found at its places, the file all else. After an edit
+//! only those are looked at again that the [`Change`](crate::context::Change) names, or whose surroundings changed in a
+//! way that matters; what the others own stays, and moves with them.
+
+use super::anchored::Anchored;
+use super::part_notes::PartNotes;
+use crate::context::{Change, Context};
+use crate::control_flow::ControlFlow;
+use crate::diagnostic::Diagnostic;
+use crate::networks::NetworkAt;
+use crate::program::Role;
+use crate::resolve;
+use crate::rule::{Rule, Severity};
+use crate::rule_settings::RuleSettings;
+use crate::rules::double_coil::Leaving;
+use crate::rules::survey::{self, Survey};
+use crate::rules::{self, AroundTags, MOST_FINDINGS};
+use crate::scope::TagFacts;
+use crate::stamp;
+use crate::verdict::{InNetwork, Pass};
+use ladder_syntax::{Name, TextRange, TextSize};
+use rustc_hash::{FxHashMap, FxHashSet};
+use std::collections::BTreeSet;
+use std::sync::Arc;
+
+/// A tag, by its scope and name.
+type TagKey = (usize, Name);
+
+/// All that is found in a file.
+#[derive(Debug)]
+pub(crate) struct Ledger {
+    /// The number of the context that it is about.
+    context: u64,
+    settings: RuleSettings,
+    /// By their numbers.
+    networks: Vec<OfNetwork>,
+    /// What each network has of program flow, by its number.
+    control_flow: Vec<ControlFlow>,
+    /// The numbers of networks whose drawing or types have an error.
+    faulty: FxHashSet<u32>,
+    /// The numbers of networks in which there is any error.
+    unsound: FxHashSet<u32>,
+    /// The numbers of networks with a mistake in the drawing, or a block that is not known.
+    unclear: FxHashSet<u32>,
+    /// The first block of a network that could not be resolved whole, counted from the start of the network.
+    unresolved: FxHashMap<u32, TextRange>,
+    /// The numbers of networks to look at after each edit: what is found there depends on more than is kept.
+    volatile: FxHashSet<u32>,
+    tags: OfTags,
+    rail_varies: bool,
+    pub(super) notes: PartNotes,
+    /// How many findings the networks own.
+    count: usize,
+    /// There are so many that no networks were looked at from this one on.
+    full_from: Option<usize>,
+}
+
+/// What is found in a network.
+#[derive(Debug, Default)]
+struct OfNetwork {
+    /// Stands for all of its tags that findings depend on.
+    stamp: u64,
+    /// By pass.
+    found: Option<Box<[InNetwork; Pass::ALL.len()]>>,
+}
+
+/// What is found at the places of tags.
+#[derive(Debug, Default)]
+struct OfTags {
+    found: FxHashMap<TagKey, Vec<Arc<Anchored>>>,
+    /// To look at after each edit.
+    volatile: FxHashSet<TagKey>,
+    /// Those that are set and reset.
+    latches: FxHashSet<TagKey>,
+    /// Those that are read above the rung that writes them.
+    read_above: FxHashSet<TagKey>,
+    around: Option<AroundTags>,
+}
+
+/// What the file as a whole owns: looked for after each edit.
+#[derive(Debug, Default)]
+pub(super) struct OfFile {
+    /// What is wrong with names and definitions.
+    pub(super) names: Vec<Diagnostic>,
+    /// What is wrong with the program as a whole.
+    pub(super) program: Vec<Diagnostic>,
+    /// See [`Survey`].
+    pub(super) whole: bool,
+    /// No tag is undeclared that should not be: a slip in a name is one finding.
+    pub(super) names_known: bool,
+}
+
+impl Ledger {
+    fn new(context: &Context, settings: &RuleSettings) -> Ledger {
+        Ledger {
+            context: context.serial,
+            settings: settings.clone(),
+            networks: Vec::new(),
+            control_flow: Vec::new(),
+            faulty: FxHashSet::default(),
+            unsound: FxHashSet::default(),
+            unclear: FxHashSet::default(),
+            unresolved: FxHashMap::default(),
+            volatile: FxHashSet::default(),
+            tags: OfTags::default(),
+            rail_varies: false,
+            notes: PartNotes::default(),
+            count: 0,
+            full_from: None,
+        }
+    }
+
+    /// Looks for what is wrong in a file. `before` is what was found in an earlier text of it.
+    pub(super) fn look(
+        before: Option<Ledger>,
+        context: &Context,
+        settings: &RuleSettings,
+    ) -> (Ledger, OfFile) {
+        let change = context.change.as_ref();
+        let known = before.zip(change).filter(|(ledger, change)| {
+            change.since == ledger.context && ledger.settings == *settings && ledger.full_from.is_none()
+        });
+        let (mut ledger, networks, change) = match known {
+            Some((mut ledger, change)) => {
+                let networks = ledger.follow(context, change);
+                (ledger, networks, Some(change))
+            }
+            None => (
+                Ledger::new(context, settings),
+                (0..context.networks.len()).collect(),
+                None,
+            ),
+        };
+        ledger.context = context.serial;
+        let numbers = context.networks.numbers();
+        ledger.networks.resize_with(numbers, OfNetwork::default);
+        ledger.control_flow.resize(numbers, ControlFlow::default());
+        ledger.notes.follow(context.parse.lines());
+        ledger.drawings_and_types(context, &networks);
+        let mut of_file = OfFile::default();
+        rules::of_file(context, &mut of_file.names);
+        let rungs = ledger.notes.rungs(context.parse.lines());
+        of_file.names.extend(rungs.map(rules::commented_out_rung::found));
+        let all = ledger.control_flow.iter();
+        let any = all.fold(ControlFlow::default(), |all, flow| all.with(*flow));
+        ledger.of_tags(context, change, any);
+        let toggled = ledger.find_unsound(context, &of_file.names);
+        of_file.names_known = of_file
+            .names
+            .iter()
+            .all(|found| found.rule != Rule::UndeclaredTag);
+        let is_error = |found: &Diagnostic| found.severity == Severity::Error;
+        of_file.whole = ledger.unsound.is_empty()
+            && ledger.unclear.is_empty()
+            && !context.found.iter().chain(&of_file.names).any(is_error)
+            && !ledger.tags.have_errors()
+            && !has_syntax_errors(context);
+        ledger.blocks_and_power(context, &networks, toggled, any, &of_file);
+        let survey = ledger.survey(context, any, &of_file);
+        let mut found = Vec::new();
+        rules::of_program(context, &survey, &mut found);
+        rules::set_and_reset::check(
+            context,
+            &survey,
+            tags_of(context, &ledger.tags.latches),
+            &mut found,
+        );
+        let read_above = tags_of(context, &ledger.tags.read_above);
+        rules::read_before_write::check(context, &survey, read_above, &mut found);
+        of_file.program = found;
+        (ledger, of_file)
+    }
+
+    /// Drops what networks own that are gone, and gives those to look at.
+    fn follow(&mut self, context: &Context, change: &Change) -> BTreeSet<usize> {
+        for &id in &change.removed {
+            let gone = std::mem::take(&mut self.networks[id as usize]);
+            self.count -= gone
+                .found
+                .iter()
+                .flat_map(|found| found.iter())
+                .map(Vec::len)
+                .sum::<usize>();
+            self.control_flow[id as usize] = ControlFlow::default();
+            self.unresolved.remove(&id);
+            for numbers in [
+                &mut self.faulty,
+                &mut self.unsound,
+                &mut self.unclear,
+                &mut self.volatile,
+            ] {
+                numbers.remove(&id);
+            }
+        }
+        let mut again: BTreeSet<usize> = change.networks.iter().copied().collect();
+        again.extend(self.volatile.iter().map(|&id| context.networks.index_of(id)));
+        for tag in &change.retyped {
+            let Some(tag) = find(context, tag) else { continue };
+            for place in &tag.uses.0 {
+                again.insert(context.networks.index_of(place.network));
+            }
+        }
+        again
+    }
+
+    /// Exchanges what a pass has found in a network.
+    fn set(&mut self, id: u32, pass: Pass, found: InNetwork) {
+        let of_network = &mut self.networks[id as usize];
+        if found.is_empty() && of_network.found.is_none() {
+            return;
+        }
+        let kept = &mut of_network.found.get_or_insert_default()[pass as usize];
+        self.count = self.count + found.len() - kept.len();
+        if found.iter().any(|found| found.is_volatile()) {
+            self.volatile.insert(id);
+        }
+        *kept = found;
+    }
+
+    /// Looks at networks by themselves, and at the types of their operands.
+    fn drawings_and_types(&mut self, context: &Context, networks: &BTreeSet<usize>) {
+        for &index in networks {
+            if self.count >= MOST_FINDINGS {
+                self.full_from = Some(index);
+                return;
+            }
+            let network = context.networks.at(index);
+            let id = context.networks.id(index);
+            let stamp = stamp::of_network(context, network);
+            self.networks[id as usize].stamp = stamp;
+            self.control_flow[id as usize] = network.control_flow;
+            note(&mut self.unclear, id, network.broken || !network.known);
+            let depends_on_others = !network.names_tags_only && context.others.have_files();
+            note(&mut self.volatile, id, network.broken || depends_on_others);
+            let (types, unresolved) = resolve::check_network(context, network, stamp);
+            match unresolved {
+                Some(block) => self.unresolved.insert(id, block - network.range.start()),
+                None => self.unresolved.remove(&id),
+            };
+            let form = rules::of_network(context, network);
+            let mut found = types.iter().chain(&form);
+            note(
+                &mut self.faulty,
+                id,
+                found.any(|found| found.severity() == Severity::Error),
+            );
+            self.set(id, Pass::Types, types);
+            self.set(id, Pass::Form, form);
+        }
+    }
+
+    /// Looks at the tags that a change concerns, and at all of them without one.
+    fn of_tags(&mut self, context: &Context, change: Option<&Change>, any: ControlFlow) {
+        let scope = &context.scopes[0];
+        let in_order = (0..context.networks.len()).map(|index| self.flow_at(context, index));
+        let around = AroundTags {
+            has_outputs: scope.tags.iter().any(|tag| tag.role == Role::Output),
+            leaving: Leaving::of(any, in_order),
+        };
+        let same = self.tags.around.as_ref() == Some(&around);
+        // Of two declarations of one name only one is found by it.
+        match change.filter(|_| same && context.declared_cleanly) {
+            Some(change) => {
+                let mut again: FxHashSet<TagKey> =
+                    change.tags.iter().chain(&self.tags.volatile).cloned().collect();
+                for &index in &change.networks {
+                    let network = context.networks.at(index);
+                    let named = network.facts().named.iter();
+                    again.extend(named.map(|named| (network.scope, named.key.clone())));
+                }
+                for key in again {
+                    self.tags.look(context, key, &around);
+                }
+            }
+            None => {
+                self.tags = OfTags::default();
+                for (scope, facts) in context.scopes.iter().enumerate() {
+                    for tag in facts.tags.iter().filter(|tag| tag.shared.is_none()) {
+                        self.tags.look_at(context, (scope, tag), &around);
+                    }
+                }
+            }
+        }
+        self.tags.around = Some(around);
+    }
+
+    fn flow_at(&self, context: &Context, index: usize) -> ControlFlow {
+        self.control_flow[context.networks.id(index) as usize]
+    }
+
+    /// Notes in which networks there is an error. Gives those of which that is new.
+    fn find_unsound(&mut self, context: &Context, of_file: &[Diagnostic]) -> Vec<usize> {
+        let mut unsound = self.faulty.clone();
+        let mut add = |at: TextSize| {
+            let behind = context
+                .networks
+                .partition_point(|network| network.range.start() <= at);
+            let around = behind.checked_sub(1).map(|index| context.networks.at(index));
+            if let Some(network) = around.filter(|network| at < network.range.end()) {
+                unsound.insert(context.networks.id(network.index));
+            }
+        };
+        let of_file = context.found.iter().chain(of_file);
+        for found in of_file.filter(|found| found.severity == Severity::Error) {
+            add(found.range.start());
+        }
+        for found in self.tags.found.values().flatten() {
+            if found.severity() == Severity::Error {
+                add(found.range(TextSize::default(), &context.networks).start());
+            }
+        }
+        let toggled = unsound.symmetric_difference(&self.unsound);
+        let toggled = toggled.map(|&id| context.networks.index_of(id)).collect();
+        self.unsound = unsound;
+        toggled
+    }
+
+    fn survey<'l>(&'l self, context: &'l Context, any: ControlFlow, of_file: &OfFile) -> Survey<'l> {
+        Survey {
+            whole: of_file.whole,
+            any,
+            networks: &context.networks,
+            control_flow: &self.control_flow,
+            unsound: &self.unsound,
+        }
+    }
+
+    /// Looks at blocks one by one, and at what power does in networks. `toggled` are those of which it is new whether
+    /// there is an error.
+    fn blocks_and_power(
+        &mut self,
+        context: &Context,
+        networks: &BTreeSet<usize>,
+        toggled: Vec<usize>,
+        any: ControlFlow,
+        of_file: &OfFile,
+    ) {
+        let rail_varies = any.has(ControlFlow::MCR);
+        let mut again = networks.clone();
+        again.extend(toggled);
+        if self.rail_varies != rail_varies {
+            again.extend(0..context.networks.len());
+            self.rail_varies = rail_varies;
+        }
+        let end = self.full_from.unwrap_or(usize::MAX);
+        for index in again.into_iter().take_while(|&index| index < end) {
+            let network = context.networks.at(index);
+            let id = context.networks.id(index);
+            let stamp = self.networks[id as usize].stamp;
+            let survey = self.survey(context, any, of_file);
+            let blocks = networks
+                .contains(&index)
+                .then(|| survey::of_network(context, network, stamp, &self.settings));
+            let wiring = rules::wiring_walk::check(context, &survey, network, stamp);
+            let power = rules::power_rules::check(context, &survey, network, stamp, &wiring);
+            if let Some(blocks) = blocks {
+                self.set(id, Pass::Blocks, blocks);
+            }
+            self.set(id, Pass::Wiring, wiring);
+            self.set(id, Pass::Power, power);
+        }
+    }
+
+    /// The networks whose blocks may leave something in doubt: with one that is not known, with a label, or with the
+    /// beginning of a function.
+    pub(super) fn marked<'c>(&'c self, context: &'c Context) -> impl Iterator<Item = NetworkAt<'c>> {
+        let marks = self.control_flow.iter().enumerate();
+        let marks = marks.filter(|(_, flow)| flow.has(ControlFlow::MARK));
+        let marks = marks.map(|(id, _)| id as u32);
+        let ids: BTreeSet<u32> = marks.chain(self.unclear.iter().copied()).collect();
+        ids.into_iter()
+            .map(|id| context.networks.at(context.networks.index_of(id)))
+    }
+
+    /// What networks own, pass by pass, each with where its network starts.
+    pub(super) fn in_networks<'l>(
+        &'l self,
+        context: &'l Context,
+    ) -> impl Iterator<Item = (TextSize, &'l Arc<Anchored>)> {
+        let all = self.networks.iter().enumerate();
+        let with_some = all.filter_map(|(id, of_network)| Some((id as u32, of_network.found.as_deref()?)));
+        with_some.flat_map(|(id, found)| {
+            let start = context.networks.start_of(id);
+            found.iter().flatten().map(move |found| (start, found))
+        })
+    }
+
+    /// What tags own.
+    pub(super) fn at_tags(&self) -> impl Iterator<Item = &Arc<Anchored>> {
+        self.tags.found.values().flatten()
+    }
+
+    /// Whether not all networks were looked at.
+    pub(super) fn is_full(&self) -> bool {
+        self.full_from.is_some()
+    }
+
+    /// The first block that could not be resolved whole.
+    pub(super) fn unresolved(&self, context: &Context) -> Option<TextRange> {
+        let first = self
+            .unresolved
+            .iter()
+            .map(|(&id, &block)| (context.networks.index_of(id), block));
+        let (index, block) = first.min_by_key(|(index, _)| *index)?;
+        Some(block + context.networks.at(index).range.start())
+    }
+}
+
+impl OfTags {
+    /// Looks at a tag again, which may be gone.
+    fn look(&mut self, context: &Context, key: TagKey, around: &AroundTags) {
+        self.found.remove(&key);
+        for tags in [&mut self.volatile, &mut self.latches, &mut self.read_above] {
+            tags.remove(&key);
+        }
+        if let Some(tag) = find(context, &key).filter(|tag| tag.shared.is_none()) {
+            self.look_at(context, (key.0, tag), around);
+        }
+    }
+
+    fn look_at(&mut self, context: &Context, (scope, tag): (usize, &TagFacts), around: &AroundTags) {
+        let mut found = Vec::new();
+        rules::of_tag(context, scope, tag, around, &mut found);
+        let latch = rules::set_and_reset::is_latch(context, tag);
+        let read_above = rules::read_before_write::is_read_above(context, tag);
+        if found.is_empty() && !latch && !read_above {
+            return;
+        }
+        let key = (scope, Name::new(&tag.name));
+        let found: Vec<Arc<Anchored>> = found
+            .into_iter()
+            .map(|found| Arc::new(Anchored::at_uses(found, &tag.uses, &context.networks)))
+            .collect();
+        if found.iter().any(|found| found.is_volatile()) {
+            self.volatile.insert(key.clone());
+        }
+        if latch {
+            self.latches.insert(key.clone());
+        }
+        if read_above {
+            self.read_above.insert(key.clone());
+        }
+        if !found.is_empty() {
+            self.found.entry(key).or_default().extend(found);
+        }
+    }
+
+    fn have_errors(&self) -> bool {
+        let mut all = self.found.values().flatten();
+        all.any(|found| found.severity() == Severity::Error)
+    }
+}
+
+fn note(numbers: &mut FxHashSet<u32>, id: u32, is_it: bool) {
+    if is_it {
+        numbers.insert(id);
+    } else {
+        numbers.remove(&id);
+    }
+}
+
+fn find<'c>(context: &'c Context, (scope, name): &TagKey) -> Option<&'c TagFacts> {
+    let tags = context.scopes.get(*scope)?;
+    tags.find(name).map(|tag| &tags.tags[tag])
+}
+
+/// Tags in their order.
+fn tags_of<'c>(context: &'c Context, keys: &FxHashSet<TagKey>) -> impl Iterator<Item = &'c TagFacts> {
+    let places = keys
+        .iter()
+        .filter_map(|(scope, name)| Some((*scope, context.scopes[*scope].find(name)?)));
+    let places: BTreeSet<(usize, usize)> = places.collect();
+    places
+        .into_iter()
+        .map(|(scope, tag)| &context.scopes[scope].tags[tag])
+}
+
+fn has_syntax_errors(context: &Context) -> bool {
+    let lines = context.parse.lines();
+    lines
+        .of_parts_that(ladder_syntax::Part::is_faulty)
+        .any(|(_, line)| !line.errors.is_empty())
+}

@@ -1,0 +1,99 @@
+//! What is found in a file, and how it is kept from one text to the next.
+//!
+//! ```text
+//! Context --ledger--> findings by owner: a network, a tag, the file; each looked for where something changed
+//!         --shown---> those that are shown, with their severities, in the order of their places: a list of Finding
+//! ```
+//!
+//! What networks and tags own is kept with [`Anchored`] places, which stay true when text comes or goes elsewhere. A
+//! [`Finding`] is small: rule, severity and place are there, the sentences are put into place when somebody reads them.
+
+mod anchored;
+mod ledger;
+mod part_notes;
+mod shown;
+
+pub(crate) use anchored::Anchored;
+pub(crate) use ledger::Ledger;
+
+use crate::context::Context;
+use crate::diagnostic::Diagnostic;
+use crate::networks::Networks;
+use crate::rule::{Rule, Severity};
+use crate::rule_settings::RuleSettings;
+use crate::rules;
+use ladder_syntax::{TextRange, TextSize};
+use std::sync::Arc;
+
+/// A finding as it is shown.
+#[derive(Debug, Clone)]
+pub struct Finding {
+    /// The rule that found it.
+    pub rule: Rule,
+    /// How much it matters.
+    pub severity: Severity,
+    /// Where, in bytes from the start of the file.
+    pub range: TextRange,
+    /// Where the network starts that it is about.
+    own: TextSize,
+    anchored: Arc<Anchored>,
+}
+
+impl Finding {
+    fn new(anchored: &Arc<Anchored>, own: TextSize, networks: &Networks) -> Finding {
+        Finding {
+            rule: anchored.rule(),
+            severity: anchored.severity(),
+            range: anchored.range(own, networks),
+            own,
+            anchored: Arc::clone(anchored),
+        }
+    }
+
+    /// One that is looked for anew in each text.
+    pub(crate) fn in_file(found: Diagnostic) -> Finding {
+        Finding {
+            rule: found.rule,
+            severity: found.severity,
+            range: found.range,
+            own: TextSize::default(),
+            anchored: Arc::new(Anchored::in_file(found)),
+        }
+    }
+
+    /// All of it. `context` is that of the text in which it was found.
+    pub fn diagnostic(&self, context: &Context) -> Diagnostic {
+        let mut found = self.anchored.placed(self.own, &context.networks);
+        found.severity = self.severity;
+        found
+    }
+}
+
+/// What is found in a text.
+#[derive(Debug)]
+pub(crate) struct Found {
+    /// In the order of their places.
+    pub(crate) shown: Vec<Finding>,
+    /// Errors that settings or comments hide, or count as less.
+    pub(crate) hidden_errors: Vec<Diagnostic>,
+    /// To be handed on to the next text.
+    pub(crate) ledger: Ledger,
+}
+
+/// Looks for what is wrong in a file. `before` is what was found in an earlier text of it.
+pub(crate) fn find(before: Option<Ledger>, context: &Context, settings: &RuleSettings) -> Found {
+    let (ledger, of_file) = Ledger::look(before, context, settings);
+    let (mut shown, hidden_errors) = shown::shown(context, &ledger, of_file, settings);
+    let is_error = |found: &Finding| found.severity == Severity::Error;
+    if let Some(block) = ledger.unresolved(context)
+        && hidden_errors.is_empty()
+        && !shown.iter().any(is_error)
+    {
+        shown.push(Finding::in_file(rules::bad_operand::meaningless(block)));
+    }
+    Found {
+        shown,
+        hidden_errors,
+        ledger,
+    }
+}
