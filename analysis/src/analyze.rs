@@ -54,7 +54,7 @@ impl Analysis {
         });
         if let Some((finding, mut found)) = found {
             change(&mut found);
-            *finding = Finding::in_file(found);
+            *finding = Finding::from(found);
             self.diagnostics = OnceLock::new();
         }
     }

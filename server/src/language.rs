@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use ladder_analysis::context::{Context, context_after};
-use ladder_analysis::{Diagnostic, Others, Rule, RuleSettings, analyze_context, says_cplc_draft};
+use ladder_analysis::{Diagnostic, Finding, Others, Rule, RuleSettings, analyze_context, says_cplc_draft};
 use ladder_format::{Edit, Options, format};
 use ladder_ide::{Action, ActionKind, fix_all, quick_fixes, refactorings};
 use ladder_ide::{
@@ -103,8 +103,18 @@ impl Analysis {
     }
 
     /// What is wrong, in the order of the places.
-    pub(crate) fn diagnostics(&self) -> &[Diagnostic] {
-        self.whole.diagnostics()
+    pub(crate) fn findings(&self) -> &[Finding] {
+        self.whole.findings()
+    }
+
+    /// Where the networks start that a finding's places count from; none if these are true for this text only.
+    pub(crate) fn counts_from(&self, finding: &Finding) -> Option<Vec<TextSize>> {
+        finding.counts_from(&self.whole.context)
+    }
+
+    /// A finding with all that it says.
+    pub(crate) fn diagnostic(&self, finding: &Finding) -> Diagnostic {
+        finding.diagnostic(&self.whole.context)
     }
 
     /// All of it, for those who put the files of a workspace together.

@@ -68,11 +68,11 @@ impl Document {
 
     /// What is found in it, with the places as the editor gets them.
     pub fn findings(&self) -> Vec<(Range, Diagnostic)> {
-        let analysis = self.revision.analysis();
-        let found = analysis.map_or(&[][..], |analysis| analysis.diagnostics());
-        let placed = found
-            .iter()
-            .map(|found| (self.revision.range(found.range), found.clone()));
+        let Some(analysis) = self.revision.analysis() else {
+            return Vec::new();
+        };
+        let found = analysis.findings().iter();
+        let placed = found.map(|found| (self.revision.range(found.range), analysis.diagnostic(found)));
         placed.collect()
     }
 

@@ -1,6 +1,6 @@
 //! A finding whose places stay true when text comes or goes above it.
 
-use crate::diagnostic::Diagnostic;
+use crate::diagnostic::{Diagnostic, Fix};
 use crate::networks::{NetworkAt, Networks};
 use crate::rule::{Rule, Severity};
 use crate::scope::Uses;
@@ -95,6 +95,23 @@ impl Anchored {
     /// As the rule says.
     pub(crate) fn severity(&self) -> Severity {
         self.found.severity
+    }
+
+    /// See [`Finding::counts_from`](super::Finding::counts_from).
+    pub(crate) fn counts_from(&self, own: TextSize, networks: &Networks) -> Option<Vec<TextSize>> {
+        match &self.anchors {
+            Anchors::File => None,
+            Anchors::Network => Some(vec![own]),
+            Anchors::Each(anchors) => {
+                let networks = anchors.iter().flatten().map(|id| networks.start_of(*id));
+                Some(networks.collect())
+            }
+        }
+    }
+
+    /// Whether one of its fixes may be made unasked.
+    pub(crate) fn has_safe_fix(&self) -> bool {
+        self.found.fixes.iter().any(Fix::is_safe)
     }
 
     /// Where it is now. `own`: where the network starts that it is about.

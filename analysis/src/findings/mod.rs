@@ -50,15 +50,20 @@ impl Finding {
         }
     }
 
-    /// One that is looked for anew in each text.
-    pub(crate) fn in_file(found: Diagnostic) -> Finding {
-        Finding {
-            rule: found.rule,
-            severity: found.severity,
-            range: found.range,
-            own: TextSize::default(),
-            anchored: Arc::new(Anchored::in_file(found)),
-        }
+    /// Stands for what it says: where two findings of a document have the same number and both are kept, they say the
+    /// same, at places that count from the same networks.
+    pub fn identity(&self) -> usize {
+        Arc::as_ptr(&self.anchored).addr()
+    }
+
+    /// Where the networks start that its places count from; none if these are true for one text only.
+    pub fn counts_from(&self, context: &Context) -> Option<Vec<TextSize>> {
+        self.anchored.counts_from(self.own, &context.networks)
+    }
+
+    /// Whether one of its fixes may be made unasked.
+    pub fn has_safe_fix(&self) -> bool {
+        self.anchored.has_safe_fix()
     }
 
     /// All of it. `context` is that of the text in which it was found.
@@ -66,6 +71,19 @@ impl Finding {
         let mut found = self.anchored.placed(self.own, &context.networks);
         found.severity = self.severity;
         found
+    }
+}
+
+impl From<Diagnostic> for Finding {
+    /// One that is true for one text only: its places count from the start of the file.
+    fn from(found: Diagnostic) -> Finding {
+        Finding {
+            rule: found.rule,
+            severity: found.severity,
+            range: found.range,
+            own: TextSize::default(),
+            anchored: Arc::new(Anchored::in_file(found)),
+        }
     }
 }
 
@@ -89,7 +107,7 @@ pub(crate) fn find(before: Option<Ledger>, context: &Context, settings: &RuleSet
         && hidden_errors.is_empty()
         && !shown.iter().any(is_error)
     {
-        shown.push(Finding::in_file(rules::bad_operand::meaningless(block)));
+        shown.push(Finding::from(rules::bad_operand::meaningless(block)));
     }
     Found {
         shown,

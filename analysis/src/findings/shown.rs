@@ -27,13 +27,13 @@ pub(super) fn shown(
     let mut of_text = Vec::new();
     rules::foreign_comment::check(context, &mut of_text);
     rules::syntax_errors::check(context, &mut of_text);
-    all.extend(of_text.into_iter().map(Finding::in_file));
+    all.extend(of_text.into_iter().map(Finding::from));
     let mut all = where_much_is_doubtful(context, all);
     let mut allows = Allows::none();
     if ledger.notes.ask() {
         let mut wrong = Vec::new();
         allows = Allows::of(context, &mut wrong);
-        all.extend(wrong.into_iter().map(Finding::in_file));
+        all.extend(wrong.into_iter().map(Finding::from));
     }
     let mut hidden = Vec::new();
     all.retain_mut(|finding| {
@@ -45,7 +45,7 @@ pub(super) fn shown(
         finding.severity = level.unwrap_or(finding.severity);
         level.is_some()
     });
-    all.extend(allows.unused(settings).into_iter().map(Finding::in_file));
+    all.extend(allows.unused(settings).into_iter().map(Finding::from));
     all.sort_by_key(|found| (found.range.start(), found.range.end(), found.rule));
     // The first says it best: what is found while types are inferred comes before what follows from it.
     all.dedup_by(|later, first| later.rule == first.rule && later.range == first.range);
@@ -55,7 +55,7 @@ pub(super) fn shown(
 /// All that is found but for mistakes of the text itself. What rules say of the whole program counts only where all of
 /// it is known.
 fn gathered(context: &Context, ledger: &Ledger, of_file: &mut OfFile) -> Vec<Finding> {
-    let in_file = |found: Vec<Diagnostic>| found.into_iter().map(Finding::in_file);
+    let in_file = |found: Vec<Diagnostic>| found.into_iter().map(Finding::from);
     let mut all: Vec<Finding> = in_file(context.found.clone()).collect();
     let networks = &context.networks;
     let before = all.len();
@@ -69,7 +69,7 @@ fn gathered(context: &Context, ledger: &Ledger, of_file: &mut OfFile) -> Vec<Fin
     {
         let mut found = last.diagnostic(context);
         rules::say_enough(&mut found);
-        *last = Finding::in_file(found);
+        *last = Finding::from(found);
     }
     all.extend(in_file(std::mem::take(&mut of_file.names)));
     let counts =
@@ -103,5 +103,5 @@ fn where_much_is_doubtful(context: &Context, all: Vec<Finding>) -> Vec<Finding> 
     let mut all: Vec<Diagnostic> = all.iter().map(|found| found.diagnostic(context)).collect();
     rules::unclosed_comment::hide_what_follows(parse, &mut all);
     rules::cplc_draft::hide_all_else(parse, &mut all);
-    all.into_iter().map(Finding::in_file).collect()
+    all.into_iter().map(Finding::from).collect()
 }

@@ -1,22 +1,23 @@
 //! Fixes of findings: each where its finding is, and all safe ones of a file at once.
 
 use super::{Action, ActionKind, Work};
-use ladder_analysis::{Analysis, Applicability, Diagnostic, fix};
+use ladder_analysis::{Analysis, Applicability, Diagnostic, Finding, fix};
 use ladder_format::Edit;
 use ladder_syntax::TextRange;
 
 /// The fixes of the findings that a range touches, the best of each first. Only a safe one is preferred: editors may
 /// make it unasked.
 pub fn quick_fixes(analysis: &Analysis, range: TextRange) -> Vec<Action> {
-    let findings = analysis.diagnostics().iter().enumerate();
+    let findings = analysis.findings().iter().enumerate();
     let touched = findings
         .filter(|(_, found)| found.range.start() <= range.end() && range.start() <= found.range.end());
     touched
         .flat_map(|(index, found)| {
-            found.fixes.iter().enumerate().map(move |(nth, fix)| Action {
+            let fixes = found.diagnostic(&analysis.context).fixes;
+            fixes.into_iter().enumerate().map(move |(nth, fix)| Action {
                 finding: Some(index),
                 preferred: nth == 0 && fix.is_safe(),
-                ..Action::new(ActionKind::QuickFix, fix.title.clone(), fix.edits.clone())
+                ..Action::new(ActionKind::QuickFix, fix.title, fix.edits)
             })
         })
         .collect()
@@ -24,8 +25,7 @@ pub fn quick_fixes(analysis: &Analysis, range: TextRange) -> Vec<Action> {
 
 /// The safe fixes of all findings at once, as far as they do not touch each other: the rest is for the next round.
 pub fn fix_all(analysis: &Analysis) -> Option<Action> {
-    let mut fixes = analysis.diagnostics().iter().flat_map(|found| &found.fixes);
-    let can = fixes.any(ladder_analysis::Fix::is_safe);
+    let can = analysis.findings().iter().any(Finding::has_safe_fix);
     can.then(|| Action::later(ActionKind::FixAll, "Apply all safe fixes", Work::SafeFixes))
 }
 

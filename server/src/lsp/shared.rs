@@ -12,7 +12,7 @@ use crate::busy::Busy;
 use crate::document::Documents;
 use crate::document::neighbours::Neighbours;
 use crate::lsp::capabilities::Agreed;
-use crate::lsp::documents::{foreign::Previews, pull::Found, settings_file::Sent};
+use crate::lsp::documents::{foreign::Previews, pull::Found, settings_file::Sent, written::Written};
 use crate::lsp::features::semantic_tokens::TokensSent;
 use crate::lsp::transport::outbox::Outbox;
 use crate::simulation::Sessions;
@@ -54,6 +54,8 @@ pub(crate) struct Shared {
     pub(crate) outbox: Outbox,
     /// The semantic tokens that the client has.
     pub(crate) tokens_sent: TokensSent,
+    /// The diagnostics of open programs as they were written last.
+    pub(crate) written: Written,
     /// Notified when the process that started the server is gone.
     pub(crate) orphaned: Notify,
 }
@@ -78,6 +80,7 @@ impl Shared {
             previews: Arc::default(),
             neighbours: Arc::default(),
             tokens_sent: TokensSent::default(),
+            written: Written::default(),
             sessions: Sessions::default(),
             orphaned: Notify::new(),
         })
@@ -147,5 +150,6 @@ impl Shared {
     pub(crate) fn document_closed(&self, uri: &str) {
         self.sessions.stop_all_of(uri);
         self.tokens_sent.forget(uri);
+        self.written.forget(uri);
     }
 }

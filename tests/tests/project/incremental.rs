@@ -2,7 +2,9 @@
 
 use ladder_analysis::context::Context;
 use ladder_analysis::scope::{Scope, Use};
-use ladder_analysis::{Analysis, Exports, Others, RuleSettings, analyze, analyze_after, exports};
+use ladder_analysis::{
+    Analysis, Exports, Level, Others, Rule, RuleSettings, Severity, analyze_after, analyze_with, exports,
+};
 use ladder_syntax::{Parse, parse};
 use ladder_tests::generator::{Dice, Mode, program};
 use std::sync::Arc;
@@ -78,26 +80,32 @@ struct Document {
     text: String,
     parse: Arc<Parse>,
     analysis: Analysis,
+    settings: RuleSettings,
 }
 
 impl Document {
     fn new(text: String) -> Document {
+        Document::with(text, RuleSettings::default())
+    }
+
+    fn with(text: String, settings: RuleSettings) -> Document {
         let parse = Arc::new(parse(&text));
-        let analysis = analyze(&parse, "main");
+        let analysis = analyze_with(&parse, "main", &Others::default(), &settings);
         Document {
             text,
             parse,
             analysis,
+            settings,
         }
     }
 
     fn becomes(&mut self, text: String) {
         let parsed = Arc::new(self.parse.updated(&self.text, &text));
         assert_eq!(parsed.to_string(), text);
-        let (others, rules) = (Others::default(), RuleSettings::default());
+        let (others, rules) = (Others::default(), &self.settings);
         let before = Some(&self.analysis);
-        let analysis = analyze_after(before, &parsed, "main", &others, &rules);
-        let fresh = analyze(&Arc::new(parse(&text)), "main");
+        let analysis = analyze_after(before, &parsed, "main", &others, rules);
+        let fresh = analyze_with(&Arc::new(parse(&text)), "main", &others, rules);
         assert_eq!(
             show(&analysis),
             show(&fresh),
@@ -253,15 +261,20 @@ fn typing_in_long_programs() {
             "+--[ ]( i )--<JMP>( here )--+\n\n",
             "+--[$F]( a )--( )( j )--+\n",
         ];
-        let body: String = (0..80).map(|_| dice.of(&rungs)).collect();
+        // Few kinds of rungs in one program: there are programs without a jump, and without a mistake.
+        let mut kinds: Vec<&str> = (0..2 + dice.below(6)).map(|_| dice.of(&rungs)).collect();
+        kinds.push(rungs[0]);
+        let body: String = (0..80).map(|_| dice.of(&kinds)).collect();
         let declared = dice.of(&[
             "",
             "VAR\n    a, b, c : BOOL;\n    t : TON;\nEND_VAR\n\n",
             "VAR\n    a, b, c, d, e, f, g, h, i, j : BOOL;\n    t : TON;\n    n : INT;\nEND_VAR\n\n",
+            "VAR_INPUT\n    a, b, e, new_one : BOOL;\nEND_VAR\nVAR_OUTPUT\n    c, d, h, j : BOOL;\nEND_VAR\n\
+             VAR\n    f, g, i, unused : BOOL;\n    t : TON;\n    n : INT;\nEND_VAR\n\n",
             "FUNCTION_BLOCK [$F]\nVAR_INPUT\n    x : BOOL;\nEND_VAR\n+--[ ]( x )--( )( ENO )--+\nEND_FUNCTION_BLOCK\n\n",
         ]);
         let declared = format!("{declared}+--[ ]( a )--( )( b )--+\n\n");
-        let mut document = Document::new(format!("{declared}{body}"));
+        let mut document = Document::with(format!("{declared}{body}"), settings(&mut dice));
         for _ in 0..6 {
             let mut at = somewhere(&document.text, &mut dice);
             for letter in dice
@@ -298,6 +311,24 @@ fn typing_in_long_programs() {
             }
         }
     }
+}
+
+/// As the table of rules says, or everything, or with some rules off or counting otherwise.
+fn settings(dice: &mut Dice) -> RuleSettings {
+    let mut settings = if dice.one_in(3) {
+        RuleSettings::everything()
+    } else {
+        RuleSettings::default()
+    };
+    for _ in 0..dice.below(6) {
+        let level = dice.of(&[
+            Level::Off,
+            Level::Shown(Severity::Error),
+            Level::Shown(Severity::Info),
+        ]);
+        settings.set(dice.of(Rule::ALL), level);
+    }
+    settings
 }
 
 /// What decides about findings in a network beside its own lines: it must not keep them when that changes.

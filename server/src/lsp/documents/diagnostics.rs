@@ -31,11 +31,8 @@ async fn analyse(shared: Arc<Shared>, first: Arc<Revision>, _work: Work) {
             let beside = shared.clone();
             // All on one thread, the person first: what was allocated there is freed there.
             let looked = blocking(move |_| {
-                let diagnostics = diagnostics_of(agreed, &job);
                 if !agreed.pulls_diagnostics {
-                    beside
-                        .outbox
-                        .diagnostics(&beside.documents, job.clone(), diagnostics);
+                    publish(&beside, agreed, &job);
                 }
                 tell_others(&beside, &job);
                 job.forget_superseded();
@@ -46,6 +43,21 @@ async fn analyse(shared: Arc<Shared>, first: Arc<Revision>, _work: Work) {
             }
         }
         next = shared.documents.analysed(&revision);
+    }
+}
+
+/// Sends the diagnostics of a program. For a blocking thread.
+fn publish(shared: &Arc<Shared>, agreed: Agreed, revision: &Arc<Revision>) {
+    let (documents, revision) = (&shared.documents, revision.clone());
+    match revision.analysis() {
+        Some(analysis) => {
+            let params = shared.written.params(agreed, &revision, analysis);
+            shared.outbox.written_diagnostics(documents, revision, params);
+        }
+        None => {
+            let found = vec![too_large(&revision)];
+            shared.outbox.diagnostics(documents, revision, found);
+        }
     }
 }
 
@@ -139,8 +151,12 @@ pub(crate) fn look_at_everything_again(shared: &Arc<Shared>) {
 pub(crate) fn diagnostics_of(agreed: Agreed, revision: &Revision) -> Vec<Diagnostic> {
     match revision.analysis() {
         Some(analysis) => {
-            let (shown, left_out) = shown::shown(analysis.diagnostics(), revision.edited());
-            let mut items = convert::diagnostics(agreed, revision, shown);
+            let (shown, left_out) = shown::shown(analysis.findings(), revision.edited());
+            let shown: Vec<_> = shown
+                .into_iter()
+                .map(|found| analysis.diagnostic(found))
+                .collect();
+            let mut items = convert::diagnostics(agreed, revision, &shown);
             items.extend(shown::rest(left_out));
             items
         }

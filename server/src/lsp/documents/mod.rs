@@ -11,3 +11,4 @@ pub(crate) mod settings_file;
 pub(crate) mod shown;
 pub(crate) mod sync;
 pub(crate) mod watch;
+pub(crate) mod written;

@@ -1,6 +1,6 @@
 //! Which findings of a file an editor is sent: it shows no more than so many, and each costs a message.
 
-use ladder_analysis::{Diagnostic as Finding, Severity};
+use ladder_analysis::{Finding, Severity};
 use ladder_syntax::TextSize;
 use ladder_syntax::numeral::counted;
 use tower_lsp::ls_types::{Diagnostic, DiagnosticSeverity, NumberOrString, Range};
@@ -55,11 +55,12 @@ pub(crate) fn rest(left_out: usize) -> Option<Diagnostic> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use ladder_analysis::Rule;
+    use ladder_analysis::{Diagnostic, Rule};
     use ladder_syntax::TextRange;
 
     fn found(at: u32, severity: Severity) -> Finding {
-        let mut found = Finding::new(Rule::NoOutput, TextRange::empty(TextSize::new(at)), "nothing");
+        let place = TextRange::empty(TextSize::new(at));
+        let mut found = Finding::from(Diagnostic::new(Rule::NoOutput, place, "nothing"));
         found.severity = severity;
         found
     }

@@ -130,11 +130,12 @@ fn offer(
     let now = !later && action.disabled.is_none();
     let finding = action
         .finding
-        .and_then(|finding| analysis.diagnostics().get(finding));
+        .and_then(|finding| analysis.findings().get(finding));
     CodeActionOrCommand::CodeAction(CodeAction {
         title: action.title.clone(),
         kind: Some(name(action.kind)),
-        diagnostics: finding.map(|finding| convert::diagnostics(agreed, revision, [finding])),
+        diagnostics: finding
+            .map(|finding| convert::diagnostics(agreed, revision, [&analysis.diagnostic(finding)])),
         edit: now.then(|| edit(agreed, revision, analysis, action)).flatten(),
         is_preferred: finding.map(|_| action.preferred),
         disabled: action

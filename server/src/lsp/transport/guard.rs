@@ -71,8 +71,8 @@ impl<S> Guard<S> {
         Guard {
             inner,
             life: Arc::default(),
+            prepared: outbox.prepared(),
             outbox,
-            prepared: Arc::default(),
         }
     }
 

@@ -1,8 +1,9 @@
-//! Answers that are JSON text already.
+//! Answers and diagnostics that are JSON text already.
 //!
 //! The framework takes an answer as a tree of JSON values, and for a large one that tree costs more than all the work for
 //! the answer. So a handler may give the text itself: the [`Guard`](super::guard::Guard) keeps it and answers with a ticket,
-//! and the [`Outlet`] puts the text in the ticket's place when the answer is written.
+//! and the [`Outlet`] puts the text in the ticket's place when the answer is written. The parameters of
+//! `textDocument/publishDiagnostics` go the same way.
 
 use std::cell::Cell;
 use std::collections::HashMap;
@@ -56,11 +57,14 @@ struct Waiting {
 /// Before the number of a ticket. No answer of the server is a string by itself.
 const TICKET: &str = "ladder-prepared-";
 
-/// What an answer with a ticket begins with.
-const BEGINNING: &[u8] = br#"{"jsonrpc":"2.0","result":"ladder-prepared-"#;
+/// What stands before a ticket and its quote: in an answer, and in a notification.
+const BEFORE: [&[u8]; 2] = [
+    br#"{"jsonrpc":"2.0","result":"#,
+    br#"{"jsonrpc":"2.0","method":"textDocument/publishDiagnostics","params":"#,
+];
 
-/// What an answer has in the ticket's place, before the text.
-const RESULT: &[u8] = br#"{"jsonrpc":"2.0","result":"#;
+/// The longest of them with what a ticket begins with.
+const BEGINNING: usize = BEFORE[1].len() + 1 + TICKET.len();
 
 /// A ticket's number and the quote behind it are no longer than this.
 const LONGEST_NUMBER: usize = 21;
@@ -68,11 +72,16 @@ const LONGEST_NUMBER: usize = 21;
 impl Prepared {
     /// Keeps a text, and gives its ticket.
     pub(super) fn keep(&self, text: String) -> Value {
+        Value::String(self.ticket(text))
+    }
+
+    /// The same, for the parameters of a notification.
+    pub(super) fn ticket(&self, text: String) -> String {
         let mut waiting = self.waiting();
         waiting.last += 1;
         let number = waiting.last;
         waiting.texts.insert(number, text);
-        Value::String(format!("{TICKET}{number}"))
+        format!("{TICKET}{number}")
     }
 
     fn take(&self, number: u64) -> Option<String> {
@@ -141,7 +150,7 @@ impl<O: AsyncWrite> Outlet<O> {
             }
         }
         if let State::Beginning { header, length } = self.state {
-            let looked_at = length.min(BEGINNING.len() + LONGEST_NUMBER);
+            let looked_at = length.min(BEGINNING + LONGEST_NUMBER);
             let missing = (header + looked_at - self.held.len()).min(bytes.len() - taken);
             self.held.extend_from_slice(&bytes[taken..taken + missing]);
             taken += missing;
@@ -163,13 +172,13 @@ impl<O: AsyncWrite> Outlet<O> {
     /// Puts what is held ahead of all else, with the text if it is a ticket.
     fn exchange(&mut self, header: usize, length: usize) {
         let body = &self.held[header..];
-        let ticket = ticket_in(body).and_then(|(number, end)| Some((self.prepared.take(number)?, end)));
-        match ticket {
-            Some((text, end)) => {
-                let length = length - end + RESULT.len() + text.len();
+        let ticket = ticket_in(body);
+        match ticket.and_then(|ticket| Some((self.prepared.take(ticket.number)?, ticket))) {
+            Some((text, Ticket { start, end, .. })) => {
+                let length = length - (end - start) + text.len();
                 self.ahead = format!("Content-Length: {length}\r\n\r\n").into_bytes();
-                self.ahead.reserve(RESULT.len() + text.len() + body.len() - end);
-                self.ahead.extend_from_slice(RESULT);
+                self.ahead.reserve(start + text.len() + body.len() - end);
+                self.ahead.extend_from_slice(&body[..start]);
                 self.ahead.extend_from_slice(text.as_bytes());
                 self.ahead.extend_from_slice(&body[end..]);
             }
@@ -228,13 +237,26 @@ fn length_in(header: &[u8]) -> Option<usize> {
     lines.find_map(|line| line.strip_prefix("Content-Length:")?.trim().parse().ok())
 }
 
-/// The number of the ticket that a body begins with, and where the ticket ends.
-fn ticket_in(body: &[u8]) -> Option<(u64, usize)> {
-    let rest = body.strip_prefix(BEGINNING)?;
+/// A ticket, and where in a body it starts and ends with its quotes.
+struct Ticket {
+    number: u64,
+    start: usize,
+    end: usize,
+}
+
+/// The ticket that a body begins with.
+fn ticket_in(body: &[u8]) -> Option<Ticket> {
+    let start = BEFORE.iter().find(|before| body.starts_with(before))?.len();
+    let rest = body[start..]
+        .strip_prefix(b"\"")?
+        .strip_prefix(TICKET.as_bytes())?;
     let digits = rest.iter().take_while(|byte| byte.is_ascii_digit()).count();
     (rest.get(digits) == Some(&b'"')).then_some(())?;
-    let number = std::str::from_utf8(&rest[..digits]).ok()?.parse().ok()?;
-    Some((number, BEGINNING.len() + digits + 1))
+    Some(Ticket {
+        number: std::str::from_utf8(&rest[..digits]).ok()?.parse().ok()?,
+        start,
+        end: start + 1 + TICKET.len() + digits + 1,
+    })
 }
 
 #[cfg(test)]
@@ -251,11 +273,17 @@ mod tests {
         frame(&format!(r#"{{"jsonrpc":"2.0","result":{result},"id":{id}}}"#))
     }
 
+    fn diagnostics_with(params: &str) -> String {
+        frame(&format!(
+            r#"{{"jsonrpc":"2.0","method":"textDocument/publishDiagnostics","params":{params}}}"#
+        ))
+    }
+
     proptest! {
         /// However the framework cuts what it writes, and however little the output takes at once.
         #[test]
         fn each_text_stands_in_the_place_of_its_ticket(
-            messages in prop::collection::vec((0..4_usize, 0..200_usize), 1..8),
+            messages in prop::collection::vec((0..5_usize, 0..200_usize), 1..8),
             cut in 1..90_usize,
             room in 1..300_usize,
         ) {
@@ -279,6 +307,11 @@ mod tests {
                     2 => {
                         given += &answer_with(&text, "1");
                         expected += &answer_with(&text, "1");
+                    }
+                    3 => {
+                        let ticket = prepared.keep(text.clone()).to_string();
+                        given += &diagnostics_with(&ticket);
+                        expected += &diagnostics_with(&text);
                     }
                     _ => {
                         given += &frame("{}");
