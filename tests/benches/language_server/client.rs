@@ -51,7 +51,9 @@ impl Server {
         self.stdin.flush().expect("the server reads");
     }
 
-    fn receive(&mut self) -> Value {
+    /// The next message as it was sent: what a client does with it is not the server's time. Of diagnostics the version
+    /// is noted.
+    fn receive(&mut self) -> Vec<u8> {
         let mut length = 0;
         loop {
             let mut line = String::new();
@@ -68,22 +70,22 @@ impl Server {
         self.stdout
             .read_exact(&mut body)
             .expect("the server answers whole");
-        let message: Value = serde_json::from_slice(&body).expect("the server answers JSON");
-        if message["method"] == "textDocument/publishDiagnostics" {
-            let version = message["params"]["version"].as_i64();
-            self.checked = version.unwrap_or(self.checked);
+        let is_diagnostics = body.starts_with(DIAGNOSTICS);
+        if let Some(version) = is_diagnostics.then(|| version_at_the_end(&body)).flatten() {
+            self.checked = version;
         }
-        message
+        body
     }
 
-    /// Asks, and waits for the answer.
-    pub(super) fn request(&mut self, method: &str, params: &Value) -> Value {
+    /// Asks, and waits for the answer, which is given as it was sent.
+    pub(super) fn request(&mut self, method: &str, params: &Value) -> Vec<u8> {
         self.next_id += 1;
         let id = self.next_id;
         self.send(&json!({ "jsonrpc": "2.0", "id": id, "method": method, "params": params }));
+        let end = format!(",\"id\":{id}}}");
         loop {
             let message = self.receive();
-            if message["id"] == json!(id) {
+            if message.ends_with(end.as_bytes()) && !message.starts_with(b"{\"jsonrpc\":\"2.0\",\"method\"") {
                 return message;
             }
         }
@@ -117,6 +119,18 @@ impl Server {
         };
         Some([of("VmRSS:")? * 1024, of("VmHWM:")? * 1024])
     }
+}
+
+/// What a message with diagnostics begins with.
+const DIAGNOSTICS: &[u8] = br#"{"jsonrpc":"2.0","method":"textDocument/publishDiagnostics""#;
+
+/// The version that the parameters of a notification end with.
+fn version_at_the_end(body: &[u8]) -> Option<i64> {
+    let rest = body.strip_suffix(b"}}")?;
+    let digits = rest.iter().rev().take_while(|byte| byte.is_ascii_digit()).count();
+    let (before, digits) = rest.split_at(rest.len() - digits);
+    before.ends_with(b"\"version\":").then_some(())?;
+    std::str::from_utf8(digits).ok()?.parse().ok()
 }
 
 impl Drop for Server {

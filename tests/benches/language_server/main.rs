@@ -68,6 +68,7 @@ impl Typing {
             let started = Instant::now();
             let answer = self.server.request(method, &params);
             let took = started.elapsed();
+            let answer: Value = serde_json::from_slice(&answer).expect("the server answers JSON");
             assert!(answer.get("error").is_none(), "{method}: {answer}");
             // A delta refers to what was sent before.
             if let Some(id) = answer["result"].get("resultId") {

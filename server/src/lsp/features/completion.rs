@@ -16,6 +16,9 @@ use super::code_lens::names_command;
 use crate::document::Revision;
 use crate::language::Names;
 use crate::lsp::transport::blocking::blocking;
+=======
+use crate::lsp::transport::{blocking::blocking, prepared};
+>>>>>>> c8e9e72 (A list of proposals is sent as text; the bench of the server does not count what its client does with an answer)
 use crate::lsp::{capabilities::Agreed, convert, markup, shared::Shared};
 
 /// The characters that open a list by themselves. Which of them do so in which place is for `ladder-ide` to say.
@@ -50,7 +53,7 @@ pub(crate) async fn completion(
     let trigger = params.context.and_then(|context| context.trigger_character);
     let trigger = trigger.and_then(|trigger| trigger.chars().next());
     let agreed = shared.agreed();
-    blocking(move |_| {
+    let list = blocking(move |_| {
         let names = revision.names()?;
         let offset = revision.offset(convert::our_position(place.position));
         let found = names.completions(offset, trigger);
@@ -65,12 +68,16 @@ pub(crate) async fn completion(
                 ..proposal(agreed, (&revision, names), offset, index, item)
             }
         });
-        Some(CompletionResponse::List(CompletionList {
+        serde_json::to_string(&CompletionList {
             is_incomplete: found.cut,
             items: items.collect(),
-        }))
-    })
-    .await
+        })
+        .ok()
+    });
+    match list.await? {
+        Some(list) => prepared::answer(list),
+        None => Ok(None),
+    }
 }
 
 fn proposal(
