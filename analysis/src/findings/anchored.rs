@@ -135,7 +135,7 @@ impl Anchored {
             Anchors::Each(anchors) => {
                 for (place, anchor) in places(&mut found).zip(anchors) {
                     if let Some(network) = anchor {
-                        *place = *place + networks.start_of(*network);
+                        *place += networks.start_of(*network);
                     }
                 }
             }

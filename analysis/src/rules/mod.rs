@@ -166,14 +166,18 @@ pub(crate) fn of_network(context: &Context, network: NetworkAt<'_>) -> InNetwork
         hasher.finish()
     });
     verdict::once(Pass::Form, key, network, |out| {
-        OF_NETWORKS.iter().for_each(|check| check(context, network, out));
+        for check in OF_NETWORKS {
+            check(context, network, out);
+        }
         true
     })
 }
 
 /// Looks at the names and definitions of a file.
 pub(crate) fn of_file(context: &Context, out: &mut Vec<Diagnostic>) {
-    OF_FILE.iter().for_each(|check| check(context, out));
+    for check in OF_FILE {
+        check(context, out);
+    }
 }
 
 /// What the rules about tags need to know of the rest of the file.
@@ -199,5 +203,7 @@ pub(crate) fn of_tag(
 
 /// Looks at the program as a whole.
 pub(crate) fn of_program(context: &Context, survey: &Survey<'_>, out: &mut Vec<Diagnostic>) {
-    OF_PROGRAM.iter().for_each(|check| check(context, survey, out));
+    for check in OF_PROGRAM {
+        check(context, survey, out);
+    }
 }

@@ -124,7 +124,7 @@ fn findings(text: &str, settings: &RuleSettings) -> String {
         let line = index.line(diagnostic.range.start());
         // The mark keeps the indentation of the text.
         shown.push_str(&format!("> {}\n", text[index.range(line)].trim_end()));
-        show(text, &index, &diagnostic, &mut shown);
+        show(text, &index, diagnostic, &mut shown);
     }
     shown
 }
