@@ -18,7 +18,7 @@ const COUNTER: &str = "\
 fn session(text: &str, limits: HistoryLimits) -> Session {
     let analysis = ladder_analysis::analyze(&ladder_syntax::parse(text).into(), "test.clad");
     let program = analysis.program().cloned().unwrap_or_else(|| {
-        panic!("{:?}", analysis.diagnostics);
+        panic!("{:?}", analysis.diagnostics());
     });
     Session::of(Simulation::new(program, Options::default()).unwrap(), limits)
 }

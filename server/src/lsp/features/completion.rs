@@ -15,10 +15,7 @@ use tower_lsp::ls_types::{
 use super::code_lens::names_command;
 use crate::document::Revision;
 use crate::language::Names;
-use crate::lsp::transport::blocking::blocking;
-=======
 use crate::lsp::transport::{blocking::blocking, prepared};
->>>>>>> c8e9e72 (A list of proposals is sent as text; the bench of the server does not count what its client does with an answer)
 use crate::lsp::{capabilities::Agreed, convert, markup, shared::Shared};
 
 /// The characters that open a list by themselves. Which of them do so in which place is for `ladder-ide` to say.
