@@ -318,7 +318,7 @@ test('a scenario stops at the first expectation that is not met', async () => {
         client.waitForEvent('stopped'),
     ]);
     assert.equal(stopped.body.reason, 'exception');
-    assert.match(stopped.body.description, /full is FALSE, expected TRUE in step 4 \(counter.ladder-test:9\)/);
+    assert.match(stopped.body.description, /full is FALSE, expected TRUE in step 3 \(counter.ladder-test:9\)/);
     const { body } = await client.stackTraceRequest({ threadId: 1 });
     const frame = body.stackFrames.at(-1);
     assert.equal(frame.source.path, scenarios);

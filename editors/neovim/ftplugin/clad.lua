@@ -21,6 +21,7 @@ set.spell = false
 set.iskeyword:append('$')
 set.matchpairs = '(:),[:]'
 
+require('ladder.dap').register_if_there()
 require('ladder.completion').attach(vim.api.nvim_get_current_buf())
 
 -- The editor's own `gc` would put a `#` around a `#`.

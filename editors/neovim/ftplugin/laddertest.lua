@@ -12,4 +12,6 @@ set.expandtab = true
 set.virtualedit = 'block'
 set.textwidth = 0
 
+require('ladder.dap').register_if_there()
+
 vim.b.undo_ftplugin = 'setlocal commentstring< comments< wrap< expandtab< virtualedit< textwidth<'

@@ -282,7 +282,7 @@ impl<W: Write> Adapter<W> {
         let play = target.play.as_ref()?;
         let first = unmet.first()?.clone();
         let scan = target.simulation().scans().saturating_sub(1);
-        let step = play.step(scan) + 1;
+        let step = play.step(scan);
         let lines: Vec<(String, ladder_syntax::TextRange)> = unmet
             .into_iter()
             .map(|unmet| (format!("step {step}: {}\n", unmet.message), unmet.range))

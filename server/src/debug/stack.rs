@@ -33,7 +33,7 @@ pub(super) fn frames(
         let step = play.step(scan);
         let mut frame = json!({
             "id": frames.len() + 1,
-            "name": format!("scenario \"{}\", step {}", play.case.name, step + 1),
+            "name": format!("scenario \"{}\", step {}", play.case.name, step),
             "source": play.file.json(),
             "presentationHint": "subtle",
         });

@@ -81,7 +81,9 @@ impl Handles {
     }
 
     pub(super) fn get(&self, number: i64) -> Result<Container, Problem> {
-        let index = usize::try_from(number - 1).ok();
+        let index = number
+            .checked_sub(1)
+            .and_then(|index| usize::try_from(index).ok());
         let container = index.and_then(|index| self.0.get(index)).cloned();
         container.ok_or_else(|| "these variables are those of a moment that is over".to_owned())
     }

@@ -5,6 +5,7 @@ local ladder = require('ladder')
 
 require('units')(t)
 require('typed')(t)
+require('debugging')(t)
 
 local messages = {}
 vim.notify = function(message)

@@ -54,4 +54,11 @@ function M.wait(bufnr, timeout_ms)
   return require('ladder.simulation').wait(resolve(bufnr), timeout_ms)
 end
 
+--- Tells nvim-dap how ladder programs are debugged. Where that is installed when the first ladder file is opened this
+--- happens by itself.
+--- @return boolean registered false if there is no nvim-dap
+function M.dap()
+  return require('ladder.dap').register()
+end
+
 return M

@@ -1,1 +1,222 @@
 //! Sessions with the adapter, message by message.
+
+mod hostile;
+mod watches;
+
+use std::io::{self, Write};
+use std::sync::atomic::AtomicUsize;
+use std::sync::{Arc, Mutex};
+
+use serde_json::{Value as Json, json};
+use tempfile::TempDir;
+
+use super::adapter::Adapter;
+use super::messages::Request;
+use super::serve::{go_on, handle};
+
+/// What the adapter writes.
+#[derive(Debug, Clone, Default)]
+struct Written(Arc<Mutex<Vec<u8>>>);
+
+impl Write for Written {
+    fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
+        self.0.lock().unwrap().extend_from_slice(bytes);
+        Ok(bytes.len())
+    }
+
+    fn flush(&mut self) -> io::Result<()> {
+        Ok(())
+    }
+}
+
+impl Written {
+    /// The messages since this was asked last.
+    fn take(&self) -> Vec<Json> {
+        let bytes = std::mem::take(&mut *self.0.lock().unwrap());
+        let text = String::from_utf8(bytes).unwrap();
+        let messages = text.split("Content-Length: ").skip(1);
+        messages
+            .map(|message| {
+                let (length, body) = message.split_once("\r\n\r\n").unwrap();
+                assert_eq!(length.parse::<usize>().unwrap(), body.len());
+                serde_json::from_str(body).unwrap()
+            })
+            .collect()
+    }
+}
+
+/// A client with a program of its own.
+struct Client {
+    adapter: Adapter<Written>,
+    written: Written,
+    folder: TempDir,
+    seq: i64,
+}
+
+impl Client {
+    fn new(text: &str) -> Client {
+        let folder = tempfile::tempdir().unwrap();
+        std::fs::write(folder.path().join("ladder.toml"), "").unwrap();
+        std::fs::write(folder.path().join("own.clad"), text).unwrap();
+        let written = Written::default();
+        Client {
+            adapter: Adapter::new(written.clone(), Arc::<AtomicUsize>::default()),
+            written,
+            folder,
+            seq: 0,
+        }
+    }
+
+    fn program(&self) -> String {
+        self.folder.path().join("own.clad").to_str().unwrap().to_owned()
+    }
+
+    /// Sends a request and runs the program until it stands. What was said: the answer first.
+    fn ask(&mut self, command: &str, arguments: Json) -> Vec<Json> {
+        self.seq += 1;
+        let request = Request {
+            seq: self.seq,
+            command: command.to_owned(),
+            arguments,
+        };
+        handle(&mut self.adapter, &request);
+        for _ in 0..100 {
+            if !self.adapter.is_running() {
+                break;
+            }
+            go_on(&mut self.adapter);
+        }
+        let said = self.written.take();
+        let answers = said.iter().filter(|message| message["type"] == "response");
+        let answers: Vec<&Json> = answers.collect();
+        assert_eq!(answers.len(), 1, "{command} {said:?}");
+        assert_eq!(answers[0]["request_seq"], self.seq);
+        assert_eq!(answers[0]["command"], command);
+        assert_eq!(said[0]["type"], "response");
+        said
+    }
+
+    /// The body of a good answer.
+    #[track_caller]
+    fn body(&mut self, command: &str, arguments: Json) -> Json {
+        let answer = self.ask(command, arguments).swap_remove(0);
+        assert_eq!(answer["success"], true, "{answer}");
+        answer["body"].clone()
+    }
+
+    /// What an expression is.
+    fn evaluate(&mut self, expression: &str, context: &str) -> String {
+        let arguments = json!({"expression": expression, "context": context, "frameId": 1});
+        let answer = self.ask("evaluate", arguments).swap_remove(0);
+        match answer["success"].as_bool() {
+            Some(true) => answer["body"]["result"].as_str().unwrap().to_owned(),
+            _ => format!("error: {}", answer["message"].as_str().unwrap()),
+        }
+    }
+
+    /// Launches the program: it stands before its first scan.
+    fn launched(text: &str) -> Client {
+        let mut client = Client::new(text);
+        client.body("initialize", json!({}));
+        let program = client.program();
+        client.body(
+            "launch",
+            json!({"program": program, "stopOnEntry": true, "speed": "max"}),
+        );
+        client.body("configurationDone", Json::Null);
+        client
+    }
+}
+
+const LOOP: &str = "VAR n : LINT; END_VAR\n+--<LBL>( again )--[ADD]( n, n, 1 )--<JMP>( again )--+\n";
+
+/// The watchdog is a fault that the program does not survive.
+#[test]
+fn the_watchdog_stops_the_program_for_good() {
+    let mut client = Client::launched(LOOP);
+    let said = client.ask("continue", json!({"threadId": 1}));
+    let stopped = said.iter().find(|message| message["event"] == "stopped").unwrap();
+    assert_eq!(stopped["body"]["reason"], "exception");
+    let text = stopped["body"]["text"].as_str().unwrap();
+    assert!(text.contains("watchdog"), "{text}");
+    let frames = client.body("stackTrace", json!({"threadId": 1}));
+    assert_eq!(frames["stackFrames"][0]["line"], 2);
+    let said = client.ask("continue", json!({"threadId": 1}));
+    let exited = said.iter().find(|message| message["event"] == "exited").unwrap();
+    assert_eq!(exited["body"]["exitCode"], 1);
+}
+
+#[test]
+fn a_program_that_ends_itself_is_shown_once_more() {
+    let mut client = Client::launched("VAR n : INT; END_VAR\n+--[ADD]( n, n, 1 )--[GE]( n, 3 )--<END>--+\n");
+    let said = client.ask("continue", json!({"threadId": 1}));
+    let stopped = said.iter().find(|message| message["event"] == "stopped").unwrap();
+    assert_eq!(stopped["body"]["reason"], "end");
+    assert_eq!(client.evaluate("n", "watch"), "3");
+    let said = client.ask("continue", json!({"threadId": 1}));
+    assert!(said.iter().any(|message| message["event"] == "terminated"));
+    assert_eq!(said[1]["body"]["exitCode"], 0);
+}
+
+/// Back and forth gives the same places.
+#[test]
+fn every_place_of_a_scan_is_found_again_on_the_way_back() {
+    let text =
+        "VAR n, m : INT; END_VAR\n+--[ADD]( n, n, 1 )--[ADD]( m, m, n )--+\n+--[GE]( n, 2 )--( )( y )--+\n";
+    let mut client = Client::launched(text);
+    let place = |client: &mut Client| {
+        let frames = client.body("stackTrace", json!({"threadId": 1}));
+        let frame = &frames["stackFrames"][0];
+        let values = (client.evaluate("n", "watch"), client.evaluate("m", "watch"));
+        (
+            frame["name"].clone(),
+            frame["line"].clone(),
+            frame["column"].clone(),
+            values,
+        )
+    };
+    let mut there = vec![place(&mut client)];
+    for _ in 0..9 {
+        client.body("stepIn", json!({"threadId": 1}));
+        there.push(place(&mut client));
+    }
+    let mut back = vec![place(&mut client)];
+    for _ in 0..9 {
+        client.body("stepBack", json!({"threadId": 1, "granularity": "instruction"}));
+        back.push(place(&mut client));
+    }
+    back.reverse();
+    assert_eq!(there, back);
+}
+
+#[test]
+fn files_of_the_workspace_belong_to_the_program() {
+    let mut client = Client::new("VAR n : INT; END_VAR\n+--[$Twice]( n )--+\n");
+    let library = client.folder.path().join("library.clad");
+    let body =
+        "FUNCTION_BLOCK [$Twice]\nVAR_IN_OUT v : INT; END_VAR\n+--[ADD]( v, v, 2 )--+\nEND_FUNCTION_BLOCK\n";
+    std::fs::write(&library, body).unwrap();
+    client.body("initialize", json!({}));
+    let program = client.program();
+    client.body("launch", json!({"program": program, "speed": "max"}));
+    let source = json!({"path": library.to_str()});
+    let set = client.body(
+        "setBreakpoints",
+        json!({"source": source, "breakpoints": [{"line": 3}]}),
+    );
+    assert_eq!(set["breakpoints"][0]["verified"], true);
+    client.body("configurationDone", Json::Null);
+    let frames = client.body("stackTrace", json!({"threadId": 1}));
+    assert_eq!(
+        frames["stackFrames"][0]["source"]["path"],
+        library.to_str().unwrap()
+    );
+    assert_eq!(frames["stackFrames"][1]["source"]["name"], "own.clad");
+    assert_eq!(client.evaluate("v + 1", "watch"), "1");
+    let elsewhere = json!({"path": "/nowhere.clad"});
+    let set = client.body(
+        "setBreakpoints",
+        json!({"source": elsewhere, "breakpoints": [{"line": 3}]}),
+    );
+    assert_eq!(set["breakpoints"][0]["verified"], false);
+}
