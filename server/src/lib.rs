@@ -15,7 +15,7 @@
 //!   two layers, each once, when first asked: the names of its text, and what is found in it. Most features ask
 //!   for names only, and wait for no rule.
 //! - `language` is where the server asks about a text: findings, hovers, layout, in bytes.
-//! - `diagram` draws programs for a page beside their text.
+//! - `diagram` draws programs for a page beside their text, `diagram_text` with characters.
 //! - `simulation` runs programs for the editor, on the scan engine. It knows the custom messages, but nothing of
 //!   the framework.
 //! - `notation` translates programs of other systems for the editor, and reads those that are open; it knows the custom
@@ -33,6 +33,7 @@ mod busy;
 mod cancel;
 mod debug;
 mod diagram;
+mod diagram_text;
 mod document;
 mod language;
 mod lsp;
@@ -47,6 +48,7 @@ use std::path::Path;
 use std::process::ExitCode;
 
 pub use diagram::{Diagram, Drawn, DrawnPiece, PieceKind};
+pub use diagram_text::{DiagramText, DrawnBlock, DrawnLine, DrawnText, InkName};
 pub use document::position::{Position, Range};
 pub use lsp::{Ending, serve};
 pub use notation::messages as notation_messages;

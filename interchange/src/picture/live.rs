@@ -86,7 +86,7 @@ pub fn pieces(context: &Context, text: &str, stretch: TextRange, rail: u32) -> V
 }
 
 /// The items of a file that have something in a stretch of it, and all of the comments of which it has some.
-fn items_in<'s>(
+pub(super) fn items_in<'s>(
     context: &Context,
     structure: &'s Structure,
     stretch: TextRange,
@@ -107,7 +107,7 @@ fn items_in<'s>(
 }
 
 /// The lines of an item, line ends included.
-fn lines_of(context: &Context, structure: &Structure, item: Item) -> TextRange {
+pub(super) fn lines_of(context: &Context, structure: &Structure, item: Item) -> TextRange {
     let parse = &context.parse;
     let line = match item {
         Item::Network(index) => return context.networks.at(index).range,

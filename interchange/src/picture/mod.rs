@@ -9,6 +9,7 @@
 //!                         --svg---> a document for screens
 //!                         --sheet-> pages for a printer, still as shapes
 //!                         --live--> networks one by one, for a page that shows their power
+//!         --letters--> the same drawn with characters, at rest or live
 //! ```
 //!
 //! A [`Scene`] is all that a writer of documents needs to know: the same drawing is written as SVG, as pixels and as
@@ -20,6 +21,7 @@ mod draw;
 mod figure;
 mod glyph;
 mod grid;
+pub mod letters;
 pub mod live;
 mod measure;
 mod nodes;

@@ -19,7 +19,8 @@ use tower_lsp::ls_types::{
 use crate::document::position::Encoding;
 use crate::lsp::documents::{file_operations, pull};
 use crate::lsp::features::{
-    code_action::KINDS, code_lens, completion, diagram, notations, preview, semantic_tokens, signature,
+    code_action::KINDS, code_lens, completion, diagram, diagram_text, notations, preview, semantic_tokens,
+    signature,
 };
 use crate::simulation::COMMANDS;
 use ladder_ide::TRIGGERS;
@@ -313,7 +314,7 @@ pub(crate) fn offered(agreed: Agreed) -> ServerCapabilities {
             commands: COMMANDS
                 .iter()
                 .chain(&notations::COMMANDS)
-                .chain(&[preview::PREVIEW, diagram::DIAGRAM])
+                .chain(&[preview::PREVIEW, diagram::DIAGRAM, diagram_text::DIAGRAM_TEXT])
                 .map(ToString::to_string)
                 .collect(),
             ..ExecuteCommandOptions::default()

@@ -7,6 +7,7 @@ use serde::Serialize;
 use serde_json::Value;
 
 use super::messages::{Found, History, Recorded, Search, Shown, State, Trace, Traced, Why};
+use crate::diagram_text::{DiagramText, DrawnText};
 use crate::document::Revision;
 
 /// What a session is asked to do.
@@ -32,6 +33,8 @@ pub(crate) enum Action {
     History(Vec<String>, u64),
     /// Record tags, and say what is drawn of them.
     Trace(Trace),
+    /// Draw lines with characters.
+    DiagramText(DiagramText),
     /// Scan until told otherwise.
     Run {
         /// Pause after so many scans.
@@ -92,6 +95,7 @@ impl Action {
                 | Action::Record(_)
                 | Action::History(..)
                 | Action::Trace(_)
+                | Action::DiagramText(_)
                 | Action::Tags(_)
                 | Action::ValuesAt(_)
         )
@@ -112,6 +116,8 @@ pub(crate) enum Answer {
     History(History),
     /// What is drawn of tags.
     Trace(Box<Traced>),
+    /// Lines of a diagram.
+    DiagramText(DrawnText),
     /// Tags that were searched for.
     Found(Found),
     /// Values, in words.

@@ -118,6 +118,12 @@ impl Drawing {
         &self.networks[from..to.max(from)]
     }
 
+    /// A stretch of the text, and the rest of the networks that it cuts through.
+    pub(super) fn whole_networks(&self, stretch: TextRange) -> TextRange {
+        let networks = self.networks_in(stretch).iter();
+        networks.fold(stretch, |whole, network| whole.cover(network.range))
+    }
+
     /// The elements that stand in a stretch of the text.
     pub(super) fn elements_in(
         &self,

@@ -6,6 +6,7 @@
 //! only the newest.
 
 mod action;
+mod diagram_text;
 mod drawing;
 mod engine;
 mod follow;

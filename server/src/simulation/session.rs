@@ -232,6 +232,10 @@ impl Runner {
                 let traced = self.simulation.engine.trace(&asked);
                 traced.map(|traced| Answer::Trace(Box::new(traced)))
             }
+            Action::DiagramText(asked) => {
+                let drawn = self.simulation.engine.diagram_text(&asked);
+                drawn.map(Answer::DiagramText)
+            }
             Action::Record(name) => self.simulation.engine.record(&name).map(Answer::Recorded),
             Action::Tags(search) => Ok(Answer::Found(self.simulation.engine.search(&search))),
             Action::ValuesAt(offset) => Ok(Answer::Values(self.simulation.engine.values_at(offset))),
@@ -299,6 +303,7 @@ impl Runner {
             | Action::Record(_)
             | Action::History(..)
             | Action::Trace(_)
+            | Action::DiagramText(_)
             | Action::Tags(_)
             | Action::ValuesAt(_)
             | Action::HasShown => {}

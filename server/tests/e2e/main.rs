@@ -7,6 +7,7 @@ mod completion;
 mod configuration;
 mod diagnostics;
 mod diagram;
+mod diagram_text;
 mod features;
 mod follow;
 mod history;

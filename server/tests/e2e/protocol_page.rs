@@ -6,7 +6,7 @@
 use std::collections::BTreeSet;
 use std::fmt::Write;
 
-use ladder_server::{Diagram, Drawn, messages, notation_messages};
+use ladder_server::{Diagram, DiagramText, Drawn, DrawnText, messages, notation_messages};
 use serde::Serialize;
 use serde::de::DeserializeOwned;
 use serde_json::{Value, json};
@@ -155,6 +155,11 @@ async fn the_page_shows_every_command_whole() {
             "diagram" => {
                 is_whole::<Diagram>(argument);
                 is_whole::<Drawn>(answer);
+                continue;
+            }
+            "diagramText" => {
+                is_whole::<DiagramText>(argument);
+                is_whole::<DrawnText>(answer);
                 continue;
             }
             "convert" => {

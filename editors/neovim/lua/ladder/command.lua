@@ -250,6 +250,11 @@ local subcommands = {
       require('ladder.panel').toggle(drawing())
     end,
   },
+  diagram = {
+    run = function()
+      require('ladder.diagram').toggle(drawing())
+    end,
+  },
   trace = {
     run = function(arguments)
       require('ladder.trace').toggle(drawing(), arguments)

@@ -37,6 +37,7 @@ local links = {
   LadderBreakpoint = 'DiagnosticError',
   LadderTagName = 'Identifier',
   LadderTagType = 'Type',
+  LadderBlockName = 'Function',
   LadderLow = 'LadderPowerOff',
   LadderAxis = 'LadderPowerOff',
   LadderCursorA = 'CurSearch',

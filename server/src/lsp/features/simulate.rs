@@ -167,7 +167,7 @@ async fn stop(shared: &Arc<Shared>, OfSession { session }: OfSession) -> Result<
     })
 }
 
-async fn act(shared: &Arc<Shared>, session: &str, action: Action) -> Result<LSPAny> {
+pub(super) async fn act(shared: &Arc<Shared>, session: &str, action: Action) -> Result<LSPAny> {
     let session = shared.sessions.get(session).map_err(error)?;
     json(&answer(&session, action).await?)
 }
