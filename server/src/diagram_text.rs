@@ -50,6 +50,9 @@ pub struct DrawnText {
 pub struct DrawnLine {
     /// The line of the program that it shows.
     pub line: u32,
+    /// The wire of a rung is on it.
+    #[serde(default, skip_serializing_if = "std::ops::Not::not")]
+    pub wire: bool,
     /// The characters.
     pub text: String,
     /// What stretches of them are: from which character on, up to which, and what.
@@ -197,6 +200,7 @@ impl Drawing {
         if let (Some(_), Some(next)) = (self.done.drawn.last(), piece.lines.first()) {
             self.done.drawn.push(DrawnLine {
                 line: line(next.place),
+                wire: false,
                 text: String::new(),
                 marks: Vec::new(),
             });
@@ -207,6 +211,7 @@ impl Drawing {
             let marks = marks.map(|mark| (mark.characters.start, mark.characters.end, InkName::of(mark.ink)));
             self.done.drawn.push(DrawnLine {
                 line: line(drawn.place),
+                wire: drawn.is_wire,
                 marks: marks.collect(),
                 text: drawn.text,
             });

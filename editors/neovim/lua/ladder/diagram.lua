@@ -37,7 +37,7 @@ local groups = {
 
 --- @class ladder.Diagram
 --- @field bufnr integer
---- @field drawn { line: integer, text: string, marks: any[][]|nil }[]
+--- @field drawn { line: integer, text: string, wire: boolean|nil, marks: any[][]|nil }[]
 --- @field blocks ladder.DrawnBlock[]
 --- @field lines { first: integer, last: integer } of the program, that were asked for
 --- @field is_asking boolean
@@ -85,7 +85,7 @@ local function title(source, diagram)
   end
 end
 
---- The first line of the diagram that shows a line of the program, or one behind it: that of its wire is the last of them.
+--- The line of the diagram that shows a line of the program, or the last one before it: of a rung that of its wire.
 --- @param diagram ladder.Diagram
 --- @param line integer
 --- @return integer|nil row from 1
@@ -94,14 +94,11 @@ local function row_of(diagram, line)
   for row, drawn in ipairs(diagram.drawn) do
     if drawn.line > line and found then
       break
-    elseif drawn.line <= line and drawn.text ~= '' then
+    end
+    local is_better = not found or drawn.line > diagram.drawn[found].line or drawn.wire
+    if drawn.text ~= '' and is_better then
       found = row
     end
-  end
-  -- Of the lines of a rung that of its wire.
-  local own = found and diagram.drawn[found].line
-  while found and found > 1 and diagram.drawn[found - 1].line == own and not diagram.drawn[found].text:find('[├┝]') do
-    found = found - 1
   end
   return found
 end
@@ -110,7 +107,8 @@ end
 --- @param diagram ladder.Diagram
 --- @param window integer
 --- @param row integer from 1
-local function reveal(diagram, window, row)
+--- @param column integer that the cursor is put on
+local function reveal(diagram, window, row, column)
   local first, last = row, row
   while first > 1 and diagram.drawn[first - 1].text ~= '' do
     first = first - 1
@@ -124,11 +122,30 @@ local function reveal(diagram, window, row)
     top = math.max(top, last - height + 1)
     -- Of a network that is too high the rung itself is seen.
     top = math.max(math.min(top, first), row - height + 1)
-    vim.fn.winrestview({ lnum = row, topline = top, leftcol = 0 })
+    local at = vim.str_byteindex(diagram.drawn[row].text, 'utf-32', column, false)
+    vim.fn.winrestview({ lnum = row, col = at, curswant = column, topline = top, leftcol = 0 })
   end)
 end
 
---- Brings what shows the cursor's line of the program into sight.
+--- The block at a place of the program.
+--- @param source integer
+--- @param diagram ladder.Diagram
+--- @param line integer
+--- @param at integer in bytes
+--- @return ladder.DrawnBlock|nil
+local function block_at(source, diagram, line, at)
+  local client = server.of(source)
+  local text = vim.api.nvim_buf_get_lines(source, line, line + 1, false)[1] or ''
+  local character = client and vim.str_utfindex(text, client.offset_encoding, math.min(at, #text), false) or at
+  for _, block in ipairs(diagram.blocks) do
+    local from, to = block.range.start, block.range['end']
+    if from.line == line and to.line == line and from.character <= character and character < to.character then
+      return block
+    end
+  end
+end
+
+--- Brings what shows the cursor's line of the program into sight, and puts the cursor on the same block.
 --- @param source integer
 --- @param diagram ladder.Diagram
 local function follow(source, diagram)
@@ -136,10 +153,13 @@ local function follow(source, diagram)
   if window == -1 or #diagram.drawn == 0 then
     return
   end
-  local row = row_of(diagram, vim.api.nvim_win_get_cursor(window)[1] - 1)
+  local line, at = unpack(vim.api.nvim_win_get_cursor(window))
+  local row = row_of(diagram, line - 1)
+  local block = block_at(source, diagram, line - 1, at)
+  local column = block and math.floor((block.columns[1] + block.columns[2]) / 2) or 0
   for _, own in ipairs(row and windows(diagram) or {}) do
     if own ~= vim.api.nvim_get_current_win() then
-      reveal(diagram, own, row)
+      reveal(diagram, own, row, column)
     end
   end
 end

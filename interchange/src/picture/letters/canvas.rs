@@ -135,8 +135,9 @@ impl Canvas {
         }
     }
 
-    /// The lines; `places` has for each of them the place that it shows, or one for all that follow.
-    pub(super) fn finish(self, places: &[TextSize]) -> Vec<Line> {
+    /// The lines; `places` has for each of them the place that it shows, or one for all that follow, and `wires` those that
+    /// have the wire of a rung.
+    pub(super) fn finish(self, places: &[TextSize], wires: &[usize]) -> Vec<Line> {
         let rows = self.rows.into_iter().enumerate();
         let lines = rows.map(|(row, cells)| {
             let (mut text, mut marks) = (String::new(), Vec::<Mark>::new());
@@ -175,6 +176,7 @@ impl Canvas {
                 text,
                 marks,
                 place: place.copied().unwrap_or_default(),
+                is_wire: wires.contains(&row),
             }
         });
         lines.collect()

@@ -106,6 +106,8 @@ pub struct Line {
     pub marks: Vec<Mark>,
     /// The line of the text that it shows: where that begins.
     pub place: TextSize,
+    /// The wire of a rung is on it.
+    pub is_wire: bool,
 }
 
 /// A block that is drawn, and where.
@@ -186,11 +188,11 @@ fn draw(
                 rail,
                 live,
             };
-            let (places, areas) = drawing.draw(&mut canvas);
-            return Some((canvas.finish(&places), areas));
+            let plan = drawing.draw(&mut canvas);
+            return Some((canvas.finish(&plan.places, &plan.wires), plan.areas));
         }
     }
-    Some((canvas.finish(&[range.start()]), Vec::new()))
+    Some((canvas.finish(&[range.start()], &[]), Vec::new()))
 }
 
 fn texts(canvas: &mut Canvas, lines: &[String], ink: Ink) {

@@ -25,6 +25,16 @@ pub(super) struct Drawing<'d> {
     pub(super) live: Option<&'d Live>,
 }
 
+/// What stands where in a drawing.
+pub(super) struct Plan {
+    /// For each line the place that it shows.
+    pub(super) places: Vec<TextSize>,
+    /// The lines with the wires of the rungs.
+    pub(super) wires: Vec<usize>,
+    /// The blocks.
+    pub(super) areas: Vec<Area>,
+}
+
 /// What is known of the power in a part.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Flow {
@@ -52,8 +62,8 @@ impl Flow {
 }
 
 impl Drawing<'_> {
-    /// Draws it; gives for each line the place that it shows, and where the blocks are.
-    pub(super) fn draw(&self, canvas: &mut Canvas) -> (Vec<TextSize>, Vec<Area>) {
+    /// Draws it; gives what stands where.
+    pub(super) fn draw(&self, canvas: &mut Canvas) -> Plan {
         let mut wires = Vec::new();
         let mut places = Vec::new();
         for rung in 0..self.figure.rungs.len() {
@@ -68,7 +78,7 @@ impl Drawing<'_> {
         for (rung, &row) in wires.iter().enumerate() {
             self.rung(canvas, rung, row, &mut areas);
         }
-        (places, areas)
+        Plan { places, wires, areas }
     }
 
     /// The lines of a rung over and under its wire.
