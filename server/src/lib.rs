@@ -43,6 +43,7 @@ pub mod probe;
 mod recording;
 mod replay;
 mod simulation;
+pub mod typing_messages;
 
 use std::path::Path;
 use std::process::ExitCode;

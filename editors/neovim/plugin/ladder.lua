@@ -20,6 +20,7 @@ vim.api.nvim_create_autocmd('LspAttach', {
     if client and client.name == 'ladder' and vim.bo[event.buf].filetype == 'clad' then
       require('ladder.colours').attach(client, event.buf)
       require('ladder.drawing').attach(client, event.buf)
+      require('ladder.cursor').attach(client, event.buf)
     end
   end,
 })

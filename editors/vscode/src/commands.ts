@@ -12,6 +12,7 @@ import { runScenarios } from './scenarios.ts';
 import type { Server } from './server.ts';
 import type { Speed } from './session.ts';
 import type { Simulation } from './simulation.ts';
+import { goToStop } from './tabStops.ts';
 import { toggleCommentInEditor } from './toggleComment.ts';
 import type { TraceView } from './trace/traceView.ts';
 import type { WhyRow } from './whyTree.ts';
@@ -188,6 +189,8 @@ export function registerCommands(server: Server, simulation: Simulation, click: 
         'ladder.debug.unforce': (row) => releaseVariable(row),
         'ladder.debug.stepBackScan': () => stepBackScan(),
         'ladder.toggleComment': () => toggleCommentInEditor(),
+        'ladder.nextStop': () => goToStop(false),
+        'ladder.previousStop': () => goToStop(true),
         'ladder.restartServer': () => server.restart(),
         'ladder.showLog': () => server.log.show(),
     };

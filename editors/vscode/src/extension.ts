@@ -13,6 +13,7 @@ import { Simulation } from './simulation.ts';
 import { showStatus } from './statusBar.ts';
 import { showTags } from './tagsView.ts';
 import { TraceView } from './trace/traceView.ts';
+import { sayTypedLine } from './typedLine.ts';
 import { WhyView } from './whyView.ts';
 
 let server: Server | undefined;
@@ -45,6 +46,7 @@ export async function activate(context: vscode.ExtensionContext): Promise<Api> {
         showFaults(simulation),
         showStatus(simulation),
         showTags(simulation),
+        sayTypedLine(server),
         vscode.workspace.onDidGrantWorkspaceTrust(() => server?.start()),
         vscode.workspace.onDidChangeConfiguration((event) => {
             if (event.affectsConfiguration('ladder.server.path')) {

@@ -189,6 +189,7 @@ export interface OtherCommands {
         argument: { uri: string; lines: Lines; rail: number; known: readonly string[] };
         answer: Drawn;
     };
+    'ladder.cursor': { argument: { uri: string; line: number | null }; answer: null };
     'ladder.preview': { argument: { uri: string }; answer: Previewed };
     'ladder.convert': { argument: { uri: string; text?: string; from?: string; to: string }; answer: Converted };
     'ladder.notations': {

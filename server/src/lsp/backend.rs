@@ -41,7 +41,7 @@ use tower_lsp::ls_types::{SignatureHelp, SignatureHelpParams};
 use tower_lsp::{Client, LanguageServer};
 
 use crate::busy::Busy;
-use crate::lsp::documents::{configuration, file_operations, folders, pull, sync, watch};
+use crate::lsp::documents::{configuration, file_operations, folders, pull, sync, typed, watch};
 use crate::lsp::features::{
     call_hierarchy, code_action, code_lens, completion, diagram, diagram_text, folding,
     formatting::{self, DocumentRangesFormattingParams},
@@ -352,6 +352,7 @@ impl LanguageServer for Backend {
             diagram::DIAGRAM => diagram::execute(&self.shared, params).await,
             diagram_text::DIAGRAM_TEXT => diagram_text::execute(&self.shared, params).await,
             preview::PREVIEW => preview::execute(&self.shared, params).await,
+            typed::CURSOR => typed::execute(&self.shared, params).await,
             command if notations::COMMANDS.contains(&command) => {
                 notations::execute(&self.shared, params).await
             }

@@ -17,7 +17,7 @@ use tower_lsp::ls_types::{
 };
 
 use crate::document::position::Encoding;
-use crate::lsp::documents::{file_operations, pull};
+use crate::lsp::documents::{file_operations, pull, typed};
 use crate::lsp::features::{
     code_action::KINDS, code_lens, completion, diagram, diagram_text, notations, preview, semantic_tokens,
     signature,
@@ -314,7 +314,12 @@ pub(crate) fn offered(agreed: Agreed) -> ServerCapabilities {
             commands: COMMANDS
                 .iter()
                 .chain(&notations::COMMANDS)
-                .chain(&[preview::PREVIEW, diagram::DIAGRAM, diagram_text::DIAGRAM_TEXT])
+                .chain(&[
+                    preview::PREVIEW,
+                    diagram::DIAGRAM,
+                    diagram_text::DIAGRAM_TEXT,
+                    typed::CURSOR,
+                ])
                 .map(ToString::to_string)
                 .collect(),
             ..ExecuteCommandOptions::default()

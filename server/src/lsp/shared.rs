@@ -12,7 +12,9 @@ use crate::busy::Busy;
 use crate::document::Documents;
 use crate::document::neighbours::Neighbours;
 use crate::lsp::capabilities::Agreed;
-use crate::lsp::documents::{foreign::Previews, pull::Found, settings_file::Sent, written::Written};
+use crate::lsp::documents::{
+    foreign::Previews, pull::Found, settings_file::Sent, typed::Typed, written::Written,
+};
 use crate::lsp::features::semantic_tokens::TokensSent;
 use crate::lsp::transport::outbox::Outbox;
 use crate::simulation::Sessions;
@@ -51,6 +53,8 @@ pub(crate) struct Shared {
     /// The files beside them.
     pub(crate) neighbours: Arc<Neighbours>,
     pub(crate) sessions: Sessions,
+    /// What a person is typing.
+    pub(crate) typed: Typed,
     pub(crate) outbox: Outbox,
     /// The semantic tokens that the client has.
     pub(crate) tokens_sent: TokensSent,
@@ -82,6 +86,7 @@ impl Shared {
             tokens_sent: TokensSent::default(),
             written: Written::default(),
             sessions: Sessions::default(),
+            typed: Typed::default(),
             orphaned: Notify::new(),
         })
     }
@@ -151,5 +156,6 @@ impl Shared {
         self.sessions.stop_all_of(uri);
         self.tokens_sent.forget(uri);
         self.written.forget(uri);
+        self.typed.forget(uri);
     }
 }

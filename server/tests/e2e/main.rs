@@ -27,5 +27,6 @@ mod shown;
 mod simulate;
 mod sync;
 mod trace;
+mod typed;
 mod untrusted;
 mod workspace;

@@ -173,4 +173,24 @@ return function(t)
     t.equal('the file', { '+-[ ]( x )-( )( z )-+' }, vim.fn.readfile(plain.file))
     plain:close()
   end)
+
+  t.step('a half-typed rung is not red until insert mode is left', function()
+    local keys = typing.open(t, { '+--[ ]( a )------------------( )( y )--+', '' })
+    local function found()
+      return #keys:lua('return vim.diagnostic.get(0)')
+    end
+    keys:press('Go+--\\--[ ]( b')
+    -- Longer than Neovim and the server need.
+    vim.wait(800)
+    t.equal('the diagnostics while it is typed', 0, found())
+    keys:press('<Esc>')
+    t.eventually('the diagnostics', function()
+      return found() > 0
+    end)
+    keys:press('a )--( )( z )--+<CR>')
+    t.eventually('no diagnostics', function()
+      return found() == 0
+    end)
+    keys:close()
+  end)
 end

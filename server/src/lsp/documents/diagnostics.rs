@@ -6,11 +6,12 @@
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
+use ladder_analysis::Finding;
 use ladder_syntax::{MAX_OPEN_BYTES, MAX_OPEN_LINES};
 use ladder_workspace::SETTINGS_FILE;
 use tower_lsp::ls_types::{Diagnostic, DiagnosticSeverity, NumberOrString, Range};
 
-use super::{companions, folders, pull, settings_file, shown};
+use super::{companions, folders, pull, settings_file, shown, typed};
 use crate::busy::Work;
 use crate::document::Revision;
 use crate::lsp::transport::blocking::blocking;
@@ -51,7 +52,9 @@ fn publish(shared: &Arc<Shared>, agreed: Agreed, revision: &Arc<Revision>) {
     let (documents, revision) = (&shared.documents, revision.clone());
     match revision.analysis() {
         Some(analysis) => {
-            let params = shared.written.params(agreed, &revision, analysis);
+            let mut chosen = shown::shown(analysis.findings(), revision.edited());
+            typed::without_waiting(shared, &revision, &mut chosen.0);
+            let params = shared.written.params(agreed, &revision, analysis, chosen);
             shared.outbox.written_diagnostics(documents, revision, params);
         }
         None => {
@@ -64,7 +67,7 @@ fn publish(shared: &Arc<Shared>, agreed: Agreed, revision: &Arc<Revision>) {
 /// The diagnostics of a program. The other open files of its workspace are looked at again if they see something
 /// else in it than before. For a blocking thread.
 pub(crate) fn look_at(shared: &Arc<Shared>, revision: &Revision) -> Vec<Diagnostic> {
-    let diagnostics = diagnostics_of(shared.agreed(), revision);
+    let diagnostics = of_open(shared, revision);
     tell_others(shared, revision);
     diagnostics
 }
@@ -98,7 +101,7 @@ fn refresh_others(shared: &Arc<Shared>, path: &Path, but: Option<&str>) {
 }
 
 /// Looks once more at an open document, whose text is as it was.
-fn look_again(shared: &Arc<Shared>, uri: &str) {
+pub(crate) fn look_again(shared: &Arc<Shared>, uri: &str) {
     if shared.documents.touch(uri) {
         refresh(shared, uri);
     }
@@ -147,11 +150,23 @@ pub(crate) fn look_at_everything_again(shared: &Arc<Shared>) {
     folders::index(shared);
 }
 
+/// What is found in a text that a person has open, without what is being typed. For a blocking thread.
+fn of_open(shared: &Shared, revision: &Revision) -> Vec<Diagnostic> {
+    found_in(shared.agreed(), revision, |found| {
+        typed::without_waiting(shared, revision, found);
+    })
+}
+
 /// What is found in a text. For a blocking thread.
 pub(crate) fn diagnostics_of(agreed: Agreed, revision: &Revision) -> Vec<Diagnostic> {
+    found_in(agreed, revision, |_| {})
+}
+
+fn found_in(agreed: Agreed, revision: &Revision, choose: impl FnOnce(&mut Vec<&Finding>)) -> Vec<Diagnostic> {
     match revision.analysis() {
         Some(analysis) => {
-            let (shown, left_out) = shown::shown(analysis.findings(), revision.edited());
+            let (mut shown, left_out) = shown::shown(analysis.findings(), revision.edited());
+            choose(&mut shown);
             let shown: Vec<_> = shown
                 .into_iter()
                 .map(|found| analysis.diagnostic(found))

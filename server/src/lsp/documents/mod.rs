@@ -10,5 +10,6 @@ pub(crate) mod pull;
 pub(crate) mod settings_file;
 pub(crate) mod shown;
 pub(crate) mod sync;
+pub(crate) mod typed;
 pub(crate) mod watch;
 pub(crate) mod written;

@@ -14,7 +14,7 @@ use tower_lsp::ls_types::{
     TextDocumentContentChangeEvent,
 };
 
-use super::{companions, diagnostics, watch};
+use super::{companions, diagnostics, typed, watch};
 use crate::document::edit::Change;
 use crate::document::neighbours::Membership;
 use crate::document::{ChangeRefused, Kind, address};
@@ -51,7 +51,8 @@ pub(crate) fn changed(shared: &Arc<Shared>, params: DidChangeTextDocumentParams)
         done => done,
     };
     match done {
-        Ok(_) => {
+        Ok(revision) => {
+            shared.typed.changed(&revision);
             shared.text_moved(uri);
             text_is_new(shared, uri);
         }
@@ -96,6 +97,7 @@ pub(crate) fn closed(shared: &Arc<Shared>, params: &DidCloseTextDocumentParams) 
 
 /// A document was saved: for a client that does not report changed files.
 pub(crate) fn saved(shared: &Arc<Shared>, params: &DidSaveTextDocumentParams) {
+    typed::saved(shared, params.text_document.uri.as_str());
     if !shared.agreed().watches_files
         && let Some(path) = address::path_of(params.text_document.uri.as_str())
     {

@@ -39,9 +39,15 @@ struct Key {
 }
 
 impl Written {
-    /// The parameters of `textDocument/publishDiagnostics` for a document.
-    pub(crate) fn params(&self, agreed: Agreed, revision: &Revision, analysis: &Analysis) -> String {
-        let (shown, left_out) = shown::shown(analysis.findings(), revision.edited());
+    /// The parameters of `textDocument/publishDiagnostics` for a document: the findings that are shown, and how many are
+    /// left out.
+    pub(crate) fn params(
+        &self,
+        agreed: Agreed,
+        revision: &Revision,
+        analysis: &Analysis,
+        (shown, left_out): (Vec<&Finding>, usize),
+    ) -> String {
         let before = self.take(&revision.uri).unwrap_or_default();
         let all = write(agreed, revision, analysis, &shown, before);
         let rest = shown::rest(left_out).and_then(|rest| serde_json::to_string(&rest).ok());

@@ -222,7 +222,7 @@ pub(super) fn json(answer: &impl Serialize) -> Result<LSPAny> {
     serde_json::to_value(answer).map_err(|_| Error::internal_error())
 }
 
-pub(super) fn error(failure: Failure) -> Error {
+pub(crate) fn error(failure: Failure) -> Error {
     let (code, message) = match failure {
         Failure::Invalid(message) => (ErrorCode::InvalidParams, message),
         Failure::Failed(message) => (ErrorCode::ServerError(REQUEST_FAILED), message),

@@ -1,0 +1,78 @@
+//! The findings of what is being typed wait, for clients that say where their cursor is.
+
+use serde_json::{Value, json};
+
+use crate::client::{Client, URI};
+
+const SOUND: &str = "+--[ ]( a )--( )( y )--+\n\n+--[ ]( b )--( )( z )--+\n";
+
+async fn cursor(client: &mut Client, line: Value) {
+    let params = json!({"command": "ladder.cursor", "arguments": [{"uri": URI, "line": line}]});
+    assert_eq!(
+        client.request("workspace/executeCommand", params).await.unwrap(),
+        Value::Null
+    );
+}
+
+fn lines(diagnostics: &[Value]) -> Vec<u64> {
+    let line = |it: &Value| it["range"]["start"]["line"].as_u64().unwrap();
+    diagnostics.iter().map(line).collect()
+}
+
+#[tokio::test]
+async fn a_half_typed_rung_waits_until_the_cursor_leaves_it() {
+    let mut client = Client::new().await;
+    client.open(SOUND).await;
+    assert_eq!(client.diagnostics(1).await, Vec::<Value>::new());
+    cursor(&mut client, json!(1)).await;
+    // A connector, and on the next line a branch that is not closed.
+    client
+        .change(2, &[([1, 0, 1, 0], "+--\\--[ ]( c )--( )( x )--+")])
+        .await;
+    assert_eq!(client.diagnostics(2).await, Vec::<Value>::new());
+    client.change(3, &[([1, 27, 1, 27], "\n|  /--[ ")]).await;
+    assert_eq!(client.diagnostics(3).await, Vec::<Value>::new());
+    // Up in the same network, then out of it.
+    cursor(&mut client, json!(1)).await;
+    assert!(client.arrived("textDocument/publishDiagnostics").is_empty());
+    cursor(&mut client, json!(4)).await;
+    let shown = client.diagnostics(3).await;
+    assert!(
+        !shown.is_empty() && lines(&shown).iter().all(|line| (1..=2).contains(line)),
+        "{shown:?}"
+    );
+    client.finish().await;
+}
+
+#[tokio::test]
+async fn a_half_typed_rung_waits_until_it_is_saved_or_nobody_types() {
+    for save in [true, false] {
+        let mut client = Client::new().await;
+        client.open(SOUND).await;
+        client.diagnostics(1).await;
+        cursor(&mut client, json!(0)).await;
+        client.change(2, &[([0, 3, 0, 3], "\\")]).await;
+        assert_eq!(client.diagnostics(2).await, Vec::<Value>::new());
+        if save {
+            let params = json!({"textDocument": {"uri": URI}});
+            client.notify("textDocument/didSave", params).await;
+        } else {
+            cursor(&mut client, Value::Null).await;
+        }
+        assert_eq!(lines(&client.diagnostics(2).await), [0]);
+        client.finish().await;
+    }
+}
+
+#[tokio::test]
+async fn what_stands_elsewhere_is_shown_at_once_and_so_is_all_where_no_cursor_is_known() {
+    let mut client = Client::new().await;
+    client.open(SOUND).await;
+    client.diagnostics(1).await;
+    client.change(2, &[([0, 3, 0, 3], "\\")]).await;
+    assert_eq!(lines(&client.diagnostics(2).await), [0]);
+    cursor(&mut client, json!(2)).await;
+    client.change(3, &[([2, 3, 2, 3], "\\")]).await;
+    assert_eq!(lines(&client.diagnostics(3).await), [0]);
+    client.finish().await;
+}
