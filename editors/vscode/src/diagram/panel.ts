@@ -4,10 +4,16 @@ import * as vscode from 'vscode';
 import type { Server } from '../server.ts';
 import type { Simulation } from '../simulation.ts';
 import { Feed } from './feed.ts';
-import type { FromPage, Lines, Place, ToPage } from './messages.ts';
+import type { FromPage, Lines, LiveUpdate, Place, ToPage } from './messages.ts';
 
+/** The page is not told more often that nothing has happened but scans. In milliseconds. */
+const SCANS_EVERY = 200;
 /** Nobody is told more often where the cursor is. In milliseconds. */
 const CURSOR_EVERY = 50;
+
+function isNews({ whole, power, operands, tags }: LiveUpdate): boolean {
+    return whole || power.length > 0 || operands.length > 0 || tags.length > 0;
+}
 
 export class DiagramPanel implements vscode.Disposable {
     readonly document: vscode.TextDocument;
@@ -23,6 +29,9 @@ export class DiagramPanel implements vscode.Disposable {
     #isPainting = false;
     #owes = false;
     #later: NodeJS.Timeout | undefined;
+    #soon: NodeJS.Timeout | undefined;
+    /** When the page was told last. */
+    #told = 0;
     /** What the page itself has shown in the text: the cursor is there because of that. */
     #revealed: vscode.Range | undefined;
 
@@ -43,7 +52,10 @@ export class DiagramPanel implements vscode.Disposable {
             }),
             simulation.alsoShows((other) => (other === document && this.#panel.visible ? this.#lines : undefined)),
             server.onDidStart(() => this.#open()),
-            new vscode.Disposable(() => clearTimeout(this.#later)),
+            new vscode.Disposable(() => {
+                clearTimeout(this.#later);
+                clearTimeout(this.#soon);
+            }),
         );
         this.#appear();
     }
@@ -207,7 +219,16 @@ export class DiagramPanel implements vscode.Disposable {
             this.#feed.forget();
             this.#send({ type: 'live', update: undefined });
         } else if (!session.stale) {
-            this.#send({ type: 'live', update: this.#feed.news(session, this.#lines ?? { first: 0, last: -1 }) });
+            const update = this.#feed.news(session, this.#lines ?? { first: 0, last: -1 });
+            const wait = isNews(update) || update.status !== 'running' ? 0 : SCANS_EVERY - (Date.now() - this.#told);
+            if (wait > 0) {
+                this.#soon ??= setTimeout(() => this.#tellLive(), wait);
+                return;
+            }
+            clearTimeout(this.#soon);
+            this.#soon = undefined;
+            this.#told = Date.now();
+            this.#send({ type: 'live', update });
         } else {
             // Of a text that is newer than what is known nothing is told until the server has seen it.
             return;

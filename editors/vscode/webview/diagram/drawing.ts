@@ -2,7 +2,7 @@
 // comes as text and stays text: the drawing is read as XML, and what is added is added as text.
 import { showValue } from '../../src/value.ts';
 import type { Tag } from '../../src/protocol.ts';
-import { isSwitch, type Live, toggles } from './live.ts';
+import { type Changed, isSwitch, type Live, toggles } from './live.ts';
 import type { Piece } from './layout.ts';
 import type { Spot } from './neighbours.ts';
 import { describe } from './speech.ts';
@@ -121,7 +121,11 @@ export class Drawing {
     readonly parts: readonly Part[];
     first: number;
     readonly #powered: readonly Powered[];
-    #gutter: HTMLElement;
+    readonly #gutter: HTMLElement;
+    /** The tags that it shows, in lower case. */
+    readonly #tags = new Set<string>();
+    /** The last line that has something live, from the first one. */
+    readonly #lastLine: number;
 
     constructor(piece: Piece, svg: string, first: number) {
         this.piece = piece;
@@ -146,6 +150,7 @@ export class Drawing {
             state: '',
         }));
         this.parts = [...drawing.querySelectorAll<SVGGElement>('g.element')].map(partOf);
+        this.#lastLine = Math.max(0, ...this.#powered.flatMap(({ parts }) => parts.map(([line]) => line)));
         for (const { node } of this.parts) {
             node.setAttribute('tabindex', '-1');
             node.setAttribute('role', 'button');
@@ -170,6 +175,19 @@ export class Drawing {
         svg?.setAttribute('height', String(this.piece.height * scale));
     }
 
+    /** Whether a change is about something in it. */
+    isAbout({ whole, lines, tags }: Changed): boolean {
+        if (whole || [...this.#tags].some((name) => tags.has(name))) {
+            return true;
+        }
+        for (let line = this.first; line <= this.first + this.#lastLine; line += 1) {
+            if (lines.has(line)) {
+                return true;
+            }
+        }
+        return false;
+    }
+
     /** Shows the state of the program. */
     show(live: Live): void {
         const isLive = live.state !== undefined;
@@ -183,6 +201,7 @@ export class Drawing {
                 powered.shape.classList.toggle('off', state === 'off');
             }
         }
+        this.#tags.clear();
         for (const part of this.parts) {
             this.#showPart(part, live);
         }
@@ -197,6 +216,7 @@ export class Drawing {
         const power = live.power(this.first + part.at[0], part.at[1]);
         const tags = this.tagsOf(part, live);
         const [main] = tags;
+        tags.forEach(({ name }) => this.#tags.add(name.toLowerCase()));
         const isForced = tags.some((tag) => tag.forced);
         const state = [
             'element',

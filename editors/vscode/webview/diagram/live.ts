@@ -28,6 +28,13 @@ function shift<T>(map: ByPlace<T>, changes: readonly LineChange[]): ByPlace<T> {
     return new Map([...map].map(([line, here]) => [moved(line, changes), here]));
 }
 
+/** What an update has changed: all, or something in these lines or of these tags, by their names in lower case. */
+export interface Changed {
+    readonly whole: boolean;
+    readonly lines: ReadonlySet<number>;
+    readonly tags: ReadonlySet<string>;
+}
+
 export class Live {
     /** The last update, or none if nothing runs. */
     state: LiveUpdate | undefined;
@@ -35,13 +42,20 @@ export class Live {
     #operands: ByPlace<Operand> = new Map();
     readonly #tags = new Map<string, Tag>();
 
-    take(update: LiveUpdate | undefined): void {
+    /** @returns what is another one now */
+    take(update: LiveUpdate | undefined): Changed {
+        const whole = !update || update.whole || !this.state;
         this.state = update;
         if (!update || update.whole) {
             this.#power.clear();
             this.#operands.clear();
             this.#tags.clear();
         }
+        const changed = {
+            whole,
+            lines: new Set([...(update?.power ?? []), ...(update?.operands ?? [])].map(([line]) => line)),
+            tags: new Set((update?.tags ?? []).map(({ name }) => name.toLowerCase())),
+        };
         for (const [line, character, on, contact] of update?.power ?? []) {
             put(this.#power, line, character, { on, contact });
         }
@@ -51,6 +65,7 @@ export class Live {
         for (const tag of update?.tags ?? []) {
             this.#tags.set(tag.name.toLowerCase(), tag);
         }
+        return changed;
     }
 
     /** The text has changed: what is known moves with its lines until the server tells of the new ones. */

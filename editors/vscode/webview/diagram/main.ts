@@ -116,16 +116,17 @@ function receive(message: ToPage): void {
             page.fail(message.version);
             empty.textContent = page.isEmpty ? message.message : '';
             break;
-        case 'live':
-            live.take(message.update);
+        case 'live': {
+            const changed = live.take(message.update);
             document.body.classList.toggle('simulating', message.update !== undefined);
-            page.show();
+            page.show(changed);
             toolbar.show(message.update);
             inspect();
             speak();
             // When the frame is on the screen the next state may come.
             requestAnimationFrame(() => setTimeout(() => send({ type: 'painted' })));
             break;
+        }
         case 'cursor':
             page.cursorAt(message.place);
             break;

@@ -2,7 +2,7 @@
 import type { Drawn, FromPage, LineChange, Place } from '../../src/diagram/messages.ts';
 import { Drawing, type Part } from './drawing.ts';
 import { Layout, moved } from './layout.ts';
-import type { Live } from './live.ts';
+import type { Changed, Live } from './live.ts';
 
 /** Pieces are kept ready so far above and below what is seen, in pixels. */
 const MARGIN = 400;
@@ -152,9 +152,11 @@ export class Page {
     }
 
     /** The state of the program is another one. */
-    show(): void {
+    show(changed: Changed): void {
         for (const drawing of this.#drawings.values()) {
-            drawing.show(this.#live);
+            if (drawing.isAbout(changed)) {
+                drawing.show(this.#live);
+            }
         }
     }
 

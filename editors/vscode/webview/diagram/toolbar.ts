@@ -2,6 +2,9 @@
 import type { FromPage, LiveUpdate } from '../../src/diagram/messages.ts';
 import { standing } from './speech.ts';
 
+/** Nobody reads more often how far the program is. In milliseconds. */
+const UPDATE_EVERY = 200;
+
 const SVG = 'http://www.w3.org/2000/svg';
 
 type Name = Extract<FromPage, { type: 'command' }>['name'];
@@ -41,6 +44,9 @@ export class Toolbar {
     readonly #buttons = new Map<Name, HTMLButtonElement>();
     readonly #standing = document.createElement('span');
     readonly #zoom = document.createElement('button');
+    #state: LiveUpdate | undefined;
+    #told = 0;
+    #later: ReturnType<typeof setTimeout> | undefined;
 
     constructor(node: HTMLElement, send: (message: FromPage) => void, zoom: (factor: number | undefined) => void) {
         node.setAttribute('role', 'toolbar');
@@ -90,11 +96,27 @@ export class Toolbar {
         if (focused instanceof HTMLButtonElement && focused.hidden && focused.classList.contains('action')) {
             [...this.#buttons.values()].find((button) => !button.hidden)?.focus();
         }
-        const text = standing(state);
+        this.#state = state;
+        const wait = state?.status === 'running' ? UPDATE_EVERY - (Date.now() - this.#told) : 0;
+        if (wait <= 0) {
+            this.#tell();
+        } else {
+            this.#later ??= setTimeout(() => this.#tell(), wait);
+        }
+    }
+
+    #tell(): void {
+        clearTimeout(this.#later);
+        this.#later = undefined;
+        this.#told = Date.now();
+        const text = standing(this.#state);
         if (this.#standing.textContent !== text) {
             this.#standing.textContent = text;
         }
-        this.#standing.className = `standing ${state?.status ?? 'rest'}`;
+        const name = `standing ${this.#state?.status ?? 'rest'}`;
+        if (this.#standing.className !== name) {
+            this.#standing.className = name;
+        }
     }
 
     scale(scale: number): void {
