@@ -10,6 +10,7 @@ import { fileURLToPath } from 'node:url';
 import { chromium } from 'playwright-core';
 
 import { debug, PROGRAM, TEXT } from './debug.mjs';
+import { diagram, programs } from './diagram.mjs';
 
 const { LADDER_BIN, LADDER_FIXTURES, LADDER_CHROMIUM, LADDER_PACKAGES, LADDER_SCREENSHOTS } = process.env;
 const codeServer = fileURLToPath(import.meta.resolve('code-server/out/node/entry.js'));
@@ -67,6 +68,9 @@ function prepare() {
     writeFileSync(join(scratch, 'project/ladder.toml'), '');
     writeFileSync(join(scratch, 'project', PROGRAM), TEXT);
     writeFileSync(join(scratch, 'project/watch.clad'), '+--[TON]( clock, T#1h )--( )( late )--+\n');
+    for (const [name, text] of Object.entries(programs)) {
+        writeFileSync(join(scratch, 'project', name), text);
+    }
     // Without these code-server would write its configuration and data into the user's home.
     const folders = ['--user-data-dir', join(scratch, 'data'), '--extensions-dir', join(scratch, 'extensions')];
     return [codeServer, '--config', join(scratch, 'config.yaml'), ...folders];
@@ -370,6 +374,7 @@ async function main() {
         args: ['--no-sandbox', '--disable-gpu', '--disable-quic', '--no-first-run', '--disable-background-networking'],
     });
     const page = await browser.newPage({ viewport: { width: 1400, height: 860 } });
+    page.setDefaultTimeout(10_000);
     try {
         await page.goto(new URL(`/?folder=${join(scratch, 'project')}`, address).href);
         let told = 0;
@@ -389,6 +394,7 @@ async function main() {
         await traceTags(page);
         await edit(page);
         await debug(page, { step, screenshot });
+        await diagram(page, { step, until, command, screenshot });
     } finally {
         await screenshot(page, 'end');
         await browser.close();

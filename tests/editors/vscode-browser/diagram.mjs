@@ -1,0 +1,197 @@
+// The diagram beside the text, as somebody uses it: what is drawn, clicked and typed there.
+import assert from 'node:assert/strict';
+
+/** The page of the diagram that is in sight: a frame in a frame. */
+async function diagramOf(page, until) {
+    let found;
+    await until('the diagram', 15, async () => {
+        for (const frame of page.frames()) {
+            const isDiagram = await frame.evaluate(() => document.querySelector('main.view')?.checkVisibility()).catch(() => false);
+            const isShown = isDiagram && (await frame.frameElement().then((element) => element.isVisible()).catch(() => false));
+            if (isShown && (await frame.locator('g.element').count()) > 0) {
+                found = frame;
+                return true;
+            }
+        }
+        return false;
+    });
+    return found;
+}
+
+/** The element whose operand this is, on the first rung that has it. */
+const element = (frame, operand, kind = 'contact') =>
+    frame.locator(`g.element.${kind}`, { has: frame.locator('text', { hasText: new RegExp(`^${operand}$`) }) }).first();
+
+const words = (frame, operand, kind) => element(frame, operand, kind).getAttribute('aria-label');
+
+/** A click on the symbol, not on its name. */
+const press = (frame, operand) => element(frame, operand).locator('.gate').click({ force: true });
+
+async function open(page, name) {
+    await page.keyboard.press('Control+P');
+    await page.locator('.quick-input-widget input').first().waitFor({ timeout: 5000 });
+    await page.keyboard.type(name);
+    await page.locator('.quick-input-list .monaco-list-row', { hasText: name }).first().click({ timeout: 5000 });
+    await page.locator('.tab.active', { hasText: name }).waitFor({ timeout: 5000 });
+}
+
+/** Programs that the steps need besides. */
+export const programs = {
+    'level.clad': 'VAR_INPUT  level : INT;  END_VAR\n+--[GT]( level, 50 )--( )( high )--+\n',
+    'long.clad': Array.from({ length: 10_000 }, (_, index) => `+--[ ]( a${index} )--[/]( b )--( )( c${index} )--+\n`).join(''),
+};
+
+export async function diagram(page, { step, until, command, screenshot }) {
+    let frame;
+    await step('the diagram stands beside the text, and shows the power', async () => {
+        await open(page, 'motor.clad');
+        await command(page, 'Ladder: Stop Simulation').catch(() => page.keyboard.press('Escape'));
+        await command(page, 'Ladder: Open Diagram to the Side');
+        frame = await diagramOf(page, until);
+        assert.equal(await frame.locator('.on, .off').count(), 0, 'nothing runs');
+        await frame.locator('button.start').click();
+        await frame.locator('button.step').waitFor({ timeout: 10_000 });
+        await press(frame, 'start');
+        await until('start', 5, async () => /start is 1$/.test(await words(frame, 'start')));
+        await frame.locator('button.step').click();
+        await frame.locator('line.on').first().waitFor({ timeout: 5000 });
+        const look = (selector) =>
+            frame.locator(selector).first().evaluate((line) => {
+                const { strokeWidth, strokeDasharray } = getComputedStyle(line);
+                return { width: parseFloat(strokeWidth), dash: strokeDasharray };
+            });
+        const [on, rail] = [await look('line.on'), await look('line.rail')];
+        assert.ok(on.width > 3 && on.dash === 'none' && rail.width >= 3, JSON.stringify({ on, rail }));
+        assert.match(await words(frame, 'start'), /^Open contact start, lets power through, power flows, start is 1$/);
+        await screenshot(page, 'diagram');
+    });
+    await step('the page runs no script but its own, and takes nothing from elsewhere', async () => {
+        const found = await frame.evaluate(async () => {
+            const policy = document.querySelector('meta[http-equiv]')?.content ?? '';
+            const script = document.createElement('script');
+            script.textContent = 'window.strange = true';
+            document.body.append(script);
+            const answer = await fetch('data:text/plain,x').then(() => 'fetched', () => 'refused');
+            return { policy, strange: window.strange === true, answer };
+        });
+        assert.match(found.policy, /^default-src 'none'; style-src \S+; script-src 'nonce-[0-9a-f]{32}'$/);
+        assert.deepEqual([found.strange, found.answer], [false, 'refused']);
+    });
+    await step('a click on an input inverts it, in the text too', async () => {
+        await press(frame, 'stop');
+        await until('stop in the diagram', 5, async () => /stop is 1$/.test(await words(frame, 'stop')));
+        await command(page, 'Ladder: Step One Scan');
+        await until('no power behind it', 5, async () => /blocks the power that comes/.test(await words(frame, 'stop')));
+        await page.locator('.monaco-editor .view-line span', { hasText: 'stop' }).first().waitFor({ timeout: 5000 });
+        const off = await frame.locator('line.off').first().evaluate((line) => getComputedStyle(line).strokeDasharray);
+        assert.notEqual(off, 'none');
+        await press(frame, 'stop');
+        await until('stop again', 5, async () => /stop is 0$/.test(await words(frame, 'stop')));
+    });
+    await step('who holds a button down lets it go again', async () => {
+        const box = await element(frame, 'stop').locator('.hit').boundingBox();
+        await page.mouse.move(box.x + box.width / 2, box.y + box.height - 10);
+        await page.mouse.down();
+        await until('stop', 5, async () => /stop is 1$/.test(await words(frame, 'stop')));
+        await page.mouse.up();
+        await until('stop again', 5, async () => /stop is 0$/.test(await words(frame, 'stop')));
+    });
+    await step('the keyboard goes from element to element, forces, pulses and steps', async () => {
+        const here = () => frame.evaluate(() => document.activeElement?.getAttribute('aria-label') ?? '');
+        await element(frame, 'start').focus();
+        await page.keyboard.press('f');
+        await until('the force', 5, async () => /start is 1, forced$/.test(await here()));
+        assert.equal(await element(frame, 'start').locator('.badge').textContent(), 'F');
+        await page.keyboard.press('Enter');
+        await until('the other value', 5, async () => /start is 0, forced$/.test(await here()));
+        await frame.locator('.standing', { hasText: '1 forced' }).waitFor({ timeout: 5000 });
+        await page.keyboard.press('f');
+        // What was given before the force counts again.
+        await until('no force', 5, async () => /start is 1$/.test(await here()));
+        await page.keyboard.press('p');
+        await until('the pulse', 5, async () => /start is 0$/.test(await here()));
+        await page.keyboard.press('F10');
+        await until('its end', 5, async () => /start is 1$/.test(await here()));
+        assert.match(await words(frame, 'run', 'coil'), /^Coil run, has power, run is 1$/);
+        await page.keyboard.press('ArrowRight');
+        assert.match(await here(), /^Closed contact stop/);
+        await page.keyboard.press('ArrowDown');
+        assert.match(await here(), /^Open contact run/);
+    });
+    await step('the menu of an element forces it, and says why', async () => {
+        const choose = async (name) => {
+            await element(frame, 'stop').locator('.gate').click({ button: 'right', force: true });
+            await page.getByRole('menuitem', { name }).waitFor({ timeout: 5000 });
+            // A menu that has just appeared takes no click yet.
+            await page.waitForTimeout(400);
+            await page.getByRole('menuitem', { name }).click({ timeout: 5000 });
+        };
+        await choose('Force On');
+        await until('the force', 5, async () => /stop is 1, forced$/.test(await words(frame, 'stop')));
+        await choose('Release Force');
+        await until('no force', 5, async () => /stop is 0$/.test(await words(frame, 'stop')));
+    });
+    await step('a click on a name shows it in the text, and the cursor of the text its element', async () => {
+        await frame.locator('text', { hasText: /^lamp$/ }).first().click();
+        await page.getByText('Ln 7, Col 54').or(page.getByText(/Ln 7, Col \d+ \(4 selected\)/)).first().waitFor({ timeout: 5000 });
+        await page.locator('.monaco-editor .view-line', { hasText: 'start' }).first().click({ position: { x: 90, y: 8 } });
+        await frame.locator('g.element.cursor').first().waitFor({ timeout: 5000 });
+        await until('the element at the cursor', 5, async () => /start/.test(await frame.locator('g.element.cursor').first().getAttribute('aria-label')));
+    });
+    await step('an edit draws one network again', async () => {
+        await frame.evaluate(() => document.querySelectorAll('.piece').forEach((piece) => (piece.old = true)));
+        await page.locator('.monaco-editor .view-line', { hasText: 'warmup' }).first().click({ position: { x: 70, y: 8 } });
+        await page.keyboard.type('x');
+        const isNew = () => frame.evaluate(() => [...document.querySelectorAll('.piece')].map((piece) => !piece.old));
+        await until('the network', 5, async () => (await isNew()).filter(Boolean).length === 1);
+        assert.equal((await isNew()).length > 2, true);
+        await page.keyboard.press('Control+Z');
+    });
+    await step('a network that is half typed stays as it was', async () => {
+        await page.locator('.monaco-editor .view-line', { hasText: 'warmup' }).first().click({ position: { x: 70, y: 8 } });
+        await page.keyboard.press('Home');
+        await page.keyboard.press('Delete');
+        await page.keyboard.type('[');
+        await frame.locator('.piece.held g.element').first().waitFor({ timeout: 5000 });
+        await page.keyboard.press('Control+Z');
+        await page.keyboard.press('Control+Z');
+        await until('the drawing', 5, async () => (await frame.locator('.piece.held').count()) === 0);
+    });
+    await step('a number is set below the drawing', async () => {
+        await open(page, 'level.clad');
+        await command(page, 'Ladder: Open Diagram to the Side');
+        frame = await diagramOf(page, until);
+        await frame.locator('button.start').click();
+        await frame.locator('button.step').waitFor({ timeout: 5000 });
+        await frame.locator('g.element.contact .gate').click({ force: true });
+        const field = frame.locator('.inspector input[type="text"]');
+        await field.fill('60');
+        await field.press('Enter');
+        await frame.locator('text.value', { hasText: /^60$/ }).waitFor({ timeout: 5000 });
+        assert.equal(await frame.locator('.inspector input[type="range"]').inputValue(), '60');
+        await frame.locator('button.step').click();
+        await until('power at the coil', 5, async () => /has power/.test(await words(frame, 'high', 'coil')));
+        await screenshot(page, 'diagram-number');
+        await frame.locator('button.stop').click();
+        await frame.locator('button.start').waitFor({ timeout: 5000 });
+    });
+    await step('the diagrams are there again after a reload', async () => {
+        await page.reload();
+        await page.locator('.monaco-workbench').waitFor({ timeout: 15_000 });
+        frame = await diagramOf(page, until);
+        assert.ok((await frame.locator('g.element').count()) > 0);
+        await screenshot(page, 'diagram-reload');
+    });
+    await step('of 10,000 rungs those are drawn that are in sight', async () => {
+        await open(page, 'long.clad');
+        await command(page, 'Ladder: Open Diagram to the Side');
+        frame = await diagramOf(page, until);
+        const drawn = () => frame.locator('.piece').count();
+        assert.ok((await drawn()) < 60, `${await drawn()} networks are on the page`);
+        await frame.evaluate(() => (document.querySelector('.view').scrollTop = 200_000));
+        const lines = () => frame.locator('.gutter').allTextContents();
+        await until('the middle', 10, async () => (await lines()).some((line) => Number(line) > 4000));
+        assert.ok((await drawn()) < 60, `${await drawn()} networks are on the page`);
+        await screenshot(page, 'diagram-long');
+    });
+}
