@@ -47,7 +47,10 @@ export class DiagramEditors implements vscode.CustomTextEditorProvider, vscode.D
             there[0].reveal(undefined, true);
             return;
         }
-        const options = { viewColumn: vscode.ViewColumn.Beside, preserveFocus: true, preview: false };
+        // Diagrams are tabs of one group.
+        const other = [...this.#panels.keys()].find(({ viewColumn }) => viewColumn !== vscode.window.activeTextEditor?.viewColumn);
+        const viewColumn = other?.viewColumn ?? vscode.ViewColumn.Beside;
+        const options = { viewColumn, preserveFocus: true, preview: false };
         await vscode.commands.executeCommand('vscode.openWith', uri, DIAGRAM, options);
     }
 

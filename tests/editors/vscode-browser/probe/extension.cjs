@@ -1,6 +1,6 @@
 // A person's first hour in VS Code, step by step, through the editor's own commands. Writes one JSON object a line.
 const assert = require('node:assert/strict');
-const { appendFileSync } = require('node:fs');
+const { appendFileSync, readFileSync } = require('node:fs');
 
 const vscode = require('vscode');
 
@@ -226,6 +226,10 @@ async function session() {
 }
 
 exports.activate = () => {
+    // The page may be loaded again.
+    if (readFileSync(report, 'utf8') !== '') {
+        return;
+    }
     session()
         .catch((error) => tell({ name: 'the extension starts', ok: false, ms: 0, message: error.message }))
         .finally(() => tell({ done: true }));
