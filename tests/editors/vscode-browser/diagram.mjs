@@ -200,6 +200,7 @@ export async function diagram(page, { step, until, command, screenshot }) {
     });
     await step('of 10,000 rungs those are drawn that are in sight', async () => {
         await open(page, 'long.clad');
+        await page.locator('.monaco-editor .view-line', { hasText: 'a0' }).first().click();
         await command(page, 'Ladder: Open Diagram to the Side');
         frame = await diagramOf(page, until);
         const drawn = () => frame.locator('.piece').count();
