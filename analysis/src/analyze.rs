@@ -2,7 +2,7 @@
 
 use crate::context::{Context, context_after};
 use crate::diagnostic::Diagnostic;
-use crate::findings::{self, Finding, Ledger};
+use crate::findings::{self, Finding, Ledger, Work};
 use crate::others::Others;
 use crate::program::Program;
 use crate::resolve::{self, Resolved, numbers::Unit};
@@ -19,6 +19,8 @@ pub struct Analysis {
     findings: Vec<Finding>,
     /// Errors that settings or comments hide, or count as less: the program does not run all the same.
     pub hidden_errors: Vec<Diagnostic>,
+    /// What was looked at to find them.
+    pub work: Work,
     /// The findings with all that they say, once somebody wants them all.
     diagnostics: OnceLock<Vec<Diagnostic>>,
     /// Until the analysis of the next text takes it.
@@ -107,6 +109,7 @@ impl Clone for Analysis {
             context: Arc::clone(&self.context),
             findings: self.findings.clone(),
             hidden_errors: self.hidden_errors.clone(),
+            work: self.work,
             diagnostics: self.diagnostics.clone(),
             ledger: Mutex::default(),
             program: self.program.clone(),
@@ -155,6 +158,7 @@ pub fn analyze_context(
         context,
         findings: found.shown,
         hidden_errors: found.hidden_errors,
+        work: found.work,
         diagnostics: OnceLock::new(),
         ledger: Mutex::new(Some(found.ledger)),
         program: OnceLock::new(),

@@ -13,7 +13,7 @@ use crate::network::{Formal, Meaning};
 use crate::networks::BlockAt;
 use crate::program::{Member, Role, SystemTag};
 use crate::rules::type_mismatch;
-use crate::scope::{Origin, Scope, TagFacts};
+use crate::scope::{Origin, Scope, TagFacts, Use};
 use crate::types::{Scalar, Type};
 use ladder_instructions::{Accepts, Law, StateType, States, Timing, TypeClass};
 use ladder_syntax::{Name, TextRange};
@@ -94,7 +94,16 @@ fn by_place(context: &mut Context, out: &mut Vec<Diagnostic>) {
     }
 }
 
+/// The type that a tag's places give it. One that stands only in blocks that could not be read has neither places nor
+/// company that say anything.
 pub(crate) fn answer(context: &Context, tag: &TagFacts, out: &mut Vec<Diagnostic>) -> Option<Type> {
+    let readable = |place: Use| !context.networks.at(place.network).block(place.block).faulty;
+    let unread = || !context.uses(tag).any(readable);
+    let unknown = Type::Scalar(Scalar::integer_of(context.profile.law()));
+    asked_by_places(context, tag, out).or_else(|| unread().then_some(unknown))
+}
+
+fn asked_by_places(context: &Context, tag: &TagFacts, out: &mut Vec<Diagnostic>) -> Option<Type> {
     let mut first: Option<(Type, TextRange)> = None;
     // `(R)` also takes timers and counters: it makes a tag BOOL only where no other place has a say.
     let mut reset = false;

@@ -8,6 +8,7 @@
 //! TABLE --instruction_pages--> docs/src/language/instructions/*.md  compared by tests/project/instruction_reference.rs
 //! Rule::ALL --rule_index--> docs/src/rules/index.md               compared by tests/project/rule_index.rs
 //! SECTIONS --settings_reference--> settings.md, the schema, package.json  compared by tests/project/settings_reference.rs
+//! typed_programs: what an edit costs, counted by tests/project/work_of_an_edit.rs and measured by benches/language_server
 //! console blocks --console--> what they really show                compared by cli/tests/project/book_sessions.rs
 //! ```
 
@@ -19,5 +20,6 @@ pub mod markdown;
 pub mod project;
 pub mod rule_index;
 pub mod settings_reference;
+pub mod typed_programs;
 
 pub use ladder_invariants::{features, generator, reference, trace};

@@ -55,6 +55,16 @@ pub(crate) struct Ledger {
     count: usize,
     /// There are so many that no networks were looked at from this one on.
     full_from: Option<usize>,
+    work: Work,
+}
+
+/// What was looked at to find what is wrong in a text: of one that came from another by an edit, what the edit concerns.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
+pub struct Work {
+    /// Networks.
+    pub networks: usize,
+    /// Tags.
+    pub tags: usize,
 }
 
 /// What is found in a network.
@@ -109,6 +119,7 @@ impl Ledger {
             notes: PartNotes::default(),
             count: 0,
             full_from: None,
+            work: Work::default(),
         }
     }
 
@@ -134,6 +145,10 @@ impl Ledger {
             ),
         };
         ledger.context = context.serial;
+        ledger.work = Work {
+            networks: networks.len(),
+            tags: 0,
+        };
         let numbers = context.networks.numbers();
         ledger.networks.resize_with(numbers, OfNetwork::default);
         ledger.control_flow.resize(numbers, ControlFlow::default());
@@ -270,6 +285,7 @@ impl Ledger {
                     let named = network.facts().named.iter();
                     again.extend(named.map(|named| (network.scope, named.key.clone())));
                 }
+                self.work.tags = again.len();
                 for key in again {
                     self.tags.look(context, key, &around);
                 }
@@ -277,6 +293,7 @@ impl Ledger {
             None => {
                 self.tags = OfTags::default();
                 for (scope, facts) in context.scopes.iter().enumerate() {
+                    self.work.tags += facts.tags.len();
                     for tag in facts.tags.iter().filter(|tag| tag.shared.is_none()) {
                         self.tags.look_at(context, (scope, tag), &around);
                     }
@@ -339,8 +356,10 @@ impl Ledger {
     ) {
         let rail_varies = any.has(ControlFlow::MCR);
         let mut again = networks.clone();
+        self.work.networks += toggled.len();
         again.extend(toggled);
         if self.rail_varies != rail_varies {
+            self.work.networks += context.networks.len();
             again.extend(0..context.networks.len());
             self.rail_varies = rail_varies;
         }
@@ -390,6 +409,11 @@ impl Ledger {
     /// What tags own.
     pub(super) fn at_tags(&self) -> impl Iterator<Item = &Arc<Anchored>> {
         self.tags.found.values().flatten()
+    }
+
+    /// What was looked at last.
+    pub(super) fn work(&self) -> Work {
+        self.work
     }
 
     /// Whether not all networks were looked at.

@@ -15,6 +15,7 @@ mod shown;
 
 pub(crate) use anchored::Anchored;
 pub(crate) use ledger::Ledger;
+pub use ledger::Work;
 
 use crate::context::Context;
 use crate::diagnostic::Diagnostic;
@@ -94,6 +95,8 @@ pub(crate) struct Found {
     pub(crate) shown: Vec<Finding>,
     /// Errors that settings or comments hide, or count as less.
     pub(crate) hidden_errors: Vec<Diagnostic>,
+    /// What was looked at for it.
+    pub(crate) work: Work,
     /// To be handed on to the next text.
     pub(crate) ledger: Ledger,
 }
@@ -112,6 +115,7 @@ pub(crate) fn find(before: Option<Ledger>, context: &Context, settings: &RuleSet
     Found {
         shown,
         hidden_errors,
+        work: ledger.work(),
         ledger,
     }
 }

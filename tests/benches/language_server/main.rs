@@ -11,10 +11,9 @@
 //! of rungs and kinds of programs (clean, warned, shared, twice, blocks) may follow as arguments.
 
 mod client;
-mod programs;
 
 use client::Server;
-use programs::{KINDS, Kind, Program, Spot};
+use ladder_tests::typed_programs::{KINDS, Kind, Program, Spot};
 use serde_json::{Value, json};
 use std::time::{Duration, Instant};
 
@@ -29,9 +28,9 @@ struct Typing {
 impl Typing {
     /// A letter in, a letter out.
     fn type_on(&mut self) {
-        let Spot { line, column } = self.spot;
+        let Spot { line, column, letter } = self.spot;
         let (end, new) = if self.version % 2 == 1 {
-            (column, "5")
+            (column, letter)
         } else {
             (column + 1, "")
         };
@@ -122,6 +121,7 @@ fn measure(name: &str, kind: Kind, rungs: usize) {
     for (what, spot) in [
         ("edit of a number", program.in_a_number()),
         ("edit of a name", program.in_a_name()),
+        ("edit of a half-typed rung", program.half_typed()),
         ("edit of a declaration", program.in_a_declaration()),
     ] {
         typing.spot = spot;

@@ -22,3 +22,4 @@ mod scenarios;
 mod settings_reference;
 mod texts;
 mod timing_diagrams;
+mod work_of_an_edit;

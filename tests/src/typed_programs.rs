@@ -1,10 +1,10 @@
-//! The programs that are typed into, and where.
+//! Programs of any size that somebody types into, and where: what an edit costs is measured and counted with them.
 
 use std::fmt::Write as _;
 
 /// What makes an edit dear.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Kind {
+pub enum Kind {
     /// Nothing: all is declared, and nothing is found.
     Clean,
     /// Every network has a warning.
@@ -17,7 +17,8 @@ pub(super) enum Kind {
     UserBlocks,
 }
 
-pub(super) const KINDS: [(&str, Kind); 5] = [
+/// All of them, by the names that people give.
+pub const KINDS: [(&str, Kind); 5] = [
     ("clean", Kind::Clean),
     ("warned", Kind::Warned),
     ("shared", Kind::Shared),
@@ -25,21 +26,26 @@ pub(super) const KINDS: [(&str, Kind); 5] = [
     ("blocks", Kind::UserBlocks),
 ];
 
-/// A program, and its networks.
-pub(super) struct Program {
-    pub(super) text: String,
+/// A program.
+pub struct Program {
+    /// Its text, laid out.
+    pub text: String,
 }
 
-/// A place of one letter: line and column, from 0.
-#[derive(Clone, Copy)]
-pub(super) struct Spot {
-    pub(super) line: usize,
-    pub(super) column: usize,
+/// A letter that comes and goes.
+#[derive(Clone, Copy, Debug)]
+pub struct Spot {
+    /// From 0.
+    pub line: usize,
+    /// In bytes, from 0.
+    pub column: usize,
+    /// What is typed there.
+    pub letter: &'static str,
 }
 
 impl Program {
     /// About so many rungs, aligned.
-    pub(super) fn new(kind: Kind, rungs: usize) -> Program {
+    pub fn new(kind: Kind, rungs: usize) -> Program {
         let mut sections = [String::new(), String::new(), String::new()];
         let mut drawn = String::new();
         let networks = rungs / 2;
@@ -104,23 +110,33 @@ impl Program {
         let all: Vec<(usize, &str)> = lines.filter(|(_, line)| wanted(line)).collect();
         let (line, row) = all[all.len() / 2];
         let column = row.find(word).expect("the word stands on the line") + word.len();
-        Spot { line, column }
+        Spot {
+            line,
+            column,
+            letter: "5",
+        }
     }
 
     /// In the number of a preset: the program stays clean.
-    pub(super) fn in_a_number(&self) -> Spot {
+    pub fn in_a_number(&self) -> Spot {
         self.behind("T#5", |line| line.contains("T#5"))
     }
 
     /// In the name of an operand, which then is not declared.
-    pub(super) fn in_a_name(&self) -> Spot {
+    pub fn in_a_name(&self) -> Spot {
         self.behind("( start", |line| {
             line.starts_with('+') && line.contains("( start")
         })
     }
 
+    /// In the middle of an operand: with it nothing can be read to the end of the rung.
+    pub fn half_typed(&self) -> Spot {
+        let spot = self.in_a_number();
+        Spot { letter: "(", ..spot }
+    }
+
     /// In the name of a declaration.
-    pub(super) fn in_a_declaration(&self) -> Spot {
+    pub fn in_a_declaration(&self) -> Spot {
         self.behind("    start", |line| line.starts_with("    start"))
     }
 }

@@ -1,0 +1,51 @@
+//! What is looked at after an edit does not grow with the file.
+
+use ladder_analysis::{Analysis, Others, RuleSettings, Work, analyze_after, analyze_with};
+use ladder_syntax::{Parse, parse};
+use ladder_tests::typed_programs::{KINDS, Kind, Program, Spot};
+use std::sync::Arc;
+
+/// What is looked at when a letter comes, and when it goes again.
+fn work(kind: Kind, rungs: usize, spot: fn(&Program) -> Spot) -> [Work; 2] {
+    let program = Program::new(kind, rungs);
+    let spot = spot(&program);
+    let line: usize = program
+        .text
+        .split_inclusive('\n')
+        .take(spot.line)
+        .map(str::len)
+        .sum();
+    let mut typed = program.text.clone();
+    typed.insert_str(line + spot.column, spot.letter);
+    let (others, settings) = (Others::default(), RuleSettings::default());
+    let parsed = Arc::new(parse(&program.text));
+    let first = analyze_with(&parsed, "main", &others, &settings);
+    let next = |before: &Analysis, parse: &Parse, old: &str, new: &str| {
+        let parsed = Arc::new(parse.updated(old, new));
+        let analysis = analyze_after(Some(before), &parsed, "main", &others, &settings);
+        (parsed, analysis)
+    };
+    let (with, second) = next(&first, &parsed, &program.text, &typed);
+    let (_, third) = next(&second, &with, &typed, &program.text);
+    [second.work, third.work]
+}
+
+#[test]
+fn does_not_grow_with_the_file() {
+    let spots: [(&str, fn(&Program) -> Spot); 3] = [
+        ("a number", Program::in_a_number),
+        ("a name", Program::in_a_name),
+        ("a half-typed rung", Program::half_typed),
+    ];
+    for (name, kind) in KINDS {
+        for (what, spot) in spots {
+            let (small, large) = (work(kind, 200, spot), work(kind, 2_000, spot));
+            assert_eq!(small, large, "{what} in a program of the kind {name}");
+            let most = small.iter().map(|work| work.networks.max(work.tags)).max();
+            assert!(
+                most < Some(20),
+                "{what} in a program of the kind {name}: {small:?}"
+            );
+        }
+    }
+}
