@@ -383,6 +383,43 @@ fn findings_whose_reasons_stand_elsewhere() {
     }
 }
 
+/// An edit in one network that decides about findings in another, which is not looked at for its own sake.
+#[test]
+fn edits_that_decide_about_other_networks() {
+    let network = |drawn: &str| format!("+--[ ]( first )--( )( second )--+\n\n{drawn}\n");
+    // Messages spell a tag as it stands first.
+    let spelled = |name| {
+        network(&format!(
+            "+--[ ]( {name} )--( )( x )--+\n\n+--[ ]( start )--[/]( start )--( )( y )--+"
+        ))
+    };
+    // A second block of a timer is an error: of that network no more is said.
+    let timed = |timer| {
+        network(&format!(
+            "+--[ ]( a )--[TON]( {timer}, T#1s )--+\n\n+--[ ]( b )--[/]( b )--[TON]( t, T#1s )--( )( y )--+"
+        ))
+    };
+    // In a program without outputs its internal tags are what people look at.
+    let led_out = |tag| network(&format!("+--[ ]( I1 )--( )( {tag} )--+\n\n+--[ ]( I2 )--( )( M2 )--+"));
+    // Behind a way out two coils may be two cases.
+    let left = |block| {
+        network(&format!(
+            "+--[ ]( a )--( )( y )--+\n\n+--[ ]( b )--{block}--+\n\n+--[ ]( c )--( )( y )--+"
+        ))
+    };
+    for texts in [
+        ["start", "START", "start", "other"].map(spelled),
+        ["u", "t", "u", "t"].map(timed),
+        ["Q1", "M1", "Q1", "M2"].map(led_out),
+        ["( )( z )", "<END>", "( )( z )", "( )( y )"].map(left),
+    ] {
+        let mut document = Document::with(String::new(), RuleSettings::everything());
+        for text in texts {
+            document.becomes(text);
+        }
+    }
+}
+
 /// `GENERATED_PROGRAMS` asks for more of them.
 fn asked(usual: u64) -> u64 {
     let asked = std::env::var("GENERATED_PROGRAMS");
