@@ -390,7 +390,7 @@ fn edits_that_decide_about_other_networks() {
     // Messages spell a tag as it stands first.
     let spelled = |name| {
         network(&format!(
-            "+--[ ]( {name} )--( )( x )--+\n\n+--[ ]( start )--[/]( start )--( )( y )--+"
+            "+--[ ]( {name} )--( )( x )--+\n\n+--[ ]( a )--( )( m )--[/]( m )--( )( y )--+"
         ))
     };
     // A second block of a timer is an error: of that network no more is said.
@@ -400,7 +400,11 @@ fn edits_that_decide_about_other_networks() {
         ))
     };
     // In a program without outputs its internal tags are what people look at.
-    let led_out = |tag| network(&format!("+--[ ]( I1 )--( )( {tag} )--+\n\n+--[ ]( I2 )--( )( M2 )--+"));
+    let led_out = |tag| {
+        network(&format!(
+            "+--[ ]( I1 )--( )( {tag} )--+\n\n+--[ ]( I2 )--( )( M2 )--+"
+        ))
+    };
     // Behind a way out two coils may be two cases.
     let left = |block| {
         network(&format!(
@@ -408,7 +412,7 @@ fn edits_that_decide_about_other_networks() {
         ))
     };
     for texts in [
-        ["start", "START", "start", "other"].map(spelled),
+        ["y", "Y", "y", "other"].map(spelled),
         ["u", "t", "u", "t"].map(timed),
         ["Q1", "M1", "Q1", "M2"].map(led_out),
         ["( )( z )", "<END>", "( )( z )", "( )( y )"].map(left),
