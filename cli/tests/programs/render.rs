@@ -35,6 +35,51 @@ fn a_run_shows_power_and_values() {
     assert!(!at_rest.stdout.contains(r#"class="live""#));
 }
 
+#[test]
+fn characters_at_rest_and_with_power() {
+    let folder = Folder::with(&[("motor.clad", MOTOR)]);
+    let rest = folder.ladder(&["render", "motor.clad", "--format", "text"]);
+    expect![[r#"
+        exit status 0
+        -- stdout
+        │     start     stop                                                    run   │
+        ├──┬──┤   ├──┬──┤ / ├──────────────────────────────────────────────────(   )──┤
+        │  │   run   │                                                                │
+        │  └──┤   ├──┘                                                                │
+    "#]]
+    .assert_eq(&rest.to_string());
+    let run = [
+        "render",
+        "motor.clad",
+        "-o",
+        "motor.txt",
+        "--scans",
+        "2",
+        "--set",
+        "start=1",
+    ];
+    assert_eq!(folder.ladder(&run).status, Some(0));
+    expect![[r#"
+        │     start     stop                                                    run   │
+        ┝━━┳━━┥━━━┝━━┳━━┥━/━┝━━━━━━━━━━━━━━━━━━━━━━━━━━━━━━━━━━━━━━━━━━━━━━━━━━(━━━)━━┥
+        │  ┃   run   ┃                                                                │
+        │  ┗━━┥━━━┝━━┛                                                                │
+    "#]]
+    .assert_eq(&folder.read("motor.txt"));
+    let forced = [
+        "render",
+        "motor.clad",
+        "--format",
+        "text",
+        "--scans",
+        "2",
+        "--force",
+        "stop=1",
+    ];
+    let forced = folder.ladder(&forced);
+    assert!(forced.stdout.contains("stop!"), "{forced}");
+}
+
 /// The texts of a picture.
 fn texts(picture: &str) -> Vec<&str> {
     let texts = picture.lines().filter(|line| line.starts_with("<text"));
@@ -126,7 +171,7 @@ fn what_cannot_be_done_is_said_and_nothing_is_written() {
         error: missing.clad: no such file or folder
         error: there: this is a folder; name a file in it
         error: there: this is a folder; name a file in it
-        error: motor: the name does not say which picture it is; end it in .svg, .png or .pdf, or add --format
+        error: motor: the name does not say which picture it is; end it in .svg, .png, .pdf or .txt, or add --format
         error: --scale is about the pixels of a PNG; other pictures are as large as they are shown
         error: --paper, --landscape and --title are about the pages of a PDF; end the file's name in .pdf
         error: --paper, --landscape and --title are about the pages of a PDF; end the file's name in .pdf
@@ -150,7 +195,7 @@ fn a_name_that_says_no_kind_of_picture() {
     expect![[r#"
         exit status 2
         -- stderr
-        error: motor.jpg: the name does not say which picture it is; end it in .svg, .png or .pdf, or add --format
+        error: motor.jpg: the name does not say which picture it is; end it in .svg, .png, .pdf or .txt, or add --format
     "#]]
     .assert_eq(
         &folder

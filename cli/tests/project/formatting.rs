@@ -22,7 +22,7 @@ fn findings(text: &str) -> Vec<(Rule, String)> {
         .any(|d| d.rule == Rule::MisplacedRail);
     let mut findings: Vec<_> = analysis
         .diagnostics()
-        .into_iter()
+        .iter()
         .filter(|d| !matches!(d.rule, Rule::MissingWire | Rule::MisleadingAlignment))
         .filter(|d| !(cut && d.rule == Rule::OpenWire))
         // A message may name a line, and lines come and go.

@@ -4,6 +4,7 @@
 mod pdf;
 #[cfg(feature = "png")]
 mod raster;
+mod text;
 
 #[cfg(not(all(feature = "pdf", feature = "png")))]
 use crate::features::Feature;
@@ -30,6 +31,7 @@ Examples:
   ladder render motor.clad -o motor.pdf            pages, with a table of tags
   ladder render motor.clad -o motor.pdf --paper letter --landscape --title Pumps
   ladder render motor.clad --theme dark > motor.svg
+  ladder render motor.clad --format text           with characters
   ladder render motor.clad -o motor.svg --scans 3 --set start=1
                                                    with power, after 3 scans
 
@@ -46,7 +48,7 @@ pub(crate) struct Arguments {
     /// The program
     file: PathBuf,
 
-    /// Write to this file instead of stdout; its name ends in .svg, .png or .pdf. A program, or a file that this command
+    /// Write to this file instead of stdout; its name ends in .svg, .png, .pdf or .txt. A program, or a file that this command
     /// did not make, is replaced only with --force
     #[arg(short, long, value_name = "FILE")]
     output: Option<PathBuf>,
@@ -96,6 +98,8 @@ enum Format {
     Png,
     /// Pages for a printer
     Pdf,
+    /// Characters, for a terminal or a comment
+    Text,
 }
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
@@ -125,9 +129,12 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     let source = Source::read(&arguments.file, arguments.from.as_deref().map(form::named))?;
     let theme = match (arguments.theme, format) {
         (Colours::Auto, Format::Svg) => Theme::Auto,
-        (Colours::Auto, Format::Png | Format::Pdf) | (Colours::Light, _) => Theme::Light,
+        (Colours::Auto, Format::Png | Format::Pdf | Format::Text) | (Colours::Light, _) => Theme::Light,
         (Colours::Dark, _) => Theme::Dark,
     };
+    if format == Format::Text {
+        return characters(arguments, &source);
+    }
     let (scene, outcome) = match arguments.scans {
         None => at_rest(&source),
         Some(scans) => match running(arguments, &source, scans)? {
@@ -143,19 +150,40 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
         Format::Png => raster::png(&picture::svg(&scene, theme), arguments.scale.unwrap_or(2.0))
             .map_err(|problem| Failure::new(format!("{}: {problem}", shown::line(&source.file))))?,
         Format::Pdf => pages(arguments, &source, &scene, theme)?,
+        Format::Text => Vec::new(),
     };
+    write(arguments, format, &bytes)?;
+    Ok(outcome)
+}
+
+/// The diagram drawn with characters, at rest or after so many scans.
+fn characters(arguments: &Arguments, source: &Source) -> Result<Outcome, Failure> {
+    let (drawn, outcome) = match arguments.scans {
+        None => (text::drawn(source, None), rest(source)),
+        Some(scans) => match simulated(arguments, source, scans)? {
+            Some(run) => (text::drawn(source, Some(&run.simulation)), run.outcome()),
+            None => return Ok(Outcome::Findings),
+        },
+    };
+    write(arguments, Format::Text, drawn.as_bytes())?;
+    Ok(outcome)
+}
+
+fn write(arguments: &Arguments, format: Format, bytes: &[u8]) -> Result<(), Failure> {
     match target(arguments) {
-        Some(file) => ladder_workspace::write(file, &bytes)?,
+        Some(file) => ladder_workspace::write(file, bytes)?,
         None => {
             let mut out = Stdout::new();
             match format {
-                Format::Svg => out.write_all(shown::text(&String::from_utf8_lossy(&bytes)).as_bytes())?,
-                Format::Png | Format::Pdf => out.write_all(&bytes)?,
+                Format::Svg | Format::Text => {
+                    out.write_all(shown::text(&String::from_utf8_lossy(bytes)).as_bytes())?;
+                }
+                Format::Png | Format::Pdf => out.write_all(bytes)?,
             }
             out.flush()?;
         }
     }
-    Ok(outcome)
+    Ok(())
 }
 
 /// Refuses what has no effect on the picture that is asked for: it was meant to have one.
@@ -233,19 +261,24 @@ fn pages(_: &Arguments, _: &Source, _: &Scene, _: Theme) -> Result<Vec<u8>, Fail
 /// The picture of the program as it is written. One with errors is drawn as well, and stderr shows them.
 fn at_rest(source: &Source) -> (Scene, Outcome) {
     let scene = picture::scene(&source.analyze().context, &Options::default());
+    (scene, rest(source))
+}
+
+/// What is said of a program that is drawn without being run.
+fn rest(source: &Source) -> Outcome {
     if !source.has_errors() {
-        return (scene, Outcome::Fine);
+        return Outcome::Fine;
     }
     show_errors(source);
     terminal::error(&format_args!(
         "{}: drawn as far as it goes; the program has errors",
         shown::line(&source.file)
     ));
-    (scene, Outcome::Findings)
+    Outcome::Findings
 }
 
-/// The picture of the program after so many scans; none if it has errors, which stderr then shows.
-fn running(arguments: &Arguments, source: &Source, scans: u64) -> Result<Option<(Scene, Outcome)>, Failure> {
+/// The program after so many scans; none if it has errors, which stderr then shows.
+fn simulated<'s>(arguments: &Arguments, source: &'s Source, scans: u64) -> Result<Option<Run<'s>>, Failure> {
     let Some(program) = program(source) else {
         return Ok(None);
     };
@@ -261,6 +294,14 @@ fn running(arguments: &Arguments, source: &Source, scans: u64) -> Result<Option<
         retention: None,
     };
     while run.scan() {}
+    Ok(Some(run))
+}
+
+/// The picture of the program after so many scans; none if it has errors.
+fn running(arguments: &Arguments, source: &Source, scans: u64) -> Result<Option<(Scene, Outcome)>, Failure> {
+    let Some(run) = simulated(arguments, source, scans)? else {
+        return Ok(None);
+    };
     let simulation = &run.simulation;
     let power = simulation
         .power()
@@ -304,7 +345,7 @@ fn format(arguments: &Arguments) -> Result<Format, Failure> {
         (None, Some(file)) => by_name(file)?,
     };
     let not_text = match format {
-        Format::Svg => None,
+        Format::Svg | Format::Text => None,
         Format::Png => Some("a PNG is not for a terminal; name a file with -o, for example -o motor.png"),
         Format::Pdf => Some("a PDF is not for a terminal; name a file with -o, for example -o motor.pdf"),
     };
@@ -325,8 +366,9 @@ fn by_name(file: &Path) -> Result<Format, Failure> {
         Some("svg") => Ok(Format::Svg),
         Some("png") => Ok(Format::Png),
         Some("pdf") => Ok(Format::Pdf),
+        Some("txt") => Ok(Format::Text),
         _ => Err(Failure::new(format!(
-            "{}: the name does not say which picture it is; end it in .svg, .png or .pdf, or add --format",
+            "{}: the name does not say which picture it is; end it in .svg, .png, .pdf or .txt, or add --format",
             file.display()
         ))),
     }

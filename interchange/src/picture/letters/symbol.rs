@@ -60,6 +60,16 @@ pub(super) fn lines(symbol: &Symbol) -> Lines {
 
 /// Draws a symbol with its wires up to the ends of its room.
 pub(super) fn draw(canvas: &mut Canvas, symbol: &Symbol, place: Place, standing: &Standing<'_>) {
+    // One that is open and has power before it blocks that.
+    let holds_up = standing.gate == Some(Gate::Open) && standing.arriving == Flow::Live;
+    let standing = &Standing {
+        gate: if holds_up {
+            Some(Gate::Blocks)
+        } else {
+            standing.gate
+        },
+        ..*standing
+    };
     let Place { row, left, right } = place;
     match symbol {
         Symbol::Contact { mark, over, under } => {
