@@ -8,13 +8,14 @@ use ladder_ide::{
     outline, prepare_rename, quick_fixes, refactorings, references, rename, selections, semantic_tokens,
     signature_help, type_definition, workspace_symbols,
 };
+use ladder_interchange::picture::live::pieces;
 use ladder_syntax::{TextRange, TextSize};
 
 /// Asks at an offset; `end` is the end of the text.
 pub type Ask = fn(&Analysis, TextSize, TextSize);
 
 /// All features that are asked at a place.
-pub const FEATURES: [(&str, Ask); 19] = [
+pub const FEATURES: [(&str, Ask); 20] = [
     ("hover", |it, at, _| drop(hover(&it.context, at))),
     ("completion", |it, at, end| {
         for item in completions(&it.context, at, None).items {
@@ -95,6 +96,23 @@ pub const FEATURES: [(&str, Ask); 19] = [
     }),
     ("hints from there on", |it, at, end| {
         drop(inlays(&it.context, TextRange::new(at, end)));
+    }),
+    ("the diagram from there on", |it, at, end| {
+        let text = it.context.parse.to_string();
+        let mut behind = TextSize::new(0);
+        for piece in pieces(&it.context, &text, TextRange::new(at, end), 60) {
+            assert!(
+                piece.range.start() >= behind && piece.range.end() <= end,
+                "{:?} behind {behind:?} in {text:?}",
+                piece.range
+            );
+            behind = piece.range.end();
+            let place = |offset: TextSize| {
+                assert!(piece.range.contains_inclusive(offset));
+                String::new()
+            };
+            drop(piece.svg(&it.context, &place));
+        }
     }),
     ("tokens from there on", |it, at, end| {
         drop(semantic_tokens(&it.context, Some(TextRange::new(at, end))));

@@ -120,6 +120,8 @@ export class Drawing {
     readonly piece: Piece;
     readonly parts: readonly Part[];
     first: number;
+    /** What is said of its elements is older than what is seen. */
+    owesWords = false;
     readonly #powered: readonly Powered[];
     readonly #gutter: HTMLElement;
     /** The tags that it shows, in lower case. */
@@ -188,8 +190,9 @@ export class Drawing {
         return false;
     }
 
-    /** Shows the state of the program. */
-    show(live: Live): void {
+    /** Shows the state of the program; what is only heard, or asked for, may wait. */
+    show(live: Live, isHurried = false): void {
+        this.owesWords = isHurried;
         const isLive = live.state !== undefined;
         for (const powered of this.#powered) {
             const powers = powered.parts.map(([line, character]) => live.power(this.first + line, character));
@@ -203,7 +206,7 @@ export class Drawing {
         }
         this.#tags.clear();
         for (const part of this.parts) {
-            this.#showPart(part, live);
+            this.#showPart(part, live, isHurried);
         }
     }
 
@@ -212,7 +215,7 @@ export class Drawing {
         return live.tagsOf(part.operands.map(({ place: [line, character] }) => [this.first + line, character]));
     }
 
-    #showPart(part: Part, live: Live): void {
+    #showPart(part: Part, live: Live, isHurried: boolean): void {
         const power = live.power(this.first + part.at[0], part.at[1]);
         const tags = this.tagsOf(part, live);
         const [main] = tags;
@@ -235,6 +238,9 @@ export class Drawing {
             const tag = live.tagsOf([[this.first + operand[0], operand[1]]])[0];
             setText(text, tag ? fitted(`${tag.forced ? 'F ' : ''}${showValue(tag)}`, room) : '');
             text.classList.toggle('forced', tag?.forced === true);
+        }
+        if (isHurried && part.node !== document.activeElement) {
+            return;
         }
         const words = describe({ ...part, operands: part.operands.map(({ text }) => text) }, power, tags);
         if (words !== part.words) {

@@ -10,6 +10,8 @@ const MARGIN = 400;
 const AHEAD = 20;
 /** So many drawings are remembered. */
 const REMEMBERED = 2000;
+/** While a program runs, elements are not put into words more often. In milliseconds. */
+const WORDS_EVERY = 500;
 /** The width of a letter of a drawing, and what a drawing has beside its rails, in pixels. */
 const LETTER = 8;
 const BESIDE = 80;
@@ -34,6 +36,8 @@ export class Page {
     readonly #drawings = new Map<number, Drawing>();
     readonly #svgs = new Map<string, string>();
     #rail = 0;
+    /** When elements were last put into words. */
+    #spoken = 0;
     /** A question is on its way. */
     #isAsking = false;
     /** The version of a text of which there is no drawing. */
@@ -153,9 +157,13 @@ export class Page {
 
     /** The state of the program is another one. */
     show(changed: Changed): void {
+        const isHurried = this.#live.state?.status === 'running' && Date.now() - this.#spoken < WORDS_EVERY;
+        if (!isHurried) {
+            this.#spoken = Date.now();
+        }
         for (const drawing of this.#drawings.values()) {
-            if (drawing.isAbout(changed)) {
-                drawing.show(this.#live);
+            if (drawing.isAbout(changed) || (drawing.owesWords && !isHurried)) {
+                drawing.show(this.#live, isHurried);
             }
         }
     }
