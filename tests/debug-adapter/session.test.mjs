@@ -412,3 +412,21 @@ test('launches that cannot be are refused in words', async () => {
         rmSync(folder, { recursive: true });
     }
 });
+
+test('a scan that takes minutes does not keep a pause waiting', async () => {
+    const folder = mkdtempSync(join(tmpdir(), 'ladder-dap-'));
+    try {
+        const endless = join(folder, 'endless.clad');
+        writeFileSync(endless, 'VAR n : LINT; END_VAR\n+--<LBL>( again )--[ADD]( n, n, 1 )--<JMP>( again )--+\n');
+        writeFileSync(join(folder, 'ladder.toml'), '[simulate]\nwatchdog = 1000000000000\n');
+        await Promise.all([client.configurationSequence(), client.launch({ program: endless })]);
+        await stopsAfter('pause', client.pauseRequest({ threadId: 1 }));
+        assert.equal(await value('n'), '0');
+        // A step gives up likewise.
+        const step = client.stepOutRequest({ threadId: 1 });
+        await Promise.all([step, client.pauseRequest({ threadId: 1 })]);
+        await Promise.all([client.waitForEvent('terminated'), client.terminateRequest()]);
+    } finally {
+        rmSync(folder, { recursive: true });
+    }
+});
