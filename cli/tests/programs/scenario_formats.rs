@@ -105,6 +105,16 @@ fn json() {
                   "off": true,
                   "on": true
                 }
+              ],
+              "rungs": [
+                {
+                  "line": 1,
+                  "scans": 9
+                },
+                {
+                  "line": 2,
+                  "scans": 9
+                }
               ]
             }
           ],

@@ -11,6 +11,7 @@ import { chromium } from 'playwright-core';
 
 import { debug, PROGRAM, TEXT } from './debug.mjs';
 import { diagram, programs } from './diagram.mjs';
+import { scenarios } from './scenarios.mjs';
 
 const { LADDER_BIN, LADDER_FIXTURES, LADDER_CHROMIUM, LADDER_PACKAGES, LADDER_SCREENSHOTS } = process.env;
 const codeServer = fileURLToPath(import.meta.resolve('code-server/out/node/entry.js'));
@@ -395,6 +396,7 @@ async function main() {
         await edit(page);
         await debug(page, { step, screenshot });
         await diagram(page, { step, until, command, screenshot });
+        await scenarios(page, { step, screenshot, command });
     } finally {
         await screenshot(page, 'end');
         await browser.close();

@@ -270,7 +270,15 @@ struct FileObject<'a> {
     networks: Count,
     contacts: Count,
     coils: Count,
+    /// The lines of networks, with how many scans reached them.
+    rungs: Vec<RungObject>,
     parts: Vec<PartObject>,
+}
+
+#[derive(Serialize)]
+struct RungObject {
+    line: u32,
+    scans: u64,
 }
 
 #[derive(Serialize)]
@@ -291,6 +299,16 @@ pub(super) fn json(covered: &Covered) -> impl Serialize + '_ {
             networks,
             contacts,
             coils,
+            rungs: file
+                .networks
+                .values()
+                .flat_map(|network| {
+                    network.lines.iter().map(|&line| RungObject {
+                        line,
+                        scans: network.scans,
+                    })
+                })
+                .collect(),
             parts: file
                 .parts
                 .values()

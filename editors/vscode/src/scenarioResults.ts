@@ -1,0 +1,93 @@
+// What `ladder test --format json` says, and what of it is shown where.
+
+export interface Results {
+    readonly files: readonly FileResult[];
+    readonly coverage?: readonly Covered[];
+}
+
+export interface FileResult {
+    readonly file: string;
+    readonly program: string | null;
+    readonly mistakes: readonly { readonly file: string; readonly line: number; readonly column: number; readonly message: string }[];
+    readonly scenarios: readonly ScenarioResult[];
+}
+
+export interface ScenarioResult {
+    readonly name: string;
+    readonly line: number;
+    readonly passed: boolean;
+    readonly seconds: number;
+    readonly differences: readonly Difference[];
+    readonly faults: readonly { readonly file: string; readonly line: number; readonly message: string; readonly scan: number }[];
+    /** Both waveforms, with what differs. */
+    readonly diagram?: string;
+    readonly stopped_in_step?: number;
+}
+
+/** A row that is not as expected: the place of the first value that is not met, from 1, in characters. */
+export interface Difference {
+    readonly tag: string;
+    readonly line: number;
+    readonly column: number;
+    /** From 0. */
+    readonly steps: readonly number[];
+    readonly message: string;
+}
+
+export interface Covered {
+    readonly file: string;
+    readonly networks: { readonly exercised: number; readonly all: number };
+    readonly rungs: readonly { readonly line: number; readonly scans: number }[];
+    readonly parts: readonly {
+        readonly kind: 'contact' | 'comparison' | 'coil';
+        readonly line: number;
+        readonly column: number;
+        readonly on: boolean;
+        readonly off: boolean;
+    }[];
+}
+
+/** A stretch of a line: the line from 0, columns from 0 in UTF-16 units. */
+export interface Stretch {
+    readonly line: number;
+    readonly start: number;
+    readonly end: number;
+}
+
+/** A column in characters from 1 as one in UTF-16 units from 0. */
+export function unitsBefore(line: string, column: number): number {
+    return [...line].slice(0, column - 1).join('').length;
+}
+
+/**
+ * Where the steps of a row stand that are not as expected: each run of them in a waveform, else the first value.
+ *
+ * @param line the row's text
+ */
+export function failingStretches(line: string, { line: number, column, steps }: Difference): Stretch[] {
+    const first = unitsBefore(line, column);
+    const at = number - 1;
+    const wave = /^[_\-.]+/.exec(line.slice(first))?.[0] ?? '';
+    const [from] = steps;
+    if (from === undefined || wave === '') {
+        const word = /^'[^']*'|^\S+/.exec(line.slice(first))?.[0] ?? ' ';
+        return [{ line: at, start: first, end: first + word.length }];
+    }
+    const stretches: { line: number; start: number; end: number }[] = [];
+    for (const step of steps) {
+        const start = first + step - from;
+        const last = stretches.at(-1);
+        if (last?.end === start) {
+            last.end += 1;
+        } else if (start < first + wave.length) {
+            stretches.push({ line: at, start, end: start + 1 });
+        }
+    }
+    return stretches;
+}
+
+/** What is missing of a contact, comparison or coil to have been seen both ways. */
+export function missing({ kind, on, off }: Covered['parts'][number]): string[] {
+    const [isOn, isOff] = kind === 'coil' ? ['on', 'off'] : ['closed', 'open'];
+    return [...(on ? [] : [isOn]), ...(off ? [] : [isOff])];
+}

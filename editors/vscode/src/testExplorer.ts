@@ -1,0 +1,411 @@
+// Scenarios in the Test Explorer: run, debugged, run again when files change, with what they exercise.
+import { execFile } from 'node:child_process';
+import { homedir } from 'node:os';
+import { isAbsolute, join } from 'node:path';
+
+import * as vscode from 'vscode';
+
+import { scenariosOf } from './scenarioFile.ts';
+import { failingStretches, missing, unitsBefore, type Covered, type FileResult, type Results, type ScenarioResult, type Stretch } from './scenarioResults.ts';
+import type { Server } from './server.ts';
+
+const PATTERN = '**/*.ladder-test';
+/** What makes scenarios run again. */
+const WATCHED = '**/{*.ladder-test,*.clad,ladder.toml}';
+/** So much may be said of a file. */
+const MOST_OUTPUT = 64 << 20;
+
+/** Coverage with what it was made of. */
+class CoveredFile extends vscode.FileCoverage {
+    readonly covered: Covered;
+
+    constructor(uri: vscode.Uri, covered: Covered) {
+        const reached = covered.rungs.filter(({ scans }) => scans > 0).length;
+        const ways = covered.parts.map(missing);
+        super(
+            uri,
+            new vscode.TestCoverageCount(reached, covered.rungs.length),
+            new vscode.TestCoverageCount(2 * ways.length - ways.flat().length, 2 * ways.length),
+        );
+        this.covered = covered;
+    }
+}
+
+const toRange = ({ line, start, end }: Stretch) => new vscode.Range(line, start, line, end);
+
+/** The text of a file as the editor has it, else as it is on disk. */
+async function textOf(uri: vscode.Uri): Promise<string> {
+    const open = vscode.workspace.textDocuments.find((document) => document.uri.toString() === uri.toString());
+    return open?.getText() ?? new TextDecoder().decode(await vscode.workspace.fs.readFile(uri));
+}
+
+export class TestExplorer implements vscode.Disposable {
+    readonly #server: Server;
+    readonly #controller = vscode.tests.createTestController('ladder', 'Ladder Scenarios');
+    readonly #findings = vscode.languages.createDiagnosticCollection('ladder-test');
+    readonly #disposables: vscode.Disposable[] = [this.#controller, this.#findings];
+    /** The files, whose children are their scenarios. */
+    readonly #files = new Map<string, vscode.TestItem>();
+    #isSearched = false;
+
+    constructor(server: Server) {
+        this.#server = server;
+        const { Run, Debug, Coverage } = vscode.TestRunProfileKind;
+        const run = this.#controller.createRunProfile('Run', Run, (request, token) => this.#requested(request, token, false), true);
+        run.supportsContinuousRun = true;
+        this.#controller.createRunProfile('Debug', Debug, (request, token) => this.#debug(request, token), true);
+        const coverage = this.#controller.createRunProfile('Coverage', Coverage, (request, token) => this.#requested(request, token, true), true);
+        coverage.supportsContinuousRun = true;
+        coverage.loadDetailedCoverage = async (_, covered) => (covered instanceof CoveredFile ? details(covered) : []);
+        this.#controller.resolveHandler = async (item) => (item ? this.#read(item) : this.#search());
+        this.#controller.refreshHandler = () => this.#search();
+        const watcher = vscode.workspace.createFileSystemWatcher(PATTERN);
+        this.#disposables.push(
+            watcher,
+            watcher.onDidCreate((uri) => this.#add(uri)),
+            watcher.onDidChange((uri) => this.#add(uri)),
+            watcher.onDidDelete((uri) => this.#remove(uri)),
+            vscode.workspace.onDidOpenTextDocument((document) => this.#shown(document)),
+            vscode.workspace.onDidChangeTextDocument(({ document }) => this.#shown(document)),
+        );
+        vscode.workspace.textDocuments.forEach((document) => this.#shown(document));
+    }
+
+    dispose(): void {
+        vscode.Disposable.from(...this.#disposables).dispose();
+    }
+
+    async #search(): Promise<void> {
+        this.#isSearched = true;
+        const found = await vscode.workspace.findFiles(PATTERN);
+        const known = new Set(found.map((uri) => uri.toString()));
+        for (const [name, item] of this.#files) {
+            if (!known.has(name) && item.uri && !vscode.workspace.textDocuments.some(({ uri }) => uri.toString() === name)) {
+                this.#remove(item.uri);
+            }
+        }
+        await Promise.all(found.map((uri) => this.#add(uri)));
+    }
+
+    async #add(uri: vscode.Uri): Promise<void> {
+        const item = this.#item(uri);
+        await this.#read(item);
+    }
+
+    #item(uri: vscode.Uri): vscode.TestItem {
+        const name = uri.toString();
+        let item = this.#files.get(name);
+        if (!item) {
+            item = this.#controller.createTestItem(name, vscode.workspace.asRelativePath(uri), uri);
+            item.canResolveChildren = true;
+            this.#files.set(name, item);
+            this.#controller.items.add(item);
+        }
+        return item;
+    }
+
+    #remove(uri: vscode.Uri): void {
+        const name = uri.toString();
+        this.#files.delete(name);
+        this.#controller.items.delete(name);
+        this.#findings.delete(uri);
+    }
+
+    #shown(document: vscode.TextDocument): void {
+        if (document.languageId === 'ladder-test' && document.uri.scheme === 'file') {
+            this.#fill(this.#item(document.uri), document.getText());
+            // What differed stood in another text.
+            if (document.isDirty) {
+                this.#findings.delete(document.uri);
+            }
+        }
+    }
+
+    async #read(item: vscode.TestItem): Promise<void> {
+        if (item.uri && this.#files.has(item.id)) {
+            try {
+                this.#fill(item, await textOf(item.uri));
+            } catch {
+                this.#remove(item.uri);
+            }
+        }
+    }
+
+    #fill(file: vscode.TestItem, text: string): void {
+        const items = scenariosOf(text).map(({ name, line, lastLine }) => {
+            const item = file.children.get(name) ?? this.#controller.createTestItem(name, name, file.uri);
+            item.range = new vscode.Range(line, 0, lastLine, Number.MAX_SAFE_INTEGER);
+            return item;
+        });
+        file.children.replace(items);
+    }
+
+    /** Runs what is asked for; with `continuous` again whenever a file is saved that may matter. */
+    async #requested(request: vscode.TestRunRequest, token: vscode.CancellationToken, coverage: boolean): Promise<void> {
+        if (!request.continuous) {
+            await this.#run(request, token, coverage);
+            return;
+        }
+        const watcher = vscode.workspace.createFileSystemWatcher(WATCHED);
+        let waits: NodeJS.Timeout | undefined;
+        // Several files are saved at once.
+        const again = () => {
+            clearTimeout(waits);
+            waits = setTimeout(() => void this.#run(request, token, coverage), 100);
+        };
+        watcher.onDidChange(again);
+        watcher.onDidCreate(again);
+        watcher.onDidDelete(again);
+        token.onCancellationRequested(() => {
+            clearTimeout(waits);
+            watcher.dispose();
+        });
+    }
+
+    /** The scenarios that are asked for, by their files. */
+    async #chosen(request: vscode.TestRunRequest): Promise<Map<vscode.TestItem, vscode.TestItem[]>> {
+        if (!this.#isSearched && !request.include) {
+            await this.#search();
+        }
+        const wanted = request.include ?? [...this.#controller.items].map(([, item]) => item);
+        const excluded = new Set(request.exclude ?? []);
+        const chosen = new Map<vscode.TestItem, Set<vscode.TestItem>>();
+        for (const item of wanted) {
+            const file = item.parent ?? item;
+            if (excluded.has(file)) {
+                continue;
+            }
+            if (!item.parent) {
+                await this.#read(item);
+            }
+            const children = item.parent ? [item] : [...item.children].map(([, child]) => child);
+            const all = chosen.get(file) ?? new Set();
+            children.filter((child) => !excluded.has(child)).forEach((child) => all.add(child));
+            chosen.set(file, all);
+        }
+        return new Map([...chosen].map(([file, items]) => [file, [...items]]));
+    }
+
+    async #run(request: vscode.TestRunRequest, token: vscode.CancellationToken, coverage: boolean): Promise<void> {
+        const run = this.#controller.createTestRun(request);
+        try {
+            const program = this.#server.program();
+            // What is run is what is on disk; the editor saves before, as its setting `testing.saveBeforeTest` says.
+            const chosen = await this.#chosen(request);
+            for (const items of chosen.values()) {
+                items.forEach((item) => run.enqueued(item));
+            }
+            for (const [file, items] of chosen) {
+                if (token.isCancellationRequested) {
+                    break;
+                }
+                await this.#runFile(run, program, file, items, coverage, token);
+            }
+        } finally {
+            run.end();
+        }
+    }
+
+    async #runFile(
+        run: vscode.TestRun,
+        program: string | undefined,
+        file: vscode.TestItem,
+        items: readonly vscode.TestItem[],
+        coverage: boolean,
+        token: vscode.CancellationToken,
+    ): Promise<void> {
+        items.forEach((item) => run.started(item));
+        if (!file.uri || program === undefined) {
+            const why = vscode.workspace.isTrusted
+                ? 'There is no program "ladder"; the log says more ("Ladder: Show Log").'
+                : 'Nothing is run in a workspace that is not trusted.';
+            items.forEach((item) => run.errored(item, new vscode.TestMessage(why)));
+            return;
+        }
+        const said = await execute(program, ['test', '--format', 'json', ...(coverage ? ['--coverage'] : []), '--', file.uri.fsPath], token);
+        let results: Results | undefined;
+        try {
+            results = JSON.parse(said.stdout) as Results;
+        } catch {
+            // What it could not do stands on the other stream.
+        }
+        const [result] = results?.files ?? [];
+        if (!result) {
+            const message = new vscode.TestMessage(said.stderr.trim() || 'The scenarios could not be run.');
+            items.forEach((item) => (token.isCancellationRequested ? run.skipped(item) : run.errored(item, message)));
+            return;
+        }
+        const lines = (await textOf(file.uri)).split(/\r\n|\n|\r/);
+        this.#tell(file.uri, result, lines);
+        for (const item of items) {
+            const scenario = result.scenarios.find(({ name }) => name === item.id);
+            report(run, item, scenario, result, lines);
+        }
+        for (const covered of results?.coverage ?? []) {
+            run.addCoverage(new CoveredFile(vscode.Uri.file(whole(covered.file)), covered));
+        }
+    }
+
+    /** The columns that differ, as findings in their file. */
+    #tell(uri: vscode.Uri, { scenarios }: FileResult, lines: readonly string[]): void {
+        const findings = scenarios.flatMap(({ name, differences }) =>
+            differences.flatMap((difference) =>
+                failingStretches(lines[difference.line - 1] ?? '', difference).map((stretch) => {
+                    const finding = new vscode.Diagnostic(toRange(stretch), difference.message, vscode.DiagnosticSeverity.Error);
+                    finding.source = `scenario "${name}"`;
+                    return finding;
+                }),
+            ),
+        );
+        this.#findings.set(uri, findings);
+    }
+
+    /** Debugs one scenario behind the other; each says by its exit status whether it passed. */
+    async #debug(request: vscode.TestRunRequest, token: vscode.CancellationToken): Promise<void> {
+        const run = this.#controller.createTestRun(request);
+        try {
+            for (const [file, items] of await this.#chosen(request)) {
+                for (const item of items) {
+                    if (token.isCancellationRequested || !file.uri) {
+                        return;
+                    }
+                    run.started(item);
+                    const status = await debugOne(file.uri, item.id, token);
+                    if (status === 0) {
+                        run.passed(item);
+                    } else if (status === undefined) {
+                        run.skipped(item);
+                    } else {
+                        run.failed(item, new vscode.TestMessage('An expectation was not met, or a fault stopped the program.'));
+                    }
+                }
+            }
+        } finally {
+            run.end();
+        }
+    }
+}
+
+/** A path as the program says it: it runs in the home folder, and names what lies below that from there on. */
+function whole(path: string): string {
+    return isAbsolute(path) ? path : join(homedir(), path);
+}
+
+function execute(program: string, args: readonly string[], token: vscode.CancellationToken): Promise<{ stdout: string; stderr: string }> {
+    return new Promise((resolve) => {
+        // Not in the folder that is open, where Windows would look for libraries.
+        const child = execFile(program, args, { cwd: homedir(), maxBuffer: MOST_OUTPUT }, (error, stdout, stderr) => {
+            resolve({ stdout, stderr: stderr || (error && typeof error.code !== 'number' ? error.message : '') });
+        });
+        token.onCancellationRequested(() => child.kill());
+    });
+}
+
+/** What came of one scenario. */
+function report(
+    run: vscode.TestRun,
+    item: vscode.TestItem,
+    scenario: ScenarioResult | undefined,
+    { mistakes }: FileResult,
+    lines: readonly string[],
+): void {
+    if (!scenario) {
+        const messages = mistakes.map(({ file, line, column, message }) => {
+            const told = new vscode.TestMessage(message);
+            told.location = new vscode.Location(vscode.Uri.file(whole(file)), new vscode.Position(line - 1, column - 1));
+            return told;
+        });
+        run.errored(item, messages.length > 0 ? messages : new vscode.TestMessage('The file has no such scenario any more.'));
+        return;
+    }
+    const duration = scenario.seconds * 1000;
+    if (scenario.passed) {
+        run.passed(item, duration);
+        return;
+    }
+    const [first, ...others] = scenario.differences;
+    // The first line stands beside the row, too; the drawing has it at its end.
+    const sentence = first?.message ?? 'A fault stopped the program.';
+    const drawn = new vscode.TestMessage(new vscode.MarkdownString(`${sentence}\n\n\`\`\`text\n${scenario.diagram ?? ''}\n\`\`\``));
+    const at = (line: number, column: number) =>
+        item.uri && new vscode.Location(item.uri, new vscode.Position(line - 1, unitsBefore(lines[line - 1] ?? '', column)));
+    const place = first ? at(first.line, first.column) : item.uri && item.range && new vscode.Location(item.uri, item.range.start);
+    if (place) {
+        drawn.location = place;
+    }
+    const rest = others.map(({ line, column, message }) => {
+        const told = new vscode.TestMessage(message);
+        const there = at(line, column);
+        if (there) {
+            told.location = there;
+        }
+        return told;
+    });
+    const faults = scenario.faults.map(({ file, line, scan, message }) => {
+        const told = new vscode.TestMessage(`fault in scan ${scan}: ${message}`);
+        told.location = new vscode.Location(vscode.Uri.file(whole(file)), new vscode.Position(line - 1, 0));
+        return told;
+    });
+    for (const line of (scenario.diagram ?? '').split('\n')) {
+        run.appendOutput(`${line}\r\n`, undefined, item);
+    }
+    run.failed(item, [drawn, ...rest, ...faults], duration);
+}
+
+/** What was reached, line by line, with the contacts and coils that were not seen both ways. */
+async function details({ uri, covered }: CoveredFile): Promise<vscode.StatementCoverage[]> {
+    const lines = (await textOf(uri)).split(/\r\n|\n|\r/);
+    return covered.rungs.map(({ line, scans }) => {
+        const text = lines[line - 1] ?? '';
+        const parts = covered.parts.filter((part) => part.line === line);
+        const branches = parts.flatMap((part) => {
+            const start = new vscode.Position(line - 1, unitsBefore(text, part.column));
+            const ways = part.kind === 'coil' ? ['on', 'off'] : ['closed', 'open'];
+            const gone = missing(part);
+            return ways.map((way) => new vscode.BranchCoverage(!gone.includes(way), start, `${part.kind} ${way}`));
+        });
+        return new vscode.StatementCoverage(scans, new vscode.Range(line - 1, 0, line - 1, text.length), branches);
+    });
+}
+
+/** Debugs one scenario. @returns its exit status; none if it was ended before */
+async function debugOne(file: vscode.Uri, scenario: string, token: vscode.CancellationToken): Promise<number | undefined> {
+    let status: number | undefined;
+    let session: vscode.DebugSession | undefined;
+    const name = `Scenario "${scenario}"`;
+    const tracker = vscode.debug.registerDebugAdapterTrackerFactory('ladder', {
+        createDebugAdapterTracker(started) {
+            if (started.name !== name) {
+                return undefined;
+            }
+            session = started;
+            return {
+                onDidSendMessage(message: { event?: string; body?: { exitCode?: number } }) {
+                    if (message.event === 'exited') {
+                        status = message.body?.exitCode;
+                    }
+                },
+            };
+        },
+    });
+    try {
+        const ended = new Promise<void>((resolve) => {
+            const listener = vscode.debug.onDidTerminateDebugSession((over) => {
+                if (over === session) {
+                    listener.dispose();
+                    resolve();
+                }
+            });
+        });
+        const folder = vscode.workspace.getWorkspaceFolder(file);
+        const configuration = { type: 'ladder', request: 'launch', name, scenarioFile: file.fsPath, scenario };
+        if (!(await vscode.debug.startDebugging(folder, configuration))) {
+            return undefined;
+        }
+        token.onCancellationRequested(() => void vscode.debug.stopDebugging(session));
+        await ended;
+        return status;
+    } finally {
+        tracker.dispose();
+    }
+}
