@@ -97,7 +97,17 @@ fn finding(parse: &Parse, error: &SyntaxError, text: &str, rest: &str) -> Diagno
         SyntaxErrorKind::UnexpectedCharacter {
             place,
             behind_comment,
-        } => unexpected_character::unexpected(place, behind_comment, text, range),
+        } => {
+            let mut found = unexpected_character::unexpected(place, behind_comment, text, range);
+            if let Some(fix) = unexpected_character::box_drawing::fix(parse, range.start()) {
+                found.help = Some(
+                    "a rung is drawn with - + | \\ / and blocks; this looks like box-drawing characters"
+                        .to_owned(),
+                );
+                found.fixes = vec![fix];
+            }
+            found
+        }
         SyntaxErrorKind::UnclosedString => bad_literal::unclosed_string(range),
         SyntaxErrorKind::BadBlockName => {
             let line = parse.line_at(range.start());

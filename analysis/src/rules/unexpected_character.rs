@@ -1,5 +1,7 @@
 //! `unexpected-character`: characters that mean nothing where they stand.
 
+pub(super) mod box_drawing;
+
 use super::frame_keyword;
 use crate::diagnostic::{Applicability, Diagnostic};
 use crate::excerpt::shortened;

@@ -1,5 +1,6 @@
 //! `unpaired-connector`: a `\` without its `/` on the rung below, or the other way round.
 
+mod barred;
 pub(super) mod completion;
 
 use crate::context::{Context, rung_above, rung_below};
@@ -86,6 +87,12 @@ fn unpaired(context: &Context, line: usize, kind: PartKind, out: &mut Vec<Diagno
     }
     let own = Side::new(parse, line, kind);
     let other = other_line.map(|line| Side::new(parse, line, partner(kind)));
+    if let Some(found) = other
+        .as_ref()
+        .and_then(|other| barred::found(context, &own, other))
+    {
+        return out.push(found);
+    }
     let paired = other.as_ref().map_or(0, |other| other.parts.len());
     let culprits = other.as_ref().and_then(|other| culprits(&own, other));
     let belongs = other.as_ref().map(|other| trimmed_line(parse, other.line));

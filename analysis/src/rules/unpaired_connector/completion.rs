@@ -11,14 +11,14 @@ use ladder_syntax::wiring::{self, PartKind, Rung};
 use ladder_syntax::{Parse, TextRange, TextSize};
 
 /// So many columns beside a connector its partner is looked for.
-const NEAR: usize = 2;
+pub(super) const NEAR: usize = 2;
 
 /// A rung with the columns of its parts.
-struct Row {
+pub(super) struct Row {
     line: usize,
-    rung: Rung,
+    pub(super) rung: Rung,
     /// The first column of each part, and the one behind it.
-    spans: Vec<(usize, usize)>,
+    pub(super) spans: Vec<(usize, usize)>,
 }
 
 /// A connector, or the place where one is missing.
@@ -49,7 +49,7 @@ pub(super) fn fixes(parse: &Parse, own: &Side, other: Option<&Side>, suspect: us
 }
 
 impl Row {
-    fn new(parse: &Parse, line: usize) -> Row {
+    pub(super) fn new(parse: &Parse, line: usize) -> Row {
         let rung = wiring::rung(&parse.lines()[line]);
         let ends = rung
             .parts
@@ -73,7 +73,7 @@ impl Row {
         self.rung.parts[part].kind == kind
     }
 
-    fn range(&self, parse: &Parse, part: usize) -> TextRange {
+    pub(super) fn range(&self, parse: &Parse, part: usize) -> TextRange {
         self.rung.parts[part].range + parse.line_start(self.line)
     }
 }
