@@ -51,7 +51,7 @@ return function(t)
   end
 
   t.step('a trace is drawn with characters', function()
-    local window = { first = 0, count = 12, newest = 10, here = 10 }
+    local window = { first = 0, count = 12, newest = 10, here = 10, wide = 1 }
     local bit = { kind = 'bit', columns = { { 1, 0 }, { 3, 1 }, { 6, 0 }, { 7, 1 }, { 8, 2 }, { 9, 0 } } }
     t.equal('a waveform', ' ▁▁╱▔▔╲╱╲▁▁ ', rows(bit, window))
     bit.columns = { { 0, 0 }, { 2, 2 }, { 3, 0 }, { 5, 2 }, { 6, 1 } }
@@ -63,6 +63,10 @@ return function(t)
     local ticks = { { at = 4, text = '1 s' }, { at = 8, text = '2 s' }, { at = 40, text = '3 s' } }
     local axis = require('ladder.waves').axis(ticks, window, 2)
     t.equal('the times', '  │1 s      ', (require('ladder.waves').line(axis)))
+    local wide = { first = 1, count = 12, newest = 4, here = 3, wide = 3 }
+    t.equal('scans with room', '▁▁▁╱▔▔╲▁▁▁▁▁', rows({ kind = 'bit', columns = { { 1, 0 }, { 2, 1 }, { 3, 0 } } }, wide))
+    axis = require('ladder.waves').axis({ { at = 2, text = '20 ms' } }, wide, 1)
+    t.equal('the times of scans with room', '   │20▾ms   ', (require('ladder.waves').line(axis)))
     local columns = { columns = { { 3, 0 }, { 7, 1 }, { 9, 0 } } }
     local edge = require('ladder.waves').edge
     t.equal('the next change', 7, edge(columns, 3, 1))

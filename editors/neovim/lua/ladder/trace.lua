@@ -63,12 +63,22 @@ end
 --- @return ladder.TraceWindow
 local function columns_of(trace)
   local traced = trace.traced
+  local first, last = math.floor(traced.first / traced.per), math.floor(traced.last / traced.per)
   return {
-    first = math.floor(traced.first / traced.per),
+    first = first,
     count = trace.width,
+    wide = math.max(math.floor(trace.width / (last - first + 1)), 1),
     newest = math.floor(traced.newest / traced.per),
     here = math.floor(traced.here / traced.per),
   }
+end
+
+--- Where a scan stands in the drawing: in the middle of its column, from 0.
+--- @param trace ladder.Trace
+--- @param scan integer
+local function place_of(trace, scan)
+  local window = columns_of(trace)
+  return waves.place(window, math.floor(scan / trace.traced.per)) - 1 + math.floor((window.wide - 1) / 2)
 end
 
 --- How the line is divided: name, drawing, what the tag holds now and at the cursors.
@@ -128,9 +138,8 @@ end
 --- @param trace ladder.Trace
 --- @param lines string[]
 local function mark_cursors(trace, lines)
-  local window = columns_of(trace)
   for _, cursor in ipairs(cursor_list(trace)) do
-    local column = math.floor(cursor.scan / trace.traced.per) - window.first
+    local column = place_of(trace, cursor.scan)
     if column >= 0 and column < trace.width then
       for row, line in ipairs(lines) do
         local at = vim.str_byteindex(line, 'utf-32', trace.left + column, false)
@@ -234,8 +243,7 @@ local function draw(source, trace)
     local line = lines[math.min(row, #lines)]
     local column = trace.left
     if at and trace.traced then
-      local place = math.floor(at / trace.traced.per) - math.floor(trace.traced.first / trace.traced.per)
-      column = trace.left + math.min(math.max(place, 0), trace.width - 1)
+      column = trace.left + math.min(math.max(place_of(trace, at), 0), trace.width - 1)
     end
     local byte = vim.str_byteindex(line, 'utf-32', column, false)
     vim.api.nvim_win_set_cursor(window, { math.min(row, #lines), byte })
@@ -400,8 +408,8 @@ local function take_mouse(source)
   local line = vim.api.nvim_buf_get_lines(trace.bufnr, row - 1, row, false)[1]
   local column = vim.str_utfindex(line, 'utf-32', byte, false) - trace.left
   if column >= 0 and column < trace.width then
-    local first = math.floor(trace.traced.first / trace.traced.per)
-    move_to(source, (first + column) * trace.traced.per)
+    local window = columns_of(trace)
+    move_to(source, (window.first + math.floor(column / window.wide)) * trace.traced.per)
   end
 end
 

@@ -21,9 +21,18 @@ local bars = { '▁', '▂', '▃', '▄', '▅', '▆', '▇', '█' }
 --- Which part of a trace is drawn.
 --- @class ladder.TraceWindow
 --- @field first integer the number of the first column
---- @field count integer how many columns there are
+--- @field count integer how many columns the screen has for them
+--- @field wide integer how many columns of the screen each of them takes
 --- @field newest integer the number of the last column that is known
 --- @field here integer the number of the column that the simulation is at
+
+--- Where a column begins on the screen, from 1.
+--- @param window ladder.TraceWindow
+--- @param column number
+--- @return integer
+function M.place(window, column)
+  return math.floor((column - window.first) * window.wide) + 1
+end
 
 --- What each column shows, without the columns that nothing is known of.
 --- @param tag ladder.TraceTag
@@ -33,9 +42,10 @@ local function spread(tag, window)
   local shown = {}
   for index, column in ipairs(tag.columns or {}) do
     local behind = (tag.columns[index + 1] or { window.newest + 1 })[1]
-    local last = math.min(behind - 1, window.newest, window.first + window.count - 1)
-    for number = math.max(column[1], window.first), last do
-      shown[number - window.first + 1] = column
+    local from = M.place(window, math.max(column[1], window.first))
+    local to = math.min(M.place(window, math.min(behind - 1, window.newest) + 1) - 1, window.count)
+    for place = from, to do
+      shown[place] = column
     end
   end
   return shown
@@ -45,7 +55,7 @@ end
 --- @param window ladder.TraceWindow
 --- @param place integer
 local function faded(group, window, place)
-  return window.first + place - 1 > window.here and 'LadderPowerOff' or group
+  return place >= M.place(window, window.here + 1) and 'LadderPowerOff' or group
 end
 
 --- `▁▁╱▔▔╲▁`, and `▒` where more happened in one column than a line can show.
@@ -148,7 +158,7 @@ function M.axis(ticks, window, per)
   end
   local free = 1
   for _, tick in ipairs(ticks) do
-    local place = math.floor(tick.at / per) - window.first + 1
+    local place = M.place(window, window.wide > 1 and tick.at / per or math.floor(tick.at / per))
     local letters = vim.fn.split('│' .. tick.text, '\\zs')
     if place >= free and place + #letters - 1 <= window.count then
       for index, letter in ipairs(letters) do
@@ -157,7 +167,7 @@ function M.axis(ticks, window, per)
       free = place + #letters + 1
     end
   end
-  local here = window.here - window.first + 1
+  local here = M.place(window, window.here)
   if window.here < window.newest and cells[here] then
     cells[here] = { text = '▾', group = 'LadderValueOn' }
   end
