@@ -46,7 +46,19 @@ t.step(':Ladder test lists the scenarios that fail in the quickfix list', functi
     found.text
   )
   t.equal('the message', 'ladder: 1 scenarios passed, 1 failed', messages[#messages])
+  local function marks()
+    return vim.tbl_map(function(found)
+      return ('%d:%d %s'):format(found.lnum + 1, found.col + 1, found.source)
+    end, vim.diagnostic.get(0, { namespace = vim.api.nvim_get_namespaces().ladder_test }))
+  end
+  t.equal('the marks', { '10:12 ladder test' }, marks())
   vim.cmd('cclose')
+  vim.cmd('/start runs it')
+  vim.cmd('Ladder test nearest')
+  t.eventually('the result of that scenario alone', function()
+    return messages[#messages] == 'ladder: 1 scenarios passed, 0 failed'
+  end)
+  t.equal('the marks', {}, marks())
 end)
 
 t.step(':Ladder convert shows a program of another system as ladder text', function()

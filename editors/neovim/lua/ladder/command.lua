@@ -269,8 +269,17 @@ local subcommands = {
     end,
   },
   test = {
-    run = function()
-      require('ladder.test').run(buffer())
+    run = function(arguments)
+      local nearest
+      if arguments[1] == 'nearest' then
+        nearest = require('ladder.dap').scenario_here() or refuse('the cursor is in no scenario.')
+      elseif arguments[1] then
+        refuse(('":Ladder test" takes nothing, or "nearest" for the scenario at the cursor; not "%s".'):format(arguments[1]))
+      end
+      require('ladder.test').run(buffer(), nearest)
+    end,
+    complete = function(arguments)
+      return #arguments == 0 and { 'nearest' } or {}
     end,
   },
   convert = {

@@ -28,8 +28,9 @@ function M.scenarios(lines)
   return names
 end
 
---- The scenario that the cursor is in.
-local function scenario_here()
+--- The name of the scenario that the cursor is in.
+--- @return string|nil
+function M.scenario_here()
   local above = vim.api.nvim_buf_get_lines(0, 0, vim.fn.line('.'), false)
   local names = M.scenarios(above)
   return names[#names]
@@ -52,7 +53,7 @@ local scenarios = {
     request = 'launch',
     name = 'Run the scenario at the cursor',
     scenarioFile = '${file}',
-    scenario = scenario_here,
+    scenario = M.scenario_here,
   },
 }
 

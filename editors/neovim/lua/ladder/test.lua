@@ -43,9 +43,59 @@ local function files(bufnr)
   error('there are no scenarios: open a file that ends in .ladder-test', 0)
 end
 
+local namespace = vim.api.nvim_create_namespace('ladder_test')
+
+--- Marks what is wrong at its rows, until the text is changed or the scenarios run again.
+--- @param entries table[]
+local function mark(entries)
+  vim.diagnostic.reset(namespace)
+  local by_buffer = {}
+  for _, entry in ipairs(entries) do
+    local bufnr = vim.fn.bufnr(vim.fn.fnameescape(entry.filename))
+    if bufnr > 0 then
+      by_buffer[bufnr] = by_buffer[bufnr] or {}
+      table.insert(by_buffer[bufnr], {
+        lnum = entry.lnum - 1,
+        col = entry.col - 1,
+        message = entry.text,
+        severity = vim.diagnostic.severity.ERROR,
+        source = 'ladder test',
+      })
+    end
+  end
+  for bufnr, found in pairs(by_buffer) do
+    vim.diagnostic.set(namespace, bufnr, found)
+    vim.api.nvim_buf_attach(bufnr, false, {
+      on_lines = function()
+        vim.schedule(function()
+          vim.diagnostic.reset(namespace, bufnr)
+        end)
+        return true
+      end,
+    })
+  end
+end
+
+--- Leaves of a report only one scenario.
+--- @param report table
+--- @param name string
+local function only(report, name)
+  report.summary.passed, report.summary.failed = 0, 0
+  for _, file in ipairs(report.files) do
+    file.scenarios = vim.tbl_filter(function(scenario)
+      return scenario.name == name
+    end, file.scenarios)
+    for _, scenario in ipairs(file.scenarios) do
+      local kind = scenario.passed and 'passed' or 'failed'
+      report.summary[kind] = report.summary[kind] + 1
+    end
+  end
+end
+
 --- Runs the scenarios of a buffer, as they are on disk.
 --- @param bufnr integer
-function M.run(bufnr)
+--- @param scenario string|nil the name of the only one that counts
+function M.run(bufnr, scenario)
   local paths = files(bufnr)
   if vim.bo[bufnr].modified then
     vim.api.nvim_buf_call(bufnr, function()
@@ -61,7 +111,11 @@ function M.run(bufnr)
     if not read then
       return vim.notify('ladder: ' .. vim.trim(done.stderr), vim.log.levels.ERROR)
     end
+    if scenario then
+      only(report, scenario)
+    end
     local entries = M.entries(report, folder)
+    mark(entries)
     vim.fn.setqflist({}, ' ', { title = 'Ladder test', items = entries })
     local sum = report.summary
     local text = ('ladder: %d scenarios passed, %d failed'):format(sum.passed, sum.failed)
