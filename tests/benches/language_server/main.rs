@@ -10,9 +10,7 @@
 //! Run with `cargo build --release -p ladder-cli --bins && cargo bench -p ladder-tests --bench language_server`. Numbers
 //! of rungs and kinds of programs (clean, warned, shared, twice, blocks) may follow as arguments.
 
-mod client;
-
-use client::Server;
+use ladder_tests::client::Server;
 use ladder_tests::typed_programs::{KINDS, Kind, Program, Spot};
 use serde_json::{Value, json};
 use std::time::{Duration, Instant};

@@ -5,8 +5,11 @@ use ladder_syntax::{Parse, parse};
 use ladder_tests::typed_programs::{KINDS, Kind, Program, Spot};
 use std::sync::Arc;
 
+/// Where in a program a letter comes and goes.
+type Place = fn(&Program) -> Spot;
+
 /// What is looked at when a letter comes, and when it goes again.
-fn work(kind: Kind, rungs: usize, spot: fn(&Program) -> Spot) -> [Work; 2] {
+fn work(kind: Kind, rungs: usize, spot: Place) -> [Work; 2] {
     let program = Program::new(kind, rungs);
     let spot = spot(&program);
     let line: usize = program
@@ -32,7 +35,7 @@ fn work(kind: Kind, rungs: usize, spot: fn(&Program) -> Spot) -> [Work; 2] {
 
 #[test]
 fn does_not_grow_with_the_file() {
-    let spots: [(&str, fn(&Program) -> Spot); 3] = [
+    let spots: [(&str, Place); 3] = [
         ("a number", Program::in_a_number),
         ("a name", Program::in_a_name),
         ("a half-typed rung", Program::half_typed),

@@ -6,8 +6,8 @@ use std::path::PathBuf;
 use std::process::{Child, ChildStdin, ChildStdout, Command, Stdio};
 use std::time::Duration;
 
-/// A running language server.
-pub(super) struct Server {
+/// A running language server. Whatever goes wrong with it ends the bench.
+pub struct Server {
     child: Child,
     stdin: ChildStdin,
     stdout: BufReader<ChildStdout>,
@@ -18,7 +18,7 @@ pub(super) struct Server {
 
 impl Server {
     /// Starts one, and greets it.
-    pub(super) fn start() -> Server {
+    pub fn start() -> Server {
         let program = program();
         let mut child = Command::new(&program)
             .arg("lsp")
@@ -45,7 +45,7 @@ impl Server {
     }
 
     /// Sends a message.
-    pub(super) fn send(&mut self, message: &Value) {
+    pub fn send(&mut self, message: &Value) {
         let body = message.to_string();
         write!(self.stdin, "Content-Length: {}\r\n\r\n{body}", body.len()).expect("the server reads");
         self.stdin.flush().expect("the server reads");
@@ -78,7 +78,7 @@ impl Server {
     }
 
     /// Asks, and waits for the answer, which is given as it was sent.
-    pub(super) fn request(&mut self, method: &str, params: &Value) -> Vec<u8> {
+    pub fn request(&mut self, method: &str, params: &Value) -> Vec<u8> {
         self.next_id += 1;
         let id = self.next_id;
         self.send(&json!({ "jsonrpc": "2.0", "id": id, "method": method, "params": params }));
@@ -92,7 +92,7 @@ impl Server {
     }
 
     /// Waits for the diagnostics of a version, if they have not come yet.
-    pub(super) fn diagnostics_of(&mut self, version: i64) {
+    pub fn diagnostics_of(&mut self, version: i64) {
         while self.checked < version {
             self.receive();
         }
@@ -100,7 +100,7 @@ impl Server {
 
     /// Time of the processor that the server has taken, in all its threads: what else the machine does is not in it.
     /// Linux only.
-    pub(super) fn processor_time(&self) -> Option<Duration> {
+    pub fn processor_time(&self) -> Option<Duration> {
         let tasks = std::fs::read_dir(format!("/proc/{}/task", self.child.id())).ok()?;
         let of = |task: std::fs::DirEntry| {
             let stat = std::fs::read_to_string(task.path().join("schedstat")).ok()?;
@@ -111,7 +111,7 @@ impl Server {
     }
 
     /// Memory that the server holds, and has held at most, in bytes. Linux only.
-    pub(super) fn memory(&self) -> Option<[u64; 2]> {
+    pub fn memory(&self) -> Option<[u64; 2]> {
         let status = std::fs::read_to_string(format!("/proc/{}/status", self.child.id())).ok()?;
         let of = |name: &str| {
             let line = status.lines().find(|line| line.starts_with(name))?;
