@@ -207,3 +207,30 @@ fn a_part_of_a_program() {
     assert_eq!(found.len(), 3);
     assert!(shown(&found).contains("a21"), "{}", shown(&found));
 }
+
+/// Whatever the text is, something is drawn, and marks lie in their lines.
+#[test]
+fn odd_texts() {
+    for text in [
+        "",
+        "+",
+        "|",
+        "# only a comment #",
+        "+--[ ]( )--+",
+        "+--\\--+",
+        "/--\\\n\\--/",
+        "+--[ ]( a )--\\\n  /--( )( b )--+",
+        "+--[MOV]( s, '<&\u{1}>' )--+",
+        "+--[$]( x )--[NONE]( )--<JMP>( )--+",
+        "+--[CTUD]( c, 1 )--# in between #--(S)( 液位 )--+ # behind #",
+        "FUNCTION_BLOCK [$B]\n+--[ ]( a )--( )( ENO )--+\nEND_FUNCTION_BLOCK\n",
+    ] {
+        for live in [None, Some(&Live::default())] {
+            for line in drawn(text, 20, live).iter().flat_map(|piece| &piece.lines) {
+                let characters = line.text.chars().count();
+                let inside = line.marks.iter().all(|mark| mark.characters.end <= characters);
+                assert!(inside, "{text:?}: {line:?}");
+            }
+        }
+    }
+}
