@@ -12,6 +12,7 @@ import { Server } from './server.ts';
 import { Simulation } from './simulation.ts';
 import { showStatus } from './statusBar.ts';
 import { showTags } from './tagsView.ts';
+import { registerTasks } from './tasks.ts';
 import { TestExplorer } from './testExplorer.ts';
 import { TraceView } from './trace/traceView.ts';
 import { sayTypedLine } from './typedLine.ts';
@@ -43,6 +44,7 @@ export async function activate(context: vscode.ExtensionContext): Promise<Api> {
         views.diagrams,
         registerCommands(server, simulation, click, views),
         registerDebugger(server),
+        registerTasks(server),
         new TestExplorer(server),
         showPower(simulation),
         showFaults(simulation),

@@ -34,6 +34,12 @@ export async function scenarios(page, { step, screenshot, command }) {
         await editor.locator('.coverage-deco-gutter').first().waitFor({ timeout: 15000 });
         await screenshot(page, 'coverage');
     });
+    await step('checking the folder is a task', async () => {
+        // It is not run: terminals need a native part that the tests leave out.
+        await command(page, 'Tasks: Run Build Task');
+        await page.locator('.quick-input-list .monaco-list-row', { hasText: 'check' }).first().waitFor({ timeout: 10000 });
+        await page.keyboard.press('Escape');
+    });
     await step('a scenario that fails is debugged up to where it does', async () => {
         await open(page, FILE);
         await command(page, 'Test: Debug Tests in Current File');
