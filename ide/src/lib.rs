@@ -50,6 +50,7 @@ pub use neighbour::{Alone, ScenarioFile, Workspace, mentions};
 pub use on_type::{TRIGGERS, on_type};
 pub use outline::{OutlineKind, Outlined, outline};
 pub use refactor::{Action, ActionKind, fix_all, quick_fixes, refactorings};
+pub use refactor::{Redraw, Redrawn, redraw};
 pub use references::{Reference, references};
 pub use rename::{Renamable, RenameRefused, Renamed, prepare_rename, rename};
 pub use selection::selections;

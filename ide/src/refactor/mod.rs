@@ -24,6 +24,7 @@ mod names;
 mod parallel;
 mod passing;
 mod place;
+mod redraw;
 mod region;
 mod remove_branch;
 mod split_network;
@@ -31,6 +32,7 @@ mod toggle;
 mod wrap_branch;
 
 pub use fixes::{fix_all, quick_fixes};
+pub use redraw::{Redraw, Redrawn, redraw};
 
 use ladder_analysis::{Analysis, Applicability, Fix, fix};
 use ladder_format::{Edit, Options};

@@ -4,6 +4,7 @@ mod blocks;
 mod branches;
 mod latches;
 mod networks;
+mod redraw;
 mod toggles;
 
 use super::{Action, refactorings};
