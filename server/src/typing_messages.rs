@@ -2,6 +2,8 @@
 
 use serde::{Deserialize, Serialize};
 
+use crate::document::position::{Position, Range};
+
 /// The argument of `ladder.cursor`: where a client's cursor is.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "camelCase", deny_unknown_fields)]
@@ -10,4 +12,66 @@ pub struct Cursor {
     pub uri: String,
     /// The line, from 0; none if nobody types in the document.
     pub line: Option<u32>,
+}
+
+/// The argument of `ladder.edit`: a change of the drawing.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "camelCase", deny_unknown_fields)]
+pub struct EditDrawing {
+    /// The document.
+    pub uri: String,
+    /// What is selected, or where the cursor is.
+    pub range: Range,
+    /// What is done.
+    pub edit: EditKind,
+}
+
+/// What is done to a drawing.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "camelCase")]
+pub enum EditKind {
+    /// A contact is put in.
+    Contact,
+    /// A contact that lets power through while its tag is low.
+    ClosedContact,
+    /// A coil.
+    Coil,
+    /// A timer, to be made any other block.
+    Block,
+    /// A branch around what is selected.
+    Branch,
+    /// A contact or coil becomes its opposite.
+    Invert,
+    /// A block changes places with what stands before it.
+    Left,
+    /// With what stands behind it.
+    Right,
+    /// A block goes to the rung above.
+    Up,
+    /// To the rung below.
+    Down,
+    /// What is selected goes, with its wire.
+    Delete,
+}
+
+/// The answer to `ladder.edit`.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "camelCase", deny_unknown_fields)]
+pub struct EditedDrawing {
+    /// The version of the document that the edits are for.
+    pub version: i32,
+    /// The edits, to be made together.
+    pub edits: Vec<Replacement>,
+    /// Where the cursor stands afterwards; none where it stays.
+    pub cursor: Option<Position>,
+}
+
+/// One edit.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "camelCase", deny_unknown_fields)]
+pub struct Replacement {
+    /// What is replaced.
+    pub range: Range,
+    /// By what.
+    pub new_text: String,
 }

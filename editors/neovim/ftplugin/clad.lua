@@ -32,6 +32,7 @@ if not vim.g.no_plugin_maps and not vim.g.no_clad_maps then
   map({ 'n', 'x' }, 'gc', function()
     return require('ladder.comment').start()
   end, 'Toggle comment')
+  require('ladder.edit').map(vim.api.nvim_get_current_buf())
   map('n', 'gcc', function()
     return require('ladder.comment').start() .. '_'
   end, 'Toggle comment line')

@@ -4,6 +4,7 @@ import * as vscode from 'vscode';
 import { CLICK, type Click } from './click.ts';
 import { convert, exportAs } from './conversion.ts';
 import type { DiagramEditors } from './diagram/editor.ts';
+import { editDrawing } from './edit.ts';
 import { showReferences } from './lenses.ts';
 import { askValue, pickTag } from './prompts.ts';
 import { forceVariable, releaseVariable, startDebugging, stepBackScan } from './debugger.ts';
@@ -189,6 +190,17 @@ export function registerCommands(server: Server, simulation: Simulation, click: 
         'ladder.debug.unforce': (row) => releaseVariable(row),
         'ladder.debug.stepBackScan': () => stepBackScan(),
         'ladder.toggleComment': () => toggleCommentInEditor(),
+        'ladder.draw.contact': () => editDrawing(server, 'contact'),
+        'ladder.draw.closedContact': () => editDrawing(server, 'closedContact'),
+        'ladder.draw.coil': () => editDrawing(server, 'coil'),
+        'ladder.draw.block': () => editDrawing(server, 'block'),
+        'ladder.draw.branch': () => editDrawing(server, 'branch'),
+        'ladder.draw.invert': () => editDrawing(server, 'invert'),
+        'ladder.draw.delete': () => editDrawing(server, 'delete'),
+        'ladder.draw.left': () => editDrawing(server, 'left'),
+        'ladder.draw.right': () => editDrawing(server, 'right'),
+        'ladder.draw.up': () => editDrawing(server, 'up'),
+        'ladder.draw.down': () => editDrawing(server, 'down'),
         'ladder.nextStop': () => goToStop(false),
         'ladder.previousStop': () => goToStop(true),
         'ladder.restartServer': () => server.restart(),

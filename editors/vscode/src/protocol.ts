@@ -184,7 +184,29 @@ export interface Previewed {
 }
 
 /** The commands beside those of the simulator. */
+/** What a key does to a drawing. */
+export type EditKind =
+    | 'contact' | 'closedContact' | 'coil' | 'block' | 'branch' | 'invert' | 'left' | 'right' | 'up' | 'down' | 'delete';
+
+interface Place {
+    readonly line: number;
+    readonly character: number;
+}
+
+interface Stretch {
+    readonly start: Place;
+    readonly end: Place;
+}
+
+/** The answer to `ladder.edit`. */
+export interface EditedDrawing {
+    readonly version: number;
+    readonly edits: readonly { readonly range: Stretch; readonly newText: string }[];
+    readonly cursor: Place | null;
+}
+
 export interface OtherCommands {
+    'ladder.edit': { argument: { uri: string; range: Stretch; edit: EditKind }; answer: EditedDrawing };
     'ladder.diagram': {
         argument: { uri: string; lines: Lines; rail: number; known: readonly string[] };
         answer: Drawn;

@@ -19,8 +19,8 @@ use tower_lsp::ls_types::{
 use crate::document::position::Encoding;
 use crate::lsp::documents::{file_operations, pull, typed};
 use crate::lsp::features::{
-    code_action::KINDS, code_lens, completion, diagram, diagram_text, notations, preview, semantic_tokens,
-    signature,
+    code_action::KINDS, code_lens, completion, diagram, diagram_text, edit, notations, preview,
+    semantic_tokens, signature,
 };
 use crate::simulation::COMMANDS;
 use ladder_ide::TRIGGERS;
@@ -319,6 +319,7 @@ pub(crate) fn offered(agreed: Agreed) -> ServerCapabilities {
                     diagram::DIAGRAM,
                     diagram_text::DIAGRAM_TEXT,
                     typed::CURSOR,
+                    edit::EDIT,
                 ])
                 .map(ToString::to_string)
                 .collect(),

@@ -6,7 +6,7 @@
 use std::collections::BTreeSet;
 use std::fmt::Write;
 
-use ladder_server::typing_messages::Cursor;
+use ladder_server::typing_messages::{Cursor, EditDrawing, EditedDrawing};
 use ladder_server::{Diagram, DiagramText, Drawn, DrawnText, messages, notation_messages};
 use serde::Serialize;
 use serde::de::DeserializeOwned;
@@ -166,6 +166,11 @@ async fn the_page_shows_every_command_whole() {
             "cursor" => {
                 is_whole::<Cursor>(argument);
                 assert_eq!(*answer, Value::Null);
+                continue;
+            }
+            "edit" => {
+                is_whole::<EditDrawing>(argument);
+                is_whole::<EditedDrawing>(answer);
                 continue;
             }
             "convert" => {

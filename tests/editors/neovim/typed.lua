@@ -193,4 +193,31 @@ return function(t)
     end)
     keys:close()
   end)
+
+  t.step('keys draw: each is one step of undo', function()
+    local before = { '+--[ ]( a )------------------( )( y )--+' }
+    local keys = typing.open(t, before)
+    for _, case in ipairs({
+      { '0f-2h', 'c', { '+--[ ]( contact_1 )--[ ]( a )--------------------( )( y )--+' } },
+      { '013l', 'C', { '+--[ ]( a )--[/]( contact_1 )--------------------( )( y )--+' } },
+      { '$', 'q', { '+--[ ]( a )---( )( y )--( )( coil_1 )--+' } },
+      { '013l', 'f', { '+--[ ]( a )--------------[TON]( timer_1, T#1s )--( )( y )--+' } },
+      { '04l', 'b', { '+--\\--[ ]( a )--------------\\--------------------( )( y )--+', '|  /--[ ]( new_contact_1 )--/                              |' } },
+      { '04l', 'e', { '+--[/]( a )------------------( )( y )--+' } },
+      { '04l', 'd', { '+----------------------------( )( y )--+' } },
+      { '$8h', 'h', { '+------------( )( y )--[ ]( a )--+' } },
+    }) do
+      keys:press(case[1] .. '\\' .. case[2])
+      if case[2] ~= 'h' then
+        keys:expect(case[2], case[3])
+      else
+        t.eventually('the coil in front of the contact', function()
+          return (keys:lines()[1] or ''):find('y )--[ ]( a )', 1, true)
+        end)
+      end
+      keys:press('u')
+      keys:expect('undone ' .. case[2], before)
+    end
+    keys:close()
+  end)
 end

@@ -29,9 +29,13 @@ const RUNG: &str = "+--[ ]( a )--\\--[ ]( b )--\\--( )( y )--+\n             /--
 
 #[test]
 fn blocks_are_put_in_at_the_cursor() {
-    check("+--[ ]( a )--$0( )( y )--+\n", Redraw::Contact, expect![[r#"
+    check(
+        "+--[ ]( a )--$0( )( y )--+\n",
+        Redraw::Contact,
+        expect![[r#"
         +--[ ]( a )--[ ]( ^contact_1 )--------------------( )( y )--+
-    "#]]);
+    "#]],
+    );
     check(
         "+--$0[ ]( a )--( )( y )--+\n",
         Redraw::ClosedContact,
@@ -39,9 +43,13 @@ fn blocks_are_put_in_at_the_cursor() {
             +--[/]( ^contact_1 )--[ ]( a )--------------------( )( y )--+
         "#]],
     );
-    check("+--[ ]( a )--( )( y )--$0+\n", Redraw::Coil, expect![[r#"
+    check(
+        "+--[ ]( a )--( )( y )--$0+\n",
+        Redraw::Coil,
+        expect![[r#"
         +--[ ]( a )---( )( y )--( )( ^coil_1 )--+
-    "#]]);
+    "#]],
+    );
     check(
         "+--[ ]( contact_1 )$0--( )( y )--+\n",
         Redraw::Block,
@@ -49,14 +57,22 @@ fn blocks_are_put_in_at_the_cursor() {
             +--[ ]( contact_1 )------[TON]( ^timer_1, T#1s )--( )( y )--+
         "#]],
     );
-    check("+--[ ]( a )--( )( y )--+\n\n$0\n", Redraw::Contact, expect![[r#"
+    check(
+        "+--[ ]( a )--( )( y )--+\n\n$0\n",
+        Redraw::Contact,
+        expect![[r#"
         +--[ ]( a )--( )( y )--+
 
         +--[ ]( ^contact_1 )----+
-    "#]]);
-    check("VAR a$0 : BOOL; END_VAR\n", Redraw::Contact, expect![[r#"
+    "#]],
+    );
+    check(
+        "VAR a$0 : BOOL; END_VAR\n",
+        Redraw::Contact,
+        expect![[r#"
         put the cursor on a rung without mistakes in its drawing, or on an empty line
-    "#]]);
+    "#]],
+    );
 }
 
 #[test]
@@ -75,32 +91,56 @@ fn blocks_move_along_the_rung_and_to_another() {
             the rung or the branch ends there
         "#]],
     );
-    check(&RUNG.replace("( a )", "($0 a )"), Redraw::Right, expect![[r#"
+    check(
+        &RUNG.replace("( a )", "($0 a )"),
+        Redraw::Right,
+        expect![[r#"
         +--\--^[ ]( a )--[ ]( b )--\--( )( y )--+
         |  /--[ ]( c )------------/            |
-    "#]]);
-    check(&RUNG.replace("( b )", "($0 b )"), Redraw::Down, expect![[r#"
+    "#]],
+    );
+    check(
+        &RUNG.replace("( b )", "($0 b )"),
+        Redraw::Down,
+        expect![[r#"
         +--[ ]( a )--\----------------------\------------( )( y )--+
         |            /--^[ ]( b )--[ ]( c )--/                      |
-    "#]]);
-    check(&RUNG.replace("( c )", "($0 c )"), Redraw::Up, expect![[r#"
+    "#]],
+    );
+    check(
+        &RUNG.replace("( c )", "($0 c )"),
+        Redraw::Up,
+        expect![[r#"
         +--[ ]( a )--\--^[ ]( c )--[ ]( b )--\------------( )( y )--+
         |            /----------------------/                      |
-    "#]]);
-    check(&RUNG.replace("( a )", "($0 a )"), Redraw::Up, expect![[r#"
+    "#]],
+    );
+    check(
+        &RUNG.replace("( a )", "($0 a )"),
+        Redraw::Up,
+        expect![[r#"
         there is no rung of this network there
-    "#]]);
+    "#]],
+    );
 }
 
 #[test]
 fn a_block_is_deleted_with_its_wire() {
-    check(&RUNG.replace("( a )", "($0 a )"), Redraw::Delete, expect![[r#"
+    check(
+        &RUNG.replace("( a )", "($0 a )"),
+        Redraw::Delete,
+        expect![[r#"
         +--^\--[ ]( b )--\------------( )( y )--+
         |  /--[ ]( c )--/                      |
-    "#]]);
-    check(&RUNG.replace("( c )", "($0 c )"), Redraw::Delete, expect![[r#"
+    "#]],
+    );
+    check(
+        &RUNG.replace("( c )", "($0 c )"),
+        Redraw::Delete,
+        expect![[r#"
         +--[ ]( a )--[ ]( b )--------( )( y )--+
-    "#]]);
+    "#]],
+    );
     check(
         "+--[ $0]( a )--+\n\n+--[ ]( b )--( )( y )--+\n",
         Redraw::Delete,
@@ -114,12 +154,20 @@ fn a_block_is_deleted_with_its_wire() {
 
 #[test]
 fn a_branch_is_wrapped_round_what_is_selected() {
-    check(&RUNG.replace("( a )", "($0 a )"), Redraw::Branch, expect![[r#"
+    check(
+        &RUNG.replace("( a )", "($0 a )"),
+        Redraw::Branch,
+        expect![[r#"
         +--\--[ ]( a )--------------\--\--[ ]( b )--\----( )( y )--+
         |  /--[ ]( new_contact_1 )--/  /--[ ]( c )--/              |
-    "#]]);
-    check(&RUNG.replace("( a )", "($0 a )"), Redraw::Invert, expect![[r#"
+    "#]],
+    );
+    check(
+        &RUNG.replace("( a )", "($0 a )"),
+        Redraw::Invert,
+        expect![[r#"
         +--[/]( a )--\--[ ]( b )--\--( )( y )--+
         |            /--[ ]( c )--/            |
-    "#]]);
+    "#]],
+    );
 }

@@ -7,6 +7,7 @@ pub(crate) mod code_lens;
 pub(crate) mod completion;
 pub(crate) mod diagram;
 pub(crate) mod diagram_text;
+pub(crate) mod edit;
 pub(crate) mod folding;
 pub(crate) mod foreign_hover;
 pub(crate) mod formatting;

@@ -1,0 +1,68 @@
+//! `ladder.edit`: a change of the drawing by a key, as edits that the client makes in one step.
+
+use std::sync::Arc;
+
+use ladder_ide::{Redraw, redraw};
+use ladder_syntax::TextRange;
+use ropey::Rope;
+use tower_lsp::jsonrpc::Result;
+use tower_lsp::ls_types::{ExecuteCommandParams, LSPAny};
+
+use super::simulate::{error, json};
+use crate::document::position;
+use crate::lsp::shared::Shared;
+use crate::lsp::transport::blocking::blocking;
+use crate::simulation::{Failure, argument_of};
+use crate::typing_messages::{EditDrawing, EditKind, EditedDrawing, Replacement};
+
+/// The command.
+pub(crate) const EDIT: &str = "ladder.edit";
+
+const fn redraw_of(edit: EditKind) -> Redraw {
+    match edit {
+        EditKind::Contact => Redraw::Contact,
+        EditKind::ClosedContact => Redraw::ClosedContact,
+        EditKind::Coil => Redraw::Coil,
+        EditKind::Block => Redraw::Block,
+        EditKind::Branch => Redraw::Branch,
+        EditKind::Invert => Redraw::Invert,
+        EditKind::Left => Redraw::Left,
+        EditKind::Right => Redraw::Right,
+        EditKind::Up => Redraw::Up,
+        EditKind::Down => Redraw::Down,
+        EditKind::Delete => Redraw::Delete,
+    }
+}
+
+pub(crate) async fn execute(shared: &Arc<Shared>, params: ExecuteCommandParams) -> Result<LSPAny> {
+    let EditDrawing { uri, range, edit } = argument_of(EDIT, params.arguments).map_err(error)?;
+    let failed = |why: &str| Failure::Failed(why.to_owned());
+    let Some(revision) = shared.documents.get(&uri) else {
+        return Err(error(failed("this document is not open as a ladder program")));
+    };
+    let edited = blocking(move |_| {
+        let names = revision.names();
+        let (Some(names), Some(analysis)) = (names, revision.analysis()) else {
+            return Err(failed("the file is too large"));
+        };
+        let (start, end) = (revision.offset(range.start), revision.offset(range.end));
+        let range = TextRange::new(start.min(end), end.max(start));
+        let options = revision.format_options();
+        let done =
+            redraw(analysis.whole(), names.text(), range, redraw_of(edit), &options).map_err(failed)?;
+        let cursor = done.cursor.map(|at| {
+            let new = Rope::from(ladder_format::apply(names.text(), &done.edits));
+            position::position(&new, revision.encoding(), at.into())
+        });
+        let replacement = |edit: &ladder_format::Edit| Replacement {
+            range: revision.range(edit.range),
+            new_text: edit.text.clone(),
+        };
+        Ok(EditedDrawing {
+            version: revision.version,
+            edits: done.edits.iter().map(replacement).collect(),
+            cursor,
+        })
+    });
+    json(&edited.await?.map_err(error)?)
+}
