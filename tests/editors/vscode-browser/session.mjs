@@ -395,8 +395,9 @@ async function main() {
         await traceTags(page);
         await edit(page);
         await debug(page, { step, screenshot });
-        await diagram(page, { step, until, command, screenshot });
         await scenarios(page, { step, screenshot, command });
+        // Its last step loads the page again.
+        await diagram(page, { step, until, command, screenshot });
     } finally {
         await screenshot(page, 'end');
         await browser.close();
