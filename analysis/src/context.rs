@@ -1,5 +1,6 @@
 //! All that is known of a file before its program is put together: what rules and the editor's features read.
 
+use crate::control_flow::ControlFlow;
 use crate::declare;
 use crate::diagnostic::Diagnostic;
 use crate::edited;
@@ -9,7 +10,7 @@ use crate::infer;
 use crate::kept::Kept;
 use crate::known_blocks::KnownBlocks;
 use crate::network;
-use crate::networks::Networks;
+use crate::networks::{NetworkAt, Networks};
 use crate::others::{Import, Others};
 use crate::profile;
 use crate::program::Role;
@@ -55,6 +56,8 @@ pub struct Context {
     pub(crate) settled: bool,
     /// The places of each tag say by themselves what type it has.
     pub(crate) typed_by_places: bool,
+    /// Without it no network calls a function.
+    pub(crate) may_call: bool,
     /// Sections and block definitions begin and end where they should.
     pub(crate) is_framed: bool,
     /// The definitions of user-defined blocks: the file's own as in the structure, then those of other files that
@@ -301,6 +304,8 @@ pub(crate) fn skeleton(parse: &Arc<Parse>, name: &str, others: &Others, before: 
     }
     let all = 0..networks.len();
     break_neighbours(parse, &mut networks, all);
+    let calls = |network: NetworkAt<'_>| network.control_flow.has(ControlFlow::CALL);
+    let may_call = networks.iter().any(calls);
     let mut context = Context {
         parse: Arc::clone(parse),
         name: Arc::from(name),
@@ -315,6 +320,7 @@ pub(crate) fn skeleton(parse: &Arc<Parse>, name: &str, others: &Others, before: 
         declared_to: declared_to(structure),
         settled: false,
         typed_by_places: false,
+        may_call,
         is_framed: structure.is_framed(),
         user_blocks: known.into_list(),
         own_blocks,

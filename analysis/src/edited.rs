@@ -150,6 +150,7 @@ impl Edited {
         let mut spliced = Vec::new();
         let mut bodies: Vec<Body> = Vec::new();
         let mut added = Vec::new();
+        let mut may_call = before.may_call;
         let mut next_old = first;
         for part in new_parts {
             let base = new_lines.first_line(part);
@@ -198,6 +199,7 @@ impl Edited {
                 if is_marked(&facts) || (is_strange(&facts) && before.others.have_files()) {
                     return None;
                 }
+                may_call |= facts.control_flow.has(ControlFlow::CALL);
                 added.push(index);
                 bodies.push(body);
                 spliced.push(Spliced {
@@ -224,6 +226,7 @@ impl Edited {
         let mut context = Context {
             parse: Arc::clone(parse),
             serial: context::next_serial(),
+            may_call,
             foreign_comments: OnceLock::new(),
             ..before.clone()
         };

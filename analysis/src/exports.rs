@@ -189,6 +189,10 @@ fn blocks(context: &Context) -> Vec<ExportedBlock> {
 
 fn globals(context: &Context) -> Vec<Global> {
     let mut globals: Vec<Global> = Vec::new();
+    // Then there are none.
+    if context.settled {
+        return globals;
+    }
     for tag in context.scopes.iter().flat_map(|scope| &scope.tags) {
         if tag.origin != Origin::Declared(SectionKind::Global) {
             continue;

@@ -58,16 +58,18 @@ pub struct Outward {
 impl Outward {
     pub(crate) fn of(context: &Context) -> Outward {
         let mut outward = Outward::default();
-        for network in &context.networks {
-            if !context.settled {
-                outward.names(context, network, &network.named);
-            }
-            if network.control_flow.has(ControlFlow::CALL) {
+        let calls = |network: &NetworkAt<'_>| network.control_flow.has(ControlFlow::CALL);
+        if context.may_call {
+            for network in context.networks.iter().filter(calls) {
                 outward.blocks(context, network);
             }
         }
         if context.settled {
             outward.found(context);
+        } else {
+            for network in &context.networks {
+                outward.names(context, network, &network.named);
+            }
         }
         let unread = |line: &&ladder_syntax::Line| !line.errors.is_empty() || line.kind == LineKind::Stray;
         let faulty = context.parse.lines().of_parts_that(Part::is_faulty);

@@ -5,6 +5,7 @@
 //! way that matters; what the others own stays, and moves with them.
 
 use super::anchored::Anchored;
+use super::at_tags::{AtTags, find};
 use super::part_notes::PartNotes;
 use crate::context::{Change, Context};
 use crate::control_flow::ControlFlow;
@@ -17,16 +18,12 @@ use crate::rule_settings::RuleSettings;
 use crate::rules::double_coil::Leaving;
 use crate::rules::survey::{self, Survey};
 use crate::rules::{self, AroundTags, MOST_FINDINGS};
-use crate::scope::TagFacts;
 use crate::stamp;
 use crate::verdict::{InNetwork, Pass};
-use ladder_syntax::{Name, TextRange, TextSize};
+use ladder_syntax::{TextRange, TextSize};
 use rustc_hash::{FxHashMap, FxHashSet};
 use std::collections::BTreeSet;
 use std::sync::Arc;
-
-/// A tag, by its scope and name.
-type TagKey = (usize, Name);
 
 /// All that is found in a file.
 #[derive(Debug)]
@@ -48,7 +45,7 @@ pub(crate) struct Ledger {
     unresolved: FxHashMap<u32, TextRange>,
     /// The numbers of networks to look at after each edit: what is found there depends on more than is kept.
     volatile: FxHashSet<u32>,
-    tags: OfTags,
+    tags: AtTags,
     rail_varies: bool,
     pub(super) notes: PartNotes,
     /// How many findings the networks own.
@@ -76,19 +73,6 @@ struct OfNetwork {
     found: Option<Box<[InNetwork; Pass::ALL.len()]>>,
 }
 
-/// What is found at the places of tags.
-#[derive(Debug, Default)]
-struct OfTags {
-    found: FxHashMap<TagKey, Vec<Arc<Anchored>>>,
-    /// To look at after each edit.
-    volatile: FxHashSet<TagKey>,
-    /// Those that are set and reset.
-    latches: FxHashSet<TagKey>,
-    /// Those that are read above the rung that writes them.
-    read_above: FxHashSet<TagKey>,
-    around: Option<AroundTags>,
-}
-
 /// What the file as a whole owns: looked for after each edit.
 #[derive(Debug, Default)]
 pub(super) struct OfFile {
@@ -114,7 +98,7 @@ impl Ledger {
             unclear: FxHashSet::default(),
             unresolved: FxHashMap::default(),
             volatile: FxHashSet::default(),
-            tags: OfTags::default(),
+            tags: AtTags::default(),
             rail_varies: false,
             notes: PartNotes::default(),
             count: 0,
@@ -176,14 +160,10 @@ impl Ledger {
         let survey = ledger.survey(context, any, &of_file);
         let mut found = Vec::new();
         rules::of_program(context, &survey, &mut found);
-        rules::set_and_reset::check(
-            context,
-            &survey,
-            tags_of(context, &ledger.tags.latches),
-            &mut found,
-        );
-        let read_above = tags_of(context, &ledger.tags.read_above);
-        rules::read_before_write::check(context, &survey, read_above, &mut found);
+        let tags = &ledger.tags;
+        rules::overlapping_address::check(context, tags.addressed(context), &mut found);
+        rules::set_and_reset::check(context, &survey, tags.latches(context), &mut found);
+        rules::read_before_write::check(context, &survey, tags.read_above(context), &mut found);
         of_file.program = found;
         (ledger, of_file)
     }
@@ -268,39 +248,12 @@ impl Ledger {
 
     /// Looks at the tags that a change concerns, and at all of them without one.
     fn of_tags(&mut self, context: &Context, change: Option<&Change>, any: ControlFlow) {
-        let scope = &context.scopes[0];
         let in_order = (0..context.networks.len()).map(|index| self.flow_at(context, index));
         let around = AroundTags {
-            has_outputs: scope.tags.iter().any(|tag| tag.role == Role::Output),
+            has_outputs: context.scopes[0].tags.iter().any(|tag| tag.role == Role::Output),
             leaving: Leaving::of(any, in_order),
         };
-        let same = self.tags.around.as_ref() == Some(&around);
-        // Of two declarations of one name only one is found by it.
-        match change.filter(|_| same && context.declared_cleanly) {
-            Some(change) => {
-                let mut again: FxHashSet<TagKey> =
-                    change.tags.iter().chain(&self.tags.volatile).cloned().collect();
-                for &index in &change.networks {
-                    let network = context.networks.at(index);
-                    let named = network.facts().named.iter();
-                    again.extend(named.map(|named| (network.scope, named.key.clone())));
-                }
-                self.work.tags = again.len();
-                for key in again {
-                    self.tags.look(context, key, &around);
-                }
-            }
-            None => {
-                self.tags = OfTags::default();
-                for (scope, facts) in context.scopes.iter().enumerate() {
-                    self.work.tags += facts.tags.len();
-                    for tag in facts.tags.iter().filter(|tag| tag.shared.is_none()) {
-                        self.tags.look_at(context, (scope, tag), &around);
-                    }
-                }
-            }
-        }
-        self.tags.around = Some(around);
+        self.work.tags = self.tags.follow(context, change, around);
     }
 
     fn flow_at(&self, context: &Context, index: usize) -> ControlFlow {
@@ -323,7 +276,7 @@ impl Ledger {
         for found in of_file.filter(|found| found.severity == Severity::Error) {
             add(found.range.start());
         }
-        for found in self.tags.found.values().flatten() {
+        for found in self.tags.found() {
             if found.severity() == Severity::Error {
                 add(found.range(TextSize::default(), &context.networks).start());
             }
@@ -408,7 +361,7 @@ impl Ledger {
 
     /// What tags own.
     pub(super) fn at_tags(&self) -> impl Iterator<Item = &Arc<Anchored>> {
-        self.tags.found.values().flatten()
+        self.tags.found()
     }
 
     /// What was looked at last.
@@ -432,73 +385,12 @@ impl Ledger {
     }
 }
 
-impl OfTags {
-    /// Looks at a tag again, which may be gone.
-    fn look(&mut self, context: &Context, key: TagKey, around: &AroundTags) {
-        self.found.remove(&key);
-        for tags in [&mut self.volatile, &mut self.latches, &mut self.read_above] {
-            tags.remove(&key);
-        }
-        if let Some(tag) = find(context, &key).filter(|tag| tag.shared.is_none()) {
-            self.look_at(context, (key.0, tag), around);
-        }
-    }
-
-    fn look_at(&mut self, context: &Context, (scope, tag): (usize, &TagFacts), around: &AroundTags) {
-        let mut found = Vec::new();
-        rules::of_tag(context, scope, tag, around, &mut found);
-        let latch = rules::set_and_reset::is_latch(context, tag);
-        let read_above = rules::read_before_write::is_read_above(context, tag);
-        if found.is_empty() && !latch && !read_above {
-            return;
-        }
-        let key = (scope, Name::new(&tag.name));
-        let found: Vec<Arc<Anchored>> = found
-            .into_iter()
-            .map(|found| Arc::new(Anchored::at_uses(found, &tag.uses, &context.networks)))
-            .collect();
-        if found.iter().any(|found| found.is_volatile()) {
-            self.volatile.insert(key.clone());
-        }
-        if latch {
-            self.latches.insert(key.clone());
-        }
-        if read_above {
-            self.read_above.insert(key.clone());
-        }
-        if !found.is_empty() {
-            self.found.entry(key).or_default().extend(found);
-        }
-    }
-
-    fn have_errors(&self) -> bool {
-        let mut all = self.found.values().flatten();
-        all.any(|found| found.severity() == Severity::Error)
-    }
-}
-
 fn note(numbers: &mut FxHashSet<u32>, id: u32, is_it: bool) {
     if is_it {
         numbers.insert(id);
     } else {
         numbers.remove(&id);
     }
-}
-
-fn find<'c>(context: &'c Context, (scope, name): &TagKey) -> Option<&'c TagFacts> {
-    let tags = context.scopes.get(*scope)?;
-    tags.find(name).map(|tag| &tags.tags[tag])
-}
-
-/// Tags in their order.
-fn tags_of<'c>(context: &'c Context, keys: &FxHashSet<TagKey>) -> impl Iterator<Item = &'c TagFacts> {
-    let places = keys
-        .iter()
-        .filter_map(|(scope, name)| Some((*scope, context.scopes[*scope].find(name)?)));
-    let places: BTreeSet<(usize, usize)> = places.collect();
-    places
-        .into_iter()
-        .map(|(scope, tag)| &context.scopes[scope].tags[tag])
 }
 
 fn has_syntax_errors(context: &Context) -> bool {

@@ -9,6 +9,7 @@
 //! [`Finding`] is small: rule, severity and place are there, the sentences are put into place when somebody reads them.
 
 mod anchored;
+mod at_tags;
 mod ledger;
 mod part_notes;
 mod shown;

@@ -43,7 +43,7 @@ mod never_written;
 mod no_output;
 mod open_wire;
 mod order_sensitive;
-mod overlapping_address;
+pub(crate) mod overlapping_address;
 pub(crate) mod power_rules;
 pub(crate) mod read_before_write;
 mod real_equality;
@@ -118,7 +118,6 @@ const OF_FILE: &[FileCheck] = &[
     unknown_label::check,
     duplicate_block::check,
     recursive_block::check,
-    overlapping_address::check,
 ];
 
 type ProgramCheck = fn(&Context, &Survey<'_>, &mut Vec<Diagnostic>);

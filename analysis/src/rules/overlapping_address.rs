@@ -7,8 +7,13 @@ use crate::diagnostic::Diagnostic;
 use crate::rule::Rule;
 use crate::scope::TagFacts;
 
-pub(super) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
-    let mut areas: Vec<Area<'_>> = context.own_tags().filter_map(Area::of).collect();
+/// Looks at the tags that have an address.
+pub(crate) fn check<'c>(
+    context: &'c Context,
+    addressed: impl Iterator<Item = &'c TagFacts>,
+    out: &mut Vec<Diagnostic>,
+) {
+    let mut areas: Vec<Area<'_>> = addressed.filter_map(Area::of).collect();
     areas.sort_by_key(|area| (area.letter, area.first, std::cmp::Reverse(area.last)));
     // In this order an area overlaps the widest one before it, if it overlaps any.
     let mut widest: Option<Area<'_>> = None;

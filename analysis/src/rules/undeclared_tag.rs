@@ -27,7 +27,8 @@ pub(crate) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
         let declares = facts.declares();
         let mut suggestions = MOST_SUGGESTIONS;
         let mut places = None;
-        let undeclared = || facts.tags.iter().filter(|tag| is_undeclared(tag, scope));
+        let found = || facts.tags.from(facts.declared);
+        let undeclared = || found().filter(|tag| is_undeclared(tag, scope));
         for tag in undeclared() {
             let mut uses = context.uses(tag).filter(|place| is_clear(context, tag, place));
             let Some(first) = uses.clone().next() else {

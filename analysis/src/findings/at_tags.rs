@@ -1,0 +1,162 @@
+//! What is found at the places of tags, kept while no edit concerns the tag.
+
+use super::anchored::Anchored;
+use crate::context::{Change, Context};
+use crate::rule::Severity;
+use crate::rules::{self, AroundTags};
+use crate::scope::TagFacts;
+use ladder_syntax::Name;
+use rustc_hash::{FxHashMap, FxHashSet};
+use std::collections::BTreeSet;
+use std::sync::Arc;
+
+/// A tag, by its scope and name.
+type TagKey = (usize, Name);
+
+/// What is found at the places of tags.
+#[derive(Debug, Default)]
+pub(super) struct AtTags {
+    found: FxHashMap<TagKey, Vec<Arc<Anchored>>>,
+    /// To look at after each edit.
+    volatile: FxHashSet<TagKey>,
+    /// Those that have an address.
+    addressed: FxHashSet<TagKey>,
+    /// Those that are set and reset.
+    latches: FxHashSet<TagKey>,
+    /// Those that are read above the rung that writes them.
+    read_above: FxHashSet<TagKey>,
+    around: Option<AroundTags>,
+}
+
+impl AtTags {
+    /// Looks at the tags that a change concerns, and at all of them without one, or if what decides about all of them
+    /// changed. Gives how many that are.
+    pub(super) fn follow(&mut self, context: &Context, change: Option<&Change>, around: AroundTags) -> usize {
+        let same = self.around.as_ref() == Some(&around);
+        // Of two declarations of one name only one is found by it.
+        let looked_at = match change.filter(|_| same && context.declared_cleanly) {
+            Some(change) => {
+                let mut again: FxHashSet<TagKey> =
+                    change.tags.iter().chain(&self.volatile).cloned().collect();
+                for &index in &change.networks {
+                    let network = context.networks.at(index);
+                    let named = network.facts().named.iter();
+                    again.extend(named.map(|named| (network.scope, named.key.clone())));
+                }
+                let count = again.len();
+                for key in again {
+                    self.look(context, key, &around);
+                }
+                count
+            }
+            None => {
+                *self = AtTags::default();
+                for (scope, facts) in context.scopes.iter().enumerate() {
+                    for tag in facts.tags.iter().filter(|tag| tag.shared.is_none()) {
+                        self.look_at(context, (scope, tag), &around);
+                    }
+                }
+                context.scopes.iter().map(|scope| scope.tags.len()).sum()
+            }
+        };
+        self.around = Some(around);
+        looked_at
+    }
+
+    /// Looks at a tag again, which may be gone.
+    fn look(&mut self, context: &Context, key: TagKey, around: &AroundTags) {
+        self.found.remove(&key);
+        let lists = [
+            &mut self.volatile,
+            &mut self.addressed,
+            &mut self.latches,
+            &mut self.read_above,
+        ];
+        for tags in lists {
+            tags.remove(&key);
+        }
+        if let Some(tag) = find(context, &key).filter(|tag| tag.shared.is_none()) {
+            self.look_at(context, (key.0, tag), around);
+        }
+    }
+
+    fn look_at(&mut self, context: &Context, (scope, tag): (usize, &TagFacts), around: &AroundTags) {
+        let mut found = Vec::new();
+        rules::of_tag(context, scope, tag, around, &mut found);
+        let latch = rules::set_and_reset::is_latch(context, tag);
+        let read_above = rules::read_before_write::is_read_above(context, tag);
+        let addressed = tag.address.is_some();
+        if found.is_empty() && !latch && !read_above && !addressed {
+            return;
+        }
+        let key = (scope, Name::new(&tag.name));
+        let found: Vec<Arc<Anchored>> = found
+            .into_iter()
+            .map(|found| Arc::new(Anchored::at_uses(found, &tag.uses, &context.networks)))
+            .collect();
+        if found.iter().any(|found| found.is_volatile()) {
+            self.volatile.insert(key.clone());
+        }
+        if addressed {
+            self.addressed.insert(key.clone());
+        }
+        if latch {
+            self.latches.insert(key.clone());
+        }
+        if read_above {
+            self.read_above.insert(key.clone());
+        }
+        if !found.is_empty() {
+            self.found.entry(key).or_default().extend(found);
+        }
+    }
+
+    /// Whether one of them is an error.
+    pub(super) fn have_errors(&self) -> bool {
+        let mut all = self.found();
+        all.any(|found| found.severity() == Severity::Error)
+    }
+
+    /// All that is found.
+    pub(super) fn found(&self) -> impl Iterator<Item = &Arc<Anchored>> {
+        self.found.values().flatten()
+    }
+
+    /// The tags that have an address.
+    pub(super) fn addressed<'c>(&self, context: &'c Context) -> impl Iterator<Item = &'c TagFacts> + use<'c> {
+        tags_of(context, &self.addressed)
+    }
+
+    /// The tags that are set and reset.
+    pub(super) fn latches<'c>(&self, context: &'c Context) -> impl Iterator<Item = &'c TagFacts> + use<'c> {
+        tags_of(context, &self.latches)
+    }
+
+    /// The tags that are read above the rung that writes them.
+    pub(super) fn read_above<'c>(
+        &self,
+        context: &'c Context,
+    ) -> impl Iterator<Item = &'c TagFacts> + use<'c> {
+        tags_of(context, &self.read_above)
+    }
+}
+
+/// A tag, if it is there.
+pub(super) fn find<'c>(context: &'c Context, (scope, name): &TagKey) -> Option<&'c TagFacts> {
+    let tags = context.scopes.get(*scope)?;
+    tags.find(name).map(|tag| &tags.tags[tag])
+}
+
+/// Tags in their order.
+fn tags_of<'c>(
+    context: &'c Context,
+    keys: &FxHashSet<TagKey>,
+) -> impl Iterator<Item = &'c TagFacts> + use<'c> {
+    let places = keys
+        .iter()
+        .filter_map(|(scope, name)| Some((*scope, context.scopes[*scope].find(name)?)));
+    let places: BTreeSet<(usize, usize)> = places.collect();
+    places
+        .into_iter()
+        .map(|(scope, tag)| &context.scopes[scope].tags[tag])
+}
