@@ -1,7 +1,7 @@
 //! What is found in a file, by owner, kept from one text to the next.
 //!
 //! A network owns what is found in it by itself, a tag what is found at its places, the file all else. After an edit
-//! only those are looked at again that the [`Change`](crate::context::Change) names, or whose surroundings changed in a
+//! only those are looked at again that the [`Change`] names, or whose surroundings changed in a
 //! way that matters; what the others own stays, and moves with them.
 
 use super::anchored::Anchored;

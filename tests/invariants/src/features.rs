@@ -138,16 +138,29 @@ pub(crate) fn apart(edits: &[Edit], end: TextSize) {
     assert!(edits.iter().all(|edit| edit.range.end() <= end), "{edits:?}");
 }
 
-/// While a person types only blanks, wires and rails may come and go.
+/// While a person types only blanks, wires and rails may come and go, and connectors may come: a branch is closed on the line
+/// above. Where there is nothing but a branch, on the line that Enter begins or gives up, it may go.
 fn nothing_is_lost(analysis: &Analysis, edits: &[Edit]) {
     let text = analysis.context.parse.to_string();
     let solid = |text: &str| -> String {
         text.chars()
-            .filter(|c| !matches!(c, ' ' | '\t' | '-' | '|' | '\n' | '\r'))
+            .filter(|c| !matches!(c, ' ' | '\t' | '-' | '|' | '+' | '\n' | '\r'))
             .flat_map(char::to_uppercase)
             .collect()
     };
+    let is_connector = |c: char| matches!(c, '/' | '\\');
     for edit in edits {
-        assert_eq!(solid(&text[edit.range]), solid(&edit.text), "{edit:?}");
+        let (old, new) = (solid(&text[edit.range]), solid(&edit.text));
+        // All that was there is there still, in its order, with connectors between.
+        let mut left = old.chars().peekable();
+        let only_connectors_come = new
+            .chars()
+            .all(|c| left.next_if_eq(&c).is_some() || is_connector(c));
+        let nothing_goes = left.peek().is_none() || old.chars().all(is_connector);
+        assert!(
+            only_connectors_come && nothing_goes,
+            "{edit:?} for {:?}",
+            &text[edit.range]
+        );
     }
 }
