@@ -7,6 +7,17 @@
 //!       --rules----> Diagnostics, with fixes as text edits; those about power ask the boolean function of a network
 //! ```
 //!
+//! | room | what is known there |
+//! | --- | --- |
+//! | `values` | types, literals, values |
+//! | `networks` | each network by itself: wiring, blocks, order; and where it is |
+//! | `names` | the tags of each scope, their places and types |
+//! | `resolve` | what operands mean; the program model |
+//! | `boolean` | when power comes through a network |
+//! | `rules` | what is wrong, one file for each rule |
+//! | `findings` | what was found, by owner, from one text to the next |
+//! | `other_files` | what files show to each other, and programs of several files |
+//!
 //! A file shows the others of its workspace its [`Exports`], which follow from its text alone; [`Others`] is what it sees of
 //! theirs, and [`link()`] puts the program together that uses functions and blocks of several files.
 //!
@@ -14,56 +25,29 @@
 //! read; [`Program`](program::Program) is what runs. A file with errors has no program.
 
 mod analyze;
-mod article;
 mod asked;
 mod boolean;
-mod chunked;
-pub mod constant;
 pub mod context;
-mod control_flow;
 mod cplc_draft;
-pub mod declaration_fix;
-mod declare;
-pub mod diagnostic;
 mod edited;
-mod excerpt;
-mod exports;
-pub mod facts;
 mod findings;
-pub mod fix;
-mod foreign_comment;
-mod infer;
-#[cfg(test)]
-mod infer_tests;
-mod kept;
-mod known_blocks;
-mod link;
-mod lint;
-pub mod literal;
-pub mod network;
+mod names;
 pub mod networks;
-mod operand_value;
-pub mod order;
-#[cfg(test)]
-mod order_tests;
-mod others;
-mod outward;
+mod other_files;
 mod profile;
 pub mod program;
 mod resolve;
-pub mod rule;
-pub mod rule_settings;
 mod rules;
-pub mod scope;
-mod shared;
-mod stamp;
-pub mod system_tag;
-pub mod tags;
-pub mod types;
-pub mod user_block;
-mod uses;
-pub mod value;
-mod verdict;
+mod values;
+
+pub(crate) use findings::{article, excerpt, foreign_comment, lint, stamp, verdict};
+pub use findings::{declaration_fix, diagnostic, fix, rule, rule_settings};
+pub(crate) use names::{declare, infer, operand_value, shared, uses};
+pub use names::{scope, system_tag, tags};
+pub(crate) use networks::{chunked, control_flow, kept, known_blocks};
+pub use networks::{facts, network, order, user_block};
+pub(crate) use other_files::{exports, link, others, outward};
+pub use values::{constant, literal, types, value};
 
 pub use analyze::{Analysis, analyze, analyze_after, analyze_context, analyze_in, analyze_with};
 pub use article::with_article;

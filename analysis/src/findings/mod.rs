@@ -8,6 +8,18 @@
 //! What networks and tags own is kept with [`Anchored`] places, which stay true when text comes or goes elsewhere. A
 //! [`Finding`] is small: rule, severity and place are there, the sentences are put into place when somebody reads them.
 
+pub(crate) mod article;
+pub mod declaration_fix;
+pub mod diagnostic;
+pub(crate) mod excerpt;
+pub mod fix;
+pub(crate) mod foreign_comment;
+pub(crate) mod lint;
+pub mod rule;
+pub mod rule_settings;
+pub(crate) mod stamp;
+pub(crate) mod verdict;
+
 mod anchored;
 mod at_tags;
 mod ledger;

@@ -4,6 +4,17 @@
 //! is, and what surrounds it, stands in lists of plain numbers beside it: the only thing that an edit copies for each network.
 //! A network keeps its number (`id`) while it stays, so that whoever refers to it need not know how many stand above it.
 
+pub(crate) mod chunked;
+pub(crate) mod control_flow;
+pub mod facts;
+pub(crate) mod kept;
+pub(crate) mod known_blocks;
+pub mod network;
+pub mod order;
+#[cfg(test)]
+mod order_tests;
+pub mod user_block;
+
 use crate::chunked::Chunked;
 use crate::network::{BoundBlock, Formal, NetworkFacts};
 use crate::scope::{Use, UseRef};

@@ -1,0 +1,18 @@
+//! The names of a file: the tags of its scopes, where they are declared and used, and their types.
+//!
+//! ```text
+//! sections --declare--> tags of each scope --uses--> with the places that use them, and those that nobody declares
+//!          --shared---> tags of other scopes and files
+//!          --infer----> the types of undeclared ones
+//! ```
+
+pub(crate) mod declare;
+pub(crate) mod infer;
+#[cfg(test)]
+mod infer_tests;
+pub(crate) mod operand_value;
+pub mod scope;
+pub(crate) mod shared;
+pub mod system_tag;
+pub mod tags;
+pub(crate) mod uses;

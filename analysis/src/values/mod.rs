@@ -1,0 +1,6 @@
+//! Types, literals and the values that programs hold (LANGUAGE §3, §4).
+
+pub mod constant;
+pub mod literal;
+pub mod types;
+pub mod value;
