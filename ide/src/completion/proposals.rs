@@ -37,6 +37,14 @@ impl<'t> Proposals<'t> {
 
     /// Whether something of this name can be meant by what is written.
     pub(super) fn may_be(&self, name: &str) -> bool {
+        if self.prefix.is_empty() {
+            return true;
+        }
+        if name.is_ascii() && self.prefix.is_ascii() {
+            let mut letters = name.bytes();
+            let mut wanted = self.prefix.bytes();
+            return wanted.all(|c| letters.any(|letter| letter.eq_ignore_ascii_case(&c)));
+        }
         let mut letters = name.chars().flat_map(char::to_lowercase);
         let mut wanted = self.prefix.chars().flat_map(char::to_lowercase);
         wanted.all(|c| letters.any(|letter| letter == c))

@@ -9,7 +9,6 @@ use ladder_analysis::scope::{Access, Origin, SectionKind, TagFacts};
 use ladder_analysis::types::{Scalar, Type};
 use ladder_instructions::Law;
 use ladder_syntax::Name;
-use std::cmp::Ordering;
 
 /// Inputs come last where something is written: the outside writes them.
 const INPUTS: u8 = 4;
@@ -18,8 +17,9 @@ const SYSTEM: u8 = 4;
 /// Literals stand behind everything that has a name.
 const LITERALS: u8 = 5;
 
-/// A tag, how well it fits, and what else speaks for it.
-type Ranked<'c> = (&'c TagFacts, u8, u8);
+/// A tag, and its rank: whether it only holds what is written and does not begin so, how well it fits, and what else
+/// speaks for it.
+type Ranked<'c> = (&'c TagFacts, (bool, u8, u8));
 
 pub(super) fn propose(typing: &Typing<'_>, operand: &Operand, wanted: &Wanted, out: &mut Proposals<'_>) {
     // What stands in the list already is less likely meant.
@@ -32,6 +32,8 @@ pub(super) fn propose(typing: &Typing<'_>, operand: &Operand, wanted: &Wanted, o
     };
     let scope = &typing.context.scopes[typing.scope];
     let law = typing.context.profile.law();
+    let prefix = typing.prefix().to_lowercase();
+    let begins = |tag: &TagFacts| prefix.is_empty() || tag.name.to_lowercase().starts_with(&prefix);
     let mut tags: Vec<Ranked<'_>> = scope
         .tags
         .iter()
@@ -49,29 +51,18 @@ pub(super) fn propose(typing: &Typing<'_>, operand: &Operand, wanted: &Wanted, o
             } else {
                 second_thought(known, wanted)
             };
-            (!known.constant || !wanted.writes).then_some((known, fits, second))
+            (!known.constant || !wanted.writes).then(|| (known, (!begins(known), fits, second)))
         })
         .collect();
     // A large program has more tags than anybody reads: only the best are put in order.
-    let prefix = typing.prefix().to_lowercase();
-    let begins = |tag: &TagFacts| tag.name.to_lowercase().starts_with(&prefix);
-    let best = |(a, fits, second): &Ranked<'_>, (b, other_fits, other_second): &Ranked<'_>| {
-        let begin = || begins(b).cmp(&begins(a));
-        let begin = if prefix.is_empty() {
-            Ordering::Equal
-        } else {
-            begin()
-        };
-        begin
-            .then((fits, second).cmp(&(other_fits, other_second)))
-            .then_with(|| a.name.cmp(&b.name))
-    };
+    let best =
+        |(a, rank): &Ranked<'_>, (b, other): &Ranked<'_>| rank.cmp(other).then_with(|| a.name.cmp(&b.name));
     if tags.len() > MOST {
         tags.select_nth_unstable_by(MOST, best);
         tags.truncate(MOST + 1);
     }
     tags.sort_by(best);
-    for (tag, fits, second) in tags {
+    for (tag, (_, fits, second)) in tags {
         propose_tag(typing, tag, (fits, second), out);
     }
     globals(typing, wanted, out);
