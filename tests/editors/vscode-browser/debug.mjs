@@ -1,6 +1,8 @@
 // The debugger in the page: F5 starts the program, a breakpoint stops it, tags are shown and held.
 import assert from 'node:assert/strict';
 
+import { open } from './palette.mjs';
+
 /** The program that is debugged: its name in the project, and its text. */
 export const PROGRAM = 'press.clad';
 export const TEXT = `VAR_INPUT
@@ -29,14 +31,6 @@ async function expand(page, scope) {
     if ((await found.getAttribute('aria-expanded')) !== 'true') {
         await found.click();
     }
-}
-
-async function open(page, name) {
-    await page.keyboard.press('Control+P');
-    await page.locator('.quick-input-widget input').first().waitFor({ timeout: 5000 });
-    await page.keyboard.type(name);
-    await page.locator('.quick-input-list .monaco-list-row', { hasText: name }).first().click({ timeout: 5000 });
-    await page.locator('.tab.active', { hasText: name }).waitFor({ timeout: 5000 });
 }
 
 export async function debug(page, { step, screenshot }) {

@@ -1,6 +1,8 @@
 // The diagram beside the text, as somebody uses it: what is drawn, clicked and typed there.
 import assert from 'node:assert/strict';
 
+import { command, list, open } from './palette.mjs';
+
 /** The page of the diagram that is in sight: a frame in a frame. */
 async function diagramOf(page, until, seconds = 20) {
     let found;
@@ -28,13 +30,9 @@ const words = (frame, operand, kind) => element(frame, operand, kind).getAttribu
 const press = (frame, operand) => element(frame, operand).locator('.gate').click({ force: true });
 
 /** Opens a file in the first group: diagrams are in the second. */
-async function open(page, name) {
+async function openFirst(page, name) {
     await page.keyboard.press('Control+1');
-    await page.keyboard.press('Control+P');
-    await page.locator('.quick-input-widget input').first().waitFor({ timeout: 10_000 });
-    await page.keyboard.type(name);
-    await page.locator('.quick-input-list .monaco-list-row', { hasText: name }).first().click({ timeout: 10_000 });
-    await page.locator('.tab.active', { hasText: name }).waitFor({ timeout: 10_000 });
+    await open(page, name);
 }
 
 /** The line of the network that has this operand, as its number beside it says. */
@@ -44,9 +42,8 @@ async function lineOf(frame, operand) {
 }
 
 async function cursorTo(page, line, column) {
-    await page.keyboard.press('Control+G');
-    await page.locator('.quick-input-widget input').first().waitFor({ timeout: 10_000 });
-    await page.keyboard.type(`${line}:${column}`);
+    const input = await list(page, 'Control+G');
+    await input.fill(`:${line}:${column}`);
     await page.keyboard.press('Enter');
     await page.getByText(`Ln ${line}, Col ${column}`).waitFor({ timeout: 10_000 });
 }
@@ -57,10 +54,10 @@ export const programs = {
     'long.clad': Array.from({ length: 10_000 }, (_, index) => `+--[ ]( a${index} )--[/]( b )--( )( c${index} )--+\n`).join(''),
 };
 
-export async function diagram(page, { step, until, command, screenshot }) {
+export async function diagram(page, { step, until, screenshot }) {
     let frame;
     await step('the diagram stands beside the text, and shows the power', async () => {
-        await open(page, 'motor.clad');
+        await openFirst(page, 'motor.clad');
         await command(page, 'Ladder: Stop Simulation').catch(() => page.keyboard.press('Escape'));
         await command(page, 'Ladder: Open Diagram to the Side');
         frame = await diagramOf(page, until);
@@ -181,7 +178,7 @@ export async function diagram(page, { step, until, command, screenshot }) {
         await until('the drawing', 10, async () => (await frame.locator('.piece.held').count()) === 0);
     });
     await step('a number is set below the drawing', async () => {
-        await open(page, 'level.clad');
+        await openFirst(page, 'level.clad');
         await command(page, 'Ladder: Open Diagram to the Side');
         frame = await diagramOf(page, until);
         await frame.locator('button.start').click();
@@ -199,7 +196,7 @@ export async function diagram(page, { step, until, command, screenshot }) {
         await frame.locator('button.start').waitFor({ timeout: 10_000 });
     });
     await step('of 10,000 rungs those are drawn that are in sight', async () => {
-        await open(page, 'long.clad');
+        await openFirst(page, 'long.clad');
         await page.locator('.monaco-editor .view-line', { hasText: 'a0' }).first().click();
         await command(page, 'Ladder: Open Diagram to the Side');
         frame = await diagramOf(page, until);

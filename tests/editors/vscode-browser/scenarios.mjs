@@ -1,17 +1,11 @@
 // The Test Explorer in the page: scenarios are run and debugged, and what they exercise is drawn beside the program.
 import assert from 'node:assert/strict';
 
+import { command, open } from './palette.mjs';
+
 const FILE = 'motor.ladder-test';
 
-async function open(page, name) {
-    await page.keyboard.press('Control+P');
-    await page.locator('.quick-input-widget input').first().waitFor({ timeout: 5000 });
-    await page.keyboard.type(name);
-    await page.locator('.quick-input-list .monaco-list-row', { hasText: name }).first().click({ timeout: 5000 });
-    await page.locator('.tab.active', { hasText: name }).waitFor({ timeout: 5000 });
-}
-
-export async function scenarios(page, { step, screenshot, command }) {
+export async function scenarios(page, { step, screenshot }) {
     const editor = page.locator('.editor-group-container .monaco-editor').first();
     await step('the scenarios of a file are tests, with marks beside them', async () => {
         await open(page, FILE);

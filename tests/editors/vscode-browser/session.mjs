@@ -11,7 +11,9 @@ import { chromium } from 'playwright-core';
 
 import { debug, PROGRAM, TEXT } from './debug.mjs';
 import { diagram, programs } from './diagram.mjs';
+import { command, open } from './palette.mjs';
 import { scenarios } from './scenarios.mjs';
+import { NAME, RUNG, typing } from './typing.mjs';
 
 const { LADDER_BIN, LADDER_FIXTURES, LADDER_CHROMIUM, LADDER_PACKAGES, LADDER_SCREENSHOTS } = process.env;
 const codeServer = fileURLToPath(import.meta.resolve('code-server/out/node/entry.js'));
@@ -68,6 +70,7 @@ function prepare() {
     cpSync(LADDER_FIXTURES, join(scratch, 'project'), { recursive: true });
     writeFileSync(join(scratch, 'project/ladder.toml'), '');
     writeFileSync(join(scratch, 'project', PROGRAM), TEXT);
+    writeFileSync(join(scratch, 'project', NAME), `${RUNG}\n`);
     writeFileSync(join(scratch, 'project/watch.clad'), '+--[TON]( clock, T#1h )--( )( late )--+\n');
     for (const [name, text] of Object.entries(programs)) {
         writeFileSync(join(scratch, 'project', name), text);
@@ -186,15 +189,6 @@ async function look(page) {
     });
 }
 
-/** Runs a command of the palette. */
-async function command(page, title) {
-    await page.keyboard.press('F1');
-    await page.locator('.quick-input-widget input').first().waitFor({ timeout: 5000 });
-    await page.keyboard.type(title);
-    // Not the first row: the palette has its own opinion of what is meant.
-    await page.locator('.quick-input-list .monaco-list-row', { hasText: title }).first().click({ timeout: 5000 });
-}
-
 /** Waits until something is asked for, and answers. */
 async function answer(page, title, text) {
     await page.locator('.quick-input-title', { hasText: title }).waitFor({ timeout: 5000 });
@@ -237,11 +231,7 @@ async function operate(page) {
     });
     await step('the view shows values while the program runs', async () => {
         // Something changes in every scan: a view that is drawn again with each would never be drawn.
-        await page.keyboard.press('Control+P');
-        await page.locator('.quick-input-widget input').first().waitFor({ timeout: 5000 });
-        await page.keyboard.type('watch.clad');
-        await page.locator('.quick-input-list .monaco-list-row', { hasText: 'watch.clad' }).first().click({ timeout: 5000 });
-        await page.locator('.tab.active', { hasText: 'watch.clad' }).waitFor({ timeout: 5000 });
+        await open(page, 'watch.clad');
         await command(page, 'Ladder: Start Simulation');
         await page.getByText('Ladder: paused, scan 0').waitFor({ timeout: 5000 });
         await row(page, 'clock.ET').waitFor({ timeout: 5000 });
@@ -394,10 +384,11 @@ async function main() {
         await operate(page);
         await traceTags(page);
         await edit(page);
+        await typing(page, { step, until, screenshot });
         await debug(page, { step, screenshot });
-        await scenarios(page, { step, screenshot, command });
+        await scenarios(page, { step, screenshot });
         // Its last step loads the page again.
-        await diagram(page, { step, until, command, screenshot });
+        await diagram(page, { step, until, screenshot });
     } finally {
         await screenshot(page, 'end');
         await browser.close();

@@ -1,0 +1,35 @@
+// Files and commands by their names, through the editor's own list.
+
+/** Opens the editor's list with a key. A page in a frame may have the focus still: then the key is lost, and pressed again. */
+export async function list(page, key) {
+    const input = page.locator('.quick-input-widget input').first();
+    for (let tries = 0; ; tries += 1) {
+        await page.keyboard.press(key);
+        const shown = await input.waitFor({ timeout: 2500 }).then(() => true, () => false);
+        if (shown) {
+            return input;
+        }
+        if (tries === 3) {
+            throw new Error(`${key} opens no list`);
+        }
+    }
+}
+
+/** Opens the list with a key, has it look for a text, and takes the row that shows a name. */
+async function pick(page, key, text, name) {
+    // Letters that come too soon behind the opening would be lost.
+    await (await list(page, key)).fill(text);
+    // Not the first row: the list has its own opinion of what is meant.
+    await page.locator('.quick-input-list .monaco-list-row', { hasText: name }).first().click({ timeout: 10_000 });
+}
+
+/** Opens a file of the project. */
+export async function open(page, name) {
+    await pick(page, 'Control+P', name, name);
+    await page.locator('.tab.active', { hasText: name }).waitFor({ timeout: 10_000 });
+}
+
+/** Runs a command. */
+export async function command(page, title) {
+    await pick(page, 'F1', `>${title}`, title);
+}

@@ -1,0 +1,92 @@
+// A diagram typed by hand: keys are pressed in the page, and what stands in the editor is looked at.
+import assert from 'node:assert/strict';
+
+import { open } from './palette.mjs';
+
+/** The program that is typed into: its name in the project, and its text. */
+export const NAME = 'typed.clad';
+export const RUNG = '+--[ ]( first )--[/]( second )--( )( third )--+';
+
+/** The lines of the editor that is active, as the page shows them. */
+function lines(page) {
+    return page.evaluate(() => {
+        const shown = [...document.querySelectorAll('.editor-group-container.active .monaco-editor .view-line')];
+        const placed = shown.map((line) => ({ top: parseFloat(line.style.top), text: line.textContent.replace(/\u00a0/g, ' ') }));
+        return placed.sort((a, b) => a.top - b.top).map(({ text }) => text.trimEnd());
+    });
+}
+
+const place = (page, line, column) => page.getByText(new RegExp(`Ln ${line}, Col ${column}( |$)`)).first().waitFor({ timeout: 5000 });
+
+export async function typing(page, { step, until, screenshot }) {
+    const mistakes = page.locator('.editor-group-container.active .monaco-editor .squiggly-error');
+    await step('Enter behind a rung begins the next one', async () => {
+        await open(page, NAME);
+        await page.locator('.editor-group-container.active .view-line', { hasText: 'first' }).click();
+        await page.keyboard.press('Control+Home');
+        await page.keyboard.press('End');
+        await page.keyboard.press('Enter');
+        await until('the beginning of a rung', 5, async () => (await lines(page)).some((line) => line === '+--'));
+    });
+    await step('a half-typed rung has no mistakes until it is left', async () => {
+        await page.keyboard.type('[ ]( fourth )--[TON', { delay: 30 });
+        await page.keyboard.press('Escape');
+        // Longer than the answer takes.
+        await page.waitForTimeout(600);
+        assert.equal(await mistakes.count(), 0);
+        await page.locator('.editor-group-container.active .view-line', { hasText: 'first' }).click();
+        await until('the mistake', 5, async () => (await mistakes.count()) > 0);
+    });
+    await step('an instruction is found by what it is for, and comes with its operands', async () => {
+        await page.locator('.editor-group-container.active .view-line', { hasText: 'fourth' }).click();
+        await page.keyboard.press('End');
+        // The editor has closed the bracket.
+        for (const _ of '[TON]') {
+            await page.keyboard.press('Backspace');
+        }
+        await page.keyboard.type('[timer', { delay: 30 });
+        const proposal = page.locator('.suggest-widget .monaco-list-row', { hasText: 'TON' }).first();
+        await proposal.waitFor({ timeout: 5000 });
+        await screenshot(page, 'typing');
+        await proposal.click();
+        await until('the block', 5, async () => (await lines(page)).some((line) => /^\+--\[ \]\( fourth \)-+\[TON\]\( /.test(line)));
+        await page.keyboard.press('Escape');
+        await page.keyboard.press('Escape');
+    });
+    await step('Tab goes from operand to operand, and puts nothing in', async () => {
+        const before = await lines(page);
+        await page.keyboard.press('Control+Home');
+        await page.keyboard.press('Tab');
+        const first = RUNG.indexOf('first');
+        await place(page, 1, `(${first + 1}|${first + 1 + 'first'.length})`);
+        await page.keyboard.press('Tab');
+        const second = RUNG.indexOf('second');
+        await place(page, 1, `(${second + 1}|${second + 1 + 'second'.length})`);
+        assert.deepEqual(await lines(page), before);
+    });
+    await step('a key draws a contact, and one undo takes it back', async () => {
+        const before = await lines(page);
+        await page.keyboard.press('Alt+L');
+        await page.keyboard.press('c');
+        await until('another contact', 5, async () => (await lines(page))[0].split('[ ]').length === 3);
+        await page.keyboard.press('Escape');
+        await page.keyboard.press('Control+Z');
+        await until('the rung as it was', 5, async () => (await lines(page))[0] === before[0]);
+    });
+    await step('a key draws a branch round what is selected', async () => {
+        const before = await lines(page);
+        await page.keyboard.press('Control+Home');
+        await page.keyboard.press('Tab');
+        await page.keyboard.press('Alt+L');
+        await page.keyboard.press('b');
+        await until('the branch', 5, async () => {
+            const [above, below] = await lines(page);
+            return above.includes('\\') && /^\|? *\/--/.test(below);
+        });
+        await screenshot(page, 'branch');
+        await page.keyboard.press('Escape');
+        await page.keyboard.press('Control+Z');
+        await until('the rung as it was', 5, async () => (await lines(page))[0] === before[0]);
+        await page.keyboard.press('Control+S');
+    });
+}
