@@ -20,6 +20,7 @@ mod rule_index;
 mod safe_fixes;
 mod scenarios;
 mod settings_reference;
+mod snippets;
 mod texts;
 mod timing_diagrams;
 mod work_of_an_edit;
