@@ -138,7 +138,8 @@ pub fn extension_settings() -> String {
                 "default": {},
                 "scope": "window",
                 "markdownDescription": about(section.about, SetBy::FileOrEditor),
-                "properties": rules(&json!({ "enum": LEVELS })),
+                // Without a type the page of settings does not show them.
+                "properties": rules(&json!({ "type": "string", "enum": LEVELS })),
                 "additionalProperties": false
             });
             entries.push((format!("ladder.{}", section.name), lint));
