@@ -40,7 +40,7 @@ fn what_a_snippet_puts_in_is_a_program() {
         let program = plain(&(lines.join("\n") + "\n"));
         assert_eq!(format_text(&program, &Options::default()), program, "{name}");
         let parse = Arc::new(parse(&program));
-        for finding in analyze(&parse, "program").diagnostics().iter() {
+        for finding in analyze(&parse, "program").diagnostics() {
             assert!(finding.severity == Severity::Info, "{name}: {}", finding.message);
         }
     }
