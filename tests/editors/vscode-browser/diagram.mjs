@@ -10,7 +10,8 @@ async function diagramOf(page, until, seconds = 20) {
         for (const frame of page.frames()) {
             const isDiagram = await frame.evaluate(() => document.querySelector('main.view')?.checkVisibility()).catch(() => false);
             const isShown = isDiagram && (await frame.frameElement().then((element) => element.isVisible()).catch(() => false));
-            if (isShown && (await frame.locator('g.element').count()) > 0) {
+            // A frame may be exchanged while it is asked.
+            if (isShown && (await frame.locator('g.element').count().catch(() => 0)) > 0) {
                 found = frame;
                 return true;
             }
