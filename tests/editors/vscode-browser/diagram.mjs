@@ -200,7 +200,12 @@ export async function diagram(page, { step, until, screenshot }) {
         await openFirst(page, 'long.clad');
         await page.locator('.monaco-editor .view-line', { hasText: 'a0' }).first().click();
         await command(page, 'Ladder: Open Diagram to the Side');
-        frame = await diagramOf(page, until);
+        // The frame of the diagram before may be in sight for a while.
+        await until('the diagram of the long program', 20, async () => {
+            frame = await diagramOf(page, until);
+            const names = await frame.locator('g.element text').allTextContents().catch(() => []);
+            return names.includes('a0');
+        });
         const drawn = () => frame.locator('.piece').count();
         assert.ok((await drawn()) < 60, `${await drawn()} networks are on the page`);
         await frame.evaluate(() => (document.querySelector('.view').scrollTop = 200_000));
