@@ -4,6 +4,7 @@ require('ladder.highlight')
 
 local server = require('ladder.server')
 local sessions = require('ladder.session')
+local side_buffer = require('ladder.side_buffer')
 local simulation = require('ladder.simulation')
 local status = require('ladder.status')
 local value = require('ladder.value')
@@ -53,7 +54,7 @@ local short_keys = '<CR> text  t toggle  p pulse  c f u  w why  q'
 
 --- @param diagram ladder.Diagram
 local function windows(diagram)
-  return vim.api.nvim_buf_is_valid(diagram.bufnr) and vim.fn.win_findbuf(diagram.bufnr) or {}
+  return side_buffer.windows(diagram.bufnr)
 end
 
 --- The lines of the program that its windows show.
@@ -407,18 +408,11 @@ local function map_keys(bufnr, source)
       M.close(source)
     end,
   }
-  for key, action in pairs(actions) do
-    vim.keymap.set('n', key, action, { buffer = bufnr, nowait = true })
-  end
+  side_buffer.map(bufnr, actions)
 end
 
 local function create(source)
-  local bufnr = vim.api.nvim_create_buf(false, true)
-  vim.bo[bufnr].bufhidden = 'wipe'
-  vim.bo[bufnr].filetype = 'ladder_diagram'
-  vim.bo[bufnr].modifiable = false
-  vim.api.nvim_buf_set_name(bufnr, ('ladder://diagram/%d'):format(source))
-  vim.b[bufnr].ladder_source = source
+  local bufnr = side_buffer.create('diagram', source)
   map_keys(bufnr, source)
   local group = vim.api.nvim_create_augroup(('ladder_diagram_%d'):format(source), {})
   local function again()

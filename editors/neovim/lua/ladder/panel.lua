@@ -4,6 +4,7 @@ require('ladder.highlight')
 
 local sessions = require('ladder.session')
 local shown = require('ladder.shown')
+local side_buffer = require('ladder.side_buffer')
 local simulation = require('ladder.simulation')
 local status = require('ladder.status')
 local value = require('ladder.value')
@@ -210,18 +211,11 @@ local function map_keys(panel, source)
       M.close(source)
     end,
   }
-  for key, action in pairs(actions) do
-    vim.keymap.set('n', key, action, { buffer = panel, nowait = true })
-  end
+  side_buffer.map(panel, actions)
 end
 
 local function create(source)
-  local panel = vim.api.nvim_create_buf(false, true)
-  vim.bo[panel].bufhidden = 'wipe'
-  vim.bo[panel].filetype = 'ladder_tags'
-  vim.bo[panel].modifiable = false
-  vim.api.nvim_buf_set_name(panel, ('ladder://tags/%d'):format(source))
-  vim.b[panel].ladder_source = source
+  local panel = side_buffer.create('tags', source)
   map_keys(panel, source)
   -- What scrolls into sight is to be told of, and drawn.
   vim.api.nvim_create_autocmd('WinScrolled', {

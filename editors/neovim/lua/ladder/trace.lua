@@ -3,6 +3,7 @@ require('ladder.highlight')
 
 local server = require('ladder.server')
 local sessions = require('ladder.session')
+local side_buffer = require('ladder.side_buffer')
 local simulation = require('ladder.simulation')
 local waves = require('ladder.waves')
 
@@ -43,7 +44,7 @@ local short_keys = 'h l v cursors  + - zoom  <CR> go  a d tags  q'
 
 --- @param trace ladder.Trace
 local function windows(trace)
-  return vim.api.nvim_buf_is_valid(trace.bufnr) and vim.fn.win_findbuf(trace.bufnr) or {}
+  return side_buffer.windows(trace.bufnr)
 end
 
 --- The cursors that are set, A first.
@@ -549,18 +550,11 @@ local function map_keys(bufnr, source)
     end,
   }
   actions['<Left>'], actions['<Right>'] = actions.h, actions.l
-  for key, action in pairs(actions) do
-    vim.keymap.set('n', key, action, { buffer = bufnr, nowait = true })
-  end
+  side_buffer.map(bufnr, actions)
 end
 
 local function create(source)
-  local bufnr = vim.api.nvim_create_buf(false, true)
-  vim.bo[bufnr].bufhidden = 'wipe'
-  vim.bo[bufnr].filetype = 'ladder_trace'
-  vim.bo[bufnr].modifiable = false
-  vim.api.nvim_buf_set_name(bufnr, ('ladder://trace/%d'):format(source))
-  vim.b[bufnr].ladder_source = source
+  local bufnr = side_buffer.create('trace', source)
   map_keys(bufnr, source)
   vim.api.nvim_create_autocmd({ 'WinResized', 'VimResized' }, {
     group = vim.api.nvim_create_augroup(('ladder_trace_%d'):format(bufnr), {}),

@@ -1,0 +1,33 @@
+--- Buffers beside a program that show something of its simulation: its tags, its diagram, its trace.
+local M = {}
+
+--- A buffer that shows something of a program. Nobody edits it, and it goes when it is closed.
+--- @param kind string what it shows, in one word
+--- @param source integer the buffer of the program
+--- @return integer
+function M.create(kind, source)
+  local bufnr = vim.api.nvim_create_buf(false, true)
+  vim.bo[bufnr].bufhidden = 'wipe'
+  vim.bo[bufnr].filetype = 'ladder_' .. kind
+  vim.bo[bufnr].modifiable = false
+  vim.api.nvim_buf_set_name(bufnr, ('ladder://%s/%d'):format(kind, source))
+  vim.b[bufnr].ladder_source = source
+  return bufnr
+end
+
+--- @param bufnr integer
+--- @param actions table<string, function> by their keys
+function M.map(bufnr, actions)
+  for key, action in pairs(actions) do
+    vim.keymap.set('n', key, action, { buffer = bufnr, nowait = true })
+  end
+end
+
+--- The windows that show it.
+--- @param bufnr integer
+--- @return integer[]
+function M.windows(bufnr)
+  return vim.api.nvim_buf_is_valid(bufnr) and vim.fn.win_findbuf(bufnr) or {}
+end
+
+return M
