@@ -13,6 +13,7 @@
 //! | `networks` | each network by itself: wiring, blocks, order; and where it is |
 //! | `names` | the tags of each scope, their places and types |
 //! | `resolve` | what operands mean; the program model |
+//! | `mistakes` | the sentences of what `names` and `resolve` find wrong |
 //! | `boolean` | when power comes through a network |
 //! | `rules` | what is wrong, one file for each rule |
 //! | `findings` | what was found, by owner, from one text to the next |
@@ -31,6 +32,7 @@ pub mod context;
 mod cplc_draft;
 mod edited;
 mod findings;
+mod mistakes;
 mod names;
 pub mod networks;
 mod other_files;
@@ -41,10 +43,10 @@ mod rules;
 mod values;
 
 pub(crate) use findings::{article, excerpt, foreign_comment, lint, stamp, verdict};
-pub use findings::{declaration_fix, diagnostic, fix, rule, rule_settings};
-pub(crate) use names::{declare, infer, operand_value, shared, uses};
+pub use findings::{diagnostic, fix, rule, rule_settings};
+pub(crate) use names::{declare, did_you_mean, infer, operand_value, shared, uses};
 pub use names::{scope, system_tag, tags};
-pub(crate) use networks::{chunked, control_flow, kept, known_blocks};
+pub(crate) use networks::{chunked, control_flow, kept, known_blocks, outward_jumps, unread_line};
 pub use networks::{facts, network, order, user_block};
 pub(crate) use other_files::{exports, link, others, outward};
 pub use values::{constant, literal, types, value};
@@ -63,3 +65,4 @@ pub use resolve::{in_class, is_function as is_expression_function};
 pub use rule::{Rule, RuleGroup, Severity};
 pub use rule_settings::{Level, RuleSettings};
 pub use rules::cplc_draft::is_told as says_cplc_draft;
+pub use rules::declaration_fix;

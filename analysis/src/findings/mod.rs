@@ -9,7 +9,6 @@
 //! [`Finding`] is small: rule, severity and place are there, the sentences are put into place when somebody reads them.
 
 pub(crate) mod article;
-pub mod declaration_fix;
 pub mod diagnostic;
 pub(crate) mod excerpt;
 pub mod fix;
@@ -32,10 +31,10 @@ pub use ledger::Work;
 
 use crate::context::Context;
 use crate::diagnostic::Diagnostic;
+use crate::mistakes;
 use crate::networks::Networks;
 use crate::rule::{Rule, Severity};
 use crate::rule_settings::RuleSettings;
-use crate::rules;
 use ladder_syntax::{TextRange, TextSize};
 use std::sync::Arc;
 
@@ -123,7 +122,7 @@ pub(crate) fn find(before: Option<Ledger>, context: &Context, settings: &RuleSet
         && hidden_errors.is_empty()
         && !shown.iter().any(is_error)
     {
-        shown.push(Finding::from(rules::bad_operand::meaningless(block)));
+        shown.push(Finding::from(mistakes::bad_operand::meaningless(block)));
     }
     Found {
         shown,

@@ -2,9 +2,10 @@
 
 use crate::constant;
 use crate::diagnostic::Diagnostic;
+use crate::did_you_mean;
 use crate::facts;
+use crate::mistakes::{bad_declaration, duplicate_declaration};
 use crate::program::Role;
-use crate::rules::{bad_declaration, did_you_mean, duplicate_declaration};
 use crate::scope::{Origin, Scope, SectionKind, TagFacts, Uses, type_by_form};
 use crate::types::{Scalar, Type};
 use ladder_instructions::StateType;

@@ -7,6 +7,7 @@
 //! ```
 
 pub(crate) mod declare;
+pub(crate) mod did_you_mean;
 pub(crate) mod infer;
 #[cfg(test)]
 mod infer_tests;

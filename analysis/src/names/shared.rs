@@ -6,7 +6,7 @@
 use crate::context::Context;
 use crate::diagnostic::Diagnostic;
 use crate::exports::{Exports, Global};
-use crate::rules::shared_globals;
+use crate::mistakes::shared_globals;
 use crate::scope::{Origin, SectionKind, TagFacts, Uses};
 use ladder_syntax::Name;
 use rustc_hash::FxHashMap;

@@ -13,6 +13,8 @@ pub mod network;
 pub mod order;
 #[cfg(test)]
 mod order_tests;
+pub(crate) mod outward_jumps;
+pub(crate) mod unread_line;
 pub mod user_block;
 
 use crate::chunked::Chunked;

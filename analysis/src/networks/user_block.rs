@@ -2,9 +2,9 @@
 
 use crate::others::Import;
 use crate::program::ParameterKind;
-use crate::rules::syntax_errors::looks_like_declaration;
 use crate::scope::{Origin, Scope, SectionKind};
 use crate::types::Type;
+use crate::unread_line::looks_like_declaration;
 use ladder_instructions::Shape;
 use ladder_syntax::ast::{AstNode, BlockHeader, BlockShape, HeadName};
 use ladder_syntax::{BlockDefinition, Line, LineKind, Name, Parse, TextRange};

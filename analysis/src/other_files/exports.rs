@@ -7,8 +7,8 @@ use crate::facts::NodeKind;
 use crate::network::Formal;
 use crate::others::Others;
 use crate::outward::Outward;
+use crate::outward_jumps::outward_jumps;
 use crate::program::Role;
-use crate::rules::unknown_label;
 use crate::scope::{Origin, SectionKind, UseRef};
 use crate::types::Type;
 use crate::user_block::UserBlockFacts;
@@ -175,7 +175,7 @@ fn blocks(context: &Context) -> Vec<ExportedBlock> {
             }
         }
     }
-    for jump in unknown_label::outward_jumps(context) {
+    for jump in outward_jumps(context) {
         blocks[jump.block].labels.push((jump.key, jump.at));
     }
     for label in &context.labels {

@@ -3,8 +3,8 @@
 use super::Resolver;
 use crate::constant::{self, literal_problem, natural_type, signed_literal};
 use crate::facts::{Node, NodeKind, Operator, Word};
+use crate::mistakes::{bad_operand, type_mismatch};
 use crate::program::{BinaryOperator, Expr, ExprKind, UnaryOperator};
-use crate::rules::{bad_operand, type_mismatch};
 use crate::types::{Scalar, common, passes};
 use crate::value::Value;
 use ladder_instructions::{Accepts, Op, Shape, Truth, TypeClass, lookup};

@@ -2,9 +2,9 @@
 
 use super::Resolver;
 use crate::facts::NodeKind;
+use crate::mistakes::bad_operand;
 use crate::network::Formal;
 use crate::networks::BlockAt;
-use crate::rules::bad_operand;
 use crate::types::Type;
 
 impl Resolver<'_, '_> {

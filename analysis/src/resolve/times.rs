@@ -4,9 +4,9 @@
 use super::Resolver;
 use crate::constant::{natural_type, signed_literal};
 use crate::facts::Node;
+use crate::mistakes::type_mismatch;
 use crate::network::Formal;
 use crate::networks::BlockAt;
-use crate::rules::type_mismatch;
 use crate::types::Scalar;
 use ladder_instructions::{Accepts, Op};
 

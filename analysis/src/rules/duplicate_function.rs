@@ -1,10 +1,9 @@
-//! `duplicate-function`: a function is defined twice in a file, or in two other files of which this one calls it:
-//! which of them is meant?
+//! `duplicate-function`: a function is defined twice in a file. Calls of one that several other files define are found
+//! while operands are resolved.
 
 use crate::context::Context;
 use crate::diagnostic::Diagnostic;
 use crate::rule::Rule;
-use ladder_syntax::{Name, TextRange};
 use std::collections::HashMap;
 
 pub(crate) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
@@ -25,20 +24,4 @@ pub(crate) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
             ),
         }
     }
-}
-
-/// A `<CALL>` of a function that the file does not have, and several others do.
-pub(crate) fn of_several_files(context: &Context, name: &str, range: TextRange) -> Option<Diagnostic> {
-    let key = Name::new(name);
-    context.others.functions(&key).nth(1)?;
-    let mut found = Diagnostic::new(
-        Rule::DuplicateFunction,
-        range,
-        format!("several files define the function `{name}`: which one is called here is open"),
-    )
-    .help("rename all but one of them, or define the function in this file");
-    for (file, function) in context.others.functions(&key) {
-        found = found.related_in(&file.file, function.at, "it is defined here");
-    }
-    Some(found)
 }

@@ -5,7 +5,6 @@
 //! if it is still true when the slip is gone.
 
 use super::frame_keyword;
-use super::syntax_errors::{identifiers, looks_like_declaration};
 use crate::context::Context;
 use crate::diagnostic::Diagnostic;
 use crate::excerpt::Excerpts;
@@ -13,6 +12,7 @@ use crate::facts::{Node, NodeKind};
 use crate::network::{Meaning, breaks_drawing};
 use crate::networks::{BlockAt, NetworkAt};
 use crate::rule::Rule;
+use crate::unread_line::{identifiers, looks_like_declaration};
 use ladder_instructions::Op;
 use ladder_syntax::{LineKind, Name, Parse, SyntaxErrorKind, TextRange};
 use rustc_hash::FxHashSet;

@@ -1,12 +1,11 @@
 //! The rules, one file each: what they find, their sentences and their fixes.
 //!
-//! Rules about names and types are found while the program is resolved; their files hold the constructors that
-//! the resolver calls. All others have a `check` over the [`Context`].
+//! Each has a `check` over the [`Context`]. What is found while names are declared and operands resolved is in
+//! `mistakes`.
 
 mod alternative_mnemonic;
 mod ambiguous_sign;
 pub(crate) mod bad_arity;
-pub(crate) mod bad_declaration;
 pub(crate) mod bad_literal;
 pub(crate) mod bad_operand;
 mod bypassed;
@@ -14,16 +13,14 @@ mod circles;
 pub(crate) mod commented_out_rung;
 mod complex_network;
 mod constant_power;
-pub(crate) mod constant_write;
 mod contact_after_coil;
 pub(crate) mod cplc_draft;
 mod dead_end;
-pub(crate) mod did_you_mean;
+pub mod declaration_fix;
 mod division_by_zero;
 pub(crate) mod double_coil;
 mod duplicate_block;
 mod duplicate_branch;
-pub(crate) mod duplicate_declaration;
 pub(crate) mod duplicate_function;
 mod duplicate_label;
 mod duplicate_timer;
@@ -55,13 +52,11 @@ mod return_outside_function;
 mod rung_not_powered;
 pub(crate) mod set_and_reset;
 mod set_without_reset;
-pub(crate) mod shared_globals;
 mod short_preset;
 mod shorted_branch;
 pub(crate) mod survey;
 pub(crate) mod syntax_errors;
 pub(crate) mod tag_summary;
-pub(crate) mod type_mismatch;
 mod unbalanced_loop;
 mod unclosed_block;
 pub(crate) mod unclosed_comment;
@@ -69,10 +64,8 @@ mod unconditional_end;
 pub(crate) mod undeclared_tag;
 mod unexpected_character;
 mod unknown_block;
-pub(crate) mod unknown_function;
 mod unknown_instruction;
 pub(crate) mod unknown_label;
-pub(crate) mod unknown_member;
 mod unpaired_connector;
 mod unreachable;
 mod unused_function;

@@ -3,17 +3,16 @@
 //! One slip often makes the parser stumble more than once: a bracket that is missing leaves its partner over, a
 //! section that is not recognised leaves its END_VAR alone. What follows so from an earlier mistake is not told.
 
-use super::{
-    bad_declaration, bad_literal, bad_operand, frame_keyword, is_enough, unclosed_block, unclosed_comment,
-    unexpected_character,
-};
+use super::{bad_literal, frame_keyword, is_enough, unclosed_block, unclosed_comment, unexpected_character};
 use crate::context::Context;
 use crate::diagnostic::Diagnostic;
 use crate::excerpt::{self, Excerpts, blanks_before_drawing};
 use crate::foreign_comment::ForeignComments;
+use crate::mistakes::{bad_declaration, bad_operand};
+use crate::unread_line::{identifiers, looks_like_declaration};
 use ladder_syntax::{
     DeclarationProblem, LineKind, Many, Parse, Surroundings, SyntaxError, SyntaxErrorKind, TextRange,
-    TextSize, is_identifier,
+    TextSize,
 };
 
 pub(crate) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
@@ -263,16 +262,4 @@ impl LostFrames {
             _ => false,
         }
     }
-}
-
-/// The identifiers of a text.
-pub(crate) fn identifiers(text: &str) -> impl Iterator<Item = &str> {
-    text.split(|c: char| !c.is_alphanumeric() && c != '_')
-        .filter(|word| is_identifier(word))
-}
-
-/// Whether a line that could not be read may have been meant as declarations.
-pub(crate) fn looks_like_declaration(line: &ladder_syntax::Line) -> bool {
-    let not_read = line.kind == LineKind::Stray || !line.errors.is_empty();
-    not_read && line.syntax().text().contains_char(';')
 }

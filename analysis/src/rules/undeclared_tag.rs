@@ -4,11 +4,11 @@
 //! every declaration; a file that declares tags has probably forgotten one; and in a file that declares none, a
 //! name that is used once and looks like another is probably a slip.
 
-use super::did_you_mean;
 use super::near_names::NearNames;
 use crate::context::Context;
 use crate::declaration_fix::{Places, Undeclared};
 use crate::diagnostic::{Applicability, Diagnostic, Fix};
+use crate::did_you_mean;
 use crate::facts::NodeKind;
 use crate::network::Formal;
 use crate::program::Role;

@@ -1,8 +1,8 @@
 //! `unknown-block`: a user-defined block that nobody defines, or that is drawn in another shape.
 
-use super::did_you_mean;
 use crate::context::Context;
 use crate::diagnostic::{Applicability, Diagnostic};
+use crate::did_you_mean;
 use crate::network::Meaning;
 use crate::networks::{BlockAt, NetworkAt};
 use crate::rule::Rule;

@@ -1,46 +1,14 @@
-//! `unknown-label`: a `<JMP>` goes to a label that its program or function does not have.
+//! `unknown-label` where a `<$B>` block jumps out of its body. Other jumps are found while operands are resolved.
 
-use super::did_you_mean;
 use crate::context::{Body, Context};
-use crate::diagnostic::{Applicability, Diagnostic};
-use crate::facts::NodeKind;
+use crate::diagnostic::Diagnostic;
 use crate::network::Meaning;
+use crate::outward_jumps::{Jump, outward_jumps};
 use crate::rule::Rule;
-use ladder_instructions::{Op, Shape};
+use ladder_instructions::Shape;
 use ladder_syntax::{Name, TextRange};
 use std::collections::HashSet;
 use std::sync::Arc;
-
-pub(crate) fn unknown(context: &Context, network: usize, name: &str, range: TextRange) -> Diagnostic {
-    let body = context.bodies[network];
-    let found = Diagnostic::new(
-        Rule::UnknownLabel,
-        range,
-        format!("there is no label `{name}` to jump to"),
-    );
-    let seen = context
-        .labels
-        .iter()
-        .filter(|label| context.bodies[label.network] == body);
-    if let Some(near) = did_you_mean::closest(name, seen.map(|label| label.name.as_str())) {
-        return found.help(format!("did you mean `{near}`?")).fix(
-            Applicability::Unsafe,
-            format!("Jump to `{near}`"),
-            range,
-            near,
-        );
-    }
-    let key = Name::new(name);
-    match context.labels.iter().find(|label| label.key == key) {
-        Some(elsewhere) => found
-            .help("a jump stays in its own program or function: put a label there, or use <CALL>")
-            .related(
-                elsewhere.at,
-                "the label of this name belongs to another function or block",
-            ),
-        None => found.help(format!("mark the network with <LBL>( {name} )")),
-    }
-}
 
 /// Jumps out of the bodies of `<$B>` blocks: such a label is looked up where the block stands, and must be there
 /// at every place.
@@ -102,19 +70,6 @@ fn nowhere(context: &Context, jump: &Jump, place: TextRange) -> Diagnostic {
     }
 }
 
-/// A jump in the body of a `<$B>` to a label that the body does not have.
-#[derive(Clone)]
-pub(crate) struct Jump {
-    /// The block whose places must have the label.
-    pub(crate) block: usize,
-    pub(crate) key: Name,
-    name: Box<str>,
-    /// Where the jump stands.
-    pub(crate) at: TextRange,
-    /// The file of the jump, if it is another one.
-    file: Option<Arc<str>>,
-}
-
 /// The jumps out of a block of another file, and out of the blocks in it.
 fn foreign_jumps(context: &Context, block: usize, jumps: &mut Vec<Jump>) {
     let key = &context.user_blocks[block].key;
@@ -148,40 +103,6 @@ fn foreign_jumps(context: &Context, block: usize, jumps: &mut Vec<Jump>) {
             }
         }
     }
-}
-
-pub(crate) fn outward_jumps(context: &Context) -> Vec<Jump> {
-    let mut jumps = Vec::new();
-    for (index, network) in context.networks.iter().enumerate() {
-        let Body::Block(block) = context.bodies[index] else {
-            continue;
-        };
-        if context.user_blocks[block].shape != Shape::Function {
-            continue;
-        }
-        for bound in network
-            .blocks()
-            .filter(|bound| bound.op() == Some(Op::Jmp) && !bound.faulty)
-        {
-            let Some(operand) = bound.facts.operands.first() else {
-                continue;
-            };
-            let NodeKind::Name(name) = &operand.value.kind else {
-                continue;
-            };
-            let key = Name::new(name);
-            if context.jump_target(index, &key).is_none() {
-                jumps.push(Jump {
-                    block,
-                    key,
-                    name: name.as_str().into(),
-                    at: bound.absolute(operand.value.range),
-                    file: None,
-                });
-            }
-        }
-    }
-    jumps
 }
 
 /// For each user-defined block the networks that it stands in, and where.

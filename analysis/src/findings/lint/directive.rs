@@ -2,9 +2,9 @@
 
 use crate::asked::{Asked, asked};
 use crate::diagnostic::Diagnostic;
+use crate::did_you_mean::closest;
 use crate::profile;
 use crate::rule::Rule;
-use crate::rules::did_you_mean::closest;
 use ladder_instructions::Profile;
 use ladder_syntax::{TextRange, TextSize};
 

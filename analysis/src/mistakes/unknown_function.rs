@@ -1,8 +1,8 @@
 //! `unknown-function`: a `<CALL>` names no function.
 
-use super::did_you_mean;
 use crate::context::Context;
 use crate::diagnostic::{Applicability, Diagnostic};
+use crate::did_you_mean;
 use crate::rule::Rule;
 use ladder_syntax::TextRange;
 

@@ -1,8 +1,8 @@
 //! `unknown-member`: the word or number behind a point names no part of the tag.
 
-use super::did_you_mean;
 use crate::article::with_article;
 use crate::diagnostic::{Applicability, Diagnostic};
+use crate::did_you_mean;
 use crate::rule::Rule;
 use crate::scope::Scope;
 use crate::system_tag::SystemTag;

@@ -1,0 +1,55 @@
+//! Jumps out of the bodies of `<$B>` blocks, to labels around their places.
+
+use crate::context::{Body, Context};
+use crate::facts::NodeKind;
+use ladder_instructions::{Op, Shape};
+use ladder_syntax::{Name, TextRange};
+use std::sync::Arc;
+
+/// A jump in the body of a `<$B>` to a label that the body does not have.
+#[derive(Clone)]
+pub(crate) struct Jump {
+    /// The block whose places must have the label.
+    pub(crate) block: usize,
+    pub(crate) key: Name,
+    pub(crate) name: Box<str>,
+    /// Where the jump stands.
+    pub(crate) at: TextRange,
+    /// The file of the jump, if it is another one.
+    pub(crate) file: Option<Arc<str>>,
+}
+
+/// The jumps of a file out of the bodies of its blocks.
+pub(crate) fn outward_jumps(context: &Context) -> Vec<Jump> {
+    let mut jumps = Vec::new();
+    for (index, network) in context.networks.iter().enumerate() {
+        let Body::Block(block) = context.bodies[index] else {
+            continue;
+        };
+        if context.user_blocks[block].shape != Shape::Function {
+            continue;
+        }
+        for bound in network
+            .blocks()
+            .filter(|bound| bound.op() == Some(Op::Jmp) && !bound.faulty)
+        {
+            let Some(operand) = bound.facts.operands.first() else {
+                continue;
+            };
+            let NodeKind::Name(name) = &operand.value.kind else {
+                continue;
+            };
+            let key = Name::new(name);
+            if context.jump_target(index, &key).is_none() {
+                jumps.push(Jump {
+                    block,
+                    key,
+                    name: name.as_str().into(),
+                    at: bound.absolute(operand.value.range),
+                    file: None,
+                });
+            }
+        }
+    }
+    jumps
+}
