@@ -8,7 +8,10 @@ use super::names::new_tag;
 use super::place::{OnNetwork, Selected};
 use super::{Action, ActionKind, insert_branch, remove_branch, toggle};
 use ladder_analysis::Analysis;
+use ladder_analysis::context::Context;
+use ladder_analysis::networks::NetworkAt;
 use ladder_format::{Edit, Options, apply};
+use ladder_instructions::Op;
 use ladder_syntax::{LineKind, TextRange, TextSize};
 use std::ops::Range;
 
@@ -31,7 +34,7 @@ pub enum Redraw {
     Left,
     /// The same, with what stands behind it.
     Right,
-    /// The block under the cursor goes to the rung above, in its column.
+    /// The block under the cursor goes to the rung above, in its column; from the first one to the network above.
     Up,
     /// The same, to the rung below.
     Down,
@@ -171,8 +174,8 @@ fn row_at(place: &Selected<'_>, on: &OnNetwork<'_>) -> Option<usize> {
     (0..on.drawing.rows.len()).find(|&row| on.facts.line(row) == line)
 }
 
-/// Puts an item in before another one, within the rails, with wire on both sides.
-fn insert(drawing: &mut Drawing, row: usize, index: usize, mut item: Item) {
+/// Puts an item in before another one, within the rails, with wire on both sides. Gives its index.
+fn insert(drawing: &mut Drawing, row: usize, index: usize, mut item: Item) -> usize {
     let items = &mut drawing.rows[row].items;
     let starts = items.first().is_some_and(|item| item.kind == ItemKind::LeftRail);
     let ends = items.iter().position(|item| item.kind == ItemKind::RightRail);
@@ -182,6 +185,7 @@ fn insert(drawing: &mut Drawing, row: usize, index: usize, mut item: Item) {
         next.joined |= !item.joined;
     }
     items.insert(index, item);
+    index
 }
 
 const NO_BLOCK: &str = "put the cursor on a block of a rung without mistakes in its drawing";
@@ -244,17 +248,84 @@ fn behind(place: &Selected<'_>, drawing: &Drawing, row: usize, index: usize) -> 
 
 fn carried(place: &Selected<'_>, down: bool) -> Done {
     let (on, row, index) = block(place)?;
-    let parse = &place.context.parse;
     let target = if down { Some(row + 1) } else { row.checked_sub(1) };
     let target = target.filter(|&target| target < on.drawing.rows.len());
-    let target = target.ok_or("there is no rung of this network there")?;
-    let column = |row: usize, item: &Item| item.at.start() - parse.line_start(on.facts.line(row));
-    let from = column(row, &on.drawing.rows[row].items[index]);
+    let from = column(place.context, on.facts, row, &on.drawing.rows[row].items[index]);
     let mut drawing = on.drawing.clone();
     let mut item = drawing.take(row, index);
     item.kind = ItemKind::Block(None);
-    let items = &drawing.rows[target].items;
-    let at = items.iter().position(|item| column(target, item) >= from);
+    let Some(target) = target else {
+        return carried_to_neighbour(place, on, &drawing, item, from, down);
+    };
+    let index = put_on_row(&mut drawing, place.context, on.facts, target, item, from);
+    let cursor = behind(place, &drawing, target, index);
+    Ok((vec![drawing.replace()], cursor))
+}
+
+/// The block leaves its network for the nearest rung of the one above or below it. `left` is its own network without it.
+fn carried_to_neighbour(
+    place: &Selected<'_>,
+    on: &OnNetwork<'_>,
+    left: &Drawing,
+    item: Item,
+    from: TextSize,
+    down: bool,
+) -> Done {
+    const NO_RUNG_THERE: &str = "there is no rung there";
+    let context = place.context;
+    let neighbour = if down {
+        Some(on.network + 1).filter(|&next| next < context.networks.len())
+    } else {
+        on.network.checked_sub(1)
+    };
+    let neighbour = neighbour.filter(|&other| context.bodies[other] == context.bodies[on.network]);
+    let neighbour = neighbour.ok_or(NO_RUNG_THERE)?;
+    let mut drawing =
+        Drawing::read(context, neighbour).ok_or("the drawing of the network there has a mistake")?;
+    let target = if down {
+        0
+    } else {
+        drawing.rows.len().checked_sub(1).ok_or(NO_RUNG_THERE)?
+    };
+    let facts = context.networks.at(neighbour);
+    if facts.blocks().any(|block| block.op() == Some(Op::Fun)) {
+        return Err(NO_RUNG_THERE);
+    }
+    let index = put_on_row(&mut drawing, context, facts, target, item, from);
+    // A network without a block is no network.
+    let is_empty = !left.rows.iter().flat_map(|row| &row.items).any(Item::is_block);
+    let own = Edit {
+        range: left.range(),
+        text: if is_empty { String::new() } else { left.text() },
+    };
+    let mut cursor = behind(place, &drawing, target, index);
+    if let Cursor::Behind(count) = &mut cursor
+        && down
+    {
+        let text = context.parse.to_string();
+        *count -= solid(&text[std::ops::Range::<usize>::from(own.range)]).count() - solid(&own.text).count();
+    }
+    Ok((vec![own, drawing.replace()], cursor))
+}
+
+/// The column of an item of a network, in bytes.
+fn column(context: &Context, facts: NetworkAt<'_>, row: usize, item: &Item) -> TextSize {
+    item.at.start() - context.parse.line_start(facts.line(row))
+}
+
+/// Puts a block on a row of a drawing, nearest to the column that it comes from, and gives its index there.
+fn put_on_row(
+    drawing: &mut Drawing,
+    context: &Context,
+    facts: NetworkAt<'_>,
+    row: usize,
+    item: Item,
+    from: TextSize,
+) -> usize {
+    let items = &drawing.rows[row].items;
+    let at = items
+        .iter()
+        .position(|item| column(context, facts, row, item) >= from);
     // Not outside of the branch that the rung is.
     let drawn = items
         .iter()
@@ -265,14 +336,7 @@ fn carried(place: &Selected<'_>, down: bool) -> Done {
         .rposition(|item| item.kind != ItemKind::Comment)
         .unwrap_or(0);
     let at = at.unwrap_or(items.len()).clamp(drawn + 1, last.max(drawn + 1));
-    let text = item.text.clone();
-    insert(&mut drawing, target, at, item);
-    let index = drawing.rows[target]
-        .items
-        .iter()
-        .position(|item| item.text == text);
-    let cursor = index.map_or(Cursor::Stays, |index| behind(place, &drawing, target, index));
-    Ok((vec![drawing.replace()], cursor))
+    insert(drawing, row, at, item)
 }
 
 fn deleted(place: &Selected<'_>, analysis: &Analysis) -> Done {

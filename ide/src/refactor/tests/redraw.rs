@@ -119,8 +119,69 @@ fn blocks_move_along_the_rung_and_to_another() {
         &RUNG.replace("( a )", "($0 a )"),
         Redraw::Up,
         expect![[r#"
-        there is no rung of this network there
+        there is no rung there
     "#]],
+    );
+}
+
+#[test]
+fn a_block_goes_to_the_network_above_or_below() {
+    let two = "# first #\n+--[ ]( a )--[ ]( b )--( )( y )--+\n\n# second #\n+--[ ]( c )--\\--( )( z )--+\n|  /--[ ]( d )--/\n";
+    let two = two.replace("+--[ ]( c )", "+--\\--[ ]( c )");
+    check(
+        &two.replace("( b )", "($0 b )"),
+        Redraw::Down,
+        expect![[r#"
+        # first #
+        +--[ ]( a )------------------( )( y )--+
+
+        # second #
+        +--\--[ ]( c )--^[ ]( b )--\--( )( z )--+
+        |  /--[ ]( d )------------/            |
+    "#]],
+    );
+    check(
+        &two.replace("( c )", "($0 c )"),
+        Redraw::Up,
+        expect![[r#"
+        # first #
+        +--[ ]( a )--^[ ]( c )--[ ]( b )------------------( )( y )--+
+
+        # second #
+        +--\------------\--------------------------------( )( z )--+
+        |  /--[ ]( d )--/                                          |
+    "#]],
+    );
+    check(
+        &two.replace("( d )", "($0 d )"),
+        Redraw::Down,
+        expect![[r#"
+        there is no rung there
+    "#]],
+    );
+    check(
+        "+--[ $0]( a )--+\n\n+--[ ]( b )--( )( y )--+\n",
+        Redraw::Down,
+        expect![[r#"
+
+
+            +--^[ ]( a )--[ ]( b )--------( )( y )--+
+        "#]],
+    );
+    check(
+        "+--[ ]( a )--+\n\n+--<FUN>( f )--+\n\n+--[ ]($0 b )--( )( y )--+\n",
+        Redraw::Up,
+        expect![[r#"
+            there is no rung there
+        "#]],
+    );
+    // A network with a mistake in its drawing stays as it is.
+    check(
+        "+--[ ]($0 a )--( )( x )--+\n\n+--[ ]( b )--|--( )( y )--+\n",
+        Redraw::Down,
+        expect![[r#"
+            the drawing of the network there has a mistake
+        "#]],
     );
 }
 
