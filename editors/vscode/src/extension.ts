@@ -27,7 +27,7 @@ export interface Api {
 }
 
 export async function activate(context: vscode.ExtensionContext): Promise<Api> {
-    server = new Server(context.extensionPath);
+    server = new Server(context.extensionPath, String(context.extension.packageJSON.version));
     const simulation = new Simulation(server);
     const click = new Click(server);
     const views = {

@@ -8,8 +8,10 @@ import * as vscode from 'vscode';
 import { LanguageClient, State as ClientState } from 'vscode-languageclient/node';
 
 import { lensCommands } from './lenses.ts';
+import { offer, whenThere } from './missingServer.ts';
 import { previewNotification, shownNotification, stateNotification, type OtherCommands, type Previewed, type State } from './protocol.ts';
-import { cannotStart, findServer, type Place } from './serverPath.ts';
+import { cannotStart, findCargo, findServer, type Place, type Surroundings } from './serverPath.ts';
+import { fit, misfit } from './serverVersion.ts';
 import type { Send } from './session.ts';
 
 const execute = promisify(execFile);
@@ -18,13 +20,15 @@ function isFile(path: string): boolean {
     return statSync(path, { throwIfNoEntry: false })?.isFile() ?? false;
 }
 
-/** @returns why the program does not run, or undefined if it does */
-async function whyNot(path: string): Promise<string | undefined> {
+type Answer = { readonly version: string } | { readonly failed: string };
+
+/** What a program answers when it is asked for its version. */
+async function askVersion(path: string): Promise<Answer> {
     try {
-        await execute(path, ['--version'], { timeout: 5000, cwd: homedir() });
-        return undefined;
+        const { stdout } = await execute(path, ['--version'], { timeout: 5000, cwd: homedir() });
+        return { version: stdout };
     } catch (error) {
-        return error instanceof Error ? error.message : String(error);
+        return { failed: error instanceof Error ? error.message : String(error) };
     }
 }
 
@@ -32,11 +36,14 @@ export class Server implements vscode.Disposable {
     readonly log = vscode.window.createOutputChannel('Ladder', { log: true });
 
     readonly #extensionPath: string;
+    readonly #version: string;
     readonly #stateReceived = new vscode.EventEmitter<State>();
     readonly #previewReceived = new vscode.EventEmitter<Previewed>();
     readonly #started = new vscode.EventEmitter<void>();
     readonly #stopped = new vscode.EventEmitter<void>();
     #client: LanguageClient | undefined;
+    #waiting: vscode.Disposable | undefined;
+    #turn = 0;
 
     readonly onDidReceiveState = this.#stateReceived.event;
     readonly onDidReceivePreview = this.#previewReceived.event;
@@ -45,20 +52,30 @@ export class Server implements vscode.Disposable {
     /** The server has ended, wanted or not: its sessions are gone. */
     readonly onDidStop = this.#stopped.event;
 
-    constructor(extensionPath: string) {
+    /**
+     * @param extensionPath the extension's folder
+     * @param version the extension's version, which the server's is held against
+     */
+    constructor(extensionPath: string, version: string) {
         this.#extensionPath = extensionPath;
+        this.#version = version;
     }
 
-    #place(): Place {
-        return findServer({
+    #surroundings(): Surroundings {
+        return {
             setting: vscode.workspace.getConfiguration('ladder.server').get('path', ''),
             extensionPath: this.#extensionPath,
             home: homedir(),
             platform: process.platform,
             searchPath: process.env['PATH'] ?? '',
+            cargoHome: process.env['CARGO_HOME'],
             folders: (vscode.workspace.workspaceFolders ?? []).map(({ uri }) => uri.fsPath),
             isFile,
-        });
+        };
+    }
+
+    #place(): Place {
+        return findServer(this.#surroundings());
     }
 
     /** The program `ladder`; none if there is none, or if nothing may be run here. */
@@ -72,15 +89,31 @@ export class Server implements vscode.Disposable {
             this.log.info('This workspace is not trusted: no program is started, and nothing is written.');
             return;
         }
+        this.#waiting?.dispose();
+        this.#turn += 1;
+        const turn = this.#turn;
         const place = this.#place();
         const path = place.path;
-        const reason = path === undefined ? 'there is no such program' : await whyNot(path);
-        if (path === undefined || reason !== undefined) {
-            this.log.error(`${path ?? 'ladder'}: ${reason}`);
-            void this.#tellMissing(place, reason ?? '');
+        const answer = path === undefined ? { failed: 'there is no such program' } : await askVersion(path);
+        if (turn !== this.#turn) {
+            // Another start or a stop has come meanwhile: there is never more than one server.
             return;
         }
-        this.log.info(`Starting ${path} (from the ${place.from})`);
+        if (path === undefined || 'failed' in answer) {
+            this.#isMissing(cannotStart(place, 'failed' in answer ? answer.failed : ''));
+            return;
+        }
+        const found = fit(answer.version, this.#version);
+        if (!found.fits) {
+            const message = misfit(found, path);
+            if (found.why === 'other-program') {
+                this.#isMissing(message);
+                return;
+            }
+            this.log.warn(message);
+            void vscode.window.showWarningMessage(message);
+        }
+        this.log.info(`Starting ${path} (${answer.version.trim()}, from: ${place.from})`);
         const client = new LanguageClient(
             'ladder',
             'Ladder',
@@ -119,6 +152,8 @@ export class Server implements vscode.Disposable {
     }
 
     async stop(): Promise<void> {
+        this.#waiting?.dispose();
+        this.#turn += 1;
         const client = this.#client;
         this.#client = undefined;
         await client?.dispose();
@@ -150,6 +185,7 @@ export class Server implements vscode.Disposable {
     }
 
     dispose(): void {
+        this.#waiting?.dispose();
         this.#stateReceived.dispose();
         this.#previewReceived.dispose();
         this.#started.dispose();
@@ -157,14 +193,13 @@ export class Server implements vscode.Disposable {
         this.log.dispose();
     }
 
-    async #tellMissing(place: Place, reason: string): Promise<void> {
-        const settings = 'Open Settings';
-        const showLog = 'Show Log';
-        const chosen = await vscode.window.showErrorMessage(cannotStart(place, reason), settings, showLog);
-        if (chosen === settings) {
-            await vscode.commands.executeCommand('workbench.action.openSettings', 'ladder.server.path');
-        } else if (chosen === showLog) {
-            this.log.show();
-        }
+    /** Offers what helps, and starts the server once there is one. */
+    #isMissing(message: string): void {
+        this.log.error(message);
+        this.#waiting = whenThere(
+            () => this.#place().path,
+            () => void this.start(),
+        );
+        void offer(message, this.log, () => findCargo(this.#surroundings()));
     }
 }

@@ -1,7 +1,7 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 
-import { cannotStart, findServer, type Surroundings } from '../src/serverPath.ts';
+import { cannotStart, findCargo, findServer, type Surroundings } from '../src/serverPath.ts';
 
 function find(changes: Partial<Surroundings>) {
     return findServer({
@@ -47,8 +47,28 @@ test('then the PATH', () => {
     assert.equal(find({ ...windows, isFile: among('D:\\my tools\\ladder.exe') }).path, 'D:\\my tools\\ladder.exe');
 });
 
+test('then the folder of Cargo', () => {
+    const isFile = among('/home/me/.cargo/bin/ladder', '/opt/cargo/bin/ladder');
+    assert.deepEqual(find({ isFile }), { path: '/home/me/.cargo/bin/ladder', from: 'cargo' });
+    assert.equal(find({ isFile, cargoHome: '/opt/cargo' }).path, '/opt/cargo/bin/ladder');
+    assert.equal(find({ isFile: among('/bin/ladder', '/home/me/.cargo/bin/ladder') }).from, 'PATH');
+    for (const folders of [['/home/me'], ['/home/me/.cargo/bin']]) {
+        assert.equal(find({ isFile, folders }).path, undefined, 'the open folder holds it');
+    }
+    const windows = { platform: 'win32' as const, home: 'C:\\Users\\me', searchPath: '', folders: ['C:\\plant'] };
+    const there = 'C:\\Users\\me\\.cargo\\bin\\ladder.exe';
+    assert.deepEqual(find({ ...windows, isFile: among(there) }), { path: there, from: 'cargo' });
+});
+
+test('Cargo itself is found in the same way', () => {
+    const there = { setting: '', extensionPath: '/ext', home: '/home/me', platform: 'linux' as const, searchPath: '/bin', folders: [] };
+    assert.equal(findCargo({ ...there, isFile: among('/bin/cargo') }), '/bin/cargo');
+    assert.equal(findCargo({ ...there, isFile: among('/home/me/.cargo/bin/cargo') }), '/home/me/.cargo/bin/cargo');
+    assert.equal(findCargo({ ...there, isFile: () => false }), undefined);
+});
+
 test('no program is taken from the folder that is open, wherever the PATH leads', () => {
-    const notShipped = (path: string) => !path.startsWith('/ext');
+    const notShipped = (path: string) => !path.startsWith('/ext') && !path.includes('.cargo');
     for (const searchPath of ['', '.', ':', 'bin', './bin:', '/plant', '/plant/bin', '/other/../plant/bin']) {
         assert.equal(find({ searchPath, isFile: notShipped }).path, undefined, searchPath);
     }
@@ -60,6 +80,7 @@ test('no program is taken from the folder that is open, wherever the PATH leads'
 });
 
 test('the message says what to do', () => {
-    assert.match(cannotStart({ path: undefined, from: 'PATH' }, ''), /Install it, or name its place/);
+    assert.match(cannotStart({ path: undefined, from: 'PATH' }, ''), /Install it, or choose its file/);
+    assert.match(cannotStart({ path: '/x', from: 'cargo' }, 'EACCES'), /"\/x" does not start: EACCES/);
     assert.match(cannotStart({ path: '/x', from: 'setting' }, 'ENOENT'), /"ladder.server.path" names "\/x".*ENOENT/);
 });

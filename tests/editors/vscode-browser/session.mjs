@@ -1,71 +1,27 @@
 // Opens VS Code (code-server) in a headless browser with the packaged extension, lets the probe run in the extension
 // host, and looks at the page: what has power must be bold, and values must stand behind the lines.
 import assert from 'node:assert/strict';
-import { execFileSync, spawn } from 'node:child_process';
-import { cpSync, existsSync, mkdirSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
-import { tmpdir } from 'node:os';
+import { cpSync, readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
-import { fileURLToPath } from 'node:url';
 
-import { chromium } from 'playwright-core';
-
+import { openBrowser, removeScratch, scratchFolder, serve, until } from './codeServer.mjs';
 import { debug, PROGRAM, TEXT } from './debug.mjs';
 import { diagram, programs } from './diagram.mjs';
 import { command, open } from './palette.mjs';
 import { scenarios } from './scenarios.mjs';
+import { failures, step, tell } from './steps.mjs';
 import { NAME, RUNG, typing } from './typing.mjs';
 
-const { LADDER_BIN, LADDER_FIXTURES, LADDER_CHROMIUM, LADDER_PACKAGES, LADDER_SCREENSHOTS } = process.env;
-const codeServer = fileURLToPath(import.meta.resolve('code-server/out/node/entry.js'));
-const scratch = mkdtempSync(join(tmpdir(), 'ladder-vscode-'));
+const { LADDER_BIN, LADDER_FIXTURES, LADDER_PACKAGES, LADDER_SCREENSHOTS } = process.env;
+const scratch = scratchFolder();
 const report = join(scratch, 'report');
 
 const settings = {
     'ladder.server.path': LADDER_BIN,
-    'security.workspace.trust.enabled': false,
-    'workbench.startupEditor': 'none',
     'workbench.colorTheme': process.env.LADDER_THEME ?? 'Default Dark Modern',
-    'workbench.secondarySideBar.defaultVisibility': 'hidden',
-    'chat.disableAIFeatures': true,
-    'telemetry.telemetryLevel': 'off',
 };
 
-let failed = 0;
-
-function tell({ name, ok, ms, message }) {
-    console.log(`${ok ? 'ok  ' : 'FAIL'}  vscode in a browser: ${name} (${ms} ms)`);
-    if (!ok) {
-        failed += 1;
-        console.log(`      ${message.replaceAll('\n', '\n      ')}`);
-    }
-}
-
-async function step(name, check) {
-    const started = Date.now();
-    try {
-        await check();
-        tell({ name, ok: true, ms: Date.now() - started });
-    } catch (error) {
-        tell({ name, ok: false, ms: Date.now() - started, message: error.message });
-    }
-}
-
-async function until(what, seconds, holds) {
-    const limit = Date.now() + seconds * 1000;
-    while (!(await holds())) {
-        if (Date.now() > limit) {
-            throw new Error(`waited ${seconds} s in vain for ${what}`);
-        }
-        await new Promise((resolve) => setTimeout(resolve, 50));
-    }
-}
-
 function prepare() {
-    for (const folder of ['data/Machine', 'extensions', 'project']) {
-        mkdirSync(join(scratch, folder), { recursive: true });
-    }
-    writeFileSync(join(scratch, 'data/Machine/settings.json'), JSON.stringify(settings));
-    writeFileSync(join(scratch, 'config.yaml'), 'auth: none\n');
     writeFileSync(report, '');
     cpSync(LADDER_FIXTURES, join(scratch, 'project'), { recursive: true });
     writeFileSync(join(scratch, 'project/ladder.toml'), '');
@@ -75,31 +31,6 @@ function prepare() {
     for (const [name, text] of Object.entries(programs)) {
         writeFileSync(join(scratch, 'project', name), text);
     }
-    // Without these code-server would write its configuration and data into the user's home.
-    const folders = ['--user-data-dir', join(scratch, 'data'), '--extensions-dir', join(scratch, 'extensions')];
-    return [codeServer, '--config', join(scratch, 'config.yaml'), ...folders];
-}
-
-async function serve(common) {
-    for (const name of ['ladder.vsix', 'probe.vsix']) {
-        const install = ['--install-extension', join(LADDER_PACKAGES, name)];
-        execFileSync(process.execPath, [...common, ...install], { stdio: 'pipe' });
-    }
-    const quiet = ['--disable-telemetry', '--disable-update-check', '--disable-workspace-trust'];
-    const server = spawn(process.execPath, [...common, ...quiet, '--bind-addr', '127.0.0.1:0', join(scratch, 'project')], {
-        env: { ...process.env, LADDER_REPORT: report },
-        stdio: ['ignore', 'pipe', 'pipe'],
-    });
-    let output = '';
-    let address;
-    for (const stream of [server.stdout, server.stderr]) {
-        stream.on('data', (data) => {
-            output += data;
-            address ??= /HTTP server listening on (\S+)/.exec(output)?.[1];
-        });
-    }
-    await until('code-server to listen', 20, () => address);
-    return { server, address };
 }
 
 /** The weights of the characters of one line of the editor, as the page shows them. */
@@ -360,15 +291,11 @@ async function screenshot(page, name) {
 }
 
 async function main() {
-    const { server, address } = await serve(prepare());
-    const browser = await chromium.launch({
-        executablePath: LADDER_CHROMIUM,
-        args: ['--no-sandbox', '--disable-gpu', '--disable-quic', '--no-first-run', '--disable-background-networking'],
-    });
-    const page = await browser.newPage({ viewport: { width: 1400, height: 860 } });
-    page.setDefaultTimeout(10_000);
+    prepare();
+    const extensions = ['ladder.vsix', 'probe.vsix'].map((name) => join(LADDER_PACKAGES, name));
+    const { server, address } = await serve(scratch, { extensions, settings, env: { ...process.env, LADDER_REPORT: report } });
+    const { browser, page } = await openBrowser(scratch, address);
     try {
-        await page.goto(new URL(`/?folder=${join(scratch, 'project')}`, address).href);
         let told = 0;
         await until('the probe to end', 60, () => {
             const lines = readFileSync(report, 'utf8').trimEnd().split('\n').filter(Boolean).map((line) => JSON.parse(line));
@@ -402,8 +329,6 @@ try {
 } catch (error) {
     tell({ name: 'the session runs', ok: false, ms: 0, message: error.stack });
 } finally {
-    if (existsSync(scratch)) {
-        rmSync(scratch, { recursive: true, force: true });
-    }
+    removeScratch(scratch);
 }
-process.exit(failed === 0 ? 0 : 1);
+process.exit(failures() === 0 ? 0 : 1);

@@ -1,0 +1,121 @@
+// VS Code where there is no language server: the message, and what it offers; the server is started once it is there.
+// Then a package that brings a server of another version: that is said, and it is used all the same.
+import assert from 'node:assert/strict';
+import { chmodSync, copyFileSync, existsSync, mkdirSync, writeFileSync } from 'node:fs';
+import { join } from 'node:path';
+
+import { openBrowser, removeScratch, scratchFolder, serve } from './codeServer.mjs';
+import { command, open } from './palette.mjs';
+import { failures, step, tell } from './steps.mjs';
+
+const { LADDER_BIN, LADDER_PACKAGES, LADDER_SCREENSHOTS } = process.env;
+
+const UNPAIRED = '+--\\--[ ]( start )-----( )( run )--+\n|  |                              |\n|  /--[ ]( run )--                |\n';
+
+/** An environment in which no `ladder` is found: the programs of the system, and an empty home. */
+function bare(scratch) {
+    const { LADDER_BIN: _, CARGO_HOME: __, ...rest } = process.env;
+    return { ...rest, HOME: join(scratch, 'home'), PATH: '/usr/bin:/bin' };
+}
+
+/** A project with one program. */
+function project(scratch) {
+    writeFileSync(join(scratch, 'project/unpaired.clad'), UNPAIRED);
+    // What somebody else put there must not be run.
+    mkdirSync(join(scratch, 'project/.vscode'));
+    const evil = join(scratch, 'project/ladder');
+    writeFileSync(evil, `#!/bin/sh\ntouch '${scratch}/was-run'\necho ladder 0.1.0\n`);
+    chmodSync(evil, 0o755);
+    writeFileSync(join(scratch, 'project/.vscode/settings.json'), JSON.stringify({ 'ladder.server.path': evil }));
+}
+
+const message = (page, text) => page.locator('.notification-toast', { hasText: text }).first();
+
+async function session(extension, check, trust = true) {
+    const scratch = scratchFolder();
+    project(scratch);
+    const { server, address } = await serve(scratch, { extensions: [join(LADDER_PACKAGES, extension)], settings: {}, env: bare(scratch), trust });
+    const { browser, page } = await openBrowser(scratch, address);
+    try {
+        await page.locator('.monaco-workbench .explorer-folders-view').waitFor({ timeout: 60_000 });
+        await check(page, scratch);
+    } catch (error) {
+        if (LADDER_SCREENSHOTS) {
+            await page.screenshot({ path: join(LADDER_SCREENSHOTS, 'failed.png') });
+        }
+        tell({ name: `the session with ${extension} runs`, ok: false, ms: 0, message: error.stack });
+    } finally {
+        await browser.close();
+        server.kill();
+        removeScratch(scratch);
+    }
+}
+
+/** Marks in the text: there is a server. */
+const squiggle = (page) => page.locator('.squiggly-error, .squiggly-warning').first();
+
+await session('ladder.vsix', async (page, scratch) => {
+    const missing = message(page, 'The language server was not found');
+    await step('a missing server is said, with what can be done', async () => {
+        await open(page, 'unpaired.clad');
+        await missing.waitFor({ timeout: 30_000 });
+        for (const action of ['Install...', 'Choose File...', 'Open Setting', 'Show Log']) {
+            assert.equal(await missing.getByRole('button', { name: action }).count(), 1, action);
+        }
+        if (LADDER_SCREENSHOTS) {
+            await page.screenshot({ path: join(LADDER_SCREENSHOTS, 'missing.png') });
+        }
+    });
+    await step('installing without Rust says where to get it', async () => {
+        await missing.getByRole('button', { name: 'Install...' }).click();
+        await message(page, 'there is no program "cargo" here').getByRole('button', { name: 'Get Rust' }).waitFor();
+        await page.keyboard.press('Escape');
+    });
+    await step('a server that comes is started without a reload', async () => {
+        assert.equal(await squiggle(page).count(), 0);
+        mkdirSync(join(scratch, 'home/.cargo/bin'), { recursive: true });
+        copyFileSync(LADDER_BIN, join(scratch, 'home/.cargo/bin/ladder'));
+        await squiggle(page).waitFor({ timeout: 20_000 });
+    });
+    await step('the program that the folder names is not run', async () => {
+        assert.ok(!existsSync(join(scratch, 'was-run')));
+    });
+    await step('a program that is something else is not taken for the server', async () => {
+        const other = join(scratch, 'home/other');
+        writeFileSync(other, '#!/bin/sh\necho snakes 1.0\n');
+        chmodSync(other, 0o755);
+        writeFileSync(join(scratch, 'data/Machine/settings.json'), JSON.stringify({ 'ladder.server.path': other }));
+        await message(page, 'is not the language server: asked for its version it says "snakes 1.0"').waitFor({ timeout: 20_000 });
+    });
+});
+
+await session('old.vsix', async (page) => {
+    await step('a server that comes with the extension is used, and another version is said', async () => {
+        await open(page, 'unpaired.clad');
+        await message(page, 'has version 0.0.9, this extension 0.1.0').waitFor({ timeout: 30_000 });
+        await squiggle(page).waitFor({ timeout: 20_000 });
+    });
+});
+
+await session(
+    'old.vsix',
+    async (page, scratch) => {
+        await step('in a folder that is not trusted nothing is started, until it is', async () => {
+            await page.getByRole('button', { name: "No, I don't trust the authors" }).click({ timeout: 30_000 });
+            await open(page, 'unpaired.clad');
+            await page.getByText('Restricted Mode').first().waitFor();
+            // The extension is at work: the text has its language.
+            await page.getByText('Ladder Logic', { exact: true }).waitFor();
+            await command(page, 'Workspaces: Manage Workspace Trust');
+            await page.locator('.workspace-trust-editor').getByRole('button', { name: 'Trust', exact: true }).waitFor();
+            assert.equal(await squiggle(page).count(), 0);
+            await page.locator('.workspace-trust-editor').getByRole('button', { name: 'Trust', exact: true }).click();
+            await open(page, 'unpaired.clad');
+            await squiggle(page).waitFor({ timeout: 20_000 });
+            assert.ok(!existsSync(join(scratch, 'was-run')));
+        });
+    },
+    false,
+);
+
+process.exit(failures() === 0 ? 0 : 1);
