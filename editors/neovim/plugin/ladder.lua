@@ -13,10 +13,26 @@ if vim.g.ladder_enable ~= false then
   vim.lsp.enable('ladder')
 end
 
+local group = vim.api.nvim_create_augroup('ladder', { clear = true })
+
+-- Neovim passes by a server without a program, and says nothing.
+vim.api.nvim_create_autocmd('FileType', {
+  group = group,
+  pattern = { 'clad', 'ladderclick', 'laddertest' },
+  callback = function()
+    if vim.lsp.is_enabled('ladder') then
+      require('ladder.missing').watch()
+    end
+  end,
+})
+
 vim.api.nvim_create_autocmd('LspAttach', {
-  group = vim.api.nvim_create_augroup('ladder', { clear = true }),
+  group = group,
   callback = function(event)
     local client = vim.lsp.get_client_by_id(event.data.client_id)
+    if client and client.name == 'ladder' then
+      require('ladder.version').check(client)
+    end
     if client and client.name == 'ladder' and vim.bo[event.buf].filetype == 'clad' then
       require('ladder.colours').attach(client, event.buf)
       require('ladder.drawing').attach(client, event.buf)

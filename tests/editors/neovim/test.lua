@@ -6,6 +6,7 @@ local ladder = require('ladder')
 require('units')(t)
 require('typed')(t)
 require('debugging')(t)
+require('missing')(t)
 
 local messages = {}
 vim.notify = function(message)

@@ -2,17 +2,8 @@
 local M = {}
 
 local health = vim.health
-
---- @param program string
---- @return string|nil version the first line of its `--version`
-local function version_of(program)
-  local started, job = pcall(vim.system, { program, '--version' }, { text = true, timeout = 3000 })
-  if not started then
-    return nil
-  end
-  local result = job:wait()
-  return result.code == 0 and vim.trim(result.stdout):match('^[^\n]+') or nil
-end
+local program = require('ladder.program')
+local versions = require('ladder.version')
 
 local function check_neovim()
   if vim.fn.has('nvim-0.11') == 1 then
@@ -28,18 +19,27 @@ local function check_server()
   if type(command) ~= 'table' then
     return health.info('The language server is started by a function of your own')
   end
-  local version = version_of(command[1])
-  if not version then
-    return health.error(('The language server "%s" does not start'):format(command[1]), {
-      'Install it (it is the program "ladder") and put it on your PATH,',
-      "or name its place: vim.lsp.config('ladder', { cmd = { '/path/to/ladder', 'lsp' } })",
-    })
+  local advice = {
+    'Install it: "cargo install --path cli" in the folder of the project; it needs Rust, https://rustup.rs',
+    'It is looked for on your PATH and in ~/.cargo/bin, but never in the current folder.',
+    "Or name its place: vim.lsp.config('ladder', { cmd = { '/path/to/ladder', 'lsp' } })",
+  }
+  if program.is_nowhere(command[1]) then
+    return health.error('There is no language server: no program "ladder" was found', advice)
   end
-  health.ok(('Language server: %s (%s)'):format(version, vim.fn.exepath(command[1])))
+  local printed = program.version(command[1])
+  if not printed then
+    return health.error(('The language server "%s" does not start'):format(command[1]), advice)
+  end
+  local misfit = versions.misfit(printed:match('^ladder (%S+)$') or printed)
+  if misfit then
+    return health.warn(('%s (%s)'):format(misfit, command[1]), advice)
+  end
+  health.ok(('Language server: %s (%s)'):format(printed, vim.fn.exepath(command[1])))
 end
 
 local function check_formatter()
-  local version = version_of(require('ladder.program').command('ldfmt'))
+  local version = program.version(program.command('ldfmt'))
   if version then
     health.ok('Formatter for the command line: ' .. version)
   else
