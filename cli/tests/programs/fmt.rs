@@ -70,6 +70,35 @@ fn diff_shows_what_would_change_and_writes_nothing() {
     assert_eq!(folder.ldfmt(&["--diff", "b.clad"]).to_string(), "exit status 0\n");
 }
 
+const SCENARIOS: &str = "program a.clad\nscenario \"it counts\"\nstart _-_\ntotal=>0 10 10 # in all\n";
+const ALIGNED: &str =
+    "program a.clad\n\nscenario \"it counts\"\nstart    _ -  _\ntotal => 0 10 10  # in all\n";
+
+#[test]
+fn scenarios_that_are_named_are_aligned() {
+    let folder = Folder::with(&[("a.clad", MOTOR), ("a.ladder-test", SCENARIOS)]);
+    // Folders are searched for programs.
+    assert_eq!(folder.ldfmt(&["--check", "."]).to_string(), "exit status 0\n");
+    assert_eq!(
+        folder.ldfmt(&["--check", "a.ladder-test"]).to_string(),
+        "exit status 1\n-- stderr\nnote: would change: a.ladder-test\n"
+    );
+    let part = folder.ldfmt(&["--range", "1-2", "a.ladder-test"]).to_string();
+    assert_eq!(
+        part,
+        "exit status 2\n-- stderr\nerror: a.ladder-test: --range is for programs; the columns of scenarios are aligned \
+         in the whole file\n"
+    );
+    assert_eq!(folder.read("a.ladder-test"), SCENARIOS);
+    assert_eq!(
+        folder.ldfmt(&["a.clad", "a.ladder-test"]).to_string(),
+        "exit status 0\n"
+    );
+    assert_eq!(folder.read("a.ladder-test"), ALIGNED);
+    let run = folder.ldfmt_stdin(&["-", "--stdin-filename", "x.ladder-test"], SCENARIOS.as_bytes());
+    assert_eq!(run.to_string(), format!("exit status 0\n-- stdout\n{ALIGNED}"));
+}
+
 #[test]
 fn diff_says_where_the_last_line_has_no_end() {
     let folder = Folder::with(&[("a.clad", "+-( )( a )-+")]);

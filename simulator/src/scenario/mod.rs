@@ -7,10 +7,12 @@
 //!
 //! [`parse()`] needs no program and never fails: what it cannot read is a [`Mistake`], and it goes on in the next
 //! line. [`bind()`] asks a compiled program for the tags and reads the values in their types. [`run()`] plays one
-//! case from a cold start, and [`draw()`] shows the rows that came out differently.
+//! case from a cold start, and [`draw()`] shows the rows that came out differently. [`layout()`] puts a file's columns
+//! straight.
 
 mod bind;
 mod draw;
+mod layout;
 mod parse;
 mod play;
 mod record;
@@ -23,7 +25,8 @@ mod words;
 pub use bind::{Case, bind};
 pub use draw::{Line, LineKind, draw, sentence};
 use ladder_syntax::TextRange;
-pub use parse::{Cell, Direction, Row, Scenario, Suite, parse};
+pub use layout::layout;
+pub use parse::{Cell, Direction, HEADINGS, Row, Scenario, Suite, parse};
 pub use play::Unmet;
 pub use record::{Recorded, record, recorded_file};
 pub use run::{Difference, Ran, run};

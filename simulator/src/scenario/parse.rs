@@ -1,6 +1,6 @@
 //! What the lines of a scenario file say, before anything is known of the program.
 
-use super::words::{Word, lines, range, words};
+use super::words::{Word, lines, range};
 use super::{Mistake, Tolerance};
 use crate::value_text;
 use ladder_analysis::types::Scalar;
@@ -90,9 +90,8 @@ pub fn parse(text: &str) -> Suite {
         names: HashMap::new(),
         tolerance_given: false,
     };
-    for (start, line) in lines(text) {
-        let words = words(line, start);
-        if let [first, rest @ ..] = words.as_slice() {
+    for line in lines(text) {
+        if let [first, rest @ ..] = line.words.as_slice() {
             reader.line(*first, rest);
         }
     }
@@ -100,7 +99,7 @@ pub fn parse(text: &str) -> Suite {
 }
 
 /// The words that begin a line before the first scenario.
-const HEADINGS: [&str; 4] = ["program", "step", "interval", "tolerance"];
+pub const HEADINGS: [&str; 4] = ["program", "step", "interval", "tolerance"];
 
 struct Reader {
     suite: Suite,
@@ -421,7 +420,7 @@ impl Reader {
     }
 }
 
-fn is_levels(text: &str) -> bool {
+pub(super) fn is_levels(text: &str) -> bool {
     text.chars().all(|c| matches!(c, '_' | '-' | '.'))
 }
 

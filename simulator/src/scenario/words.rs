@@ -26,20 +26,59 @@ pub(super) fn range(start: usize, end: usize) -> TextRange {
     TextRange::new(TextSize::new(start as u32), TextSize::new(end as u32))
 }
 
-/// The lines of a text, without their ends, and where they begin. LF, CRLF and a lone CR end a line.
-pub(super) fn lines(text: &str) -> impl Iterator<Item = (usize, &str)> {
-    let start = if text.starts_with('\u{feff}') { 3 } else { 0 };
-    let mut at = start;
-    text[start..].split_inclusive(['\n', '\r']).map(move |line| {
-        let here = at;
-        at += line.len();
-        // The LF of a CRLF is an empty line of its own here, which means nothing.
-        (here, line.trim_end_matches(['\n', '\r']))
+/// A line of a scenario file, read into words.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub(super) struct Line<'t> {
+    /// Where it begins, in bytes.
+    pub(super) start: usize,
+    /// What it says, without its end.
+    pub(super) text: &'t str,
+    /// LF, CRLF or a lone CR; nothing behind the last line.
+    pub(super) end: &'t str,
+    /// Its words up to the comment.
+    pub(super) words: Vec<Word<'t>>,
+    /// Where the comment begins, in bytes of the line.
+    pub(super) comment: Option<usize>,
+}
+
+impl<'t> Line<'t> {
+    /// Reads a line that begins at `start`.
+    pub(super) fn read(text: &'t str, end: &'t str, start: usize) -> Line<'t> {
+        let (words, comment) = words(text, start);
+        Line {
+            start,
+            text,
+            end,
+            words,
+            comment,
+        }
+    }
+
+    /// The comment with its `#`, if there is one.
+    pub(super) fn comment(&self) -> Option<&'t str> {
+        Some(self.text[self.comment?..].trim_end())
+    }
+}
+
+/// The lines of a text: nothing of it is left out but a byte order mark.
+pub(super) fn lines(text: &str) -> impl Iterator<Item = Line<'_>> {
+    let mut at = if text.starts_with('\u{feff}') { 3 } else { 0 };
+    std::iter::from_fn(move || {
+        let rest = text.get(at..).filter(|rest| !rest.is_empty())?;
+        let length = rest.find(['\n', '\r']).unwrap_or(rest.len());
+        let end = match &rest[length..] {
+            behind if behind.starts_with("\r\n") => 2,
+            behind => behind.len().min(1),
+        };
+        let line = Line::read(&rest[..length], &rest[length..length + end], at);
+        at += length + end;
+        Some(line)
     })
 }
 
-/// The words of a line that begins at `start`. `=>` is a word of its own, whatever touches it.
-pub(super) fn words(line: &str, start: usize) -> Vec<Word<'_>> {
+/// The words of a line that begins at `start`, and where its comment begins. `=>` is a word of its own, whatever touches
+/// it.
+fn words(line: &str, start: usize) -> (Vec<Word<'_>>, Option<usize>) {
     let mut words = Vec::new();
     let mut at = 0;
     let last_closing = line.rfind(']');
@@ -47,7 +86,7 @@ pub(super) fn words(line: &str, start: usize) -> Vec<Word<'_>> {
         at += next;
         let rest = &line[at..];
         if rest.starts_with('#') {
-            break;
+            return (words, Some(at));
         }
         let closing = last_closing.and_then(|closing| closing.checked_sub(at));
         let (length, unclosed) = length(rest, closing);
@@ -58,7 +97,7 @@ pub(super) fn words(line: &str, start: usize) -> Vec<Word<'_>> {
         });
         at += length;
     }
-    words
+    (words, None)
 }
 
 /// The length of the word that a rest begins with, in which the last `]` stands at `closing`.
@@ -112,6 +151,7 @@ mod tests {
 
     fn check(line: &str, expected: Expect) {
         let shown: Vec<String> = words(line, 0)
+            .0
             .iter()
             .map(|word| format!("{}{}", word.text, if word.unclosed { " (unclosed)" } else { "" }))
             .collect();
@@ -132,7 +172,16 @@ mod tests {
     #[test]
     fn lines_with_any_end() {
         let text = "\u{feff}a\r\nb\rc\n\nd";
-        let found: Vec<(usize, &str)> = lines(text).filter(|(_, line)| !line.is_empty()).collect();
-        assert_eq!(found, [(3, "a"), (6, "b"), (8, "c"), (11, "d")]);
+        let found: Vec<(usize, &str, &str)> = lines(text)
+            .map(|line| (line.start, line.text, line.end))
+            .collect();
+        let expected = [
+            (3, "a", "\r\n"),
+            (6, "b", "\r"),
+            (8, "c", "\n"),
+            (10, "", "\n"),
+            (11, "d", ""),
+        ];
+        assert_eq!(found, expected);
     }
 }

@@ -6,7 +6,7 @@ use crate::outcome::{Failure, Outcome};
 use crate::settings::SettingsFiles;
 use crate::terminal::{self, Stdout};
 use ladder_format::Options;
-use ladder_workspace::{Settings, shown};
+use ladder_workspace::{Settings, is_scenario, shown};
 use rayon::prelude::*;
 use std::io::Write;
 use std::path::{Path, PathBuf};
@@ -113,7 +113,9 @@ impl Job {
 
 fn run(file: &Path, options: &Options, arguments: &Arguments) -> Result<Done, Failure> {
     let bytes = ladder_workspace::read_bytes(file)?;
-    if let Form::Foreign(notation) = form::of_program(file, &bytes)? {
+    if !is_scenario(file)
+        && let Form::Foreign(notation) = form::of_program(file, &bytes)?
+    {
         return Err(Failure::new(format!(
             "{}: only ladder text is aligned, and this file is in the notation `{}`",
             shown::path(file),
@@ -121,7 +123,7 @@ fn run(file: &Path, options: &Options, arguments: &Arguments) -> Result<Done, Fa
         )));
     }
     let text = ladder_workspace::decode(file, bytes)?;
-    let Some(formatted) = layout::formatted(&text, options, arguments.range) else {
+    let Some(formatted) = layout::formatted(file, &text, options, arguments.range)? else {
         return Ok(Done::Nothing);
     };
     Ok(match arguments.task() {

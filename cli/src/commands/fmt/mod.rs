@@ -20,6 +20,7 @@ Examples:
   ldfmt .                           rewrite all programs in this folder
   ldfmt --check .                   only say what would change
   ldfmt --diff motor.clad           show what would change
+  ldfmt motor.ladder-test           align the columns of scenarios
   ldfmt - < motor.clad              from stdin to stdout
   ldfmt --range 12-20 motor.clad    only the networks on lines 12 to 20
   ldfmt --force-exclude FILE...     in a hook: what is excluded stays as it is
@@ -30,13 +31,14 @@ Exit status: 0 fine, 1 a file would change (--check, --diff), 2 a file cannot be
 ///
 /// Brings programs into the one canonical layout, in place. Only white space, the length of wires, decoration
 /// and the case of keywords change: the program does what it did before. A network that cannot be read stays as
-/// it is, the others are aligned. The width and the spacing can be set in ladder.toml.
+/// it is, the others are aligned. The width and the spacing can be set in ladder.toml. A file of scenarios
+/// (.ladder-test) that is named gets its columns aligned; folders are searched for programs only.
 ///
 /// `ladder fmt` and `ldfmt` are the same formatter.
 #[derive(Debug, Args)]
 #[command(after_help = EXAMPLES)]
 pub(crate) struct Arguments {
-    /// Programs, or folders to search for them; `-` reads stdin and writes stdout
+    /// Programs and scenarios, or folders to search for programs; `-` reads stdin and writes stdout
     #[arg(value_name = "PATH", required = true)]
     paths: Vec<PathBuf>,
 
@@ -111,7 +113,7 @@ fn format_stdin(arguments: &Arguments) -> Result<Outcome, Failure> {
     let formatted = if excluded {
         None
     } else {
-        layout::formatted(&text, &settings.format, arguments.range)
+        layout::formatted(name, &text, &settings.format, arguments.range)?
     };
     let mut out = Stdout::new();
     let outcome = match (arguments.task(), &formatted) {

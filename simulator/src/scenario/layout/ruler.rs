@@ -1,0 +1,44 @@
+//! Comments that name the steps below them: `#       0  1  2  3 s`.
+
+use super::width;
+
+/// A comment, with its words over the steps that they stood over: `moves` says where each step stood and where it goes. A
+/// comment that begins to the left of the first step is no ruler, and stays.
+pub(super) fn moved(comment: &str, moves: &[(usize, usize)]) -> String {
+    let stays = comment.trim_start().to_owned();
+    let Some(&(first, _)) = moves.first() else {
+        return stays;
+    };
+    let Some(words) = comment.strip_prefix('#').filter(|_| !comment.contains('\t')) else {
+        return stays;
+    };
+    let blanks = words.len() - words.trim_start_matches(' ').len();
+    if blanks + 1 < first || words.trim().is_empty() {
+        return stays;
+    }
+    let mut line = "#".to_owned();
+    let mut rest = words;
+    let mut stood = 1;
+    loop {
+        let blanks = rest.len() - rest.trim_start_matches(' ').len();
+        stood += blanks;
+        rest = &rest[blanks..];
+        if rest.is_empty() {
+            return line;
+        }
+        let word = &rest[..rest.find(' ').unwrap_or(rest.len())];
+        let goes = place(stood, moves);
+        let missing = goes.saturating_sub(width(&line)).max(1);
+        line.extend(std::iter::repeat_n(' ', missing));
+        line.push_str(word);
+        stood += width(word);
+        rest = &rest[word.len()..];
+    }
+}
+
+/// Where a column goes: it stays as far behind the step that it stands over.
+fn place(column: usize, moves: &[(usize, usize)]) -> usize {
+    let step = moves.partition_point(|(stood, _)| *stood <= column);
+    let (stood, goes) = moves[step.saturating_sub(1)];
+    goes + column - stood.min(column)
+}
