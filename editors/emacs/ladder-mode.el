@@ -1,0 +1,215 @@
+;;; ladder-mode.el --- Ladder diagrams as plain text  -*- lexical-binding: t -*-
+
+;; Version: 0.1.0
+;; Package-Requires: ((emacs "28.1") (eglot "1.9"))
+;; Keywords: languages, tools
+;; SPDX-License-Identifier: MIT OR Apache-2.0
+
+;;; Commentary:
+
+;; The major mode for ladder diagrams (.clad) and their scenarios (.ladder-test).  The language server `ladder lsp'
+;; comes through Eglot: mistakes, completion, explanations, references, renaming and alignment.  The simulation, with
+;; the power flow drawn into the text, is in `ladder-simulation'.
+;;
+;;   (add-to-list 'load-path "/path/to/ladder/editors/emacs")
+;;   (require 'ladder-mode)
+;;   (add-hook 'ladder-mode-hook #'eglot-ensure)
+
+;;; Code:
+
+(require 'eglot)
+
+(defgroup ladder nil
+  "Ladder diagrams as plain text."
+  :group 'languages
+  :prefix "ladder-")
+
+(defcustom ladder-server-program nil
+  "The whole path of the program `ladder'.
+Without it the program is looked for on `exec-path', and where
+Cargo installs programs."
+  :type '(choice (const :tag "Look for it" nil) file)
+  ;; A file that somebody sent must not choose what is run.
+  :risky t)
+
+(defcustom ladder-format-on-save nil
+  "Whether a program is aligned when it is saved."
+  :type 'boolean
+  :safe #'booleanp)
+
+;;; The server
+
+(defun ladder--find-program ()
+  "The whole path of the program `ladder', or nil.
+Folders that are not given whole do not count: they would be seen
+from the folder that is open."
+  (or ladder-server-program
+      (let ((cargo (expand-file-name "bin" (or (getenv "CARGO_HOME") "~/.cargo")))
+            (exec-path (seq-filter (lambda (folder) (and folder (file-name-absolute-p folder))) exec-path)))
+        (locate-file "ladder" (append exec-path (list cargo)) exec-suffixes #'file-executable-p))))
+
+(defun ladder--server (&optional _interactive)
+  "What Eglot starts."
+  (let ((program (ladder--find-program)))
+    (unless program
+      (user-error "Ladder: the language server was not found: no program \"ladder\" on exec-path or in ~/.cargo/bin; \
+install it (cargo install --path cli), or set `ladder-server-program'"))
+    (list program "lsp")))
+
+;; Eglot's own way to name a language that is not called as its mode.
+(put 'ladder-mode 'eglot-language-id "clad")
+(put 'ladder-test-mode 'eglot-language-id "ladder-test")
+(add-to-list 'eglot-server-programs '((ladder-mode ladder-test-mode) . ladder--server))
+
+(defun ladder-format ()
+  "Align the program, or the networks of the region."
+  (interactive)
+  (if (use-region-p)
+      (eglot-format (region-beginning) (region-end))
+    (eglot-format-buffer)))
+
+(defun ladder--format-before-save ()
+  "Align the program if that is wanted and there is a server."
+  (when (and ladder-format-on-save (eglot-current-server))
+    (ladder-format)))
+
+;;; Comments
+
+(defvar ladder-mode-syntax-table
+  (let ((table (make-syntax-table)))
+    ;; Which `#' begins or ends a comment is found out by `ladder--propertize'.
+    (modify-syntax-entry ?# "." table)
+    (modify-syntax-entry ?' "." table)
+    (modify-syntax-entry ?\" "." table)
+    (modify-syntax-entry ?_ "_" table)
+    (modify-syntax-entry ?$ "_" table)
+    (modify-syntax-entry ?% "_" table)
+    (modify-syntax-entry ?. "_" table)
+    (dolist (drawn '(?+ ?- ?| ?/ ?\\ ?* ?= ?< ?>))
+      (modify-syntax-entry drawn "." table))
+    table)
+  "Letters, tags and the characters of drawings.")
+
+(defun ladder--in-declarations-p ()
+  "Whether point is between VAR and END_VAR."
+  (save-excursion
+    (let ((case-fold-search t))
+      (and (re-search-backward "^[ \t]*\\(END_VAR\\|VAR\\(?:_[A-Z_]+\\)?\\)\\_>" nil t)
+           (not (ladder--same-word-p "END_VAR" (match-string-no-properties 1)))))))
+
+(defun ladder--same-word-p (one other)
+  "Whether ONE and OTHER are the same but for capitals."
+  (eq t (compare-strings one nil nil other nil nil t)))
+
+(defun ladder--literal-p (position)
+  "Whether the `#' at POSITION is part of a literal, as in T#5s.
+That is so behind a letter or digit, in parentheses and in declarations."
+  (save-excursion
+    (goto-char position)
+    (and (not (bolp))
+         (memq (char-syntax (char-before)) '(?w))
+         (or (> (car (parse-partial-sexp (line-beginning-position) position)) 0)
+             (ladder--in-declarations-p)))))
+
+(defun ladder--propertize (start end)
+  "Mark every `#' between START and END that begins or ends a comment.
+A comment ends at the very next one."
+  (goto-char start)
+  (let ((inside (nth 4 (syntax-ppss start))))
+    (while (search-forward "#" end t)
+      (let ((position (1- (point))))
+        (when (or inside (not (ladder--literal-p position)))
+          (put-text-property position (point) 'syntax-table (string-to-syntax "!"))
+          (setq inside (not inside)))))))
+
+;;; Colours
+
+(defconst ladder--sections
+  (concat "^[ \t]*\\("
+          (regexp-opt '("VAR" "VAR_INPUT" "VAR_OUTPUT" "VAR_IN_OUT" "VAR_GLOBAL" "VAR_EXTERNAL" "END_VAR"
+                        "FUNCTION_BLOCK" "END_FUNCTION_BLOCK"))
+          "\\)\\_>\\(?:[ \t]+\\(RETAIN\\|CONSTANT\\)\\_>\\)?")
+  "What begins and ends sections.")
+
+(defconst ladder--types
+  (regexp-opt '("BOOL" "BYTE" "WORD" "DWORD" "LWORD" "SINT" "INT" "DINT" "LINT" "USINT" "UINT" "UDINT" "ULINT" "REAL" "LREAL"
+                "TIME" "DATE" "TOD" "DT" "STRING" "ARRAY" "TON" "TOF" "TP" "RTO" "RTOF" "CTU" "CTD" "CTUD" "CTC" "SR" "RS")
+              'symbols)
+  "The names of types.")
+
+(defconst ladder--keywords
+  `((,ladder--sections (1 font-lock-keyword-face) (2 font-lock-keyword-face nil t))
+    ;; A block, by its brackets: a condition or function, a coil, program flow.  Its operands follow.
+    ("\\[[ \t]*\\(\\$?[[:alnum:]_/]*\\)[ \t]*\\]" . font-lock-function-name-face)
+    ("([ \t]*\\(?:\\$?[[:alnum:]_]*\\|/\\)[ \t]*)\\(?:[ \t]*(\\)" 0 font-lock-builtin-face)
+    ("<[ \t]*\\$?[[:alnum:]_]+[ \t]*>" . font-lock-keyword-face)
+    ("\\_<\\(?:[[:alpha:]]+\\|[0-9]+\\)#-?[[:alnum:]_.:-]+" . font-lock-constant-face)
+    ("\\_<[0-9][0-9_.]*\\(?:ms\\|us\\|ns\\|[dhms]\\)?[0-9dhmsun_.]*\\_>" . font-lock-constant-face)
+    ("\\_<\\(?:TRUE\\|FALSE\\|PI\\)\\_>" . font-lock-constant-face)
+    ("\\_<\\(?:AND\\|OR\\|XOR\\|NOT\\|MOD\\|SHL\\|SHR\\|AT\\|OF\\)\\_>" . font-lock-keyword-face)
+    ("\\_<\\([[:alpha:]_][[:alnum:]_]*\\)[ \t]*\\(?::=\\|=>\\)" 1 font-lock-variable-name-face)
+    ("'\\(?:\\$.\\|[^'$\n]\\)*'" . font-lock-string-face)
+    (,ladder--types . font-lock-type-face)
+    ("[\\/]" . font-lock-preprocessor-face))
+  "Colours of ladder text without its language server.")
+
+;;; The modes
+
+(defvar ladder-mode-map
+  (let ((map (make-sparse-keymap)))
+    (define-key map (kbd "C-c C-f") #'ladder-format)
+    (define-key map (kbd "C-c C-c") #'ladder-start)
+    map)
+  "Keys of `ladder-mode'.")
+
+(autoload 'ladder-start "ladder-simulation" "Start a simulation of the program in this buffer." t)
+
+;;;###autoload
+(define-derived-mode ladder-mode prog-mode "Ladder"
+  "Ladder diagrams as plain text.
+
+\\{ladder-mode-map}"
+  (setq-local comment-start "# "
+              comment-end " #"
+              comment-start-skip "#+[ \t]*"
+              comment-end-skip "[ \t]*#"
+              syntax-propertize-function #'ladder--propertize
+              font-lock-defaults '(ladder--keywords nil t)
+              ;; A drawing: what would shift its columns is switched off.
+              truncate-lines t
+              word-wrap nil
+              indent-tabs-mode nil
+              tab-width 4
+              indent-line-function #'indent-relative-first-indent-point
+              electric-indent-inhibit t
+              require-final-newline t)
+  (auto-fill-mode -1)
+  (add-hook 'before-save-hook #'ladder--format-before-save nil t))
+
+(defconst ladder--test-keywords
+  '(("^[ \t]*\\(scenario\\|program\\|step\\|interval\\|tolerance\\)\\_>" 1 font-lock-keyword-face)
+    ("\"[^\"\n]*\"" . font-lock-string-face)
+    ("'\\(?:\\$.\\|[^'$\n]\\)*'" . font-lock-string-face)
+    ("=>" . font-lock-keyword-face)
+    ("^[ \t]*\\([^][ \t\n#\"'=]+\\)" 1 font-lock-variable-name-face))
+  "Colours of scenarios.")
+
+;;;###autoload
+(define-derived-mode ladder-test-mode prog-mode "Ladder-Test"
+  "Scenarios of ladder programs: their unit tests."
+  (modify-syntax-entry ?# "<" ladder-test-mode-syntax-table)
+  (modify-syntax-entry ?\n ">" ladder-test-mode-syntax-table)
+  (setq-local comment-start "# "
+              comment-end ""
+              truncate-lines t
+              indent-tabs-mode nil
+              electric-indent-inhibit t
+              font-lock-defaults '(ladder--test-keywords)))
+
+;;;###autoload
+(add-to-list 'auto-mode-alist '("\\.clad\\'" . ladder-mode))
+;;;###autoload
+(add-to-list 'auto-mode-alist '("\\.ladder-test\\'" . ladder-test-mode))
+
+(provide 'ladder-mode)
+;;; ladder-mode.el ends here

@@ -1,0 +1,186 @@
+;;; test.el --- Emacs with the mode and the built server, step by step  -*- lexical-binding: t -*-
+
+;; Called by tests/editors/emacs/run.
+
+(require 'flymake)
+(require 'ladder-mode)
+(require 'ladder-simulation)
+
+(defvar failed 0)
+
+(defmacro step (name &rest body)
+  "Run BODY; say whether what NAME says holds."
+  (declare (indent 1))
+  `(let ((started (float-time)))
+     (condition-case problem
+         (progn ,@body (princ (format "ok    emacs: %s (%.0f ms)\n" ,name (* 1000 (- (float-time) started)))))
+       (error (setq failed (1+ failed))
+              (princ (format "FAIL  emacs: %s\n      %s\n" ,name (error-message-string problem)))))))
+
+(defun same (what wanted found)
+  "Raise an error about WHAT unless WANTED and FOUND are equal."
+  (unless (equal wanted found)
+    (error "%s: %S expected, %S found" what wanted found)))
+
+(defmacro eventually (what &rest body)
+  "Wait until BODY gives something, and return that; WHAT is waited for."
+  (declare (indent 1))
+  `(let ((limit (+ (float-time) 10)) found)
+     (while (not (setq found (progn ,@body)))
+       (when (> (float-time) limit)
+         (error "Waited 10 s in vain for %s" ,what))
+       (accept-process-output nil 0.02))
+     found))
+
+(defvar opened 0)
+
+(defun open (name &optional text)
+  "Open a fresh copy of the fixture NAME, or TEXT under that name, in a folder of its own, with the server."
+  (setq opened (1+ opened))
+  (let ((folder (expand-file-name (number-to-string opened) (getenv "LADDER_SCRATCH"))))
+    (make-directory folder t)
+    (write-region "" nil (expand-file-name "ladder.toml" folder) nil 'quiet)
+    (if text
+        (write-region text nil (expand-file-name name folder) nil 'quiet)
+      (copy-file (expand-file-name name (getenv "LADDER_FIXTURES")) (expand-file-name name folder)))
+    (find-file (expand-file-name name folder))
+    (unless (eglot-current-server)
+      (apply #'eglot--connect (eglot--guess-contact)))
+    (eventually "the language server to attach" (and (eglot-managed-p) (eglot-current-server)))))
+
+(defun faced (face)
+  "The text of the buffer, where what is not in FACE is blank; lines without blanks at their ends."
+  (let ((shown ""))
+    (dotimes (index (buffer-size))
+      (let ((faces (ensure-list (get-char-property (1+ index) 'face)))
+            (letter (char-after (1+ index))))
+        (setq shown (concat shown (if (or (eq letter ?\n) (memq face faces)) (string letter) " ")))))
+    (split-string (replace-regexp-in-string " +$" "" shown) "\n")))
+
+(defun in-comments ()
+  "The lines of the buffer, where what is no comment is blank."
+  (font-lock-ensure)
+  (let ((faces '(font-lock-comment-face font-lock-comment-delimiter-face)) (shown ""))
+    (dotimes (index (buffer-size))
+      (let ((letter (char-after (1+ index))))
+        (setq shown (concat shown (if (or (eq letter ?\n) (memq (get-text-property (1+ index) 'face) faces)) (string letter) " ")))))
+    (split-string (replace-regexp-in-string " +$" "" shown) "\n")))
+
+(step "a missing server is said, with what to do"
+  (let ((ladder-server-program nil)
+        (exec-path '("." "bin"))
+        (process-environment (cons "CARGO_HOME=/nowhere" process-environment)))
+    (same "the program" nil (ladder--find-program))
+    (condition-case problem
+        (progn (ladder--server) (error "Nothing was said"))
+      (user-error (unless (string-search "cargo install" (error-message-string problem))
+                    (error "%s" (error-message-string problem)))))))
+
+(step "comments end at the next #, and a literal begins none"
+  (with-temp-buffer
+    (insert "# two\nlines #\n+--[TON]( t, T#5s )--( )( y )--+ # why #\nVAR\n  t : TIME := T#1s;  # how long #\nEND_VAR\nletter#a#\n")
+    (ladder-mode)
+    (same "the comments"
+          '("# two" "lines #" "                                 # why #" "" "                     # how long #" "" "      #a#" "")
+          (in-comments))))
+
+(step "blocks, literals and sections have colours"
+  (with-temp-buffer
+    (insert "VAR RETAIN\n+--[TON]( t, T#5s )--( )( y )--+\n")
+    (ladder-mode)
+    (font-lock-ensure)
+    (same "a section" '("VAR RETAIN" "" "") (faced 'font-lock-keyword-face))
+    (same "a block" '("" "   [TON]" "") (faced 'font-lock-function-name-face))
+    (same "a literal" '("" "             T#5s" "") (faced 'font-lock-constant-face))
+    (same "a coil" '("" "                     ( )(" "") (faced 'font-lock-builtin-face))))
+
+(step "the server is told the language, and finds nothing wrong with a good program"
+  (open "motor.clad")
+  (same "the mode" 'ladder-mode major-mode)
+  (same "'truncate-lines'" t truncate-lines))
+
+(step "a connector without a partner is marked at its place"
+  (open "unpaired.clad")
+  (flymake-mode 1)
+  (flymake-start)
+  (let ((found (eventually "a finding" (flymake-diagnostics))))
+    (unless (seq-find (lambda (one) (string-search "has no partner" (flymake-diagnostic-text one))) found)
+      (error "%S" (mapcar #'flymake-diagnostic-text found)))))
+
+(step "a block is explained"
+  (open "motor.clad")
+  (search-forward "[TO")
+  (let ((hover (jsonrpc-request (eglot-current-server) :textDocument/hover (eglot--TextDocumentPositionParams))))
+    (unless (string-search "TON" (format "%S" hover))
+      (error "%S" hover))))
+
+(step "aligning a crooked drawing, by command and on save"
+  (open "crooked.clad")
+  (ladder-format)
+  (goto-char (point-min))
+  (search-forward "stop")
+  (same "the rung" "+--\\--[ ]( start )--\\--[/]( stop )-------------( )( run )--+"
+        (buffer-substring-no-properties (line-beginning-position) (line-end-position)))
+  (open "saved.clad" "+-[ ](a)-( )(b)-+\n")
+  (let ((ladder-format-on-save t))
+    (insert " ")
+    (delete-char -1)
+    (save-buffer))
+  (same "the saved rung" "+--[ ]( a )------------------( )( b )--+\n" (buffer-string)))
+
+(step "completion proposes the tags that fit"
+  (open "typed.clad" "+--[ ]( start )--( )( st )--+\n")
+  (goto-char (point-min))
+  (search-forward "( )( st")
+  (let* ((capf (eglot-completion-at-point))
+         (names (all-completions "" (nth 2 capf))))
+    (unless (seq-find (lambda (name) (string-prefix-p "start" name)) names)
+      (error "%S" names))))
+
+(step "a simulation draws its power, and a toggle changes it"
+  (open "motor.clad")
+  (ladder-start)
+  (same "the mode" t ladder-simulation-mode)
+  (goto-char (point-min))
+  (search-forward "( start")
+  (ladder-toggle (ladder--ask-tag "Toggle" #'identity))
+  (ladder-step 3)
+  (same "the header" " paused, scan 3, 30 ms" (substring (ladder--header) 0 22))
+  (same "what has power"
+        '("" "+--\\--[ ]( start )--\\--[/]( stop )-------------( )( run )--+"
+          "" "   /--[ ]( run )----/" ""
+          "+--[ ]( run )--------[TON]( warmup, T#20ms )--( )( lamp )--+" "")
+        (eventually "the lamp to have power"
+          (let ((shown (faced 'ladder-power-on)))
+            (and (string-search "lamp" (nth 5 shown)) shown)))))
+
+(step "the tags are listed, live"
+  (ladder-tags)
+  (let ((list (ladder--tags-buffer (current-buffer))))
+    (with-current-buffer list
+      (goto-char (point-min))
+      (search-forward-regexp "^lamp +1 +BOOL +output"))
+    (ladder-force "stop" "1")
+    (ladder-step 1)
+    (eventually "the lamp to go out"
+      (with-current-buffer list
+        (goto-char (point-min))
+        (and (search-forward-regexp "^stop +1! +BOOL" nil t) (search-forward-regexp "^lamp +0" nil t))))
+    (unless (string-search ", 1 forced" (ladder--header))
+      (error "%s" (ladder--header)))
+    (ladder-back 1)
+    (same "the scan" 3 (plist-get ladder--state :scan))))
+
+(step "an edit goes on with what runs"
+  (goto-char (point-min))
+  (insert "# more #\n")
+  (eglot--signal-textDocument/didChange)
+  (eventually "the power, a line below" (string-prefix-p "+--\\--[ ]( start" (nth 2 (faced 'ladder-power-on)))))
+
+(step "stop takes everything away"
+  (ladder-stop)
+  (same "the power" nil (seq-find (lambda (line) (not (string= line ""))) (faced 'ladder-power-on)))
+  (same "the header line" nil header-line-format))
+
+(kill-emacs (if (= failed 0) 0 1))
+;;; test.el ends here
