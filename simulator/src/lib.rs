@@ -52,6 +52,7 @@ pub mod coverage;
 mod diagram;
 mod fault;
 mod fuse;
+mod inputs;
 mod layout;
 mod machine;
 mod memory;
@@ -73,6 +74,7 @@ pub use carry::{Changeover, Lost};
 pub use compile::CompileError;
 pub use diagram::{diagram, diagram_of};
 pub use fault::Fault;
+pub use inputs::{Inputs, InputsError};
 pub use retain::Kept;
 pub use session::{
     Breakpoint, Cause, HistoryLimits, Hit, Reason, Session, Since, StepBy, Stop, Why, Wording, Write,

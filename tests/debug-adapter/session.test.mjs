@@ -97,6 +97,21 @@ test('a breakpoint on a block, by its column', async () => {
     assert.equal(textAt(body.stackFrames[0]), '[GE]( presses, LIMIT )');
 });
 
+test('a table gives inputs, scan by scan', async () => {
+    await atEntry({ inputs: 'presses.csv' });
+    const seen = [];
+    for (let scan = 0; scan < 4; scan += 1) {
+        await stopsAfter('step', client.stepOutRequest({ threadId: 1 }));
+        seen.push(`${await value('button')} ${await value('presses')}`);
+    }
+    assert.deepEqual(seen, ['TRUE 1', 'TRUE 1', 'FALSE 1', 'TRUE 2']);
+    // The history gives again what the table gave.
+    await stopsAfter('step', client.stepBackRequest({ threadId: 1 }));
+    await stopsAfter('entry', client.reverseContinueRequest({ threadId: 1 }));
+    await stopsAfter('step', client.stepOutRequest({ threadId: 1 }));
+    assert.equal(await value('presses'), '1');
+});
+
 test('steps by block, by rung, out, and by scan', async () => {
     await atEntry({ inputs: { button: true } });
     const seen = [];
@@ -401,6 +416,9 @@ test('launches that cannot be are refused in words', async () => {
             [{ program: broken }, /broken.clad:1: .*not run/],
             [{ program, inputs: { nobody: true } }, /nobody/],
             [{ program, inputs: { button: 7 } }, /button/],
+            [{ program, inputs: '../../../../package.json' }, /inputs: .*package\.json/],
+            [{ program, inputs: 'nothing.csv' }, /inputs: .*nothing\.csv/],
+            [{ program, inputs: 'counter.clad' }, /inputs: .*counter\.clad/],
             [{ program, cycle: 'soon' }, /cycle/],
             [{ program, cycle: -5 }, /cycle/],
             [{ program, speed: 1e9 }, /speed/],

@@ -1,12 +1,9 @@
 //! A run: scan after scan, with what is given to the program and what it complains about.
 
-mod inputs;
 mod program;
 mod retention;
 mod stimulus;
-mod table;
 
-pub(crate) use inputs::Inputs;
 pub(crate) use program::{place, program, show_errors};
 pub(crate) use retention::{KeptIn, Retention};
 pub(crate) use stimulus::Stimulus;
@@ -14,7 +11,7 @@ pub(crate) use stimulus::Stimulus;
 use crate::findings::Source;
 use crate::outcome::{Failure, Outcome};
 use crate::terminal;
-use ladder_simulator::{Fault, Simulation, Status};
+use ladder_simulator::{Fault, Inputs, Simulation, Status};
 use ladder_workspace::shown;
 
 /// How many scans to run, as it stands on the command line.

@@ -1,13 +1,12 @@
 //! What the world outside gives to a program that runs: options that several commands share.
 
-use super::inputs::Inputs;
 use crate::outcome::Failure;
 use crate::output::Existing;
 use clap::Args;
 use ladder_analysis::program::Program;
 use ladder_analysis::types::Scalar;
 use ladder_analysis::value::Value;
-use ladder_simulator::{Options, Point, Simulation, value_text};
+use ladder_simulator::{Inputs, Options, Point, Simulation, value_text};
 use ladder_workspace::Settings;
 use std::path::{Path, PathBuf};
 
@@ -64,8 +63,12 @@ impl Stimulus {
     /// A tag is not there or cannot be written, a value is not of its type, or the file cannot be read.
     pub(crate) fn give(&self, simulation: &mut Simulation) -> Result<Inputs, Failure> {
         let inputs = match &self.inputs {
-            Some(file) => Inputs::read(file, simulation)?,
-            None => Inputs::none(),
+            Some(file) => {
+                let text = ladder_workspace::read(file)?;
+                Inputs::parse(&file.display().to_string(), &text, simulation)
+                    .map_err(|error| Failure::new(error.to_string()))?
+            }
+            None => Inputs::default(),
         };
         for text in &self.set {
             let (point, value) = assignment("--set", text, simulation)?;

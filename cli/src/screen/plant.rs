@@ -4,9 +4,10 @@ use super::record::Record;
 use super::sheet::Sheet;
 use crate::findings::Source;
 use crate::outcome::Failure;
-use crate::run::{Inputs, Retention};
+use crate::run::Retention;
 use ladder_analysis::program::{Program, Role};
 use ladder_analysis::value::Value;
+use ladder_simulator::Inputs;
 use ladder_simulator::scenario::{self, Recorded};
 use ladder_simulator::{
     Brake, Breakpoint, Changeover, CompileError, Fault, Hit, Point, Session, Simulation, Status, Stepped,

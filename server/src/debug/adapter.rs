@@ -1,8 +1,7 @@
-//! The requests, one function each.
+//! A session: what it holds, and its requests, one function each.
 
 use std::collections::HashSet;
 use std::io::Write;
-use std::path::Path;
 use std::sync::Arc;
 use std::sync::atomic::AtomicUsize;
 
@@ -11,15 +10,15 @@ use ladder_simulator::Brake;
 use ladder_syntax::TextRange;
 use serde_json::{Value as Json, json};
 
-use super::breakpoints::{self, Table};
+use super::breakpoints::Table;
 use super::capabilities::capabilities;
-use super::launch::{self, Configuration};
+use super::configuration::{BackBy, Configuration};
+use super::launch;
 use super::messages::{
-    BreakpointLocations, Completions, DataBreakpointInfo, Evaluate, Force, Initialize, Request, Restart,
-    Scopes, SetBreakpoints, SetDataBreakpoints, SetExceptionBreakpoints, SetExpression, SetVariable,
-    SourceBreakpoint, StackTrace, Step as StepArguments, Variables,
+    Completions, Evaluate, Force, Initialize, Request, Restart, Scopes, SetExpression, SetVariable,
+    StackTrace, Step as StepArguments, Variables,
 };
-use super::running::{EXPECTATIONS, FAULTS, Going, Stopped};
+use super::running::{Going, Stopped};
 use super::sources::Counting;
 use super::stack;
 use super::stepping::Step;
@@ -254,7 +253,7 @@ impl<W: Write> Adapter<W> {
             }
             "ladder/stepBackScan" => {
                 self.must_stand()?;
-                self.step_back_by(super::launch::BackBy::Scan)?;
+                self.step_back_by(BackBy::Scan)?;
                 Ok(Json::Null)
             }
             "ladder/force" => {
@@ -382,123 +381,6 @@ impl<W: Write> Adapter<W> {
         }
         self.begin()?;
         Ok(Json::Null)
-    }
-
-    /// Tells the engine where it is to stop.
-    fn arm(&mut self) {
-        let Some(target) = &mut self.target else {
-            return;
-        };
-        if self.configuration.no_debug {
-            target.session.clear_breakpoints();
-        } else {
-            self.table.arm(target);
-        }
-    }
-
-    fn set_breakpoints(&mut self, arguments: &SetBreakpoints) -> Result<Json, String> {
-        let of_line = |&line: &i64| SourceBreakpoint {
-            line,
-            ..SourceBreakpoint::default()
-        };
-        let wanted = match &arguments.breakpoints {
-            Some(breakpoints) => breakpoints.clone(),
-            None => arguments.lines.iter().map(of_line).collect(),
-        };
-        let target = self.target.as_ref().ok_or_else(no_program)?;
-        let path = arguments.source.path.as_deref().unwrap_or_default();
-        let Some(file) = target.file_of(Path::new(path)) else {
-            let told = wanted.iter().map(|wanted| {
-                json!({
-                    "verified": false, "line": wanted.line,
-                    "message": "the program that runs uses nothing of this file",
-                })
-            });
-            return Ok(json!({"breakpoints": told.collect::<Vec<_>>()}));
-        };
-        let told = self.table.set_in_file(target, file, wanted, self.counting);
-        self.arm();
-        Ok(json!({"breakpoints": told}))
-    }
-
-    fn breakpoint_locations(&mut self, arguments: &BreakpointLocations) -> Result<Json, String> {
-        let counting = self.counting;
-        let target = self.target()?;
-        let path = arguments.source.path.as_deref().unwrap_or_default();
-        let Some(file) = target.file_of(Path::new(path)) else {
-            return Ok(json!({"breakpoints": []}));
-        };
-        let last = target.source(file).line_count();
-        let first = counting.line(arguments.line);
-        let end = arguments
-            .end_line
-            .map_or(first, |line| counting.line(line))
-            .min(last);
-        Ok(json!({"breakpoints": breakpoints::locations(target, file, first..=end, counting)}))
-    }
-
-    fn data_breakpoint_info(&mut self, arguments: &DataBreakpointInfo) -> Result<Json, String> {
-        let point = match arguments.variables_reference.filter(|&reference| reference > 0) {
-            Some(reference) => {
-                let container = self.handles.get(reference)?;
-                variables::point_in(self.target()?, &container, &arguments.name)
-            }
-            None => self.target()?.scope(arguments.frame_id).resolve(&arguments.name),
-        };
-        Ok(match point {
-            Ok(point) => json!({
-                "dataId": point.name,
-                "description": format!("{} changes", point.name),
-                "accessTypes": ["write"],
-                "canPersist": true,
-            }),
-            Err(problem) => json!({"dataId": null, "description": problem}),
-        })
-    }
-
-    fn set_data_breakpoints(&mut self, arguments: &SetDataBreakpoints) -> Result<Json, String> {
-        let target = self.target.as_ref().ok_or_else(no_program)?;
-        let told = self.table.set_data(target, arguments.breakpoints.clone());
-        self.arm();
-        Ok(json!({"breakpoints": told}))
-    }
-
-    fn set_exception_breakpoints(&mut self, arguments: &SetExceptionBreakpoints) -> Result<Json, String> {
-        let options = arguments
-            .filter_options
-            .iter()
-            .map(|option| option.filter_id.as_str());
-        let filters: Vec<&str> = arguments
-            .filters
-            .iter()
-            .map(String::as_str)
-            .chain(options)
-            .collect();
-        if let Some(unknown) = filters
-            .iter()
-            .find(|filter| ![FAULTS, EXPECTATIONS].contains(filter))
-        {
-            return Err(format!(
-                "there is no filter `{unknown}`: there are {FAULTS} and {EXPECTATIONS}"
-            ));
-        }
-        self.stops_at_faults = filters.contains(&FAULTS);
-        self.stops_at_expectations = filters.contains(&EXPECTATIONS);
-        Ok(Json::Null)
-    }
-
-    fn exception_info(&mut self) -> Result<Json, String> {
-        let exception = self
-            .stopped
-            .as_ref()
-            .and_then(|stopped| Some((stopped.exception?, &stopped.description)));
-        let (kind, description) = exception.ok_or("the program did not stop for a fault")?;
-        let id = if kind == FAULTS {
-            "Fault"
-        } else {
-            "Expectation failed"
-        };
-        Ok(json!({"exceptionId": id, "description": description, "breakMode": "always"}))
     }
 
     fn stack_trace(&mut self, arguments: &StackTrace) -> Result<Json, String> {

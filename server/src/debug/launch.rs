@@ -1,134 +1,22 @@
-//! The configuration of a launch, and what becomes of it.
+//! From the configuration of a launch to a program that is ready for its first scan.
 
 use std::path::{Component, Path, PathBuf};
 use std::sync::Arc;
 
 use ladder_analysis::program::Program;
-use ladder_analysis::types::Scalar;
 use ladder_analysis::value::Value;
 use ladder_analysis::{Analysis, NotWhole};
 use ladder_simulator::scenario;
-use ladder_simulator::{HistoryLimits, Options, Session, Simulation, value_text};
+use ladder_simulator::{HistoryLimits, Inputs, Options, Session, Simulation};
 use ladder_workspace::{Named, RetentiveFile, Root, Workspace, shown};
-use serde::Deserialize;
 use serde_json::{Map, Value as Json};
 
+use super::configuration::{Configuration, GivenInputs, is_scenario_file};
 use super::play::Play;
 use super::sources::Source;
 use super::target::Target;
 use super::watch::Scope;
 use crate::simulation::value::from_json;
-
-/// The configuration.
-#[derive(Debug, Clone, Default, Deserialize)]
-#[serde(rename_all = "camelCase", default)]
-pub(super) struct Configuration {
-    /// The program, or a file of scenarios.
-    pub program: Option<String>,
-    /// The scenario to run; without it the first of its file.
-    pub scenario: Option<String>,
-    /// The file of it; without it the one beside the program, of its name.
-    pub scenario_file: Option<String>,
-    /// What tags hold from the first scan on.
-    pub inputs: Map<String, Json>,
-    /// What tags are held at.
-    pub forces: Map<String, Json>,
-    /// The file that keeps retentive tags.
-    pub retain: Option<String>,
-    /// The time from one scan to the next: `10ms`, or a number of milliseconds.
-    pub cycle: Option<Json>,
-    pub speed: Option<Speed>,
-    pub stop_on_entry: bool,
-    /// How many scans can be stepped back.
-    pub history: Option<u64>,
-    /// What a step back goes back by.
-    pub step_back: Option<BackBy>,
-    /// Breakpoints do not stop it.
-    pub no_debug: bool,
-}
-
-/// How fast a run goes.
-#[derive(Debug, Clone, Copy, PartialEq, Deserialize)]
-#[serde(untagged)]
-pub(super) enum Speed {
-    /// So many times as fast as real time.
-    Times(f64),
-    Named(NamedSpeed),
-}
-
-#[derive(Debug, Clone, Copy, PartialEq, Deserialize)]
-#[serde(rename_all = "lowercase")]
-pub(super) enum NamedSpeed {
-    /// As fast as it goes.
-    Max,
-}
-
-/// What a step back goes back by.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Deserialize)]
-#[serde(rename_all = "lowercase")]
-pub(super) enum BackBy {
-    Block,
-    #[default]
-    Rung,
-    Scan,
-}
-
-/// How fast a run may be.
-const SPEEDS: std::ops::RangeInclusive<f64> = 0.001..=1000.0;
-
-/// The longest time between two scans, in milliseconds: a day.
-const LONGEST: f64 = 86_400_000.0;
-
-impl Configuration {
-    /// So many times as fast as real time; none for as fast as it goes.
-    pub(super) fn speed(&self) -> Result<Option<f64>, String> {
-        match self.speed {
-            Some(Speed::Named(NamedSpeed::Max)) => Ok(None),
-            None if self.scenario_asked_for() => Ok(None),
-            None => Ok(Some(1.0)),
-            Some(Speed::Times(times)) if SPEEDS.contains(&times) => Ok(Some(times)),
-            Some(Speed::Times(times)) => Err(format!(
-                "speed is {times}: it is \"max\" or from 0.001 to 1000 times real time"
-            )),
-        }
-    }
-
-    fn scenario_asked_for(&self) -> bool {
-        let is_file = self.program.as_deref().is_some_and(is_scenario_file);
-        is_file || self.scenario.is_some() || self.scenario_file.is_some()
-    }
-
-    /// The time from one scan to the next, in nanoseconds.
-    fn interval(&self) -> Result<Option<i64>, String> {
-        let wrong = || {
-            "cycle: write the time from one scan to the next, such as \"10ms\", or milliseconds".to_owned()
-        };
-        let nanoseconds = match &self.cycle {
-            None | Some(Json::Null) => return Ok(None),
-            Some(Json::String(text)) => match value_text::parse(text, Scalar::Time) {
-                Ok(Value::Int(nanoseconds)) => nanoseconds,
-                Ok(_) => return Err(wrong()),
-                Err(problem) => return Err(format!("cycle: {problem}")),
-            },
-            Some(number) => {
-                let milliseconds = number.as_f64().ok_or_else(wrong)?;
-                if !(1e-6..=LONGEST).contains(&milliseconds) {
-                    return Err("cycle: it is more than 0 and at most a day".into());
-                }
-                (milliseconds * 1e6).round() as i64
-            }
-        };
-        if nanoseconds > 0 {
-            Ok(Some(nanoseconds))
-        } else {
-            Err("cycle: the time from one scan to the next must be longer than 0".into())
-        }
-    }
-}
-
-fn is_scenario_file(name: &str) -> bool {
-    ladder_workspace::is_scenario(Path::new(name))
-}
 
 /// Loads the program and makes it ready for its first scan. The second part are sentences for the person.
 pub(super) fn load(configuration: &Configuration) -> Result<(Target, Vec<String>), String> {
@@ -178,9 +66,15 @@ pub(super) fn load(configuration: &Configuration) -> Result<(Target, Vec<String>
         }
         None => None,
     };
-    assign(&mut session, "inputs", &configuration.inputs, Session::set)?;
+    let inputs = match &configuration.inputs {
+        GivenInputs::Held(values) => {
+            assign(&mut session, "inputs", values, Session::set)?;
+            Inputs::default()
+        }
+        GivenInputs::Table(name) => read_table(&program_path, name, session.simulation())?,
+    };
     assign(&mut session, "forces", &configuration.forces, Session::force)?;
-    let target = Target::new(session, sources, play, retention);
+    let target = Target::new(session, sources, play, inputs, retention);
     Ok((target, notes))
 }
 
@@ -201,6 +95,14 @@ fn assign(
         give(session, &point, value).map_err(|refused| wrong(refused.message))?;
     }
     Ok(())
+}
+
+/// The table of inputs that the configuration names.
+fn read_table(program: &Path, name: &str, simulation: &Simulation) -> Result<Inputs, String> {
+    let file = inside(program, name, "inputs")?;
+    let located = file.locate().map_err(|error| format!("inputs: {error}"))?;
+    let text = ladder_workspace::read(&located).map_err(|error| format!("inputs: {error}"))?;
+    Inputs::parse(&shown::path(&located), &text, simulation).map_err(|error| format!("inputs: {error}"))
 }
 
 /// A path that the client gave: it must be whole, for nobody chose the folder that the adapter runs in.

@@ -17,15 +17,20 @@
 //! `docs/src/guide/debugging.md` is the page for people.
 
 mod adapter;
+mod breakpoint_places;
+mod breakpoint_requests;
 mod breakpoints;
 mod capabilities;
 mod condition;
+mod configuration;
 mod console;
 mod launch;
+mod marker;
 mod messages;
 mod play;
 mod running;
 mod serve;
+mod small_program;
 mod sources;
 mod stack;
 mod stepping;

@@ -8,7 +8,7 @@ use ladder_simulator::{Fault, Hit, Status, Stepped, Stop, value_text};
 use serde_json::{Value as Json, json};
 
 use super::adapter::{Adapter, Phase};
-use super::breakpoints::Verdict;
+use super::marker::Verdict;
 
 /// The filter of faults.
 pub(super) const FAULTS: &str = "faults";

@@ -7,7 +7,7 @@ use ladder_analysis::program::Location;
 use ladder_simulator::{Hit, StepBy, Stepped, Stop};
 
 use super::adapter::Adapter;
-use super::launch::BackBy;
+use super::configuration::BackBy;
 use super::messages::Granularity;
 use super::running::{After, Going, Stopped};
 

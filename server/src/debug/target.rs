@@ -4,7 +4,7 @@ use std::path::Path;
 use std::time::Instant;
 
 use ladder_analysis::program::Location;
-use ladder_simulator::{Activation, Instance, Routine, Session, Simulation, Stop};
+use ladder_simulator::{Activation, Inputs, Instance, Routine, Session, Simulation, Stop};
 use ladder_workspace::RetentiveFile;
 
 use super::play::Play;
@@ -18,6 +18,10 @@ pub(super) struct Target {
     /// Its files, in the order of the program model's.
     pub sources: Vec<Source>,
     pub play: Option<Play>,
+    /// What a table gives, scan by scan.
+    inputs: Inputs,
+    /// The scan for which the table gave its values last.
+    given_for: Option<u64>,
     retention: Option<RetentiveFile>,
 }
 
@@ -26,12 +30,15 @@ impl Target {
         session: Session,
         sources: Vec<Source>,
         play: Option<Play>,
+        inputs: Inputs,
         retention: Option<RetentiveFile>,
     ) -> Target {
         Target {
             session,
             sources,
             play,
+            inputs,
+            given_for: None,
             retention,
         }
     }
@@ -40,10 +47,27 @@ impl Target {
         self.session.simulation()
     }
 
-    /// Before a scan that is not open yet: what a scenario gives.
+    /// Before a scan that is not open yet: what a scenario and a table of inputs give.
     pub(super) fn give(&mut self) {
-        if let Some(play) = self.play.as_mut().filter(|_| !self.session.is_open()) {
+        if self.session.is_open() {
+            return;
+        }
+        if let Some(play) = &mut self.play {
             play.give(&mut self.session);
+        }
+        self.give_inputs();
+    }
+
+    /// What the table gives before a scan, unless the history gives it again.
+    fn give_inputs(&mut self) {
+        let scan = self.session.simulation().scans();
+        if self.session.scans_ahead() > 0 || self.given_for == Some(scan) {
+            return;
+        }
+        self.given_for = Some(scan);
+        for (point, value) in self.inputs.before(scan) {
+            // What could be refused was found when the table was read.
+            let _ = self.session.set(point, value);
         }
     }
 

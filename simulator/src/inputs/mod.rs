@@ -1,33 +1,39 @@
-//! `--inputs`: what the world outside gives to the program, scan by scan.
+//! What the world outside gives to the program, scan by scan, as a table in CSV says it.
 
-use super::table::Table;
-use crate::outcome::Failure;
+mod table;
+
+use crate::{Point, Simulation, value_text};
 use ladder_analysis::value::Value;
-use ladder_simulator::{Point, Simulation, value_text};
-use std::path::Path;
+use std::fmt;
+use table::Table;
+
+/// Why a table of inputs cannot be used: its file, the row and the column, and what is wrong there.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct InputsError(String);
+
+impl fmt::Display for InputsError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(&self.0)
+    }
+}
+
+impl std::error::Error for InputsError {}
 
 /// The assignments of a run. A cell of row k is one assignment before scan k, an empty cell none.
-pub(crate) struct Inputs {
+#[derive(Debug, Default)]
+pub struct Inputs {
     table: Table,
     /// The tag of each column.
     points: Vec<Point>,
 }
 
 impl Inputs {
-    /// No assignments.
-    pub(crate) fn none() -> Inputs {
-        Inputs {
-            table: Table::default(),
-            points: Vec::new(),
-        }
-    }
-
-    /// Reads them from a file.
+    /// Reads them from the text of a file, which messages call `file`.
     ///
     /// # Errors
-    /// The file cannot be read, a column names no tag that can be set, or a cell holds no value of its tag's type.
-    pub(crate) fn read(file: &Path, simulation: &Simulation) -> Result<Inputs, Failure> {
-        let table = Table::read(file)?;
+    /// It is no table, a column names no tag that can be set, or a cell holds no value of its tag's type.
+    pub fn parse(file: &str, text: &str, simulation: &Simulation) -> Result<Inputs, InputsError> {
+        let table = Table::parse(file, text)?;
         let points = table
             .names
             .iter()
@@ -39,14 +45,14 @@ impl Inputs {
                 Ok(point) => Ok(point),
                 Err(unknown) => Err(table.column_failure(column, &hint(name, unknown.to_string()))),
             })
-            .collect::<Result<Vec<Point>, Failure>>()?;
+            .collect::<Result<Vec<Point>, InputsError>>()?;
         let inputs = Inputs { table, points };
         inputs.check()?;
         Ok(inputs)
     }
 
     /// Every cell is looked at before the run, so that no run ends in the middle over a slip of the finger.
-    fn check(&self) -> Result<(), Failure> {
+    fn check(&self) -> Result<(), InputsError> {
         for row in 0..self.table.rows.len() {
             for (column, (cell, point)) in self.table.cells(row).zip(&self.points).enumerate() {
                 if !cell.is_empty()
@@ -60,8 +66,7 @@ impl Inputs {
     }
 
     /// Goes on with another program. A column whose tag that does not have, or has as another type, gives nothing.
-    #[cfg(feature = "screen")]
-    pub(crate) fn rebind(&mut self, simulation: &Simulation) {
+    pub fn rebind(&mut self, simulation: &Simulation) {
         for (point, name) in self.points.iter_mut().zip(&self.table.names) {
             if let Ok(found) = simulation.resolve(name)
                 && found.ty == point.ty
@@ -72,7 +77,7 @@ impl Inputs {
     }
 
     /// Makes the assignments that stand before a scan.
-    pub(crate) fn give(&self, scan: u64, simulation: &mut Simulation) {
+    pub fn give(&self, scan: u64, simulation: &mut Simulation) {
         for (point, value) in self.before(scan) {
             // What could be refused was found when the file was read.
             let _ = simulation.set(point, value);
@@ -80,7 +85,7 @@ impl Inputs {
     }
 
     /// The assignments that stand before a scan.
-    pub(crate) fn before(&self, scan: u64) -> impl Iterator<Item = (&Point, Value)> {
+    pub fn before(&self, scan: u64) -> impl Iterator<Item = (&Point, Value)> {
         let row = usize::try_from(scan)
             .ok()
             .filter(|row| *row < self.table.rows.len());

@@ -1,12 +1,11 @@
 //! A CSV file with a header: names, and rows of cells below them.
 
-use crate::outcome::Failure;
+use super::InputsError;
 use csv::{ErrorKind, ReaderBuilder, StringRecord, Trim};
 use ladder_syntax::{LineIndex, Name, TextSize};
-use std::path::Path;
 
 /// The file's content. Every row has as many cells as the header; rows count from 0.
-#[derive(Default)]
+#[derive(Debug, Default)]
 pub(super) struct Table {
     /// The file as it was named, for messages.
     pub(super) file: String,
@@ -17,6 +16,7 @@ pub(super) struct Table {
 }
 
 /// One row of cells.
+#[derive(Debug)]
 pub(super) struct Row {
     /// Its line in the file, from 1.
     line: u64,
@@ -24,16 +24,11 @@ pub(super) struct Row {
 }
 
 impl Table {
-    /// Reads the file.
+    /// Reads the text of a file.
     ///
     /// # Errors
-    /// It cannot be read, has no header, a name stands twice in the header, or a row has another number of cells.
-    pub(super) fn read(path: &Path) -> Result<Table, Failure> {
-        let text = ladder_workspace::read(path)?;
-        Table::parse(&path.display().to_string(), &text)
-    }
-
-    fn parse(file: &str, text: &str) -> Result<Table, Failure> {
+    /// It has no header, a name stands twice in the header, or a row has another number of cells.
+    pub(super) fn parse(file: &str, text: &str) -> Result<Table, InputsError> {
         let text = text.strip_prefix('\u{feff}').unwrap_or(text);
         let mut reader = ReaderBuilder::new()
             .has_headers(false)
@@ -75,7 +70,7 @@ impl Table {
         Ok(table)
     }
 
-    fn check_header(&self) -> Result<(), Failure> {
+    fn check_header(&self) -> Result<(), InputsError> {
         for (index, name) in self.names.iter().enumerate() {
             let column = index + 1;
             if name.is_empty() {
@@ -92,7 +87,7 @@ impl Table {
         Ok(())
     }
 
-    fn push(&mut self, line: u64, cells: StringRecord) -> Result<(), Failure> {
+    fn push(&mut self, line: u64, cells: StringRecord) -> Result<(), InputsError> {
         let (there, wanted) = (cells.len(), self.names.len());
         if there != wanted {
             let row = self.rows.len();
@@ -115,18 +110,18 @@ impl Table {
     }
 
     /// A failure that names the file.
-    pub(super) fn failure(&self, problem: &str) -> Failure {
-        Failure::new(format!("{}: {problem}", self.file))
+    pub(super) fn failure(&self, problem: &str) -> InputsError {
+        InputsError(format!("{}: {problem}", self.file))
     }
 
     /// A failure that names the file and a column of the header.
-    pub(super) fn column_failure(&self, column: usize, problem: &str) -> Failure {
+    pub(super) fn column_failure(&self, column: usize, problem: &str) -> InputsError {
         let name = &self.names[column];
         self.failure(&format!("header, column {} (`{name}`): {problem}", column + 1))
     }
 
     /// A failure that names the file, the row and the column of a cell.
-    pub(super) fn cell_failure(&self, row: usize, column: usize, problem: &str) -> Failure {
+    pub(super) fn cell_failure(&self, row: usize, column: usize, problem: &str) -> InputsError {
         let (line, name) = (self.rows[row].line, &self.names[column]);
         self.failure(&format!("row {row} (line {line}), column `{name}`: {problem}"))
     }

@@ -1,0 +1,137 @@
+//! The requests about breakpoints and exceptions.
+
+use std::io::Write;
+use std::path::Path;
+
+use serde_json::{Value as Json, json};
+
+use super::adapter::{Adapter, no_program};
+use super::breakpoint_places;
+use super::messages::{
+    BreakpointLocations, DataBreakpointInfo, SetBreakpoints, SetDataBreakpoints, SetExceptionBreakpoints,
+    SourceBreakpoint,
+};
+use super::running::{EXPECTATIONS, FAULTS};
+use super::variables;
+
+impl<W: Write> Adapter<W> {
+    /// Gives the engine the places where it is to stop.
+    pub(super) fn arm(&mut self) {
+        let Some(target) = &mut self.target else {
+            return;
+        };
+        if self.configuration.no_debug {
+            target.session.clear_breakpoints();
+        } else {
+            self.table.arm(target);
+        }
+    }
+
+    pub(super) fn set_breakpoints(&mut self, arguments: &SetBreakpoints) -> Result<Json, String> {
+        let of_line = |&line: &i64| SourceBreakpoint {
+            line,
+            ..SourceBreakpoint::default()
+        };
+        let wanted = match &arguments.breakpoints {
+            Some(breakpoints) => breakpoints.clone(),
+            None => arguments.lines.iter().map(of_line).collect(),
+        };
+        let target = self.target.as_ref().ok_or_else(no_program)?;
+        let path = arguments.source.path.as_deref().unwrap_or_default();
+        let Some(file) = target.file_of(Path::new(path)) else {
+            let told = wanted.iter().map(|wanted| {
+                json!({
+                    "verified": false, "line": wanted.line,
+                    "message": "the program that runs uses nothing of this file",
+                })
+            });
+            return Ok(json!({"breakpoints": told.collect::<Vec<_>>()}));
+        };
+        let told = self.table.set_in_file(target, file, wanted, self.counting);
+        self.arm();
+        Ok(json!({"breakpoints": told}))
+    }
+
+    pub(super) fn breakpoint_locations(&mut self, arguments: &BreakpointLocations) -> Result<Json, String> {
+        let counting = self.counting;
+        let target = self.target()?;
+        let path = arguments.source.path.as_deref().unwrap_or_default();
+        let Some(file) = target.file_of(Path::new(path)) else {
+            return Ok(json!({"breakpoints": []}));
+        };
+        let last = target.source(file).line_count();
+        let first = counting.line(arguments.line);
+        let end = arguments
+            .end_line
+            .map_or(first, |line| counting.line(line))
+            .min(last);
+        Ok(json!({"breakpoints": breakpoint_places::locations(target, file, first..=end, counting)}))
+    }
+
+    pub(super) fn data_breakpoint_info(&mut self, arguments: &DataBreakpointInfo) -> Result<Json, String> {
+        let point = match arguments.variables_reference.filter(|&reference| reference > 0) {
+            Some(reference) => {
+                let container = self.handles.get(reference)?;
+                variables::point_in(self.target()?, &container, &arguments.name)
+            }
+            None => self.target()?.scope(arguments.frame_id).resolve(&arguments.name),
+        };
+        Ok(match point {
+            Ok(point) => json!({
+                "dataId": point.name,
+                "description": format!("{} changes", point.name),
+                "accessTypes": ["write"],
+                "canPersist": true,
+            }),
+            Err(problem) => json!({"dataId": null, "description": problem}),
+        })
+    }
+
+    pub(super) fn set_data_breakpoints(&mut self, arguments: &SetDataBreakpoints) -> Result<Json, String> {
+        let target = self.target.as_ref().ok_or_else(no_program)?;
+        let told = self.table.set_data(target, arguments.breakpoints.clone());
+        self.arm();
+        Ok(json!({"breakpoints": told}))
+    }
+
+    pub(super) fn set_exception_breakpoints(
+        &mut self,
+        arguments: &SetExceptionBreakpoints,
+    ) -> Result<Json, String> {
+        let options = arguments
+            .filter_options
+            .iter()
+            .map(|option| option.filter_id.as_str());
+        let filters: Vec<&str> = arguments
+            .filters
+            .iter()
+            .map(String::as_str)
+            .chain(options)
+            .collect();
+        if let Some(unknown) = filters
+            .iter()
+            .find(|filter| ![FAULTS, EXPECTATIONS].contains(filter))
+        {
+            return Err(format!(
+                "there is no filter `{unknown}`: there are {FAULTS} and {EXPECTATIONS}"
+            ));
+        }
+        self.stops_at_faults = filters.contains(&FAULTS);
+        self.stops_at_expectations = filters.contains(&EXPECTATIONS);
+        Ok(Json::Null)
+    }
+
+    pub(super) fn exception_info(&mut self) -> Result<Json, String> {
+        let exception = self
+            .stopped
+            .as_ref()
+            .and_then(|stopped| Some((stopped.exception?, &stopped.description)));
+        let (kind, description) = exception.ok_or("the program did not stop for a fault")?;
+        let id = if kind == FAULTS {
+            "Fault"
+        } else {
+            "Expectation failed"
+        };
+        Ok(json!({"exceptionId": id, "description": description, "breakMode": "always"}))
+    }
+}

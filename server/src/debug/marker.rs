@@ -1,0 +1,181 @@
+//! One breakpoint with what is written beside it: its conditions and its log message.
+
+use std::collections::HashMap;
+
+use ladder_analysis::program::Location;
+use ladder_simulator::Breakpoint;
+
+use super::condition::{HitCondition, Piece, pieces};
+use super::messages::SourceBreakpoint;
+use super::target::Target;
+use super::watch::{Problem, Scope, Typed, Watch};
+
+/// An expression beside a breakpoint. In a body it means the tags of the place that runs, so it is compiled for each.
+#[derive(Debug)]
+struct Beside {
+    text: String,
+    compiled: HashMap<Option<String>, Watch>,
+}
+
+impl Beside {
+    /// Compiles it for the place where it will be asked, as far as that is known, to find its mistakes.
+    fn new(text: &str, target: &Target, location: Option<Location>) -> Result<Beside, Problem> {
+        let block = location.and_then(|location| body_of(target, location));
+        let simulation = target.simulation();
+        let instance = block.and_then(|block| simulation.instances().iter().find(|it| it.block == block));
+        let watch = Watch::new(text, Scope { simulation, instance })?;
+        Ok(Beside {
+            text: text.to_owned(),
+            compiled: HashMap::from([(instance.map(|instance| instance.name.clone()), watch)]),
+        })
+    }
+
+    /// The expression for the place that runs.
+    fn watch(&mut self, target: &Target) -> Result<&mut Watch, Problem> {
+        let scope = target.scope(None);
+        let place = scope.instance.map(|instance| instance.name.clone());
+        match self.compiled.entry(place) {
+            std::collections::hash_map::Entry::Occupied(known) => Ok(known.into_mut()),
+            std::collections::hash_map::Entry::Vacant(free) => {
+                Ok(free.insert(Watch::new(&self.text, scope)?))
+            }
+        }
+    }
+
+    fn watch_any(&mut self) -> Option<&mut Watch> {
+        self.compiled.values_mut().next()
+    }
+
+    fn holds(&mut self, target: &Target) -> Result<bool, Problem> {
+        self.watch(target)?.holds(target.simulation())
+    }
+
+    fn evaluate(&mut self, target: &Target) -> Result<Typed, Problem> {
+        self.watch(target)?.evaluate(target.simulation())
+    }
+}
+
+/// The user-defined block in whose body a place lies.
+fn body_of(target: &Target, location: Location) -> Option<usize> {
+    let program = target.simulation().program();
+    let is_around = |network: usize| {
+        let around = program.networks[network].location;
+        around.file == location.file && around.range.contains_range(location.range)
+    };
+    let mut blocks = program.blocks.iter();
+    blocks.position(|block| block.networks.clone().any(is_around))
+}
+
+#[derive(Debug)]
+enum LogPiece {
+    Text(String),
+    Expression(Beside),
+}
+
+/// A breakpoint with its conditions.
+#[derive(Debug)]
+pub(super) struct Marker {
+    /// The client's number of it.
+    pub id: i64,
+    pub breakpoint: Breakpoint,
+    condition: Option<Beside>,
+    hit_condition: Option<HitCondition>,
+    log: Option<Vec<LogPiece>>,
+    /// How often it was met.
+    hits: u64,
+}
+
+/// What a breakpoint that is met asks for.
+#[derive(Debug, PartialEq, Eq)]
+pub(super) enum Verdict {
+    /// To go on.
+    Pass,
+    /// To write this and go on.
+    Log(String),
+    /// To stop; with a remark if a condition cannot be evaluated.
+    Stop(Option<String>),
+}
+
+impl Marker {
+    pub(super) fn new(
+        id: i64,
+        breakpoint: Breakpoint,
+        target: &Target,
+        location: Option<Location>,
+        wanted: &SourceBreakpoint,
+    ) -> Result<Marker, Problem> {
+        let given = |text: &Option<String>| {
+            text.as_deref()
+                .map(str::trim)
+                .filter(|text| !text.is_empty())
+                .map(str::to_owned)
+        };
+        let condition = given(&wanted.condition).map(|text| {
+            let beside = Beside::new(&text, target, location);
+            beside.and_then(|mut beside| {
+                // A condition that is no BOOL is found now; a fault is for later.
+                let watch = beside.watch_any();
+                match watch.map(|watch| watch.evaluate(target.simulation())) {
+                    Some(Ok(Typed { ty, .. })) if ty != ladder_analysis::types::Scalar::Bool => Err(format!(
+                        "`{text}` is of type {ty}; a condition is TRUE or FALSE, as in {text} > 0"
+                    )),
+                    _ => Ok(beside),
+                }
+            })
+        });
+        let hit_condition = given(&wanted.hit_condition).map(|text| HitCondition::read(&text));
+        let log = given(&wanted.log_message).map(|message| {
+            let pieces = pieces(&message)?.into_iter().map(|piece| match piece {
+                Piece::Text(text) => Ok(LogPiece::Text(text)),
+                Piece::Expression(text) => Beside::new(&text, target, location).map(LogPiece::Expression),
+            });
+            pieces.collect::<Result<Vec<_>, Problem>>()
+        });
+        Ok(Marker {
+            id,
+            breakpoint,
+            condition: condition.transpose()?,
+            hit_condition: hit_condition.transpose()?,
+            log: log.transpose()?,
+            hits: 0,
+        })
+    }
+
+    /// What is to be done when it is met; `counts` if this is a hit of its own, not one that is met again.
+    pub(super) fn judge(&mut self, target: &Target, counts: bool) -> Verdict {
+        match self.condition.as_mut().map(|condition| condition.holds(target)) {
+            None | Some(Ok(true)) => {}
+            Some(Ok(false)) => return Verdict::Pass,
+            Some(Err(problem)) => {
+                return Verdict::Stop(Some(format!("the condition cannot be evaluated: {problem}")));
+            }
+        }
+        if counts {
+            self.hits += 1;
+            if self
+                .hit_condition
+                .is_some_and(|condition| !condition.holds(self.hits))
+            {
+                return Verdict::Pass;
+            }
+        }
+        let Some(pieces) = &mut self.log else {
+            return Verdict::Stop(None);
+        };
+        if !counts {
+            return Verdict::Pass;
+        }
+        let mut line = String::new();
+        for piece in pieces {
+            match piece {
+                LogPiece::Text(text) => line.push_str(text),
+                LogPiece::Expression(beside) => match beside.evaluate(target) {
+                    Ok(value) => line.push_str(&value.shown()),
+                    Err(problem) => line.push_str(&format!("<{problem}>")),
+                },
+            }
+        }
+        line.push('\n');
+        Verdict::Log(line)
+    }
+}
