@@ -1,19 +1,19 @@
 //! Arguments: what is given for each operand of a block.
 
 use super::Resolver;
+use super::compared::{Compared, compared_in_bool};
 use crate::constant::{natural_type, signed_literal};
 use crate::context::Callee;
 use crate::facts::{Node, NodeKind};
-use crate::mistakes::{bad_operand, duplicate_function, type_mismatch, unknown_function, unknown_label};
+use crate::mistakes::{bad_operand, type_mismatch};
 use crate::network::Formal;
 use crate::networks::BlockAt;
-use crate::program::{Argument, BinaryOperator, Bound, Expr, ExprKind, ParameterKind, Place};
+use crate::program::{Argument, BinaryOperator, Bound, Expr, ExprKind, Place};
 use crate::scope::Access;
-use crate::types::{Scalar, Type, common, converts, passes};
+use crate::types::{Scalar, Type, converts};
 use crate::value::Value;
 use ladder_instructions::{
-    Accepts, Arithmetic, Direction, Instruction, Op, Operand, Shape, StateType, States, Timing, Truth,
-    TypeClass,
+    Accepts, Direction, Instruction, Op, Operand, StateType, States, Timing, Truth, TypeClass,
 };
 use ladder_syntax::Name;
 
@@ -150,7 +150,7 @@ impl Resolver<'_, '_> {
     }
 
     /// As `place`, but a literal gets its own sentence.
-    fn place_or_say(&mut self, node: &Node) -> Option<(Place, Scalar)> {
+    pub(super) fn place_or_say(&mut self, node: &Node) -> Option<(Place, Scalar)> {
         if signed_literal(node).is_some() {
             self.report(bad_operand::literal_as_target(self.at(node.range)));
             return None;
@@ -183,83 +183,6 @@ impl Resolver<'_, '_> {
             return None;
         }
         Some(value)
-    }
-
-    /// Whether an instruction works in the type of its operands, not in that of its result.
-    fn is_of_operands(&self, op: Op) -> bool {
-        self.law().arithmetic == Arithmetic::OfOperands && op.is_plain_arithmetic()
-    }
-
-    /// An operand of such an instruction: any number, or a BOOL.
-    fn operand_number(&mut self, node: &Node) -> Option<Expr> {
-        let mut value = self.natural(node)?;
-        if let ExprKind::Constant(Value::Real(real)) = &mut value.kind
-            && value.ty == Scalar::Lreal
-            && Scalar::real_of(self.law()) == Scalar::Real
-        {
-            value.ty = Scalar::Real;
-            *real = f64::from(*real as f32);
-        }
-        if value.ty.is_number() || value.ty.is_bits() || value.ty == Scalar::Bool {
-            return Some(value);
-        }
-        self.report(type_mismatch::wrong(
-            value.range,
-            format!("a number is expected here, this is {}", value.ty),
-        ));
-        None
-    }
-
-    /// The type that the operands of a comparison agree in.
-    fn compared_type(&mut self, bound: BlockAt<'_>) -> Compared {
-        let nodes: Vec<&Node> = bound
-            .facts
-            .operands
-            .iter()
-            .zip(bound.formals.iter())
-            .filter(|(_, formal)| matches!(formal, Formal::Operand(o) if o.accepts == Accepts::Compared))
-            .map(|(operand, _)| &operand.value)
-            .collect();
-        if nodes.is_empty() {
-            return Compared::Not;
-        }
-        let mut typed: Vec<Scalar> = nodes.iter().filter_map(|node| self.own_type(node)).collect();
-        if self.law().truth == Truth::NotZero {
-            // A BOOL is a number there.
-            for ty in typed.iter_mut().filter(|ty| **ty == Scalar::Bool) {
-                *ty = Scalar::integer_of(self.law());
-            }
-        }
-        let Some((&first, rest)) = typed.split_first() else {
-            // Literals only.
-            let natural = |node: &&Node| match signed_literal(node) {
-                Some((Ok(literal), negative)) => natural_type(literal, negative),
-                _ => Scalar::Dint,
-            };
-            let all = nodes.iter().map(natural).reduce(|a, b| common(a, b).unwrap_or(a));
-            return Compared::In(all.unwrap_or(Scalar::Dint));
-        };
-        let has_real_literal = nodes.iter().any(|node| {
-            matches!(
-                signed_literal(node),
-                Some((Ok(crate::literal::Literal::Real(_)), _))
-            )
-        });
-        let mut ty = first;
-        for &other in rest {
-            match common(ty, other) {
-                Some(common) => ty = common,
-                None => {
-                    self.report(type_mismatch::cannot_compare(ty, other, bound.range()));
-                    return Compared::Not;
-                }
-            }
-        }
-        let mixed = typed.iter().any(|&t| t != ty);
-        if ty.is_integer() && mixed && !has_real_literal {
-            return Compared::ByValue;
-        }
-        Compared::In(ty)
     }
 
     /// The argument of an operand that asks for something of its own.
@@ -453,139 +376,6 @@ impl Resolver<'_, '_> {
             range,
         })
     }
-
-    fn label(&mut self, node: &Node) -> Option<Argument> {
-        let NodeKind::Name(name) = &node.kind else {
-            self.report(bad_operand::wrong(
-                self.at(node.range),
-                "a label's name is expected here",
-            ));
-            return None;
-        };
-        let key = Name::new(name);
-        match self.context.jump_target(self.network, &key) {
-            Some(target) => Some(Argument::Label(self.network_number(target))),
-            None if self.is_in_function_shape() => Some(Argument::OuterLabel(key)),
-            None => {
-                let diagnostic =
-                    unknown_label::unknown(self.context, self.network, name, self.at(node.range));
-                self.report(diagnostic);
-                None
-            }
-        }
-    }
-
-    /// Whether this is the body of a `<$B>`, which may jump to labels around the place where the block stands.
-    fn is_in_function_shape(&self) -> bool {
-        let block = self.scope.block.map(|block| &self.context.user_blocks[block]);
-        block.is_some_and(|block| block.shape == Shape::Function)
-    }
-
-    fn function(&mut self, node: &Node) -> Option<Argument> {
-        let NodeKind::Name(name) = &node.kind else {
-            self.report(bad_operand::wrong(
-                self.at(node.range),
-                "a function's name is expected here",
-            ));
-            return None;
-        };
-        if let Some(found) = self.several_functions(name, node) {
-            self.report(found);
-            return None;
-        }
-        match self.context.callee(&Name::new(name)) {
-            Some(callee) => Some(Argument::Function(self.function_number(&callee))),
-            None => {
-                let diagnostic = unknown_function::unknown(self.context, name, self.at(node.range));
-                self.report(diagnostic);
-                None
-            }
-        }
-    }
-
-    /// Says so if a function that the file does not have is one of several other files.
-    fn several_functions(&self, name: &str, node: &Node) -> Option<crate::diagnostic::Diagnostic> {
-        if self.context.function(&Name::new(name)).is_some() {
-            return None;
-        }
-        duplicate_function::of_several_files(self.context, name, self.at(node.range))
-    }
-
-    /// The arguments of a user-defined block, in the order of its parameters.
-    pub(super) fn user_arguments(&mut self, block: usize, bound: BlockAt<'_>) -> Vec<Bound> {
-        let context = self.context;
-        let facts = &context.user_blocks[block];
-        let mut arguments: Vec<Bound> = Vec::with_capacity(facts.parameters.len());
-        let mut given = vec![false; facts.parameters.len()];
-        for (written, formal) in bound.facts.operands.iter().zip(bound.formals.iter()) {
-            let Formal::Parameter(index) = *formal else {
-                continue;
-            };
-            // Given twice: the first one counts.
-            if std::mem::replace(&mut given[index], true) {
-                continue;
-            }
-            let parameter = &facts.parameters[index];
-            // One whose type cannot be read is a mistake of its own.
-            let Some(ty) = parameter.ty else { continue };
-            if let Some(argument) = self.user_argument(&written.value, ty, parameter.kind) {
-                let range = bound.absolute(written.range);
-                arguments.push(Bound {
-                    operand: None,
-                    parameter: Some(index),
-                    argument,
-                    range,
-                });
-            }
-        }
-        arguments.sort_by_key(|bound| bound.parameter);
-        arguments
-    }
-
-    fn user_argument(&mut self, node: &Node, ty: Type, kind: ParameterKind) -> Option<Argument> {
-        let range = self.at(node.range);
-        let Type::Scalar(scalar) = ty else {
-            // Arrays and states go as what they are, by reference.
-            let tag = self
-                .named_tag(node)
-                .filter(|&tag| self.tag_type(tag) == ty && kind == ParameterKind::InOut);
-            return match (tag, ty) {
-                (Some(tag), Type::Array { first, last, element }) => {
-                    let index = |n| Box::new(self.constant_expr(Value::Int(n), Scalar::Lint, node.range));
-                    let (tag, first, last) = (self.tag_id(tag), index(first), Some(index(last)));
-                    Some(Argument::Range(crate::program::RangeRef {
-                        tag,
-                        element,
-                        first,
-                        last,
-                    }))
-                }
-                (Some(tag), _) => Some(Argument::State(self.tag_id(tag))),
-                (None, _) => {
-                    let message =
-                        format!("a tag of type {ty} is expected here, for a VAR_IN_OUT of the block");
-                    self.report(type_mismatch::wrong(range, message));
-                    None
-                }
-            };
-        };
-        if kind == ParameterKind::Input {
-            return self.value(node, scalar).map(Argument::Value);
-        }
-        let (place, found) = self.place_or_say(node)?;
-        if !self.check_writable(&place, node, Access::Write) {
-            return None;
-        }
-        let fits = match kind {
-            ParameterKind::InOut => found == scalar,
-            _ => passes(scalar, found),
-        };
-        if !fits {
-            self.report(type_mismatch::does_not_pass(scalar, found, range));
-            return None;
-        }
-        Some(Argument::Place(place, found))
-    }
 }
 
 fn access(direction: Direction) -> Access {
@@ -594,21 +384,6 @@ fn access(direction: Direction) -> Access {
         Direction::Out => Access::Write,
         Direction::InOut => Access::ReadWrite,
     }
-}
-
-/// How the operands of a comparison agree.
-#[derive(Clone, Copy)]
-enum Compared {
-    /// In one type.
-    In(Scalar),
-    /// Integers of different types: by value.
-    ByValue,
-    /// There are none, or they do not agree.
-    Not,
-}
-
-fn compared_in_bool(compared: Compared) -> bool {
-    matches!(compared, Compared::In(Scalar::Bool))
 }
 
 fn search_operator(name: &str) -> Option<Op> {

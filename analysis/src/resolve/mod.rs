@@ -5,6 +5,8 @@
 //! errors.
 
 mod argument;
+mod callee;
+mod compared;
 mod expression;
 mod formula_type;
 pub(crate) mod numbers;
@@ -13,6 +15,7 @@ mod search;
 mod tags;
 mod times;
 mod unchanged;
+mod user_argument;
 
 pub use argument::in_class;
 pub use expression::is_function;

@@ -1,0 +1,106 @@
+//! The type that an instruction works in where its operands decide it.
+
+use super::Resolver;
+use crate::constant::{natural_type, signed_literal};
+use crate::facts::Node;
+use crate::mistakes::type_mismatch;
+use crate::network::Formal;
+use crate::networks::BlockAt;
+use crate::program::{Expr, ExprKind};
+use crate::types::{Scalar, common};
+use crate::value::Value;
+use ladder_instructions::{Accepts, Arithmetic, Op, Truth};
+
+/// How the operands of a comparison agree.
+#[derive(Clone, Copy)]
+pub(super) enum Compared {
+    /// In one type.
+    In(Scalar),
+    /// Integers of different types: by value.
+    ByValue,
+    /// There are none, or they do not agree.
+    Not,
+}
+
+pub(super) fn compared_in_bool(compared: Compared) -> bool {
+    matches!(compared, Compared::In(Scalar::Bool))
+}
+
+impl Resolver<'_, '_> {
+    /// Whether an instruction works in the type of its operands, not in that of its result.
+    pub(super) fn is_of_operands(&self, op: Op) -> bool {
+        self.law().arithmetic == Arithmetic::OfOperands && op.is_plain_arithmetic()
+    }
+
+    /// An operand of such an instruction: any number, or a BOOL.
+    pub(super) fn operand_number(&mut self, node: &Node) -> Option<Expr> {
+        let mut value = self.natural(node)?;
+        if let ExprKind::Constant(Value::Real(real)) = &mut value.kind
+            && value.ty == Scalar::Lreal
+            && Scalar::real_of(self.law()) == Scalar::Real
+        {
+            value.ty = Scalar::Real;
+            *real = f64::from(*real as f32);
+        }
+        if value.ty.is_number() || value.ty.is_bits() || value.ty == Scalar::Bool {
+            return Some(value);
+        }
+        self.report(type_mismatch::wrong(
+            value.range,
+            format!("a number is expected here, this is {}", value.ty),
+        ));
+        None
+    }
+
+    /// The type that the operands of a comparison agree in.
+    pub(super) fn compared_type(&mut self, bound: BlockAt<'_>) -> Compared {
+        let nodes: Vec<&Node> = bound
+            .facts
+            .operands
+            .iter()
+            .zip(bound.formals.iter())
+            .filter(|(_, formal)| matches!(formal, Formal::Operand(o) if o.accepts == Accepts::Compared))
+            .map(|(operand, _)| &operand.value)
+            .collect();
+        if nodes.is_empty() {
+            return Compared::Not;
+        }
+        let mut typed: Vec<Scalar> = nodes.iter().filter_map(|node| self.own_type(node)).collect();
+        if self.law().truth == Truth::NotZero {
+            // A BOOL is a number there.
+            for ty in typed.iter_mut().filter(|ty| **ty == Scalar::Bool) {
+                *ty = Scalar::integer_of(self.law());
+            }
+        }
+        let Some((&first, rest)) = typed.split_first() else {
+            // Literals only.
+            let natural = |node: &&Node| match signed_literal(node) {
+                Some((Ok(literal), negative)) => natural_type(literal, negative),
+                _ => Scalar::Dint,
+            };
+            let all = nodes.iter().map(natural).reduce(|a, b| common(a, b).unwrap_or(a));
+            return Compared::In(all.unwrap_or(Scalar::Dint));
+        };
+        let has_real_literal = nodes.iter().any(|node| {
+            matches!(
+                signed_literal(node),
+                Some((Ok(crate::literal::Literal::Real(_)), _))
+            )
+        });
+        let mut ty = first;
+        for &other in rest {
+            match common(ty, other) {
+                Some(common) => ty = common,
+                None => {
+                    self.report(type_mismatch::cannot_compare(ty, other, bound.range()));
+                    return Compared::Not;
+                }
+            }
+        }
+        let mixed = typed.iter().any(|&t| t != ty);
+        if ty.is_integer() && mixed && !has_real_literal {
+            return Compared::ByValue;
+        }
+        Compared::In(ty)
+    }
+}

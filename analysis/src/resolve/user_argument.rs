@@ -1,0 +1,89 @@
+//! Arguments of user-defined blocks.
+
+use super::Resolver;
+use crate::facts::Node;
+use crate::mistakes::type_mismatch;
+use crate::network::Formal;
+use crate::networks::BlockAt;
+use crate::program::{Argument, Bound, ParameterKind};
+use crate::scope::Access;
+use crate::types::{Scalar, Type, passes};
+use crate::value::Value;
+
+impl Resolver<'_, '_> {
+    /// The arguments of a user-defined block, in the order of its parameters.
+    pub(super) fn user_arguments(&mut self, block: usize, bound: BlockAt<'_>) -> Vec<Bound> {
+        let context = self.context;
+        let facts = &context.user_blocks[block];
+        let mut arguments: Vec<Bound> = Vec::with_capacity(facts.parameters.len());
+        let mut given = vec![false; facts.parameters.len()];
+        for (written, formal) in bound.facts.operands.iter().zip(bound.formals.iter()) {
+            let Formal::Parameter(index) = *formal else {
+                continue;
+            };
+            // Given twice: the first one counts.
+            if std::mem::replace(&mut given[index], true) {
+                continue;
+            }
+            let parameter = &facts.parameters[index];
+            // One whose type cannot be read is a mistake of its own.
+            let Some(ty) = parameter.ty else { continue };
+            if let Some(argument) = self.user_argument(&written.value, ty, parameter.kind) {
+                let range = bound.absolute(written.range);
+                arguments.push(Bound {
+                    operand: None,
+                    parameter: Some(index),
+                    argument,
+                    range,
+                });
+            }
+        }
+        arguments.sort_by_key(|bound| bound.parameter);
+        arguments
+    }
+
+    fn user_argument(&mut self, node: &Node, ty: Type, kind: ParameterKind) -> Option<Argument> {
+        let range = self.at(node.range);
+        let Type::Scalar(scalar) = ty else {
+            // Arrays and states go as what they are, by reference.
+            let tag = self
+                .named_tag(node)
+                .filter(|&tag| self.tag_type(tag) == ty && kind == ParameterKind::InOut);
+            return match (tag, ty) {
+                (Some(tag), Type::Array { first, last, element }) => {
+                    let index = |n| Box::new(self.constant_expr(Value::Int(n), Scalar::Lint, node.range));
+                    let (tag, first, last) = (self.tag_id(tag), index(first), Some(index(last)));
+                    Some(Argument::Range(crate::program::RangeRef {
+                        tag,
+                        element,
+                        first,
+                        last,
+                    }))
+                }
+                (Some(tag), _) => Some(Argument::State(self.tag_id(tag))),
+                (None, _) => {
+                    let message =
+                        format!("a tag of type {ty} is expected here, for a VAR_IN_OUT of the block");
+                    self.report(type_mismatch::wrong(range, message));
+                    None
+                }
+            };
+        };
+        if kind == ParameterKind::Input {
+            return self.value(node, scalar).map(Argument::Value);
+        }
+        let (place, found) = self.place_or_say(node)?;
+        if !self.check_writable(&place, node, Access::Write) {
+            return None;
+        }
+        let fits = match kind {
+            ParameterKind::InOut => found == scalar,
+            _ => passes(scalar, found),
+        };
+        if !fits {
+            self.report(type_mismatch::does_not_pass(scalar, found, range));
+            return None;
+        }
+        Some(Argument::Place(place, found))
+    }
+}
