@@ -40,8 +40,6 @@
 //! A new instruction is a row of the table in `ladder-instructions` and a line in `compile/mod.rs`, which does not
 //! compile without it.
 
-#![allow(dead_code, reason = "parts that further instructions take")]
-
 mod carry;
 pub mod chart;
 mod code;

@@ -218,14 +218,6 @@ impl Memory {
         }
     }
 
-    /// Writes a tag's text.
-    pub(crate) fn put_text<const FORCED: bool>(&mut self, slot: TextSlot, bytes: &[u8]) {
-        let at = slot.0 as usize;
-        if !FORCED || !self.held.texts[at] {
-            self.texts[at].set(bytes);
-        }
-    }
-
     /// Copies one text slot to another.
     pub(crate) fn copy_text<const FORCED: bool>(&mut self, to: TextSlot, from: TextSlot) {
         let (to, from) = (to.0 as usize, from.0 as usize);

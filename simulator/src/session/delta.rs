@@ -213,11 +213,6 @@ fn write_number(out: &mut Vec<u8>, mut number: u64) {
 pub(super) struct Bytes<'b>(pub(super) &'b [u8]);
 
 impl<'b> Bytes<'b> {
-    /// Whether nothing was written: not even that nothing differs.
-    pub(super) fn is_empty(&self) -> bool {
-        self.0.is_empty()
-    }
-
     fn number(&mut self) -> u64 {
         let mut number = 0;
         let mut shift = 0;
