@@ -180,7 +180,23 @@ fn folders_and_several_files() {
     .assert_eq(&run.to_string());
     assert_eq!(folder.names(), ["in", "out"]);
     assert!(folder.read("out/a.clad").contains("[ ]( I0 )"));
-    assert!(folder.read("out/b.clad").contains("[PID]<x>"));
+    assert!(folder.read("out/deep/b.clad").contains("[PID]<x>"));
+}
+
+#[test]
+fn what_is_found_in_folders_goes_to_the_same_folders() {
+    let folder = Folder::with(&[
+        ("in/a.rung", RUNG),
+        ("in/hall/a.rung", RUNG),
+        ("in/hall/wing/b.rung", RUNG),
+    ]);
+    let run = folder.ladder(&["convert", "in", "-o", "out"]);
+    assert_eq!(run.status, Some(0), "{run}");
+    for file in ["out/a.clad", "out/hall/a.clad", "out/hall/wing/b.clad"] {
+        assert!(folder.read(file).contains("Q0"), "{file}");
+    }
+    let run = folder.ladder(&["convert", "in/hall", "in", "-o", "other"]);
+    assert_eq!(run.status, Some(2), "{run}");
 }
 
 #[test]

@@ -4,7 +4,7 @@ use crate::form::{self, Form};
 use crate::outcome::{Failure, Outcome};
 use ladder_interchange::notation::{NOTATIONS, has_extension};
 use ladder_workspace::{find_files, is_program, read_bytes, shown};
-use std::collections::{HashMap, HashSet};
+use std::collections::{BTreeSet, HashMap, HashSet};
 use std::path::{Path, PathBuf};
 
 /// One program to translate.
@@ -55,7 +55,15 @@ pub(super) fn jobs(
     let named: HashSet<&Path> = inputs.iter().map(PathBuf::as_path).collect();
     for input in files {
         let is_named = named.contains(input.as_path());
-        match job(&input, is_named, output, several, from, to) {
+        let folder = output.map(|output| output.join(folders_below(inputs, &input)));
+        match job(
+            &input,
+            is_named,
+            output,
+            folder.as_deref().filter(|_| several),
+            from,
+            to,
+        ) {
             Ok(None) => {}
             Ok(Some(job)) => {
                 if let Some(output) = &job.output
@@ -82,15 +90,30 @@ pub(super) fn jobs(
             "there is no program to convert; name a file, or its notation with --from",
         ));
     }
-    if several && let Some(folder) = output.filter(|_| !jobs.is_empty()) {
-        std::fs::create_dir_all(folder).map_err(|error| {
-            Failure::new(format!(
-                "{}: the folder cannot be made: {error}",
-                shown::path(folder)
-            ))
-        })?;
+    if several && output.is_some() {
+        let folders = jobs.iter().filter_map(|job| job.output.as_ref()?.parent());
+        let folders: BTreeSet<&Path> = folders.collect();
+        for folder in folders {
+            make_folder(folder)?;
+        }
     }
     Ok((jobs, outcome))
+}
+
+fn make_folder(folder: &Path) -> Result<(), Failure> {
+    std::fs::create_dir_all(folder).map_err(|error| {
+        Failure::new(format!(
+            "{}: the folder cannot be made: {error}",
+            shown::path(folder)
+        ))
+    })
+}
+
+/// The folders between one that was searched and a file that was found in it, so that the output has the same.
+fn folders_below<'p>(inputs: &[PathBuf], file: &'p Path) -> &'p Path {
+    let found = inputs.iter().filter_map(|input| file.strip_prefix(input).ok());
+    let nearest = found.min_by_key(|below| below.components().count());
+    nearest.and_then(Path::parent).unwrap_or(Path::new(""))
 }
 
 /// What was found in a folder beside a program, and belongs to it, is read with that.
@@ -112,12 +135,12 @@ fn without_companions(jobs: &mut Vec<Job>, named: &HashSet<&Path>) {
     jobs.retain(|_| whole.next() == Some(true));
 }
 
-/// The job for a file. None: it was found in a folder under a name that others use too, and is no program.
+/// The job for a file; `folder` is where it goes if it is one of several. None: it was found in a folder under a name that others use too, and is no program.
 fn job(
     input: &Path,
     is_named: bool,
     output: Option<&Path>,
-    several: bool,
+    folder: Option<&Path>,
     from: Option<Form>,
     to: Option<Form>,
 ) -> Result<Option<Job>, Failure> {
@@ -131,7 +154,7 @@ fn job(
             shown::path(input)
         )));
     };
-    let by_name = || output.filter(|_| !several).and_then(form::by_extension);
+    let by_name = || output.filter(|_| folder.is_none()).and_then(form::by_extension);
     let Some(to) = to
         .or_else(by_name)
         .or((!from.is_ladder()).then_some(Form::Ladder))
@@ -142,14 +165,14 @@ fn job(
         )));
     };
     let output = output.filter(|output| *output != Path::new("-")).map(|output| {
-        if !several && !output.is_dir() {
+        if folder.is_none() && !output.is_dir() {
             return output.to_owned();
         }
         // A stem may have dots of its own.
         let mut name = input.file_stem().unwrap_or_default().to_owned();
         name.push(".");
         name.push(to.extension());
-        output.join(name)
+        folder.unwrap_or(output).join(name)
     });
     Ok(Some(Job {
         input: input.to_owned(),
