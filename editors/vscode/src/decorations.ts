@@ -23,7 +23,7 @@ const powered = { color: new vscode.ThemeColor('ladder.powerOn') };
  * The lines of a text in bands: of each look every band has a kind of decoration of its own. The editor draws all lines
  * again that have decorations of a kind when one of them changes, and this way these are few.
  */
-const BAND_LINES = 6;
+const BAND_LINES = 1000;
 const BANDS = 10;
 
 function bandOf(line: number): number {
@@ -36,10 +36,13 @@ function banded(options: vscode.DecorationRenderOptions): readonly vscode.TextEd
 
 // Weight and line beside the colours, so that all is seen without colours too: what has power is bold, a contact that
 // lets it through is underlined, one that does not is neither. Bold letters are as wide as others in a fixed font.
+// The weight is in the style sheet beside the line: a decoration that names a weight itself makes the editor take the letters
+// for such of many widths, and measure each of them on the page whenever it is drawn.
+const BOLD = 'font-weight: bold';
 const looks: Readonly<Record<Look, readonly vscode.TextEditorDecorationType[]>> = {
-    on: banded({ ...powered, fontWeight: 'bold' }),
+    on: banded({ ...powered, textDecoration: `none; ${BOLD}` }),
     off: banded({ color: new vscode.ThemeColor('ladder.powerOff') }),
-    closedOn: banded({ ...powered, fontWeight: 'bold', textDecoration: 'underline' }),
+    closedOn: banded({ ...powered, textDecoration: `underline; ${BOLD}` }),
     closed: banded({ ...powered, textDecoration: 'underline' }),
     blocks: banded({ color: new vscode.ThemeColor('ladder.blocks') }),
 };

@@ -11,6 +11,11 @@ import { Session, type Speed } from './session.ts';
 /** So many lines above and below an editor's part of the text are kept ready for scrolling. */
 const MARGIN = 5;
 
+/** An editor that keeps up takes a state in less, in milliseconds. */
+const FRAME = 33;
+/** In milliseconds. */
+const LONGEST_REST = 250;
+
 export class Simulation implements vscode.Disposable {
     readonly #sessions = new Map<string, Session>();
     readonly #context = new Map<string, boolean>();
@@ -263,13 +268,30 @@ export class Simulation implements vscode.Disposable {
                     session.seen = state.commands ?? 0;
                     this.#show(session, state);
                 } finally {
-                    this.#server.hasShown(session.id);
+                    void this.#hasShown(session);
                     if (state.delta !== true) {
                         // Other lines of the new text may be in sight.
                         this.look();
                     }
                 }
             }
+        }
+    }
+
+    /**
+     * The server sends the next state when the editor has taken this one: what is drawn waits in front of a command that
+     * does nothing. An editor that is slow with it gets as much time again, for keys and the pointer.
+     */
+    async #hasShown(session: Session): Promise<void> {
+        const began = Date.now();
+        try {
+            await vscode.commands.executeCommand('noop');
+            const taken = Date.now() - began;
+            if (taken > FRAME) {
+                await new Promise((resolve) => setTimeout(resolve, Math.min(taken, LONGEST_REST)));
+            }
+        } finally {
+            this.#server.hasShown(session.id);
         }
     }
 

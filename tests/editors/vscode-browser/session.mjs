@@ -218,6 +218,16 @@ async function traceTags(page) {
         }
         assert.equal(await traceRow('start').locator('td.now').textContent(), '1');
     });
+    await step('what the trace has drawn stays on the page, and is changed where it is another', async () => {
+        const line = traceRow('start').locator('.line');
+        await line.evaluate((path) => {
+            path.isKept = true;
+            window.before = path.getAttribute('d');
+        });
+        await page.keyboard.press('F10');
+        await until('another drawing', 5, () => line.evaluate((path) => path.getAttribute('d') !== window.before));
+        assert.ok(await line.evaluate((path) => path.isKept === true), 'it was drawn anew');
+    });
     await step('a tag is added from the Tags view, and drawn over a scale', async () => {
         await row(page, 'warmup.ET').hover();
         await row(page, 'warmup.ET').locator('.codicon-pulse').click();

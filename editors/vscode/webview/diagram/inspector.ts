@@ -50,7 +50,9 @@ export class Inspector {
         if (this.#title.textContent !== title) {
             this.#title.textContent = title;
         }
-        this.#node.hidden = title === '';
+        if (this.#node.hidden !== (title === '')) {
+            this.#node.hidden = title === '';
+        }
         const names = new Set(tags.map(({ name, type, readOnly }) => `${name} ${type} ${readOnly}`));
         for (const [name, { node }] of this.#rows) {
             if (!names.has(name)) {

@@ -1,7 +1,8 @@
 // The page of the trace: what it shows, and what keys and the pointer do. What is drawn comes from the server.
 import type { FromPage, Situation, ToPage, Traced, TraceAsked } from '../../src/trace/messages.ts';
 import { Columns, edge } from './columns.ts';
-import { across, letters, Row, setText, type Sheet, svg, toX } from './rows.ts';
+import { across, letters, Row, type Sheet, toX } from './rows.ts';
+import { draw as drawShapes, put, setText, shape } from './shapes.ts';
 import { BEGINNING, EVERYTHING, follows, panned, type ScanWindow, showing, zoomed } from './scanWindow.ts';
 
 interface Kept {
@@ -27,7 +28,9 @@ const vscode = acquireVsCodeApi();
 const find = <Kind extends HTMLElement>(id: string) => document.getElementById(id) as Kind;
 const [trace, table, rowsElement, axisCell] = [find('trace'), find('table'), find('rows'), find('axis')];
 const [place, measure, said, notice] = [find('place'), find('measure'), find('said'), find('notice')];
-const axis = svg('svg', { 'aria-hidden': 'true', height: AXIS });
+const axis = document.createElementNS('http://www.w3.org/2000/svg', 'svg');
+axis.setAttribute('aria-hidden', 'true');
+axis.setAttribute('height', String(AXIS));
 axisCell.append(axis);
 
 const columns = new Columns();
@@ -79,13 +82,16 @@ function take(message: ToPage): void {
     switch (message.kind) {
         case 'situation': {
             const isOther = message.situation.session !== situation.session;
+            const isArranged = !isOther && message.situation.tags.join('\n') === situation.tags.join('\n');
             situation = message.situation;
             if (isOther) {
                 columns.forget();
                 traced = undefined;
                 isAsking = false;
             }
-            arrange();
+            if (!isArranged) {
+                arrange();
+            }
             ask();
             return;
         }
@@ -158,8 +164,11 @@ function draw(): void {
     const told = cursors.flatMap((scan, index) => (scan === undefined ? [] : [letters[index] ?? '']));
     const difference = traced.cursors?.difference === undefined ? [] : [`B − A ${traced.cursors.difference}`];
     setText(measure, [...told.map((letter, index) => `${letter} ${times[index] ?? ''}`), ...difference].join('   '));
-    find('follow').setAttribute('aria-pressed', String(follows(shown)));
-    find<HTMLButtonElement>('clear').disabled = cursorsSet().length === 0;
+    put(find('follow'), 'aria-pressed', String(follows(shown)));
+    const clear = find<HTMLButtonElement>('clear');
+    if (clear.disabled !== (cursorsSet().length === 0)) {
+        clear.disabled = !clear.disabled;
+    }
 }
 
 function milliseconds(time: number): string {
@@ -168,30 +177,30 @@ function milliseconds(time: number): string {
 
 function drawAxis(sheet: Sheet): void {
     const { traced, width } = sheet;
-    axis.setAttribute('width', String(width));
+    put(axis, 'width', width);
     const ticks = traced.ticks.flatMap(({ at, text }) => {
         const x = toX(sheet, at);
         const anchor = x < 24 ? 'start' : x > width - 24 ? 'end' : 'middle';
         return [
-            svg('line', { class: 'grid', x1: x, x2: x, y1: AXIS - 6, y2: AXIS }),
-            svg('text', { class: 'tick', x, y: 11, 'text-anchor': anchor }, text),
+            shape('line', { class: 'grid', x1: x, x2: x, y1: AXIS - 6, y2: AXIS }),
+            shape('text', { class: 'tick', x, y: 11, 'text-anchor': anchor }, text),
         ];
     });
     // A click leads only to what is kept.
     const from = Math.max(toX(sheet, Math.max(traced.reach.first, 1)), 0);
     const to = Math.min(toX(sheet, traced.reach.last + 1), width);
-    const kept = svg('line', { class: 'kept', x1: from, x2: Math.max(from, to), y1: AXIS - 1, y2: AXIS - 1 });
+    const kept = shape('line', { class: 'kept', x1: from, x2: Math.max(from, to), y1: AXIS - 1, y2: AXIS - 1 });
     const flags = cursors.flatMap((scan, index) => {
         const x = scan === undefined ? -1 : toX(sheet, scan + 0.5);
         if (x < 0 || x > width) {
             return [];
         }
         return [
-            svg('rect', { class: `flag ${letters[index]}`, x: x - 7, y: 0, width: 14, height: 15, rx: 2 }),
-            svg('text', { class: 'letter', x, y: 12, 'text-anchor': 'middle' }, letters[index]),
+            shape('rect', { class: `flag ${letters[index]}`, x: x - 7, y: 0, width: 14, height: 15, rx: 2 }),
+            shape('text', { class: 'letter', x, y: 12, 'text-anchor': 'middle' }, letters[index]),
         ];
     });
-    axis.replaceChildren(...ticks, ...across(sheet, AXIS), kept, ...flags);
+    drawShapes(axis, [...ticks, ...across(sheet, AXIS), kept, ...flags]);
 }
 
 /** The scan at a place on the page. */
@@ -403,4 +412,5 @@ window.addEventListener('message', ({ data }: MessageEvent<ToPage>) => {
         afterAnswer = undefined;
     }
 });
+arrange();
 send({ kind: 'ready' });

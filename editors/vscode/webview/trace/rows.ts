@@ -1,6 +1,7 @@
 // The rows of the trace: for each tag its name, its value, its picture, and its values at the cursors.
 import type { Column, Traced, TraceTag } from '../../src/trace/messages.ts';
 import { bitPaths, numberPath, scaleOf, words } from './paths.ts';
+import { draw, put, setText, type Shape, shape } from './shapes.ts';
 
 /** In pixels. */
 const HEIGHTS = { bit: 30, number: 64, text: 30, unknown: 30 } as const;
@@ -26,35 +27,20 @@ export function toX({ traced: { first, last }, width }: Sheet, scan: number): nu
     return ((scan - first) / (last - first + 1)) * width;
 }
 
-export function svg<Name extends keyof SVGElementTagNameMap>(
-    name: Name,
-    attributes: Record<string, string | number>,
-    text?: string,
-): SVGElementTagNameMap[Name] {
-    const element = document.createElementNS('http://www.w3.org/2000/svg', name);
-    for (const [key, value] of Object.entries(attributes)) {
-        element.setAttribute(key, String(value));
-    }
-    if (text !== undefined) {
-        element.textContent = text;
-    }
-    return element;
-}
-
 /** The lines that go through all rows: what was stepped back from, where the simulation is, and the cursors. */
-export function across(sheet: Sheet, height: number): SVGElement[] {
+export function across(sheet: Sheet, height: number): Shape[] {
     const { traced, cursors, width } = sheet;
-    const marks: SVGElement[] = [];
+    const marks: Shape[] = [];
     const from = Math.max(toX(sheet, traced.here + 1), 0);
     const to = Math.min(toX(sheet, traced.newest + 1), width);
     if (traced.here < traced.newest && to > from) {
-        marks.push(svg('rect', { class: 'ahead', x: from, y: 0, width: to - from, height }));
+        marks.push(shape('rect', { class: 'ahead', x: from, y: 0, width: to - from, height }));
     }
     const line = (name: string, scan: number) => {
         // In the middle of the scan, where there is room for one.
         const x = toX(sheet, scan + 0.5);
         if (x >= 0 && x <= width) {
-            marks.push(svg('line', { class: name, x1: x, x2: x, y1: 0, y2: height }));
+            marks.push(shape('line', { class: name, x1: x, x2: x, y1: 0, y2: height }));
         }
     };
     line('here', traced.here);
@@ -66,7 +52,7 @@ export class Row {
     readonly element = document.createElement('tr');
     readonly name: string;
     readonly #now = document.createElement('td');
-    readonly #picture = svg('svg', { role: 'img' });
+    readonly #picture = document.createElementNS('http://www.w3.org/2000/svg', 'svg');
     readonly #readings = letters.map(() => document.createElement('td'));
     readonly #difference = document.createElement('td');
 
@@ -87,6 +73,7 @@ export class Row {
         head.addEventListener('mousedown', () => events.select(name));
         const wave = document.createElement('td');
         wave.className = 'wave';
+        this.#picture.setAttribute('role', 'img');
         wave.append(this.#picture);
         this.#now.className = 'now';
         this.#readings.forEach((cell, index) => (cell.className = `reading ${letters[index]}`));
@@ -105,15 +92,15 @@ export class Row {
     }
 
     draw(tag: TraceTag, columns: readonly Column[], sheet: Sheet): void {
-        this.element.className = this.element.classList.contains('selected') ? `selected ${tag.kind}` : tag.kind;
+        put(this.element, 'class', this.element.classList.contains('selected') ? `selected ${tag.kind}` : tag.kind);
         setText(this.#now, tag.kind === 'unknown' ? 'no such tag' : (tag.now ?? ''));
         this.#readings.forEach((cell, index) => setText(cell, this.#reading(tag, sheet, index)));
         setText(this.#difference, tag.difference ?? '');
         const height = HEIGHTS[tag.kind];
-        this.#picture.setAttribute('width', String(sheet.width));
-        this.#picture.setAttribute('height', String(height));
-        this.#picture.setAttribute('aria-label', `Waveform of ${tag.name}${tag.type ? `, ${tag.type}` : ''}`);
-        this.#picture.replaceChildren(...wave(tag, columns, sheet, height), ...across(sheet, height));
+        put(this.#picture, 'width', sheet.width);
+        put(this.#picture, 'height', height);
+        put(this.#picture, 'aria-label', `Waveform of ${tag.name}${tag.type ? `, ${tag.type}` : ''}`);
+        draw(this.#picture, [...wave(tag, columns, sheet, height), ...across(sheet, height)]);
     }
 
     #reading(tag: TraceTag, { cursors }: Sheet, index: number): string {
@@ -123,13 +110,7 @@ export class Row {
     }
 }
 
-export function setText(element: Element, text: string): void {
-    if (element.textContent !== text) {
-        element.textContent = text;
-    }
-}
-
-function wave(tag: TraceTag, columns: readonly Column[], sheet: Sheet, height: number): SVGElement[] {
+function wave(tag: TraceTag, columns: readonly Column[], sheet: Sheet, height: number): Shape[] {
     const { traced, width } = sheet;
     const [top, bottom] = [MARGIN, height - MARGIN];
     const columnToX = (column: number) => toX(sheet, Math.max(column * traced.per, tag.oldest ?? 0));
@@ -138,9 +119,9 @@ function wave(tag: TraceTag, columns: readonly Column[], sheet: Sheet, height: n
         case 'bit': {
             const paths = bitPaths(columns, columnToX, end, top, bottom);
             return [
-                svg('path', { class: 'high', d: paths.high }),
-                svg('path', { class: 'busy', d: paths.busy }),
-                svg('path', { class: 'line', d: paths.line }),
+                shape('path', { class: 'high', d: paths.high }),
+                shape('path', { class: 'busy', d: paths.busy }),
+                shape('path', { class: 'line', d: paths.line }),
             ];
         }
         case 'number': {
@@ -148,19 +129,19 @@ function wave(tag: TraceTag, columns: readonly Column[], sheet: Sheet, height: n
             const scale = (tag.ticks ?? []).flatMap(({ at, text }) => {
                 const y = toY(at);
                 return [
-                    svg('line', { class: 'grid', x1: 0, x2: width, y1: y, y2: y }),
-                    svg('text', { class: 'tick', x: 3, y: Math.max(y - 2, 10) }, text),
+                    shape('line', { class: 'grid', x1: 0, x2: width, y1: y, y2: y }),
+                    shape('text', { class: 'tick', x: 3, y: Math.max(y - 2, 10) }, text),
                 ];
             });
-            return [...scale, svg('path', { class: 'line', d: numberPath(columns, columnToX, end, toY) })];
+            return [...scale, shape('path', { class: 'line', d: numberPath(columns, columnToX, end, toY) })];
         }
         case 'text':
             return words(columns, columnToX, end).flatMap(({ from, to, text }) => {
                 const room = Math.floor((to - from - 8) / LETTER);
-                const box = svg('rect', { class: 'band', x: from, y: top, width: to - from, height: bottom - top });
-                box.append(svg('title', {}, text));
+                const place = { class: 'band', x: from, y: top, width: to - from, height: bottom - top };
+                const box: Shape = { name: 'rect', attributes: place, title: text };
                 const shown = text.length <= room ? text : room > 2 ? `${text.slice(0, room - 1)}…` : '';
-                return [box, svg('text', { class: 'word', x: from + 4, y: bottom - 4 }, shown)];
+                return [box, shape('text', { class: 'word', x: from + 4, y: bottom - 4 }, shown)];
             });
         default:
             return [];
