@@ -1,12 +1,15 @@
 // Scenarios in the Test Explorer: run, debugged, run again when files change, with what they exercise.
 import { execFile } from 'node:child_process';
 import { homedir } from 'node:os';
-import { isAbsolute, join } from 'node:path';
 
 import * as vscode from 'vscode';
 
+import { textOf, whole } from './diskText.ts';
+import { CoveredFile, details } from './scenarioCoverage.ts';
+import { debugOne } from './scenarioDebugging.ts';
 import { scenariosOf } from './scenarioFile.ts';
-import { failingStretches, missing, unitsBefore, type Covered, type FileResult, type Results, type ScenarioResult, type Stretch } from './scenarioResults.ts';
+import { report } from './scenarioReport.ts';
+import { failingStretches, type FileResult, type Results, type Stretch } from './scenarioResults.ts';
 import type { Server } from './server.ts';
 
 const PATTERN = '**/*.ladder-test';
@@ -15,29 +18,7 @@ const WATCHED = '**/{*.ladder-test,*.clad,ladder.toml}';
 /** So much may be said of a file. */
 const MOST_OUTPUT = 64 << 20;
 
-/** Coverage with what it was made of. */
-class CoveredFile extends vscode.FileCoverage {
-    readonly covered: Covered;
-
-    constructor(uri: vscode.Uri, covered: Covered) {
-        const reached = covered.rungs.filter(({ scans }) => scans > 0).length;
-        const ways = covered.parts.map(missing);
-        super(
-            uri,
-            new vscode.TestCoverageCount(reached, covered.rungs.length),
-            new vscode.TestCoverageCount(2 * ways.length - ways.flat().length, 2 * ways.length),
-        );
-        this.covered = covered;
-    }
-}
-
 const toRange = ({ line, start, end }: Stretch) => new vscode.Range(line, start, line, end);
-
-/** The text of a file as the editor has it, else as it is on disk. */
-async function textOf(uri: vscode.Uri): Promise<string> {
-    const open = vscode.workspace.textDocuments.find((document) => document.uri.toString() === uri.toString());
-    return open?.getText() ?? new TextDecoder().decode(await vscode.workspace.fs.readFile(uri));
-}
 
 export class TestExplorer implements vscode.Disposable {
     readonly #server: Server;
@@ -236,7 +217,7 @@ export class TestExplorer implements vscode.Disposable {
             return;
         }
         const lines = (await textOf(file.uri)).split(/\r\n|\n|\r/);
-        this.#tell(file.uri, result, lines);
+        this.#showDifferences(file.uri, result, lines);
         for (const item of items) {
             const scenario = result.scenarios.find(({ name }) => name === item.id);
             report(run, item, scenario, result, lines);
@@ -247,7 +228,7 @@ export class TestExplorer implements vscode.Disposable {
     }
 
     /** The columns that differ, as findings in their file. */
-    #tell(uri: vscode.Uri, { scenarios }: FileResult, lines: readonly string[]): void {
+    #showDifferences(uri: vscode.Uri, { scenarios }: FileResult, lines: readonly string[]): void {
         const findings = scenarios.flatMap(({ name, differences }) =>
             differences.flatMap((difference) =>
                 failingStretches(lines[difference.line - 1] ?? '', difference).map((stretch) => {
@@ -286,11 +267,6 @@ export class TestExplorer implements vscode.Disposable {
     }
 }
 
-/** A path as the program says it: it runs in the home folder, and names what lies below that from there on. */
-function whole(path: string): string {
-    return isAbsolute(path) ? path : join(homedir(), path);
-}
-
 function execute(program: string, args: readonly string[], token: vscode.CancellationToken): Promise<{ stdout: string; stderr: string }> {
     return new Promise((resolve) => {
         // Not in the folder that is open, where Windows would look for libraries.
@@ -299,113 +275,4 @@ function execute(program: string, args: readonly string[], token: vscode.Cancell
         });
         token.onCancellationRequested(() => child.kill());
     });
-}
-
-/** What came of one scenario. */
-function report(
-    run: vscode.TestRun,
-    item: vscode.TestItem,
-    scenario: ScenarioResult | undefined,
-    { mistakes }: FileResult,
-    lines: readonly string[],
-): void {
-    if (!scenario) {
-        const messages = mistakes.map(({ file, line, column, message }) => {
-            const told = new vscode.TestMessage(message);
-            told.location = new vscode.Location(vscode.Uri.file(whole(file)), new vscode.Position(line - 1, column - 1));
-            return told;
-        });
-        run.errored(item, messages.length > 0 ? messages : new vscode.TestMessage('The file has no such scenario any more.'));
-        return;
-    }
-    const duration = scenario.seconds * 1000;
-    if (scenario.passed) {
-        run.passed(item, duration);
-        return;
-    }
-    const [first, ...others] = scenario.differences;
-    // The first line stands beside the row, too; the drawing has it at its end.
-    const sentence = first?.message ?? 'A fault stopped the program.';
-    const drawn = new vscode.TestMessage(new vscode.MarkdownString(`${sentence}\n\n\`\`\`text\n${scenario.diagram ?? ''}\n\`\`\``));
-    const at = (line: number, column: number) =>
-        item.uri && new vscode.Location(item.uri, new vscode.Position(line - 1, unitsBefore(lines[line - 1] ?? '', column)));
-    const place = first ? at(first.line, first.column) : item.uri && item.range && new vscode.Location(item.uri, item.range.start);
-    if (place) {
-        drawn.location = place;
-    }
-    const rest = others.map(({ line, column, message }) => {
-        const told = new vscode.TestMessage(message);
-        const there = at(line, column);
-        if (there) {
-            told.location = there;
-        }
-        return told;
-    });
-    const faults = scenario.faults.map(({ file, line, scan, message }) => {
-        const told = new vscode.TestMessage(`fault in scan ${scan}: ${message}`);
-        told.location = new vscode.Location(vscode.Uri.file(whole(file)), new vscode.Position(line - 1, 0));
-        return told;
-    });
-    for (const line of (scenario.diagram ?? '').split('\n')) {
-        run.appendOutput(`${line}\r\n`, undefined, item);
-    }
-    run.failed(item, [drawn, ...rest, ...faults], duration);
-}
-
-/** What was reached, line by line, with the contacts and coils that were not seen both ways. */
-async function details({ uri, covered }: CoveredFile): Promise<vscode.StatementCoverage[]> {
-    const lines = (await textOf(uri)).split(/\r\n|\n|\r/);
-    return covered.rungs.map(({ line, scans }) => {
-        const text = lines[line - 1] ?? '';
-        const parts = covered.parts.filter((part) => part.line === line);
-        const branches = parts.flatMap((part) => {
-            const start = new vscode.Position(line - 1, unitsBefore(text, part.column));
-            const ways = part.kind === 'coil' ? ['on', 'off'] : ['closed', 'open'];
-            const gone = missing(part);
-            return ways.map((way) => new vscode.BranchCoverage(!gone.includes(way), start, `${part.kind} ${way}`));
-        });
-        return new vscode.StatementCoverage(scans, new vscode.Range(line - 1, 0, line - 1, text.length), branches);
-    });
-}
-
-/** Debugs one scenario. @returns its exit status; none if it was ended before */
-async function debugOne(file: vscode.Uri, scenario: string, token: vscode.CancellationToken): Promise<number | undefined> {
-    let status: number | undefined;
-    let session: vscode.DebugSession | undefined;
-    const name = `Scenario "${scenario}"`;
-    const tracker = vscode.debug.registerDebugAdapterTrackerFactory('ladder', {
-        createDebugAdapterTracker(started) {
-            if (started.name !== name) {
-                return undefined;
-            }
-            session = started;
-            return {
-                onDidSendMessage(message: { event?: string; body?: { exitCode?: number } }) {
-                    if (message.event === 'exited') {
-                        status = message.body?.exitCode;
-                    }
-                },
-            };
-        },
-    });
-    try {
-        const ended = new Promise<void>((resolve) => {
-            const listener = vscode.debug.onDidTerminateDebugSession((over) => {
-                if (over === session) {
-                    listener.dispose();
-                    resolve();
-                }
-            });
-        });
-        const folder = vscode.workspace.getWorkspaceFolder(file);
-        const configuration = { type: 'ladder', request: 'launch', name, scenarioFile: file.fsPath, scenario };
-        if (!(await vscode.debug.startDebugging(folder, configuration))) {
-            return undefined;
-        }
-        token.onCancellationRequested(() => void vscode.debug.stopDebugging(session));
-        await ended;
-        return status;
-    } finally {
-        tracker.dispose();
-    }
 }

@@ -1,0 +1,37 @@
+// What scenarios exercise, drawn beside the networks.
+import * as vscode from 'vscode';
+
+import { textOf } from './diskText.ts';
+import { missing, unitsBefore, type Covered } from './scenarioResults.ts';
+
+/** Coverage with what it was made of. */
+export class CoveredFile extends vscode.FileCoverage {
+    readonly covered: Covered;
+
+    constructor(uri: vscode.Uri, covered: Covered) {
+        const reached = covered.rungs.filter(({ scans }) => scans > 0).length;
+        const ways = covered.parts.map(missing);
+        super(
+            uri,
+            new vscode.TestCoverageCount(reached, covered.rungs.length),
+            new vscode.TestCoverageCount(2 * ways.length - ways.flat().length, 2 * ways.length),
+        );
+        this.covered = covered;
+    }
+}
+
+/** What was reached, line by line, with the contacts and coils that were not seen both ways. */
+export async function details({ uri, covered }: CoveredFile): Promise<vscode.StatementCoverage[]> {
+    const lines = (await textOf(uri)).split(/\r\n|\n|\r/);
+    return covered.rungs.map(({ line, scans }) => {
+        const text = lines[line - 1] ?? '';
+        const parts = covered.parts.filter((part) => part.line === line);
+        const branches = parts.flatMap((part) => {
+            const start = new vscode.Position(line - 1, unitsBefore(text, part.column));
+            const ways = part.kind === 'coil' ? ['on', 'off'] : ['closed', 'open'];
+            const gone = missing(part);
+            return ways.map((way) => new vscode.BranchCoverage(!gone.includes(way), start, `${part.kind} ${way}`));
+        });
+        return new vscode.StatementCoverage(scans, new vscode.Range(line - 1, 0, line - 1, text.length), branches);
+    });
+}

@@ -1,0 +1,56 @@
+// What came of a scenario, as a message of the Test Explorer.
+import * as vscode from 'vscode';
+
+import { whole } from './diskText.ts';
+import { unitsBefore, type FileResult, type ScenarioResult } from './scenarioResults.ts';
+
+/** What came of one scenario. */
+export function report(
+    run: vscode.TestRun,
+    item: vscode.TestItem,
+    scenario: ScenarioResult | undefined,
+    { mistakes }: FileResult,
+    lines: readonly string[],
+): void {
+    if (!scenario) {
+        const messages = mistakes.map(({ file, line, column, message }) => {
+            const told = new vscode.TestMessage(message);
+            told.location = new vscode.Location(vscode.Uri.file(whole(file)), new vscode.Position(line - 1, column - 1));
+            return told;
+        });
+        run.errored(item, messages.length > 0 ? messages : new vscode.TestMessage('The file has no such scenario any more.'));
+        return;
+    }
+    const duration = scenario.seconds * 1000;
+    if (scenario.passed) {
+        run.passed(item, duration);
+        return;
+    }
+    const [first, ...others] = scenario.differences;
+    // The first line stands beside the row, too; the drawing has it at its end.
+    const sentence = first?.message ?? 'A fault stopped the program.';
+    const drawn = new vscode.TestMessage(new vscode.MarkdownString(`${sentence}\n\n\`\`\`text\n${scenario.diagram ?? ''}\n\`\`\``));
+    const at = (line: number, column: number) =>
+        item.uri && new vscode.Location(item.uri, new vscode.Position(line - 1, unitsBefore(lines[line - 1] ?? '', column)));
+    const place = first ? at(first.line, first.column) : item.uri && item.range && new vscode.Location(item.uri, item.range.start);
+    if (place) {
+        drawn.location = place;
+    }
+    const rest = others.map(({ line, column, message }) => {
+        const told = new vscode.TestMessage(message);
+        const there = at(line, column);
+        if (there) {
+            told.location = there;
+        }
+        return told;
+    });
+    const faults = scenario.faults.map(({ file, line, scan, message }) => {
+        const told = new vscode.TestMessage(`fault in scan ${scan}: ${message}`);
+        told.location = new vscode.Location(vscode.Uri.file(whole(file)), new vscode.Position(line - 1, 0));
+        return told;
+    });
+    for (const line of (scenario.diagram ?? '').split('\n')) {
+        run.appendOutput(`${line}\r\n`, undefined, item);
+    }
+    run.failed(item, [drawn, ...rest, ...faults], duration);
+}
