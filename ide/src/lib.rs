@@ -25,6 +25,7 @@ mod outline;
 mod refactor;
 mod references;
 mod rename;
+mod scenario;
 mod selection;
 mod semantic_tokens;
 mod signature;
@@ -53,6 +54,11 @@ pub use refactor::{Action, ActionKind, fix_all, quick_fixes, refactorings};
 pub use refactor::{Redraw, Redrawn, redraw};
 pub use references::{Reference, references};
 pub use rename::{Renamable, RenameRefused, Renamed, prepare_rename, rename};
+pub use scenario::{
+    SCENARIO_TRIGGERS, ScenarioPart, Scenarios, prepare_scenario_rename, rename_in_scenario,
+    scenario_completions, scenario_definition, scenario_highlights, scenario_hover, scenario_layout,
+    scenario_on_type, scenario_outline, scenario_references,
+};
 pub use selection::selections;
 pub use semantic_tokens::{Modifiers, Token, TokenKind, semantic_tokens};
 pub use signature::{Parameter, Signature, SignatureHelp, signature_help};

@@ -1,7 +1,9 @@
 //! Every place of a thing in the workspace, with reads and writes distinguished.
 
 use crate::neighbour::Workspace;
-use crate::symbol::{Found, Usage, everywhere, find};
+use crate::rename::hides_in;
+use crate::scenario;
+use crate::symbol::{Found, Symbol, Usage, everywhere, find};
 use ladder_analysis::context::Context;
 use ladder_syntax::{TextRange, TextSize};
 use std::sync::Arc;
@@ -17,13 +19,40 @@ pub struct Reference {
     pub usage: Usage,
 }
 
-/// The places of what stands at an offset: those of the file first. Definitions and declarations are among them.
+/// The places of what stands at an offset: those of the file first, those in scenarios last. Definitions and
+/// declarations are among them.
 pub fn references(context: &Context, offset: TextSize, workspace: &dyn Workspace) -> Vec<Reference> {
     let Some(Found { symbol, .. }) = find(context, offset) else {
         return Vec::new();
     };
+    of_symbol(context, &symbol, workspace)
+}
+
+/// The places of a symbol, in programs and in scenarios.
+pub(crate) fn of_symbol(context: &Context, symbol: &Symbol, workspace: &dyn Workspace) -> Vec<Reference> {
+    let mut references = in_programs(context, symbol, workspace);
+    if !matches!(
+        symbol,
+        Symbol::Tag { scope: 0, .. } | Symbol::Global(_) | Symbol::Address(_)
+    ) {
+        return references;
+    }
+    let hides = |program: &str| hides_in(context, symbol, program, workspace);
+    for file in workspace.scenarios() {
+        let found = scenario::places(symbol, &file, &hides).into_iter();
+        references.extend(found.map(|(range, usage)| Reference {
+            file: Arc::clone(&file.name),
+            range,
+            usage,
+        }));
+    }
+    references
+}
+
+/// The places of a symbol in programs.
+pub(crate) fn in_programs(context: &Context, symbol: &Symbol, workspace: &dyn Workspace) -> Vec<Reference> {
     let mut references = Vec::new();
-    for (file, places) in everywhere(context, &symbol, workspace) {
+    for (file, places) in everywhere(context, symbol, workspace) {
         references.extend(places.into_iter().map(|place| Reference {
             file: Arc::clone(&file),
             range: place.range,

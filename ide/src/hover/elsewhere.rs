@@ -1,8 +1,8 @@
 //! What other files of the workspace do with the thing under the pointer.
 
 use crate::neighbour::Workspace;
-use crate::references::references;
-use crate::symbol::Usage;
+use crate::references::in_programs;
+use crate::symbol::{Found, Usage, find};
 use ladder_analysis::context::Context;
 use ladder_syntax::TextSize;
 use std::collections::BTreeMap;
@@ -17,7 +17,8 @@ pub fn used_elsewhere(context: &Context, offset: TextSize, workspace: &dyn Works
         return None;
     }
     let mut files: BTreeMap<Arc<str>, [usize; 3]> = BTreeMap::new();
-    for reference in references(context, offset, workspace) {
+    let Found { symbol, .. } = find(context, offset)?;
+    for reference in in_programs(context, &symbol, workspace) {
         if reference.file == context.name || reference.usage.declares() {
             continue;
         }

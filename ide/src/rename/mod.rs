@@ -81,13 +81,30 @@ pub fn rename(
 ) -> Result<Vec<Renamed>, RenameRefused> {
     let own = context;
     let Some(Found { symbol, range }) = find(own, offset) else {
-        return Err(RenameRefused("there is nothing to rename here".to_owned()));
+        return Err(no_name());
     };
-    fixed(own, &symbol)?;
     no_address(context, range)?;
-    let new = spelling::checked(&symbol, new)?;
+    rename_symbol(context, &symbol, new, workspace, options)
+}
+
+/// Nothing has a name there.
+pub(crate) fn no_name() -> RenameRefused {
+    RenameRefused("there is nothing to rename here".to_owned())
+}
+
+/// The edits that give a symbol of a file another name.
+pub(crate) fn rename_symbol(
+    context: &Context,
+    symbol: &Symbol,
+    new: &str,
+    workspace: &dyn Workspace,
+    options: &Options,
+) -> Result<Vec<Renamed>, RenameRefused> {
+    let own = context;
+    fixed(own, symbol)?;
+    let new = spelling::checked(symbol, new)?;
     // All places of all that must go by one name.
-    let symbols = labels::together(own, &symbol, workspace);
+    let symbols = labels::together(own, symbol, workspace);
     let key = Name::new(&new);
     if symbol.name() != Some(&key) {
         for symbol in &symbols {
@@ -122,21 +139,24 @@ pub fn rename(
         if edits.is_empty() {
             continue;
         }
-        same_type(file, &symbol, &text, &edits, &new)?;
+        same_type(file, symbol, &text, &edits, &new)?;
         renamed.push(Renamed {
             file: Arc::clone(&file.name),
             edits: layout::laid_out(&file.parse, &text, &edits, options),
         });
     }
-    let hides = |program: &str| {
-        let hides = |file: &Context| symbol.name().is_some_and(|name| hides(file, &symbol, name));
-        if own.is_called(program) {
-            return hides(own);
-        }
-        workspace.file(program).is_some_and(|it| hides(&it))
-    };
-    renamed.extend(scenarios::renamed(&symbol, &new, workspace, &hides));
+    let hides = |program: &str| hides_in(own, symbol, program, workspace);
+    renamed.extend(scenarios::renamed(symbol, &new, workspace, &hides));
     Ok(renamed)
+}
+
+/// Whether a program has a tag of its own by a symbol's name.
+pub(crate) fn hides_in(own: &Context, symbol: &Symbol, program: &str, workspace: &dyn Workspace) -> bool {
+    let hides = |file: &Context| symbol.name().is_some_and(|name| hides(file, symbol, name));
+    if own.is_called(program) {
+        return hides(own);
+    }
+    workspace.file(program).is_some_and(|it| hides(&it))
 }
 
 /// Whether a file has a tag of its own by a symbol's name.
@@ -176,7 +196,7 @@ fn fixed(file: &Context, symbol: &Symbol) -> Result<(), RenameRefused> {
         Symbol::Global(_) | Symbol::Label { .. } | Symbol::Function { .. } | Symbol::Block { .. } => {
             return Ok(());
         }
-        Symbol::Address(name) => is_address(name.as_str()),
+        Symbol::Address(name) => return Err(is_address(name.as_str())),
         Symbol::Member { .. } => {
             "the members of a timer, counter or bistable, and the bits of a tag, keep their names".to_owned()
         }
@@ -190,16 +210,17 @@ fn fixed(file: &Context, symbol: &Symbol) -> Result<(), RenameRefused> {
 fn no_address(context: &Context, range: TextRange) -> Result<(), RenameRefused> {
     let written = text_of(&context.parse, range);
     if written.starts_with('%') {
-        return Err(RenameRefused(is_address(&written)));
+        return Err(is_address(&written));
     }
     Ok(())
 }
 
-fn is_address(written: &str) -> String {
-    format!(
+/// A direct address is no name that anybody chose.
+pub(crate) fn is_address(written: &str) -> RenameRefused {
+    RenameRefused(format!(
         "`{}` is a direct address: it says where the signal is. Declare a tag with AT to give it a name",
         written.to_uppercase()
-    )
+    ))
 }
 
 /// The type of an undeclared tag may follow from its name, and must not become another one.

@@ -2,10 +2,11 @@
 
 use super::Renamed;
 use crate::neighbour::{ScenarioFile, Workspace};
+use crate::scenario::name_in;
 use crate::symbol::Symbol;
 use ladder_format::{Edit, display_width};
 use ladder_simulator::scenario::{Row, parse};
-use ladder_syntax::{Name, TextRange, TextSize};
+use ladder_syntax::{TextRange, TextSize};
 use std::sync::Arc;
 
 /// The edits of all files of scenarios. `hides` says whether a program has a tag of its own by the name of a
@@ -42,7 +43,7 @@ fn of_file(symbol: &Symbol, new: &str, file: &ScenarioFile, hides: &dyn Fn(&str)
         let names: Vec<Option<TextRange>> = scenario
             .rows
             .iter()
-            .map(|row| name_in(row, symbol, program, &file.text))
+            .map(|row| name_in(row, symbol, program))
             .collect();
         if names.iter().all(Option::is_none) {
             continue;
@@ -77,31 +78,6 @@ fn of_file(symbol: &Symbol, new: &str, file: &ScenarioFile, hides: &dyn Fn(&str)
     }
     edits.sort_by_key(|edit| edit.range.start());
     edits
-}
-
-/// Where a row names the tag: `run`, `t1.ET`, `a[3]`; a tag of a file that the program only uses with the file's
-/// name before it.
-fn name_in(row: &Row, symbol: &Symbol, program: &str, text: &str) -> Option<TextRange> {
-    let old = symbol.name()?;
-    let written = text.get(std::ops::Range::from(row.range))?;
-    let start = row.range.start();
-    let word = |from: usize| {
-        let rest = &written[from..];
-        let end = rest
-            .find(|c: char| c.is_whitespace() || matches!(c, '.' | '['))
-            .unwrap_or(rest.len());
-        (Name::new(&rest[..end]) == *old)
-            .then(|| TextRange::at(start + TextSize::new(from as u32), TextSize::new(end as u32)))
-    };
-    match symbol {
-        Symbol::Tag { file, .. } if **file != *program => {
-            let stem = file.rsplit('/').next()?.trim_end_matches(".clad");
-            let prefix = written.get(..stem.len())?;
-            let is_prefix = Name::new(prefix) == Name::new(stem) && written[stem.len()..].starts_with('.');
-            is_prefix.then(|| word(stem.len() + 1)).flatten()
-        }
-        _ => word(0),
-    }
 }
 
 /// The blanks between a row's name and what follows.

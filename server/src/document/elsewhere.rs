@@ -4,6 +4,7 @@
 //! read the disk and analyse texts: for a blocking thread.
 
 use std::cell::{Cell, OnceCell};
+use std::collections::HashSet;
 use std::path::PathBuf;
 use std::sync::{Arc, OnceLock};
 
@@ -17,7 +18,7 @@ use ropey::Rope;
 use super::neighbours::OnDisk;
 use super::position::{self, Range};
 use super::positions::Positions;
-use super::{Documents, Revision, address};
+use super::{Documents, Kind, Revision, address};
 use crate::cancel::Cancel;
 
 /// The files of a document's workspace, the document itself among them. They are looked for when they are first asked
@@ -134,13 +135,22 @@ impl Elsewhere {
     fn find_scenarios(&self) -> Option<Vec<Scenarios>> {
         let place = self.own.place()?;
         let folder = place.neighbours.folder_of(&place.path);
-        let (paths, _) = ladder_workspace::find_scenarios(&[folder]);
+        let (mut paths, _) = ladder_workspace::find_scenarios(&[folder]);
         let open: Vec<_> = self
             .companions
             .all()
             .into_iter()
+            .filter(|revision| revision.kind() == Kind::Scenarios)
             .filter_map(|revision| Some((address::path_of(&revision.uri)?, revision)))
             .collect();
+        // What a person has open counts, even where the workspace passes over it.
+        let known: HashSet<&PathBuf> = paths.iter().collect();
+        let more = open
+            .iter()
+            .map(|(path, _)| path)
+            .filter(|path| !known.contains(path));
+        let more: Vec<PathBuf> = more.cloned().collect();
+        paths.extend(more);
         let mut found = Vec::new();
         for path in paths {
             if !place.neighbours.together(&place.path, &path) {
@@ -190,7 +200,7 @@ impl Elsewhere {
         if let Some(revision) = open {
             return Some(FileText {
                 uri: revision.uri.to_string(),
-                revision: Some(Arc::clone(revision)),
+                revision: Some(Arc::clone(revision)).filter(|revision| revision.is_open()),
                 rope: revision.rope().clone(),
                 encoding: self.own.encoding(),
                 asked: Cell::default(),
@@ -259,7 +269,6 @@ impl Workspace for Elsewhere {
 
 #[cfg(test)]
 mod tests {
-    use super::super::Kind;
     use super::super::neighbours::{Membership, Neighbours};
     use super::super::position::Encoding;
     use super::*;

@@ -147,6 +147,11 @@ impl Revision {
         }))
     }
 
+    /// Whether an editor shows it.
+    pub(crate) const fn is_open(&self) -> bool {
+        self.opening > 0
+    }
+
     /// What the text is.
     pub(crate) fn kind(&self) -> Kind {
         self.kind

@@ -31,6 +31,7 @@ pub use play::Unmet;
 pub use record::{Recorded, record, recorded_file};
 pub use run::{Difference, Ran, run};
 pub use tolerance::Tolerance;
+pub use words::{Line as TextLine, Word};
 
 /// A mistake in a scenario file.
 #[derive(Debug, Clone, PartialEq, Eq)]

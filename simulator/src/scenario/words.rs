@@ -5,19 +5,23 @@ use ladder_syntax::{TextRange, TextSize};
 
 /// A word and where it stands.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) struct Word<'t> {
-    pub(super) text: &'t str,
-    pub(super) start: usize,
+pub struct Word<'t> {
+    /// As it is written.
+    pub text: &'t str,
+    /// Where it begins, in bytes.
+    pub start: usize,
     /// A text or name whose closing quote is missing.
-    pub(super) unclosed: bool,
+    pub unclosed: bool,
 }
 
 impl Word<'_> {
-    pub(super) fn end(&self) -> usize {
+    /// Where it ends, in bytes.
+    pub fn end(&self) -> usize {
         self.start + self.text.len()
     }
 
-    pub(super) fn range(&self) -> TextRange {
+    /// Where it stands.
+    pub fn range(&self) -> TextRange {
         range(self.start, self.end())
     }
 }
@@ -28,22 +32,22 @@ pub(super) fn range(start: usize, end: usize) -> TextRange {
 
 /// A line of a scenario file, read into words.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub(super) struct Line<'t> {
+pub struct Line<'t> {
     /// Where it begins, in bytes.
-    pub(super) start: usize,
+    pub start: usize,
     /// What it says, without its end.
-    pub(super) text: &'t str,
+    pub text: &'t str,
     /// LF, CRLF or a lone CR; nothing behind the last line.
-    pub(super) end: &'t str,
+    pub end: &'t str,
     /// Its words up to the comment.
-    pub(super) words: Vec<Word<'t>>,
+    pub words: Vec<Word<'t>>,
     /// Where the comment begins, in bytes of the line.
-    pub(super) comment: Option<usize>,
+    pub comment: Option<usize>,
 }
 
 impl<'t> Line<'t> {
     /// Reads a line that begins at `start`.
-    pub(super) fn read(text: &'t str, end: &'t str, start: usize) -> Line<'t> {
+    pub fn read(text: &'t str, end: &'t str, start: usize) -> Line<'t> {
         let (words, comment) = words(text, start);
         Line {
             start,
@@ -55,7 +59,7 @@ impl<'t> Line<'t> {
     }
 
     /// The comment with its `#`, if there is one.
-    pub(super) fn comment(&self) -> Option<&'t str> {
+    pub fn comment(&self) -> Option<&'t str> {
         Some(self.text[self.comment?..].trim_end())
     }
 }

@@ -1,18 +1,21 @@
 //! `textDocument/completion` and `completionItem/resolve`.
 
+use std::path::Path;
 use std::sync::Arc;
 
 use ladder_ide::{Completion, CompletionKind, Profile, Topic};
 use ladder_syntax::{TextRange, TextSize};
+use ladder_workspace::is_program;
 use serde_json::{Value, json};
 use tower_lsp::jsonrpc::Result;
 use tower_lsp::ls_types::{
     ClientCapabilities, Command, CompletionItem, CompletionItemKind, CompletionList, CompletionOptions,
     CompletionParams, CompletionResponse, CompletionTextEdit, Documentation, InsertTextFormat,
-    InsertTextMode, TextEdit,
+    InsertTextMode, Position, TextEdit,
 };
 
 use super::code_lens::names_command;
+use super::of_scenarios::{about_scenarios, scenarios_at};
 use crate::document::Revision;
 use crate::language::Names;
 use crate::lsp::transport::{blocking::blocking, prepared};
@@ -20,6 +23,9 @@ use crate::lsp::{capabilities::Agreed, convert, markup, shared::Shared};
 
 /// The characters that open a list by themselves. Which of them do so in which place is for `ladder-ide` to say.
 const TRIGGERS: [&str; 8] = ["[", "(", "<", ".", "$", "%", ",", ":"];
+
+/// So many files of a folder are looked at.
+const MOST_FILES: usize = 10_000;
 
 /// Cuts what stood behind the cursor and belongs to what was accepted: the text, and what stands behind it on its line.
 const CUT: &str = "ladder.completion.cut";
@@ -44,12 +50,15 @@ pub(crate) async fn completion(
     params: CompletionParams,
 ) -> Result<Option<CompletionResponse>> {
     let place = params.text_document_position;
-    let Some(revision) = shared.documents.get(place.text_document.uri.as_str()) else {
-        return Ok(None);
-    };
     let trigger = params.context.and_then(|context| context.trigger_character);
     let trigger = trigger.and_then(|trigger| trigger.chars().next());
     let agreed = shared.agreed();
+    if let Some(revision) = scenarios_at(shared, &place.text_document.uri) {
+        return in_scenarios(shared, revision, place.position, trigger).await;
+    }
+    let Some(revision) = shared.documents.get(place.text_document.uri.as_str()) else {
+        return Ok(None);
+    };
     let list = blocking(move |_| {
         let names = revision.names()?;
         let offset = revision.offset(convert::our_position(place.position));
@@ -62,7 +71,7 @@ pub(crate) async fn completion(
                 .flatten();
             CompletionItem {
                 documentation,
-                ..proposal(agreed, (&revision, names), offset, index, item)
+                ..proposal(agreed, (&revision, names.text()), offset, index, item)
             }
         });
         serde_json::to_string(&CompletionList {
@@ -77,9 +86,61 @@ pub(crate) async fn completion(
     }
 }
 
+/// As for a program, but that tags are documented at once: they are those of another file.
+async fn in_scenarios(
+    shared: &Arc<Shared>,
+    revision: Arc<Revision>,
+    position: Position,
+    trigger: Option<char>,
+) -> Result<Option<CompletionResponse>> {
+    let agreed = shared.agreed();
+    about_scenarios(shared, revision, move |asked| {
+        let offset = asked.offset(position);
+        let programs = programs_beside(&asked.revision);
+        let found = ladder_ide::scenario_completions(&asked.read(), offset, &programs, trigger);
+        let items = found.items.into_iter().enumerate().map(|(index, item)| {
+            let documentation = match (&item.topic, &asked.program) {
+                (Topic::Words(words), _) => Some(markup::documentation(
+                    agreed.completion_markdown,
+                    (*words).to_owned(),
+                )),
+                (topic, Some(program)) => program
+                    .revision
+                    .names()
+                    .and_then(|names| card(agreed, &program.revision, names, topic)),
+                _ => None,
+            };
+            CompletionItem {
+                documentation,
+                data: None,
+                ..proposal(agreed, (&asked.revision, asked.text()), offset, index, item)
+            }
+        });
+        Some(CompletionResponse::List(CompletionList {
+            is_incomplete: found.cut,
+            items: items.collect(),
+        }))
+    })
+    .await
+}
+
+/// The programs in the folder of a scenario file, by name.
+fn programs_beside(revision: &Revision) -> Vec<String> {
+    let folder = revision.place().and_then(|place| place.path.parent());
+    let Some(entries) = folder.and_then(|folder| std::fs::read_dir(folder).ok()) else {
+        return Vec::new();
+    };
+    let names = entries
+        .take(MOST_FILES)
+        .filter_map(|entry| entry.ok()?.file_name().into_string().ok());
+    let mut programs: Vec<String> = names.filter(|name| is_program(Path::new(name))).collect();
+    programs.sort_unstable();
+    programs
+}
+
 fn proposal(
     agreed: Agreed,
-    (revision, names): (&Revision, &Names),
+    (revision, text): (&Revision, &str),
     cursor: TextSize,
     index: usize,
     item: Completion,
@@ -102,7 +163,7 @@ fn proposal(
         command: cut.then(|| Command {
             title: "Take the place of what stands behind".to_owned(),
             command: CUT.to_owned(),
-            arguments: Some(vec![what_to_cut(names.text(), behind)]),
+            arguments: Some(vec![what_to_cut(text, behind)]),
         }),
         kind: Some(kind(item.kind)),
         detail: Some(item.detail).filter(|detail| !detail.is_empty()),

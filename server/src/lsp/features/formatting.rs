@@ -10,11 +10,12 @@ use tower_lsp::ls_types::{
     TextDocumentIdentifier, TextEdit, Uri,
 };
 
-use crate::document::Revision;
+use super::of_scenarios::scenarios_at;
+use crate::document::{Kind, Revision};
 use crate::lsp::transport::blocking::blocking;
 use crate::lsp::{convert, shared::Shared};
 use ladder_format::{Edit, format_ranges};
-use ladder_ide::on_type;
+use ladder_ide::{on_type, scenario_layout, scenario_on_type};
 use ladder_syntax::TextRange;
 
 /// The parameters of `textDocument/rangesFormatting`, which the protocol has since 3.18. Layout has no use for the
@@ -30,7 +31,13 @@ pub(crate) async fn formatting(
     shared: &Arc<Shared>,
     params: DocumentFormattingParams,
 ) -> Result<Option<Vec<TextEdit>>> {
-    current(shared, &params.text_document.uri, Revision::format).await
+    current(shared, &params.text_document.uri, |revision| {
+        match revision.kind() {
+            Kind::Scenarios => Some(scenario_layout(&revision.text())),
+            _ => revision.format(),
+        }
+    })
+    .await
 }
 
 pub(crate) async fn range_formatting(
@@ -58,14 +65,28 @@ pub(crate) async fn on_type_formatting(
         return Ok(None);
     };
     current(shared, &place.text_document.uri, move |revision| {
-        let context = revision.names()?.context();
         let offset = revision.offset(convert::our_position(place.position));
+        if revision.kind() == Kind::Scenarios {
+            return Some(scenario_on_type(&revision.text(), offset, typed));
+        }
+        let context = revision.names()?.context();
         Some(on_type(context, offset, typed, &revision.format_options()))
     })
     .await
 }
 
 fn in_ranges(revision: &Revision, ranges: Vec<Range>) -> Option<Vec<Edit>> {
+    if revision.kind() == Kind::Scenarios {
+        // Columns reach beyond what is selected: the lines that are touched go where all of them would.
+        let mut edits = scenario_layout(&revision.text());
+        let lines: Vec<_> = ranges.iter().map(|it| it.start.line..=it.end.line).collect();
+        edits.retain(|edit| {
+            let line = revision.line_of(edit.range.start());
+            let is_one = line == revision.line_of(edit.range.end());
+            is_one && lines.iter().any(|lines| lines.contains(&line))
+        });
+        return Some(edits);
+    }
     let context = revision.names()?.context();
     let range = |range: Range| {
         let range = convert::our_range(range);
@@ -83,12 +104,19 @@ async fn current(
     uri: &Uri,
     job: impl FnOnce(&Revision) -> Option<Vec<Edit>> + Send + 'static,
 ) -> Result<Option<Vec<TextEdit>>> {
-    let Some(revision) = shared.documents.get(uri.as_str()) else {
+    let open = shared.documents.get(uri.as_str());
+    let Some(revision) = open.or_else(|| scenarios_at(shared, uri)) else {
         return Ok(None);
     };
     let of = revision.clone();
-    let edits = blocking(move |_| Some(convert::edits(&of, &job(&of)?))).await?;
-    if !shared.documents.shows(&revision) {
+    let edits = blocking(move |_| {
+        if !of.fits() {
+            return None;
+        }
+        Some(convert::edits(&of, &job(&of)?))
+    })
+    .await?;
+    if !shared.documents.shows(&revision) && !shared.companions.shows(&revision) {
         return Err(Error::content_modified());
     }
     Ok(edits)

@@ -5,7 +5,8 @@ use std::sync::Arc;
 use tower_lsp::jsonrpc::Result;
 use tower_lsp::ls_types::{GotoDefinitionParams, GotoDefinitionResponse, LocationLink};
 
-use super::asked::{Places, about_place};
+use super::asked::{Asked, Places, about_place};
+use super::of_scenarios::{about_scenarios, scenarios_at};
 use crate::lsp::{capabilities::Links, shared::Shared};
 use ladder_analysis::context::Context;
 use ladder_ide::{Target, Workspace};
@@ -21,31 +22,42 @@ pub(crate) async fn goto(
     links: fn(&Links) -> bool,
 ) -> Result<Option<GotoDefinitionResponse>> {
     let links = links(&shared.agreed().links);
-    about_place(
-        shared,
-        params.text_document_position_params,
-        move |asked, offset| {
-            let targets = question(&asked.context, offset, &asked.elsewhere);
-            if targets.is_empty() {
-                return None;
-            }
-            let mut places = Places::of(asked);
-            Some(if links {
-                let link = |target: &Target| {
-                    let place = places.location(&target.file, target.range)?;
-                    Some(LocationLink {
-                        origin_selection_range: None,
-                        target_uri: place.uri,
-                        target_range: place.range,
-                        target_selection_range: places.range(&target.file, target.focus)?,
-                    })
-                };
-                GotoDefinitionResponse::Link(targets.iter().filter_map(link).collect())
-            } else {
-                let place = |target: &Target| places.location(&target.file, target.focus);
-                GotoDefinitionResponse::Array(targets.iter().filter_map(place).collect())
-            })
-        },
-    )
+    let place = params.text_document_position_params;
+    if let Some(revision) = scenarios_at(shared, &place.text_document.uri) {
+        // A row leads to the tag of the program, whichever of the four is asked for.
+        return about_scenarios(shared, revision, move |scenarios| {
+            let asked = scenarios.program.as_ref()?;
+            let offset = scenarios.offset(place.position);
+            let targets = ladder_ide::scenario_definition(&scenarios.read(), offset, &asked.elsewhere);
+            response(asked, &targets, links)
+        })
+        .await;
+    }
+    about_place(shared, place, move |asked, offset| {
+        let targets = question(&asked.context, offset, &asked.elsewhere);
+        response(asked, &targets, links)
+    })
     .await
+}
+
+fn response(asked: &Asked, targets: &[Target], links: bool) -> Option<GotoDefinitionResponse> {
+    if targets.is_empty() {
+        return None;
+    }
+    let mut places = Places::of(asked);
+    Some(if links {
+        let link = |target: &Target| {
+            let place = places.location(&target.file, target.range)?;
+            Some(LocationLink {
+                origin_selection_range: None,
+                target_uri: place.uri,
+                target_range: place.range,
+                target_selection_range: places.range(&target.file, target.focus)?,
+            })
+        };
+        GotoDefinitionResponse::Link(targets.iter().filter_map(link).collect())
+    } else {
+        let place = |target: &Target| places.location(&target.file, target.focus);
+        GotoDefinitionResponse::Array(targets.iter().filter_map(place).collect())
+    })
 }

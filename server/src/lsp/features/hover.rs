@@ -6,7 +6,7 @@ use tower_lsp::jsonrpc::Result;
 use tower_lsp::ls_types::{Hover, HoverContents, HoverParams};
 
 use super::asked::about_place;
-use super::{foreign_hover, simulate};
+use super::{foreign_hover, of_scenarios, simulate};
 use crate::lsp::{convert, markup, shared::Shared};
 
 pub(crate) async fn hover(shared: &Arc<Shared>, params: HoverParams) -> Result<Option<Hover>> {
@@ -15,6 +15,21 @@ pub(crate) async fn hover(shared: &Arc<Shared>, params: HoverParams) -> Result<O
     let companion = shared.companions.get(place.text_document.uri.as_str());
     if let Some(revision) = companion.filter(|it| it.kind().notation().is_some()) {
         return foreign_hover::hover(markdown, revision, place.position).await;
+    }
+    if let Some(revision) = of_scenarios::scenarios_at(shared, &place.text_document.uri) {
+        let position = place.position;
+        return of_scenarios::about_scenarios(shared, revision, move |asked| {
+            let hover = ladder_ide::scenario_hover(&asked.read(), asked.offset(position))?;
+            let text = match &asked.program {
+                Some(program) => markup::linked(hover.markdown, &program.revision.uri),
+                None => hover.markdown,
+            };
+            Some(Hover {
+                contents: HoverContents::Markup(markup::content(markdown, text)),
+                range: Some(convert::range_in(&asked.revision, hover.range)),
+            })
+        })
+        .await;
     }
     let values = simulate::values_at(shared, place.text_document.uri.as_str(), place.position).await;
     about_place(

@@ -16,6 +16,7 @@ pub(crate) mod hover;
 pub(crate) mod inlay_hint;
 pub(crate) mod links;
 pub(crate) mod notations;
+mod of_scenarios;
 pub(crate) mod preview;
 pub(crate) mod references;
 pub(crate) mod rename;

@@ -10,10 +10,11 @@ use tower_lsp::ls_types::{
 };
 
 use super::asked::{Asked, Places, about_place};
+use super::of_scenarios::{about_scenarios, scenarios_at};
 use crate::document::Revision;
 use crate::lsp::transport::prepared;
 use crate::lsp::{convert, shared::Shared};
-use ladder_ide::{RenameRefused, Renamed};
+use ladder_ide::{Renamable, RenameRefused, Renamed};
 
 /// `RequestFailed`: the request made sense, and cannot be done.
 const REQUEST_FAILED: i64 = -32803;
@@ -25,35 +26,67 @@ pub(crate) async fn prepare(
     shared: &Arc<Shared>,
     place: TextDocumentPositionParams,
 ) -> Result<Option<PrepareRenameResponse>> {
-    let prepared = about_place(shared, place, |asked, offset| {
-        Some(match ladder_ide::prepare_rename(&asked.context, offset) {
-            Err(refused) => Err(refused),
-            Ok(found) => Ok(found.map(|it| PrepareRenameResponse::RangeWithPlaceholder {
-                range: convert::range_in(&asked.revision, it.range),
-                placeholder: it.name,
-            })),
-        })
-    });
-    match prepared.await? {
+    let prepared = match scenarios_at(shared, &place.text_document.uri) {
+        Some(revision) => {
+            about_scenarios(shared, revision, move |scenarios| {
+                let found =
+                    ladder_ide::prepare_scenario_rename(&scenarios.read(), scenarios.offset(place.position));
+                Some(found.map(|found| found.map(|it| placeholder(&scenarios.revision, it))))
+            })
+            .await?
+        }
+        None => {
+            about_place(shared, place, |asked, offset| {
+                let found = ladder_ide::prepare_rename(&asked.context, offset);
+                Some(found.map(|found| found.map(|it| placeholder(&asked.revision, it))))
+            })
+            .await?
+        }
+    };
+    match prepared {
         Some(Err(why)) => Err(refused(why)),
         Some(Ok(found)) => Ok(found),
         None => Ok(None),
     }
 }
 
+fn placeholder(revision: &Revision, found: Renamable) -> PrepareRenameResponse {
+    PrepareRenameResponse::RangeWithPlaceholder {
+        range: convert::range_in(revision, found.range),
+        placeholder: found.name,
+    }
+}
+
 pub(crate) async fn rename(shared: &Arc<Shared>, params: RenameParams) -> Result<Option<WorkspaceEdit>> {
     let versioned = shared.agreed().versioned_edits;
-    let renamed = about_place(shared, params.text_document_position, move |asked, offset| {
-        let options = asked.revision.format_options();
-        let (analysis, new) = (&asked.context, params.new_name);
-        let renamed = ladder_ide::rename(analysis, offset, &new, &asked.elsewhere, &options);
-        Some(renamed.map(|files| {
-            let changes = changes(asked, files);
-            let open: Vec<_> = changes.iter().filter_map(|(_, open, _)| open.clone()).collect();
-            (serde_json::to_string(&workspace_edit(versioned, changes)), open)
-        }))
-    });
-    let (text, open) = match renamed.await? {
+    let (place, new) = (params.text_document_position, params.new_name);
+    let renamed = match scenarios_at(shared, &place.text_document.uri) {
+        Some(revision) => {
+            about_scenarios(shared, revision, move |scenarios| {
+                let asked = scenarios.program.as_ref()?;
+                let options = asked.revision.format_options();
+                let offset = scenarios.offset(place.position);
+                let files = ladder_ide::rename_in_scenario(
+                    &scenarios.read(),
+                    offset,
+                    &new,
+                    &asked.elsewhere,
+                    &options,
+                );
+                Some(files.map(|files| written(asked, files, versioned)))
+            })
+            .await?
+        }
+        None => {
+            about_place(shared, place, move |asked, offset| {
+                let options = asked.revision.format_options();
+                let files = ladder_ide::rename(&asked.context, offset, &new, &asked.elsewhere, &options);
+                Some(files.map(|files| written(asked, files, versioned)))
+            })
+            .await?
+        }
+    };
+    let (text, open) = match renamed {
         Some(Err(why)) => return Err(refused(why)),
         Some(Ok((text, open))) => (text.map_err(|_| Error::internal_error())?, open),
         None => return Ok(None),
@@ -64,6 +97,17 @@ pub(crate) async fn rename(shared: &Arc<Shared>, params: RenameParams) -> Result
         return Err(Error::content_modified());
     }
     prepared::answer(text)
+}
+
+/// The edit as it is sent, and the open documents that it changes.
+fn written(
+    asked: &Asked,
+    files: Vec<Renamed>,
+    versioned: bool,
+) -> (serde_json::Result<String>, Vec<Arc<Revision>>) {
+    let changes = changes(asked, files);
+    let open = changes.iter().filter_map(|(_, open, _)| open.clone()).collect();
+    (serde_json::to_string(&workspace_edit(versioned, changes)), open)
 }
 
 fn refused(why: RenameRefused) -> Error {

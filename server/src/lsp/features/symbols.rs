@@ -6,23 +6,32 @@ use std::sync::Arc;
 use serde::{Serialize, Serializer};
 use tower_lsp::jsonrpc::Result;
 use tower_lsp::ls_types::{
-    DocumentSymbolParams, DocumentSymbolResponse, Location, SymbolInformation, SymbolKind, Uri,
-    WorkspaceSymbolParams, WorkspaceSymbolResponse,
+    DocumentSymbol, DocumentSymbolParams, DocumentSymbolResponse, Location, SymbolInformation, SymbolKind,
+    Uri, WorkspaceSymbolParams, WorkspaceSymbolResponse,
 };
 
 use super::asked::{Asked, Places, about};
+use super::of_scenarios::{about_scenarios, scenarios_at};
+use crate::document::Revision;
 use crate::document::elsewhere::Elsewhere;
 use crate::document::positions::Positions;
 use crate::lsp::transport::blocking::blocking;
 use crate::lsp::transport::prepared;
 use crate::lsp::{convert, shared::Shared};
-use ladder_ide::{OutlineKind, Outlined, outline, workspace_symbols};
+use ladder_ide::{OutlineKind, Outlined, ScenarioPart, outline, workspace_symbols};
 
 pub(crate) async fn document_symbols(
     shared: &Arc<Shared>,
     params: DocumentSymbolParams,
 ) -> Result<Option<DocumentSymbolResponse>> {
     let nested = shared.agreed().nested_symbols;
+    if let Some(revision) = scenarios_at(shared, &params.text_document.uri) {
+        return about_scenarios(shared, revision, move |scenarios| {
+            let parts = ladder_ide::scenario_outline(&scenarios.read());
+            of_scenarios(&scenarios.revision, parts, nested)
+        })
+        .await;
+    }
     let text = about(shared, &params.text_document.uri, move |asked| {
         let found = outline(&asked.context);
         let positions = asked.revision.positions();
@@ -38,6 +47,54 @@ pub(crate) async fn document_symbols(
     match text.await? {
         Some(text) => prepared::answer(text),
         None => Ok(None),
+    }
+}
+
+/// The scenarios of a file with their rows, or flat.
+fn of_scenarios(
+    revision: &Revision,
+    parts: Vec<ScenarioPart>,
+    nested: bool,
+) -> Option<DocumentSymbolResponse> {
+    if nested {
+        let symbols = parts
+            .into_iter()
+            .map(|part| scenario_symbol(revision, part, SymbolKind::METHOD));
+        return Some(DocumentSymbolResponse::Nested(symbols.collect()));
+    }
+    let uri = convert::uri(&revision.uri)?;
+    let flat = parts.into_iter().map(|part| {
+        #[allow(deprecated)]
+        SymbolInformation {
+            name: part.name,
+            kind: SymbolKind::METHOD,
+            tags: None,
+            deprecated: None,
+            location: Location {
+                uri: uri.clone(),
+                range: convert::range_in(revision, part.range),
+            },
+            container_name: None,
+        }
+    });
+    Some(DocumentSymbolResponse::Flat(flat.collect()))
+}
+
+fn scenario_symbol(revision: &Revision, part: ScenarioPart, kind: SymbolKind) -> DocumentSymbol {
+    let children = part.children.into_iter();
+    let children: Vec<_> = children
+        .map(|row| scenario_symbol(revision, row, SymbolKind::VARIABLE))
+        .collect();
+    #[allow(deprecated)]
+    DocumentSymbol {
+        name: part.name,
+        detail: Some(part.detail),
+        kind,
+        tags: None,
+        deprecated: None,
+        range: convert::range_in(revision, part.range),
+        selection_range: convert::range_in(revision, part.focus),
+        children: (!children.is_empty()).then_some(children),
     }
 }
 

@@ -1,0 +1,356 @@
+//! Completion in a scenario file: headings, tags, and values by their types.
+
+use super::Scenarios;
+use super::hover::keyword;
+use super::place::line;
+use super::row::{shared, value_type};
+use crate::completion::{Completion, CompletionKind, Completions, Snippet, Topic};
+use ladder_analysis::context::Context;
+use ladder_analysis::program::{Role, SystemTag};
+use ladder_analysis::scope::TagFacts;
+use ladder_analysis::types::{Scalar, Type};
+use ladder_simulator::members_of;
+use ladder_simulator::scenario::{Direction, HEADINGS, Scenario, TextLine};
+use ladder_syntax::{Name, TextRange, TextSize};
+
+/// So many are proposed at once.
+const MOST: usize = 128;
+
+/// So many elements of an array are proposed.
+const ELEMENTS: i64 = 16;
+
+/// What can be written at an offset. `programs` are those beside the file, as it would name them; `trigger` is the character
+/// that was just typed, if that is why it is asked.
+pub fn completions(
+    scenarios: &Scenarios<'_>,
+    offset: TextSize,
+    programs: &[String],
+    trigger: Option<char>,
+) -> Completions {
+    let (start, text) = line(scenarios.text, offset);
+    let within = usize::from(offset - start);
+    let before = TextLine::read(&text[..within], "", start.into());
+    if before.comment.is_some() {
+        return Completions::default();
+    }
+    // The word that is being written is the one that touches the cursor.
+    let mut words = before.words.as_slice();
+    let mut from = offset;
+    if let [rest @ .., last] = words
+        && last.range().end() == offset
+        && last.text != "=>"
+    {
+        words = rest;
+        from = last.range().start();
+    }
+    let mut out = Proposals {
+        word: TextRange::new(from, offset),
+        ends_line: text[within..].trim().is_empty() || text[within..].trim_start().starts_with('#'),
+        items: Vec::new(),
+    };
+    let scenario = scenarios
+        .suite
+        .scenarios
+        .iter()
+        .rev()
+        .find(|it| it.range.start() <= start);
+    match words {
+        // A dot among values is one: as before.
+        [] if trigger.is_none_or(|trigger| matches!(trigger, '.' | '[')) => {
+            at_line_start(scenarios, scenario, offset, trigger, &mut out);
+        }
+        _ if trigger.is_some() => {}
+        [first, rest @ ..] if scenario.is_none() => heading(first.text, rest.is_empty(), programs, &mut out),
+        [first, rest @ ..] => {
+            if let Some(scenario) = scenario.filter(|_| first.text != "scenario") {
+                in_row(
+                    scenarios,
+                    scenario,
+                    first.text,
+                    rest.first().map(|word| word.text),
+                    start,
+                    &mut out,
+                );
+            }
+        }
+        [] => {}
+    }
+    let cut = out.items.len() > MOST;
+    out.items.truncate(MOST);
+    Completions {
+        items: out.items,
+        cut,
+    }
+}
+
+struct Proposals {
+    /// What is replaced.
+    word: TextRange,
+    /// Nothing stands behind the cursor on its line.
+    ends_line: bool,
+    items: Vec<Completion>,
+}
+
+impl Proposals {
+    fn add(&mut self, kind: CompletionKind, label: &str, detail: &str, text: Snippet, topic: Topic) {
+        self.items.push(Completion {
+            label: label.to_owned(),
+            detail: detail.to_owned(),
+            kind,
+            range: self.word,
+            filter: label.to_owned(),
+            text,
+            topic,
+        });
+    }
+
+    fn value(&mut self, label: &str, words: &'static str) {
+        self.add(
+            CompletionKind::Value,
+            label,
+            words,
+            Snippet::plain_text(label),
+            Topic::Nothing,
+        );
+    }
+}
+
+fn at_line_start(
+    scenarios: &Scenarios<'_>,
+    scenario: Option<&Scenario>,
+    offset: TextSize,
+    trigger: Option<char>,
+    out: &mut Proposals,
+) {
+    let written = &scenarios.text[out.word];
+    if let Some(scenario) = scenario {
+        tags(scenarios, scenario, offset, written, out);
+    } else {
+        let suite = &scenarios.suite;
+        let given = |heading: &str| match heading {
+            "program" => suite.program.is_some(),
+            "step" => suite.step.is_some(),
+            "interval" => suite.interval.is_some(),
+            _ => suite.tolerance.is_some(),
+        };
+        for heading in HEADINGS.into_iter().filter(|heading| !given(heading)) {
+            word(heading, Snippet::plain_text(format!("{heading} ")), out);
+        }
+    }
+    if trigger.is_none() {
+        let text = Snippet::default()
+            .text("scenario \"")
+            .stop("what is shown")
+            .text("\"\n")
+            .end();
+        word("scenario", text, out);
+    }
+}
+
+fn word(label: &'static str, text: Snippet, out: &mut Proposals) {
+    let topic = keyword(label).map_or(Topic::Nothing, Topic::Words);
+    out.add(CompletionKind::Keyword, label, "", text, topic);
+}
+
+/// The tags that have no row yet: inputs to be given, then what is expected.
+fn tags(
+    scenarios: &Scenarios<'_>,
+    scenario: &Scenario,
+    offset: TextSize,
+    written: &str,
+    out: &mut Proposals,
+) {
+    let Some(program) = scenarios.program else { return };
+    let Some(scope) = program.scopes.first() else {
+        return;
+    };
+    let has_row = |name: &str, direction: Direction| {
+        let mut rows = scenario.rows.iter();
+        rows.any(|row| {
+            row.direction == direction
+                && Name::new(&row.name) == Name::new(name)
+                && !row.range.contains_inclusive(offset)
+        })
+    };
+    let mut found: Vec<(u8, String, Scalar, &TagFacts, Direction)> = Vec::new();
+    for tag in &scope.tags {
+        let tag = shared(program, tag);
+        let Some(ty) = tag.ty else { continue };
+        let (order, direction) = match tag.role {
+            Role::Input => (0, Direction::Given),
+            Role::Output => (1, Direction::Expected),
+            Role::Internal => (2, Direction::Expected),
+        };
+        if tag.constant {
+            continue;
+        }
+        for (name, ty) in values_of(program, tag, ty) {
+            if !has_row(&name, direction) {
+                let order = order + u8::from(name != *tag.name) * 2;
+                found.push((order, name, ty, tag, direction));
+            }
+        }
+    }
+    if Name::new(written).as_str().starts_with("sys") {
+        for tag in SystemTag::ALL {
+            let name = format!("SYS.{}", tag.name());
+            let text = row_text(&name, Direction::Expected, out);
+            out.add(
+                CompletionKind::Constant,
+                &name,
+                tag.ty().name(),
+                text,
+                Topic::Words(tag.about()),
+            );
+        }
+    }
+    let begins = |name: &str| Name::new(name).as_str().starts_with(Name::new(written).as_str());
+    found.sort_by_key(|(order, name, ..)| (!begins(name), *order));
+    for (_, name, ty, tag, direction) in found {
+        let role = match tag.role {
+            Role::Input => "input",
+            Role::Output => "output",
+            Role::Internal => "internal",
+        };
+        let text = row_text(&name, direction, out);
+        let kind = if name == *tag.name {
+            CompletionKind::Tag
+        } else {
+            CompletionKind::Member
+        };
+        let topic = Topic::Tag(0, tag.name.to_string());
+        out.add(kind, &name, &format!("{}, {role}", ty.name()), text, topic);
+    }
+}
+
+/// A tag, or what it has that is a value, with the types.
+fn values_of(program: &Context, tag: &TagFacts, ty: Type) -> Vec<(String, Scalar)> {
+    match ty {
+        Type::Scalar(ty) => vec![(tag.name.to_string(), ty)],
+        Type::State(state) => {
+            let law = program.profile.law();
+            let member = |name: &str| {
+                Some((
+                    format!("{}.{name}", tag.name),
+                    ladder_analysis::state_member(state, name)?.ty(law),
+                ))
+            };
+            members_of(state).filter_map(member).collect()
+        }
+        Type::Array { first, last, element } => (first..=last.min(first.saturating_add(ELEMENTS - 1)))
+            .map(|index| (format!("{}[{index}]", tag.name), element))
+            .collect(),
+    }
+}
+
+/// A tag and what stands between it and its values, where nothing follows yet.
+fn row_text(name: &str, direction: Direction, out: &Proposals) -> Snippet {
+    let behind = match direction {
+        _ if !out.ends_line => "",
+        Direction::Given => " ",
+        Direction::Expected => " => ",
+    };
+    Snippet::plain_text(format!("{name}{behind}"))
+}
+
+fn heading(word: &str, first: bool, programs: &[String], out: &mut Proposals) {
+    if !first && word != "program" {
+        return;
+    }
+    match word {
+        "program" if first => {
+            for program in programs {
+                out.add(
+                    CompletionKind::Value,
+                    program,
+                    "program",
+                    Snippet::plain_text(program),
+                    Topic::Nothing,
+                );
+            }
+        }
+        "step" => ["10ms", "100ms", "1s"]
+            .iter()
+            .for_each(|it| out.value(it, "a whole number of scans")),
+        "interval" => ["1ms", "10ms", "100ms"]
+            .iter()
+            .for_each(|it| out.value(it, "from one scan to the next")),
+        "tolerance" => {
+            out.value("0.001", "so much");
+            out.value("1%", "such a part of what is expected");
+        }
+        _ => {}
+    }
+}
+
+/// The values of a row, or its arrow.
+fn in_row(
+    scenarios: &Scenarios<'_>,
+    scenario: &Scenario,
+    tag: &str,
+    behind: Option<&str>,
+    start: TextSize,
+    out: &mut Proposals,
+) {
+    if behind.is_none() {
+        let words = "What follows is expected of the program after each step.";
+        out.add(
+            CompletionKind::Operator,
+            "=>",
+            "expected",
+            Snippet::plain_text("=> "),
+            Topic::Words(words),
+        );
+    }
+    let Some(ty) = value_type(scenarios, tag) else {
+        return;
+    };
+    if ty == Scalar::Bool {
+        return levels(scenario, start, out);
+    }
+    out.value(".", "as before; not checked");
+    let values: &[(&str, &'static str)] = match ty {
+        Scalar::Time => &[
+            ("0ms", "a duration"),
+            ("100ms", "a duration"),
+            ("1s", "a duration"),
+        ],
+        Scalar::String(_) => &[("''", "a text")],
+        ty if ty.is_real() => &[("0.0", "a number"), ("1.0", "a number")],
+        ty if ty.is_number() => &[("0", "a number"), ("1", "a number")],
+        _ => &[],
+    };
+    for (value, words) in values {
+        out.value(value, words);
+    }
+}
+
+/// Levels: one, or as many as the other rows have steps.
+fn levels(scenario: &Scenario, start: TextSize, out: &mut Proposals) {
+    let own = scenario.rows.iter().find(|row| row.range.start() >= start);
+    let own = own.filter(|row| row.range.start() < out.word.end());
+    let others = scenario
+        .rows
+        .iter()
+        .filter(|row| row.range.start() < start || row.range.start() > out.word.end());
+    let steps = others.map(|row| row.cells.len()).max().unwrap_or(0);
+    let there = own.map_or(0, |row| {
+        row.cells
+            .iter()
+            .filter(|(_, place)| place.start() < out.word.end())
+            .count()
+    });
+    // Levels touch: what is accepted stands behind those that are written.
+    out.word = TextRange::empty(out.word.end());
+    let missing = steps.saturating_sub(there);
+    for (letter, one, all) in [
+        ('_', "low", "low to the end"),
+        ('-', "high", "high to the end"),
+        ('.', "as before; not checked", "as before to the end"),
+    ] {
+        if missing > 1 {
+            out.value(&letter.to_string().repeat(missing), all);
+        }
+        out.value(&letter.to_string(), one);
+    }
+}

@@ -1,0 +1,173 @@
+//! Hover in a scenario file: the tag of a row, what a value means, when a step is.
+
+use super::Scenarios;
+use super::place::{Place, line, place};
+use super::row::{named, shared, value_type};
+use crate::comments;
+use crate::hover::{Hover, tag_card};
+use ladder_analysis::context::Context;
+use ladder_analysis::scope::TagFacts;
+use ladder_analysis::types::Scalar;
+use ladder_analysis::value::Value;
+use ladder_simulator::scenario::{Cell, Direction, Row, Scenario};
+use ladder_simulator::value_text;
+use ladder_syntax::numeral::counted;
+use ladder_syntax::{TextRange, TextSize};
+
+/// What stands at an offset. Links are to lines of the program.
+pub fn hover(scenarios: &Scenarios<'_>, offset: TextSize) -> Option<Hover> {
+    let Some(found) = place(scenarios, offset) else {
+        return word(scenarios, offset);
+    };
+    let (range, markdown) = match found {
+        Place::Program(range) => (range, program(scenarios)?),
+        Place::Scenario(scenario) => (scenario.range, length(scenarios, scenario)),
+        Place::Tag(row) => (row.range, of_tag(scenarios, row)?),
+        Place::Step(scenario, row, step) => (row.cells[step].1, of_step(scenarios, scenario, row, step)),
+        Place::Tolerance(range) => (
+            range,
+            "How far a value may be from what is expected: `± 0.01`, or a part of it, `± 1%`.".to_owned(),
+        ),
+    };
+    Some(Hover { range, markdown })
+}
+
+/// A word that every file has.
+fn word(scenarios: &Scenarios<'_>, offset: TextSize) -> Option<Hover> {
+    let (start, text) = line(scenarios.text, offset);
+    let within = usize::from(offset - start);
+    let is_part = |c: char| c.is_alphanumeric() || matches!(c, '=' | '>');
+    let from = text[..within]
+        .rfind(|c| !is_part(c))
+        .map_or(0, |at| at + text[at..].chars().next().map_or(1, char::len_utf8));
+    let to = text[within..]
+        .find(|c| !is_part(c))
+        .map_or(text.len(), |at| within + at);
+    let word = &text[from..to];
+    let is_first = text[..from].trim().is_empty();
+    let markdown = match word {
+        "=>" => "What stands behind `=>` is expected of the program after each step.",
+        word if is_first => keyword(word)?,
+        _ => return None,
+    };
+    Some(Hover {
+        range: TextRange::at(start + TextSize::new(from as u32), TextSize::of(word)),
+        markdown: markdown.to_owned(),
+    })
+}
+
+/// What a word at the beginning of a line is for.
+pub(super) fn keyword(word: &str) -> Option<&'static str> {
+    Some(match word {
+        "program" => "The program that the scenarios are about, as it is seen from the folder of this file.",
+        "step" => "How long a step is: a whole number of scans. Without it a step is one scan.",
+        "interval" => {
+            "The time from one scan to the next. Without it what `ladder.toml` or the program says."
+        }
+        "tolerance" => "How far all reals may be from what is expected, such as `0.001` or `1%`.",
+        "scenario" => {
+            "What is shown, in quotes. Its rows follow: a tag and a value for each step. Each scenario starts cold."
+        }
+        _ => return None,
+    })
+}
+
+fn program(scenarios: &Scenarios<'_>) -> Option<String> {
+    let context = scenarios.program?;
+    let tags = context.scopes.first().map_or(0, |scope| scope.tags.len());
+    Some(format!(
+        "{}: {}, {}",
+        context.name,
+        counted(context.networks.len(), "network"),
+        counted(tags, "tag")
+    ))
+}
+
+fn length(scenarios: &Scenarios<'_>, scenario: &Scenario) -> String {
+    let steps = counted(scenario.steps, "step");
+    match scenarios.suite.step {
+        Some((step, _)) => format!(
+            "{steps} of {}, {} together. It starts cold.",
+            time(step),
+            time(step.saturating_mul(scenario.steps as i64))
+        ),
+        None => format!("{steps} of one scan each. It starts cold."),
+    }
+}
+
+fn of_tag(scenarios: &Scenarios<'_>, row: &Row) -> Option<String> {
+    let does = match row.direction {
+        Direction::Given => "Given before the first scan of each step.",
+        Direction::Expected => "Expected after the last scan of each step.",
+    };
+    let Some((named, program)) = named(scenarios, row).zip(scenarios.program) else {
+        let ty = value_type(scenarios, &row.name)?;
+        return Some(format!("`{}` : {}\n\n{does}", row.name, ty.name()));
+    };
+    let mut card = tag_card(program, named.tag, None);
+    if let Some(said) = declared_comment(program, named.tag) {
+        card = format!("{said}\n\n{card}");
+    }
+    if let Some(ty) = value_type(scenarios, &row.name).filter(|_| named.range != row.range) {
+        card = format!("`{}` : {}, of\n\n{card}", row.name, ty.name());
+    }
+    Some(format!("{card}\n\n---\n\n{does}"))
+}
+
+/// The comment behind a tag's declaration.
+fn declared_comment(program: &Context, tag: &TagFacts) -> Option<String> {
+    let tag = shared(program, tag);
+    if !tag.is_declared() {
+        return None;
+    }
+    let parse = &program.parse;
+    let found = comments::of_line(parse, parse.line_at(program.place_of(tag).start())?);
+    let said = found.iter().find_map(|(_, comment)| comments::words(comment))?;
+    // A comment is no Markdown.
+    Some(
+        said.chars()
+            .flat_map(|c| c.is_ascii_punctuation().then_some('\\').into_iter().chain([c]))
+            .collect(),
+    )
+}
+
+fn of_step(scenarios: &Scenarios<'_>, scenario: &Scenario, row: &Row, step: usize) -> String {
+    let ty = value_type(scenarios, &row.name);
+    let shown = |cell: &Cell| match cell {
+        Cell::Low => "low (`FALSE`)".to_owned(),
+        Cell::High => "high (`TRUE`)".to_owned(),
+        Cell::Same => "as before".to_owned(),
+        Cell::Value(text) => {
+            let value = ty.and_then(|ty| Some((value_text::parse(text, ty).ok()?, ty)));
+            let value = value.map_or_else(|| text.clone(), |(value, ty)| value_text::display(&value, ty));
+            format!("`{}`", value.replace('`', "'"))
+        }
+    };
+    let before = row.cells[..step]
+        .iter()
+        .rev()
+        .find(|(cell, _)| *cell != Cell::Same);
+    let name = format!("`{}`", row.name);
+    let said = match (&row.cells[step].0, row.direction) {
+        (Cell::Same, Direction::Expected) => format!("{name} is not checked"),
+        (Cell::Same, Direction::Given) => match before {
+            Some((cell, _)) => format!("{name} is not given anew; last it was {}", shown(cell)),
+            None => format!("{name} is not given yet"),
+        },
+        (cell, Direction::Given) => format!("{name} is given: {}", shown(cell)),
+        (cell, Direction::Expected) => format!("{name} is expected to be {}", shown(cell)),
+    };
+    let number = format!("step {} of {}", step + 1, scenario.steps);
+    match scenarios.suite.step {
+        Some((length, _)) => {
+            let at = |step: usize| time(length.saturating_mul(step as i64));
+            format!("{said}  \n{number}: {} to {}", at(step), at(step + 1))
+        }
+        None => format!("{said}  \n{number}: scan {}", step + 1),
+    }
+}
+
+fn time(nanoseconds: i64) -> String {
+    let text = value_text::display(&Value::Int(nanoseconds), Scalar::Time);
+    text.trim_start_matches("T#").to_owned()
+}

@@ -1,0 +1,119 @@
+//! From a row to the program and back: definition, references, highlights and rename.
+
+use super::Scenarios;
+use super::place::{Place, place};
+use super::row::{named, word_of};
+use crate::definition::defined;
+use crate::highlight::Highlight;
+use crate::neighbour::Workspace;
+use crate::references::{Reference, of_symbol};
+use crate::rename::{Renamable, RenameRefused, Renamed, is_address, no_name, rename_symbol};
+use crate::symbol::{Symbol, Usage};
+use crate::target::Target;
+use ladder_format::Options;
+use ladder_simulator::scenario::{Direction, Row};
+use ladder_syntax::{Name, TextRange, TextSize};
+use std::sync::Arc;
+
+/// What is named at an offset: the tag, and where its name stands.
+fn symbol_at(scenarios: &Scenarios<'_>, offset: TextSize) -> Option<(Symbol, TextRange)> {
+    let Place::Tag(row) = place(scenarios, offset)? else {
+        return None;
+    };
+    let named = named(scenarios, row)?;
+    Some((named.symbol, named.range))
+}
+
+/// Where what stands at an offset is defined: a tag in the program, or the program. `workspace` is that of the program.
+pub fn definition(scenarios: &Scenarios<'_>, offset: TextSize, workspace: &dyn Workspace) -> Vec<Target> {
+    let Some(program) = scenarios.program else {
+        return Vec::new();
+    };
+    if let Some(Place::Program(_)) = place(scenarios, offset) {
+        let begin = TextRange::empty(TextSize::new(0));
+        return vec![Target {
+            file: Arc::clone(&program.name),
+            range: begin,
+            focus: begin,
+        }];
+    }
+    match symbol_at(scenarios, offset) {
+        Some((symbol, _)) => defined(program, &symbol, workspace),
+        None => Vec::new(),
+    }
+}
+
+/// All places of the tag at an offset: in the program, the files beside it, and in scenarios.
+pub fn references(scenarios: &Scenarios<'_>, offset: TextSize, workspace: &dyn Workspace) -> Vec<Reference> {
+    match (scenarios.program, symbol_at(scenarios, offset)) {
+        (Some(program), Some((symbol, _))) => of_symbol(program, &symbol, workspace),
+        _ => Vec::new(),
+    }
+}
+
+/// The rows of the file that are about the tag at an offset.
+pub fn highlights(scenarios: &Scenarios<'_>, offset: TextSize) -> Vec<Highlight> {
+    let Some(Place::Tag(row)) = place(scenarios, offset) else {
+        return Vec::new();
+    };
+    let key = |row: &Row| Name::new(&scenarios.text[word_of(row)]);
+    let wanted = key(row);
+    let rows = scenarios
+        .suite
+        .scenarios
+        .iter()
+        .flat_map(|scenario| &scenario.rows);
+    rows.filter(|row| key(row) == wanted)
+        .map(|row| Highlight {
+            range: word_of(row),
+            usage: usage(row),
+        })
+        .collect()
+}
+
+/// What a row does with its tag.
+pub(crate) const fn usage(row: &Row) -> Usage {
+    match row.direction {
+        Direction::Given => Usage::Write,
+        Direction::Expected => Usage::Read,
+    }
+}
+
+/// What stands at an offset and can be renamed.
+///
+/// # Errors
+/// It has a name that is not the program's to choose.
+pub fn prepare_rename(
+    scenarios: &Scenarios<'_>,
+    offset: TextSize,
+) -> Result<Option<Renamable>, RenameRefused> {
+    let Some((symbol, range)) = symbol_at(scenarios, offset) else {
+        return Ok(None);
+    };
+    let name = &scenarios.text[range];
+    if matches!(symbol, Symbol::Address(_)) || name.starts_with('%') {
+        return Err(is_address(name));
+    }
+    Ok(Some(Renamable {
+        range,
+        name: name.to_owned(),
+    }))
+}
+
+/// The edits that give the tag at an offset another name: in the program, the files beside it, and in all scenarios.
+///
+/// # Errors
+/// The name is refused.
+pub fn rename(
+    scenarios: &Scenarios<'_>,
+    offset: TextSize,
+    new: &str,
+    workspace: &dyn Workspace,
+    options: &Options,
+) -> Result<Vec<Renamed>, RenameRefused> {
+    prepare_rename(scenarios, offset)?;
+    match (scenarios.program, symbol_at(scenarios, offset)) {
+        (Some(program), Some((symbol, _))) => rename_symbol(program, &symbol, new, workspace, options),
+        _ => Err(no_name()),
+    }
+}

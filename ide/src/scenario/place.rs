@@ -1,0 +1,62 @@
+//! What stands at an offset of a scenario file.
+
+use super::Scenarios;
+use ladder_simulator::scenario::{Row, Scenario};
+use ladder_syntax::{TextRange, TextSize};
+
+/// What the cursor stands at.
+#[derive(Debug, Clone, Copy)]
+pub(super) enum Place<'s> {
+    /// The program's name.
+    Program(TextRange),
+    /// The name of a scenario.
+    Scenario(&'s Scenario),
+    /// The tag of a row.
+    Tag(&'s Row),
+    /// The value of a step: of which row of which scenario, and the number of the step, from 0.
+    Step(&'s Scenario, &'s Row, usize),
+    /// What stands behind `±`.
+    Tolerance(TextRange),
+}
+
+/// What stands at an offset; a cursor right behind a word counts, unless something else begins there.
+pub(super) fn place<'s>(scenarios: &'s Scenarios<'_>, offset: TextSize) -> Option<Place<'s>> {
+    let suite = &scenarios.suite;
+    if let Some((_, range)) = &suite.program
+        && range.contains_inclusive(offset)
+    {
+        return Some(Place::Program(*range));
+    }
+    // The last one that begins at the offset or before it.
+    let behind = |scenario: &Scenario| scenario.range.start() <= offset;
+    let scenario = suite.scenarios.iter().rev().find(|scenario| behind(scenario))?;
+    if scenario.range.contains_inclusive(offset) {
+        return Some(Place::Scenario(scenario));
+    }
+    let row = scenario
+        .rows
+        .iter()
+        .rev()
+        .find(|row| row.range.start() <= offset)?;
+    if row.range.contains_inclusive(offset) {
+        return Some(Place::Tag(row));
+    }
+    if let Some((_, range)) = &row.tolerance
+        && range.contains_inclusive(offset)
+    {
+        return Some(Place::Tolerance(*range));
+    }
+    let at = |touches: fn(TextRange, TextSize) -> bool| {
+        row.cells.iter().position(|(_, range)| touches(*range, offset))
+    };
+    let step = at(TextRange::contains).or_else(|| at(TextRange::contains_inclusive))?;
+    Some(Place::Step(scenario, row, step))
+}
+
+/// The line of an offset, up to its end, and where it begins.
+pub(super) fn line(text: &str, offset: TextSize) -> (TextSize, &str) {
+    let at = usize::from(offset).min(text.len());
+    let start = text[..at].rfind(['\n', '\r']).map_or(0, |end| end + 1);
+    let end = text[at..].find(['\n', '\r']).map_or(text.len(), |end| at + end);
+    (TextSize::new(start as u32), &text[start..end])
+}

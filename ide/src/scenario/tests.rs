@@ -1,0 +1,458 @@
+//! Features of scenario files, each at a cursor.
+
+use super::{
+    Scenarios, prepare_scenario_rename, rename_in_scenario, scenario_completions, scenario_definition,
+    scenario_highlights, scenario_hover, scenario_outline, scenario_references,
+};
+use crate::fixture::Fixture;
+use expect_test::{Expect, expect};
+use ladder_format::{Options, apply};
+use ladder_syntax::TextSize;
+
+const PLANT: &str = "\
+%% main.clad
+VAR_INPUT start : BOOL; # the green *button* # END_VAR
+VAR_OUTPUT run : BOOL; END_VAR
+VAR warm : TON; total : DINT; list : ARRAY[1..2] OF INT; END_VAR
++--[ ]( start )--[TON]( warm, 5s )--( )( run )--+
++--[ ]( run )--[ADD]( total, total, 1 )--[MOV]( list[1], 2 )--+
+%% other.ladder-test
+program main.clad
+scenario \"other\"
+start _-
+run => _-
+";
+
+/// The workspace of [`PLANT`] with one more file of scenarios, in which the cursor stands.
+struct Asked {
+    fixture: Fixture,
+    text: String,
+    offset: TextSize,
+}
+
+impl Asked {
+    fn at(text: &str) -> Asked {
+        let at = text.find("$0").expect("a cursor");
+        let text = text.replacen("$0", "", 1);
+        let fixture = Fixture::new(&format!("{PLANT}%% main.ladder-test\n{text}"));
+        Asked {
+            fixture,
+            text,
+            offset: TextSize::new(at as u32),
+        }
+    }
+
+    fn scenarios(&self) -> Scenarios<'_> {
+        Scenarios::read(&self.text, Some(&self.fixture.files[0].0.context))
+    }
+
+    fn completions(&self, trigger: Option<char>) -> String {
+        let programs = ["a.clad".to_owned(), "main.clad".to_owned()];
+        let found = scenario_completions(&self.scenarios(), self.offset, &programs, trigger);
+        let item = |it: &crate::Completion| format!("{}|{}|{}\n", it.label, it.detail, it.text.snippet());
+        found.items.iter().map(item).collect::<Vec<_>>().concat()
+    }
+}
+
+const HEAD: &str = "program main.clad\nstep 100ms\n\nscenario \"one\"\n";
+
+#[test]
+fn completion_of_headings() {
+    let check = |text: &str, expected: Expect| expected.assert_eq(&Asked::at(text).completions(None));
+    check(
+        "program main.clad\n$0\n",
+        expect![[r#"
+            step||step 
+            interval||interval 
+            tolerance||tolerance 
+            scenario||scenario "${1:what is shown}"
+            $0
+        "#]],
+    );
+    check(
+        "program m$0\n",
+        expect![[r#"
+        a.clad|program|a.clad
+        main.clad|program|main.clad
+    "#]],
+    );
+    check(
+        "step $0\n",
+        expect![[r#"
+        10ms|a whole number of scans|10ms
+        100ms|a whole number of scans|100ms
+        1s|a whole number of scans|1s
+    "#]],
+    );
+    check("# a comment $0\n", expect![]);
+}
+
+#[test]
+fn completion_of_tags_and_values() {
+    let check = |rows: &str, expected: Expect| {
+        expected.assert_eq(&Asked::at(&format!("{HEAD}{rows}")).completions(None));
+    };
+    check(
+        "$0",
+        expect![[r#"
+        start|BOOL, input|start 
+        run|BOOL, output|run => 
+        total|DINT, internal|total => 
+        warm.Q|BOOL, internal|warm.Q => 
+        warm.ET|TIME, internal|warm.ET => 
+        warm.IN|BOOL, internal|warm.IN => 
+        warm.PT|TIME, internal|warm.PT => 
+        list[1]|INT, internal|list[1] => 
+        list[2]|INT, internal|list[2] => 
+        scenario||scenario "${1:what is shown}"
+        $0
+    "#]],
+    );
+    // What has a row is not proposed, and what stands behind the cursor stays.
+    check(
+        "start _-\nr$0 _-\n",
+        expect![[r#"
+        run|BOOL, output|run
+        total|DINT, internal|total
+        warm.Q|BOOL, internal|warm.Q
+        warm.ET|TIME, internal|warm.ET
+        warm.IN|BOOL, internal|warm.IN
+        warm.PT|TIME, internal|warm.PT
+        list[1]|INT, internal|list[1]
+        list[2]|INT, internal|list[2]
+        scenario||scenario "${1:what is shown}"
+        $0
+    "#]],
+    );
+    check(
+        "start _--_\nrun $0\n",
+        expect![[r#"
+        =>|expected|=> 
+        ____|low to the end|____
+        _|low|_
+        ----|high to the end|----
+        -|high|-
+        ....|as before to the end|....
+        .|as before; not checked|.
+    "#]],
+    );
+    check(
+        "start _--_\nrun => _$0\n",
+        expect![[r#"
+        ___|low to the end|___
+        _|low|_
+        ---|high to the end|---
+        -|high|-
+        ...|as before to the end|...
+        .|as before; not checked|.
+    "#]],
+    );
+    check(
+        "warm.ET => $0\n",
+        expect![[r#"
+        .|as before; not checked|.
+        0ms|a duration|0ms
+        100ms|a duration|100ms
+        1s|a duration|1s
+    "#]],
+    );
+    check(
+        "total => 1 $0\n",
+        expect![[r#"
+        .|as before; not checked|.
+        0|a number|0
+        1|a number|1
+    "#]],
+    );
+}
+
+#[test]
+fn a_dot_among_levels_opens_no_list() {
+    let at = |rows: &str| Asked::at(&format!("{HEAD}{rows}")).completions(Some('.'));
+    assert_eq!(at("start _.$0\n"), "");
+    assert!(at("warm.$0\n").contains("warm.ET|TIME"), "{}", at("warm.$0\n"));
+}
+
+#[test]
+fn hover_says_what_a_row_and_a_value_mean() {
+    let check = |rows: &str, expected: Expect| {
+        let asked = Asked::at(&format!("{HEAD}{rows}"));
+        let found = scenario_hover(&asked.scenarios(), asked.offset);
+        let shown = found.map(|it| format!("[{}]\n{}\n", &asked.text[it.range], it.markdown));
+        expected.assert_eq(&shown.unwrap_or_default());
+    };
+    check(
+        "st$0art _-_\n",
+        expect![[r#"
+        [start]
+        the green \*button
+
+        ```clad
+        start : BOOL
+        ```
+        Input (declared in VAR_INPUT on line [1](#L1))  
+        Written: nowhere  
+        Read: line [4](#L4)
+
+        ```clad
+        +--[ ]( start )--[TON]( warm, 5s )--( )( run )--+
+        ```
+
+        ---
+
+        Given before the first scan of each step.
+    "#]],
+    );
+    check(
+        "warm.E$0T => 1s\n",
+        expect![[r#"
+        [warm.ET]
+        `warm.ET` : TIME, of
+
+        ```clad
+        warm : TON
+        ```
+        Internal tag (declared in VAR on line [3](#L3))  
+        Written: line [4](#L4)  
+        Read: line [4](#L4)
+
+        ```clad
+        +--[ ]( start )--[TON]( warm, 5s )--( )( run )--+
+        ```
+
+        ---
+
+        Expected after the last scan of each step.
+    "#]],
+    );
+    check(
+        "start _-$0_\n",
+        expect![[r#"
+        [_]
+        `start` is given: low (`FALSE`)  
+        step 3 of 3: 200ms to 300ms
+    "#]],
+    );
+    check(
+        "start _-.$0\n",
+        expect![[r#"
+        [.]
+        `start` is not given anew; last it was high (`TRUE`)  
+        step 3 of 3: 200ms to 300ms
+    "#]],
+    );
+    check(
+        "run =$0> _-\n",
+        expect![[r#"
+        [=>]
+        What stands behind `=>` is expected of the program after each step.
+    "#]],
+    );
+    check(
+        "run => _.$0-\n",
+        expect![[r#"
+        [-]
+        `run` is expected to be high (`TRUE`)  
+        step 3 of 3: 200ms to 300ms
+    "#]],
+    );
+    check(
+        "total => 1 16#0$0F\n",
+        expect![[r#"
+        [16#0F]
+        `total` is expected to be `15`  
+        step 2 of 2: 100ms to 200ms
+    "#]],
+    );
+    check(
+        "total => 1 2 ± 1$0%\n",
+        expect![[r#"
+        [± 1%]
+        How far a value may be from what is expected: `± 0.01`, or a part of it, `± 1%`.
+    "#]],
+    );
+    let asked = Asked::at("program ma$0in.clad\n");
+    let found = scenario_hover(&asked.scenarios(), asked.offset).unwrap();
+    expect!["main.clad: 2 networks, 5 tags"].assert_eq(&found.markdown);
+    let asked = Asked::at("program main.clad\nst$0ep 1s\n");
+    let found = scenario_hover(&asked.scenarios(), asked.offset).unwrap();
+    assert!(found.markdown.starts_with("How long a step is"));
+}
+
+#[test]
+fn a_row_leads_to_its_declaration_and_to_all_uses() {
+    let asked = Asked::at(&format!("{HEAD}start _-\nru$0n => _-\nwarm.ET => 0s 1s\n"));
+    let others = asked.fixture.others(0);
+    let mut shown = String::new();
+    for target in scenario_definition(&asked.scenarios(), asked.offset, &others) {
+        shown.push_str(&format!(
+            "definition {}\n",
+            asked.fixture.show(&target.file, target.focus)
+        ));
+    }
+    for it in scenario_references(&asked.scenarios(), asked.offset, &others) {
+        shown.push_str(&format!(
+            "{} {:?}\n",
+            asked.fixture.show(&it.file, it.range),
+            it.usage
+        ));
+    }
+    for it in scenario_highlights(&asked.scenarios(), asked.offset) {
+        shown.push_str(&format!(
+            "highlight {} {:?}\n",
+            asked.fixture.show("main.ladder-test", it.range),
+            it.usage
+        ));
+    }
+    expect![[r#"
+        definition main.clad:2:12 run
+        main.clad:2:12 run Definition
+        main.clad:4:42 run Write
+        main.clad:5:9 run Read
+        other.ladder-test:4:1 run Read
+        main.ladder-test:6:1 run Read
+        highlight main.ladder-test:6:1 run Read
+    "#]]
+    .assert_eq(&shown);
+}
+
+#[test]
+fn a_tag_of_the_program_has_places_in_scenarios() {
+    let fixture = Fixture::new(&PLANT.replace("VAR_OUTPUT run", "VAR_OUTPUT ru$0n"));
+    let (context, offset, others) = fixture.ask();
+    let shown: Vec<String> = crate::references(context, offset, &others)
+        .iter()
+        .map(|it| format!("{} {:?}\n", fixture.show(&it.file, it.range), it.usage))
+        .collect();
+    let shown = shown.concat();
+    expect![[r#"
+        main.clad:2:12 run Definition
+        main.clad:4:42 run Write
+        main.clad:5:9 run Read
+        other.ladder-test:4:1 run Read
+    "#]]
+    .assert_eq(&shown);
+}
+
+#[test]
+fn rename_reaches_the_program_and_all_scenarios() {
+    let check = |rows: &str, new: &str, expected: Expect| {
+        let asked = Asked::at(&format!("{HEAD}{rows}"));
+        let others = asked.fixture.others(0);
+        let renamed = rename_in_scenario(
+            &asked.scenarios(),
+            asked.offset,
+            new,
+            &others,
+            &Options::default(),
+        );
+        let shown = match renamed {
+            Err(refused) => format!("refused: {refused}\n"),
+            Ok(files) => files
+                .iter()
+                .map(|it| {
+                    format!(
+                        "%% {}\n{}",
+                        it.file,
+                        apply(asked.fixture.text(&it.file), &it.edits)
+                    )
+                })
+                .collect::<Vec<_>>()
+                .concat(),
+        };
+        expected.assert_eq(&shown);
+    };
+    check(
+        "start _-\nru$0n => _-\n",
+        "motor",
+        expect![[r#"
+        %% main.clad
+        VAR_INPUT start : BOOL; # the green *button* # END_VAR
+        VAR_OUTPUT motor : BOOL; END_VAR
+        VAR warm : TON; total : DINT; list : ARRAY[1..2] OF INT; END_VAR
+        +--[ ]( start )-------------------------------[TON]( warm, 5s )--( )( motor )--+
+        +--[ ]( motor )-----------------[ADD]( total, total, 1 )--[MOV]( list[1], 2 )--+
+        %% other.ladder-test
+        program main.clad
+        scenario "other"
+        start   _-
+        motor => _-
+        %% main.ladder-test
+        program main.clad
+        step 100ms
+
+        scenario "one"
+        start   _-
+        motor => _-
+    "#]],
+    );
+    check(
+        "war$0m.ET => 0s\n",
+        "heat",
+        expect![[r#"
+        %% main.clad
+        VAR_INPUT start : BOOL; # the green *button* # END_VAR
+        VAR_OUTPUT run : BOOL; END_VAR
+        VAR heat : TON; total : DINT; list : ARRAY[1..2] OF INT; END_VAR
+        +--[ ]( start )--[TON]( heat, 5s )--( )( run )--+
+        +--[ ]( run )--[ADD]( total, total, 1 )--[MOV]( list[1], 2 )--+
+        %% main.ladder-test
+        program main.clad
+        step 100ms
+
+        scenario "one"
+        heat.ET => 0s
+    "#]],
+    );
+    check(
+        "start$0 _-\n",
+        "run",
+        expect![[r#"
+        refused: there is a tag `run` on line 2 of main.clad already: both would become one
+    "#]],
+    );
+    check(
+        "nothing$0 _-\n",
+        "run",
+        expect![[r#"
+        refused: there is nothing to rename here
+    "#]],
+    );
+    check(
+        "start _$0-\n",
+        "run",
+        expect![[r#"
+        refused: there is nothing to rename here
+    "#]],
+    );
+    let asked = Asked::at(&format!("{HEAD}war$0m.ET => 0s\n"));
+    let found = prepare_scenario_rename(&asked.scenarios(), asked.offset)
+        .unwrap()
+        .unwrap();
+    assert_eq!(found.name, "warm");
+}
+
+#[test]
+fn the_outline_holds_scenarios_with_their_rows() {
+    let asked = Asked::at(&format!("{HEAD}start _-$0\nrun => _-\nscenario \"two\"\n"));
+    let mut shown = String::new();
+    for part in scenario_outline(&asked.scenarios()) {
+        shown.push_str(&format!(
+            "{} ({}) {:?}\n",
+            part.name, part.detail, &asked.text[part.range]
+        ));
+        for row in part.children {
+            shown.push_str(&format!(
+                "    {} ({}) {:?}\n",
+                row.name, row.detail, &asked.text[row.range]
+            ));
+        }
+    }
+    expect![[r#"
+        one (2 steps) "scenario \"one\"\nstart _-\nrun => _-"
+            start (given) "start _-"
+            run (expected) "run => _-"
+        two (0 steps) "scenario \"two\""
+    "#]]
+    .assert_eq(&shown);
+}

@@ -1,0 +1,106 @@
+//! What requests about a scenario file have in common: its text, and the program that it is about with the files beside
+//! that, open or not.
+
+use std::path::Path;
+use std::sync::Arc;
+
+use tower_lsp::jsonrpc::Result;
+use tower_lsp::ls_types::{Position, Uri};
+
+use super::asked::Asked;
+use crate::cancel::Cancel;
+use crate::document::elsewhere::Elsewhere;
+use crate::document::neighbours::Membership;
+use crate::document::{Kind, Revision, address};
+use crate::lsp::transport::blocking::blocking;
+use crate::lsp::{convert, shared::Shared};
+use ladder_ide::Scenarios;
+use ladder_syntax::TextSize;
+use ladder_workspace::Named;
+
+/// A scenario file that is asked about.
+pub(crate) struct AskedScenarios {
+    /// The scenario file.
+    pub(crate) revision: Arc<Revision>,
+    text: String,
+    /// The program, if it was found.
+    pub(crate) program: Option<Asked>,
+}
+
+impl AskedScenarios {
+    /// The offset of a position in the scenario file.
+    pub(crate) fn offset(&self, position: Position) -> TextSize {
+        self.revision.offset(convert::our_position(position))
+    }
+
+    /// The file as features read it.
+    pub(crate) fn read(&self) -> Scenarios<'_> {
+        Scenarios::read(&self.text, self.program.as_ref().map(|program| &*program.context))
+    }
+
+    /// The text.
+    pub(crate) fn text(&self) -> &str {
+        &self.text
+    }
+}
+
+/// The open scenario file of this address, if it is one.
+pub(crate) fn scenarios_at(shared: &Shared, uri: &Uri) -> Option<Arc<Revision>> {
+    let revision = shared.companions.get(uri.as_str())?;
+    (revision.kind() == Kind::Scenarios).then_some(revision)
+}
+
+/// Does a job about a scenario file; nothing for one that is too large.
+pub(crate) async fn about_scenarios<T: Send + 'static>(
+    shared: &Arc<Shared>,
+    revision: Arc<Revision>,
+    job: impl FnOnce(&AskedScenarios) -> Option<T> + Send + 'static,
+) -> Result<Option<T>> {
+    let shared = shared.clone();
+    blocking(move |cancel| {
+        if !revision.fits() {
+            return None;
+        }
+        let text = revision.text();
+        let program = program(&shared, &revision, &text, cancel);
+        job(&AskedScenarios {
+            revision,
+            text,
+            program,
+        })
+    })
+    .await
+}
+
+/// The program that a scenario file names: as the editor shows it if it is open, else as it is on disk.
+fn program(shared: &Shared, revision: &Revision, text: &str, cancel: &Cancel) -> Option<Asked> {
+    let (name, _) = ladder_simulator::scenario::parse(text).program?;
+    let path = Named::in_file(&address::path_of(&revision.uri)?, &name)
+        .locate()
+        .ok()?;
+    let program = shown(shared, &path).or_else(|| on_disk(shared, &path))?;
+    let context = Arc::clone(program.names()?.context());
+    let elsewhere = Elsewhere::of(&program, &shared.documents, &shared.companions, cancel);
+    Some(Asked {
+        revision: program,
+        context,
+        elsewhere,
+    })
+}
+
+fn shown(shared: &Shared, path: &Path) -> Option<Arc<Revision>> {
+    let is_it = |revision: &Arc<Revision>| revision.place().is_some_and(|place| place.path == path);
+    shared.documents.all().into_iter().find(is_it)
+}
+
+fn on_disk(shared: &Shared, path: &Path) -> Option<Arc<Revision>> {
+    let text = ladder_workspace::read_own(path).ok()?;
+    let place = Membership::new(path.to_owned(), &shared.neighbours);
+    let uri = address::uri_of(path);
+    Some(Arc::new(Revision::on_disk(
+        &uri,
+        shared.agreed().encoding,
+        &text,
+        place,
+    )))
+}
