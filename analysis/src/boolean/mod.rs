@@ -12,9 +12,11 @@
 //! network with more combinations than [`space::MOST_POINTS`] is not looked at. What cannot be known (an edge, a
 //! timer's output, a value that another block has written) is a variable of its own.
 
+mod comparison;
 pub(crate) mod formula;
+pub(crate) mod gate;
 pub(crate) mod power;
 pub(crate) mod space;
 mod value_space;
-pub(crate) mod variables;
+mod variables;
 pub(crate) mod written;

@@ -1,7 +1,8 @@
 //! The power of every step of a network, for every combination of values.
 
+use super::gate::{Ask, CoilKind, Gate, Gates, Variable};
 use super::space::{Set, Space};
-use super::variables::{Ask, CoilKind, Gate, Gates, Variable, gates};
+use super::variables::gates;
 use crate::context::Context;
 use crate::networks::NetworkAt;
 use crate::program::Step;

@@ -1,6 +1,6 @@
 //! The values of a number, as the numbers that it is compared with cut them up.
 
-use super::variables::order_mask;
+use super::comparison::order_mask;
 use crate::operand_value::Number;
 use crate::types::Scalar;
 use ladder_instructions::Op;

@@ -1,5 +1,7 @@
 //! Which variable each condition of a network asks about, and what the blocks write.
 
+use super::comparison::Comparison;
+use super::gate::{Ask, CoilKind, Gate, Gates, Variable};
 use super::value_space::{Bound, Regions};
 use super::written::written;
 use crate::context::Context;
@@ -7,7 +9,7 @@ use crate::facts::{Node, NodeKind};
 use crate::literal::Literal;
 use crate::network::{Formal, Meaning};
 use crate::networks::{BlockAt, NetworkAt};
-use crate::operand_value::{Number, number, scalar, tag};
+use crate::operand_value::tag;
 use crate::program::Step;
 use crate::scope::Access;
 use crate::types::Scalar;
@@ -18,67 +20,6 @@ use std::fmt::Write;
 
 /// A tag: its scope and its index there.
 type TagId = (usize, usize);
-
-/// Something whose value decides about power.
-#[derive(Debug, Clone)]
-pub(crate) enum Variable {
-    /// A BOOL tag, bit or element, as it is written.
-    Bool(String),
-    /// `SYS.ON` or `SYS.OFF`: its value.
-    Fixed(bool),
-    /// A number that is compared with numbers: the stretches that these cut its values into.
-    Number(String, Regions),
-    /// Two values that are compared: less, equal, greater.
-    Pair(String, String),
-    /// What nobody can name: the memory of an edge, the output of a timer, the rail behind an `<MCR>`.
-    Unknown,
-}
-
-/// A condition: the variable, and for which of its values (a bit each) it conducts.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) struct Ask {
-    pub(crate) variable: usize,
-    pub(crate) mask: u64,
-}
-
-/// What a block makes of the power that enters it.
-#[derive(Debug, Clone, PartialEq)]
-pub(crate) enum Gate {
-    /// It passes it on.
-    Pass,
-    /// It passes it on if all conditions hold.
-    If(Vec<Ask>),
-    /// `[NOT]`
-    Inverter,
-    /// It gives power if none enters it and the condition holds.
-    IfNot(Ask),
-    /// It gives power by itself.
-    Gives(Ask),
-    /// A coil.
-    Coil(CoilKind, Option<usize>),
-}
-
-/// What a coil writes.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum CoilKind {
-    Power,
-    Negated,
-    Set,
-    Reset,
-}
-
-/// A network's blocks as gates.
-#[derive(Debug)]
-pub(crate) struct Gates {
-    pub(crate) variables: Vec<Variable>,
-    /// One for each block of the network.
-    pub(crate) of_block: Vec<Gate>,
-    /// A condition asks for a value that a block of the network has written, and that cannot be computed here.
-    pub(crate) reads_unknown_write: bool,
-    /// Not every combination of values can occur: something holds for all combinations is still true, that one
-    /// combination shows something is not.
-    pub(crate) some_impossible: bool,
-}
 
 /// The conditions of a network and their variables.
 pub(crate) fn gates(context: &Context, network: NetworkAt<'_>) -> Option<Gates> {
@@ -117,32 +58,25 @@ pub(crate) fn gates(context: &Context, network: NetworkAt<'_>) -> Option<Gates> 
 
 /// A gate whose comparisons wait until all numbers that a value is compared with are known.
 #[derive(Debug, Clone)]
-enum Draft {
+pub(super) enum Draft {
     Done(Gate),
     Compares(Vec<Comparison>),
 }
 
-#[derive(Debug, Clone, Copy)]
-enum Comparison {
-    Known(Ask),
-    Always(bool),
-    Number { variable: usize, op: Op, with: Number },
-}
-
-struct Reader<'c> {
-    context: &'c Context,
-    network: NetworkAt<'c>,
-    variables: Vec<Variable>,
-    by_key: FxHashMap<String, usize>,
+pub(super) struct Reader<'c> {
+    pub(super) context: &'c Context,
+    pub(super) network: NetworkAt<'c>,
+    pub(super) variables: Vec<Variable>,
+    pub(super) by_key: FxHashMap<String, usize>,
     /// How often the value of a tag has changed in the network so far.
-    versions: FxHashMap<TagId, u32>,
+    pub(super) versions: FxHashMap<TagId, u32>,
     /// How often any tag may have changed.
-    epoch: u32,
-    unknown_writes: FxHashSet<TagId>,
+    pub(super) epoch: u32,
+    pub(super) unknown_writes: FxHashSet<TagId>,
     /// For variables that are numbers: what they are compared with, and their type.
-    bounds: FxHashMap<usize, (Vec<Bound>, Option<Scalar>)>,
-    reads_unknown_write: bool,
-    some_impossible: bool,
+    pub(super) bounds: FxHashMap<usize, (Vec<Bound>, Option<Scalar>)>,
+    pub(super) reads_unknown_write: bool,
+    pub(super) some_impossible: bool,
 }
 
 impl Reader<'_> {
@@ -220,7 +154,7 @@ impl Reader<'_> {
         gate
     }
 
-    fn unknown(&mut self) -> Ask {
+    pub(super) fn unknown(&mut self) -> Ask {
         self.variables.push(Variable::Unknown);
         Ask {
             variable: self.variables.len() - 1,
@@ -236,7 +170,7 @@ impl Reader<'_> {
         }
     }
 
-    fn contact(&mut self, node: &Node, negated: bool) -> Ask {
+    pub(super) fn contact(&mut self, node: &Node, negated: bool) -> Ask {
         let is_range = matches!(node.kind, NodeKind::Range(..));
         let Some((key, tags)) = self.key(node) else {
             return self.unknown();
@@ -261,96 +195,13 @@ impl Reader<'_> {
         }
     }
 
-    fn variable(&mut self, key: String, variable: Variable) -> usize {
+    pub(super) fn variable(&mut self, key: String, variable: Variable) -> usize {
         let next = self.variables.len();
         let index = *self.by_key.entry(key).or_insert(next);
         if index == next {
             self.variables.push(variable);
         }
         index
-    }
-
-    fn comparison(&mut self, bound: BlockAt<'_>, op: Op) -> Draft {
-        let operands = &bound.facts.operands;
-        let pairs = operands.windows(2);
-        let compares = pairs.map(|pair| self.compare(op, &pair[0].value, &pair[1].value));
-        Draft::Compares(compares.collect())
-    }
-
-    fn compare(&mut self, op: Op, left: &Node, right: &Node) -> Comparison {
-        let (context, scope) = (self.context, self.network.scope);
-        match (number(context, scope, left), number(context, scope, right)) {
-            (Some(a), Some(b)) => Comparison::Always(holds(op, a, b)),
-            (None, Some(with)) => self.with_number(op, left, with, right),
-            (Some(with), None) => self.with_number(turned(op), right, with, left),
-            (None, None) => self.pair(op, left, right),
-        }
-    }
-
-    fn with_number(&mut self, op: Op, node: &Node, with: Number, written: &Node) -> Comparison {
-        let Some((key, tags)) = self.key(node) else {
-            return Comparison::Known(self.unknown());
-        };
-        self.note_read(&tags);
-        let key = format!("number {}", self.versioned(&key, &tags));
-        let name = self.text(node);
-        let variable = self.variable(key, Variable::Number(name, Regions::default()));
-        let ty = scalar(self.context, self.network.scope, node);
-        let bound = Bound {
-            at: with,
-            text: self.text(written),
-        };
-        self.bounds
-            .entry(variable)
-            .or_insert((Vec::new(), ty))
-            .0
-            .push(bound);
-        Comparison::Number { variable, op, with }
-    }
-
-    fn pair(&mut self, op: Op, left: &Node, right: &Node) -> Comparison {
-        if let Some(ask) = self
-            .with_bool(op, left, right)
-            .or_else(|| self.with_bool(op, right, left))
-        {
-            return Comparison::Known(ask);
-        }
-        let (Some((a, mut tags)), Some((b, others))) = (self.key(left), self.key(right)) else {
-            return Comparison::Known(self.unknown());
-        };
-        if a == b {
-            return Comparison::Always(matches!(op, Op::Eq | Op::Ge | Op::Le));
-        }
-        tags.extend(others);
-        self.note_read(&tags);
-        let (a, b, op, left, right) = if a < b {
-            (a, b, op, left, right)
-        } else {
-            (b, a, turned(op), right, left)
-        };
-        let key = self.versioned(&format!("{a} to {b}"), &tags);
-        let variable = Variable::Pair(self.text(left), self.text(right));
-        let variable = self.variable(key, variable);
-        // A third comparison may follow from two others.
-        self.some_impossible |= self
-            .variables
-            .iter()
-            .filter(|v| matches!(v, Variable::Pair(..)))
-            .count()
-            > 1
-            || self.variables.iter().any(|v| matches!(v, Variable::Number(..)));
-        Comparison::Known(Ask {
-            variable,
-            mask: order_mask(op),
-        })
-    }
-
-    /// `[EQ]( flag, TRUE )`
-    fn with_bool(&mut self, op: Op, tag: &Node, literal: &Node) -> Option<Ask> {
-        let NodeKind::Literal(Ok(Literal::Bool(value))) = literal.kind else {
-            return None;
-        };
-        matches!(op, Op::Eq | Op::Ne).then(|| self.contact(tag, value != (op == Op::Eq)))
     }
 
     fn coil(&mut self, kind: CoilKind, operand: Option<&Node>, consumed: bool) -> Gate {
@@ -397,7 +248,7 @@ impl Reader<'_> {
         self.unknown_writes.insert(tag);
     }
 
-    fn note_read(&mut self, tags: &[TagId]) {
+    pub(super) fn note_read(&mut self, tags: &[TagId]) {
         self.reads_unknown_write |=
             self.epoch > 0 || tags.iter().any(|tag| self.unknown_writes.contains(tag));
     }
@@ -418,7 +269,7 @@ impl Reader<'_> {
 
     /// What a place is, however it is written, and the tags that it depends on. None if that depends on values:
     /// an element whose index is a tag.
-    fn key(&self, node: &Node) -> Option<(String, Vec<TagId>)> {
+    pub(super) fn key(&self, node: &Node) -> Option<(String, Vec<TagId>)> {
         match &node.kind {
             NodeKind::Name(name) | NodeKind::Address(name) => {
                 let (id, _) = tag(self.context, self.network.scope, name)?;
@@ -451,7 +302,7 @@ impl Reader<'_> {
         }
     }
 
-    fn versioned(&self, key: &str, tags: &[TagId]) -> String {
+    pub(super) fn versioned(&self, key: &str, tags: &[TagId]) -> String {
         let changes: u32 = tags
             .iter()
             .map(|tag| self.versions.get(tag).copied().unwrap_or(0))
@@ -459,7 +310,7 @@ impl Reader<'_> {
         format!("{key}@{changes}.{}", if tags.is_empty() { 0 } else { self.epoch })
     }
 
-    fn text(&self, node: &Node) -> String {
+    pub(super) fn text(&self, node: &Node) -> String {
         written(self.context, self.network.scope, node)
     }
 
@@ -488,47 +339,6 @@ impl Reader<'_> {
             some_impossible: self.some_impossible,
         })
     }
-
-    fn ask(&mut self, comparison: Comparison) -> Ask {
-        match comparison {
-            Comparison::Known(ask) => ask,
-            Comparison::Always(value) => {
-                let ask = self.unknown();
-                Ask {
-                    mask: if value { 0b11 } else { 0 },
-                    ..ask
-                }
-            }
-            Comparison::Number { variable, op, with } => {
-                let mask = match &self.variables[variable] {
-                    Variable::Number(_, regions) => regions.mask(op, with),
-                    _ => 0,
-                };
-                Ask { variable, mask }
-            }
-        }
-    }
-}
-
-impl Variable {
-    /// How many values it has.
-    pub(crate) fn size(&self) -> usize {
-        match self {
-            Variable::Bool(_) | Variable::Fixed(_) | Variable::Unknown => 2,
-            Variable::Number(_, regions) => regions.count(),
-            Variable::Pair(..) => 3,
-        }
-    }
-
-    /// That it has one of its values, as a person says it; none if it has no name.
-    pub(crate) fn says(&self, value: usize) -> Option<String> {
-        Some(match self {
-            Variable::Bool(name) => format!("{name} = {value}"),
-            Variable::Number(name, regions) => regions.says(name, value),
-            Variable::Pair(left, right) => format!("{left} {} {right}", ["<", "=", ">"][value]),
-            Variable::Fixed(_) | Variable::Unknown => return None,
-        })
-    }
 }
 
 fn literal_index(node: &Node) -> Option<i128> {
@@ -549,35 +359,4 @@ fn system_constant(node: &Node) -> Option<bool> {
         "OFF" if is_system => Some(false),
         _ => None,
     }
-}
-
-/// `a op b` as `b op a`.
-const fn turned(op: Op) -> Op {
-    match op {
-        Op::Gt => Op::Lt,
-        Op::Ge => Op::Le,
-        Op::Lt => Op::Gt,
-        Op::Le => Op::Ge,
-        other => other,
-    }
-}
-
-/// For which of less, equal, greater a comparison holds.
-pub(super) const fn order_mask(op: Op) -> u64 {
-    match op {
-        Op::Eq => 0b010,
-        Op::Ne => 0b101,
-        Op::Gt => 0b100,
-        Op::Ge => 0b110,
-        Op::Lt => 0b001,
-        _ => 0b011,
-    }
-}
-
-fn holds(op: Op, a: Number, b: Number) -> bool {
-    let order = match (a, b) {
-        (Number::Int(a), Number::Int(b)) => a.cmp(&b),
-        _ => a.real().total_cmp(&b.real()),
-    };
-    order_mask(op) >> (order as i8 + 1) & 1 == 1
 }

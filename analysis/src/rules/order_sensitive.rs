@@ -76,7 +76,7 @@ pub(super) fn check(table: &Table<'_>, out: &mut Vec<Diagnostic>) {
 
 /// The contacts that read a tag which a coil of the network has written before them.
 fn reads_behind_writes(table: &Table<'_>) -> Vec<ladder_syntax::TextRange> {
-    use crate::boolean::variables::Gate;
+    use crate::boolean::gate::Gate;
     use crate::program::Step;
     let gates = &table.power.gates;
     let mut written = vec![false; gates.variables.len()];

@@ -150,8 +150,8 @@ fn drawing(seed: u64) -> String {
 /// The formulas say what the tables of the boolean function say, for every combination of values.
 #[test]
 fn formulas_are_exact() {
+    use crate::boolean::gate::Variable;
     use crate::boolean::power::{NetworkPower, Question};
-    use crate::boolean::variables::Variable;
     let mut compared = 0;
     for seed in 0..600 {
         let text = drawing(seed);
