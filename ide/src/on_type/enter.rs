@@ -29,7 +29,12 @@ pub(super) fn enter(context: &Context, offset: TextSize, options: &Options) -> V
     if line.mode_after == Mode::Section
         && matches!(line.kind, LineKind::SectionHeader | LineKind::Declaration)
     {
-        return replace(context, new_line, INDENT);
+        let mut edits = outdented(context, above);
+        edits.extend(replace(context, new_line, INDENT));
+        return edits;
+    }
+    if line.kind == LineKind::SectionEnd {
+        return outdented(context, above);
     }
     if !matches!(line.kind, LineKind::Rung | LineKind::Rail) {
         return Vec::new();
@@ -116,6 +121,22 @@ fn goes_on(context: &Context, above: usize) -> Option<String> {
         prefix.push_str(BRANCH);
     }
     Some(prefix)
+}
+
+/// `VAR` and `END_VAR` put at the left edge, if they were typed behind the blanks of a declaration.
+fn outdented(context: &Context, line: usize) -> Vec<Edit> {
+    let parse = &context.parse;
+    if parse.lines()[line].kind == LineKind::Declaration {
+        return Vec::new();
+    }
+    let text = line_text(parse, line);
+    let blanks = text.len() - text.trim_start_matches([' ', '\t']).len();
+    let range = TextRange::at(parse.line_start(line), TextSize::of(&text[..blanks]));
+    let edit = Edit {
+        range,
+        text: String::new(),
+    };
+    if range.is_empty() { Vec::new() } else { vec![edit] }
 }
 
 /// Whether a line holds nothing but the beginning of a rung.

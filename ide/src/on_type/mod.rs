@@ -6,11 +6,13 @@
 //! - A `/` at the end of such a branch draws the `\` that it comes up to.
 //! - Enter behind a rung that completes its network draws the network again, and begins the next rung.
 //! - Enter in a section indents the next declaration.
+//! - What Enter has begun may be typed once more; a comment or a keyword takes its place.
 //!
-//! What was typed stays.
+//! What was typed stays, but for rails and wires.
 
 mod branch;
 mod enter;
+mod typed_over;
 
 use ladder_analysis::context::Context;
 use ladder_analysis::networks::NetworkAt;
@@ -18,10 +20,13 @@ use ladder_format::{Edit, Options, format_ranges};
 use ladder_syntax::{LineKind, SyntaxKind, TextSize};
 
 /// The characters behind which the drawing may do something.
-pub const TRIGGERS: [char; 5] = ['\n', ')', '/', '+', '>'];
+pub const TRIGGERS: [char; 10] = ['\n', ')', '/', '+', '>', '#', '|', 'E', 'F', 'V'];
 
 /// The edits after a character was typed; `offset` is right behind it. Sorted, none touching another.
 pub fn on_type(context: &Context, offset: TextSize, typed: char, options: &Options) -> Vec<Edit> {
+    if let Some(edits) = typed_over::typed_over(context, offset, typed) {
+        return edits;
+    }
     match typed {
         '\n' => enter::enter(context, offset, options),
         ')' | '/' | '+' | '>' => completed(context, offset, options).unwrap_or_default(),

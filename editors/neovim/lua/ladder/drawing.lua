@@ -8,8 +8,16 @@ local PATIENCE = 300
 --- The keys that the server is asked about.
 local ENTER, CLOSE = '\n', '/'
 
+--- The keys that may repeat or reject what Enter has begun.
+local OVER = { ['+'] = true, ['|'] = true, ['#'] = true, E = true, F = true, V = true }
+
 local function is_wanted()
   return vim.g.ladder_draw ~= false
+end
+
+--- Whether a line is no more than Enter has begun.
+local function is_begun(line)
+  return line == '+--' or line:match('^|[ |]*/%-%- *$') ~= nil
 end
 
 --- Has the server go on behind a key that was just typed. The next key waits, so that it finds what was begun.
@@ -96,11 +104,12 @@ function M.attach(client, bufnr)
     state.changed = false
   end)
   on('InsertCharPre', function()
-    if vim.v.char == CLOSE and is_wanted() then
+    local typed = vim.v.char
+    if is_wanted() and (typed == CLOSE or OVER[typed] and is_begun(vim.api.nvim_get_current_line())) then
       vim.schedule(function()
         local column = vim.api.nvim_win_get_cursor(0)[2]
-        if vim.api.nvim_get_current_line():sub(column, column) == CLOSE then
-          go_on(client, bufnr, state, CLOSE)
+        if vim.api.nvim_get_current_line():sub(column, column) == typed then
+          go_on(client, bufnr, state, typed)
         end
       end)
     end

@@ -1,0 +1,7 @@
+-- The programs of the book, typed. Beside test.lua, since it takes as long as that.
+package.path = vim.env.LADDER_ROOT .. '/tests/editors/neovim/?.lua;' .. package.path
+local t = require('harness')
+
+require('book')(t)
+
+t.run()
