@@ -5,6 +5,7 @@ import { cpSync, readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 
 import { openBrowser, removeScratch, scratchFolder, serve, until } from './codeServer.mjs';
+import { book, emptyFiles } from './book.mjs';
 import { debug, PROGRAM, TEXT } from './debug.mjs';
 import { diagram, programs } from './diagram.mjs';
 import { command, open } from './palette.mjs';
@@ -28,6 +29,7 @@ function prepare() {
     writeFileSync(join(scratch, 'project', PROGRAM), TEXT);
     writeFileSync(join(scratch, 'project', NAME), `${RUNG}\n`);
     writeFileSync(join(scratch, 'project/watch.clad'), '+--[TON]( clock, T#1h )--( )( late )--+\n');
+    emptyFiles(join(scratch, 'project'));
     for (const [name, text] of Object.entries(programs)) {
         writeFileSync(join(scratch, 'project', name), text);
     }
@@ -323,6 +325,7 @@ async function main() {
         await traceTags(page);
         await edit(page);
         await typing(page, { step, until, screenshot });
+        await book(page, { step, until, project: join(scratch, 'project') });
         await debug(page, { step, screenshot });
         await scenarios(page, { step, screenshot });
         // Its last step loads the page again.

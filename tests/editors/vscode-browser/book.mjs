@@ -1,0 +1,62 @@
+// The programs of the book's first chapters, typed key by key by somebody who looks at the book only: every character, and
+// Enter at the end of a line. What is saved is the program that is in the book.
+import assert from 'node:assert/strict';
+import { execFileSync } from 'node:child_process';
+import { readFileSync, statSync, writeFileSync } from 'node:fs';
+import { join } from 'node:path';
+
+import { open } from './palette.mjs';
+
+const { LADDER_BIN, LADDER_ROOT } = process.env;
+
+const PAGES = ['first-program.md', 'for-programmers.md'];
+
+/** The programs of a page that are right, each with the number of its first line. */
+function programs(name) {
+    const lines = readFileSync(join(LADDER_ROOT, 'docs/src/guide', name), 'utf8').split('\n');
+    const fences = lines.flatMap((line, index) => (line.startsWith('```clad') && !line.includes('wrong') ? [index + 1] : []));
+    return fences.map((from) => ({ line: from, lines: lines.slice(from, lines.indexOf('```', from)) }));
+}
+
+/** What the formatter makes of a text. */
+function aligned(text) {
+    return execFileSync(LADDER_BIN, ['fmt', '-'], { input: text, encoding: 'utf8' }).trim();
+}
+
+/** The files that are typed into; they must be there when the project is opened. */
+export function emptyFiles(folder) {
+    for (const page of PAGES) {
+        for (const { line } of programs(page)) {
+            writeFileSync(join(folder, fileOf(page, line)), '');
+        }
+    }
+}
+
+const fileOf = (page, line) => `book-${page.replace('.md', '')}-${line}.clad`;
+
+/** @param project the folder that is open */
+export async function book(page, { step, until, project }) {
+    const mistakes = page.locator('.editor-group-container.active .monaco-editor .squiggly-error');
+    for (const name of PAGES) {
+        await step(`the programs of ${name}, typed by somebody who looks at the book only`, async () => {
+            for (const { line, lines } of programs(name)) {
+                const file = fileOf(name, line);
+                const where = `${name}:${line}`;
+                await open(page, file);
+                await page.locator('.editor-group-container.active .monaco-editor .view-lines').click();
+                for (const [number, text] of lines.entries()) {
+                    await page.keyboard.type(text, { delay: 8 });
+                    if (number < lines.length - 1) {
+                        await page.keyboard.press('Enter', { delay: 8 });
+                    }
+                }
+                await until(`no mistake in ${where}`, 5, async () => (await mistakes.count()) === 0);
+                await page.keyboard.press('Control+S');
+                await until(`${file} to be saved`, 5, () => statSync(join(project, file)).size > 0);
+                await page.waitForTimeout(100);
+                assert.equal(aligned(readFileSync(join(project, file), 'utf8')), aligned(`${lines.join('\n')}\n`), where);
+                await page.keyboard.press('Control+W');
+            }
+        });
+    }
+}
