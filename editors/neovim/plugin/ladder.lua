@@ -33,6 +33,9 @@ vim.api.nvim_create_autocmd('LspAttach', {
     if client and client.name == 'ladder' then
       require('ladder.version').check(client)
     end
+    if client and client.name == 'ladder' and vim.list_contains({ 'clad', 'laddertest' }, vim.bo[event.buf].filetype) then
+      require('ladder.align').attach(client, event.buf)
+    end
     if client and client.name == 'ladder' and vim.bo[event.buf].filetype == 'clad' then
       require('ladder.colours').attach(client, event.buf)
       require('ladder.drawing').attach(client, event.buf)

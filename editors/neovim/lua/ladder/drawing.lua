@@ -119,11 +119,6 @@ function M.attach(client, bufnr)
       draw(client, bufnr, state)
     end
   end)
-  on('BufWritePre', function()
-    if vim.g.ladder_format_on_save then
-      vim.lsp.buf.format({ bufnr = bufnr, id = client.id })
-    end
-  end)
   on('LspDetach', function(event)
     if event.data.client_id == client.id then
       attached = false
