@@ -16,7 +16,8 @@ syntax match cladRail /[+|]/
 syntax match cladConnector /[\\/]/
 
 " A block: its first part says what it is, the parentheses behind it what it works on.
-syntax match cladContact /\[[^][#()]*\]/ nextgroup=cladOperands skipwhite
+syntax match cladBlock /\[[^][#()]*\]/ nextgroup=cladOperands skipwhite
+syntax match cladContact /\[\s*[PN\/]\?\s*\]/ nextgroup=cladOperands skipwhite
 syntax match cladFlow /<\$\?\w*>/ nextgroup=cladOperands skipwhite
 syntax match cladCoil /(\s*\%([A-Z/]*\|\$\w*\)\s*)\ze\s*(/ nextgroup=cladOperands skipwhite
 syntax region cladOperands matchgroup=cladBracket start=/(/ end=/)/ oneline contained
@@ -50,14 +51,31 @@ highlight default link cladComment Comment
 highlight default link cladInnerComment Comment
 highlight default link cladTodo Todo
 highlight default link cladDirective PreProc
+" What a word is, here and from the server's tokens. Other links go first: those of a colour scheme, and your own.
+highlight default link LadderInput Identifier
+highlight default link LadderOutput String
+highlight default link LadderTag @variable
+highlight default link LadderContact Special
+highlight default link LadderCoil Removed
+highlight default link LadderBlock Statement
+highlight default link @lsp.type.variable.clad LadderTag
+highlight default link @lsp.type.function.clad LadderBlock
+highlight default link @lsp.typemod.variable.input.clad LadderInput
+highlight default link @lsp.typemod.parameter.input.clad LadderInput
+highlight default link @lsp.typemod.variable.output.clad LadderOutput
+highlight default link @lsp.typemod.parameter.output.clad LadderOutput
+highlight default link @lsp.typemod.function.contact.clad LadderContact
+highlight default link @lsp.typemod.function.coil.clad LadderCoil
+
 highlight default link cladWire Normal
 highlight default link cladRail Delimiter
 highlight default link cladConnector Special
-highlight default link cladContact Function
-highlight default link cladCoil Statement
+highlight default link cladContact LadderContact
+highlight default link cladCoil LadderCoil
+highlight default link cladBlock LadderBlock
 highlight default link cladFlow Keyword
 highlight default link cladBracket Delimiter
-highlight default link cladTag Identifier
+highlight default link cladTag LadderTag
 highlight default link cladNamed Label
 highlight default link cladNumber Number
 highlight default link cladLiteral Number

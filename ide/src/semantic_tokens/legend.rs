@@ -34,7 +34,7 @@ impl TokenKind {
         (
             TokenKind::Function,
             "function",
-            "other instructions; functions of `<FUN>` and of expressions",
+            "other instructions, the `/` of `[/]` and `(/)` among them; functions of `<FUN>` and of expressions",
         ),
         (TokenKind::Label, "label", "labels"),
         (TokenKind::Variable, "variable", "tags and direct addresses"),
@@ -51,17 +51,13 @@ impl TokenKind {
         ),
         (TokenKind::Number, "number", "numbers, durations and dates"),
         (TokenKind::String, "string", "texts"),
-        (
-            TokenKind::Operator,
-            "operator",
-            "operators, `:=` and `=>`, the `/` of `[/]` and `(/)`",
-        ),
+        (TokenKind::Operator, "operator", "operators, `:=` and `=>`"),
     ];
 }
 
 /// What else is to be said of a word: a bit for each modifier.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Hash)]
-pub struct Modifiers(pub u8);
+pub struct Modifiers(pub u16);
 
 impl Modifiers {
     /// The name is introduced here.
@@ -74,9 +70,17 @@ impl Modifiers {
     pub const MODIFICATION: Modifiers = Modifiers(1 << 3);
     /// It belongs to the language.
     pub const DEFAULT_LIBRARY: Modifiers = Modifiers(1 << 4);
+    /// An input: the outside writes it.
+    pub const INPUT: Modifiers = Modifiers(1 << 5);
+    /// An output: the outside reads it.
+    pub const OUTPUT: Modifiers = Modifiers(1 << 6);
+    /// It makes a block a contact.
+    pub const CONTACT: Modifiers = Modifiers(1 << 7);
+    /// It makes a block a coil.
+    pub const COIL: Modifiers = Modifiers(1 << 8);
 
     /// All of them, in the order of their bits, with their names in the protocol and what they stand for here.
-    pub const LEGEND: [(Modifiers, &'static str, &'static str); 5] = [
+    pub const LEGEND: [(Modifiers, &'static str, &'static str); 9] = [
         (
             Modifiers::DECLARATION,
             "declaration",
@@ -97,6 +101,18 @@ impl Modifiers {
             Modifiers::DEFAULT_LIBRARY,
             "defaultLibrary",
             "what belongs to the language itself",
+        ),
+        (Modifiers::INPUT, "input", "an input; not of the standard"),
+        (Modifiers::OUTPUT, "output", "an output; not of the standard"),
+        (
+            Modifiers::CONTACT,
+            "contact",
+            "what stands in a contact: the `P` of `[P]`; not of the standard",
+        ),
+        (
+            Modifiers::COIL,
+            "coil",
+            "what stands in a coil: the `S` of `(S)`; not of the standard",
         ),
     ];
 

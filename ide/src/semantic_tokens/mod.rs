@@ -1,6 +1,7 @@
 //! Semantic tokens: what each word of a text is, for the colours of an editor.
 //!
-//! Only standard kinds and modifiers, so that every theme has a colour for them. The drawing itself (wires, rails,
+//! Only standard kinds, so that every theme has a colour for them; beside the standard modifiers four say which tags are
+//! inputs and outputs, and which blocks contacts and coils. The drawing itself (wires, rails,
 //! connectors, brackets) has none: it keeps the colour of text, and that of power while a simulation runs.
 //!
 //! The green nodes of the lines are walked as they are, without a cursor: an editor asks at every change.
@@ -12,7 +13,7 @@ pub use legend::{Modifiers, TokenKind};
 use ladder_analysis::context::Context;
 use ladder_analysis::network::{Formal, Meaning};
 use ladder_analysis::networks::BlockAt;
-use ladder_analysis::program::ParameterKind;
+use ladder_analysis::program::{ParameterKind, Role};
 use ladder_analysis::scope::{Origin, SectionKind};
 use ladder_instructions::{Accepts, Direction, Op};
 use ladder_syntax::rowan::GreenNodeData;
@@ -103,6 +104,8 @@ struct Inside {
     written: bool,
     /// Whether it is a block of program flow.
     flow: bool,
+    /// Whether it is a contact or a coil.
+    shape: Modifiers,
 }
 
 #[derive(Clone, Copy, Default, PartialEq)]
@@ -154,6 +157,14 @@ impl Walk<'_> {
     }
 
     fn block(&mut self, node: &GreenNodeData, bound: Option<BlockAt<'_>>) {
+        let kind = SyntaxKind::from_raw(node.kind());
+        let shape = match bound.and_then(|bound| bound.op()) {
+            _ if kind == SyntaxKind::COIL_BLOCK => Modifiers::COIL,
+            Some(Op::Contact | Op::NegatedContact | Op::RisingContact | Op::FallingContact) => {
+                Modifiers::CONTACT
+            }
+            _ => Modifiers::default(),
+        };
         for child in node.children() {
             match child {
                 NodeOrToken::Node(child)
@@ -164,7 +175,8 @@ impl Walk<'_> {
                 NodeOrToken::Node(child) => self.node(
                     child,
                     Inside {
-                        flow: SyntaxKind::from_raw(node.kind()) == SyntaxKind::FUNCTION_BLOCK,
+                        flow: kind == SyntaxKind::FUNCTION_BLOCK,
+                        shape,
                         ..Inside::default()
                     },
                 ),
@@ -275,9 +287,8 @@ impl Walk<'_> {
         let parent = inside.parent;
         let found = match kind {
             S::COMMENT => Some((TokenKind::Comment, none)),
-            S::MNEMONIC if text == "/" => Some((TokenKind::Operator, none)),
             S::MNEMONIC if inside.flow => Some((TokenKind::Keyword, none)),
-            S::MNEMONIC => Some((TokenKind::Function, of_language)),
+            S::MNEMONIC => Some((TokenKind::Function, of_language.and(inside.shape))),
             S::BLOCK_NAME => {
                 let header = self
                     .context
@@ -308,7 +319,12 @@ impl Walk<'_> {
                 } else {
                     none
                 };
-                Some((TokenKind::Variable, Modifiers::STATIC.and(written)))
+                let role = match text.as_bytes().get(1).map(u8::to_ascii_uppercase) {
+                    Some(b'I') => Modifiers::INPUT,
+                    Some(b'Q') => Modifiers::OUTPUT,
+                    _ => none,
+                };
+                Some((TokenKind::Variable, Modifiers::STATIC.and(written).and(role)))
             }
             S::IDENT | S::LITERAL if parent == Some(S::MEMBER_EXPR) => Some((TokenKind::Property, none)),
             S::LITERAL if text.starts_with(|c: char| c.is_ascii_alphabetic()) && !text.contains('#') => {
@@ -394,6 +410,11 @@ impl Walk<'_> {
         let tag = own
             .shared
             .map_or(own, |(scope, tag)| &self.context.scopes[scope].tags[tag]);
+        match tag.role {
+            Role::Input => modifiers = modifiers.and(Modifiers::INPUT),
+            Role::Output => modifiers = modifiers.and(Modifiers::OUTPUT),
+            Role::Internal => {}
+        }
         if tag.constant {
             modifiers = modifiers.and(Modifiers::READONLY);
         }

@@ -47,34 +47,34 @@ fn rungs() {
     check(
         "# a pump #\n+--\\--[ ]( start )--\\--[/]( stop )--# why #--( )( run )--+\n|  /--[ ]( run )----/                                     |\n",
         expect![[r##"
-                "# a pump #" comment
-                "start" variable
-                "/" operator
-                "stop" variable
-                "# why #" comment
-                "run" variable modification
-                "run" variable
-            "##]],
+            "# a pump #" comment
+            "start" variable input
+            "/" function defaultLibrary contact
+            "stop" variable input
+            "# why #" comment
+            "run" variable modification
+            "run" variable
+        "##]],
     );
     check(
         "+--[TON]( t, T#5s, R := SYS.FIRST_SCAN )--[GT]( t.ET, 3 )--[ ]( word.3 )--(S)( %QX0.1 )--+\n",
         expect![[r#"
-                "TON" function defaultLibrary
-                "t" variable modification
-                "T#5s" number
-                "R" parameter
-                ":=" operator
-                "SYS" variable readonly defaultLibrary
-                "FIRST_SCAN" property
-                "GT" function defaultLibrary
-                "t" variable
-                "ET" property
-                "3" number
-                "word" variable
-                "3" property
-                "S" function defaultLibrary
-                "%QX0.1" variable static modification
-            "#]],
+            "TON" function defaultLibrary
+            "t" variable modification
+            "T#5s" number
+            "R" parameter
+            ":=" operator
+            "SYS" variable readonly defaultLibrary
+            "FIRST_SCAN" property
+            "GT" function defaultLibrary
+            "t" variable
+            "ET" property
+            "3" number
+            "word" variable
+            "3" property
+            "S" function defaultLibrary coil
+            "%QX0.1" variable static modification output
+        "#]],
     );
     check(
         "+--[CALC]( y, SQRT(a[i]) + -2 * x MOD 3 )--[MOV]( row[k], 'text' )--[SEARCH]( n, EQ, 1, row[1..4], FOUND => hit )--+\n",
@@ -110,17 +110,17 @@ fn rungs() {
     check(
         "+--[ ]( a )--<JMP>( done )--<CALL>( dose )--+\n+--<LBL>( done )--+\n+--<FUN>( dose )--<RET>--+\n",
         expect![[r#"
-                "a" variable
-                "JMP" keyword
-                "done" label
-                "CALL" keyword
-                "dose" function
-                "LBL" keyword
-                "done" label declaration
-                "FUN" keyword
-                "dose" function declaration
-                "RET" keyword
-            "#]],
+            "a" variable input
+            "JMP" keyword
+            "done" label
+            "CALL" keyword
+            "dose" function
+            "LBL" keyword
+            "done" label declaration
+            "FUN" keyword
+            "dose" function declaration
+            "RET" keyword
+        "#]],
     );
 }
 
@@ -166,36 +166,36 @@ fn declarations() {
         "FUNCTION_BLOCK [$Hold]\nVAR_INPUT raw : BOOL; END_VAR\nVAR_OUTPUT clean : BOOL; END_VAR\nVAR own : BOOL; END_VAR\n\
              +--[ ]( raw )--( )( clean )--( )( own )--( )( ENO )--+\nEND_FUNCTION_BLOCK\n+--[$Hold]( raw := a, clean => b )--[$Hold]( a, b )--+\n",
         expect![[r#"
-                "FUNCTION_BLOCK" keyword
-                "$Hold" class declaration
-                "VAR_INPUT" keyword
-                "raw" parameter declaration
-                "BOOL" type defaultLibrary
-                "END_VAR" keyword
-                "VAR_OUTPUT" keyword
-                "clean" parameter declaration
-                "BOOL" type defaultLibrary
-                "END_VAR" keyword
-                "VAR" keyword
-                "own" variable declaration
-                "BOOL" type defaultLibrary
-                "END_VAR" keyword
-                "raw" parameter
-                "clean" parameter modification
-                "own" variable modification
-                "ENO" variable modification
-                "END_FUNCTION_BLOCK" keyword
-                "$Hold" class
-                "raw" parameter
-                ":=" operator
-                "a" variable
-                "clean" parameter
-                "=>" operator
-                "b" variable modification
-                "$Hold" class
-                "a" variable
-                "b" variable modification
-            "#]],
+            "FUNCTION_BLOCK" keyword
+            "$Hold" class declaration
+            "VAR_INPUT" keyword
+            "raw" parameter declaration input
+            "BOOL" type defaultLibrary
+            "END_VAR" keyword
+            "VAR_OUTPUT" keyword
+            "clean" parameter declaration output
+            "BOOL" type defaultLibrary
+            "END_VAR" keyword
+            "VAR" keyword
+            "own" variable declaration
+            "BOOL" type defaultLibrary
+            "END_VAR" keyword
+            "raw" parameter input
+            "clean" parameter modification output
+            "own" variable modification
+            "ENO" variable modification
+            "END_FUNCTION_BLOCK" keyword
+            "$Hold" class
+            "raw" parameter
+            ":=" operator
+            "a" variable input
+            "clean" parameter
+            "=>" operator
+            "b" variable modification
+            "$Hold" class
+            "a" variable input
+            "b" variable modification
+        "#]],
     );
 }
 
