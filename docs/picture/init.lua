@@ -9,7 +9,7 @@ vim.diagnostic.config({
   },
 })
 vim.opt.termguicolors = true
-vim.opt.background = 'dark'
+vim.opt.background = vim.g.ground or 'dark'
 vim.opt.swapfile = false
 vim.opt.ruler = false
 vim.opt.hlsearch = false

@@ -65,14 +65,24 @@ fn blank_line(context: &Context, offset: TextSize) -> Option<(TextRange, usize)>
     }
     let text = line_text(parse, line);
     let before = &text[..usize::from(offset - parse.line_start(line))];
-    // An editor without the server may have gone on with the rail.
-    let is_rail = parse.lines()[line].kind == LineKind::Rail && text.trim() == "|" && before.contains('|');
+    let is_rail = parse.lines()[line].kind == LineKind::Rail && text.trim() == "|";
+    // An editor without the server may have gone on with the rail; or the rail at the right was drawn when the branch was
+    // closed, and Enter has taken it along.
+    let is_rail = is_rail && (before.contains('|') || behind_branch(context, line));
     if parse.lines()[line].kind != LineKind::Blank && !is_rail {
         return None;
     }
     let above = line.checked_sub(1).filter(|&above| ends_line(context, above))?;
     let blanks = TextSize::of(text.trim_end_matches(['\r', '\n']));
     Some((TextRange::at(parse.line_start(line), blanks), above))
+}
+
+/// Whether the line above is a row that ends with its branch, and without a rail at the right.
+fn behind_branch(context: &Context, line: usize) -> bool {
+    line.checked_sub(1).is_some_and(|above| {
+        context.parse.lines()[above].kind == LineKind::Rung
+            && line_text(&context.parse, above).trim_end().ends_with('/')
+    })
 }
 
 fn ends_line(context: &Context, line: usize) -> bool {

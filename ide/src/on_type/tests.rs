@@ -494,3 +494,41 @@ fn what_enter_has_begun_is_typed_once_more() {
     "#]],
     );
 }
+
+#[test]
+fn enter_behind_a_branch_leaves_the_rail_where_it_is() {
+    const ROW: &str = "+--\\--[ ]( a )--\\--( )( y )--+\n|  /--[ ]( b )--/\n";
+    check(
+        &format!("{ROW}$0            |"),
+        expect![[r#"
+        +--\--[ ]( a )--\------------( )( y )--+
+        |  /--[ ]( b )--/                      |
+        +--
+    "#]],
+    );
+    check(
+        &format!("{ROW}  $0          |\n\n+--[ ]( c )--( )( z )--+\n"),
+        expect![[r#"
+        +--\--[ ]( a )--\------------( )( y )--+
+        |  /--[ ]( b )--/                      |
+        +--
+
+        +--[ ]( c )--( )( z )--+
+
+    "#]],
+    );
+    // Another branch is open.
+    check(
+        "+--\\--\\--[ ]( a )--\\--\\--( )( y )--+\n|  |  /--[ ]( b )--/\n$0      |\n",
+        expect![[r#"
+            nothing
+        "#]],
+    );
+    // A rail that somebody draws.
+    check(
+        &format!("{ROW}|\n$0|\n"),
+        expect![[r#"
+        nothing
+    "#]],
+    );
+}

@@ -66,7 +66,7 @@ return function(t)
       local _, right = beside(keys)
       -- The editor has written the rest already.
       if looks and vim.trim(right) ~= '' and vim.trim(right) == vim.trim(wanted:sub(at + 1)) then
-        return keys:press('<End>')
+        return
       end
       at = at + 1
       local key = wanted:sub(at, at)
@@ -109,7 +109,7 @@ return function(t)
   end
 
   for _, page in ipairs({ 'first-program.md', 'drawing-rungs.md', 'for-electricians.md', 'for-programmers.md' }) do
-    for how, looks in pairs({ ['who looks at the screen'] = true, ['who looks at the book only'] = false }) do
+    for how, looks in vim.spairs({ ['who looks at the screen'] = true, ['who looks at the book only'] = false }) do
       t.step(('the programs of %s, typed by somebody %s'):format(page, how), function()
         for _, lines in ipairs(programs(page)) do
           type_program(lines, looks, ('%s:%d'):format(page, lines.line))
