@@ -2,13 +2,13 @@
 
 use crate::context::{Context, context_after};
 use crate::diagnostic::Diagnostic;
-use crate::findings::{self, Finding, Ledger, Work};
+use crate::findings::{self, Finding, Ledger, Shown, Work};
 use crate::others::Others;
 use crate::program::Program;
 use crate::resolve::{self, Resolved, numbers::Unit};
 use crate::rule::{Rule, Severity};
 use crate::rule_settings::RuleSettings;
-use ladder_syntax::Parse;
+use ladder_syntax::{Parse, TextSize};
 use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 
 /// What is known of a file.
@@ -16,7 +16,9 @@ use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 pub struct Analysis {
     /// Names, networks and blocks.
     pub context: Arc<Context>,
-    findings: Vec<Finding>,
+    shown: Shown,
+    /// All that is shown, once somebody wants it all.
+    findings: OnceLock<Vec<Finding>>,
     /// Errors that settings or comments hide, or count as less: the program does not run all the same.
     pub hidden_errors: Vec<Diagnostic>,
     /// What was looked at to find them.
@@ -31,40 +33,57 @@ pub struct Analysis {
 impl Analysis {
     /// What is found, in the order of the places.
     pub fn findings(&self) -> &[Finding] {
-        &self.findings
+        self.findings
+            .get_or_init(|| self.shown.all(&self.context.networks))
+    }
+
+    /// How many findings there are.
+    pub fn count(&self) -> usize {
+        self.shown.len()
+    }
+
+    /// At most so many of the findings, in the order of their places: errors come before all others, and then what is near
+    /// to a place.
+    pub fn findings_near(&self, most: usize, place: TextSize) -> Vec<Finding> {
+        self.shown.nearest(&self.context.networks, most, place)
     }
 
     /// The same with all that each finding says.
     pub fn diagnostics(&self) -> &[Diagnostic] {
-        let all = || self.findings.iter();
+        let all = || self.findings().iter();
         self.diagnostics
             .get_or_init(|| all().map(|found| found.diagnostic(&self.context)).collect())
     }
 
-    /// Changes a finding of a rule, if there is one for which `wanted` holds.
+    /// Changes a finding of a rule that looks at the text itself, if there is one for which `wanted` holds.
     pub fn change_finding(
         &mut self,
         rule: Rule,
         wanted: impl Fn(&Diagnostic) -> bool,
         change: impl FnOnce(&mut Diagnostic),
     ) {
+        if !self.shown.finds_anew(rule) {
+            return;
+        }
         let context = &self.context;
-        let mut all = self.findings.iter_mut().filter(|found| found.rule == rule);
-        let found = all.find_map(|finding| {
+        let mut all = self.findings().to_vec();
+        let mut of_rule = all.iter_mut().filter(|found| found.rule == rule);
+        let found = of_rule.find_map(|finding| {
             let found = finding.diagnostic(context);
             wanted(&found).then_some((finding, found))
         });
         if let Some((finding, mut found)) = found {
             change(&mut found);
             *finding = Finding::from(found);
+            self.shown = Shown::Listed(all);
+            self.findings = OnceLock::new();
             self.diagnostics = OnceLock::new();
         }
     }
 
     /// Whether a finding is an error: the program is not simulated.
     pub fn has_errors(&self) -> bool {
-        let is_error = |found: &Finding| found.severity == Severity::Error;
-        self.findings.iter().any(is_error) || !self.hidden_errors.is_empty()
+        self.shown.has_errors() || !self.hidden_errors.is_empty()
     }
 
     /// The program, if there are no errors and it uses no function or block of another file: see
@@ -107,6 +126,7 @@ impl Clone for Analysis {
     fn clone(&self) -> Analysis {
         Analysis {
             context: Arc::clone(&self.context),
+            shown: self.shown.clone(),
             findings: self.findings.clone(),
             hidden_errors: self.hidden_errors.clone(),
             work: self.work,
@@ -156,7 +176,8 @@ pub fn analyze_context(
     let found = findings::find(ledger, &context, settings);
     Analysis {
         context,
-        findings: found.shown,
+        shown: found.shown,
+        findings: OnceLock::new(),
         hidden_errors: found.hidden_errors,
         work: found.work,
         diagnostics: OnceLock::new(),

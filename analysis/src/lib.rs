@@ -57,7 +57,7 @@ pub use boolean::formula::{Formulas, formulas};
 pub use cplc_draft::is_cplc_draft;
 pub use diagnostic::{Applicability, Diagnostic, Fix, Related};
 pub use exports::{ExportedBlock, ExportedFunction, Exports, Global, exports};
-pub use findings::{Finding, Work};
+pub use findings::{Finding, Work, keep_nearest};
 pub use infer::member as state_member;
 pub use link::{NotWhole, link};
 pub use others::{Exported, Import, Others};

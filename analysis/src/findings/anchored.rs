@@ -97,6 +97,19 @@ impl Anchored {
         self.found.severity
     }
 
+    /// Where it is, from the start of what its place counts from.
+    pub(crate) fn anchored_range(&self) -> TextRange {
+        self.found.range
+    }
+
+    /// The number of the network that its place counts from, of one that a tag owns; none if that is the file.
+    pub(crate) fn home(&self) -> Option<u32> {
+        match &self.anchors {
+            Anchors::Each(anchors) => anchors.first().copied().flatten(),
+            Anchors::File | Anchors::Network => None,
+        }
+    }
+
     /// See [`Finding::counts_from`](super::Finding::counts_from).
     pub(crate) fn counts_from(&self, own: TextSize, networks: &Networks) -> Option<Vec<TextSize>> {
         match &self.anchors {

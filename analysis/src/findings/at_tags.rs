@@ -1,6 +1,7 @@
 //! What is found at the places of tags, kept while no edit concerns the tag.
 
 use super::anchored::Anchored;
+use super::shelf::Shelf;
 use crate::context::{Change, Context};
 use crate::rule::Severity;
 use crate::rules::{self, AroundTags};
@@ -19,6 +20,8 @@ pub(super) struct AtTags {
     found: FxHashMap<TagKey, Vec<Arc<Anchored>>>,
     /// To look at after each edit.
     volatile: FxHashSet<TagKey>,
+    /// Those at which an error is found.
+    faulty: FxHashSet<TagKey>,
     /// Those that have an address.
     addressed: FxHashSet<TagKey>,
     /// Those that are set and reset.
@@ -31,7 +34,13 @@ pub(super) struct AtTags {
 impl AtTags {
     /// Looks at the tags that a change concerns, and at all of them without one, or if what decides about all of them
     /// changed. Gives how many that are.
-    pub(super) fn follow(&mut self, context: &Context, change: Option<&Change>, around: AroundTags) -> usize {
+    pub(super) fn follow(
+        &mut self,
+        context: &Context,
+        change: Option<&Change>,
+        around: AroundTags,
+        shelf: &mut Shelf,
+    ) -> usize {
         let same = self.around.as_ref() == Some(&around);
         // Of two declarations of one name only one is found by it.
         let looked_at = match change.filter(|_| same && context.declared_cleanly) {
@@ -45,15 +54,16 @@ impl AtTags {
                 }
                 let count = again.len();
                 for key in again {
-                    self.look(context, key, &around);
+                    self.look(context, key, &around, shelf);
                 }
                 count
             }
             None => {
                 *self = AtTags::default();
+                shelf.remove_all_of_tags();
                 for (scope, facts) in context.scopes.iter().enumerate() {
                     for tag in facts.tags.iter().filter(|tag| tag.shared.is_none()) {
-                        self.look_at(context, (scope, tag), &around);
+                        self.look_at(context, (scope, tag), &around, shelf);
                     }
                 }
                 context.scopes.iter().map(|scope| scope.tags.len()).sum()
@@ -64,10 +74,14 @@ impl AtTags {
     }
 
     /// Looks at a tag again, which may be gone.
-    fn look(&mut self, context: &Context, key: TagKey, around: &AroundTags) {
-        self.found.remove(&key);
+    fn look(&mut self, context: &Context, key: TagKey, around: &AroundTags, shelf: &mut Shelf) {
+        let gone = self.found.remove(&key);
+        for found in gone.iter().flatten() {
+            shelf.remove_of_tag(found);
+        }
         let lists = [
             &mut self.volatile,
+            &mut self.faulty,
             &mut self.addressed,
             &mut self.latches,
             &mut self.read_above,
@@ -76,11 +90,17 @@ impl AtTags {
             tags.remove(&key);
         }
         if let Some(tag) = find(context, &key).filter(|tag| tag.shared.is_none()) {
-            self.look_at(context, (key.0, tag), around);
+            self.look_at(context, (key.0, tag), around, shelf);
         }
     }
 
-    fn look_at(&mut self, context: &Context, (scope, tag): (usize, &TagFacts), around: &AroundTags) {
+    fn look_at(
+        &mut self,
+        context: &Context,
+        (scope, tag): (usize, &TagFacts),
+        around: &AroundTags,
+        shelf: &mut Shelf,
+    ) {
         let mut found = Vec::new();
         rules::of_tag(context, scope, tag, around, &mut found);
         let latch = rules::set_and_reset::is_latch(context, tag);
@@ -94,8 +114,14 @@ impl AtTags {
             .into_iter()
             .map(|found| Arc::new(Anchored::at_uses(found, &tag.uses, &context.networks)))
             .collect();
+        for found in &found {
+            shelf.add_of_tag(found);
+        }
         if found.iter().any(|found| found.is_volatile()) {
             self.volatile.insert(key.clone());
+        }
+        if found.iter().any(|found| found.severity() == Severity::Error) {
+            self.faulty.insert(key.clone());
         }
         if addressed {
             self.addressed.insert(key.clone());
@@ -111,15 +137,16 @@ impl AtTags {
         }
     }
 
-    /// Whether one of them is an error.
-    pub(super) fn have_errors(&self) -> bool {
-        let mut all = self.found();
-        all.any(|found| found.severity() == Severity::Error)
+    /// The errors among what is found.
+    pub(super) fn errors(&self) -> impl Iterator<Item = &Arc<Anchored>> {
+        let all = self.faulty.iter().filter_map(|key| self.found.get(key));
+        all.flatten().filter(|found| found.severity() == Severity::Error)
     }
 
-    /// All that is found.
-    pub(super) fn found(&self) -> impl Iterator<Item = &Arc<Anchored>> {
-        self.found.values().flatten()
+    /// What is found with places that are true for one text only.
+    pub(super) fn volatile(&self) -> impl Iterator<Item = &Arc<Anchored>> {
+        let all = self.volatile.iter().filter_map(|key| self.found.get(key));
+        all.flatten().filter(|found| found.is_volatile())
     }
 
     /// The tags that have an address.

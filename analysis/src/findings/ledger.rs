@@ -7,6 +7,7 @@
 use super::anchored::Anchored;
 use super::at_tags::{AtTags, find};
 use super::part_notes::PartNotes;
+use super::shelf::Shelf;
 use crate::context::{Change, Context};
 use crate::control_flow::ControlFlow;
 use crate::diagnostic::Diagnostic;
@@ -17,10 +18,12 @@ use crate::rule::{Rule, Severity};
 use crate::rule_settings::RuleSettings;
 use crate::rules::double_coil::Leaving;
 use crate::rules::survey::{self, Survey};
+use crate::rules::tag_summary::Known;
 use crate::rules::{self, AroundTags, MOST_FINDINGS};
+use crate::scope::TagFacts;
 use crate::stamp;
 use crate::verdict::{InNetwork, Pass};
-use ladder_syntax::{TextRange, TextSize};
+use ladder_syntax::{Name, TextRange, TextSize};
 use rustc_hash::{FxHashMap, FxHashSet};
 use std::collections::BTreeSet;
 use std::sync::Arc;
@@ -31,6 +34,9 @@ pub(crate) struct Ledger {
     /// The number of the context that it is about.
     context: u64,
     settings: RuleSettings,
+    pub(super) shelf: Shelf,
+    /// The numbers of networks that own something else than what the shelf has.
+    unshelved: FxHashSet<u32>,
     /// By their numbers.
     networks: Vec<OfNetwork>,
     /// What each network has of program flow, by its number.
@@ -46,6 +52,8 @@ pub(crate) struct Ledger {
     /// The numbers of networks to look at after each edit: what is found there depends on more than is kept.
     volatile: FxHashSet<u32>,
     tags: AtTags,
+    /// One of the file's outputs.
+    an_output: Option<Name>,
     rail_varies: bool,
     pub(super) notes: PartNotes,
     /// How many findings the networks own.
@@ -80,10 +88,7 @@ pub(super) struct OfFile {
     pub(super) names: Vec<Diagnostic>,
     /// What is wrong with the program as a whole.
     pub(super) program: Vec<Diagnostic>,
-    /// See [`Survey`].
-    pub(super) whole: bool,
-    /// No tag is undeclared that should not be: a slip in a name is one finding.
-    pub(super) names_known: bool,
+    pub(super) known: Known,
 }
 
 impl Ledger {
@@ -91,6 +96,8 @@ impl Ledger {
         Ledger {
             context: context.serial,
             settings: settings.clone(),
+            shelf: Shelf::new(settings),
+            unshelved: FxHashSet::default(),
             networks: Vec::new(),
             control_flow: Vec::new(),
             faulty: FxHashSet::default(),
@@ -99,6 +106,7 @@ impl Ledger {
             unresolved: FxHashMap::default(),
             volatile: FxHashSet::default(),
             tags: AtTags::default(),
+            an_output: None,
             rail_varies: false,
             notes: PartNotes::default(),
             count: 0,
@@ -136,6 +144,7 @@ impl Ledger {
         let numbers = context.networks.numbers();
         ledger.networks.resize_with(numbers, OfNetwork::default);
         ledger.control_flow.resize(numbers, ControlFlow::default());
+        ledger.shelf.resize(numbers);
         ledger.notes.follow(context.parse.lines());
         ledger.drawings_and_types(context, &networks);
         let mut of_file = OfFile::default();
@@ -146,17 +155,18 @@ impl Ledger {
         let any = all.fold(ControlFlow::default(), |all, flow| all.with(*flow));
         ledger.of_tags(context, change, any);
         let toggled = ledger.find_unsound(context, &of_file.names);
-        of_file.names_known = of_file
+        of_file.known.names = of_file
             .names
             .iter()
             .all(|found| found.rule != Rule::UndeclaredTag);
         let is_error = |found: &Diagnostic| found.severity == Severity::Error;
-        of_file.whole = ledger.unsound.is_empty()
+        of_file.known.whole = ledger.unsound.is_empty()
             && ledger.unclear.is_empty()
             && !context.found.iter().chain(&of_file.names).any(is_error)
-            && !ledger.tags.have_errors()
+            && ledger.tags.errors().next().is_none()
             && !has_syntax_errors(context);
         ledger.blocks_and_power(context, &networks, toggled, any, &of_file);
+        ledger.put_on_shelf();
         let survey = ledger.survey(context, any, &of_file);
         let mut found = Vec::new();
         rules::of_program(context, &survey, &mut found);
@@ -178,6 +188,7 @@ impl Ledger {
                 .flat_map(|found| found.iter())
                 .map(Vec::len)
                 .sum::<usize>();
+            self.unshelved.insert(id);
             self.control_flow[id as usize] = ControlFlow::default();
             self.unresolved.remove(&id);
             for numbers in [
@@ -212,6 +223,17 @@ impl Ledger {
             self.volatile.insert(id);
         }
         *kept = found;
+        self.unshelved.insert(id);
+    }
+
+    /// Puts what is found anew on the shelf.
+    fn put_on_shelf(&mut self) {
+        for id in self.unshelved.drain() {
+            let found = self.networks[id as usize].found.iter();
+            let found = found.flat_map(|found| found.iter().flatten());
+            self.shelf.set_network(id, found);
+        }
+        self.shelf.settle();
     }
 
     /// Looks at networks by themselves, and at the types of their operands.
@@ -249,11 +271,25 @@ impl Ledger {
     /// Looks at the tags that a change concerns, and at all of them without one.
     fn of_tags(&mut self, context: &Context, change: Option<&Change>, any: ControlFlow) {
         let in_order = (0..context.networks.len()).map(|index| self.flow_at(context, index));
+        let leaving = Leaving::of(any, in_order);
         let around = AroundTags {
-            has_outputs: context.scopes[0].tags.iter().any(|tag| tag.role == Role::Output),
-            leaving: Leaving::of(any, in_order),
+            has_outputs: self.has_outputs(context),
+            leaving,
         };
-        self.work.tags = self.tags.follow(context, change, around);
+        self.work.tags = self.tags.follow(context, change, around, &mut self.shelf);
+    }
+
+    /// Whether the file has an output. One that was found is mostly there still.
+    fn has_outputs(&mut self, context: &Context) -> bool {
+        let file = &context.scopes[0];
+        let is_output = |tag: &TagFacts| tag.role == Role::Output;
+        let known = self.an_output.as_ref().and_then(|name| file.find(name));
+        if known.is_some_and(|tag| is_output(&file.tags[tag])) {
+            return true;
+        }
+        let first = file.tags.iter().find(|tag| is_output(tag));
+        self.an_output = first.map(|tag| Name::new(&tag.name));
+        self.an_output.is_some()
     }
 
     fn flow_at(&self, context: &Context, index: usize) -> ControlFlow {
@@ -276,10 +312,8 @@ impl Ledger {
         for found in of_file.filter(|found| found.severity == Severity::Error) {
             add(found.range.start());
         }
-        for found in self.tags.found() {
-            if found.severity() == Severity::Error {
-                add(found.range(TextSize::default(), &context.networks).start());
-            }
+        for found in self.tags.errors() {
+            add(found.range(TextSize::default(), &context.networks).start());
         }
         let toggled = unsound.symmetric_difference(&self.unsound);
         let toggled = toggled.map(|&id| context.networks.index_of(id)).collect();
@@ -289,7 +323,7 @@ impl Ledger {
 
     fn survey<'l>(&'l self, context: &'l Context, any: ControlFlow, of_file: &OfFile) -> Survey<'l> {
         Survey {
-            whole: of_file.whole,
+            whole: of_file.known.whole,
             any,
             networks: &context.networks,
             control_flow: &self.control_flow,
@@ -346,22 +380,17 @@ impl Ledger {
             .map(|id| context.networks.at(context.networks.index_of(id)))
     }
 
-    /// What networks own, pass by pass, each with where its network starts.
-    pub(super) fn in_networks<'l>(
-        &'l self,
-        context: &'l Context,
-    ) -> impl Iterator<Item = (TextSize, &'l Arc<Anchored>)> {
-        let all = self.networks.iter().enumerate();
-        let with_some = all.filter_map(|(id, of_network)| Some((id as u32, of_network.found.as_deref()?)));
-        with_some.flat_map(|(id, found)| {
-            let start = context.networks.start_of(id);
-            found.iter().flatten().map(move |found| (start, found))
-        })
+    /// What is found in networks with places that are true for this text only.
+    pub(super) fn volatile_in_networks(&self) -> impl Iterator<Item = &Arc<Anchored>> {
+        let of_network = |id: &u32| self.networks[*id as usize].found.as_deref();
+        let all = self.volatile.iter().filter_map(of_network);
+        all.flat_map(|found| found.iter().flatten())
+            .filter(|found| found.is_volatile())
     }
 
-    /// What tags own.
-    pub(super) fn at_tags(&self) -> impl Iterator<Item = &Arc<Anchored>> {
-        self.tags.found()
+    /// The same of what is found at tags.
+    pub(super) fn volatile_at_tags(&self) -> impl Iterator<Item = &Arc<Anchored>> {
+        self.tags.volatile()
     }
 
     /// What was looked at last.

@@ -23,11 +23,14 @@ mod anchored;
 mod at_tags;
 mod ledger;
 mod part_notes;
+mod shelf;
 mod shown;
 
 pub(crate) use anchored::Anchored;
 pub(crate) use ledger::Ledger;
 pub use ledger::Work;
+pub(crate) use shown::Shown;
+pub use shown::keep_nearest;
 
 use crate::context::Context;
 use crate::diagnostic::Diagnostic;
@@ -103,8 +106,7 @@ impl From<Diagnostic> for Finding {
 /// What is found in a text.
 #[derive(Debug)]
 pub(crate) struct Found {
-    /// In the order of their places.
-    pub(crate) shown: Vec<Finding>,
+    pub(crate) shown: Shown,
     /// Errors that settings or comments hide, or count as less.
     pub(crate) hidden_errors: Vec<Diagnostic>,
     /// What was looked at for it.
@@ -117,12 +119,11 @@ pub(crate) struct Found {
 pub(crate) fn find(before: Option<Ledger>, context: &Context, settings: &RuleSettings) -> Found {
     let (ledger, of_file) = Ledger::look(before, context, settings);
     let (mut shown, hidden_errors) = shown::shown(context, &ledger, of_file, settings);
-    let is_error = |found: &Finding| found.severity == Severity::Error;
     if let Some(block) = ledger.unresolved(context)
         && hidden_errors.is_empty()
-        && !shown.iter().any(is_error)
+        && !shown.has_errors()
     {
-        shown.push(Finding::from(mistakes::bad_operand::meaningless(block)));
+        shown.add(Finding::from(mistakes::bad_operand::meaningless(block)));
     }
     Found {
         shown,

@@ -28,6 +28,11 @@ impl<T> Chunked<T> {
     pub(crate) fn len(&self) -> usize {
         self.len
     }
+
+    /// A value, if there are so many.
+    pub(crate) fn get(&self, index: usize) -> Option<&T> {
+        self.chunks.get(index / CHUNK)?.get(index % CHUNK)
+    }
 }
 
 impl<T: Clone> Chunked<T> {

@@ -117,11 +117,43 @@ pub(super) fn check(
     }
 }
 
-/// Whether what a rule says of a tag's use is true only where the file as a whole is known.
-pub(crate) fn says_it(rule: Rule, whole: bool, names_known: bool) -> bool {
-    match rule {
-        Rule::NeverRead | Rule::NeverWritten => whole && names_known,
-        Rule::SetWithoutReset | Rule::ResetWithoutSet => whole,
-        _ => true,
+/// What is known of the file as a whole.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
+pub(crate) struct Known {
+    /// See [`Survey`](super::survey::Survey).
+    pub(crate) whole: bool,
+    /// No tag is undeclared that should not be: a slip in a name is one finding.
+    pub(crate) names: bool,
+}
+
+/// When what a rule says of a tag's use is true.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum When {
+    Always,
+    /// Where the file as a whole is known.
+    Whole,
+    /// Where its names are known too.
+    WholeAndNames,
+}
+
+impl When {
+    pub(crate) const ALL: [When; 3] = [When::Always, When::Whole, When::WholeAndNames];
+
+    /// When what a rule finds is true.
+    pub(crate) const fn of(rule: Rule) -> When {
+        match rule {
+            Rule::NeverRead | Rule::NeverWritten => When::WholeAndNames,
+            Rule::SetWithoutReset | Rule::ResetWithoutSet => When::Whole,
+            _ => When::Always,
+        }
+    }
+
+    /// Whether it is true where so much is known.
+    pub(crate) const fn holds(self, known: Known) -> bool {
+        match self {
+            When::Always => true,
+            When::Whole => known.whole,
+            When::WholeAndNames => known.whole && known.names,
+        }
     }
 }

@@ -26,6 +26,15 @@ struct Made {
     analysis: Option<Analysis>,
 }
 
+/// What changes have done to a text.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Edited {
+    /// Where the last of them begins, in bytes.
+    pub(super) at: usize,
+    /// Each of them has left as many lines as there were.
+    pub(super) keeps_line_breaks: bool,
+}
+
 /// A document as it was between two changes. It never changes, so whoever holds one can work on it in peace
 /// while the editor types on; whether it is still what the editor shows is for the store to say.
 #[derive(Debug)]
@@ -44,6 +53,8 @@ pub(crate) struct Revision {
     rope: Rope,
     /// Where the text was changed last, in bytes; its beginning if it never was.
     edited: usize,
+    /// See [`Revision::line_breaks`].
+    line_breaks: u64,
     /// Where the file lies, if it is one.
     place: Option<Membership>,
     names: OnceLock<Names>,
@@ -67,15 +78,17 @@ impl Revision {
         place: Option<Membership>,
     ) -> Self {
         static SERIAL: AtomicU64 = AtomicU64::new(0);
+        let serial = SERIAL.fetch_add(1, Ordering::Relaxed);
         Revision {
             uri,
             version,
             kind,
             opening,
-            serial: SERIAL.fetch_add(1, Ordering::Relaxed),
+            serial,
             encoding,
             rope,
             edited: 0,
+            line_breaks: serial,
             place,
             names: OnceLock::new(),
             analysis: OnceLock::new(),
@@ -85,22 +98,31 @@ impl Revision {
         }
     }
 
-    /// The document with another text, that was changed last at `edited`, or to be analysed anew.
-    pub(super) fn followed_by(&self, version: i32, rope: Rope, edited: usize) -> Self {
+    /// The document with another text, or to be analysed anew.
+    pub(super) fn followed_by(&self, version: i32, rope: Rope, edited: Edited) -> Self {
         let place = self.place.as_ref().map(Membership::anew);
+        let next = Revision::new(
+            self.uri.clone(),
+            self.kind,
+            version,
+            self.opening,
+            self.encoding,
+            rope,
+            place,
+        );
+        let kept = edited.keeps_line_breaks.then_some(self.line_breaks);
         Revision {
-            edited,
+            edited: edited.at,
+            line_breaks: kept.unwrap_or(next.line_breaks),
             latest: Arc::clone(&self.latest),
-            ..Revision::new(
-                self.uri.clone(),
-                self.kind,
-                version,
-                self.opening,
-                self.encoding,
-                rope,
-                place,
-            )
+            ..next
         }
+    }
+
+    /// Two revisions of a document have the same number here if no edit between them has made or removed a line break:
+    /// what the edits did not touch lies in the same lines.
+    pub(crate) fn line_breaks(&self) -> u64 {
+        self.line_breaks
     }
 
     /// The text of a file that no editor shows, at version 0 of nothing.

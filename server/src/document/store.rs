@@ -13,7 +13,7 @@ use super::edit::{Change, apply};
 use super::kind::Kind;
 use super::neighbours::Membership;
 use super::position::Encoding;
-use super::revision::Revision;
+use super::revision::{Edited, Revision};
 
 /// Why a change was not applied.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -123,9 +123,14 @@ impl Documents {
             });
         }
         let mut rope = old.rope().clone();
-        let mut edited = usize::from(old.edited());
+        let mut edited = Edited {
+            at: old.edited().into(),
+            keeps_line_breaks: true,
+        };
         for change in changes {
-            edited = apply(&mut rope, old.encoding(), change);
+            let lines = rope.len_lines();
+            edited.at = apply(&mut rope, old.encoding(), change);
+            edited.keeps_line_breaks &= matches!(change, Change::Part { .. }) && rope.len_lines() == lines;
         }
         document.revision = Arc::new(old.followed_by(version, rope, edited));
         Ok(document.revision.clone())
@@ -138,7 +143,11 @@ impl Documents {
             return false;
         };
         let old = &document.revision;
-        document.revision = Arc::new(old.followed_by(old.version, old.rope().clone(), old.edited().into()));
+        let edited = Edited {
+            at: old.edited().into(),
+            keeps_line_breaks: true,
+        };
+        document.revision = Arc::new(old.followed_by(old.version, old.rope().clone(), edited));
         true
     }
 

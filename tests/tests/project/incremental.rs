@@ -3,9 +3,10 @@
 use ladder_analysis::context::Context;
 use ladder_analysis::scope::{Scope, Use};
 use ladder_analysis::{
-    Analysis, Exports, Level, Others, Rule, RuleSettings, Severity, analyze_after, analyze_with, exports,
+    Analysis, Diagnostic, Exports, Level, Others, Rule, RuleSettings, Severity, analyze_after, analyze_with,
+    exports,
 };
-use ladder_syntax::{Parse, parse};
+use ladder_syntax::{Parse, TextRange, parse};
 use ladder_tests::generator::{Dice, Mode, program};
 use std::sync::Arc;
 
@@ -121,13 +122,19 @@ impl Document {
     }
 }
 
-/// All that an analysis says.
-fn show(analysis: &Analysis) -> String {
+/// All that an analysis says. Where things are in other files is not kept up to date.
+pub(crate) fn show(analysis: &Analysis) -> String {
     let context = &analysis.context;
+    let here = |found: &Diagnostic| {
+        let mut found = found.clone();
+        let elsewhere = found.related.iter_mut().filter(|related| related.file.is_some());
+        elsewhere.for_each(|related| related.range = TextRange::default());
+        found
+    };
     format!(
         "{:#?}\n{:#?}\n{:?}\n{:?}\n{:?}",
-        analysis.diagnostics(),
-        analysis.hidden_errors,
+        analysis.diagnostics().iter().map(here).collect::<Vec<_>>(),
+        analysis.hidden_errors.iter().map(here).collect::<Vec<_>>(),
         analysis.program(),
         tags(context),
         context
@@ -177,7 +184,7 @@ fn somewhere(text: &str, dice: &mut Dice) -> usize {
 }
 
 /// One to three pieces put in, taken out or exchanged; now and then lines are doubled, moved or taken away.
-fn edited(text: &str, dice: &mut Dice) -> String {
+pub(crate) fn edited(text: &str, dice: &mut Dice) -> String {
     let mut text = text.to_owned();
     for _ in 0..=dice.below(3) {
         if dice.one_in(4) {
@@ -425,7 +432,7 @@ fn edits_that_decide_about_other_networks() {
 }
 
 /// `GENERATED_PROGRAMS` asks for more of them.
-fn asked(usual: u64) -> u64 {
+pub(crate) fn asked(usual: u64) -> u64 {
     let asked = std::env::var("GENERATED_PROGRAMS");
     asked.ok().and_then(|count| count.parse().ok()).unwrap_or(usual)
 }

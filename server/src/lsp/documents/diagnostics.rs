@@ -52,7 +52,7 @@ fn publish(shared: &Arc<Shared>, agreed: Agreed, revision: &Arc<Revision>) {
     let (documents, revision) = (&shared.documents, revision.clone());
     match revision.analysis() {
         Some(analysis) => {
-            let mut chosen = shown::shown(analysis.findings(), revision.edited());
+            let mut chosen = shown::shown(analysis, &revision);
             typed::without_waiting(shared, &revision, &mut chosen.0);
             let params = shared.written.params(agreed, &revision, analysis, chosen);
             shared.outbox.written_diagnostics(documents, revision, params);
@@ -162,15 +162,12 @@ pub(crate) fn diagnostics_of(agreed: Agreed, revision: &Revision) -> Vec<Diagnos
     found_in(agreed, revision, |_| {})
 }
 
-fn found_in(agreed: Agreed, revision: &Revision, choose: impl FnOnce(&mut Vec<&Finding>)) -> Vec<Diagnostic> {
+fn found_in(agreed: Agreed, revision: &Revision, choose: impl FnOnce(&mut Vec<Finding>)) -> Vec<Diagnostic> {
     match revision.analysis() {
         Some(analysis) => {
-            let (mut shown, left_out) = shown::shown(analysis.findings(), revision.edited());
+            let (mut shown, left_out) = shown::shown(analysis, revision);
             choose(&mut shown);
-            let shown: Vec<_> = shown
-                .into_iter()
-                .map(|found| analysis.diagnostic(found))
-                .collect();
+            let shown: Vec<_> = shown.iter().map(|found| analysis.diagnostic(found)).collect();
             let mut items = convert::diagnostics(agreed, revision, &shown);
             items.extend(shown::rest(left_out));
             items

@@ -82,7 +82,7 @@ fn part(revision: &Revision, context: &Context, line: u32) -> TextRange {
 }
 
 /// Leaves out what is found in the part of a text that is being typed.
-pub(crate) fn without_waiting(shared: &Shared, revision: &Revision, found: &mut Vec<&Finding>) {
+pub(crate) fn without_waiting(shared: &Shared, revision: &Revision, found: &mut Vec<Finding>) {
     let Some(line) = shared.typed.waiting(&revision.uri) else {
         return;
     };

@@ -2,12 +2,13 @@
 //!
 //! The protocol sends all diagnostics of a document with each edit. Most of them are as they were: what a finding says is
 //! kept with it, and its places have the same lines and columns if the networks that they count from start at the
-//! same lines. Only the others are written anew.
+//! same lines, which is so without a look while edits make and remove no line. Only the others are written anew.
 
 use std::collections::HashMap;
 use std::sync::{Arc, Mutex, PoisonError};
 
 use ladder_analysis::{Finding, Severity};
+use rustc_hash::FxHashMap;
 
 use super::shown;
 use crate::document::Revision;
@@ -18,8 +19,16 @@ use crate::lsp::{capabilities::Agreed, convert};
 #[derive(Debug, Default)]
 pub(crate) struct Written(Mutex<HashMap<String, Kept>>);
 
-/// By the identity of the finding.
-type Kept = HashMap<usize, One>;
+/// What was written of one document.
+#[derive(Debug, Default)]
+struct Kept {
+    /// See [`Revision::line_breaks`].
+    line_breaks: u64,
+    /// How often it was written.
+    times: u64,
+    /// By the identity of the finding.
+    all: FxHashMap<usize, One>,
+}
 
 /// One diagnostic.
 #[derive(Debug)]
@@ -28,6 +37,8 @@ struct One {
     _finding: Finding,
     key: Key,
     json: Arc<str>,
+    /// When it was written last.
+    last: u64,
 }
 
 /// What else than the finding itself decides about its JSON: how much it counts, and the lines where the networks start
@@ -46,33 +57,24 @@ impl Written {
         agreed: Agreed,
         revision: &Revision,
         analysis: &Analysis,
-        (shown, left_out): (Vec<&Finding>, usize),
+        (shown, left_out): (Vec<Finding>, usize),
     ) -> String {
-        let before = self.take(&revision.uri).unwrap_or_default();
-        let all = write(agreed, revision, analysis, &shown, before);
+        let mut kept = self.take(&revision.uri).unwrap_or_default();
+        let all = kept.write(agreed, revision, analysis, &shown);
         let rest = shown::rest(left_out).and_then(|rest| serde_json::to_string(&rest).ok());
-        let length: usize = all.iter().map(|(json, _)| json.len() + 1).sum();
+        let length: usize = all.iter().map(|json| json.len() + 1).sum();
         let mut params = String::with_capacity(length + 400);
         params.push_str("{\"uri\":");
         params.push_str(&serde_json::Value::from(&*revision.uri).to_string());
         params.push_str(",\"diagnostics\":[");
-        let texts = all.iter().map(|(json, _)| &**json).chain(rest.as_deref());
-        for (number, text) in texts.enumerate() {
+        for (number, text) in all.iter().map(|json| &**json).chain(rest.as_deref()).enumerate() {
             if number > 0 {
                 params.push(',');
             }
             params.push_str(text);
         }
         params.push_str(&format!("],\"version\":{}}}", revision.version));
-        let keep = shown.into_iter().zip(all).filter_map(|(finding, (json, key))| {
-            let one = One {
-                _finding: finding.clone(),
-                key: key?,
-                json,
-            };
-            Some((finding.identity(), one))
-        });
-        self.kept().insert(revision.uri.to_string(), keep.collect());
+        self.kept().insert(revision.uri.to_string(), kept);
         params
     }
 
@@ -90,15 +92,78 @@ impl Written {
     }
 }
 
-/// The JSON of findings, in their order, each with its key if it may be kept.
-fn write(
-    agreed: Agreed,
-    revision: &Revision,
-    analysis: &Analysis,
-    shown: &[&Finding],
-    mut before: Kept,
-) -> Vec<(Arc<str>, Option<Key>)> {
-    let key = |finding: &Finding| {
+impl Kept {
+    /// The JSON of findings, in their order.
+    fn write(
+        &mut self,
+        agreed: Agreed,
+        revision: &Revision,
+        analysis: &Analysis,
+        shown: &[Finding],
+    ) -> Vec<Arc<str>> {
+        self.times += 1;
+        let same_lines = std::mem::replace(&mut self.line_breaks, revision.line_breaks()) == self.line_breaks;
+        let mut all: Vec<Option<Arc<str>>> = Vec::with_capacity(shown.len());
+        for finding in shown {
+            all.push(self.recall(revision, analysis, finding, same_lines));
+        }
+        let missing = shown.iter().zip(&all).filter(|(_, kept)| kept.is_none());
+        let missing: Vec<&Finding> = missing.map(|(finding, _)| finding).collect();
+        let said: Vec<_> = missing
+            .iter()
+            .map(|finding| analysis.diagnostic(finding))
+            .collect();
+        let written = convert::diagnostics(agreed, revision, &said).into_iter();
+        let written = written.map(|one| serde_json::to_string(&one).ok().map(Arc::from));
+        let written: Vec<Option<Arc<str>>> = written.collect();
+        for (finding, json) in missing.into_iter().zip(&written) {
+            self.keep(revision, analysis, finding, json.as_ref());
+        }
+        // What is not shown any more may be shown again soon, but not for ever.
+        if self.all.len() > 2 * shown.len() {
+            self.all.retain(|_, one| one.last == self.times);
+        }
+        let mut written = written.into_iter();
+        let mut next = || written.next().flatten();
+        all.into_iter()
+            .filter_map(|kept| kept.or_else(&mut next))
+            .collect()
+    }
+
+    /// What was written of a finding, if it would be the same now.
+    fn recall(
+        &mut self,
+        revision: &Revision,
+        analysis: &Analysis,
+        finding: &Finding,
+        same_lines: bool,
+    ) -> Option<Arc<str>> {
+        let one = self.all.get_mut(&finding.identity())?;
+        let was_last = std::mem::replace(&mut one.last, self.times) + 1 == self.times;
+        let is_same = if same_lines && was_last {
+            one.key.severity == finding.severity
+        } else {
+            Some(&one.key) == Key::of(revision, analysis, finding).as_ref()
+        };
+        is_same.then(|| Arc::clone(&one.json))
+    }
+
+    fn keep(&mut self, revision: &Revision, analysis: &Analysis, finding: &Finding, json: Option<&Arc<str>>) {
+        if let Some((key, json)) = Key::of(revision, analysis, finding).zip(json) {
+            let one = One {
+                _finding: finding.clone(),
+                key,
+                json: Arc::clone(json),
+                last: self.times,
+            };
+            self.all.insert(finding.identity(), one);
+        }
+    }
+}
+
+impl Key {
+    /// None: what is written is true for one text only.
+    fn of(revision: &Revision, analysis: &Analysis, finding: &Finding) -> Option<Key> {
         let networks = analysis.counts_from(finding)?;
         Some(Key {
             severity: finding.severity,
@@ -107,25 +172,5 @@ fn write(
                 .map(|start| revision.line_of(start))
                 .collect(),
         })
-    };
-    let keys: Vec<Option<Key>> = shown.iter().map(|finding| key(finding)).collect();
-    let kept: Vec<Option<Arc<str>>> = shown
-        .iter()
-        .zip(&keys)
-        .map(|(finding, key)| {
-            let one = before.remove(&finding.identity())?;
-            (Some(&one.key) == key.as_ref()).then_some(one.json)
-        })
-        .collect();
-    let missing = shown.iter().zip(&kept).filter(|(_, kept)| kept.is_none());
-    let missing: Vec<_> = missing.map(|(finding, _)| analysis.diagnostic(finding)).collect();
-    let mut written = convert::diagnostics(agreed, revision, &missing).into_iter();
-    let mut next = || {
-        let diagnostic = written.next()?;
-        serde_json::to_string(&diagnostic).ok().map(Arc::from)
-    };
-    kept.into_iter()
-        .zip(keys)
-        .filter_map(|(kept, key)| Some((kept.or_else(&mut next)?, key)))
-        .collect()
+    }
 }

@@ -1,0 +1,210 @@
+//! The same with several files that see each other: whichever is edited, opened or closed, each of them says what it says
+//! from scratch.
+
+use crate::incremental::{asked, edited, show};
+use ladder_analysis::{
+    Analysis, Exported, Exports, Others, RuleSettings, analyze_after, analyze_with, exports,
+};
+use ladder_syntax::{Parse, parse};
+use ladder_tests::generator::Dice;
+use std::collections::BTreeMap;
+use std::sync::Arc;
+
+/// A file that is open in an editor.
+struct Open {
+    text: String,
+    parse: Arc<Parse>,
+    analysis: Analysis,
+    exports: Arc<Exports>,
+}
+
+/// Files of one workspace. As in the server, an edit has the others looked at again if it concerns them.
+#[derive(Default)]
+struct Files {
+    open: BTreeMap<&'static str, Open>,
+    exported: Arc<Exported>,
+}
+
+impl Files {
+    /// A file is opened, or its text becomes another.
+    fn becomes(&mut self, name: &'static str, text: String) {
+        let others = self.others_of(name);
+        let before = self.open.remove(name);
+        let parsed = Arc::new(match &before {
+            Some(before) => before.parse.updated(&before.text, &text),
+            None => parse(&text),
+        });
+        let known = before.as_ref().map(|before| &before.analysis);
+        let analysis = analyze_after(known, &parsed, name, &others, &RuleSettings::default());
+        let shown = Arc::new(Exports::of(&analysis.context, name));
+        let concerned = before.is_none_or(|before| self.exported.concerns(&before.exports, &shown));
+        let open = Open {
+            text,
+            parse: parsed,
+            analysis,
+            exports: shown,
+        };
+        self.open.insert(name, open);
+        if concerned {
+            self.look_again();
+        }
+        self.check();
+    }
+
+    /// A file is closed, and there is none on the disk.
+    fn close(&mut self, name: &'static str) {
+        self.open.remove(name);
+        self.look_again();
+        self.check();
+    }
+
+    fn look_again(&mut self) {
+        let shown = self.open.values().map(|open| Arc::clone(&open.exports));
+        self.exported = Arc::new(Exported::new(shown.collect()));
+        for (name, open) in &mut self.open {
+            let others = self.exported.others_of(name);
+            let before = Some(&open.analysis);
+            open.analysis = analyze_after(before, &open.parse, name, &others, &RuleSettings::default());
+        }
+    }
+
+    fn others_of(&self, name: &str) -> Others {
+        self.exported.others_of(name)
+    }
+
+    /// Compares all files with an analysis of everything from scratch.
+    fn check(&self) {
+        let parsed = self
+            .open
+            .iter()
+            .map(|(name, open)| (*name, Arc::new(parse(&open.text))));
+        let parsed: BTreeMap<&str, Arc<Parse>> = parsed.collect();
+        let shown = parsed.iter().map(|(name, parse)| Arc::new(exports(parse, name)));
+        let exported = Arc::new(Exported::new(shown.collect()));
+        for (name, open) in &self.open {
+            let others = exported.others_of(name);
+            let fresh = analyze_with(&parsed[name], name, &others, &RuleSettings::default());
+            let texts = || {
+                let all = self.open.iter();
+                let all: Vec<String> = all
+                    .map(|(name, open)| format!("== {name}\n{}", open.text))
+                    .collect();
+                all.join("\n")
+            };
+            assert_eq!(show(&open.analysis), show(&fresh), "{name} of\n{}", texts());
+        }
+    }
+}
+
+const MAIN: &str = "\
+VAR_INPUT go : BOOL; END_VAR
+VAR_OUTPUT lamp : BOOL; END_VAR
+VAR t : TON; END_VAR
+
++--[ ]( go )--<CALL>( count )--+
+
++--[$Hold]( go, lamp )--[GT]( total, 3 )--( )( alarm )--+
+
++--[ ]( alarm )--[TON]( t, T#1s )--( )( reset )--+
+
++--[ ]( go )--[/]( alarm )--(S)( latched )--+
+";
+
+const LIBRARY: &str = "\
+VAR_GLOBAL total : DINT; alarm, latched : BOOL; END_VAR
+
++--[ ]( SYS.ON )--[MOV]( 0, total )--+
+
++--[ ]( reset )--(R)( latched )--+
+
++--<FUN>( count )--[ADD]( total, total, 1 )--+
+
+FUNCTION_BLOCK [$Hold]
+VAR_INPUT a : BOOL; END_VAR
+VAR_OUTPUT q : BOOL; END_VAR
+VAR_EXTERNAL total : DINT; END_VAR
++--[ ]( a )--[GT]( total, 5 )--(S)( q )--+
+END_FUNCTION_BLOCK
+";
+
+const GLOBALS: &str = "\
+VAR_GLOBAL reset : BOOL; total : INT; END_VAR
+VAR_GLOBAL CONSTANT most : DINT := 5; END_VAR
+
++--[ ]( first )--( )( second )--+
+
++--[GT]( total, most )--(R)( latched )--+
+";
+
+/// What a hand puts in that concerns other files.
+const SEEN: [&str; 12] = [
+    "VAR_GLOBAL alarm : BOOL; END_VAR\n",
+    "VAR_GLOBAL go : BOOL; END_VAR\n",
+    "VAR_EXTERNAL total : DINT; END_VAR\n",
+    "VAR_EXTERNAL reset : INT; END_VAR\n",
+    "+--[ ]( alarm )--( )( reset )--+\n",
+    "+--<CALL>( count )--+\n",
+    "+--<FUN>( count )--+\n",
+    "+--[$Hold]( reset, alarm )--+\n",
+    "+--[ ]( latched )--[/]( latched )--( )( lamp )--+\n",
+    "FUNCTION_BLOCK [$Hold]\nVAR_INPUT a : INT; END_VAR\n+--[ ]( EN )--( )( ENO )--+\nEND_FUNCTION_BLOCK\n",
+    "+--[MOV]( 7, total )--+\n",
+    "T",
+];
+
+fn edited_here(text: &str, dice: &mut Dice) -> String {
+    if dice.one_in(2) {
+        return edited(text, dice);
+    }
+    let lines: Vec<&str> = text.split_inclusive('\n').collect();
+    let at = dice.below(lines.len() + 1);
+    let piece = dice.of(&SEEN);
+    [&lines[..at], &[piece], &lines[at..]].concat().concat()
+}
+
+#[test]
+fn edits_of_several_files() {
+    let originals = [("globals", GLOBALS), ("library", LIBRARY), ("main", MAIN)];
+    for seed in 0..asked(40) {
+        let mut dice = Dice::new(seed);
+        let mut files = Files::default();
+        for step in 0..25 {
+            let (name, original) = dice.of(&originals);
+            match files.open.get(name) {
+                None => files.becomes(name, original.to_owned()),
+                Some(_) if dice.one_in(8) => files.close(name),
+                Some(_) if step % 4 == 3 => files.becomes(name, original.to_owned()),
+                Some(open) => {
+                    let next = edited_here(&open.text, &mut dice);
+                    files.becomes(name, next);
+                }
+            }
+        }
+    }
+}
+
+/// Letters come and go in networks of a file while a global that they name stands in another.
+#[test]
+fn typing_in_a_file_that_sees_another() {
+    for seed in 0..asked(40) / 4 {
+        let mut dice = Dice::new(seed);
+        let mut files = Files::default();
+        files.becomes("library", LIBRARY.to_owned());
+        files.becomes("main", MAIN.to_owned());
+        if dice.one_in(2) {
+            files.becomes("globals", GLOBALS.to_owned());
+        }
+        for _ in 0..6 {
+            let (name, original) = dice.of(&[("main", MAIN), ("library", LIBRARY)]);
+            let places: Vec<usize> = original.match_indices(" )").map(|(at, _)| at).collect();
+            let at = dice.of(&places);
+            let letters = dice.of(&["5", "xy", " )--[ ]( alarm", ", total", ".Q"]);
+            for typed in 1..=letters.len() {
+                let mut text = original.to_owned();
+                text.insert_str(at, &letters[..typed]);
+                files.becomes(name, text);
+            }
+            files.becomes(name, original.to_owned());
+        }
+    }
+}
