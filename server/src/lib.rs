@@ -35,10 +35,11 @@ mod debug;
 mod diagram;
 mod diagram_text;
 mod document;
+#[doc(hidden)]
+mod fence;
 mod language;
 mod lsp;
 mod notation;
-#[doc(hidden)]
 pub mod probe;
 mod recording;
 mod replay;
@@ -51,6 +52,7 @@ use std::process::ExitCode;
 pub use diagram::{Diagram, Drawn, DrawnPiece, PieceKind};
 pub use diagram_text::{DiagramText, DrawnBlock, DrawnLine, DrawnText, InkName};
 pub use document::position::{Position, Range};
+pub use fence::{DrawnFence, Fence, FencePicture, FenceWord};
 pub use lsp::{Ending, serve};
 pub use notation::messages as notation_messages;
 pub use simulation::messages;

@@ -7,6 +7,7 @@ import { registerDebugger } from './debugger.ts';
 import { showPower } from './decorations.ts';
 import { DiagramEditors } from './diagram/editor.ts';
 import { showFaults } from './faults.ts';
+import { Fences } from './markdown/fences.ts';
 import type { State } from './protocol.ts';
 import { Server } from './server.ts';
 import { Simulation } from './simulation.ts';
@@ -24,12 +25,18 @@ let server: Server | undefined;
 export interface Api {
     /** The last state of the current simulation, with all that is known of what is shown. */
     state(): State | undefined;
+    /** What the preview of Markdown documents asks for. */
+    extendMarkdownIt: Fences['plugin'];
 }
 
 export async function activate(context: vscode.ExtensionContext): Promise<Api> {
     server = new Server(context.extensionPath, String(context.extension.packageJSON.version));
     const simulation = new Simulation(server);
     const click = new Click(server);
+    const fences = new Fences(
+        (text) => server?.execute('ladder.fence', { text }) ?? Promise.reject(new Error('no server')),
+        () => void vscode.commands.executeCommand('markdown.preview.refresh'),
+    );
     const views = {
         why: new WhyView(simulation),
         trace: new TraceView(simulation, context),
@@ -39,6 +46,8 @@ export async function activate(context: vscode.ExtensionContext): Promise<Api> {
         server,
         simulation,
         click,
+        fences,
+        server.onDidStart(() => fences.begin()),
         views.why,
         views.trace,
         views.diagrams,
@@ -60,6 +69,7 @@ export async function activate(context: vscode.ExtensionContext): Promise<Api> {
     );
     await server.start();
     return {
+        extendMarkdownIt: fences.plugin,
         state: () => {
             const session = simulation.current;
             const power = [...(session?.power.values() ?? [])].flatMap((line) => [...line.values()]);

@@ -205,7 +205,14 @@ export interface EditedDrawing {
     readonly cursor: Place | null;
 }
 
+/** A text in another document: its words, and its picture as SVG. */
+export interface DrawnFence {
+    words: { text: string; kind?: string }[];
+    picture?: { light: string; dark: string };
+}
+
 export interface OtherCommands {
+    'ladder.fence': { argument: { text: string }; answer: DrawnFence };
     'ladder.edit': { argument: { uri: string; range: Stretch; edit: EditKind }; answer: EditedDrawing };
     'ladder.diagram': {
         argument: { uri: string; lines: Lines; rail: number; known: readonly string[] };

@@ -43,7 +43,7 @@ use tower_lsp::{Client, LanguageServer};
 use crate::busy::Busy;
 use crate::lsp::documents::{configuration, file_operations, folders, pull, sync, typed, watch};
 use crate::lsp::features::{
-    call_hierarchy, code_action, code_lens, completion, diagram, diagram_text, edit, folding,
+    call_hierarchy, code_action, code_lens, completion, diagram, diagram_text, edit, fence, folding,
     formatting::{self, DocumentRangesFormattingParams},
     goto, hover, inlay_hint, links, notations, preview, references, rename, semantic_tokens, signature,
     simulate, symbols,
@@ -350,6 +350,7 @@ impl LanguageServer for Backend {
     async fn execute_command(&self, params: ExecuteCommandParams) -> Result<Option<LSPAny>> {
         let answer = match params.command.as_str() {
             diagram::DIAGRAM => diagram::execute(&self.shared, params).await,
+            fence::FENCE => fence::execute(&self.shared, params).await,
             diagram_text::DIAGRAM_TEXT => diagram_text::execute(&self.shared, params).await,
             preview::PREVIEW => preview::execute(&self.shared, params).await,
             typed::CURSOR => typed::execute(&self.shared, params).await,

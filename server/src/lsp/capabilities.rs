@@ -19,7 +19,7 @@ use tower_lsp::ls_types::{
 use crate::document::position::Encoding;
 use crate::lsp::documents::{file_operations, pull, typed};
 use crate::lsp::features::{
-    code_action::KINDS, code_lens, completion, diagram, diagram_text, edit, notations, preview,
+    code_action::KINDS, code_lens, completion, diagram, diagram_text, edit, fence, notations, preview,
     semantic_tokens, signature,
 };
 use crate::simulation::COMMANDS;
@@ -318,6 +318,7 @@ pub(crate) fn offered(agreed: Agreed) -> ServerCapabilities {
                     preview::PREVIEW,
                     diagram::DIAGRAM,
                     diagram_text::DIAGRAM_TEXT,
+                    fence::FENCE,
                     typed::CURSOR,
                     edit::EDIT,
                 ])

@@ -7,7 +7,7 @@ use std::collections::BTreeSet;
 use std::fmt::Write;
 
 use ladder_server::typing_messages::{Cursor, EditDrawing, EditedDrawing};
-use ladder_server::{Diagram, DiagramText, Drawn, DrawnText, messages, notation_messages};
+use ladder_server::{Diagram, DiagramText, Drawn, DrawnFence, DrawnText, Fence, messages, notation_messages};
 use serde::Serialize;
 use serde::de::DeserializeOwned;
 use serde_json::{Value, json};
@@ -161,6 +161,11 @@ async fn the_page_shows_every_command_whole() {
             "diagramText" => {
                 is_whole::<DiagramText>(argument);
                 is_whole::<DrawnText>(answer);
+                continue;
+            }
+            "fence" => {
+                is_whole::<Fence>(argument);
+                is_whole::<DrawnFence>(answer);
                 continue;
             }
             "cursor" => {

@@ -8,6 +8,7 @@ pub(crate) mod completion;
 pub(crate) mod diagram;
 pub(crate) mod diagram_text;
 pub(crate) mod edit;
+pub(crate) mod fence;
 pub(crate) mod folding;
 pub(crate) mod foreign_hover;
 pub(crate) mod formatting;

@@ -1,0 +1,21 @@
+//! `ladder.fence`: ladder text of another document, coloured and drawn.
+
+use std::sync::Arc;
+
+use tower_lsp::jsonrpc::Result;
+use tower_lsp::ls_types::{ExecuteCommandParams, LSPAny};
+
+use super::simulate::{error, json};
+use crate::fence::{Fence, draw};
+use crate::lsp::shared::Shared;
+use crate::lsp::transport::blocking::blocking;
+use crate::simulation::{Failure, argument_of};
+
+/// The command.
+pub(crate) const FENCE: &str = "ladder.fence";
+
+pub(crate) async fn execute(_: &Arc<Shared>, params: ExecuteCommandParams) -> Result<LSPAny> {
+    let asked: Fence = argument_of(FENCE, params.arguments).map_err(error)?;
+    let drawn = blocking(move |_| draw(&asked)).await?;
+    json(&drawn.ok_or_else(|| error(Failure::Failed("the text is too large to be drawn".to_owned())))?)
+}
