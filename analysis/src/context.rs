@@ -11,6 +11,7 @@ use crate::kept::Kept;
 use crate::known_blocks::KnownBlocks;
 use crate::network;
 use crate::networks::{NetworkAt, Networks};
+use crate::order_table::OrderTable;
 use crate::others::{Import, Others};
 use crate::profile;
 use crate::program::Role;
@@ -205,7 +206,7 @@ impl Context {
         &'c self,
         tag: &'c TagFacts,
     ) -> impl DoubleEndedIterator<Item = Use> + Clone + use<'c> {
-        let writers = tag.uses.0.iter().filter(|place| place.access.writes());
+        let writers = tag.uses.0.iter().filter(|place| place.access().writes());
         writers.map(|place| self.networks.use_of(*place))
     }
 
@@ -294,10 +295,11 @@ pub(crate) fn skeleton(parse: &Arc<Parse>, name: &str, others: &Others, before: 
         kept.with_signatures(signatures);
     }
     let mut known = KnownBlocks::new(user_blocks, others);
+    let mut orders = OrderTable::default();
     let mut networks = Networks::default();
     for drawn in &structure.networks {
         let same = kept.as_mut().and_then(|kept| kept.network(drawn));
-        let facts = same.unwrap_or_else(|| Arc::new(network::network(parse, drawn, &mut known)));
+        let facts = same.unwrap_or_else(|| Arc::new(network::network(parse, drawn, &mut known, &mut orders)));
         let first = drawn.lines.start;
         let scope = drawn.block.map_or(0, |block| block + 1);
         networks.push(facts, first, parse.line_start(first), scope);
@@ -397,7 +399,7 @@ fn implicit(name: &str, at: TextRange) -> TagFacts {
         origin: Origin::Implicit,
         retain: false,
         constant: false,
-        initial: Vec::new(),
+        initial: Box::default(),
         address: None,
         declared_at: at,
         uses: Uses::default(),

@@ -11,6 +11,7 @@ use crate::infer;
 use crate::known_blocks::KnownBlocks;
 use crate::network::{self, NetworkFacts, UserBlocks};
 use crate::networks::Spliced;
+use crate::order_table::OrderTable;
 use crate::others::Others;
 use crate::program::Role;
 use crate::scope::{Origin, Scope, SectionKind, TagFacts, UseRef};
@@ -146,6 +147,7 @@ impl Edited {
         let first = networks.partition_point(|network| network.first_line < lines.start);
         let end = networks.partition_point(|network| network.first_line < lines.end);
         let mut gone: Vec<bool> = vec![true; end - first];
+        let mut orders = OrderTable::default();
         let mut known = KnownBlocks::new(before.user_blocks.clone(), &before.others);
         let mut spliced = Vec::new();
         let mut bodies: Vec<Body> = Vec::new();
@@ -195,7 +197,7 @@ impl Edited {
                     lines: drawn.clone(),
                     block: None,
                 };
-                let facts = network::network(parse, &network, &mut known);
+                let facts = network::network(parse, &network, &mut known, &mut orders);
                 if is_marked(&facts) || (is_strange(&facts) && before.others.have_files()) {
                     return None;
                 }
@@ -297,11 +299,7 @@ impl Edited {
             let network = self.context.networks.at(index);
             let id = self.context.networks.id(index);
             for (number, named) in (0..).zip(network.named.iter()) {
-                let place = UseRef {
-                    network: id,
-                    named: number,
-                    access: named.access,
-                };
+                let place = UseRef::new(id, number, named.access);
                 if let Some(tag) = self.context.scopes[network.scope].find(&named.key) {
                     touched.entry((network.scope, tag)).or_default().push(place);
                     continue;
@@ -333,7 +331,7 @@ impl Edited {
             if !places.is_empty() {
                 facts.uses.0.extend(places);
                 let networks = &context.networks;
-                let in_order = |place: &UseRef| (networks.index_of(place.network), place.named);
+                let in_order = |place: &UseRef| (networks.index_of(place.network), place.named());
                 facts.uses.0.sort_by_key(in_order);
             }
             if is_found {
@@ -371,7 +369,7 @@ impl Edited {
                 tags.extend(new);
                 let first = |tag: &Arc<TagFacts>| {
                     let place = tag.uses.0[0];
-                    (networks.index_of(place.network), place.named)
+                    (networks.index_of(place.network), place.named())
                 };
                 tags.sort_by_cached_key(first);
                 tags
@@ -410,7 +408,7 @@ fn respelled(context: &mut Context, scope: usize, tag: usize) {
         .networks
         .at(context.networks.index_of(place.network))
         .facts();
-    let name = uses::spelling(network, &network.named[place.named as usize]);
+    let name = uses::spelling(network, &network.named[place.named() as usize]);
     if *facts.name != *name {
         let spelled = uses::undeclared(name, context.profile.law());
         let facts = &mut context.scopes[scope].tags[tag];

@@ -126,7 +126,12 @@ pub struct Wiring {
 
 /// The wiring of a network.
 pub fn wiring(parse: &Parse, network: &Network) -> Wiring {
-    let mut wiring = Wiring::default();
+    // Nearly all lines of a network are rungs.
+    let mut wiring = Wiring {
+        line_offsets: Vec::with_capacity(network.lines.len()),
+        rungs: Vec::with_capacity(network.lines.len()),
+        ..Wiring::default()
+    };
     for line in network.rungs(parse.lines()) {
         wiring.line_offsets.push(line - network.lines.start);
         wiring.rungs.push(rung(&parse.lines()[line]));
@@ -167,8 +172,13 @@ fn pair(wiring: &mut Wiring) {
 
 /// The parts and segments of one rung.
 pub fn rung(line: &Line) -> Rung {
-    let mut rung = Rung::default();
-    let children = line.green().children().map(|child| match child {
+    let children = line.green().children();
+    let mut rung = Rung {
+        // White space alone takes none of it.
+        parts: Vec::with_capacity(children.len()),
+        segments: Vec::with_capacity(1),
+    };
+    let children = children.map(|child| match child {
         NodeOrToken::Node(node) => (SyntaxKind::from_raw(node.kind()), node.text_len()),
         NodeOrToken::Token(token) => (SyntaxKind::from_raw(token.kind()), token.text_len()),
     });

@@ -23,8 +23,7 @@ pub(crate) fn written(context: &Context, scope: usize, node: &Node) -> String {
         NodeKind::Range(base, first, last) => format!("{}[{}..{}]", inner(base), inner(first), inner(last)),
         NodeKind::Paren(node) => inner(node),
         NodeKind::Unary(_, node) => format!("-{}", inner(node)),
-        NodeKind::Literal(Ok(literal)) => literal_text(literal),
-        _ => "...".to_owned(),
+        _ => node.literal().map_or_else(|| "...".to_owned(), literal_text),
     }
 }
 

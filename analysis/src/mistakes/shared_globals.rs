@@ -48,7 +48,7 @@ pub(crate) fn check_declared(
 }
 
 fn agree(tag: &TagFacts, ty: Option<Type>, initial: &[crate::value::Value]) -> bool {
-    tag.mistyped || (tag.ty == ty && tag.initial == initial)
+    tag.mistyped || (tag.ty == ty && *tag.initial == *initial)
 }
 
 fn shown(ty: Option<Type>) -> String {

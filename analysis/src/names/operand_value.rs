@@ -48,7 +48,7 @@ pub(crate) fn tag<'c>(
 /// The number that a node is: a literal, one behind a minus, or a constant of the program.
 pub(crate) fn number(context: &Context, scope: usize, node: &Node) -> Option<Number> {
     match &node.kind {
-        NodeKind::Literal(Ok(literal)) => of_literal(literal),
+        NodeKind::Literal(_) => of_literal(node.literal()?),
         NodeKind::Paren(inner) => number(context, scope, inner),
         NodeKind::Unary(Operator::Sub, inner) => Some(match number(context, scope, inner)? {
             Number::Int(n) => Number::Int(-n),
@@ -56,7 +56,7 @@ pub(crate) fn number(context: &Context, scope: usize, node: &Node) -> Option<Num
         }),
         NodeKind::Name(name) => {
             let (_, facts) = tag(context, scope, name)?;
-            match facts.initial.as_slice() {
+            match &*facts.initial {
                 [Value::Int(n)] if facts.constant => match facts.ty {
                     Some(Type::Scalar(Scalar::Ulint | Scalar::Lword)) => {
                         Some(Number::Int(i128::from(*n as u64)))

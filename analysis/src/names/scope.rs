@@ -8,6 +8,7 @@ use crate::types::{Scalar, Type};
 use crate::value::Value;
 use ladder_syntax::{Name, TextRange};
 use rustc_hash::FxHashMap;
+use smallvec::SmallVec;
 use smol_str::SmolStr;
 use std::sync::Arc;
 
@@ -110,14 +111,36 @@ pub struct Use {
 pub(crate) struct UseRef {
     /// The number of the network; see [`Networks`](crate::networks::Networks).
     pub(crate) network: u32,
-    /// Which of the names in it.
-    pub(crate) named: u32,
-    pub(crate) access: Access,
+    /// Which of the names in it, and in the two lowest bits how it is used.
+    named: u32,
 }
 
-/// Where a tag is used, from top to bottom.
+impl UseRef {
+    /// A name of a network, which has far fewer than 2^30 of them.
+    pub(crate) const fn new(network: u32, named: u32, access: Access) -> UseRef {
+        UseRef {
+            network,
+            named: named << 2 | access as u32,
+        }
+    }
+
+    /// Which of the names in its network.
+    pub(crate) const fn named(self) -> u32 {
+        self.named >> 2
+    }
+
+    pub(crate) const fn access(self) -> Access {
+        match self.named & 3 {
+            0 => Access::Read,
+            1 => Access::Write,
+            _ => Access::ReadWrite,
+        }
+    }
+}
+
+/// Where a tag is used, from top to bottom. Most tags are used once or twice.
 #[derive(Debug, Clone, Default)]
-pub struct Uses(pub(crate) Vec<UseRef>);
+pub struct Uses(pub(crate) SmallVec<[UseRef; 2]>);
 
 impl Uses {
     /// How many places there are.
@@ -132,12 +155,12 @@ impl Uses {
 
     /// The places that write it.
     pub(crate) fn writers(&self) -> impl Iterator<Item = UseRef> {
-        self.0.iter().copied().filter(|place| place.access.writes())
+        self.0.iter().copied().filter(|place| place.access().writes())
     }
 
     /// How each place uses it.
     pub fn accesses(&self) -> impl Iterator<Item = Access> {
-        self.0.iter().map(|place| place.access)
+        self.0.iter().map(|place| place.access())
     }
 }
 
@@ -167,9 +190,9 @@ pub struct TagFacts {
     /// Declared CONSTANT.
     pub constant: bool,
     /// Initial values; empty for the type's own.
-    pub initial: Vec<Value>,
+    pub initial: Box<[Value]>,
     /// The address behind AT, or the address itself.
-    pub address: Option<String>,
+    pub address: Option<Box<str>>,
     /// Where it is declared; for one without a declaration see [`Context::place_of`].
     pub(crate) declared_at: TextRange,
     /// Where it is used. A shared tag counts the uses in all scopes.
@@ -224,7 +247,7 @@ impl Scope {
             name: tag.name.clone(),
             initial: tag.initial.clone(),
             address: tag.address.clone(),
-            uses: Uses(Vec::with_capacity(tag.uses.len())),
+            uses: Uses(SmallVec::with_capacity(tag.uses.len())),
             foreign: None,
             ..*tag
         });

@@ -95,7 +95,7 @@ fn import(
         mistyped: global.ty.is_none(),
         retain: global.retain,
         constant: global.constant,
-        initial: global.initial.clone(),
+        initial: global.initial.as_slice().into(),
         address: None,
         declared_at: context.place_of(used),
         uses: Uses::default(),

@@ -180,11 +180,10 @@ fn enter(network: NetworkAt<'_>, id: u32, law: &Law, scope: &mut Scope) {
         let index = scope
             .find(&named.key)
             .unwrap_or_else(|| scope.add(undeclared(spelling(network.facts(), named), law)));
-        scope.tags[index].uses.0.push(UseRef {
-            network: id,
-            named: number,
-            access: named.access,
-        });
+        scope.tags[index]
+            .uses
+            .0
+            .push(UseRef::new(id, number, named.access));
     }
 }
 
@@ -207,8 +206,8 @@ pub(crate) fn undeclared(name: &str, law: &Law) -> TagFacts {
         },
         retain: false,
         constant: false,
-        initial: Vec::new(),
-        address: is_address.then(|| name.to_owned()),
+        initial: Box::default(),
+        address: is_address.then(|| name.into()),
         declared_at: TextRange::default(),
         uses: Uses::default(),
         shared: None,
@@ -253,7 +252,7 @@ fn roles(scope: &mut Scope, networks: &Networks) {
 pub(crate) fn role(uses: &Uses, networks: &Networks) -> Role {
     let read = uses.accesses().any(Access::reads);
     let written = uses.accesses().any(Access::writes);
-    let mut writers = uses.0.iter().filter(|place| place.access.writes());
+    let mut writers = uses.0.iter().filter(|place| place.access().writes());
     let mut by_coils = || writers.all(|place| networks.block_of(*place).coil().is_some());
     match (read, written) {
         (true, false) => Role::Input,

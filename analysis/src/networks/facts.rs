@@ -27,7 +27,7 @@ pub struct BlockFacts {
     /// The operand list with its parentheses, if there is one.
     pub list_range: Option<TextRange>,
     /// The operands in the order in which they stand.
-    pub operands: Vec<OperandFacts>,
+    pub operands: Box<[OperandFacts]>,
 }
 
 /// What a block's first part names.
@@ -51,16 +51,37 @@ impl Head {
 /// An operand as it is written.
 #[derive(Debug, Clone, PartialEq)]
 pub struct OperandFacts {
-    /// The name before `:=` or `=>`.
-    pub name: Option<Word>,
-    /// It is written with `=>`.
-    pub arrow: bool,
-    /// Where `:=` or `=>` stands.
-    pub arrow_range: Option<TextRange>,
+    /// What stands before the value, if it is given by name: most are given by place.
+    named: Option<Box<NamedOperand>>,
     /// The value.
     pub value: Node,
     /// The operand with its name.
     pub range: TextRange,
+}
+
+/// The name of an operand, and what joins it to the value.
+#[derive(Debug, Clone, PartialEq)]
+struct NamedOperand {
+    name: Option<Word>,
+    is_arrow: bool,
+    arrow: Option<TextRange>,
+}
+
+impl OperandFacts {
+    /// The name before `:=` or `=>`.
+    pub fn name(&self) -> Option<&Word> {
+        self.named.as_ref()?.name.as_ref()
+    }
+
+    /// Whether it is written with `=>`.
+    pub fn has_arrow(&self) -> bool {
+        self.named.as_ref().is_some_and(|named| named.is_arrow)
+    }
+
+    /// Where `:=` or `=>` stands.
+    pub fn arrow_range(&self) -> Option<TextRange> {
+        self.named.as_ref()?.arrow
+    }
 }
 
 /// A word and its place.
@@ -82,10 +103,18 @@ pub struct Node {
 }
 
 impl Node {
+    /// The value that it is, if it is a literal.
+    pub fn literal(&self) -> Option<&Literal> {
+        match &self.kind {
+            NodeKind::Literal(literal) => literal.as_ref().as_ref().ok(),
+            _ => None,
+        }
+    }
+
     /// Every index or bound of a range in it that is written out as a number.
     pub(crate) fn each_index(&self, give: &mut impl FnMut(i64)) {
         let mut number = |node: &Node| {
-            if let NodeKind::Literal(Ok(Literal::Int(n))) = &node.kind {
+            if let Some(Literal::Int(n)) = node.literal() {
                 give(i64::try_from(*n).unwrap_or(i64::MAX));
             }
         };
@@ -100,7 +129,7 @@ impl Node {
     }
 }
 
-/// The forms of an expression.
+/// The forms of an expression. What is seldom met is boxed: a program holds one of these for each operand.
 #[derive(Debug, Clone, PartialEq)]
 pub enum NodeKind {
     /// A name.
@@ -108,9 +137,9 @@ pub enum NodeKind {
     /// A direct address.
     Address(SmolStr),
     /// A literal, or why it is none.
-    Literal(Result<Literal, LiteralProblem>),
+    Literal(Box<Result<Literal, LiteralProblem>>),
     /// `base.member`
-    Member(Box<Node>, Word),
+    Member(Box<Node>, Box<Word>),
     /// `base[index]`
     Index(Box<Node>, Box<Node>),
     /// `base[first..last]`
@@ -122,11 +151,11 @@ pub enum NodeKind {
     /// `( a )`
     Paren(Box<Node>),
     /// `SQRT( a )`
-    Call(Word, Vec<Node>),
+    Call(Box<Word>, Box<[Node]>),
     /// `[1, 2, 3]`
-    Array(Vec<Node>),
+    Array(Box<[Node]>),
     /// `4(0)` in an initial value.
-    Repeat(Box<Node>, Vec<Node>),
+    Repeat(Box<Node>, Box<[Node]>),
     /// Parentheses behind something that is no function's name: `a[1]( 2 )`. It reads well and means nothing.
     NoFunction,
     /// Nothing, or nothing that can be read; the parser said so.
@@ -202,20 +231,20 @@ fn operand_facts(operand: &Operand<'_>) -> OperandFacts {
     };
     match operand {
         Operand::Positional(_) => OperandFacts {
-            name: None,
-            arrow: false,
-            arrow_range: None,
+            named: None,
             value,
             range,
         },
         Operand::Named(named) => {
             let arrow = named.arrow();
             OperandFacts {
-                name: named.name().map(|token| word(token)),
-                arrow: arrow
-                    .as_ref()
-                    .is_some_and(|token| token.kind() == SyntaxKind::ARROW),
-                arrow_range: arrow.map(TokenView::text_range),
+                named: Some(Box::new(NamedOperand {
+                    name: named.name().map(|token| word(token)),
+                    is_arrow: arrow
+                        .as_ref()
+                        .is_some_and(|token| token.kind() == SyntaxKind::ARROW),
+                    arrow: arrow.map(TokenView::text_range),
+                })),
                 value,
                 range,
             }
@@ -236,9 +265,9 @@ pub fn node(expression: &Expression<'_>) -> Node {
     let kind = match expression {
         Expression::Name(token) => NodeKind::Name(token.text().into()),
         Expression::Address(token) => NodeKind::Address(token.text().into()),
-        Expression::Literal(token) => NodeKind::Literal(literal::literal(token.text())),
+        Expression::Literal(token) => NodeKind::Literal(Box::new(literal::literal(token.text()))),
         Expression::Member(member) => match (member.base(), member.member()) {
-            (Some(base), Some(token)) => NodeKind::Member(Box::new(node(&base)), word(token)),
+            (Some(base), Some(token)) => NodeKind::Member(Box::new(node(&base)), Box::new(word(token))),
             _ => NodeKind::Missing,
         },
         Expression::Index(index) => {
@@ -289,7 +318,7 @@ pub fn node(expression: &Expression<'_>) -> Node {
         Expression::Call(call) => {
             let arguments = call.arguments().map(|a| node(&a)).collect();
             match call.callee() {
-                Some(Expression::Name(token)) => NodeKind::Call(word(token), arguments),
+                Some(Expression::Name(token)) => NodeKind::Call(Box::new(word(token)), arguments),
                 Some(count @ Expression::Literal(_)) => NodeKind::Repeat(Box::new(node(&count)), arguments),
                 Some(_) => NodeKind::NoFunction,
                 None => NodeKind::Missing,

@@ -11,6 +11,7 @@ pub(crate) mod kept;
 pub(crate) mod known_blocks;
 pub mod network;
 pub mod order;
+pub(crate) mod order_table;
 #[cfg(test)]
 mod order_tests;
 pub(crate) mod outward_jumps;
@@ -220,7 +221,7 @@ impl Networks {
     pub(crate) fn use_of(&self, place: UseRef) -> Use {
         let index = self.index_of(place.network);
         let facts = &self.facts[place.network as usize];
-        let named = &facts.named[place.named as usize];
+        let named = &facts.named[place.named() as usize];
         let line = facts.blocks[named.block as usize].base + TextSize::new(self.places[index].start);
         named.at(index, line)
     }
@@ -228,13 +229,13 @@ impl Networks {
     /// The block at a place where a tag is used.
     pub(crate) fn block_of(&self, place: UseRef) -> &BoundBlock {
         let facts = &self.facts[place.network as usize];
-        &facts.blocks[facts.named[place.named as usize].block as usize]
+        &facts.blocks[facts.named[place.named() as usize].block as usize]
     }
 
     /// What the operand is given for in which a tag is used.
     pub(crate) fn formal_of(&self, place: UseRef) -> Formal {
         let facts = &self.facts[place.network as usize];
-        let named = &facts.named[place.named as usize];
+        let named = &facts.named[place.named() as usize];
         facts.blocks[named.block as usize].formals[named.operand as usize]
     }
 

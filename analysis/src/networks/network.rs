@@ -4,7 +4,8 @@
 use crate::control_flow::ControlFlow;
 use crate::facts::{self, BlockFacts, Head};
 use crate::known_blocks::KnownBlocks;
-use crate::order::{Order, order};
+use crate::order::Order;
+use crate::order_table::OrderTable;
 use crate::uses::{self, Named};
 use crate::verdict::Verdict;
 use ladder_instructions::{Accepts, Coil, Instruction, Op, Operand, lookup};
@@ -23,7 +24,7 @@ pub struct NetworkFacts {
     /// The order of evaluation.
     pub order: Arc<Order>,
     /// The blocks from left to right, top to bottom.
-    pub blocks: Vec<BoundBlock>,
+    pub blocks: Box<[BoundBlock]>,
     /// From the start of the first rung to the end of the last, in bytes, line ends included.
     pub(crate) len: TextSize,
     /// Its own text has a mistake in the drawing.
@@ -32,7 +33,7 @@ pub struct NetworkFacts {
     /// is found in it depends on its lines, its tags and the signatures of those blocks.
     pub(crate) names_tags_only: bool,
     /// The tags that it names.
-    pub(crate) named: Arc<[Named]>,
+    pub(crate) named: Box<[Named]>,
     /// The user-defined blocks that it holds.
     pub(crate) user_blocks: UserBlocks,
     /// What it has of program flow.
@@ -61,13 +62,13 @@ pub(crate) enum UserBlocks {
 #[derive(Debug, Clone)]
 pub struct BoundBlock {
     /// As it is written. Ranges count from the start of its line.
-    pub facts: Arc<BlockFacts>,
+    pub facts: BlockFacts,
     /// Where its line starts, from the start of the network.
     pub(crate) base: TextSize,
     /// Which instruction or user-defined block it is.
     pub meaning: Meaning,
     /// For each operand, as they stand, what it is given for.
-    pub formals: Arc<[Formal]>,
+    pub formals: Box<[Formal]>,
     /// The parser found a mistake in it: rules about its operands would only repeat it.
     pub faulty: bool,
 }
@@ -141,7 +142,7 @@ impl BoundBlock {
         self.facts
             .operands
             .iter()
-            .filter(|operand| operand.name.is_none())
+            .filter(|operand| operand.name().is_none())
             .count()
     }
 }
@@ -154,11 +155,17 @@ impl NetworkFacts {
 }
 
 /// The facts of a network.
-pub(crate) fn network(parse: &Parse, network: &Network, known: &mut KnownBlocks<'_>) -> NetworkFacts {
+pub(crate) fn network(
+    parse: &Parse,
+    network: &Network,
+    known: &mut KnownBlocks<'_>,
+    orders: &mut OrderTable,
+) -> NetworkFacts {
     let wiring = wiring(parse, network);
-    let order = order(&wiring);
+    let order = orders.of(&wiring);
     let start = parse.line_start(network.lines.start);
-    let mut blocks = Vec::new();
+    let rungs = wiring.rungs.iter();
+    let mut blocks = Vec::with_capacity(rungs.map(|rung| rung.connectors(PartKind::Block).count()).sum());
     for (rung, offset) in wiring.line_offsets.iter().enumerate() {
         let line = network.lines.start + offset;
         let parts = wiring.rungs[rung].connectors(PartKind::Block);
@@ -199,8 +206,8 @@ pub(crate) fn network(parse: &Parse, network: &Network, known: &mut KnownBlocks<
     let commented = is_commented(parse, network, &wiring);
     NetworkFacts {
         wiring: Arc::new(wiring),
-        order: Arc::new(order),
-        blocks,
+        order,
+        blocks: blocks.into(),
         len: parse.line_range(network.lines.end - 1).end() - start,
         broken_by_itself: broken,
         names_tags_only,
@@ -264,7 +271,7 @@ fn bind(facts: BlockFacts, base: TextSize, known: &mut KnownBlocks<'_>, faulty: 
     let positional = facts
         .operands
         .iter()
-        .filter(|operand| operand.name.is_none())
+        .filter(|operand| operand.name().is_none())
         .count();
     let meaning = match &facts.head {
         Head::User(name) => match known.find(name, facts.shape) {
@@ -295,7 +302,7 @@ fn bind(facts: BlockFacts, base: TextSize, known: &mut KnownBlocks<'_>, faulty: 
     let formals = facts
         .operands
         .iter()
-        .map(|operand| match (&operand.name, meaning) {
+        .map(|operand| match (operand.name(), meaning) {
             (Some(name), Meaning::Instruction(row)) => {
                 row.named(&name.text).map_or(Formal::UnknownName, Formal::Operand)
             }
@@ -323,7 +330,7 @@ fn bind(facts: BlockFacts, base: TextSize, known: &mut KnownBlocks<'_>, faulty: 
         })
         .collect();
     BoundBlock {
-        facts: Arc::new(facts),
+        facts,
         base,
         meaning,
         formals,

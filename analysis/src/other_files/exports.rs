@@ -205,7 +205,7 @@ fn globals(context: &Context) -> Vec<Global> {
             role: tag.role,
             constant: tag.constant,
             retain: tag.retain,
-            initial: tag.initial.clone(),
+            initial: tag.initial.to_vec(),
             at: tag.declared_at,
         });
     }

@@ -95,7 +95,7 @@ impl Outward {
                     Meaning::Unknown | Meaning::UnknownUser => false,
                 };
                 if known {
-                    TagUse::of(place.access)
+                    TagUse::of(place.access())
                 } else {
                     TagUse::BOTH
                 }

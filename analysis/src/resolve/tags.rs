@@ -127,8 +127,8 @@ fn add(program: &mut Program, tag: &TagFacts, block: Option<usize>, location: Lo
         role: tag.role,
         retain: tag.retain,
         constant: tag.constant,
-        initial: tag.initial.clone(),
-        address: tag.address.clone(),
+        initial: tag.initial.to_vec(),
+        address: tag.address.as_deref().map(str::to_owned),
         block,
         location,
     });

@@ -40,8 +40,10 @@ pub(super) fn check(place: &SurveyedBlock<'_>, out: &mut Vec<Diagnostic>) {
 fn has_sign(node: &Node) -> bool {
     match &node.kind {
         NodeKind::Unary(Operator::Sub, _) => true,
-        NodeKind::Literal(Ok(Literal::Int(n))) => *n < 0,
-        NodeKind::Literal(Ok(Literal::Real(r))) => *r < 0.0,
-        _ => false,
+        _ => match node.literal() {
+            Some(Literal::Int(n)) => *n < 0,
+            Some(Literal::Real(r)) => *r < 0.0,
+            _ => false,
+        },
     }
 }

@@ -34,7 +34,7 @@ fn instruction(context: &Context, bound: BlockAt<'_>, row: &'static Instruction)
     let given = bound.positional_count();
     // `PT := T#5s`: bad-operand says that it is given by its place.
     let by_name = |operand: &&Operand| {
-        let names = bound.facts.operands.iter().filter_map(|o| o.name.as_ref());
+        let names = bound.facts.operands.iter().filter_map(|o| o.name());
         names
             .into_iter()
             .any(|name| name.text.eq_ignore_ascii_case(operand.name))
@@ -157,7 +157,7 @@ fn insertion(bound: BlockAt<'_>, given: usize, values: &str) -> (TextRange, Stri
         (_, None) => (list, format!("( {values} )")),
         (None, Some(named)) => (TextRange::empty(named.range.start()), format!("{values}, ")),
         (Some(_), Some(_)) => {
-            let last = facts.operands.iter().rfind(|operand| operand.name.is_none());
+            let last = facts.operands.iter().rfind(|operand| operand.name().is_none());
             let end = last.map_or(list.end(), |operand| operand.range.end());
             (TextRange::empty(end), format!(", {values}"))
         }
@@ -249,7 +249,7 @@ fn signature<'n>(facts: &UserBlockFacts, bound: BlockAt<'_>, name_of: &dyn Fn(us
 fn given_twice(bound: BlockAt<'_>, out: &mut Vec<Diagnostic>) {
     for (index, formal) in bound.formals.iter().enumerate() {
         let operand = &bound.facts.operands[index];
-        let Some(name) = &operand.name else { continue };
+        let Some(name) = operand.name() else { continue };
         if !matches!(formal, Formal::Operand(_) | Formal::Parameter(_)) {
             continue;
         }

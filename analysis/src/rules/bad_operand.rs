@@ -17,7 +17,7 @@ pub(crate) fn check(context: &Context, network: NetworkAt<'_>, out: &mut Vec<Dia
             continue;
         }
         for (operand, formal) in bound.facts.operands.iter().zip(bound.formals.iter()) {
-            let Some(name) = &operand.name else { continue };
+            let Some(name) = operand.name() else { continue };
             let is_read = match (*formal, bound.meaning) {
                 (Formal::UnknownName, Meaning::User(block)) if context.user_blocks[block].doubtful => {
                     continue;
@@ -44,7 +44,7 @@ pub(crate) fn check(context: &Context, network: NetworkAt<'_>, out: &mut Vec<Dia
                 }
                 _ => continue,
             };
-            if operand.arrow && is_read {
+            if operand.has_arrow() && is_read {
                 out.push(arrow(bound, operand, name));
             }
         }
@@ -84,7 +84,7 @@ fn arrow(bound: BlockAt<'_>, operand: &OperandFacts, name: &Word) -> Diagnostic 
         format!("`{}` is an operand that {} reads", name.text, bound.head_text()),
     )
     .help("`:=` gives an operand, `=>` takes a result");
-    match operand.arrow_range {
+    match operand.arrow_range() {
         // An output may be meant.
         Some(arrow) => found.fix(
             Applicability::Unsafe,
@@ -157,7 +157,7 @@ fn unknown_name(context: &Context, bound: BlockAt<'_>, operand: &OperandFacts, n
 /// Whether an operand stands at the place that its name says, behind operands that are given by place.
 fn is_at_its_place(bound: BlockAt<'_>, operand: &OperandFacts, name: &Word) -> bool {
     let operands = &bound.facts.operands;
-    let place = operands.iter().take_while(|other| other.name.is_none()).count();
+    let place = operands.iter().take_while(|other| other.name().is_none()).count();
     let row = bound.instruction().and_then(|row| row.positional(place));
     operands.get(place).is_some_and(|at| at.range == operand.range)
         && row.is_some_and(|row| row.name.eq_ignore_ascii_case(&name.text))

@@ -78,8 +78,8 @@ fn part(kind: &NodeKind) -> Option<String> {
     match kind {
         NodeKind::Name(_) | NodeKind::Address(_) => Some(String::new()),
         NodeKind::Paren(inner) => part(&inner.kind),
-        NodeKind::Index(base, index) => match (&base.kind, &index.kind) {
-            (NodeKind::Name(_), NodeKind::Literal(Ok(Literal::Int(n)))) => Some(format!("[{n}]")),
+        NodeKind::Index(base, index) => match (&base.kind, index.literal()) {
+            (NodeKind::Name(_), Some(Literal::Int(n))) => Some(format!("[{n}]")),
             _ => None,
         },
         NodeKind::Member(base, word) => Some(format!("{}.{}", part(&base.kind)?, word.text)),

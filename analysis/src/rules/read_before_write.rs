@@ -78,7 +78,7 @@ impl<'c> Late<'c> {
         let network = |place: &UseRef| context.networks.index_of(place.network);
         let write = tag.uses.writers().min_by_key(network)?;
         let above = network(&write);
-        let mut reads = tag.uses.0.iter().filter(|place| place.access.reads());
+        let mut reads = tag.uses.0.iter().filter(|place| place.access().reads());
         let read = *reads.find(|place| network(place) < above)?;
         let (read, write) = (context.networks.use_of(read), context.networks.use_of(write));
         let body = context.bodies[write.network];

@@ -10,7 +10,7 @@ use ladder_instructions::Direction;
 
 pub(super) fn check(context: &Context, bound: BlockAt<'_>, out: &mut Vec<Diagnostic>) {
     for (operand, formal) in bound.facts.operands.iter().zip(bound.formals.iter()) {
-        let (Some(name), false) = (&operand.name, operand.arrow) else {
+        let (Some(name), false) = (operand.name(), operand.has_arrow()) else {
             continue;
         };
         let is_result = match (*formal, bound.meaning) {
@@ -20,7 +20,7 @@ pub(super) fn check(context: &Context, bound: BlockAt<'_>, out: &mut Vec<Diagnos
             }
             _ => false,
         };
-        let Some(arrow) = operand.arrow_range.filter(|_| is_result && !bound.faulty) else {
+        let Some(arrow) = operand.arrow_range().filter(|_| is_result && !bound.faulty) else {
             continue;
         };
         out.push(

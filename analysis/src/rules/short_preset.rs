@@ -152,8 +152,7 @@ fn in_units(value: i128, plain: bool, base: i128, at: TextRange) -> Option<Diagn
 
 fn is_integer(place: &SurveyedBlock<'_>, node: &Node) -> bool {
     match &node.kind {
-        NodeKind::Literal(Ok(Literal::Int(_))) => true,
-        NodeKind::Literal(_) => false,
+        NodeKind::Literal(_) => matches!(node.literal(), Some(Literal::Int(_))),
         _ => scalar(place.context, place.network.scope, node).is_some_and(Scalar::is_integer),
     }
 }

@@ -178,9 +178,11 @@ pub(crate) fn signed_literal(node: &Node) -> Option<(&Result<Literal, LiteralPro
     match &node.kind {
         NodeKind::Literal(literal) => Some((literal, false)),
         NodeKind::Unary(Operator::Sub, inner) => match &inner.kind {
-            NodeKind::Literal(
-                literal @ (Ok(Literal::Int(_) | Literal::Real(_) | Literal::Time(_)) | Err(_)),
-            ) => Some((literal, true)),
+            NodeKind::Literal(literal) => {
+                use Literal::{Int, Real, Time};
+                let can_be_negative = matches!(**literal, Ok(Int(_) | Real(_) | Time(_)) | Err(_));
+                can_be_negative.then_some((&**literal, true))
+            }
             _ => None,
         },
         NodeKind::Paren(inner) => signed_literal(inner),
@@ -231,7 +233,7 @@ fn elements(
         values.push(initial_value(node, element)?);
         return Ok(());
     };
-    let NodeKind::Literal(Ok(Literal::Int(count))) = count.kind else {
+    let Some(&Literal::Int(count)) = count.literal() else {
         return Err(ConstantProblem::new(
             Rule::BadDeclaration,
             count.range,

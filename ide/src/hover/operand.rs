@@ -118,8 +118,7 @@ fn describe(
                 tag_card(context, tag, Some(here))
             ))
         }
-        NodeKind::Literal(Ok(literal)) => Some(natural_literal(literal)),
-        _ => None,
+        _ => node.literal().map(natural_literal),
     }
 }
 
@@ -134,7 +133,7 @@ pub(crate) fn tag_card(context: &Context, tag: &TagFacts, here: Option<TextSize>
     let address = tag
         .address
         .as_ref()
-        .filter(|a| **a != tag.name)
+        .filter(|a| ***a != *tag.name)
         .map(|a| format!(" AT {a}"))
         .unwrap_or_default();
     let mut card = format!("```clad\n{}{address} : {ty}\n```\n", tag.name);

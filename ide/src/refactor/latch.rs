@@ -124,7 +124,7 @@ fn one_or(mut parts: Parts, many: fn(Parts) -> Circuit<Item>) -> Circuit<Item> {
 
 /// The tag that a coil or contact stands for, if it is a tag as a whole.
 fn plain_tag(block: &BoundBlock) -> Option<&str> {
-    match &block.facts.operands.as_slice() {
+    match &block.facts.operands[..] {
         [operand] => match &operand.value.kind {
             NodeKind::Name(name) | NodeKind::Address(name) => Some(name),
             _ => None,

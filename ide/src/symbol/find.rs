@@ -107,7 +107,7 @@ fn in_operand(
     let context = file;
     let operand = &block.facts.operands[index];
     let formal = block.formals.get(index).copied();
-    if let Some(word) = &operand.name
+    if let Some(word) = operand.name()
         && word.range.contains_inclusive(within)
     {
         let (Some(Formal::Parameter(parameter)), Meaning::User(user)) = (formal, block.meaning) else {

@@ -109,7 +109,7 @@ fn named_operands(file: &Context, symbol: &Symbol, out: &mut Places) {
             continue;
         };
         for (operand, formal) in block.facts.operands.iter().zip(block.formals.iter()) {
-            let (Some(word), Formal::Parameter(parameter)) = (&operand.name, *formal) else {
+            let (Some(word), Formal::Parameter(parameter)) = (operand.name(), *formal) else {
                 continue;
             };
             if operand_name(file, user, parameter).as_ref() == Some(symbol) {
