@@ -11,10 +11,10 @@ use crate::kept::Kept;
 use crate::known_blocks::KnownBlocks;
 use crate::network;
 use crate::networks::{NetworkAt, Networks};
-use crate::order_table::OrderTable;
 use crate::others::{Import, Others};
 use crate::profile;
 use crate::program::Role;
+use crate::reading::Reading;
 use crate::scope::{Origin, Scope, TagFacts, Use, Uses};
 use crate::shared;
 use crate::types::Scalar;
@@ -163,7 +163,7 @@ impl Context {
         let mut number = self.parse.lines().line_ends_above(line) as usize + 1;
         if self.parse.lines()[line].line_ends > 0 {
             let within = usize::from(offset - self.parse.line_start(line));
-            let text = self.parse.lines()[line].green().to_string();
+            let text = self.parse.lines()[line].text().to_owned();
             number += LineIndex::new(&text).line(TextSize::new(within as u32));
         }
         number
@@ -295,11 +295,12 @@ pub(crate) fn skeleton(parse: &Arc<Parse>, name: &str, others: &Others, before: 
         kept.with_signatures(signatures);
     }
     let mut known = KnownBlocks::new(user_blocks, others);
-    let mut orders = OrderTable::default();
+    let mut reading = Reading::default();
     let mut networks = Networks::default();
     for drawn in &structure.networks {
         let same = kept.as_mut().and_then(|kept| kept.network(drawn));
-        let facts = same.unwrap_or_else(|| Arc::new(network::network(parse, drawn, &mut known, &mut orders)));
+        let facts =
+            same.unwrap_or_else(|| Arc::new(network::network(parse, drawn, &mut known, &mut reading)));
         let first = drawn.lines.start;
         let scope = drawn.block.map_or(0, |block| block + 1);
         networks.push(facts, first, parse.line_start(first), scope);

@@ -20,7 +20,7 @@ pub fn is_cplc_draft(text: &str) -> bool {
 pub(crate) fn beginning(parse: &Parse) -> Option<TextRange> {
     let mut in_comment = false;
     for (index, parsed) in parse.lines().iter().enumerate().take(LINES) {
-        let text = parsed.syntax().text().to_string();
+        let text = parsed.text();
         let line = text.trim_start_matches('\u{feff}').trim();
         if in_comment || line.starts_with("/*") {
             in_comment = !line.ends_with("*/");

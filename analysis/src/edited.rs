@@ -11,9 +11,9 @@ use crate::infer;
 use crate::known_blocks::KnownBlocks;
 use crate::network::{self, NetworkFacts, UserBlocks};
 use crate::networks::Spliced;
-use crate::order_table::OrderTable;
 use crate::others::Others;
 use crate::program::Role;
+use crate::reading::Reading;
 use crate::scope::{Origin, Scope, SectionKind, TagFacts, UseRef};
 use crate::types::Type;
 use crate::uses;
@@ -147,7 +147,7 @@ impl Edited {
         let first = networks.partition_point(|network| network.first_line < lines.start);
         let end = networks.partition_point(|network| network.first_line < lines.end);
         let mut gone: Vec<bool> = vec![true; end - first];
-        let mut orders = OrderTable::default();
+        let mut reading = Reading::default();
         let mut known = KnownBlocks::new(before.user_blocks.clone(), &before.others);
         let mut spliced = Vec::new();
         let mut bodies: Vec<Body> = Vec::new();
@@ -197,7 +197,7 @@ impl Edited {
                     lines: drawn.clone(),
                     block: None,
                 };
-                let facts = network::network(parse, &network, &mut known, &mut orders);
+                let facts = network::network(parse, &network, &mut known, &mut reading);
                 if is_marked(&facts) || (is_strange(&facts) && before.others.have_files()) {
                     return None;
                 }
@@ -287,7 +287,7 @@ impl Edited {
         let gone: FxHashSet<u32> = self.removed.iter().map(|network| network.id).collect();
         let mut touched: FxHashMap<(usize, usize), Vec<UseRef>> = FxHashMap::default();
         for removed in &self.removed {
-            for named in removed.facts.named.iter() {
+            for named in &removed.facts.named {
                 let tag = self.context.scopes[removed.scope].find(&named.key)?;
                 touched.entry((removed.scope, tag)).or_default();
             }

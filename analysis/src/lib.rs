@@ -47,7 +47,7 @@ pub use findings::{diagnostic, fix, rule, rule_settings};
 pub(crate) use names::{declare, did_you_mean, infer, operand_value, shared, uses};
 pub use names::{scope, system_tag, tags};
 pub(crate) use networks::{
-    chunked, control_flow, kept, known_blocks, order_table, outward_jumps, unread_line,
+    chunked, control_flow, kept, known_blocks, order_table, outward_jumps, reading, unread_line,
 };
 pub use networks::{facts, network, order, user_block};
 pub(crate) use other_files::{exports, link, others, outward};

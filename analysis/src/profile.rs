@@ -34,7 +34,11 @@ fn said<T>(parse: &Parse, word: &str, answer: impl Fn(&str) -> Option<T>) -> Opt
         .take_while(|item| !matches!(item, Item::Network(_)));
     for item in before {
         let Item::Decoration(line) = *item else { continue };
-        for child in parse.lines()[line].green().children() {
+        let line = &parse.lines()[line];
+        if !line.text().contains('#') {
+            continue;
+        }
+        for child in line.tree().children() {
             let NodeOrToken::Token(token) = child else {
                 continue;
             };

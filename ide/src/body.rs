@@ -1,7 +1,6 @@
 //! How far a body reaches: the main program, a function, the definition of a block.
 
 use ladder_analysis::context::{Body, Context};
-use ladder_syntax::rowan::GreenNodeData;
 use ladder_syntax::{NodeOrToken, Parse, SyntaxKind, TextRange};
 
 /// From the first network of a body to the last, without the last line end; of a block's definition all of it.
@@ -47,31 +46,14 @@ pub(crate) fn without_line_end(context: &Context, range: TextRange) -> TextRange
     TextRange::new(range.start(), end.max(range.start()))
 }
 
-/// The text of a line. Token by token: through the formatter's machinery it takes several times as long, and this is asked
-/// of every network and declaration.
+/// The text of a line.
 pub(crate) fn line_text(parse: &Parse, line: usize) -> String {
-    let green = parse.lines()[line].green();
-    let mut text = String::with_capacity(usize::from(green.text_len()));
-    add(green, &mut text);
-    text
+    parse.lines()[line].text().to_owned()
 }
 
-/// The text of the file, likewise.
+/// The text of the file.
 pub(crate) fn file_text(parse: &Parse) -> String {
-    let mut text = String::with_capacity(usize::from(parse.text_len()));
-    for line in parse.lines() {
-        add(line.green(), &mut text);
-    }
-    text
-}
-
-fn add(node: &GreenNodeData, text: &mut String) {
-    for child in node.children() {
-        match child {
-            NodeOrToken::Node(node) => add(node, text),
-            NodeOrToken::Token(token) => text.push_str(token.text()),
-        }
-    }
+    parse.to_string()
 }
 
 /// A line without blanks, comments and line end around it.
@@ -79,7 +61,7 @@ pub(crate) fn line_body(parse: &Parse, line: usize) -> TextRange {
     let mut at = parse.line_start(line);
     let mut range = TextRange::empty(at);
     // Through the green node, without a cursor: this is asked of every network and declaration.
-    for child in parse.lines()[line].green().children() {
+    for child in parse.lines()[line].tree().children() {
         let (kind, len) = match child {
             NodeOrToken::Node(node) => (SyntaxKind::from_raw(node.kind()), node.text_len()),
             NodeOrToken::Token(token) => (SyntaxKind::from_raw(token.kind()), token.text_len()),

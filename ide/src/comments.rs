@@ -8,8 +8,11 @@ use ladder_syntax::{LineKind, NodeOrToken, Parse, SyntaxKind, TextRange, TextSiz
 /// The comments of a logical line with their texts, `#` included.
 pub(crate) fn of_line(parse: &Parse, line: usize) -> Vec<(TextRange, String)> {
     let mut comments = Vec::new();
-    // Straight through the green node: this is asked of every line.
-    gather(parse.lines()[line].green(), parse.line_start(line), &mut comments);
+    let found = &parse.lines()[line];
+    // Straight through the green node, where there is a comment: this is asked of every line.
+    if found.text().contains('#') {
+        gather(&found.tree(), parse.line_start(line), &mut comments);
+    }
     comments
 }
 

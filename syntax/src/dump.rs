@@ -1,18 +1,17 @@
 //! The tree as indented text, for people who work on the language.
 
-use crate::{NodeOrToken, Parse, SyntaxKind, SyntaxToken};
+use crate::{NodeOrToken, Parse, SyntaxToken};
 use rowan::WalkEvent;
 use std::fmt::Write as _;
 
 /// The tree of a parse: one line for each node and token with its kind, its range and, for tokens, its text
-/// with control characters escaped; behind the tree the mistakes. Chunks are left out: they say nothing of the
-/// text.
+/// with control characters escaped; behind the tree the mistakes.
 pub fn dump(parse: &Parse) -> String {
     let mut out = String::new();
     let mut depth = 0usize;
     for event in parse.syntax().preorder_with_tokens() {
         match event {
-            WalkEvent::Enter(NodeOrToken::Node(node)) if node.kind() != SyntaxKind::CHUNK => {
+            WalkEvent::Enter(NodeOrToken::Node(node)) => {
                 line(
                     &mut out,
                     depth,
@@ -20,7 +19,7 @@ pub fn dump(parse: &Parse) -> String {
                 );
                 depth += 1;
             }
-            WalkEvent::Leave(NodeOrToken::Node(node)) if node.kind() != SyntaxKind::CHUNK => depth -= 1,
+            WalkEvent::Leave(NodeOrToken::Node(_)) => depth -= 1,
             WalkEvent::Enter(NodeOrToken::Token(token)) => token_line(&mut out, depth, &token),
             _ => {}
         }

@@ -6,20 +6,18 @@
 
 use crate::grammar::Entry;
 use crate::line::{Line, LineKind, Mode};
+use crate::line_tree::with_text;
 use crate::lines::{entry_behind, line_at};
 use crate::parse;
 use crate::parse::Parse;
-use crate::tree_builder::TreeBuilder;
+use crate::summary::Summary;
 use rowan::{TextRange, TextSize};
-
-/// Enough for the tables of the tree builder: an edit seldom touches more than a few lines.
-const USUAL_LEN: usize = 1024;
 
 impl Parse {
     /// The parse of a text that came from this one's by one edit: `old_range` of the old text was replaced by
     /// `new_len` bytes, which gave `text`. The result is that of [`parse`](crate::parse()) on `text`, but lines that
-    /// the edit does not touch keep their nodes, and only the others cost time that grows with their length.
-    /// (The tree's division into chunks may differ.) If the lengths do not agree, the text is parsed anew.
+    /// the edit does not touch are kept, and only the others cost time that grows with their length.
+    /// If the lengths do not agree, the text is parsed anew.
     #[must_use]
     pub fn edited(&self, text: &str, old_range: TextRange, new_len: TextSize) -> Parse {
         let old_len = u32::from(self.text_len()) as usize;
@@ -32,13 +30,12 @@ impl Parse {
             return parse(text);
         }
         let first = self.first_touched(edit.start);
-        let mut builder = TreeBuilder::new(USUAL_LEN);
         let mut new_lines = Vec::new();
-        let mut at = self.lines.line_start(first) as usize;
-        let mut entry = self.entry(first);
+        let (start, begin) = (self.lines.line_start(first) as usize, self.entry(first));
+        let (mut at, mut entry) = (start, begin);
         let mut resume = self.lines().len();
         while at < text.len() {
-            let line = line_at(text, at, entry, &mut builder);
+            let line = line_at(text, at, entry, &mut Summary);
             at += line.len as usize;
             entry = entry_behind(&line);
             new_lines.push(line);
@@ -50,6 +47,7 @@ impl Parse {
                 break;
             }
         }
+        let new_lines = with_text(text, start, begin, new_lines);
         Parse::new(text, self.lines.spliced(first..resume, new_lines))
     }
 

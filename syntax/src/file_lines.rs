@@ -1,6 +1,7 @@
 //! The logical lines of a file, in parts that texts before and behind an edit share.
 
 use crate::line::Line;
+use crate::line_tree::LineTree;
 use crate::lines::LineList;
 use crate::part::{self, Part};
 use rowan::TextSize;
@@ -128,10 +129,9 @@ impl FileLines {
     }
 
     /// How many lines this text begins with as an earlier one does, and how many it ends with so, none counted twice:
-    /// the same nodes, as [`Parse::edited`](crate::Parse::edited) keeps them.
+    /// as [`Parse::edited`](crate::Parse::edited) keeps them.
     pub fn shared_with(&self, old: &FileLines) -> (usize, usize) {
-        let is_same =
-            |(new, old): &(&Line, &Line)| std::ptr::eq(&raw const **new.green(), &raw const **old.green());
+        let is_same = |(new, old): &(&Line, &Line)| new.is(old);
         let parts = self.parts.iter().zip(&old.parts);
         let same = parts.take_while(|(new, old)| Arc::ptr_eq(new, old)).count();
         let above = self.first_line(same);
@@ -235,7 +235,7 @@ impl Index<usize> for FileLines {
 }
 
 impl LineList for FileLines {
-    type Node = rowan::GreenNode;
+    type Node = LineTree;
 
     fn count(&self) -> usize {
         self.len()

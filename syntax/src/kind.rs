@@ -105,8 +105,6 @@ pub enum SyntaxKind {
     // Nodes: the file and its logical lines.
     /// The root.
     SOURCE_FILE,
-    /// Some hundred lines: keeps the cost of an edit from growing with the file.
-    CHUNK,
     /// A line that holds at least one wire, connector or block.
     RUNG,
     /// A line of `|`, white space and comments with at least one `|`.
@@ -252,7 +250,6 @@ impl SyntaxKind {
             ERROR,
             EOF,
             SOURCE_FILE,
-            CHUNK,
             RUNG,
             RAIL_LINE,
             COMMENT_LINE,

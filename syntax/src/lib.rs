@@ -3,16 +3,16 @@
 //! Text flows one way:
 //!
 //! ```text
-//! text --lexer--> tokens --grammar--> one green node per logical line --structure--> networks, sections,
-//!                                     + a small summary                              block definitions
-//!                                       |           \--wiring--> parts, segments, connector pairs
-//!                                       \--chunks--> the file's tree, seen through `ast`
+//! text --lexer--> tokens --grammar--> a small summary per logical line --structure--> networks, sections,
+//!                                     + its text                                      block definitions
+//!                                       \--asked for--> its green node, seen through `ast`
+//!                                                         \--wiring--> parts, segments, connector pairs
 //! ```
 //!
 //! The **logical line** is the unit: a rung, a rail, blank or comment line, one declaration, the first or last
 //! line of a section or block definition. Parsing a line is a function of its text and of the [`Mode`] it
 //! begins in, so an edit ([`Parse::edited`]) re-parses the lines it touches and nothing else. Networks and sections
-//! are ranges over lines, regrouped from the summaries; the file's tree is put together from the lines' nodes.
+//! are ranges over lines, regrouped from the summaries; trees are made when they are asked for.
 //!
 //! What holds for every text: `parse(text).to_string() == text`; parsing never fails, it gives a tree and
 //! [`SyntaxError`]s; a mistake never leaves its line (an open comment excepted); nesting is bounded.
@@ -34,12 +34,14 @@ mod kind;
 mod lexer;
 mod line;
 mod line_index;
+mod line_tree;
 mod lines;
 mod name;
 pub mod numeral;
 mod parse;
 mod part;
 mod structure;
+mod summary;
 mod tree_builder;
 mod unclosed_comment;
 pub mod wiring;
@@ -53,9 +55,10 @@ pub use grammar::is_declaration_keyword;
 pub use kind::{LadderLanguage, SyntaxElement, SyntaxKind, SyntaxNode, SyntaxToken};
 pub use line::{Line, LineKind, Mode};
 pub use line_index::{LineColumn, LineIndex};
+pub use line_tree::{LineTree, Trees};
 pub use lines::{LineList, LineReader, Lines, read_lines};
 pub use name::{Name, is_identifier, is_reserved};
-pub use parse::{MAX_FILE_BYTES, MAX_OPEN_BYTES, MAX_OPEN_LINES, Parse, parse};
+pub use parse::{MAX_FILE_BYTES, MAX_OPEN_BYTES, MAX_OPEN_LINES, Parse, parse, tree};
 pub use part::Part;
 pub use structure::{BlockDefinition, Item, Network, Section, Structure};
 

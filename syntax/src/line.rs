@@ -1,6 +1,7 @@
 //! The logical line: what is parsed on its own, and the small summary from which networks are grouped.
 
 use crate::ast::NodeView;
+use crate::line_tree::LineTree;
 use crate::{SyntaxError, SyntaxKind, SyntaxNode};
 use rowan::GreenNode;
 
@@ -64,9 +65,9 @@ pub enum Mode {
 
 /// A parsed logical line. It may begin in the middle of a physical line (behind a `;` of a declaration) and may
 /// span several (a comment or a declaration that does). `N` is what its [`Builder`](crate::Builder) made of its
-/// tokens: a green node, unless somebody else reads them.
+/// tokens; in a [`Parse`](crate::Parse) what makes its tree when that is asked for.
 #[derive(Debug, Clone)]
-pub struct Line<N = GreenNode> {
+pub struct Line<N = LineTree> {
     /// What it is.
     pub kind: LineKind,
     /// The mode of the line behind it.
@@ -78,7 +79,7 @@ pub struct Line<N = GreenNode> {
     /// Length in bytes, line end included.
     pub len: u32,
     /// Its mistakes, counted from its start.
-    pub errors: Vec<SyntaxError>,
+    pub errors: Box<[SyntaxError]>,
     /// How many physical lines end on it: none, one, or more where a comment or a declaration spans them.
     pub line_ends: u32,
     /// Whether a line end is its last token. Else another line begins on the same physical line, or the text
@@ -92,21 +93,54 @@ impl<N> Line<N> {
     pub fn node(&self) -> &N {
         &self.node
     }
+
+    /// The line with something else made of it.
+    pub(crate) fn with_node<M>(self, node: M) -> Line<M> {
+        Line {
+            kind: self.kind,
+            mode_after: self.mode_after,
+            downs: self.downs,
+            ups: self.ups,
+            len: self.len,
+            errors: self.errors,
+            line_ends: self.line_ends,
+            has_line_end: self.has_line_end,
+            node,
+        }
+    }
 }
 
 impl Line {
+    /// Its text, line end included.
+    pub fn text(&self) -> &str {
+        self.node.text(self.len)
+    }
+
+    /// Whether it is a line of another text that an edit has left as it was: it has the same text and means the same by
+    /// itself.
+    pub fn is(&self, other: &Line) -> bool {
+        self.node.is(&other.node)
+    }
+
     /// The line's node as the root of a tree of its own: offsets count from the start of the line.
     pub fn syntax(&self) -> SyntaxNode {
-        SyntaxNode::new_root(self.node.clone())
+        SyntaxNode::new_root(self.tree())
     }
 
-    /// The line's node for reading downwards: offsets count from the start of the line.
+    /// The line's node for reading downwards: offsets count from the start of the line. The line keeps it, as with
+    /// [`Line::green`].
     pub fn view(&self) -> NodeView<'_> {
-        NodeView::root(&self.node)
+        NodeView::root(self.green())
     }
 
-    /// The line's green node. Two lines with the same node have the same text and mean the same by themselves.
+    /// The line's green node, which the line does not keep.
+    pub fn tree(&self) -> GreenNode {
+        self.node.tree()
+    }
+
+    /// The line's green node, which the line keeps from now on: for places near the cursor. Who goes over many lines takes
+    /// [`Trees`](crate::Trees).
     pub fn green(&self) -> &GreenNode {
-        &self.node
+        self.node.kept()
     }
 }

@@ -1,9 +1,12 @@
 //! From a text to its lines, its tree and its structure.
 
 use crate::file_lines::FileLines;
+use crate::grammar::Entry;
+use crate::line_tree::with_text;
 use crate::lines::read_all;
 use crate::part::Part;
 use crate::structure::{Structure, structure_of_parts};
+use crate::summary::Summary;
 use crate::tree_builder::TreeBuilder;
 use crate::unclosed_comment::unclosed_comment;
 use crate::{SyntaxError, SyntaxErrorKind, SyntaxKind, SyntaxNode};
@@ -25,15 +28,22 @@ pub const MAX_OPEN_LINES: usize = 400_000;
 pub struct Parse {
     pub(crate) lines: FileLines,
     unclosed_comment: Option<TextRange>,
-    /// Put together when it is asked for.
+    /// Made when it is asked for.
     root: OnceLock<GreenNode>,
     structure: OnceLock<Structure>,
 }
 
 /// Parses a text. Every text has a tree that gives it back; mistakes are in [`Parse::errors`].
 pub fn parse(text: &str) -> Parse {
+    let lines = read_all(text, &mut Summary);
+    Parse::new(text, FileLines::new(with_text(text, 0, Entry::START, lines)))
+}
+
+/// The tree of a text, by itself: `SOURCE_FILE`, in it the logical lines.
+pub fn tree(text: &str) -> GreenNode {
     let lines = read_all(text, &mut TreeBuilder::new(text.len()));
-    Parse::new(text, FileLines::new(lines))
+    let nodes = lines.into_iter().map(|line| NodeOrToken::Node(line.node));
+    GreenNode::new(SyntaxKind::SOURCE_FILE.into(), nodes)
 }
 
 impl Parse {
@@ -46,17 +56,14 @@ impl Parse {
         }
     }
 
-    /// The tree: `SOURCE_FILE`, in it `CHUNK`s, in them the logical lines.
+    /// The tree: `SOURCE_FILE`, in it the logical lines. It is made when it is first asked for.
     pub fn syntax(&self) -> SyntaxNode {
         SyntaxNode::new_root(self.green().clone())
     }
 
     /// The root's green node.
     pub fn green(&self) -> &GreenNode {
-        self.root.get_or_init(|| {
-            let chunks = self.lines.parts().iter().map(|part| part.chunk.clone());
-            GreenNode::new(SyntaxKind::SOURCE_FILE.into(), chunks.map(NodeOrToken::Node))
-        })
+        self.root.get_or_init(|| tree(&self.to_string()))
     }
 
     /// The logical lines.
@@ -114,7 +121,7 @@ impl Parse {
         let problems = self.structure().problems.iter().filter(|(_, kind)| told(*kind));
         errors.extend(problems.map(|&(line, kind)| {
             // The line without its white space and line end.
-            let text = self.lines()[line].node.to_string();
+            let text = self.lines()[line].text();
             let before = text.len() - text.trim_start().len();
             let start = self.line_start(line) + TextSize::new(before as u32);
             SyntaxError::new(kind, TextRange::at(start, TextSize::of(text.trim())))
@@ -131,9 +138,6 @@ impl Parse {
 impl std::fmt::Display for Parse {
     /// The text, to the letter.
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        for part in self.lines.parts() {
-            write!(f, "{}", part.chunk)?;
-        }
-        Ok(())
+        self.lines.iter().try_for_each(|line| f.write_str(line.text()))
     }
 }

@@ -1,10 +1,8 @@
 //! A part of a file: the unit that an edit makes anew. All that it knows counts from its own start, so that what stands
 //! above and below it may change.
 
-use crate::SyntaxKind;
 use crate::line::{Line, LineKind};
 use crate::structure::{PartItem, group};
-use rowan::{GreenNode, NodeOrToken};
 use std::ops::Range;
 use std::sync::Arc;
 
@@ -20,8 +18,6 @@ pub struct Part {
     pub(crate) lines: Vec<Line>,
     /// Where each line starts, and at the end the length of the part: in bytes, from its start.
     pub(crate) starts: Vec<u32>,
-    /// The lines' node in the file's tree.
-    pub(crate) chunk: GreenNode,
     /// Its networks, and the lines between them.
     pub(crate) items: Vec<PartItem>,
     /// How many physical lines end in it.
@@ -41,9 +37,7 @@ impl Part {
             at += line.len;
         }
         starts.push(at);
-        let nodes = lines.iter().map(|line| NodeOrToken::Node(line.node.clone()));
         Part {
-            chunk: GreenNode::new(SyntaxKind::CHUNK.into(), nodes),
             starts,
             items: group(&lines),
             line_ends: lines.iter().map(|line| line.line_ends).sum(),
@@ -100,11 +94,7 @@ impl Part {
 }
 
 fn begins_with_up(line: &Line) -> bool {
-    let tokens = line.green().children().filter_map(NodeOrToken::into_token);
-    let mut drawn = tokens.skip_while(|token| token.text().trim().is_empty());
-    line.kind == LineKind::Rung
-        && line.ups > 0
-        && drawn.next().is_some_and(|token| token.text().starts_with('/'))
+    line.kind == LineKind::Rung && line.ups > 0 && line.text().trim_start().starts_with('/')
 }
 
 /// Cuts lines into parts.

@@ -3,10 +3,10 @@
 //! Reads the green nodes of the lines directly, without a tree cursor: this runs for every network at every
 //! check, format and simulation.
 
-use crate::line::Line;
+use crate::line_tree::Trees;
 use crate::structure::Network;
 use crate::{Parse, SyntaxKind};
-use rowan::{NodeOrToken, TextRange, TextSize};
+use rowan::{GreenNode, GreenNodeData, NodeOrToken, TextRange, TextSize};
 use std::ops::Range;
 
 /// What one part of a rung is.
@@ -126,16 +126,24 @@ pub struct Wiring {
 
 /// The wiring of a network.
 pub fn wiring(parse: &Parse, network: &Network) -> Wiring {
+    let mut trees = Trees::default();
+    let rungs = network.rungs(parse.lines());
+    let rungs: Vec<GreenNode> = rungs.map(|line| trees.of(&parse.lines()[line])).collect();
+    wiring_of(parse, network, &rungs)
+}
+
+/// The wiring of a network, of whose rungs the trees are known.
+pub fn wiring_of(parse: &Parse, network: &Network, rungs: &[GreenNode]) -> Wiring {
     // Nearly all lines of a network are rungs.
     let mut wiring = Wiring {
         line_offsets: Vec::with_capacity(network.lines.len()),
-        rungs: Vec::with_capacity(network.lines.len()),
+        rungs: rungs.iter().map(|node| rung(node)).collect(),
         ..Wiring::default()
     };
-    for line in network.rungs(parse.lines()) {
-        wiring.line_offsets.push(line - network.lines.start);
-        wiring.rungs.push(rung(&parse.lines()[line]));
-    }
+    let lines = network.rungs(parse.lines());
+    wiring
+        .line_offsets
+        .extend(lines.map(|line| line - network.lines.start));
     pair(&mut wiring);
     wiring
 }
@@ -170,9 +178,9 @@ fn pair(wiring: &mut Wiring) {
     wiring.unpaired.sort_unstable();
 }
 
-/// The parts and segments of one rung.
-pub fn rung(line: &Line) -> Rung {
-    let children = line.green().children();
+/// The parts and segments of one rung, from its line's node.
+pub fn rung(line: &GreenNodeData) -> Rung {
+    let children = line.children();
     let mut rung = Rung {
         // White space alone takes none of it.
         parts: Vec::with_capacity(children.len()),

@@ -34,7 +34,7 @@ impl<'p> Excerpts<'p> {
             return ("", "");
         };
         if self.line.as_ref().is_none_or(|(known, _)| *known != line) {
-            self.line = Some((line, self.parse.lines()[line].syntax().text().to_string()));
+            self.line = Some((line, self.parse.lines()[line].text().to_owned()));
         }
         let text = self.line.as_ref().map_or("", |(_, text)| text.as_str());
         let start = self.parse.line_start(line);
@@ -59,7 +59,7 @@ pub(crate) fn shortened(text: &str, most: usize) -> String {
 
 /// A logical line without the white space around it and its line end.
 pub(crate) fn trimmed_line(parse: &Parse, line: usize) -> TextRange {
-    let text = parse.lines()[line].syntax().text().to_string();
+    let text = parse.lines()[line].text().to_owned();
     let before = text.len() - text.trim_start().len();
     TextRange::at(
         parse.line_start(line) + TextSize::new(before as u32),
@@ -87,7 +87,7 @@ pub(crate) fn in_sentence(title: &str) -> String {
 
 /// The columns of some offsets in a logical line, in display width from 0. The offsets ascend.
 pub(crate) fn columns(parse: &Parse, line: usize, offsets: impl Iterator<Item = TextSize>) -> Vec<usize> {
-    let text = parse.lines()[line].syntax().text().to_string();
+    let text = parse.lines()[line].text().to_owned();
     let (mut at, mut column) = (0, 0);
     offsets
         .map(|offset| {

@@ -65,9 +65,13 @@ fn may_hold_one(parse: &Parse, number: usize, is_drawn: impl Fn(usize) -> bool) 
     if !line.errors.is_empty() || line.kind == LineKind::Stray {
         return true;
     }
-    let tokens = line.green().children().filter_map(NodeOrToken::into_token);
+    if line.kind != LineKind::Rung || !line.text().trim_start().starts_with('/') {
+        return false;
+    }
+    let tree = line.tree();
+    let tokens = tree.children().filter_map(NodeOrToken::into_token);
     let mut drawn = tokens.skip_while(|token| token.text().trim().is_empty());
-    if line.kind != LineKind::Rung || !drawn.next().is_some_and(|token| token.text().starts_with('/')) {
+    if !drawn.next().is_some_and(|token| token.text().starts_with('/')) {
         return false;
     }
     // Connectors that touch each other and a wire, and close branches of a sound drawing, are no comment.
@@ -77,7 +81,7 @@ fn may_hold_one(parse: &Parse, number: usize, is_drawn: impl Fn(usize) -> bool) 
 
 fn on_line(parse: &Parse, line: usize) -> Option<ForeignComment> {
     let parsed = &parse.lines()[line];
-    let text = parsed.syntax().text().to_string();
+    let text = parsed.text();
     let first = text.len() - text.trim_start().len();
     let mistake = parsed.errors.iter().map(|error| error.range.start()).min();
     let mistake = mistake.map(|at| usize::from(at).min(text.len()));
@@ -139,7 +143,7 @@ fn up_to(
     let mut says = String::new();
     let mut skipped = from;
     for (next, parsed) in (line..).zip(parse.lines().from(line)).take(MOST_LINES) {
-        let text = parsed.syntax().text().to_string();
+        let text = parsed.text();
         let text = &text[std::mem::take(&mut skipped)..];
         if let Some((at, length)) = find(text) {
             let whole = says.len() + at + length;

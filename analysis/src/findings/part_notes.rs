@@ -2,7 +2,7 @@
 
 use crate::asked::asked;
 use crate::rules::commented_out_rung;
-use ladder_syntax::{FileLines, LineKind, NodeOrToken, Part, TextRange, TextSize};
+use ladder_syntax::{FileLines, LineKind, NodeOrToken, Part, TextRange, TextSize, Trees};
 use rustc_hash::FxHashMap;
 use std::sync::Arc;
 
@@ -55,10 +55,14 @@ impl PartNotes {
 impl Note {
     fn of(part: &Part) -> Note {
         let mut found = Note::default();
+        let mut trees = Trees::default();
         for (number, line) in part.lines().iter().enumerate() {
             let mut at = TextSize::new(part.line_start(number));
             let may_be_rung = matches!(line.kind, LineKind::Comment | LineKind::Rail);
-            for child in line.green().children() {
+            if !line.text().contains('#') {
+                continue;
+            }
+            for child in trees.of(line).children() {
                 let NodeOrToken::Token(token) = child else {
                     at += match child {
                         NodeOrToken::Node(node) => node.text_len(),

@@ -9,9 +9,9 @@ use crate::program::Role;
 use crate::scope::{Origin, Scope, SectionKind, TagFacts, Uses, type_by_form};
 use crate::types::{Scalar, Type};
 use ladder_instructions::StateType;
-use ladder_syntax::ast::{AstNode, Declaration, SectionHeader, TokenView, TypeRef};
+use ladder_syntax::ast::{AstNode, Declaration, NodeView, SectionHeader, TokenView, TypeRef};
 use ladder_syntax::{
-    LineKind, Name, Parse, Section, TextRange, TextSize, is_declaration_keyword, is_reserved,
+    LineKind, Name, Parse, Section, TextRange, TextSize, Trees, is_declaration_keyword, is_reserved,
 };
 
 /// The longest array: what still shows and saves quickly.
@@ -22,7 +22,9 @@ const MAX_STRING: i128 = 32_767;
 /// Adds the tags of a section to its scope.
 pub(crate) fn section(parse: &Parse, section: &Section, scope: &mut Scope, out: &mut Vec<Diagnostic>) {
     let header_line = section.lines.start;
-    let Some(header) = SectionHeader::cast(parse.lines()[header_line].view()) else {
+    let mut trees = Trees::default();
+    let header = trees.of(&parse.lines()[header_line]);
+    let Some(header) = SectionHeader::cast(NodeView::root(&header)) else {
         return;
     };
     let Some(kind) = header
@@ -46,7 +48,8 @@ pub(crate) fn section(parse: &Parse, section: &Section, scope: &mut Scope, out: 
         if parse.lines()[line].kind != LineKind::Declaration {
             continue;
         }
-        if let Some(node) = Declaration::cast(parse.lines()[line].view()) {
+        let tree = trees.of(&parse.lines()[line]);
+        if let Some(node) = Declaration::cast(NodeView::root(&tree)) {
             let before = out.len();
             declaration(&node, parse.line_start(line), &context, scope, out);
             if !parse.lines()[line].errors.is_empty() {

@@ -5,8 +5,9 @@
 
 use crate::literal::{self, Literal, LiteralProblem};
 use ladder_instructions::Shape;
-use ladder_syntax::ast::{AstNode, Block, BlockShape, Expression, HeadName, Operand, TokenView};
-use ladder_syntax::{Line, SyntaxKind, TextRange};
+use ladder_syntax::ast::{AstNode, Block, BlockShape, Expression, HeadName, NodeView, Operand, TokenView};
+use ladder_syntax::rowan::GreenNodeData;
+use ladder_syntax::{SyntaxKind, TextRange};
 use smol_str::SmolStr;
 
 /// A block on a rung as it is written.
@@ -186,9 +187,9 @@ pub enum Operator {
     Not,
 }
 
-/// The blocks of a rung, from left to right. `parts` are the indices of the block parts on it.
-pub fn blocks(line: &Line, rung: usize, parts: impl Iterator<Item = usize>) -> Vec<BlockFacts> {
-    line.view()
+/// The blocks of a rung, from left to right, from its line's node. `parts` are the indices of the block parts on it.
+pub fn blocks(line: &GreenNodeData, rung: usize, parts: impl Iterator<Item = usize>) -> Vec<BlockFacts> {
+    NodeView::root(line)
         .children()
         .filter_map(Block::cast)
         .zip(parts)

@@ -15,6 +15,7 @@ pub(crate) mod order_table;
 #[cfg(test)]
 mod order_tests;
 pub(crate) mod outward_jumps;
+pub(crate) mod reading;
 pub(crate) mod unread_line;
 pub mod user_block;
 

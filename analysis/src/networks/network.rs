@@ -5,11 +5,11 @@ use crate::control_flow::ControlFlow;
 use crate::facts::{self, BlockFacts, Head};
 use crate::known_blocks::KnownBlocks;
 use crate::order::Order;
-use crate::order_table::OrderTable;
+use crate::reading::Reading;
 use crate::uses::{self, Named};
 use crate::verdict::Verdict;
 use ladder_instructions::{Accepts, Coil, Instruction, Op, Operand, lookup};
-use ladder_syntax::wiring::{PartKind, RungPart, Wiring, wiring};
+use ladder_syntax::wiring::{PartKind, RungPart, Wiring};
 use ladder_syntax::{
     LineKind, Name, Network, Parse, Surroundings, SyntaxError, SyntaxErrorKind, TextRange, TextSize,
 };
@@ -159,10 +159,10 @@ pub(crate) fn network(
     parse: &Parse,
     network: &Network,
     known: &mut KnownBlocks<'_>,
-    orders: &mut OrderTable,
+    reading: &mut Reading,
 ) -> NetworkFacts {
-    let wiring = wiring(parse, network);
-    let order = orders.of(&wiring);
+    let wiring = reading.wiring(parse, network);
+    let order = reading.orders.of(&wiring);
     let start = parse.line_start(network.lines.start);
     let rungs = wiring.rungs.iter();
     let mut blocks = Vec::with_capacity(rungs.map(|rung| rung.connectors(PartKind::Block).count()).sum());
@@ -171,7 +171,7 @@ pub(crate) fn network(
         let parts = wiring.rungs[rung].connectors(PartKind::Block);
         let mut mistakes: Vec<TextRange> = parse.lines()[line].errors.iter().map(|e| e.range).collect();
         mistakes.sort_unstable_by_key(|range| range.start());
-        for facts in facts::blocks(&parse.lines()[line], rung, parts) {
+        for facts in facts::blocks(&reading.rungs()[rung], rung, parts) {
             let faulty = is_mistake_in(&mistakes, facts.range);
             blocks.push(bind(facts, parse.line_start(line) - start, known, faulty));
         }

@@ -74,7 +74,7 @@ impl Outward {
         let unread = |line: &&ladder_syntax::Line| !line.errors.is_empty() || line.kind == LineKind::Stray;
         let faulty = context.parse.lines().of_parts_that(Part::is_faulty);
         for line in faulty.map(|(_, line)| line).filter(unread) {
-            for word in identifiers(&line.syntax().text().to_string()) {
+            for word in identifiers(line.text()) {
                 outward.anything(Name::new(word));
             }
         }

@@ -28,8 +28,9 @@ pub(crate) fn is_rung(text: &str) -> bool {
         if !line.errors.is_empty() {
             return false;
         }
-        let drawing = rung(line);
-        let blocks = facts::blocks(line, 0, drawing.connectors(PartKind::Block));
+        let tree = line.tree();
+        let drawing = rung(&tree);
+        let blocks = facts::blocks(&tree, 0, drawing.connectors(PartKind::Block));
         known |= drawing.has_left_rail()
             && blocks.iter().any(|block| {
                 !block.operands.is_empty() && lookup(block.shape, block.head.text()).next().is_some()

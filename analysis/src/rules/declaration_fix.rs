@@ -155,7 +155,7 @@ fn plain_kind(parse: &Parse, section: &Section) -> Option<SectionKind> {
 /// Whether a logical line, or the end of the text, begins a physical one.
 fn begins_line(parse: &Parse, line: usize) -> bool {
     line.checked_sub(1).is_none_or(|before| {
-        let text = parse.lines()[before].syntax().text().to_string();
+        let text = parse.lines()[before].text().to_owned();
         text.ends_with(['\n', '\r'])
     })
 }
@@ -169,8 +169,7 @@ fn first_place(parse: &Parse, block: Option<usize>) -> TextSize {
     }
     let lines = parse.lines();
     let behind_mark = |offset: TextSize| {
-        let marked =
-            parse.text_len() > TextSize::new(0) && parse.lines()[0].syntax().text().contains_char('\u{feff}');
+        let marked = parse.text_len() > TextSize::new(0) && parse.lines()[0].text().contains('\u{feff}');
         if marked {
             offset.max(TextSize::of('\u{feff}'))
         } else {
@@ -194,7 +193,7 @@ fn first_place(parse: &Parse, block: Option<usize>) -> TextSize {
 
 /// The line end that the text uses.
 fn line_end(parse: &Parse) -> &'static str {
-    let first = parse.lines().first().map(|line| line.syntax().text().to_string());
+    let first = parse.lines().first().map(|line| line.text().to_owned());
     match first {
         Some(line) if line.ends_with("\r\n") => "\r\n",
         Some(line) if line.ends_with('\r') => "\r",

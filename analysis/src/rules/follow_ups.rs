@@ -85,7 +85,7 @@ impl Doubt {
                 doubt.misread.insert(index);
             }
             doubt.lost_header |= line.kind == LineKind::BlockEnd;
-            let text = parse.lines()[index].syntax().text().to_string();
+            let text = parse.lines()[index].text().to_owned();
             doubt.words.extend(identifiers(&text).map(Name::new));
             doubt.declarations |= match line.kind {
                 LineKind::Declaration | LineKind::SectionHeader | LineKind::SectionEnd => true,

@@ -230,7 +230,7 @@ impl LostFrames {
             if frame || (line.errors.is_empty() && line.kind != LineKind::Stray) {
                 continue;
             }
-            let text = line.syntax().text().to_string();
+            let text = line.text().to_owned();
             for keyword in identifiers(&text).filter_map(frame_keyword::nearest) {
                 if keyword.contains("BLOCK") {
                     lost.block.get_or_insert(index);

@@ -46,7 +46,7 @@ struct Side {
 
 impl Side {
     fn new(parse: &Parse, line: usize, kind: PartKind) -> Side {
-        let rung = wiring::rung(&parse.lines()[line]);
+        let rung = wiring::rung(&parse.lines()[line].tree());
         let parts: Vec<usize> = rung.connectors(kind).collect();
         let starts = parts.iter().map(|&part| rung.parts[part].range.start());
         let columns = columns(parse, line, starts);

@@ -327,7 +327,7 @@ pub(crate) fn comments(lines: &[String]) -> String {
 
 /// The text of a logical line, line end included.
 pub(crate) fn line_text(parse: &Parse, line: usize) -> String {
-    parse.lines()[line].syntax().text().to_string()
+    parse.lines()[line].text().to_owned()
 }
 
 /// The text of some logical lines.

@@ -17,7 +17,7 @@ use ladder_analysis::program::{ParameterKind, Role};
 use ladder_analysis::scope::{Origin, SectionKind};
 use ladder_instructions::{Accepts, Direction, Op};
 use ladder_syntax::rowan::GreenNodeData;
-use ladder_syntax::{LineKind, Name, NodeOrToken, SyntaxKind, TextRange, TextSize};
+use ladder_syntax::{LineKind, Name, NodeOrToken, SyntaxKind, TextRange, TextSize, Trees};
 
 /// A word and what it is.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -48,6 +48,7 @@ pub fn semantic_tokens(context: &Context, within: Option<TextRange>) -> Vec<Toke
         parse.text_len() > TextSize::new(0)
             && network.range.end() <= parse.line_start(first.min(last.saturating_sub(1)))
     });
+    let mut trees = Trees::default();
     let mut block = 0;
     let blocks = &parse.structure().blocks;
     let mut definition = blocks.partition_point(|definition| definition.lines.end <= first);
@@ -66,7 +67,7 @@ pub fn semantic_tokens(context: &Context, within: Option<TextRange>) -> Vec<Toke
         walk.scope = if inside { definition + 1 } else { 0 };
         let found = &parse.lines()[line];
         if found.kind != LineKind::Rung {
-            walk.node(found.green(), Inside::default());
+            walk.node(&trees.of(found), Inside::default());
             continue;
         }
         while context
@@ -88,7 +89,7 @@ pub fn semantic_tokens(context: &Context, within: Option<TextRange>) -> Vec<Toke
         while bound.get(block).is_some_and(|block| block.base < start) {
             block += 1;
         }
-        walk.rung(found.green(), &bound, &mut block);
+        walk.rung(&trees.of(found), &bound, &mut block);
     }
     walk.out
 }

@@ -3,8 +3,8 @@
 use crate::body::line_body;
 use ladder_analysis::context::Context;
 use ladder_analysis::scope::SectionKind;
-use ladder_syntax::ast::{AstNode, Declaration, SectionHeader};
-use ladder_syntax::{LineKind, Name, TextRange};
+use ladder_syntax::ast::{AstNode, Declaration, NodeView, SectionHeader};
+use ladder_syntax::{LineKind, Name, TextRange, Trees};
 
 /// A name in a declaration.
 #[derive(Debug, Clone)]
@@ -29,7 +29,9 @@ pub(crate) fn declared_names(context: &Context) -> impl Iterator<Item = Declared
 pub(crate) fn names_of(context: &Context, section: usize) -> Vec<DeclaredName> {
     let parse = &context.parse;
     let section = &parse.structure().sections[section];
-    let header = SectionHeader::cast(parse.lines()[section.lines.start].view());
+    let mut trees = Trees::default();
+    let header = trees.of(&parse.lines()[section.lines.start]);
+    let header = SectionHeader::cast(NodeView::root(&header));
     let keyword = header.and_then(|header| header.section());
     let Some(kind) = keyword.and_then(|word| SectionKind::from_keyword(word.text())) else {
         return Vec::new();
@@ -39,7 +41,8 @@ pub(crate) fn names_of(context: &Context, section: usize) -> Vec<DeclaredName> {
         if parse.lines()[line].kind != LineKind::Declaration {
             continue;
         }
-        let Some(node) = Declaration::cast(parse.lines()[line].view()) else {
+        let tree = trees.of(&parse.lines()[line]);
+        let Some(node) = Declaration::cast(NodeView::root(&tree)) else {
             continue;
         };
         let start = parse.line_start(line);

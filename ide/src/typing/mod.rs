@@ -77,7 +77,7 @@ pub(crate) fn typing(context: &Context, offset: TextSize) -> Option<Typing<'_>> 
     let behind_last = parse
         .lines()
         .last()
-        .is_none_or(|line| offset == parse.text_len() && line.node().to_string().ends_with(['\n', '\r']));
+        .is_none_or(|line| offset == parse.text_len() && line.text().ends_with(['\n', '\r']));
     let line = if behind_last {
         parse.lines().len()
     } else {
@@ -87,7 +87,7 @@ pub(crate) fn typing(context: &Context, offset: TextSize) -> Option<Typing<'_>> 
         .checked_sub(1)
         .is_some_and(|before| parse.lines()[before].mode_after == Mode::Section);
     let (text, base, kind) = match parse.lines().get(line) {
-        Some(found) => (found.node().to_string(), parse.line_start(line), found.kind),
+        Some(found) => (found.text().to_owned(), parse.line_start(line), found.kind),
         None => (String::new(), parse.text_len(), LineKind::Blank),
     };
     let cursor = usize::from(offset - base);

@@ -42,7 +42,7 @@ pub(crate) fn line<B: Builder>(text: &str, start: usize, entry: Entry, builder: 
         line_ends: line_ends(&text.as_bytes()[start..p.at]).count() as u32,
         has_line_end: matches!(text.as_bytes()[p.at - 1], b'\n' | b'\r'),
         node: p.builder.finish_line(kind.syntax_kind()),
-        errors: p.errors,
+        errors: p.errors.into(),
     }
 }
 

@@ -112,7 +112,10 @@ fn read_line(
     let kind = parse.lines()[line].kind;
     let mut comments = 0;
     let before = allows.len();
-    for child in parse.lines()[line].green().children() {
+    if !parse.lines()[line].text().contains('#') {
+        return;
+    }
+    for child in parse.lines()[line].tree().children() {
         let NodeOrToken::Token(token) = child else {
             at += match child {
                 NodeOrToken::Node(node) => node.text_len(),

@@ -50,7 +50,7 @@ pub(super) fn fixes(parse: &Parse, own: &Side, other: Option<&Side>, suspect: us
 
 impl Row {
     pub(super) fn new(parse: &Parse, line: usize) -> Row {
-        let rung = wiring::rung(&parse.lines()[line]);
+        let rung = wiring::rung(&parse.lines()[line].tree());
         let ends = rung
             .parts
             .iter()
@@ -85,7 +85,7 @@ fn too_many(parse: &Parse, row: &Row, kind: PartKind) -> bool {
         _ => rung_above(parse, row.line),
     };
     let partners = neighbour.map_or(0, |line| {
-        wiring::rung(&parse.lines()[line])
+        wiring::rung(&parse.lines()[line].tree())
             .connectors(partner(kind))
             .count()
     });

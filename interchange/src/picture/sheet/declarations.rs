@@ -4,7 +4,7 @@ use super::super::comment;
 use ladder_analysis::context::Context;
 use ladder_analysis::program::Role;
 use ladder_analysis::scope::Origin;
-use ladder_syntax::ast::{AstNode, Declaration, SectionHeader};
+use ladder_syntax::ast::{AstNode, Declaration, NodeView, SectionHeader};
 use ladder_syntax::{LineKind, Section, SyntaxKind};
 
 /// The columns of the table.
@@ -41,7 +41,7 @@ fn group(context: &Context, index: usize, section: &Section) -> Group {
     if let Some(block) = section.block.and_then(|block| context.user_blocks.get(block)) {
         heading.push(format!("FUNCTION_BLOCK {} –", block.name));
     }
-    if let Some(header) = SectionHeader::cast(lines[section.lines.start].view()) {
+    if let Some(header) = SectionHeader::cast(NodeView::root(&lines[section.lines.start].tree())) {
         let words = header.section().into_iter().chain(header.qualifiers());
         heading.extend(words.map(|word| word.text().to_ascii_uppercase()));
     }
@@ -50,7 +50,8 @@ fn group(context: &Context, index: usize, section: &Section) -> Group {
         if line.kind != LineKind::Declaration {
             continue;
         }
-        let Some(node) = Declaration::cast(line.view()) else {
+        let tree = line.tree();
+        let Some(node) = Declaration::cast(NodeView::root(&tree)) else {
             continue;
         };
         let text = line.green().to_string();

@@ -1,0 +1,129 @@
+//! The tree of one line: made when it is asked for, from the text that the line was read from.
+//!
+//! A tree takes some fifteen times the memory of its text, and most of what is asked about a program follows from what
+//! was read off it once. So a line holds the text, and its tree only while somebody near the cursor reads it. Whoever
+//! goes over all lines makes trees with [`Trees`], one after the other, and keeps none.
+
+use crate::grammar::Entry;
+use crate::line::Line;
+use crate::lines::line_at;
+use crate::tree_builder::TreeBuilder;
+use rowan::GreenNode;
+use std::sync::{Arc, OnceLock};
+
+/// What a line of a [`Parse`](crate::Parse) holds of its tree.
+#[derive(Debug, Clone)]
+pub struct LineTree {
+    /// Some text with the line in it: lines that were read together share it.
+    source: Arc<str>,
+    /// Where the line begins in it.
+    at: u32,
+    entry: Entry,
+    made: OnceLock<GreenNode>,
+}
+
+/// The longest text that lines share. A text lives as long as one of its lines.
+const SHARED: usize = 16 << 10;
+
+/// Stands before a text that is not the beginning of a file, where alone a byte order mark may stand.
+const BEFORE: &str = "\n";
+
+/// Gives lines the text that they were read from. The first one begins at `at`, in the state `entry`.
+pub(crate) fn with_text(text: &str, at: usize, entry: Entry, lines: Vec<Line<()>>) -> Vec<Line> {
+    let mut held = Vec::with_capacity(lines.len());
+    let mut lines = lines.into_iter().peekable();
+    let (mut at, mut entry) = (at, entry);
+    let mut together = Vec::new();
+    while lines.peek().is_some() {
+        let start = at;
+        while at - start < SHARED
+            && let Some(line) = lines.next()
+        {
+            at += line.len as usize;
+            together.push(line);
+        }
+        let before = if start == 0 { "" } else { BEFORE };
+        let source: Arc<str> = [before, &text[start..at]].concat().into();
+        let mut within = before.len() as u32;
+        let mut from = start;
+        for line in together.drain(..) {
+            let tree = LineTree {
+                source: Arc::clone(&source),
+                at: within,
+                entry,
+                made: OnceLock::new(),
+            };
+            // A line with a mistake may be read so because of what stands behind it.
+            if !line.errors.is_empty() {
+                let _ = tree.made.set(read(text, from, entry, &mut small_builder()));
+            }
+            within += line.len;
+            from += line.len as usize;
+            entry = crate::lines::entry_behind(&line);
+            held.push(line.with_node(tree));
+        }
+    }
+    held
+}
+
+fn read(text: &str, at: usize, entry: Entry, builder: &mut TreeBuilder) -> GreenNode {
+    line_at(text, at, entry, builder).node
+}
+
+/// For a line or two.
+fn small_builder() -> TreeBuilder {
+    TreeBuilder::new(128)
+}
+
+impl LineTree {
+    /// Whether two lines are one that an edit has left as it was.
+    pub(crate) fn is(&self, other: &LineTree) -> bool {
+        self.at == other.at && Arc::ptr_eq(&self.source, &other.source)
+    }
+
+    pub(crate) fn text(&self, len: u32) -> &str {
+        &self.source[self.at as usize..(self.at + len) as usize]
+    }
+
+    /// The tree, kept from now on.
+    pub(crate) fn kept(&self) -> &GreenNode {
+        self.made.get_or_init(|| self.make(&mut small_builder()))
+    }
+
+    /// The tree, which is not kept.
+    pub(crate) fn tree(&self) -> GreenNode {
+        match self.made.get() {
+            Some(made) => made.clone(),
+            None => self.make(&mut small_builder()),
+        }
+    }
+
+    fn make(&self, builder: &mut TreeBuilder) -> GreenNode {
+        read(&self.source, self.at as usize, self.entry, builder)
+    }
+}
+
+/// Makes the trees of many lines.
+pub struct Trees(TreeBuilder);
+
+impl std::fmt::Debug for Trees {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.write_str("Trees")
+    }
+}
+
+impl Default for Trees {
+    fn default() -> Trees {
+        Trees(TreeBuilder::new(1024))
+    }
+}
+
+impl Trees {
+    /// The tree of a line. The line does not keep it.
+    pub fn of(&mut self, line: &Line) -> GreenNode {
+        match line.node.made.get() {
+            Some(made) => made.clone(),
+            None => line.node.make(&mut self.0),
+        }
+    }
+}

@@ -1,0 +1,27 @@
+//! Reads lines for what they are, and makes nothing of their tokens.
+
+use crate::SyntaxKind;
+use crate::builder::Builder;
+use std::ops::Range;
+
+/// Takes nothing: what a line is, its connectors and its mistakes the grammar says by itself.
+pub(crate) struct Summary;
+
+impl Builder for Summary {
+    type Line = ();
+    type Checkpoint = ();
+
+    const TAKES_PLAIN_BLOCKS: bool = true;
+
+    fn token(&mut self, _: SyntaxKind, _: &str, _: Range<usize>) {}
+
+    fn start_node(&mut self, _: SyntaxKind) {}
+
+    fn checkpoint(&self) {}
+
+    fn start_node_at(&mut self, (): (), _: SyntaxKind) {}
+
+    fn finish_node(&mut self) {}
+
+    fn finish_line(&mut self, _: SyntaxKind) {}
+}
