@@ -95,7 +95,7 @@ impl Reader<'_> {
 
     /// `[EQ]( flag, TRUE )`
     fn with_bool(&mut self, op: Op, tag: &Node, literal: &Node) -> Option<Ask> {
-        let NodeKind::Literal(Ok(Literal::Bool(value))) = literal.kind else {
+        let Some(&Literal::Bool(value)) = literal.literal() else {
             return None;
         };
         matches!(op, Op::Eq | Op::Ne).then(|| self.contact(tag, value != (op == Op::Eq)))

@@ -343,7 +343,10 @@ impl Reader<'_> {
 
 fn literal_index(node: &Node) -> Option<i128> {
     match &node.kind {
-        NodeKind::Literal(Ok(Literal::Int(n))) => Some(*n),
+        NodeKind::Literal(literal) => match **literal {
+            Ok(Literal::Int(n)) => Some(n),
+            _ => None,
+        },
         NodeKind::Unary(_, inner) => literal_index(inner).map(|n| -n),
         _ => None,
     }

@@ -85,9 +85,9 @@ fn on_line(parse: &Parse, line: usize) -> Option<ForeignComment> {
     let first = text.len() - text.trim_start().len();
     let mistake = parsed.errors.iter().map(|error| error.range.start()).min();
     let mistake = mistake.map(|at| usize::from(at).min(text.len()));
-    let (at, opening) = opening(&text, first)
+    let (at, opening) = opening(text, first)
         .map(|opening| (first, opening))
-        .or_else(|| behind(&text, mistake?))?;
+        .or_else(|| behind(text, mistake?))?;
     let closing = match opening {
         "(*" => Some("*)"),
         "/*" => Some("*/"),

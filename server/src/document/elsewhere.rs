@@ -18,7 +18,7 @@ use ropey::Rope;
 use super::neighbours::OnDisk;
 use super::position::{self, Range};
 use super::positions::Positions;
-use super::{Documents, Kind, Revision, address};
+use super::{Documents, Kind, Revision, address, together};
 use crate::cancel::Cancel;
 
 /// The files of a document's workspace, the document itself among them. They are looked for when they are first asked
@@ -56,7 +56,8 @@ pub(crate) struct FileText {
     pub(crate) uri: String,
     /// The document, if it is open.
     pub(crate) revision: Option<Arc<Revision>>,
-    rope: Rope,
+    /// The text of an open document, for the first few ranges.
+    rope: Option<Rope>,
     encoding: position::Encoding,
     /// How many ranges were asked for, up to [`FEW`].
     asked: Cell<u32>,
@@ -68,14 +69,37 @@ pub(crate) struct FileText {
 const FEW: u32 = 16;
 
 impl FileText {
+    fn of_document(uri: String, revision: &Arc<Revision>, encoding: position::Encoding) -> FileText {
+        FileText {
+            uri,
+            revision: Some(Arc::clone(revision)).filter(|revision| revision.is_open()),
+            rope: Some(revision.rope().clone()),
+            encoding,
+            asked: Cell::default(),
+            positions: OnceCell::new(),
+        }
+    }
+
+    fn of_file(uri: String, text: &str, encoding: position::Encoding) -> FileText {
+        FileText {
+            uri,
+            revision: None,
+            rope: None,
+            encoding,
+            asked: Cell::default(),
+            positions: OnceCell::from(Positions::new(text.to_owned(), encoding)),
+        }
+    }
+
     /// A range of it.
     pub(crate) fn range(&self, range: TextRange) -> Range {
         let asked = self.asked.get();
-        if asked < FEW {
+        if let Some(rope) = self.rope.as_ref().filter(|_| asked < FEW) {
             self.asked.set(asked + 1);
-            return position::range(&self.rope, self.encoding, range.into());
+            return position::range(rope, self.encoding, range.into());
         }
-        let positions = || Positions::new(self.rope.to_string(), self.encoding);
+        let text = || self.rope.as_ref().map_or_else(String::new, Rope::to_string);
+        let positions = || Positions::new(text(), self.encoding);
         self.positions.get_or_init(positions).range(range)
     }
 }
@@ -190,6 +214,7 @@ impl Elsewhere {
 
     /// The file of a name as an editor shows it; the document itself too.
     pub(crate) fn text(&self, name: &str) -> Option<FileText> {
+        let encoding = self.own.encoding();
         let own = self.own.names().is_some_and(|own| own.context().is_called(name));
         let open = if own {
             Some(&self.own)
@@ -198,53 +223,40 @@ impl Elsewhere {
             open.find(|(of, _)| **of == *name).map(|(_, revision)| revision)
         };
         if let Some(revision) = open {
-            return Some(FileText {
-                uri: revision.uri.to_string(),
-                revision: Some(Arc::clone(revision)).filter(|revision| revision.is_open()),
-                rope: revision.rope().clone(),
-                encoding: self.own.encoding(),
-                asked: Cell::default(),
-                positions: OnceCell::new(),
-            });
+            return Some(FileText::of_document(
+                revision.uri.to_string(),
+                revision,
+                encoding,
+            ));
         }
         let mut closed = self.files().closed.iter();
         if let Some((path, file)) = closed.find(|(_, file)| *file.name == *name) {
-            return Some(FileText {
-                uri: address::uri_of(path),
-                revision: None,
-                rope: Rope::from_str(&file.text),
-                encoding: self.own.encoding(),
-                asked: Cell::default(),
-                positions: OnceCell::new(),
-            });
+            return Some(FileText::of_file(address::uri_of(path), &file.text, encoding));
         }
         let mut scenarios = self.scenarios.get()?.iter();
         let found = scenarios.find(|it| *it.shown.name == *name)?;
-        let uri = found.revision.as_ref().map(|revision| revision.uri.to_string());
-        Some(FileText {
-            uri: uri.unwrap_or_else(|| address::uri_of(&found.path)),
-            revision: found.revision.clone(),
-            rope: Rope::from_str(&found.text),
-            encoding: self.own.encoding(),
-            asked: Cell::default(),
-            positions: OnceCell::new(),
+        Some(match &found.revision {
+            Some(revision) => FileText::of_document(revision.uri.to_string(), revision, encoding),
+            None => FileText::of_file(address::uri_of(&found.path), &found.text, encoding),
         })
     }
 
-    fn which(&self, wanted: impl Fn(&str, &dyn Fn() -> String) -> bool) -> Vec<Arc<Context>> {
+    fn which(&self, wanted: impl Fn(&str, &dyn Fn(&Name) -> bool) -> bool + Sync) -> Vec<Arc<Context>> {
         let files = self.files();
         let waited_for = || !self.cancel.is_cancelled();
         let open = files.open.iter().take_while(|_| waited_for());
-        let open = open.filter(|(name, revision)| wanted(name, &|| revision.rope().to_string()));
+        let open =
+            open.filter(|(name, revision)| wanted(name, &|tag| mentions(&revision.rope().to_string(), tag)));
         let mut found: Vec<Arc<Context>> = open
             .filter_map(|(_, revision)| Some(Arc::clone(revision.names()?.context())))
             .collect();
         let Some(exported) = &files.exported else {
             return found;
         };
-        let closed = files.closed.iter().take_while(|_| waited_for());
-        let closed = closed.filter(|(_, file)| wanted(&file.name, &|| file.text.clone()));
-        found.extend(closed.map(|(_, file)| file.context(exported)));
+        found.extend(together::map(&files.closed, |(_, file)| {
+            let is_it = waited_for() && wanted(&file.name, &|tag| mentions(&file.text, tag));
+            is_it.then(|| file.context(exported))
+        }));
         found
     }
 }
@@ -255,7 +267,7 @@ impl Workspace for Elsewhere {
     }
 
     fn mentioning(&self, name: &Name) -> Vec<Arc<Context>> {
-        self.which(|_, text| mentions(&text(), name))
+        self.which(|_, mentions| mentions(name))
     }
 
     fn all(&self) -> Vec<Arc<Context>> {

@@ -18,6 +18,7 @@ use ladder_syntax::Parse;
 use ladder_workspace::{FileError, Root, SETTINGS_FILE, Settings, Simulate, Stamp};
 
 use super::seen::{Seen, SettingsFile};
+use super::together;
 
 /// All workspaces, by their folders.
 #[derive(Debug, Default)]
@@ -60,15 +61,33 @@ pub(crate) struct News {
 pub(crate) struct OnDisk {
     pub(crate) name: Arc<str>,
     stamp: Stamp,
-    /// Its text.
+    /// Its text. All else that is known of it is read again when somebody asks.
     pub(crate) text: String,
-    parse: Arc<Parse>,
     exports: Arc<Exports>,
     /// Its names, as they are among these other files.
     names: Mutex<Option<(Arc<Exported>, Arc<Context>)>>,
 }
 
 impl OnDisk {
+    /// Reads a program.
+    fn read(root: &Path, path: &Path) -> Option<OnDisk> {
+        let stamp = Stamp::of(path);
+        let text = ladder_workspace::read_own(path).ok()?;
+        let name = name_in(root, path);
+        let exports = Arc::new(exports(&Arc::new(ladder_syntax::parse(&text)), &name));
+        Some(OnDisk {
+            name,
+            stamp,
+            text,
+            exports,
+            names: Mutex::default(),
+        })
+    }
+
+    fn parse(&self) -> Arc<Parse> {
+        Arc::new(ladder_syntax::parse(&self.text))
+    }
+
     /// Its names. `exported` is what the files of its workspace show to each other.
     pub(crate) fn context(&self, exported: &Arc<Exported>) -> Arc<Context> {
         let mut names = self.names.lock().unwrap_or_else(PoisonError::into_inner);
@@ -78,7 +97,7 @@ impl OnDisk {
             return Arc::clone(context);
         }
         let others = exported.others_of(&self.name);
-        let context = Arc::new(context(&self.parse, &self.name, &others));
+        let context = Arc::new(context(&self.parse(), &self.name, &others));
         *names = Some((Arc::clone(exported), Arc::clone(&context)));
         context
     }
@@ -236,10 +255,10 @@ impl Neighbours {
         let name = name_in(&root, path);
         let others = folder.exported().others_of(&name);
         let rules = folder.settings.rules_for(path);
-        let known = folder.disk.get(path).map(|file| Arc::clone(&file.parse));
+        let known = folder.disk.get(path).cloned();
         drop(state);
         let parse = match known {
-            Some(parse) => parse,
+            Some(file) => file.parse(),
             // Excluded from the workspace, but a program all the same.
             None => Arc::new(ladder_syntax::parse(&ladder_workspace::read_own(path)?)),
         };
@@ -346,7 +365,7 @@ impl Neighbours {
             let rules = folder.settings.rules_for(path);
             let (file, others) = (Arc::clone(file), folder.exported().others_of(name));
             drop(state);
-            Some(Arc::new(analyze_with(&file.parse, name, &others, &rules)))
+            Some(Arc::new(analyze_with(&file.parse(), name, &others, &rules)))
         })
     }
 
@@ -414,9 +433,13 @@ impl Folder {
             }
             None => folder.settings = defaults.clone(),
         }
-        for path in found.programs(&folder.settings.files) {
-            folder.reread(root, &path);
-        }
+        let mut programs = found.programs(&folder.settings.files);
+        programs.retain(|path| folder.settings.files.contain(path));
+        folder.disk = together::map(&programs, |path| {
+            Some((path.clone(), Arc::new(OnDisk::read(root, path)?)))
+        })
+        .into_iter()
+        .collect();
         folder
     }
 
@@ -438,27 +461,11 @@ impl Folder {
 
     /// Takes a file as it is on disk now.
     fn reread(&mut self, root: &Path, path: &Path) {
-        let stamp = Stamp::of(path);
-        let text = ladder_workspace::read_own(path).ok();
-        match text.filter(|_| self.settings.files.contain(path)) {
-            Some(text) => {
-                let name = name_in(root, path);
-                let parse = Arc::new(ladder_syntax::parse(&text));
-                let exports = Arc::new(exports(&parse, &name));
-                let file = OnDisk {
-                    name,
-                    stamp,
-                    text,
-                    parse,
-                    exports,
-                    names: Mutex::default(),
-                };
-                self.disk.insert(path.to_owned(), Arc::new(file));
-            }
-            None => {
-                self.disk.remove(path);
-            }
-        }
+        let belongs = self.settings.files.contain(path);
+        match belongs.then(|| OnDisk::read(root, path)).flatten() {
+            Some(file) => self.disk.insert(path.to_owned(), Arc::new(file)),
+            None => self.disk.remove(path),
+        };
     }
 
     fn exported(&mut self) -> &Arc<Exported> {
