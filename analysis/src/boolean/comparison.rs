@@ -3,7 +3,7 @@
 use super::gate::{Ask, Variable};
 use super::value_space::{Bound, Regions};
 use super::variables::{Draft, Reader};
-use crate::facts::{Node, NodeKind};
+use crate::facts::Node;
 use crate::literal::Literal;
 use crate::networks::BlockAt;
 use crate::operand_value::{Number, number, scalar};
