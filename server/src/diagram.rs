@@ -80,7 +80,7 @@ pub enum PieceKind {
     Heading,
     /// A network.
     Network,
-    /// A network with a mistake in its drawing, shown as text.
+    /// A network with a mistake in its drawing, shown as text, and whatever stands behind a comment that is never closed.
     Broken,
 }
 

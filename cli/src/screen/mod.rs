@@ -1,7 +1,7 @@
 //! The interactive screen of `ladder sim`: a program with its power, live, and the keys to try it with.
 //!
 //! ```text
-//! terminal --events--> View::update --commands--> Plant (session, record of watched tags)
+//! terminal --events--> View::update --commands--> Plant (session, recorder of watched tags)
 //!     ^                    (view)                    | scans, as the clock and the speed have it
 //!     +------------- draw::screen <------------------+
 //! ```
@@ -33,7 +33,6 @@ mod panes;
 mod picker;
 mod plant;
 mod prompt;
-mod record;
 mod sheet;
 mod signals;
 mod speed;

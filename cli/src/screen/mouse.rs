@@ -45,9 +45,7 @@ fn click(view: &mut View, at: Position, plant: &Plant) -> Vec<Command> {
     }
     if panes.watch.contains(at) {
         let line = usize::from(at.y - panes.watch.y);
-        let track = line
-            .checked_sub(1)
-            .and_then(|line| plant.record.tracks().get(line));
+        let track = line.checked_sub(1).and_then(|line| plant.watched().get(line));
         if let Some(track) = track {
             view.go_to_tag(&track.point, plant);
         }

@@ -1,10 +1,10 @@
 //! What of a block's operands can be looked at.
 
 use super::sheet::{Operand, Shown};
-use ladder_analysis::program::{Argument, Block, BlockKind, Bound, Place, Program, TagId};
+use ladder_analysis::program::{Argument, Block, BlockKind, Bound, Program, TagId};
 use ladder_analysis::types::{Scalar, Type};
 use ladder_instructions::{Direction, Instruction};
-use ladder_simulator::{Point, Simulation};
+use ladder_simulator::Simulation;
 use ladder_syntax::TextRange;
 
 /// The row of the instruction table.
@@ -26,7 +26,7 @@ pub(super) fn named(text: &str, block: &Block, simulation: &Simulation) -> Vec<O
         }
         for (place, range) in bound.places() {
             let written = matches!(bound.argument, Argument::Place(..)) && writes(bound);
-            if let Some(point) = point(text, place, range, simulation) {
+            if let Some(point) = simulation.point_at(place, &text[range]) {
                 operands.push(Operand {
                     start: range.start().into(),
                     end: range.end().into(),
@@ -71,7 +71,7 @@ pub(super) fn shown(text: &str, block: &Block, simulation: &Simulation) -> Vec<S
             if of_state {
                 continue;
             }
-            if let Some(point) = point(text, place, range, simulation)
+            if let Some(point) = simulation.point_at(place, &text[range])
                 && point.ty != Scalar::Bool
             {
                 shown.push(Shown::Value(point));
@@ -116,18 +116,4 @@ fn writes(bound: &Bound) -> bool {
     bound
         .operand
         .is_none_or(|operand| operand.direction != Direction::In)
-}
-
-/// The value of a place, if it always is the same one: not `a[i]`, and not the tags of a user-defined block's body,
-/// of which every place where the block stands has its own.
-fn point(text: &str, place: &Place, range: TextRange, simulation: &Simulation) -> Option<Point> {
-    let tag = match place {
-        Place::System(_) => None,
-        place => Some(place.root()?),
-    };
-    let program = simulation.program();
-    if tag.is_some_and(|tag| program.tags[tag.0 as usize].block.is_some()) {
-        return None;
-    }
-    simulation.resolve(&text[range]).ok()
 }

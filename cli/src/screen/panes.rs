@@ -39,7 +39,7 @@ const DIAGRAM: u16 = 100;
 /// Divides the terminal.
 pub(super) fn panes(area: Rect, plant: &Plant) -> Panes {
     let fault_lines = fault::lines(plant, area);
-    let tracks = plant.record.tracks().len() as u16;
+    let tracks = plant.watched().len() as u16;
     let input_lines = inputs::flow(plant, area.width).lines;
     let mut rest = area;
     let bar = take_top(&mut rest, 1);

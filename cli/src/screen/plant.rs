@@ -1,6 +1,5 @@
 //! What runs behind the screen: the session, with what the screen remembers of it.
 
-use super::record::Record;
 use super::sheet::Sheet;
 use crate::findings::Source;
 use crate::outcome::Failure;
@@ -8,15 +7,13 @@ use crate::run::Retention;
 use ladder_analysis::program::{Program, Role};
 use ladder_analysis::value::Value;
 use ladder_simulator::Inputs;
+use ladder_simulator::chart::{Recorder, Track};
 use ladder_simulator::scenario::{self, Recorded};
 use ladder_simulator::{
     Brake, Breakpoint, Changeover, CompileError, Fault, Hit, Point, Session, Simulation, Status, Stepped,
     Stop,
 };
 use std::sync::Arc;
-
-/// So many scans of the past are looked up when a tag is added to the watch list.
-const PAST: usize = 10_000;
 
 /// A running program.
 pub(super) struct Plant {
@@ -32,7 +29,7 @@ pub(super) struct Plant {
     /// The file that keeps retentive tags.
     retention: Option<Retention>,
     /// The values of the watched tags, scan by scan.
-    pub(super) record: Record,
+    recorder: Recorder,
 }
 
 /// A program on paper, with the texts of its files.
@@ -73,7 +70,7 @@ impl Plant {
             session,
             inputs,
             retention,
-            record: Record::default(),
+            recorder: Recorder::default(),
         }
     }
 
@@ -159,19 +156,15 @@ impl Plant {
         }
         let ran = run(&mut self.session);
         self.look_at_what_runs();
-        if self.scans() > scan {
-            let simulation = self.session.simulation();
-            self.record.take(|point| simulation.value(point));
-        }
+        self.recorder.look(&self.session);
         ran
     }
 
     /// Goes back one scan, or to the start of the one that is open. False if no earlier one is kept.
     pub(super) fn step_back(&mut self) -> bool {
-        let before = self.scans();
         let gone = self.session.step_back(1);
         self.look_at_what_runs();
-        self.record.take_back((before - self.scans()) as usize);
+        self.recorder.look(&self.session);
         gone > 0
     }
 
@@ -242,7 +235,7 @@ impl Plant {
             let point = self.session.simulation().resolve(&point.name);
             let _ = point.map(|point| self.session.set(&point, value));
         }
-        self.record.clear();
+        self.recorder.look(&self.session);
     }
 
     /// What the inputs hold.
@@ -329,21 +322,33 @@ impl Plant {
     fn rebind(&mut self) {
         let simulation = self.session.simulation();
         self.inputs.rebind(simulation);
-        self.record.rebind(|point| {
-            let found = simulation.resolve(&point.name).ok();
-            found.filter(|found| found.ty == point.ty)
-        });
+        self.recorder.look(&self.session);
+    }
+
+    /// The tags that are watched, with their past.
+    pub(super) fn watched(&self) -> &[Track] {
+        self.recorder.tracks()
+    }
+
+    /// Whether a tag is watched.
+    pub(super) fn watches(&self, point: &Point) -> bool {
+        self.watched().iter().any(|track| track.point.name == point.name)
     }
 
     /// Watches a tag.
     pub(super) fn watch(&mut self, point: &Point) {
-        let mut past = self.session.past(std::slice::from_ref(point), PAST);
-        self.record.add(point.clone(), &past.pop().unwrap_or_default());
+        if !self.watches(point) {
+            let watched = self.watched().iter().map(|track| track.point.clone());
+            let all = watched.chain([point.clone()]).collect();
+            self.recorder.watch(all, &self.session);
+        }
     }
 
     /// Watches a tag no more.
     pub(super) fn unwatch(&mut self, point: &Point) {
-        self.record.remove(point);
+        let watched = self.watched().iter().map(|track| track.point.clone());
+        let others = watched.filter(|other| other.name != point.name).collect();
+        self.recorder.watch(others, &self.session);
     }
 
     /// Whether a point is fed from outside.

@@ -407,7 +407,7 @@ impl View {
             return Vec::new();
         };
         match picker.purpose {
-            picker::Purpose::Watch if plant.record.watches(&point) => vec![Command::Unwatch(point)],
+            picker::Purpose::Watch if plant.watches(&point) => vec![Command::Unwatch(point)],
             picker::Purpose::Watch => vec![Command::Watch(point)],
             picker::Purpose::Find => {
                 self.go_to_tag(&point, plant);

@@ -1,79 +1,90 @@
 //! A tag's past as a row of characters.
 
-use super::record::Bucket;
 use super::theme::Charset;
+use ladder_simulator::chart::{Kind, Level, Mark, Track, Window};
 
-/// How a tag's past is drawn.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Shape {
-    /// High and low with edges, as an oscilloscope shows it.
-    Bit,
-    /// Bars between the least and the greatest value.
-    Number,
-}
-
-impl Shape {
-    /// How many buckets fit into a column.
-    pub(super) fn buckets_in_column(self, charset: Charset) -> usize {
-        match (self, charset) {
-            (Shape::Bit, Charset::Unicode) => 2,
-            _ => 1,
+/// The past of a tag in so many columns of `scans` each, up to the scan that is done now; the newest column is the last. Columns
+/// begin at whole multiples of their length, so that the picture does not flicker while it moves. Texts have none.
+pub(super) fn wave(track: &Track, columns: usize, scans: u64, now: u64, charset: Charset) -> String {
+    match (track.kind(), charset) {
+        (Kind::Bit, Charset::Unicode) => braille(track, columns, scans, now),
+        (Kind::Bit, Charset::Ascii) => {
+            let marks = marks(track, columns, scans, now).into_iter();
+            let drawn = marks.map(|mark| match level(mark.as_ref()) {
+                None => ' ',
+                Some(Level::Low) => '_',
+                Some(Level::High) => '-',
+                Some(Level::Both) => '|',
+            });
+            drawn.collect()
         }
+        (Kind::Number, charset) => {
+            let steps = match charset {
+                Charset::Unicode => &['▁', '▂', '▃', '▄', '▅', '▆', '▇', '█'],
+                Charset::Ascii => &['_', '.', ':', '-', '=', '+', '*', '#'],
+            };
+            bars(&marks(track, columns, scans, now), steps)
+        }
+        (Kind::Text, _) => String::new(),
     }
 }
 
-/// The past in so many columns as its buckets fill.
-pub(super) fn wave(shape: Shape, charset: Charset, buckets: &[Option<Bucket>]) -> String {
-    match (shape, charset) {
-        (Shape::Bit, Charset::Unicode) => braille(buckets),
-        (Shape::Bit, Charset::Ascii) => buckets
-            .iter()
-            .map(|bucket| match level(bucket.as_ref()) {
-                Level::Unknown => ' ',
-                Level::Low => '_',
-                Level::High => '-',
-                Level::Both => '|',
-            })
-            .collect(),
-        (Shape::Number, Charset::Unicode) => bars(buckets, &['▁', '▂', '▃', '▄', '▅', '▆', '▇', '█']),
-        (Shape::Number, Charset::Ascii) => bars(buckets, &['_', '.', ':', '-', '=', '+', '*', '#']),
+/// What is drawn in each of so many columns; nothing where nothing is known.
+fn marks(track: &Track, columns: usize, per: u64, now: u64) -> Vec<Option<Mark>> {
+    if track.first().is_none_or(|first| now < first) {
+        return vec![None; columns];
+    }
+    let newest = now / per;
+    let back = |column: usize| newest.checked_sub((columns - 1 - column) as u64);
+    let window = Window {
+        first: (newest.saturating_sub(columns as u64) * per).max(1),
+        last: now,
+        per,
+    };
+    // One that is listed is drawn up to the next.
+    let drawn = track.columns(&window, 0, now);
+    let at = |column: u64| {
+        let behind = drawn.partition_point(|drawn| drawn.number <= column);
+        drawn.get(behind.checked_sub(1)?).map(|drawn| drawn.mark.clone())
+    };
+    (0..columns).map(|column| at(back(column)?)).collect()
+}
+
+fn level(mark: Option<&Mark>) -> Option<Level> {
+    match mark {
+        Some(Mark::Bit(level)) => Some(*level),
+        _ => None,
     }
 }
 
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum Level {
-    Unknown,
-    Low,
-    High,
-    /// It changed within the bucket.
-    Both,
-}
-
-fn level(bucket: Option<&Bucket>) -> Level {
-    match bucket {
-        None => Level::Unknown,
-        Some(bucket) if bucket.least > 0.5 => Level::High,
-        Some(bucket) if bucket.greatest < 0.5 => Level::Low,
-        Some(_) => Level::Both,
-    }
-}
-
-/// Two buckets a column. Dots of a column from top to bottom: 1 2 4 40, of its right half 8 10 20 80.
-fn braille(buckets: &[Option<Bucket>]) -> String {
-    let mut before = Level::Unknown;
-    let mut dots = buckets.iter().map(|bucket| {
-        let level = level(bucket.as_ref());
+/// Two marks a column. Dots of a column from top to bottom: 1 2 4 40, of its right half 8 10 20 80.
+fn braille(track: &Track, columns: usize, scans: u64, now: u64) -> String {
+    let marks = if scans.is_multiple_of(2) {
+        // The newest column may be half full: then its other half is not there yet.
+        let half = scans / 2;
+        let is_half = (now / half).is_multiple_of(2);
+        let mut marks = marks(track, 2 * columns - usize::from(is_half), half, now);
+        marks.extend(is_half.then_some(None));
+        marks
+    } else {
+        // One scan fills a whole column.
+        let marks = marks(track, columns, scans, now).into_iter();
+        marks.flat_map(|mark| [mark.clone(), mark]).collect()
+    };
+    let mut before = None;
+    let mut dots = marks.iter().map(|mark| {
+        let level = level(mark.as_ref());
         let edge = matches!(
             (before, level),
-            (Level::Low, Level::High) | (Level::High, Level::Low)
+            (Some(Level::Low), Some(Level::High)) | (Some(Level::High), Some(Level::Low))
         );
         before = level;
         match level {
-            Level::Unknown => (0, 0),
-            Level::Both => (0x47, 0xb8),
-            _ if edge => (0x47, 0xb8),
-            Level::High => (0x01, 0x08),
-            Level::Low => (0x40, 0x80),
+            None => (0, 0),
+            Some(Level::Both) => (0x47, 0xb8),
+            Some(_) if edge => (0x47, 0xb8),
+            Some(Level::High) => (0x01, 0x08),
+            Some(Level::Low) => (0x40, 0x80),
         }
     });
     let mut drawn = String::new();
@@ -87,11 +98,16 @@ fn braille(buckets: &[Option<Bucket>]) -> String {
     drawn
 }
 
-fn bars(buckets: &[Option<Bucket>], steps: &[char; 8]) -> String {
-    let known = || buckets.iter().flatten();
-    let least = known().map(|bucket| bucket.least).fold(f64::INFINITY, f64::min);
+fn bars(marks: &[Option<Mark>], steps: &[char; 8]) -> String {
+    let known = || {
+        marks.iter().flatten().filter_map(|mark| match mark {
+            Mark::Number { least, greatest, .. } => Some((*least, *greatest)),
+            Mark::Bit(_) | Mark::Text(_) => None,
+        })
+    };
+    let least = known().map(|(least, _)| least).fold(f64::INFINITY, f64::min);
     let greatest = known()
-        .map(|bucket| bucket.greatest)
+        .map(|(_, greatest)| greatest)
         .fold(f64::NEG_INFINITY, f64::max);
     let span = greatest - least;
     let height = |value: f64| {
@@ -103,119 +119,90 @@ fn bars(buckets: &[Option<Bucket>], steps: &[char; 8]) -> String {
             3
         }
     };
-    buckets
-        .iter()
-        .map(|bucket| {
-            bucket
-                .as_ref()
-                .map_or(' ', |bucket| steps[height(bucket.last).min(7)])
-        })
-        .collect()
+    let bar = |mark: &Option<Mark>| match mark {
+        Some(Mark::Number { last, .. }) => steps[height(*last).min(7)],
+        _ => ' ',
+    };
+    marks.iter().map(bar).collect()
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::screen::record::Record;
     use expect_test::{Expect, expect};
-    use ladder_analysis::program::Program;
     use ladder_analysis::value::Value;
-    use ladder_simulator::{Options, Simulation};
-    use std::sync::Arc;
+    use ladder_simulator::chart::Recorder;
+    use ladder_simulator::{HistoryLimits, Options, Session};
 
     /// The wave of a tag that held these values in the last scans of so many.
-    fn check(
-        shape: Shape,
-        charset: Charset,
-        values: &[i64],
-        scans: u64,
-        now: u64,
-        columns: usize,
-        wave_is: Expect,
-    ) {
-        let simulation = Simulation::new(Arc::new(Program::default()), Options::default()).unwrap();
-        // Any point will do: its name and values are given here.
-        let point = simulation.resolve("SYS.SCAN").unwrap();
-        let mut record = Record::default();
-        record.add(
-            point,
-            &values.iter().map(|&value| Value::Int(value)).collect::<Vec<_>>(),
-        );
-        let count = columns * shape.buckets_in_column(charset);
-        let buckets = record.tracks()[0].buckets(count, scans, now);
-        wave_is.assert_eq(&format!("[{}]", wave(shape, charset, &buckets)));
+    fn check(charset: Charset, tag: &str, values: &[i64], scans: u64, now: u64, columns: usize, is: Expect) {
+        let text = "VAR  bit : BOOL; number : INT;  END_VAR\n";
+        let analysis = ladder_analysis::analyze(&ladder_syntax::parse(text).into(), "test.clad");
+        let program = analysis.program().cloned().unwrap();
+        let mut session = Session::new(program, Options::default(), HistoryLimits::default()).unwrap();
+        let point = session.simulation().resolve(tag).unwrap();
+        for _ in values.len() as u64..now {
+            session.run_scan();
+        }
+        let mut recorder = Recorder::default();
+        let mut known = false;
+        for &value in values {
+            let value = if tag == "bit" {
+                Value::Bool(value == 1)
+            } else {
+                Value::Int(value)
+            };
+            session.set(&point, value).unwrap();
+            session.run_scan();
+            if !std::mem::replace(&mut known, true) {
+                recorder.watch(vec![point.clone()], &session);
+            }
+            recorder.look(&session);
+        }
+        is.assert_eq(&format!(
+            "[{}]",
+            wave(&recorder.tracks()[0], columns, scans, now, charset)
+        ));
     }
 
     const PULSES: [i64; 12] = [0, 0, 0, 1, 1, 1, 1, 0, 0, 1, 0, 1];
 
     #[test]
     fn bits() {
+        check(Charset::Unicode, "bit", &PULSES, 1, 12, 8, expect!["[⠉⠉⠉⣇⣀⡏⣇⡏]"]);
         check(
-            Shape::Bit,
-            Charset::Unicode,
-            &PULSES,
-            1,
-            12,
-            8,
-            expect![[r#"[  ⣀⣸⠉⢹⣸⣿]"#]],
-        );
-        check(
-            Shape::Bit,
             Charset::Ascii,
+            "bit",
             &PULSES,
             1,
             12,
             14,
             expect![[r#"[  ___----__-_-]"#]],
         );
-        check(
-            Shape::Bit,
-            Charset::Ascii,
-            &PULSES,
-            2,
-            12,
-            7,
-            expect![[r#"[ _|-|||]"#]],
-        );
+        check(Charset::Ascii, "bit", &PULSES, 2, 12, 7, expect!["[__--_|-]"]);
     }
 
     #[test]
     fn buckets_begin_at_whole_multiples() {
-        check(
-            Shape::Bit,
-            Charset::Ascii,
-            &[0, 0, 1, 1],
-            2,
-            5,
-            3,
-            expect![[r#"[_|-]"#]],
-        );
+        check(Charset::Ascii, "bit", &[0, 0, 1, 1], 2, 5, 3, expect!["[__-]"]);
     }
 
     #[test]
     fn numbers() {
         let ramp: Vec<i64> = (0..16).collect();
         check(
-            Shape::Number,
             Charset::Unicode,
+            "number",
             &ramp,
             2,
             16,
             9,
-            expect![[r#"[ ▁▂▃▄▅▆▇█]"#]],
+            expect!["[▁▂▃▄▅▆▇██]"],
         );
+        check(Charset::Ascii, "number", &ramp, 2, 16, 8, expect!["[.:-=+*##]"]);
         check(
-            Shape::Number,
-            Charset::Ascii,
-            &ramp,
-            2,
-            16,
-            8,
-            expect![[r#"[_.:-=+*#]"#]],
-        );
-        check(
-            Shape::Number,
             Charset::Unicode,
+            "number",
             &[7; 3],
             1,
             3,
@@ -223,8 +210,8 @@ mod tests {
             expect![[r#"[▄▄▄]"#]],
         );
         check(
-            Shape::Number,
             Charset::Unicode,
+            "number",
             &[0; 3],
             1,
             3,

@@ -64,8 +64,12 @@ fn characters_at_rest_and_with_power() {
         ┝━━┳━━┥━━━┝━━┳━━┥━/━┝━━━━━━━━━━━━━━━━━━━━━━━━━━━━━━━━━━━━━━━━━━━━━━━━━━(━━━)━━┥
         │  ┃   run   ┃                                                                │
         │  ┗━━┥━━━┝━━┛                                                                │
+
+        # drawn by ladder #
     "#]]
     .assert_eq(&folder.read("motor.txt"));
+    // It is known for what it is.
+    assert_eq!(folder.ladder(&run).status, Some(0));
     let forced = [
         "render",
         "motor.clad",

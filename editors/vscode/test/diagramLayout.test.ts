@@ -91,6 +91,17 @@ test('a network that is half typed is shown as it was', () => {
     assert.equal(layout.at(23)?.piece?.kind, 'broken');
 });
 
+test('a mistake that swallows several networks leaves all of them as they were', () => {
+    const layout = opened();
+    layout.take(drawn(1, 0, 14, [network('a', 1), network('b', 3, 4), network('c', 6), network('d', 10)]));
+    layout.edit(2, 1000, [{ first: 3, last: 3, count: 1 }]);
+    layout.take(drawn(2, 0, 14, [network('a', 1), network('bad', 3, 8, 'broken'), network('d', 10)]));
+    assert.deepEqual(shown(layout), ['-@0-0', 'a@1-1', '-@2-2', 'b?@3-4', '-@5-5', 'c?@6-8', '-@9-9', 'd@10-10', '-@11-14']);
+    layout.edit(3, 1000, [{ first: 3, last: 3, count: 1 }]);
+    layout.take(drawn(3, 0, 14, [network('a', 1), network('b', 3, 4), network('c', 6), network('d', 10)]));
+    assert.deepEqual(shown(layout), ['-@0-0', 'a@1-1', '-@2-2', 'b@3-4', '-@5-5', 'c@6-6', '-@7-9', 'd@10-10', '-@11-14']);
+});
+
 test('what somebody looks at stays where it is', () => {
     const layout = opened();
     layout.take(drawn(1, 100, 109, [network('a', 100), network('b', 105)]));

@@ -50,7 +50,7 @@ pub enum Kind {
     Heading,
     /// A network.
     Network,
-    /// A network with a mistake in its drawing, shown as text.
+    /// A network with a mistake in its drawing, shown as text, and whatever stands behind a comment that is never closed.
     Broken,
 }
 
@@ -125,6 +125,11 @@ pub(super) fn lines_of(context: &Context, structure: &Structure, item: Item) -> 
 impl Piece {
     /// What it is.
     pub fn kind(&self, context: &Context) -> Kind {
+        // What is behind a comment that is never closed is not what it seems to be.
+        let unclosed = context.parse.unclosed_comment();
+        if unclosed.is_some_and(|place| place.start() < self.range.end()) {
+            return Kind::Broken;
+        }
         match self.scene.blocks.first().map(|block| &block.kind) {
             Some(&BlockKind::Network { index, .. }) if context.networks.at(index).broken => Kind::Broken,
             Some(BlockKind::Network { .. }) => Kind::Network,

@@ -68,6 +68,8 @@ pub(crate) enum Action {
     WarmRestart,
     /// The text in the editor is another one.
     Follow(Arc<Revision>),
+    /// Other files are other ones: what the program uses of them may be, too. The text is the editor's as it is now.
+    FollowOthers(Arc<Revision>),
     /// End.
     Stop,
 }

@@ -5,7 +5,7 @@ use std::collections::HashMap;
 use std::ops::Range;
 
 use ladder_analysis::program::{
-    Argument, Block, BlockKind, Bound, ElementKind, ExprKind, Network, Place, Step, TagId,
+    Argument, Block, BlockKind, Bound, ElementKind, ExprKind, Network, Step, TagId,
 };
 use ladder_analysis::types::{Scalar, Type};
 use ladder_analysis::value::Value;
@@ -236,7 +236,10 @@ impl Operand {
         }
         match &expr.kind {
             ExprKind::Constant(value) => Some(Operand::Constant(value.clone())),
-            ExprKind::Read(place) => point(place, expr.range, revision, simulation).map(Operand::Point),
+            ExprKind::Read(place) => {
+                let written = revision.stretch(bytes(expr.range));
+                simulation.point_at(place, &written).map(Operand::Point)
+            }
             _ => None,
         }
     }
@@ -325,7 +328,7 @@ fn operands_of(block: &Block, revision: &Revision, simulation: &Simulation, oper
             continue;
         }
         for (place, range) in bound.places() {
-            let point = point(place, range, revision, simulation);
+            let point = simulation.point_at(place, &revision.stretch(bytes(range)));
             operands.extend(point.map(|point| named(range, vec![point])));
         }
     }
@@ -343,16 +346,6 @@ fn members(tag: TagId, simulation: &Simulation) -> Vec<Point> {
     };
     let names = MEMBERS.iter().map(|member| format!("{}.{member}", tag.name));
     names.filter_map(|name| simulation.resolve(&name).ok()).collect()
-}
-
-/// The value of a place, if it always is the same one: not `a[i]`, and not the tags of a user-defined block's body,
-/// of which every place where the block stands has its own.
-fn point(place: &Place, range: TextRange, revision: &Revision, simulation: &Simulation) -> Option<Point> {
-    let in_body = |tag: TagId| simulation.program().tags[tag.0 as usize].block.is_some();
-    if place.root().is_some_and(in_body) {
-        return None;
-    }
-    simulation.resolve(&revision.stretch(bytes(range))).ok()
 }
 
 fn bytes(range: TextRange) -> Range<usize> {

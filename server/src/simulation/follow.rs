@@ -89,6 +89,11 @@ impl Engine {
         is_another
     }
 
+    /// Whether the program uses, or lacks, something of another file.
+    pub(super) fn uses_others(&self) -> bool {
+        self.texts.stale || self.session.simulation().program().files.len() > 1
+    }
+
     /// Something has happened: it is recorded. Stepping over a change leads to another program.
     pub(super) fn look_at_what_runs(&mut self) {
         self.recorder.look(&self.session);

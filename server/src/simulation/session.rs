@@ -333,6 +333,14 @@ impl Runner {
                     self.follow(revision);
                 }
             }
+            Action::FollowOthers(revision) => {
+                // A text that waits goes with the other files as they are.
+                let is_newest = revision.version >= self.simulation.engine.revision().version;
+                let waits = self.texts.load(Ordering::SeqCst) > 0;
+                if is_newest && !waits && self.simulation.engine.uses_others() {
+                    self.follow(revision);
+                }
+            }
             Action::Stop => {
                 self.run = None;
                 self.simulation.engine.save();

@@ -74,6 +74,18 @@ impl Sessions {
         }
     }
 
+    /// Tells the simulations of a document, whose text is as it was, that other files are not.
+    pub(crate) fn follow_others(&self, revision: &Arc<Revision>) {
+        for session in self.of(&revision.uri) {
+            drop(session.ask(Action::FollowOthers(revision.clone()), Cancel::default()));
+        }
+    }
+
+    /// Whether nothing is simulated.
+    pub(crate) fn is_empty(&self) -> bool {
+        self.lock().open.is_empty()
+    }
+
     /// Stops the simulations of a document.
     pub(crate) fn stop_all_of(&self, uri: &str) {
         self.lock().open.retain(|_, session| {

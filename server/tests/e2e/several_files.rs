@@ -231,3 +231,47 @@ async fn what_nobody_uses_follows_the_files_that_could() {
     assert_eq!(published(&mut client, &shared).await, NONE);
     client.finish().await;
 }
+
+/// What `total` holds behind one more scan.
+async fn total_behind_a_scan(client: &mut Client, session: &str) -> Value {
+    let state = client
+        .simulate("step", json!({"session": session}))
+        .await
+        .unwrap();
+    let tags = state["tags"].as_array().unwrap();
+    tags.iter().find(|tag| tag["name"] == "total").unwrap()["value"].clone()
+}
+
+/// Waits until a simulation has taken so many changes.
+async fn changed(client: &mut Client, number: u64) {
+    let is_there = |it: &Value| it["change"]["number"] == number;
+    client.notification("ladder/simulationState", is_there).await;
+}
+
+#[tokio::test]
+async fn what_is_inside_of_another_file_goes_into_what_runs() {
+    let plant = Plant::with(&[("library.clad", LIBRARY), ("main.clad", MAIN)]);
+    let mut client = Client::new().await;
+    let (main, library) = (plant.uri("main.clad"), plant.uri("library.clad"));
+    client.open_as(&main, 1, MAIN).await;
+    client.open_as(&library, 1, LIBRARY).await;
+    assert_eq!(published(&mut client, &library).await, NONE);
+    let started = client.simulate("start", json!({"uri": main})).await.unwrap();
+    let session = started["session"].as_str().unwrap().to_owned();
+    assert_eq!(total_behind_a_scan(&mut client, &session).await, 1);
+    // Nothing that another file sees of it.
+    replace(&mut client, &library, 2, &LIBRARY.replace(", 1 )", ", 10 )")).await;
+    changed(&mut client, 1).await;
+    assert_eq!(total_behind_a_scan(&mut client, &session).await, 11);
+    // Closed without being saved: the text on disk counts again.
+    client
+        .notify("textDocument/didClose", json!({"textDocument": {"uri": library}}))
+        .await;
+    changed(&mut client, 2).await;
+    assert_eq!(total_behind_a_scan(&mut client, &session).await, 12);
+    plant.write("library.clad", &LIBRARY.replace(", 1 )", ", 100 )"));
+    watched(&mut client, &library).await;
+    changed(&mut client, 3).await;
+    assert_eq!(total_behind_a_scan(&mut client, &session).await, 112);
+    client.finish().await;
+}

@@ -14,7 +14,7 @@ use crate::machine::{FaultRecord, Machine};
 use crate::memory::SERIAL_ROOM;
 use crate::tags::{self, Names, Point, UnknownTag};
 use crate::work::Brake;
-use ladder_analysis::program::{Location, Program};
+use ladder_analysis::program::{Location, Place, Program, TagId};
 use ladder_analysis::value::Value;
 use std::collections::BTreeMap;
 use std::sync::{Arc, OnceLock};
@@ -223,6 +223,16 @@ impl Simulation {
             return of_instance;
         }
         self.names.resolve(&self.program, &self.compiled.homes, text)
+    }
+
+    /// The value of a place that is written so, if it always is the same one: not `a[i]`, and not the tags of a
+    /// user-defined block's body, of which every place where the block stands has its own.
+    pub fn point_at(&self, place: &Place, written: &str) -> Option<Point> {
+        let in_body = |tag: TagId| self.program.tags[tag.0 as usize].block.is_some();
+        if place.root().is_some_and(in_body) {
+            return None;
+        }
+        self.resolve(written).ok()
     }
 
     /// Whether the program uses the serial port.

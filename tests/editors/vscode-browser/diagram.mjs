@@ -178,6 +178,15 @@ export async function diagram(page, { step, until, screenshot }) {
         await page.keyboard.press('Control+Z');
         await until('the drawing', 10, async () => (await frame.locator('.piece.held').count()) === 0);
     });
+    await step('a mistake that swallows all networks below it leaves them as they were', async () => {
+        await cursorTo(page, await lineOf(frame, 'start'), 1);
+        await page.keyboard.type('# ');
+        await until('two networks as they were', 10, async () => (await frame.locator('.piece.held g.element').count()) >= 5);
+        assert.equal(await frame.locator('.piece.held text', { hasText: /^lamp$/ }).count(), 1);
+        await screenshot(page, 'diagram-held');
+        await page.keyboard.press('Control+Z');
+        await until('the drawings', 10, async () => (await frame.locator('.piece.held').count()) === 0);
+    });
     await step('a number is set below the drawing', async () => {
         await openFirst(page, 'level.clad');
         await command(page, 'Ladder: Open Diagram to the Side');

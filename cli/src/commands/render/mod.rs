@@ -11,7 +11,7 @@ use crate::features::Feature;
 use crate::findings::Source;
 use crate::form;
 use crate::outcome::{Failure, Outcome};
-use crate::output::may_write;
+use crate::output::{DRAWN_BY, may_write};
 use crate::run::{Run, Stimulus, number_of_scans, place, program, show_errors};
 use crate::terminal::{self, Stdout};
 use clap::{Args, ValueEnum};
@@ -171,6 +171,11 @@ fn characters(arguments: &Arguments, source: &Source) -> Result<Outcome, Failure
 
 fn write(arguments: &Arguments, format: Format, bytes: &[u8]) -> Result<(), Failure> {
     match target(arguments) {
+        // So that it is known for what it is when it is drawn again.
+        Some(file) if format == Format::Text => {
+            let signed = [bytes, b"\n", DRAWN_BY.as_bytes(), b" #\n"].concat();
+            ladder_workspace::write(file, &signed)?;
+        }
         Some(file) => ladder_workspace::write(file, bytes)?,
         None => {
             let mut out = Stdout::new();

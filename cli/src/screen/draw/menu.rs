@@ -56,7 +56,7 @@ pub(super) fn draw(buffer: &mut Buffer, area: Rect, picker: &Picker, scene: Scen
             Style::new()
         };
         put(buffer, inside, 0, line, &" ".repeat(inside.width as usize), style);
-        let watched = plant.record.watches(point);
+        let watched = plant.watches(point);
         put(buffer, inside, 1, line, if watched { "*" } else { " " }, style);
         let name_pane = Rect {
             width: (name_width + 3).min(inside.width),

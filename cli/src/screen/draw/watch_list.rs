@@ -1,12 +1,11 @@
 //! The watched tags with their values and their past.
 
 use super::{Scene, heading, put};
-use crate::screen::record::Track;
-use crate::screen::theme::Charset;
 use crate::screen::values;
-use crate::screen::wave::{Shape, wave};
+use crate::screen::wave::wave;
 use ladder_analysis::types::Scalar;
 use ladder_format::display_width;
+use ladder_simulator::chart::Track;
 use ladder_simulator::value_text;
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
@@ -18,7 +17,7 @@ const VALUE: u16 = 12;
 
 pub(super) fn draw(buffer: &mut Buffer, pane: Rect, scene: Scene) {
     let Scene { view, plant, theme } = scene;
-    let tracks = plant.record.tracks();
+    let tracks = plant.watched();
     if pane.height == 0 || tracks.is_empty() {
         return;
     }
@@ -90,33 +89,7 @@ fn draw_track(
     if point.ty.is_string() || wave_at >= pane.width {
         return;
     }
-    let shape = if is_bit { Shape::Bit } else { Shape::Number };
     let columns = usize::from(pane.width - wave_at);
-    let text = waveform(
-        track,
-        shape,
-        columns,
-        view.scale.scans(),
-        plant.scans(),
-        theme.charset,
-    );
+    let text = wave(track, columns, view.scale.scans(), plant.scans(), theme.charset);
     put(buffer, pane, wave_at, line, &text, theme.wave());
-}
-
-fn waveform(track: &Track, shape: Shape, columns: usize, scans: u64, now: u64, charset: Charset) -> String {
-    let in_column = shape.buckets_in_column(charset);
-    if scans.is_multiple_of(in_column as u64) {
-        // The newest column may be half full: then the next bucket is not there yet.
-        let bucket = scans / in_column as u64;
-        let columns_now = now.div_ceil(scans);
-        let mut buckets = track.buckets(columns * in_column, bucket, now);
-        let missing = (columns_now * in_column as u64).saturating_sub(now.div_ceil(bucket)) as usize;
-        buckets.drain(..missing.min(buckets.len()));
-        buckets.extend(std::iter::repeat_n(None, missing));
-        return wave(shape, charset, &buckets);
-    }
-    // One scan fills a whole column.
-    let buckets = track.buckets(columns, scans, now);
-    let twice: Vec<_> = buckets.into_iter().flat_map(|bucket| [bucket; 2]).collect();
-    wave(shape, charset, &twice)
 }

@@ -83,9 +83,9 @@ fn power_flows() {
             |─ Inputs: press the number ─────────────────────────────────────────────────────
             | 1 ○ start   2 ○ stop
             |─ Watch ──────────────────────────────────────────────── [ ] 1 column = 100 ms ─
-            | ready      FALSE                                                  ⣀⣀⣀⣀⣀⣀⣀⣀⣀⣀⣀⣀⣀
-            | warmup.ET  1.2s                                                   ▁▂▃▃▄▄▅▅▆▆▇▇█
-            | run        TRUE                                                   ⠉⠉⠉⠉⠉⠉⠉⠉⠉⠉⠉⠉⠉
+            | ready      FALSE                                                 ⣀⣀⣀⣀⣀⣀⣀⣀⣀⣀⣀⣀⣀⡀
+            | warmup.ET  1.2s                                                  ▁▂▃▃▄▄▅▅▆▆▇▇██
+            | run        TRUE                                                  ⠉⠉⠉⠉⠉⠉⠉⠉⠉⠉⠉⠉⠉⠁
             | Open contact: input start is FALSE; space switches it
             | space switch p pause s step b back +- speed f force w watch ? help q quit
         "#]],
@@ -176,9 +176,9 @@ fn plain_characters() {
             |- Inputs: press the number -----------------------------------------------------
             | 1 * start   2 . stop
             |- Watch ------------------------------------------------ [ ] 1 column = 100 ms -
-            | ready      FALSE                                                            ___
-            | warmup.ET  290ms                                                            :+#
-            | run        TRUE                                                             ---
+            | ready      FALSE                                                           ____
+            | warmup.ET  290ms                                                           :=##
+            | run        TRUE                                                            ----
             | Open contact: input start is TRUE; space switches it
             | space switch p pause s step b back +- speed f force w watch ? help q quit
         "#]],
@@ -190,9 +190,9 @@ fn large() {
     Bench::new(MOTOR).size(160, 30).check("p space +700ms", expect![[r#"
         | motor.clad  ▶ RUNNING 1x                                                                                                                       scan 70  0.70 s
         |1   VAR_INPUT  start, stop : BOOL;  END_VAR                                                          ─ Watch ─────────────────────────── [ ] 1 column = 100 ms ─
-        |2   VAR  warmup : TON;  END_VAR                                                                       ready      FALSE                                   ⣀⣀⣀⣀⣀⣀⣀
-        |3                                                                                                     warmup.ET  690ms                                   ▂▃▄▅▆▇█
-        |4   # Seal-in #                                                                                       run        TRUE                                    ⠉⠉⠉⠉⠉⠉⠉
+        |2   VAR  warmup : TON;  END_VAR                                                                       ready      FALSE                                  ⣀⣀⣀⣀⣀⣀⣀⡀
+        |3                                                                                                     warmup.ET  690ms                                  ▂▃▄▅▆▇██
+        |4   # Seal-in #                                                                                       run        TRUE                                   ⠉⠉⠉⠉⠉⠉⠉⠁
         |5 > +══\══[ ](●start )══\══[/]( stop )═════════════( )(●run )══+
         |6   |  /══[ ](●run )════/                                      |
         |7

@@ -13,10 +13,10 @@ fn waves() {
         expect![[r#"
             | 1 ○ start   2 ○ stop
             |─ Watch ──────────────────────────────────────────────── [ ] 1 column = 100 ms ─
-            | start      FALSE                                           ⣀⣀⣀⣀⣀⡏⠉⠉⣇⣀⣀⣀⣀⣀⣀⣀⣀⣀⣀⣀
-            | run        FALSE                                           ⣀⣀⣀⣀⣀⡏⠉⠉⠉⠉⠉⠉⠉⠉⠉⠉⠉⣇⣀⣀
-            | warmup.ET  0s                                              ▁▁▁▁▁▂▂▃▃▄▄▅▆▆▇▇█▁▁▁
-            | SYS.SCAN   199                                             ▁▂▂▂▃▃▃▄▄▄▅▅▆▆▆▇▇▇██
+            | start      FALSE                                          ⣀⣀⣀⣀⣀⡏⠉⠉⣇⣀⣀⣀⣀⣀⣀⣀⣀⣀⣀⣀⡀
+            | run        FALSE                                          ⣀⣀⣀⣀⣀⡏⠉⠉⠉⠉⠉⠉⠉⠉⠉⠉⠉⣇⣀⣀⡀
+            | warmup.ET  0s                                             ▁▁▁▁▁▁▂▃▃▄▄▅▆▆▇▇█▁▁▁▁
+            | SYS.SCAN   199                                            ▁▂▂▂▃▃▃▄▄▄▅▅▆▆▆▇▇▇███
         "#]],
     );
     bench.check_lines(
@@ -25,10 +25,10 @@ fn waves() {
         expect![[r#"
             | 1 ○ start   2 ○ stop
             |─ Watch ──────────────────────────────────────────────── [ ] 1 column = 400 ms ─
-            | start      FALSE                                                          ⣀⡏⣇⣀⣀
-            | run        FALSE                                                          ⣀⡏⠉⠉⣇
-            | warmup.ET  0s                                                             ▁▃▅▇▁
-            | SYS.SCAN   199                                                            ▂▄▅▇█
+            | start      FALSE                                                         ⣀⡏⣇⣀⣀⡀
+            | run        FALSE                                                         ⣀⡏⠉⠉⣇⡀
+            | warmup.ET  0s                                                            ▁▃▅▇▁▁
+            | SYS.SCAN   199                                                           ▂▄▅▇██
         "#]],
     );
     bench.check_lines(
@@ -51,7 +51,7 @@ fn waves() {
             |─ Watch ──────────────────────────────────────────────── [ ] 1 column = 100 ms ─
             | start      FALSE                                            ⣀⣀⣀⣀⣀⡏⠉⠉⣇⣀⣀⣀⣀⣀⣀⣀⣀⣀⣀
             | run        FALSE                                            ⣀⣀⣀⣀⣀⡏⠉⠉⠉⠉⠉⠉⠉⠉⠉⠉⠉⣇⣀
-            | warmup.ET  0s                                               ▁▁▁▁▁▂▂▃▃▄▄▅▆▆▇▇█▁▁
+            | warmup.ET  0s                                               ▁▁▁▁▁▁▂▃▃▄▄▅▆▆▇▇█▁▁
             | SYS.SCAN   188                                              ▁▂▂▂▃▃▄▄▄▅▅▅▆▆▇▇▇██
         "#]],
     );

@@ -109,8 +109,13 @@ export class Layout {
             if (drawn.lines.first > next) {
                 found.push({ first: next, last: drawn.lines.first - 1, version, top: 0 });
             }
-            const piece = this.#pieceOf(drawn, old);
-            found.push({ first: drawn.lines.first, last: drawn.lines.last, piece, version, top: 0 });
+            const held = drawn.kind === 'broken' ? this.#held(drawn, old, version) : [];
+            if (held.length > 0) {
+                found.push(...held);
+            } else {
+                const piece = this.#pieceOf(drawn, old);
+                found.push({ first: drawn.lines.first, last: drawn.lines.last, piece, version, top: 0 });
+            }
             next = drawn.lines.last + 1;
         }
         if (next <= lines.last) {
@@ -123,7 +128,7 @@ export class Layout {
         return true;
     }
 
-    #pieceOf({ kind, lines, key, width, height }: DrawnPiece, old: readonly Segment[]): Piece {
+    #pieceOf({ kind, key, width, height }: DrawnPiece, old: readonly Segment[]): Piece {
         // What moved is nearest to where it was; of two that are alike any will do.
         const before = old.findIndex(({ piece }) => piece?.key === key && !piece.isHeld);
         const same = before >= 0 ? old[before] : undefined;
@@ -131,12 +136,30 @@ export class Layout {
             (old as Segment[]).splice(before, 1);
             return same.piece;
         }
-        const overlaps = ({ first, last, piece }: Segment) => first <= lines.last && last >= lines.first && piece?.kind === 'network';
-        const good = kind === 'broken' ? old.find(overlaps)?.piece : undefined;
-        if (good) {
-            return good.isHeld ? good : { ...good, id: ++this.#ids, isHeld: true };
-        }
         return { id: ++this.#ids, kind, key, width, height, isHeld: false };
+    }
+
+    /** What stood where a mistake is now, as it was: one letter can swallow many networks. Nothing if there was no network. */
+    #held({ lines }: DrawnPiece, old: readonly Segment[], version: number): Segment[] {
+        const good = old.filter(({ first, last, piece }) => first <= lines.last && last >= lines.first && piece && piece.kind !== 'broken');
+        if (!good.some(({ piece }) => piece?.kind === 'network')) {
+            return [];
+        }
+        const segments: Segment[] = [];
+        let next = lines.first;
+        good.forEach((segment, index) => {
+            // What was typed belongs to the network above it, at the beginning to the first.
+            const first = index === 0 ? lines.first : Math.max(segment.first, next);
+            const last = Math.min(index === good.length - 1 ? lines.last : segment.last, lines.last);
+            if (first > next) {
+                segments.push({ first: next, last: first - 1, version, top: 0 });
+            }
+            const { piece } = segment;
+            const held = piece && (piece.isHeld ? piece : { ...piece, id: ++this.#ids, isHeld: true });
+            segments.push({ first, last: Math.max(last, first), ...(held && { piece: held }), version, top: 0 });
+            next = Math.max(last, first) + 1;
+        });
+        return segments;
     }
 
     /** Puts everything at its place. */

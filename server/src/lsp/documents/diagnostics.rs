@@ -82,6 +82,7 @@ fn tell_others(shared: &Arc<Shared>, revision: &Revision) {
         if news.for_itself {
             look_again(shared, &revision.uri);
         }
+        simulate_with(shared, &place.path, Some(&revision.uri));
         settings_file::tell(shared);
         companions::refresh_scenarios(shared);
     }
@@ -100,6 +101,22 @@ fn refresh_others(shared: &Arc<Shared>, path: &Path, but: Option<&str>) {
     pull::refresh(shared);
 }
 
+/// Simulations of the other programs of a file's workspace go on with what the file holds now: what is inside of its functions
+/// and blocks counts as well, which no finding is about.
+fn simulate_with(shared: &Arc<Shared>, path: &Path, but: Option<&str>) {
+    if shared.sessions.is_empty() {
+        return;
+    }
+    for other in shared.documents.all() {
+        let beside = other
+            .place()
+            .is_some_and(|place| shared.neighbours.together(&place.path, path));
+        if beside && Some(&*other.uri) != but {
+            shared.sessions.follow_others(&other);
+        }
+    }
+}
+
 /// Looks once more at an open document, whose text is as it was.
 pub(crate) fn look_again(shared: &Arc<Shared>, uri: &str) {
     if shared.documents.touch(uri) {
@@ -114,6 +131,7 @@ pub(crate) fn neighbour_closed(shared: &Arc<Shared>, uri: String, path: PathBuf)
         if shared.documents.get(&uri).is_none() && shared.neighbours.closed(&path) {
             refresh_others(shared, &path, None);
         }
+        simulate_with(shared, &path, None);
     });
 }
 
@@ -136,6 +154,9 @@ pub(crate) fn files_changed(shared: &Arc<Shared>, paths: &[PathBuf]) {
                 refresh_others(shared, path, None);
             }
         }
+    }
+    for path in paths {
+        simulate_with(shared, path, None);
     }
     companions::refresh_programs(shared, paths);
     companions::refresh_scenarios(shared);
