@@ -17,6 +17,7 @@ mod pulse;
 mod reasons;
 mod request;
 mod retention;
+mod runner;
 mod session;
 mod sessions;
 mod sight;
@@ -27,5 +28,6 @@ mod view;
 
 pub(crate) use action::{Action, Answer};
 pub(crate) use request::{COMMANDS, Failure, Request, argument_of};
-pub(crate) use session::{REPORT, Session};
+pub(crate) use runner::REPORT;
+pub(crate) use session::Session;
 pub(crate) use sessions::Sessions;

@@ -26,6 +26,18 @@ VAR  automatic_mode, pressure_reached, conveyor_is_empty : BOOL;  copied : INT; 
     );
 }
 
+/// A bit of a system tag has one value as any other bit.
+#[test]
+fn a_bit_of_a_system_tag_is_shown() {
+    Bench::new("+--[ ]( SYS.SCAN.0 )--( )( odd )--+\n").check_lines(
+        "s s",
+        1..2,
+        expect![[r#"
+            | > +══[ ](●SYS.SCAN.0 )══( )(●odd )══+
+        "#]],
+    );
+}
+
 #[test]
 fn a_program_before_its_first_scan() {
     Bench::new(MOTOR).check(

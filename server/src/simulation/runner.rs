@@ -1,0 +1,365 @@
+//! The thread of a simulation: scans, and the commands between them.
+
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
+use std::sync::mpsc::{Receiver, RecvTimeoutError, TryRecvError};
+use std::time::{Duration, Instant};
+
+use ladder_simulator::Brake;
+use tokio::sync::watch;
+
+use super::action::{Action, Answer};
+use super::messages::{State, Status};
+use super::request::Failure;
+use super::session::Command;
+use super::standing::{Simulation, Telling};
+use crate::cancel::Cancel;
+use crate::document::Revision;
+
+/// How often a run reports: twenty times a second.
+pub(crate) const REPORT: Duration = Duration::from_millis(50);
+
+/// How often a run is shown to a client that says what it shows, if it keeps up: thirty times a second.
+const SHOW: Duration = Duration::from_millis(33);
+
+/// The longest time between two scans: a day.
+const NEVER: Duration = Duration::from_secs(86_400);
+
+/// Stops a scan that takes long, so that the session can serve an urgent command.
+pub(super) fn brake(urgent: &Arc<AtomicUsize>, cancel: &Cancel) -> Brake {
+    let (urgent, cancel) = (urgent.clone(), cancel.clone());
+    Brake::new(move || urgent.load(Ordering::SeqCst) > 0 || cancel.is_cancelled())
+}
+
+/// A run that goes on between commands.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Going {
+    left: Option<u64>,
+    /// When the next scan is due, and the time from one to the next, for a run that keeps to a clock.
+    due: Option<(Instant, Duration)>,
+    reported: Instant,
+}
+
+/// The thread's own side.
+pub(super) struct Runner {
+    pub(super) simulation: Simulation,
+    pub(super) run: Option<Going>,
+    pub(super) inbox: Receiver<Command>,
+    pub(super) urgent: Arc<AtomicUsize>,
+    /// How many texts wait to be followed.
+    pub(super) texts: Arc<AtomicUsize>,
+    /// Whether the client has shown what it was told last.
+    pub(super) has_shown: Arc<AtomicBool>,
+    /// There is something that it has not been told yet.
+    pub(super) owes: bool,
+    /// When it was told last.
+    pub(super) shown: Instant,
+    pub(super) states: watch::Sender<State>,
+}
+
+impl Runner {
+    /// Serves commands and scans, until nobody can send any more or one says that it is over.
+    pub(super) fn work(mut self) {
+        loop {
+            let command = match self.run {
+                None => self.inbox.recv().map_err(|_| RecvTimeoutError::Disconnected),
+                Some(Going { due: None, .. }) => self.inbox.try_recv().map_err(|error| match error {
+                    TryRecvError::Empty => RecvTimeoutError::Timeout,
+                    TryRecvError::Disconnected => RecvTimeoutError::Disconnected,
+                }),
+                Some(Going {
+                    due: Some((due, _)), ..
+                }) => self.wait_until(due),
+            };
+            match command {
+                Ok(command) => {
+                    if self.serve(command) == Next::Leave {
+                        return;
+                    }
+                }
+                Err(RecvTimeoutError::Timeout) => self.go_on(),
+                Err(RecvTimeoutError::Disconnected) => {
+                    self.simulation.engine.save();
+                    return;
+                }
+            }
+        }
+    }
+
+    /// Waits for a command, until the next scan is due. What the client waits for meanwhile it is told in time.
+    fn wait_until(&mut self, due: Instant) -> Result<Command, RecvTimeoutError> {
+        let telling = self.shown + SHOW;
+        if self.may_show() && self.owes && telling < due {
+            let waited = self
+                .inbox
+                .recv_timeout(telling.saturating_duration_since(Instant::now()));
+            if !matches!(waited, Err(RecvTimeoutError::Timeout)) {
+                return waited;
+            }
+            self.publish();
+        }
+        self.inbox
+            .recv_timeout(due.saturating_duration_since(Instant::now()))
+    }
+
+    /// Whether the client takes what it shows, and has shown what it was told before.
+    fn may_show(&self) -> bool {
+        self.simulation.engine.is_shown_in_part() && self.has_shown.load(Ordering::SeqCst)
+    }
+
+    fn serve(
+        &mut self,
+        Command {
+            action,
+            cancel,
+            reply,
+        }: Command,
+    ) -> Next {
+        if action.is_urgent() {
+            self.urgent.fetch_sub(1, Ordering::SeqCst);
+        }
+        let next = if matches!(action, Action::Stop) {
+            Next::Leave
+        } else {
+            Next::Stay
+        };
+        let outcome = match action {
+            Action::Why(tag) => self
+                .simulation
+                .engine
+                .why(&tag)
+                .map(|why| Answer::Why(Box::new(why))),
+            Action::History(tags, scans) => {
+                let past = self.simulation.engine.past(&tags, scans);
+                past.map(Answer::History)
+            }
+            Action::Trace(asked) => {
+                let traced = self.simulation.engine.trace(&asked);
+                traced.map(|traced| Answer::Trace(Box::new(traced)))
+            }
+            Action::DiagramText(asked) => {
+                let drawn = self.simulation.engine.diagram_text(&asked);
+                drawn.map(Answer::DiagramText)
+            }
+            Action::Record(name) => self.simulation.engine.record(&name).map(Answer::Recorded),
+            Action::Tags(search) => Ok(Answer::Found(self.simulation.engine.search(&search))),
+            Action::ValuesAt(offset) => Ok(Answer::Values(self.simulation.engine.values_at(offset))),
+            Action::HasShown => {
+                // A run tells by itself.
+                if self.owes && self.run.is_none() {
+                    self.publish();
+                }
+                return Next::Stay;
+            }
+            action => self.change(action, &cancel),
+        };
+        let _ = reply.send(outcome);
+        next
+    }
+
+    fn change(&mut self, action: Action, cancel: &Cancel) -> Result<Answer, Failure> {
+        let changes = action.changes();
+        self.act(action, cancel)?;
+        self.simulation.answers += 1;
+        let state = self.simulation.state(Telling::Answer);
+        if self.simulation.engine.is_shown_in_part() {
+            self.owes |= changes;
+            if changes {
+                self.publish();
+            }
+        } else if changes {
+            self.states.send_replace(state.clone());
+        }
+        Ok(Answer::State(Box::new(state)))
+    }
+
+    fn act(&mut self, action: Action, cancel: &Cancel) -> Result<(), Failure> {
+        match action {
+            Action::Step(scans) => {
+                self.pause();
+                self.step(scans, cancel);
+            }
+            Action::StepBlock | Action::StepRung => {
+                self.pause();
+                self.simulation.hit = None;
+                if self.simulation.status == Status::Paused {
+                    let by_block = matches!(action, Action::StepBlock);
+                    self.simulation.engine.step_within_scan(by_block);
+                    self.simulation.take_status();
+                }
+            }
+            Action::Back(scans) => {
+                self.pause();
+                self.simulation.hit = None;
+                self.simulation.engine.back(scans);
+                self.simulation.take_status();
+            }
+            Action::GoTo(scan) => {
+                self.pause();
+                self.simulation.engine.go_to(scan)?;
+                self.simulation.hit = None;
+                self.simulation.take_status();
+            }
+            Action::Breakpoints(lines, tags) => {
+                self.simulation.engine.set_breakpoints(&lines, &tags)?;
+            }
+            // They change nothing and are answered where they arrive.
+            Action::Why(_)
+            | Action::Record(_)
+            | Action::History(..)
+            | Action::Trace(_)
+            | Action::DiagramText(_)
+            | Action::Tags(_)
+            | Action::ValuesAt(_)
+            | Action::HasShown => {}
+            Action::WarmRestart => {
+                self.run = None;
+                self.simulation.hit = None;
+                self.simulation.engine.warm_restart()?;
+                self.simulation.status = Status::Paused;
+            }
+            Action::Run { scans, speed } => self.start_run(scans, speed),
+            Action::Show(shown) => self.simulation.engine.show(&shown),
+            Action::Pause => self.pause(),
+            Action::Set(tag, value) => self.simulation.engine.set(&tag, &value)?,
+            Action::Pulse(tag) => self.simulation.engine.pulse(&tag)?,
+            Action::Force(tag, value) => self.simulation.engine.force(&tag, &value)?,
+            Action::Unforce(tag) => self.simulation.engine.unforce(tag.as_deref())?,
+            Action::State => {}
+            Action::Reset => {
+                self.run = None;
+                self.simulation.hit = None;
+                self.simulation.engine.reset()?;
+                self.simulation.status = Status::Paused;
+            }
+            Action::Follow(revision) => {
+                // Of several that wait the last one counts.
+                if self.texts.fetch_sub(1, Ordering::SeqCst) == 1 {
+                    self.follow(revision);
+                }
+            }
+            Action::FollowOthers(revision) => {
+                // A text that waits goes with the other files as they are.
+                let is_newest = revision.version >= self.simulation.engine.revision().version;
+                let waits = self.texts.load(Ordering::SeqCst) > 0;
+                if is_newest && !waits && self.simulation.engine.uses_others() {
+                    self.follow(revision);
+                }
+            }
+            Action::Stop => {
+                self.run = None;
+                self.simulation.engine.save();
+                self.simulation.status = Status::Ended;
+            }
+        }
+        Ok(())
+    }
+
+    fn follow(&mut self, revision: Arc<Revision>) {
+        let is_another = self.simulation.engine.follow(revision);
+        self.simulation.whole = true;
+        if is_another {
+            self.simulation.hit = None;
+            // What was hung may go on.
+            self.simulation.take_status();
+        }
+    }
+
+    fn pause(&mut self) {
+        self.run = None;
+        if self.simulation.status == Status::Running {
+            self.simulation.status = Status::Paused;
+        }
+    }
+
+    /// Scans until done, until nobody waits for it, or until an urgent command wants to be heard. Other commands
+    /// wait: a `set` that was sent behind a `step` takes effect behind it.
+    fn step(&mut self, scans: u64, cancel: &Cancel) {
+        if self.simulation.status != Status::Paused {
+            return;
+        }
+        self.simulation.status = Status::Running;
+        self.simulation.engine.obey(brake(&self.urgent, cancel));
+        let mut reported = Instant::now();
+        for _ in 0..scans {
+            let interrupted = cancel.is_cancelled() || self.urgent.load(Ordering::SeqCst) > 0;
+            if interrupted || self.simulation.status != Status::Running {
+                break;
+            }
+            self.simulation.scan();
+            self.owes = true;
+            if reported.elapsed() >= self.report() {
+                reported = Instant::now();
+                self.publish();
+            }
+        }
+        let nobody = Cancel::default();
+        self.simulation.engine.obey(brake(&self.urgent, &nobody));
+        self.pause();
+    }
+
+    fn start_run(&mut self, scans: Option<u64>, speed: Option<f64>) {
+        let can_run = matches!(self.simulation.status, Status::Paused | Status::Running);
+        if can_run && scans != Some(0) {
+            let now = Instant::now();
+            let interval = self.simulation.engine.interval();
+            // An interval that is too long to be counted never ends.
+            let pace =
+                |speed: f64| Duration::try_from_secs_f64(interval.as_secs_f64() / speed).unwrap_or(NEVER);
+            self.simulation.status = Status::Running;
+            self.run = Some(Going {
+                left: scans,
+                due: speed.map(|speed| (now, pace(speed).min(NEVER))),
+                reported: now,
+            });
+        } else {
+            self.pause();
+        }
+    }
+
+    /// One scan of a run.
+    fn go_on(&mut self) {
+        let Some(mut run) = self.run else { return };
+        self.simulation.scan();
+        let now = Instant::now();
+        run.left = run.left.map(|left| left - 1);
+        // A scan that takes longer than its interval makes the simulation slow; it does not make it catch up.
+        run.due = run.due.map(|(due, pace)| ((due + pace).max(now), pace));
+        self.owes = true;
+        if self.simulation.status != Status::Running || run.left == Some(0) {
+            self.pause();
+            self.publish();
+            return;
+        }
+        if now - run.reported >= self.report() {
+            run.reported = now;
+            self.publish();
+        }
+        self.run = Some(run);
+    }
+
+    /// How often a run reports.
+    fn report(&self) -> Duration {
+        if self.simulation.engine.is_shown_in_part() {
+            SHOW
+        } else {
+            REPORT
+        }
+    }
+
+    /// Tells the client how things stand; one that says what it shows only when it has shown what it was told before.
+    fn publish(&mut self) {
+        if self.simulation.engine.is_shown_in_part() && !self.has_shown.swap(false, Ordering::SeqCst) {
+            return;
+        }
+        self.owes = false;
+        self.shown = Instant::now();
+        self.states.send_replace(self.simulation.state(Telling::Picture));
+    }
+}
+
+#[derive(PartialEq, Eq)]
+enum Next {
+    Stay,
+    Leave,
+}
