@@ -96,6 +96,16 @@ test('only what is new is asked for, as long as it fits to what is there', () =>
     assert.equal(columns.since(asked, 1, ['run']), undefined);
 });
 
+test('an answer about what is new is nothing to a page that knows nothing any more', () => {
+    const columns = new Columns();
+    const asked = { span: 100, columns: 100, ticks: 8, cursors: [] };
+    assert.ok(columns.take(asked, answer({}, [[1, 0]])));
+    const since = columns.since(asked, 1, ['run']) ?? 0;
+    // The page has become wider meanwhile.
+    columns.forget();
+    assert.ok(!columns.take({ ...asked, since }, answer({ newest: 60 }, [[50, 0], [55, 1]])), 'all of it has to be asked for');
+});
+
 test('what is drawn in a column, and where it changes', () => {
     const columns: Column[] = [[3, 0], [7, 1], [9, 0]];
     assert.deepEqual([columnAt(columns, 2), columnAt(columns, 7), columnAt(columns, 8)], [undefined, [7, 1], [7, 1]]);

@@ -57,6 +57,8 @@ export class Columns {
     forget(): void {
         this.#byTag.clear();
         this.#newest = -1;
+        // What is on its way was asked for to be put behind what was known.
+        this.#revision = -1;
     }
 }
 
