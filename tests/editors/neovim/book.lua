@@ -76,7 +76,7 @@ return function(t)
       end
     end
     local _, right = beside(keys)
-    if looks and right ~= '' then
+    if looks and vim.trim(right) ~= '' and vim.trim(right) ~= '|' then
       table.insert(notes, ('"%s" was left behind "%s"'):format(right, wanted))
     end
   end

@@ -55,6 +55,14 @@ function M.eventually(what, holds)
   return value
 end
 
+--- Empties a list that others hold, too.
+--- @param list any[]
+function M.clear(list)
+  while #list > 0 do
+    table.remove(list)
+  end
+end
+
 local opened = 0
 
 --- Opens a fresh copy of a fixture in a folder of its own, and waits until the server is attached.
