@@ -2,6 +2,8 @@
 //!
 //! After a rule was added or its page changed, `UPDATE_EXPECT=1 cargo test -p ladder-tests` writes the list anew.
 
+use std::path::Path;
+
 use expect_test::expect_file;
 use ladder_analysis::Rule;
 use ladder_interchange::notation::{NOTATIONS, by_name};
@@ -25,8 +27,13 @@ fn rules_that_the_book_names_exist() {
         let mut words = NOTATIONS.iter().map(|notation| notation.name());
         words.any(|name| code.strip_prefix(name).is_some_and(|rest| rest.starts_with('-')))
     };
-    // The protocol has words of its own.
-    for page in pages().iter().filter(|page| !page.path.ends_with("protocol.md")) {
+    // The protocol has words of its own, and so have other editors.
+    let has_own_words = |path: &Path| {
+        ["protocol.md", "other-editors.md"]
+            .iter()
+            .any(|name| path.ends_with(name))
+    };
+    for page in pages().iter().filter(|page| !has_own_words(&page.path)) {
         for code in page.content.codes.iter().filter(|code| looks_like_a_rule(code)) {
             assert!(
                 Rule::from_name(code).is_some() || by_name(code).is_some() || is_foreign_check(code),
