@@ -7,6 +7,7 @@ import { registerDebugger } from './debugger.ts';
 import { showPower } from './decorations.ts';
 import { DiagramEditors } from './diagram/editor.ts';
 import { showFaults } from './faults.ts';
+import { lensesFollow } from './lenses.ts';
 import { Fences } from './markdown/fences.ts';
 import type { State } from './protocol.ts';
 import { Server } from './server.ts';
@@ -55,6 +56,7 @@ export async function activate(context: vscode.ExtensionContext): Promise<Api> {
         registerDebugger(server),
         registerTasks(server),
         new TestExplorer(server),
+        lensesFollow(server, simulation),
         showPower(simulation),
         showFaults(simulation),
         showStatus(simulation),

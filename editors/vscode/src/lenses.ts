@@ -1,11 +1,16 @@
 // The commands of code lenses: which there are, and the one that shows places.
 import * as vscode from 'vscode';
-import type { ClientCapabilities, Location, Position, StaticFeature } from 'vscode-languageclient/node';
+import type { ClientCapabilities, Location, Position, ProvideCodeLensesSignature, StaticFeature } from 'vscode-languageclient/node';
+
+import type { Server } from './server.ts';
+import type { Simulation } from './simulation.ts';
+
+const START = 'ladder.simulation.start';
 
 /** Tells the server which commands its lenses may have here. */
 export const lensCommands: StaticFeature = {
     fillClientCapabilities(capabilities: ClientCapabilities): void {
-        const commands = ['ladder.simulation.start', 'ladder.test', 'ladder.showReferences'];
+        const commands = [START, 'ladder.test', 'ladder.showReferences'];
         capabilities.experimental = { ...(capabilities.experimental as object | undefined), commands };
     },
     initialize(): void {},
@@ -14,6 +19,38 @@ export const lensCommands: StaticFeature = {
     },
     clear(): void {},
 };
+
+const STOP = { title: 'Stop simulation', command: 'ladder.simulation.stop' };
+
+/** Lenses of a document: where its simulation runs, the one that starts it ends it. */
+export async function lensesOf(
+    document: vscode.TextDocument,
+    token: vscode.CancellationToken,
+    next: ProvideCodeLensesSignature,
+    isSimulated: boolean,
+): Promise<vscode.CodeLens[] | null | undefined> {
+    const lenses = await next(document, token);
+    const shown = (lens: vscode.CodeLens) => (lens.command?.command === START ? new vscode.CodeLens(lens.range, STOP) : lens);
+    return isSimulated ? lenses?.map(shown) : lenses;
+}
+
+/** Has the lenses follow the simulations that begin and end. */
+export function lensesFollow(server: Server, simulation: Simulation): vscode.Disposable {
+    const simulated = new WeakSet<vscode.TextDocument>();
+    server.isSimulated = (document) => simulation.of(document) !== undefined;
+    return simulation.onDidChange((document) => {
+        const isSimulated = server.isSimulated(document);
+        if (isSimulated === simulated.has(document)) {
+            return;
+        }
+        if (isSimulated) {
+            simulated.add(document);
+        } else {
+            simulated.delete(document);
+        }
+        server.refreshLenses(document);
+    });
+}
 
 const toPosition = ({ line, character }: Position) => new vscode.Position(line, character);
 

@@ -5,9 +5,9 @@ import { homedir } from 'node:os';
 import { promisify } from 'node:util';
 
 import * as vscode from 'vscode';
-import { LanguageClient, State as ClientState } from 'vscode-languageclient/node';
+import { CodeLensRequest, LanguageClient, State as ClientState } from 'vscode-languageclient/node';
 
-import { lensCommands } from './lenses.ts';
+import { lensCommands, lensesOf } from './lenses.ts';
 import { offer, whenThere } from './missingServer.ts';
 import { previewNotification, shownNotification, stateNotification, type OtherCommands, type Previewed, type State } from './protocol.ts';
 import { cannotStart, findCargo, findServer, type Place, type Surroundings } from './serverPath.ts';
@@ -47,6 +47,8 @@ export class Server implements vscode.Disposable {
 
     readonly onDidReceiveState = this.#stateReceived.event;
     readonly onDidReceivePreview = this.#previewReceived.event;
+    /** Whether a simulation of a document is open. */
+    isSimulated: (document: vscode.TextDocument) => boolean = () => false;
     /** The server runs, for the first time or again. */
     readonly onDidStart = this.#started.event;
     /** The server has ended, wanted or not: its sessions are gone. */
@@ -128,6 +130,9 @@ export class Server implements vscode.Disposable {
                     { pattern: '**/ladder.toml' },
                 ],
                 outputChannel: this.log,
+                middleware: {
+                    provideCodeLenses: (document, token, next) => lensesOf(document, token, next, this.isSimulated(document)),
+                },
             },
         );
         client.registerFeature(lensCommands);
@@ -160,6 +165,11 @@ export class Server implements vscode.Disposable {
     }
 
     readonly simulate: Send = (name, argument) => this.#request(`ladder.simulate.${name}`, argument);
+
+    /** Asks for the lenses of a document anew. */
+    refreshLenses(document: vscode.TextDocument): void {
+        this.#client?.getFeature(CodeLensRequest.method).getProvider(document)?.onDidChangeCodeLensEmitter.fire();
+    }
 
     /** A session's state is shown: the next may come. */
     hasShown(session: string): void {

@@ -59,6 +59,8 @@ export async function diagram(page, { step, until, screenshot }) {
     let frame;
     await step('the diagram stands beside the text, and shows the power', async () => {
         await openFirst(page, 'motor.clad');
+        // A hint at a tab would lie over the diagram.
+        await page.mouse.move(0, 0);
         await command(page, 'Ladder: Stop Simulation').catch(() => page.keyboard.press('Escape'));
         await command(page, 'Ladder: Open Diagram to the Side');
         frame = await diagramOf(page, until);
