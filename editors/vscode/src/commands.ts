@@ -5,6 +5,7 @@ import { CLICK, type Click } from './click.ts';
 import { convert, exportAs } from './conversion.ts';
 import type { DiagramEditors } from './diagram/editor.ts';
 import { editDrawing } from './edit.ts';
+import { openExample } from './example.ts';
 import { showReferences } from './lenses.ts';
 import { askValue, pickTag } from './prompts.ts';
 import { forceVariable, releaseVariable, startDebugging, stepBackScan } from './debugger.ts';
@@ -162,6 +163,7 @@ export function registerCommands(server: Server, simulation: Simulation, click: 
         'ladder.simulation.speed': () => setSpeed(simulation),
         'ladder.simulation.pause': () => simulation.pause(),
         'ladder.simulation.reset': () => simulation.command('reset', {}),
+        'ladder.openExample': openExample,
         'ladder.simulation.record': () => record(simulation),
         'ladder.simulation.warmRestart': () => simulation.command('warmRestart', {}),
         'ladder.simulation.stop': () => simulation.stop(),

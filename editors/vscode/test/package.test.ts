@@ -22,6 +22,27 @@ test('menus and the welcome text name commands that exist', () => {
     }
 });
 
+test('the walkthrough leads to commands that exist, and its pictures are packed', () => {
+    const declared = new Set(manifest.contributes.commands.map(({ command }: { command: string }) => command));
+    const [{ steps }] = manifest.contributes.walkthroughs;
+    assert.ok(read('.vscodeignore').includes('!walkthrough/*'));
+    for (const { description, media, completionEvents } of steps) {
+        const named = [description, ...completionEvents].flatMap((text: string) => [...text.matchAll(/(?:\(command|onCommand):([.\w]+)/g)]);
+        for (const [, command] of named) {
+            assert.ok(declared.has(command) || command?.startsWith('editor.action.'), command);
+        }
+        const files = media.image ? Object.values(media.image as Record<string, string>) : [media.markdown];
+        for (const file of files) {
+            assert.ok(read(file).length > 100, file);
+        }
+    }
+});
+
+test('the example is that of the documentation', async () => {
+    const { EXAMPLE } = await import('../src/exampleText.ts');
+    assert.equal(EXAMPLE, read('../../examples/motor.clad'));
+});
+
 test('settings that the code reads are declared', () => {
     const declared = Object.keys(manifest.contributes.configuration[0].properties);
     assert.ok(declared.includes('ladder.server.path'));
