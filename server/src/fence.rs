@@ -5,8 +5,11 @@ use std::sync::Arc;
 
 use ladder_analysis::Others;
 use ladder_analysis::context::context;
+use ladder_analysis::networks::BlockAt;
 use ladder_ide::{Modifiers, Token, TokenKind, semantic_tokens};
+use ladder_instructions::{Op, Shape};
 use ladder_interchange::picture::{Options, Theme, scene, svg};
+use ladder_syntax::TextRange;
 use serde::{Deserialize, Serialize};
 
 /// A longer text is coloured and drawn in no document: it is a program, and has an editor.
@@ -71,11 +74,22 @@ pub(crate) fn draw(fence: &Fence) -> Option<DrawnFence> {
             });
         }
     };
-    for token in semantic_tokens(&context, None) {
-        let range = std::ops::Range::<usize>::from(token.range);
+    let tokens = semantic_tokens(&context, None).into_iter();
+    let mut kinds: Vec<(TextRange, &str)> = tokens.map(|token| (token.range, kind_of(token))).collect();
+    // The brackets of contacts and coils have their colour, too.
+    let blocks = context
+        .networks
+        .iter()
+        .flat_map(|network| network.blocks().collect::<Vec<_>>());
+    let heads: Vec<(TextRange, &str)> = blocks.filter_map(head).collect();
+    kinds.retain(|(range, _)| heads.binary_search_by(|(head, _)| head.ordering(*range)).is_err());
+    kinds.extend(heads);
+    kinds.sort_by_key(|(range, _)| range.start());
+    for (range, kind) in kinds {
+        let range = std::ops::Range::<usize>::from(range);
         piece(at..range.start, "");
         at = range.end;
-        piece(range, kind_of(token));
+        piece(range, kind);
     }
     piece(at..text.len(), "");
     let picture = (!context.networks.is_empty()).then(|| {
@@ -86,6 +100,16 @@ pub(crate) fn draw(fence: &Fence) -> Option<DrawnFence> {
         }
     });
     Some(DrawnFence { words, picture })
+}
+
+/// The first part of a contact or coil.
+fn head(block: BlockAt<'_>) -> Option<(TextRange, &'static str)> {
+    let kind = match block.op()? {
+        Op::Contact | Op::NegatedContact | Op::RisingContact | Op::FallingContact => "contact",
+        _ if block.facts.shape == Shape::Coil => "coil",
+        _ => return None,
+    };
+    Some((block.head_range(), kind))
 }
 
 fn kind_of(token: Token) -> &'static str {
@@ -128,12 +152,12 @@ mod tests {
             .collect();
         let expected = [
             ("# a <b> #", "comment"),
-            ("/", "contact"),
+            ("[/]", "contact"),
             ("a", "input"),
             ("TON", "function"),
             ("t", "variable"),
             ("5s", "number"),
-            ("S", "coil"),
+            ("(S)", "coil"),
             ("y", "output"),
         ];
         assert_eq!(kinds, expected);
