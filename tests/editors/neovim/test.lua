@@ -6,6 +6,7 @@ require('units')(t)
 require('typed')(t)
 require('debugging')(t)
 require('missing')(t)
+require('scenario_files')(t)
 
 local messages = {}
 vim.notify = function(message)
