@@ -16,7 +16,7 @@ use std::sync::OnceLock;
 /// The largest file that the tools read: 64 MiB. Offsets are 32 bit; larger texts are refused where they enter.
 pub const MAX_FILE_BYTES: usize = 64 << 20;
 
-/// The largest text that an editor's server reads: 24 MiB. What it knows of a text takes a hundred times as much memory;
+/// The largest text that an editor's server reads: 24 MiB. What it knows of a text takes some thirty times as much memory;
 /// larger texts are kept, so that the editor can go on, and nothing is said about them.
 pub const MAX_OPEN_BYTES: usize = 24 << 20;
 

@@ -1,7 +1,7 @@
 //! What an edit leaves as it was: the networks on whose lines nothing has changed.
 //!
-//! A line that an edit does not touch keeps its green node ([`Parse::edited`]), and what is known of a network by
-//! itself follows from its lines' nodes, and from the signatures of the user-defined blocks that it holds. So two texts are compared by their nodes' addresses: the lines that both
+//! A line that an edit does not touch stays the same line ([`Parse::edited`]), and what is known of a network by
+//! itself follows from its lines, and from the signatures of the user-defined blocks that it holds. So two texts are compared line by line: those that both
 //! begin with, and those that both end with.
 
 use crate::context::{Context, declared_to};
