@@ -24,7 +24,9 @@ pub const TRIGGERS: [char; 10] = ['\n', ')', '/', '+', '>', '#', '|', 'E', 'F', 
 
 /// The edits after a character was typed; `offset` is right behind it. Sorted, none touching another.
 pub fn on_type(context: &Context, offset: TextSize, typed: char, options: &Options) -> Vec<Edit> {
-    if let Some(edits) = typed_over::typed_over(context, offset, typed) {
+    if typed != '\n'
+        && let Some(edits) = typed_over::typed_over(context, offset)
+    {
         return edits;
     }
     match typed {

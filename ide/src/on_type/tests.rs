@@ -393,19 +393,19 @@ fn what_enter_has_begun_is_typed_once_more() {
     check(
         &format!("{RUNG}+--+$0"),
         expect![[r#"
-        +--[ ]( a )------------------( )( y )--+
-        +--
-    "#]],
+            +--[ ]( a )------------------( )( y )--+
+            +
+        "#]],
     );
     check(
         &format!("{RUNG}+--+$0\n\n{RUNG}"),
         expect![[r#"
-        +--[ ]( a )------------------( )( y )--+
-        +--
+            +--[ ]( a )------------------( )( y )--+
+            +
 
-        +--[ ]( a )------------------( )( y )--+
+            +--[ ]( a )------------------( )( y )--+
 
-    "#]],
+        "#]],
     );
     check(
         &format!("{RUNG}\n+--#$0\n{RUNG}"),
@@ -420,16 +420,16 @@ fn what_enter_has_begun_is_typed_once_more() {
     check(
         &format!("{BRANCH}|  /--|$0"),
         expect![[r#"
-        +--\--[ ]( a )--\--( )( y )--+
-        |  /--
-    "#]],
+            +--\--[ ]( a )--\--( )( y )--+
+            |
+        "#]],
     );
     check(
         &format!("{BRANCH}|  /--  /$0"),
         expect![[r#"
-        +--\--[ ]( a )--\--( )( y )--+
-        |  /--
-    "#]],
+            +--\--[ ]( a )--\--( )( y )--+
+            |  /
+        "#]],
     );
     check(
         &format!("{RUNG}+--E$0"),
@@ -464,6 +464,31 @@ fn what_enter_has_begun_is_typed_once_more() {
         expect![[r#"
         +--\--[ ]( a )--\--( )( y )--+
         |  |
+    "#]],
+    );
+    // Somebody types faster than the answers come.
+    check(
+        &format!("{RUNG}+--+--[ ]( b )$0"),
+        expect![[r#"
+        +--[ ]( a )------------------( )( y )--+
+        +--[ ]( b )
+    "#]],
+    );
+    check(
+        &format!("{BRANCH}|  /--|  /--[ ]( b )$0"),
+        expect![[r#"
+        +--\--[ ]( a )--\--( )( y )--+
+        |  /--[ ]( b )
+    "#]],
+    );
+    check(
+        &format!("{RUNG}\n+--# why #$0\n{RUNG}"),
+        expect![[r#"
+        +--[ ]( a )------------------( )( y )--+
+
+        # why #
+        +--[ ]( a )------------------( )( y )--+
+
     "#]],
     );
     // None of that behind something else, or in front of it.

@@ -1,16 +1,17 @@
 //! What Enter has begun, typed once more: somebody who copies a drawing looks at the paper, not at the screen.
 //!
-//! `+--` is begun, and `+--[ ]( a )` is typed: without this it would become `+--+--[ ]( a )`.
+//! `+--` is begun, and `+--[ ]( a )` is typed: without this it would become `+--+--[ ]( a )`. What was begun goes, and what was
+//! typed stays; also later in the line, for a fast typist is ahead of the answer.
 
 use crate::body::line_text;
 use ladder_analysis::context::Context;
 use ladder_format::Edit;
 use ladder_syntax::{TextRange, TextSize};
 
-/// The edits behind a character that repeats or rejects what its line was begun with; none if it does neither.
-pub(super) fn typed_over(context: &Context, offset: TextSize, typed: char) -> Option<Vec<Edit>> {
+/// The edits behind a line that was begun twice, or begun as what it is not; none if it is neither. The offset is at its end.
+pub(super) fn typed_over(context: &Context, offset: TextSize) -> Option<Vec<Edit>> {
     let parse = &context.parse;
-    let line = parse.line_at(offset.checked_sub(TextSize::of(typed))?)?;
+    let line = parse.line_at(offset.checked_sub(TextSize::new(1))?)?;
     let start = parse.line_start(line);
     let text = line_text(parse, line);
     // A comment that is just being opened has swallowed all lines below.
@@ -18,57 +19,40 @@ pub(super) fn typed_over(context: &Context, offset: TextSize, typed: char) -> Op
     if start + TextSize::of(text) != offset {
         return None;
     }
-    let before = text.strip_suffix(typed)?;
-    let (kept, instead) = match typed {
-        // The rail of a rung that has its rail already.
-        '+' if is_begun_rung(before) => (before.len(), ""),
-        // A comment above the next rung.
-        '#' if is_begun_rung(before) => (0, "#"),
-        // The word that ends a block of one's own, or begins a section.
-        'E' | 'F' | 'V' if is_begun_rung(before) => (0, &text[before.len()..]),
-        '|' => {
-            let begun = begun_branch(before)?;
-            if begun.behind.is_empty() {
-                // The left rail, which is there.
-                (before.len(), "")
-            } else {
-                // No branch: the line only leads past this row.
-                (begun.rail.len(), "|")
-            }
-        }
-        // The beginning of the branch, which is there.
-        '/' => {
-            let begun = begun_branch(before)?;
-            if begun.behind.is_empty() {
-                return None;
-            }
-            (before.len() - begun.behind.len(), "")
-        }
-        _ => return None,
-    };
-    let range = TextRange::new(start + TextSize::try_from(kept).ok()?, offset);
+    let (from, to) = begun_rung(text).or_else(|| begun_branch(text))?;
+    let at = |place: usize| TextSize::try_from(place).ok().map(|place| start + place);
+    let range = TextRange::new(at(from)?, at(to)?);
     Some(vec![Edit {
         range,
-        text: instead.to_owned(),
+        text: String::new(),
     }])
 }
 
-fn is_begun_rung(text: &str) -> bool {
-    text == "+--"
+/// Where `+--` is that another rail, a comment or a keyword follows: `END_FUNCTION_BLOCK`, `FUNCTION_BLOCK` or `VAR`.
+fn begun_rung(text: &str) -> Option<(usize, usize)> {
+    const BEGUN: &str = "+--";
+    let typed = text.strip_prefix(BEGUN)?;
+    typed
+        .starts_with(['+', '#', 'E', 'F', 'V'])
+        .then_some((0, BEGUN.len()))
 }
 
-struct BegunBranch<'a> {
-    /// The rail and the blanks behind it.
-    rail: &'a str,
-    /// Blanks behind the beginning.
-    behind: &'a str,
-}
-
-/// `|  /--` and blanks, in parts.
-fn begun_branch(text: &str) -> Option<BegunBranch<'_>> {
+/// Where in `|  /--` is what is typed once more, from the rail or from the branch; or which only leads past this row.
+fn begun_branch(text: &str) -> Option<(usize, usize)> {
     let at = text.find('/')?;
     let (rail, branch) = text.split_at(at);
-    let behind = branch.strip_prefix("/--")?;
-    let is_rail = rail.starts_with('|') && rail[1..].chars().all(|blank| blank == ' ' || blank == '|');
-    (is_rail && behind.chars().all(|blank| blank == ' ')).then_some(BegunBranch { rail, behind })
+    let typed = branch.strip_prefix("/--")?;
+    let is_rail = rail.starts_with('|') && rail.chars().all(|letter| letter == ' ' || letter == '|');
+    if !is_rail {
+        return None;
+    }
+    let begun = text.len() - typed.len();
+    let blanks = typed.len() - typed.trim_start_matches(' ').len();
+    match typed[blanks..].chars().next()? {
+        // All of it, from the rail on.
+        '|' if blanks == 0 => Some((0, begun)),
+        // The rail is there, and was not typed again.
+        '|' | '/' if blanks > 0 => Some((at, begun + blanks)),
+        _ => None,
+    }
 }
