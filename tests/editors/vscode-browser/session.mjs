@@ -8,6 +8,7 @@ import { openBrowser, removeScratch, scratchFolder, serve, until } from './codeS
 import { book, emptyFiles } from './book.mjs';
 import { debug, PROGRAM, TEXT } from './debug.mjs';
 import { diagram, programs } from './diagram.mjs';
+import { live, LIVE, LIVE_TEXT } from './live.mjs';
 import { command, open } from './palette.mjs';
 import { scenarios } from './scenarios.mjs';
 import { failures, step, tell } from './steps.mjs';
@@ -27,6 +28,7 @@ function prepare() {
     cpSync(LADDER_FIXTURES, join(scratch, 'project'), { recursive: true });
     writeFileSync(join(scratch, 'project/ladder.toml'), '');
     writeFileSync(join(scratch, 'project', PROGRAM), TEXT);
+    writeFileSync(join(scratch, 'project', LIVE), LIVE_TEXT);
     writeFileSync(join(scratch, 'project', NAME), `${RUNG}\n`);
     writeFileSync(join(scratch, 'project/watch.clad'), '+--[TON]( clock, T#1h )--( )( late )--+\n');
     emptyFiles(join(scratch, 'project'));
@@ -327,6 +329,7 @@ async function main() {
         await operate(page);
         await traceTags(page);
         await edit(page);
+        await live(page, { step, until, weights, labels, operandBox, row });
         await typing(page, { step, until, screenshot });
         await book(page, { step, until, project: join(scratch, 'project') });
         await debug(page, { step, screenshot });

@@ -1,0 +1,70 @@
+// A program that runs, in the text: what contacts do, and what a line of 100 columns shows.
+import assert from 'node:assert/strict';
+
+import { command, list, open } from './palette.mjs';
+
+/** The program: its name in the project, and its text. */
+export const LIVE = 'plant.clad';
+export const LIVE_TEXT = `VAR_INPUT  go, hold : BOOL;  END_VAR
+VAR CONSTANT  LIMIT : INT := 80;  END_VAR
+VAR  seconds : TON;  END_VAR
+VAR_OUTPUT  out, late : BOOL;  END_VAR
++--[ ]( go )--[/]( hold )--[ ]( go )-----------------------------------------------( )( out )--+
+
++--[ ]( out )---------------------------------------------------[TON]( seconds, T#1h )--( )( late )--+
+`;
+const RUNG = '+--[ ]( go )';
+
+const GREY = 'rgb(139, 139, 139)';
+const ORANGE = 'rgb(240, 180, 90)';
+
+async function cursorTo(page, line, column) {
+    const input = await list(page, 'Control+G');
+    await input.fill(`:${line}:${column}`);
+    await page.keyboard.press('Enter');
+    await page.getByText(`Ln ${line}, Col ${column}`).waitFor({ timeout: 10_000 });
+}
+
+export async function live(page, { step, until, weights, labels, operandBox, row }) {
+    const rung = async () => (await weights(page, RUNG)).filter(({ text }) => text.trim() !== '');
+    const bold = async () => (await rung()).filter((part) => part.bold).map(({ text }) => text).join('').replaceAll(' ', '');
+    await step('a value at the end of a line of 100 columns can be seen', async () => {
+        await open(page, LIVE);
+        await page.locator('.monaco-editor .view-line', { hasText: 'VAR_INPUT' }).first().click();
+        await command(page, 'Ladder: Start Simulation');
+        await page.getByText('Ladder: paused, scan 0').waitFor({ timeout: 10_000 });
+        await cursorTo(page, 5, 5);
+        await page.keyboard.press('F4');
+        await row(page, 'go').getByText('1', { exact: true }).waitFor({ timeout: 10_000 });
+        for (let scan = 1; scan <= 3; scan += 1) {
+            await page.keyboard.press('F10');
+            await page.getByText(`Ladder: paused, scan ${scan}`).waitFor({ timeout: 10_000 });
+        }
+        await until('the value', 10, async () => (await labels(page, '20ms')).length === 1);
+        const [box] = await labels(page, '20ms');
+        const { visibleTo } = await operandBox(page, 'hold');
+        assert.ok(box.left + box.width < visibleTo, 'it lies under the minimap');
+    });
+    await step('a constant offers no force', async () => {
+        await row(page, 'LIMIT').hover();
+        assert.equal(await row(page, 'LIMIT').locator('.codicon-lock, .codicon-edit').count(), 0);
+        await row(page, 'seconds.ET').hover();
+        await row(page, 'seconds.ET').locator('.codicon-lock').waitFor({ timeout: 5000 });
+    });
+    await step('a contact that holds up the power is neither as one that lets it through nor as one without', async () => {
+        await cursorTo(page, 5, 16);
+        await page.keyboard.press('F4');
+        await page.keyboard.press('F10');
+        await until('no power behind the contact', 10, async () => (await bold()) === '+--[](go)--');
+        const parts = (await rung()).map(({ text, bold, line, color }) => {
+            const look = bold ? 'power' : color === ORANGE ? 'blocks' : color === GREY ? 'none' : 'passes';
+            return `${text.trim()} ${look}${line.includes('underline') ? ' underlined' : ''}`;
+        });
+        const looks = (wanted) => parts.filter((part) => part.includes(wanted)).map((part) => part.replace(/^.* (?=power|blocks|none|passes)/, ''));
+        assert.ok(looks('hold').every((look) => look === 'blocks'), parts.join('; '));
+        assert.deepEqual([...new Set(looks('go'))], ['power underlined', 'passes underlined'], parts.join('; '));
+        assert.ok(looks('out').every((look) => look === 'none'), parts.join('; '));
+    });
+    await page.locator('.monaco-editor .view-line', { hasText: 'VAR_INPUT' }).first().click();
+    await page.keyboard.press('Shift+F5');
+}
