@@ -33,8 +33,7 @@ pub struct Analysis {
 impl Analysis {
     /// What is found, in the order of the places.
     pub fn findings(&self) -> &[Finding] {
-        self.findings
-            .get_or_init(|| self.shown.all(&self.context.networks))
+        self.findings.get_or_init(|| self.shown.all(&self.context))
     }
 
     /// How many findings there are.
@@ -45,7 +44,7 @@ impl Analysis {
     /// At most so many of the findings, in the order of their places: errors come before all others, and then what is near
     /// to a place.
     pub fn findings_near(&self, most: usize, place: TextSize) -> Vec<Finding> {
-        self.shown.nearest(&self.context.networks, most, place)
+        self.shown.nearest(&self.context, most, place)
     }
 
     /// The same with all that each finding says.

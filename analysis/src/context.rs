@@ -1,6 +1,7 @@
 //! All that is known of a file before its program is put together: what rules and the editor's features read.
 
 use crate::control_flow::ControlFlow;
+use crate::declarations::{Declarations, DeclaredAt};
 use crate::declare;
 use crate::diagnostic::Diagnostic;
 use crate::edited;
@@ -49,6 +50,8 @@ pub struct Context {
     pub networks: Networks,
     /// The file's scope, then one for each block definition.
     pub scopes: Vec<Scope>,
+    /// Where the lines of declarations are.
+    pub(crate) declarations: Arc<Declarations>,
     /// Nothing is wrong with the declarations.
     pub(crate) declared_cleanly: bool,
     /// The line behind the last section, and behind the last first line of a block definition.
@@ -191,9 +194,16 @@ impl Context {
     pub fn place_of(&self, tag: &TagFacts) -> TextRange {
         let first = || self.uses(tag).next();
         match tag.origin {
-            Origin::Undeclared | Origin::Form => first().map_or(tag.declared_at, |place| place.range),
-            Origin::Declared(_) | Origin::Implicit | Origin::Shared => tag.declared_at,
+            Origin::Undeclared | Origin::Form => {
+                first().map_or_else(|| self.declared_at(tag), |place| place.range)
+            }
+            Origin::Declared(_) | Origin::Implicit | Origin::Shared => self.declared_at(tag),
         }
+    }
+
+    /// Where a tag is declared, of one that is.
+    pub(crate) fn declared_at(&self, tag: &TagFacts) -> TextRange {
+        self.declarations.range(tag.declared_at)
     }
 
     /// Where a tag is used, from top to bottom.
@@ -278,7 +288,7 @@ pub(crate) fn skeleton(parse: &Arc<Parse>, name: &str, others: &Others, before: 
     let before = before.filter(|before| before.profile == profile);
     let mut kept = before.map(|before| Kept::of(before, parse));
     let mut found = Vec::new();
-    let scopes = kept
+    let (scopes, declarations) = kept
         .as_ref()
         .and_then(|kept| kept.declared(structure))
         .unwrap_or_else(|| declared(parse, &mut found));
@@ -319,6 +329,7 @@ pub(crate) fn skeleton(parse: &Arc<Parse>, name: &str, others: &Others, before: 
         cycle: profile::cycle(parse),
         networks,
         scopes,
+        declarations,
         declared_cleanly,
         declared_to: declared_to(structure),
         settled: false,
@@ -348,7 +359,7 @@ pub(crate) fn declared_to(structure: &Structure) -> usize {
 }
 
 /// The scopes with their declared tags.
-fn declared(parse: &Parse, out: &mut Vec<Diagnostic>) -> Vec<Scope> {
+fn declared(parse: &Parse, out: &mut Vec<Diagnostic>) -> (Vec<Scope>, Arc<Declarations>) {
     let structure = parse.structure();
     let mut scopes = vec![Scope::default()];
     scopes.extend(structure.blocks.iter().enumerate().map(|(index, definition)| {
@@ -359,11 +370,12 @@ fn declared(parse: &Parse, out: &mut Vec<Diagnostic>) -> Vec<Scope> {
         }
         scope
     }));
+    let mut declarations = Declarations::default();
     for section in &structure.sections {
         let scope = section.block.map_or(0, |block| block + 1);
-        declare::section(parse, section, &mut scopes[scope], out);
+        declare::section(parse, section, &mut declarations, &mut scopes[scope], out);
     }
-    scopes
+    (scopes, Arc::new(declarations))
 }
 
 /// The first rung below an open `\`, or above an open `/`, was probably meant to belong to the network.
@@ -402,7 +414,7 @@ fn implicit(name: &str, at: TextRange) -> TagFacts {
         constant: false,
         initial: Box::default(),
         address: None,
-        declared_at: at,
+        declared_at: DeclaredAt::in_file(at),
         uses: Uses::default(),
         shared: None,
         foreign: None,

@@ -7,6 +7,7 @@
 
 use crate::context::{self, Body, Context, break_neighbours};
 use crate::control_flow::ControlFlow;
+use crate::edited_declarations;
 use crate::infer;
 use crate::known_blocks::KnownBlocks;
 use crate::network::{self, NetworkFacts, UserBlocks};
@@ -46,13 +47,21 @@ pub(crate) fn may_settle(context: &Context) -> bool {
 }
 
 /// Where two texts differ, in lines and bytes.
-struct Change {
+pub(crate) struct Lines {
     /// The lines of the earlier text, and of the later one.
-    old: Range<usize>,
-    new: Range<usize>,
+    pub(crate) old: Range<usize>,
+    pub(crate) new: Range<usize>,
     /// How many more lines and bytes the later one has.
-    lines: isize,
-    bytes: i64,
+    pub(crate) lines: isize,
+    pub(crate) bytes: i64,
+}
+
+/// What an edit has changed.
+enum Change {
+    /// Networks, and nothing but networks.
+    Networks(Lines),
+    /// Lines of declarations, for as many others.
+    Declarations(Lines),
 }
 
 /// The context of a text that came from another one's by edits; none if it takes more than a look at what they touch.
@@ -63,10 +72,14 @@ pub(crate) fn edited(before: &Context, parse: &Arc<Parse>, name: &str, others: &
         return None;
     }
     let change = change(before, parse)?;
-    let mut next = Edited::networks(before, parse, &change)?;
+    let (Change::Networks(lines) | Change::Declarations(lines)) = &change;
+    let mut next = Edited::networks(before, parse, lines)?;
     next.context.others = others.clone();
     next.places(before);
-    let tags = next.names()?;
+    let tags = match &change {
+        Change::Networks(_) => next.names()?,
+        Change::Declarations(lines) => edited_declarations::enter(&mut next.context, before, lines)?,
+    };
     let networks = next.looked_at(before);
     let Edited {
         mut context, removed, ..
@@ -83,18 +96,26 @@ pub(crate) fn edited(before: &Context, parse: &Arc<Parse>, name: &str, others: &
 
 /// The tags that an edit concerns.
 #[derive(Default)]
-struct EditedTags {
-    /// Those that are used at other places.
-    used: Vec<(usize, Name)>,
+pub(crate) struct EditedTags {
+    /// Those that are used at other places, or declared at others.
+    pub(crate) used: Vec<(usize, Name)>,
     /// Those that have another type or spelling.
-    retyped: Vec<(usize, Name)>,
+    pub(crate) retyped: Vec<(usize, Name)>,
 }
 
-/// Where the texts differ, if that is where networks are, and nothing but networks.
+impl EditedTags {
+    /// Another tag of the file has this name now.
+    pub(crate) fn touched(&mut self, name: &Name) {
+        self.used.push((0, name.clone()));
+        self.retyped.push((0, name.clone()));
+    }
+}
+
+/// Where the texts differ, if that can be followed.
 fn change(before: &Context, parse: &Parse) -> Option<Change> {
     let (old, new) = (before.parse.lines(), parse.lines());
     let (above, below) = new.shared_with(old);
-    let change = Change {
+    let change = Lines {
         old: above..old.len() - below,
         new: above..new.len() - below,
         lines: new.len() as isize - old.len() as isize,
@@ -104,18 +125,24 @@ fn change(before: &Context, parse: &Parse) -> Option<Change> {
         line.mode_after == Mode::Network
             && (line.kind == LineKind::Rung || line.kind == LineKind::Stray || line.kind.is_decoration())
     };
+    if before.parse.unclosed_comment().is_some() || parse.unclosed_comment().is_some() {
+        return None;
+    }
+    if above < before.declared_to {
+        let (old, new): (Vec<_>, Vec<_>) = (
+            old.range(change.old.clone()).take(20).collect(),
+            new.range(change.new.clone()).take(20).collect(),
+        );
+        return edited_declarations::are_lines_of(&old, &new).then_some(Change::Declarations(change));
+    }
     // Comments before the first network may say what profile the file has.
     let below_first = before.networks.first().is_some_and(|first| {
         let last = first.wiring.line_offsets.last();
         last.is_some_and(|last| first.first_line + last < above)
     });
-    let plain = above >= before.declared_to
-        && below_first
-        && before.parse.unclosed_comment().is_none()
-        && parse.unclosed_comment().is_none()
-        && old.range(change.old.clone()).all(drawn)
-        && new.range(change.new.clone()).all(drawn);
-    plain.then_some(change)
+    let plain =
+        below_first && old.range(change.old.clone()).all(drawn) && new.range(change.new.clone()).all(drawn);
+    plain.then_some(Change::Networks(change))
 }
 
 /// A context on its way from one text to the next.
@@ -139,7 +166,7 @@ struct Removed {
 
 impl Edited {
     /// Takes over the networks on whose lines nothing has changed, and reads the others.
-    fn networks(before: &Context, parse: &Arc<Parse>, change: &Change) -> Option<Edited> {
+    fn networks(before: &Context, parse: &Arc<Parse>, change: &Lines) -> Option<Edited> {
         let (old_lines, new_lines) = (before.parse.lines(), parse.lines());
         let (new_parts, old_parts) = new_lines.parts_changed_since(old_lines);
         let lines = old_lines.first_line(old_parts.start)..old_lines.first_line(old_parts.end);
@@ -380,7 +407,7 @@ impl Edited {
 }
 
 /// Where a network's lines are in the earlier text, if they are there.
-fn same_lines(drawn: &Range<usize>, change: &Change) -> Option<usize> {
+fn same_lines(drawn: &Range<usize>, change: &Lines) -> Option<usize> {
     if drawn.end <= change.new.start {
         Some(drawn.start)
     } else if drawn.start >= change.new.end {
@@ -417,7 +444,7 @@ fn respelled(context: &mut Context, scope: usize, tag: usize) {
 }
 
 /// An undeclared tag with the type and the role that its places give it. None if they do not, or do not agree.
-fn typed(context: &Context, tag: &TagFacts) -> Option<TagFacts> {
+pub(crate) fn typed(context: &Context, tag: &TagFacts) -> Option<TagFacts> {
     let mut tag = tag.clone();
     if tag.origin != Origin::Undeclared {
         // Its name says both.

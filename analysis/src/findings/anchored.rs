@@ -1,7 +1,8 @@
 //! A finding whose places stay true when text comes or goes above it.
 
+use crate::context::Context;
 use crate::diagnostic::{Diagnostic, Fix};
-use crate::networks::{NetworkAt, Networks};
+use crate::networks::NetworkAt;
 use crate::rule::{Rule, Severity};
 use crate::scope::Uses;
 use ladder_syntax::{TextRange, TextSize};
@@ -20,8 +21,27 @@ enum Anchors {
     File,
     /// All from the start of the network that it is about.
     Network,
-    /// Each from another network, by its number, or from the start of the file. In the order of [`places`].
-    Each(Box<[Option<u32>]>),
+    /// Each from another network or line of declarations. In the order of [`places`].
+    Each(Box<[Home]>),
+}
+
+/// What a place counts from.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Home {
+    /// The start of a network, by its number.
+    Network(u32),
+    /// The start of a line of declarations, by its number.
+    Declaration(u32),
+}
+
+impl Home {
+    /// Where it starts.
+    pub(crate) fn start(self, context: &Context) -> TextSize {
+        match self {
+            Home::Network(id) => context.networks.start_of(id),
+            Home::Declaration(line) => context.declarations.start_of(line),
+        }
+    }
 }
 
 impl Anchored {
@@ -53,37 +73,33 @@ impl Anchored {
         self.anchors == Anchors::File
     }
 
-    /// Of a finding about a tag, with places in the networks that use it, and above all networks. One with other
+    /// Of a finding about a tag, with places in the networks that use it, and on lines of declarations. One with other
     /// places is [volatile](Anchored::is_volatile).
-    pub(crate) fn at_uses(mut found: Diagnostic, uses: &Uses, networks: &Networks) -> Anchored {
-        let first = networks.first().map(|first| first.range.start());
-        let uses_it = |index: usize| {
-            let id = networks.id(index);
-            uses.0.iter().any(|place| place.network == id)
-        };
-        // None: what an edit elsewhere does to the place is not known.
-        let anchor = |place: &mut TextRange| {
+    pub(crate) fn at_uses(mut found: Diagnostic, uses: &Uses, context: &Context) -> Anchored {
+        let networks = &context.networks;
+        let uses_it = |id: u32| uses.0.iter().any(|place| place.network == id);
+        let home = |place: &mut TextRange| {
             let behind = networks.partition_point(|network| network.range.start() <= place.start());
             let around = behind.checked_sub(1).map(|index| networks.at(index));
             match around.filter(|network| network.range.contains_range(*place)) {
-                Some(network) => uses_it(network.index).then_some(Some(network.index)),
-                None => first.is_none_or(|first| place.end() <= first).then_some(None),
+                Some(network) => Some(networks.id(network.index))
+                    .filter(|id| uses_it(*id))
+                    .map(Home::Network),
+                None => on_declaration(context, *place).map(Home::Declaration),
             }
         };
-        let anchors: Option<Vec<Option<usize>>> = places(&mut found).map(anchor).collect();
-        let Some(anchors) = anchors else {
+        // None: what an edit elsewhere does to the place is not known.
+        let homes: Option<Box<[Home]>> = places(&mut found).map(home).collect();
+        let Some(homes) = homes else {
             return Anchored::in_file(found);
         };
         found.say_how_many_more();
-        for (place, anchor) in places(&mut found).zip(&anchors) {
-            if let Some(network) = anchor {
-                *place = shifted(*place, -i64::from(u32::from(networks.at(*network).range.start())));
-            }
+        for (place, home) in places(&mut found).zip(&homes) {
+            *place = shifted(*place, -i64::from(u32::from(home.start(context))));
         }
-        let anchors = anchors.into_iter().map(|at| at.map(|index| networks.id(index)));
         Anchored {
             found,
-            anchors: Anchors::Each(anchors.collect()),
+            anchors: Anchors::Each(homes),
         }
     }
 
@@ -102,23 +118,20 @@ impl Anchored {
         self.found.range
     }
 
-    /// The number of the network that its place counts from, of one that a tag owns; none if that is the file.
-    pub(crate) fn home(&self) -> Option<u32> {
+    /// What its place counts from, of one that a tag owns; none if its places are true for one text only.
+    pub(crate) fn home(&self) -> Option<Home> {
         match &self.anchors {
-            Anchors::Each(anchors) => anchors.first().copied().flatten(),
+            Anchors::Each(homes) => homes.first().copied(),
             Anchors::File | Anchors::Network => None,
         }
     }
 
     /// See [`Finding::counts_from`](super::Finding::counts_from).
-    pub(crate) fn counts_from(&self, own: TextSize, networks: &Networks) -> Option<Vec<TextSize>> {
+    pub(crate) fn counts_from(&self, own: TextSize, context: &Context) -> Option<Vec<TextSize>> {
         match &self.anchors {
             Anchors::File => None,
             Anchors::Network => Some(vec![own]),
-            Anchors::Each(anchors) => {
-                let networks = anchors.iter().flatten().map(|id| networks.start_of(*id));
-                Some(networks.collect())
-            }
+            Anchors::Each(homes) => Some(homes.iter().map(|home| home.start(context)).collect()),
         }
     }
 
@@ -128,33 +141,42 @@ impl Anchored {
     }
 
     /// Where it is now. `own`: where the network starts that it is about.
-    pub(crate) fn range(&self, own: TextSize, networks: &Networks) -> TextRange {
+    pub(crate) fn range(&self, own: TextSize, context: &Context) -> TextRange {
         match &self.anchors {
             Anchors::File => self.found.range,
             Anchors::Network => self.found.range + own,
-            Anchors::Each(anchors) => match anchors.first().copied().flatten() {
-                Some(network) => self.found.range + networks.start_of(network),
-                None => self.found.range,
-            },
+            Anchors::Each(homes) => {
+                let home = homes.first().map(|home| home.start(context));
+                self.found.range + home.unwrap_or_default()
+            }
         }
     }
 
     /// The finding with its places as they are now. `own`: where the network starts that it is about.
-    pub(crate) fn placed(&self, own: TextSize, networks: &Networks) -> Diagnostic {
+    pub(crate) fn placed(&self, own: TextSize, context: &Context) -> Diagnostic {
         let mut found = self.found.clone();
         match &self.anchors {
             Anchors::File => {}
             Anchors::Network => move_by(&mut found, i64::from(u32::from(own))),
-            Anchors::Each(anchors) => {
-                for (place, anchor) in places(&mut found).zip(anchors) {
-                    if let Some(network) = anchor {
-                        *place += networks.start_of(*network);
-                    }
+            Anchors::Each(homes) => {
+                for (place, home) in places(&mut found).zip(homes) {
+                    *place += home.start(context);
                 }
             }
         }
         found
     }
+}
+
+/// The line of declarations on which a place lies.
+fn on_declaration(context: &Context, place: TextRange) -> Option<u32> {
+    // Below a network the order of networks says nothing of its place.
+    let first = context.networks.first().map(|first| first.range.start());
+    let line = context.declarations.last_before(place.start())?;
+    let around = context.parse.line_at(place.start())?;
+    let range = context.parse.line_range(around);
+    let is_it = range.start() == context.declarations.start_of(line) && range.contains_range(place);
+    (is_it && first.is_none_or(|first| place.end() <= first)).then_some(line)
 }
 
 /// All places of this file that a finding names: its own first.

@@ -112,7 +112,7 @@ impl AtTags {
         let key = (scope, Name::new(&tag.name));
         let found: Vec<Arc<Anchored>> = found
             .into_iter()
-            .map(|found| Arc::new(Anchored::at_uses(found, &tag.uses, &context.networks)))
+            .map(|found| Arc::new(Anchored::at_uses(found, &tag.uses, context)))
             .collect();
         for found in &found {
             shelf.add_of_tag(found);

@@ -313,7 +313,7 @@ impl Ledger {
             add(found.range.start());
         }
         for found in self.tags.errors() {
-            add(found.range(TextSize::default(), &context.networks).start());
+            add(found.range(TextSize::default(), context).start());
         }
         let toggled = unsound.symmetric_difference(&self.unsound);
         let toggled = toggled.map(|&id| context.networks.index_of(id)).collect();

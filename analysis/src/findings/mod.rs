@@ -35,7 +35,6 @@ pub use shown::keep_nearest;
 use crate::context::Context;
 use crate::diagnostic::Diagnostic;
 use crate::mistakes;
-use crate::networks::Networks;
 use crate::rule::{Rule, Severity};
 use crate::rule_settings::RuleSettings;
 use ladder_syntax::{TextRange, TextSize};
@@ -56,11 +55,11 @@ pub struct Finding {
 }
 
 impl Finding {
-    fn new(anchored: &Arc<Anchored>, own: TextSize, networks: &Networks) -> Finding {
+    fn new(anchored: &Arc<Anchored>, own: TextSize, context: &Context) -> Finding {
         Finding {
             rule: anchored.rule(),
             severity: anchored.severity(),
-            range: anchored.range(own, networks),
+            range: anchored.range(own, context),
             own,
             anchored: Arc::clone(anchored),
         }
@@ -72,9 +71,9 @@ impl Finding {
         Arc::as_ptr(&self.anchored).addr()
     }
 
-    /// Where the networks start that its places count from; none if these are true for one text only.
+    /// Where the networks and lines of declarations start that its places count from; none if these are true for one text only.
     pub fn counts_from(&self, context: &Context) -> Option<Vec<TextSize>> {
-        self.anchored.counts_from(self.own, &context.networks)
+        self.anchored.counts_from(self.own, context)
     }
 
     /// Whether one of its fixes may be made unasked.
@@ -84,7 +83,7 @@ impl Finding {
 
     /// All of it. `context` is that of the text in which it was found.
     pub fn diagnostic(&self, context: &Context) -> Diagnostic {
-        let mut found = self.anchored.placed(self.own, &context.networks);
+        let mut found = self.anchored.placed(self.own, context);
         found.severity = self.severity;
         found
     }

@@ -4,10 +4,10 @@
 //! places. What is found anew with each edit is not here: see [`Shown`](super::shown::Shown).
 
 use super::Finding;
-use super::anchored::Anchored;
+use super::anchored::{Anchored, Home};
 use crate::chunked::Chunked;
+use crate::context::Context;
 use crate::lint;
-use crate::networks::Networks;
 use crate::rule::{Rule, Severity};
 use crate::rule_settings::RuleSettings;
 use crate::rules::tag_summary::{Known, When};
@@ -34,10 +34,10 @@ pub(crate) struct Shelf {
     settings: Arc<RuleSettings>,
     /// By the numbers of the networks.
     networks: Chunked<Option<Arc<Vec<Item>>>>,
-    /// Above all networks, in the order of their places.
-    above: Arc<Vec<Item>>,
+    /// On lines of declarations, in the order of their places.
+    declared: Arc<Vec<Item>>,
     counts: [Count; When::ALL.len()],
-    /// What is not yet put into its place above the networks, and what is not yet taken away there, by its address.
+    /// What is not yet put into its place among the declarations, and what is not yet taken away there, by its address.
     coming: Vec<Item>,
     going: FxHashSet<usize>,
 }
@@ -45,7 +45,9 @@ pub(crate) struct Shelf {
 /// One finding.
 #[derive(Debug, Clone)]
 struct Item {
-    /// From the start of its network, or of the file.
+    /// The line of declarations on which it is.
+    line: Option<u32>,
+    /// From the start of this line, or of its network.
     range: TextRange,
     rule: Rule,
     source: Source,
@@ -83,7 +85,12 @@ impl AddAssign for Count {
 impl Item {
     fn new(anchored: &Arc<Anchored>, source: Source, settings: &RuleSettings) -> Item {
         let (rule, severity) = (anchored.rule(), anchored.severity());
+        let line = match anchored.home() {
+            Some(Home::Declaration(line)) => Some(line),
+            _ => None,
+        };
         Item {
+            line,
             range: anchored.anchored_range(),
             rule,
             source,
@@ -108,12 +115,18 @@ impl Item {
         }
     }
 
+    /// Where it starts, of a network that starts at `own`.
+    fn start(&self, context: &Context, own: TextSize) -> TextSize {
+        let line = self.line.map(|line| context.declarations.start_of(line));
+        self.range.start() + line.unwrap_or(own)
+    }
+
     /// As the rule says it, of a network that starts at `own`.
-    fn finding(&self, own: TextSize) -> Finding {
+    fn finding(&self, context: &Context, own: TextSize) -> Finding {
         Finding {
             rule: self.rule,
             severity: self.severity,
-            range: self.range + own,
+            range: TextRange::at(self.start(context, own), self.range.len()),
             own,
             anchored: Arc::clone(&self.anchored),
         }
@@ -122,10 +135,12 @@ impl Item {
 
 /// Puts findings into their order.
 fn arrange(items: &mut [Item]) {
-    items.sort_by_key(|item| (item.range.start(), item.range.end(), item.rule, item.source));
-    let mut before: Option<(TextRange, Rule)> = None;
+    let place = |item: &Item| (item.line, item.range.start(), item.range.end(), item.rule);
+    items.sort_by_key(|item| (place(item), item.source));
+    let mut before = None;
     for item in items {
-        item.repeats = before.replace((item.range, item.rule)) == Some((item.range, item.rule));
+        let place = Some(place(item));
+        item.repeats = std::mem::replace(&mut before, place) == place;
     }
 }
 
@@ -134,7 +149,7 @@ impl Shelf {
         Shelf {
             settings: Arc::new(settings.clone()),
             networks: Chunked::default(),
-            above: Arc::default(),
+            declared: Arc::default(),
             counts: Default::default(),
             coming: Vec::new(),
             going: FxHashSet::default(),
@@ -166,7 +181,7 @@ impl Shelf {
             return;
         }
         let item = Item::new(found, Source::Tag, &self.settings);
-        let Some(id) = found.home() else {
+        let Some(Home::Network(id)) = found.home() else {
             self.coming.push(item);
             return;
         };
@@ -180,7 +195,7 @@ impl Shelf {
         if found.is_volatile() {
             return;
         }
-        let Some(id) = found.home() else {
+        let Some(Home::Network(id)) = found.home() else {
             self.going.insert(Arc::as_ptr(found).addr());
             return;
         };
@@ -198,26 +213,26 @@ impl Shelf {
         }
         self.coming.clear();
         self.going = self
-            .above
+            .declared
             .iter()
             .map(|item| Arc::as_ptr(&item.anchored).addr())
             .collect();
     }
 
-    /// Puts what has come and gone above the networks into its place.
+    /// Puts what has come and gone on lines of declarations into its place.
     pub(super) fn settle(&mut self) {
         if self.coming.is_empty() && self.going.is_empty() {
             return;
         }
-        for item in self.above.iter() {
+        for item in self.declared.iter() {
             count(&mut self.counts, item, false);
         }
-        let above = Arc::make_mut(&mut self.above);
+        let declared = Arc::make_mut(&mut self.declared);
         let going = std::mem::take(&mut self.going);
-        above.retain(|item| !going.contains(&Arc::as_ptr(&item.anchored).addr()));
-        above.append(&mut self.coming);
-        arrange(above);
-        for item in self.above.iter() {
+        declared.retain(|item| !going.contains(&Arc::as_ptr(&item.anchored).addr()));
+        declared.append(&mut self.coming);
+        arrange(declared);
+        for item in self.declared.iter() {
             count(&mut self.counts, item, true);
         }
     }
@@ -250,23 +265,28 @@ impl Shelf {
         all
     }
 
-    /// Whether a rule finds the same at a place.
-    pub(super) fn has(&self, networks: &Networks, finding: &Finding, known: Known) -> Option<Source> {
-        let behind = networks.partition_point(|network| network.range.start() <= finding.range.start());
+    /// Whether a rule finds the same at a place, and who does.
+    pub(super) fn has(&self, context: &Context, finding: &Finding, known: Known) -> Option<Source> {
+        let at = finding.range.start();
+        let networks = &context.networks;
+        let behind = networks.partition_point(|network| network.range.start() <= at);
         let (items, own) = match behind.checked_sub(1) {
-            Some(index) => self.of_network(networks, index),
-            None => (self.above.as_slice(), TextSize::default()),
+            Some(index) => self.of_network(context, index),
+            None => (self.declared.as_slice(), TextSize::default()),
         };
-        let at = finding.range.start().checked_sub(own)?;
-        let first = items.partition_point(|item| item.range.start() < at);
-        let mut there = items[first..].iter().take_while(|item| item.range.start() == at);
+        let start = |item: &Item| item.start(context, own);
+        let first = items.partition_point(|item| start(item) < at);
+        let mut there = items[first..].iter().take_while(|item| start(item) == at);
         let same = |item: &&Item| {
-            item.range + own == finding.range && item.rule == finding.rule && When::of(item.rule).holds(known)
+            item.range.len() == finding.range.len()
+                && item.rule == finding.rule
+                && When::of(item.rule).holds(known)
         };
         there.find(same).map(|item| item.source)
     }
 
-    fn of_network(&self, networks: &Networks, index: usize) -> (&[Item], TextSize) {
+    fn of_network(&self, context: &Context, index: usize) -> (&[Item], TextSize) {
+        let networks = &context.networks;
         let id = networks.id(index);
         match self.networks.get(id as usize) {
             Some(Some(items)) => (items, networks.start_of(id)),
@@ -275,20 +295,20 @@ impl Shelf {
     }
 
     /// All findings that hold, as the rules say them, in the order of their places.
-    pub(super) fn all(&self, networks: &Networks, known: Known) -> impl Iterator<Item = (Source, Finding)> {
-        let above = self.above.iter().map(|item| (item, TextSize::default()));
-        let of_networks = (0..networks.len()).flat_map(move |index| {
-            let (items, own) = self.of_network(networks, index);
+    pub(super) fn all(&self, context: &Context, known: Known) -> impl Iterator<Item = (Source, Finding)> {
+        let declared = self.declared.iter().map(|item| (item, TextSize::default()));
+        let of_networks = (0..context.networks.len()).flat_map(move |index| {
+            let (items, own) = self.of_network(context, index);
             items.iter().map(move |item| (item, own))
         });
-        let all = above.chain(of_networks);
+        let all = declared.chain(of_networks);
         let all = all.filter(move |(item, _)| !item.repeats && When::of(item.rule).holds(known));
-        all.map(|(item, own)| (item.source, item.finding(own)))
+        all.map(|(item, own)| (item.source, item.finding(context, own)))
     }
 
     /// All findings that hold and are shown, as they are shown, in the order of their places.
-    pub(super) fn shown(&self, networks: &Networks, known: Known) -> impl Iterator<Item = Finding> {
-        self.all(networks, known).filter_map(|(_, found)| {
+    pub(super) fn shown(&self, context: &Context, known: Known) -> impl Iterator<Item = Finding> {
+        self.all(context, known).filter_map(|(_, found)| {
             let severity = lint::level(&self.settings, found.rule, found.severity)?;
             Some(Finding { severity, ..found })
         })
@@ -298,7 +318,7 @@ impl Shelf {
     /// they are shown.
     pub(super) fn around(
         &self,
-        networks: &Networks,
+        context: &Context,
         known: Known,
         (at, most, errors): (TextSize, usize, bool),
     ) -> Vec<Finding> {
@@ -314,12 +334,15 @@ impl Shelf {
                 !item.repeats && (level == Severity::Error) == errors && When::of(item.rule).holds(known);
             is_it.then(|| Finding {
                 severity: level,
-                ..item.finding(own)
+                ..item.finding(context, own)
             })
         };
+        let networks = &context.networks;
         let middle = networks.partition_point(|network| network.range.start() <= at);
-        let above = self.above.partition_point(|item| item.range.start() < at);
         let file = TextSize::default();
+        let above = self
+            .declared
+            .partition_point(|item| item.start(context, file) < at);
         let mut before = Vec::new();
         // What stands behind the place in the network around it does not count.
         let mut left = most;
@@ -327,24 +350,26 @@ impl Shelf {
             if left == 0 || before.len() >= there {
                 break;
             }
-            let (items, own) = self.of_network(networks, index);
+            let (items, own) = self.of_network(context, index);
             for found in items.iter().rev().filter_map(|item| wanted(item, own)) {
                 left = left.saturating_sub(usize::from(found.range.start() < at));
                 before.push(found);
             }
         }
-        let higher = self.above[..above].iter().rev();
+        let higher = self.declared[..above].iter().rev();
         before.extend(higher.filter_map(|item| wanted(item, file)).take(left));
         before.reverse();
         let mut all = before;
         let most = (all.len() + most).min(there);
-        let lower = self.above[above..].iter().filter_map(|item| wanted(item, file));
+        let lower = self.declared[above..]
+            .iter()
+            .filter_map(|item| wanted(item, file));
         all.extend(lower.take(most - all.len().min(most)));
         for index in middle..networks.len() {
             if all.len() >= most {
                 break;
             }
-            let (items, own) = self.of_network(networks, index);
+            let (items, own) = self.of_network(context, index);
             all.extend(items.iter().filter_map(|item| wanted(item, own)));
         }
         all

@@ -7,7 +7,6 @@ use super::shelf::{Shelf, Source};
 use crate::context::Context;
 use crate::diagnostic::Diagnostic;
 use crate::lint::{self, Allows};
-use crate::networks::Networks;
 use crate::rule::{Rule, Severity};
 use crate::rule_settings::RuleSettings;
 use crate::rules;
@@ -60,7 +59,7 @@ pub(super) fn shown(
     if as_it_is && let Some(shown) = kept(context, ledger, known, &anew, settings) {
         return (shown, Vec::new());
     }
-    let mut all = in_order(ledger.shelf.all(&context.networks, known).chain(anew).collect());
+    let mut all = in_order(ledger.shelf.all(context, known).chain(anew).collect());
     if ledger.is_full() {
         say_enough(context, &mut all);
     }
@@ -80,7 +79,6 @@ pub(super) fn shown(
 /// and at tags with places that are true for this text only. What rules say of the whole program counts only where all of
 /// it is known.
 fn found_anew(context: &Context, ledger: &Ledger, of_file: OfFile) -> Vec<(Source, Finding)> {
-    let networks = &context.networks;
     let own = TextSize::default();
     let mut anew: Vec<(Source, Finding)> = Vec::new();
     let mut add = |source, found: Vec<Diagnostic>| {
@@ -90,10 +88,10 @@ fn found_anew(context: &Context, ledger: &Ledger, of_file: OfFile) -> Vec<(Sourc
     add(Source::Names, of_file.names);
     add(Source::Program, of_file.program);
     let in_networks = ledger.volatile_in_networks();
-    anew.extend(in_networks.map(|found| (Source::Network, Finding::new(found, own, networks))));
+    anew.extend(in_networks.map(|found| (Source::Network, Finding::new(found, own, context))));
     let at_tags = ledger.volatile_at_tags();
     let at_tags = at_tags.filter(|found| When::of(found.rule()).holds(of_file.known));
-    anew.extend(at_tags.map(|found| (Source::Tag, Finding::new(found, own, networks))));
+    anew.extend(at_tags.map(|found| (Source::Tag, Finding::new(found, own, context))));
     anew
 }
 
@@ -124,7 +122,7 @@ fn kept(
     all.extend(of_text(context).map(|found| (Source::Text, found)));
     let mut shown = Vec::with_capacity(all.len());
     for (source, mut found) in in_order(all) {
-        match ledger.shelf.has(&context.networks, &found, known) {
+        match ledger.shelf.has(context, &found, known) {
             Some(other) if other < source => continue,
             Some(_) => return None,
             None => {}
@@ -198,11 +196,11 @@ fn as_asked(
 
 impl Shown {
     /// All of them, in the order of their places.
-    pub(crate) fn all(&self, networks: &Networks) -> Vec<Finding> {
+    pub(crate) fn all(&self, context: &Context) -> Vec<Finding> {
         match self {
             Shown::Listed(all) => all.clone(),
             Shown::Kept { shelf, known, anew } => {
-                let mut all: Vec<Finding> = shelf.shown(networks, *known).collect();
+                let mut all: Vec<Finding> = shelf.shown(context, *known).collect();
                 all.extend(anew.iter().cloned());
                 all.sort_by_key(|found| (found.range.start(), found.range.end(), found.rule));
                 all
@@ -229,12 +227,12 @@ impl Shown {
 
     /// At most so many of them, in the order of their places: errors come before all others, and then what is near to a
     /// place.
-    pub(crate) fn nearest(&self, networks: &Networks, most: usize, to: TextSize) -> Vec<Finding> {
+    pub(crate) fn nearest(&self, context: &Context, most: usize, to: TextSize) -> Vec<Finding> {
         let mut some = match self {
             Shown::Listed(all) => all.clone(),
             Shown::Kept { shelf, known, anew } => {
-                let mut some = shelf.around(networks, *known, (to, most, true));
-                some.extend(shelf.around(networks, *known, (to, most, false)));
+                let mut some = shelf.around(context, *known, (to, most, true));
+                some.extend(shelf.around(context, *known, (to, most, false)));
                 some.extend(anew.iter().cloned());
                 some.sort_by_key(|found| (found.range.start(), found.range.end(), found.rule));
                 some

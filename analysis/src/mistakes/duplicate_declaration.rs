@@ -6,14 +6,11 @@ use crate::scope::TagFacts;
 use ladder_syntax::TextRange;
 use ladder_syntax::ast::TokenView;
 
-pub(crate) fn twice(name: TokenView<'_>, range: TextRange, first: &TagFacts) -> Diagnostic {
+pub(crate) fn twice(name: TokenView<'_>, range: TextRange, first: (&TagFacts, TextRange)) -> Diagnostic {
     let message = format!("`{}` is declared twice", name.text());
     Diagnostic::new(Rule::DuplicateDeclaration, range, message)
         .help(
             "remove one of the declarations, or give one tag another name; capitals do not tell names apart",
         )
-        .related(
-            first.declared_at,
-            format!("`{}` is first declared here", first.name),
-        )
+        .related(first.1, format!("`{}` is first declared here", first.0.name))
 }

@@ -29,10 +29,10 @@ pub(crate) fn check_declared(
                 shown(first.ty)
             );
             out.push(
-                Diagnostic::new(Rule::DuplicateDeclaration, tag.declared_at, message)
+                Diagnostic::new(Rule::DuplicateDeclaration, context.declared_at(tag), message)
                     .help(HELP)
                     .related(
-                        first.declared_at,
+                        context.declared_at(first),
                         format!("`{}` is first declared here", first.name),
                     ),
             );
@@ -41,7 +41,7 @@ pub(crate) fn check_declared(
     let key = Name::new(&tag.name);
     for (file, global) in context.others.globals(&key) {
         if global.ty.is_some() && !agree(tag, global.ty, &global.initial) {
-            out.push(otherwise(tag, file, global));
+            out.push(otherwise(context, tag, file, global));
             return;
         }
     }
@@ -55,13 +55,13 @@ fn shown(ty: Option<Type>) -> String {
     ty.map_or_else(|| "another type".to_owned(), |ty| ty.to_string())
 }
 
-fn otherwise(tag: &TagFacts, file: &Exports, global: &Global) -> Diagnostic {
+fn otherwise(context: &Context, tag: &TagFacts, file: &Exports, global: &Global) -> Diagnostic {
     let message = if tag.ty == global.ty {
         format!("`{}` starts with another value in {}", tag.name, file.file)
     } else {
         format!("`{}` is {} in {}", tag.name, shown(global.ty), file.file)
     };
-    Diagnostic::new(Rule::DuplicateDeclaration, tag.declared_at, message)
+    Diagnostic::new(Rule::DuplicateDeclaration, context.declared_at(tag), message)
         .help(HELP)
         .related_in(
             &file.file,
@@ -90,7 +90,7 @@ pub(crate) fn check_others(
         tag.name, first.file, file.file
     );
     let used = context.uses(tag).next();
-    let at = used.map_or(tag.declared_at, |place| place.range);
+    let at = used.map_or(context.declared_at(tag), |place| place.range);
     out.push(
         Diagnostic::new(Rule::DuplicateDeclaration, at, message)
             .help(HELP)
@@ -105,11 +105,16 @@ pub(crate) fn check_others(
 }
 
 /// A VAR_EXTERNAL declaration names a global, and agrees with it in type. Gives whether it does.
-pub(crate) fn check_external(tag: &TagFacts, global: Option<&TagFacts>, out: &mut Vec<Diagnostic>) -> bool {
+pub(crate) fn check_external(
+    context: &Context,
+    tag: &TagFacts,
+    global: Option<&TagFacts>,
+    out: &mut Vec<Diagnostic>,
+) -> bool {
     let Some(global) = global else {
         let message = format!("no file of the workspace declares `{}` as VAR_GLOBAL", tag.name);
         out.push(
-            Diagnostic::new(Rule::BadDeclaration, tag.declared_at, message).help(
+            Diagnostic::new(Rule::BadDeclaration, context.declared_at(tag), message).help(
                 "VAR_EXTERNAL names a global that is declared elsewhere: declare it, or correct the name",
             ),
         );
@@ -124,11 +129,11 @@ pub(crate) fn check_external(tag: &TagFacts, global: Option<&TagFacts>, out: &mu
         shown(tag.ty),
         shown(global.ty)
     );
-    let found =
-        Diagnostic::new(Rule::BadDeclaration, tag.declared_at, message).help("write the type of the global");
+    let found = Diagnostic::new(Rule::BadDeclaration, context.declared_at(tag), message)
+        .help("write the type of the global");
     out.push(match &global.foreign {
         Some(_) => found,
-        None => found.related(global.declared_at, "the global is declared here"),
+        None => found.related(context.declared_at(global), "the global is declared here"),
     });
     false
 }

@@ -1,6 +1,7 @@
 //! Declarations: from sections to the tags of a scope (LANGUAGE §4).
 
 use crate::constant;
+use crate::declarations::{Declarations, DeclaredAt};
 use crate::diagnostic::Diagnostic;
 use crate::did_you_mean;
 use crate::facts;
@@ -11,7 +12,7 @@ use crate::types::{Scalar, Type};
 use ladder_instructions::StateType;
 use ladder_syntax::ast::{AstNode, Declaration, NodeView, SectionHeader, TokenView, TypeRef};
 use ladder_syntax::{
-    LineKind, Name, Parse, Section, TextRange, TextSize, Trees, is_declaration_keyword, is_reserved,
+    Line, LineKind, Name, Parse, Section, TextRange, TextSize, Trees, is_declaration_keyword, is_reserved,
 };
 
 /// The longest array: what still shows and saves quickly.
@@ -20,7 +21,13 @@ const MAX_ELEMENTS: i128 = 1_000_000;
 const MAX_STRING: i128 = 32_767;
 
 /// Adds the tags of a section to its scope.
-pub(crate) fn section(parse: &Parse, section: &Section, scope: &mut Scope, out: &mut Vec<Diagnostic>) {
+pub(crate) fn section(
+    parse: &Parse,
+    section: &Section,
+    declarations: &mut Declarations,
+    scope: &mut Scope,
+    out: &mut Vec<Diagnostic>,
+) {
     let header_line = section.lines.start;
     let mut trees = Trees::default();
     let header = trees.of(&parse.lines()[header_line]);
@@ -38,40 +45,60 @@ pub(crate) fn section(parse: &Parse, section: &Section, scope: &mut Scope, out: 
             .qualifiers()
             .any(|token| token.text().eq_ignore_ascii_case(word))
     };
-    let context = Context {
+    let section_of = Around {
         kind,
         retain: has("RETAIN"),
         constant: has("CONSTANT"),
         in_block: scope.block.is_some(),
     };
-    for line in section.lines.clone() {
-        if parse.lines()[line].kind != LineKind::Declaration {
-            continue;
-        }
-        let tree = trees.of(&parse.lines()[line]);
-        if let Some(node) = Declaration::cast(NodeView::root(&tree)) {
-            let before = out.len();
-            declaration(&node, parse.line_start(line), &context, scope, out);
-            if !parse.lines()[line].errors.is_empty() {
-                // What the parser has to say about the line is enough.
-                out.truncate(before);
-            }
+    for number in section.lines.clone() {
+        if parse.lines()[number].kind == LineKind::Declaration {
+            let start = parse.line_start(number);
+            let place = (declarations.push(start), start);
+            line(
+                (&parse.lines()[number], &mut trees),
+                place,
+                section_of,
+                (declarations, scope),
+                out,
+            );
         }
     }
 }
 
-struct Context {
-    kind: SectionKind,
-    retain: bool,
-    constant: bool,
-    in_block: bool,
+/// Adds the tags of a line with a declaration to its scope: `place` is its number among those lines and where it starts.
+pub(crate) fn line(
+    (line, trees): (&Line, &mut Trees),
+    place: (u32, TextSize),
+    around: Around,
+    (declarations, scope): (&Declarations, &mut Scope),
+    out: &mut Vec<Diagnostic>,
+) {
+    let tree = trees.of(line);
+    if let Some(node) = Declaration::cast(NodeView::root(&tree)) {
+        let before = out.len();
+        declaration(&node, place, &around, (declarations, scope), out);
+        if !line.errors.is_empty() {
+            // What the parser has to say about the line is enough.
+            out.truncate(before);
+        }
+    }
+}
+
+/// What the section says of a declaration.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Around {
+    pub(crate) kind: SectionKind,
+    pub(crate) retain: bool,
+    pub(crate) constant: bool,
+    pub(crate) in_block: bool,
 }
 
 fn declaration(
     node: &Declaration,
-    start: TextSize,
-    context: &Context,
-    scope: &mut Scope,
+    (line, start): (u32, TextSize),
+    context: &Around,
+    (declarations, scope): (&Declarations, &mut Scope),
     out: &mut Vec<Diagnostic>,
 ) {
     // Where the type cannot be read the tag is declared all the same, and its places say its type: one mistake.
@@ -123,7 +150,8 @@ fn declaration(
         }
         if let Some(first) = scope.find(&Name::new(name.text())) {
             let first = &mut scope.tags[first];
-            out.push(duplicate_declaration::twice(name, range, first));
+            let first_at = declarations.range(first.declared_at);
+            out.push(duplicate_declaration::twice(name, range, (first, first_at)));
             let alike = (first.ty, first.constant) == (ty, context.constant);
             // Which of the two its places mean is open.
             first.mistyped |= !alike || first.origin != Origin::Declared(context.kind);
@@ -139,7 +167,10 @@ fn declaration(
             constant: context.constant,
             initial: initial.as_slice().into(),
             address: address.as_ref().map(|token| token.text().into()),
-            declared_at: range,
+            declared_at: DeclaredAt {
+                line: Some(line),
+                range: name.text_range(),
+            },
             uses: Uses::default(),
             shared: None,
             foreign: None,

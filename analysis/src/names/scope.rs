@@ -1,6 +1,7 @@
 //! The tags that a file, or the body of a user-defined block, knows.
 
 use crate::context::Context;
+use crate::declarations::DeclaredAt;
 use crate::network::BoundBlock;
 use crate::program::Role;
 use crate::tags::Tags;
@@ -194,7 +195,7 @@ pub struct TagFacts {
     /// The address behind AT, or the address itself.
     pub address: Option<Box<str>>,
     /// Where it is declared; for one without a declaration see [`Context::place_of`].
-    pub(crate) declared_at: TextRange,
+    pub(crate) declared_at: DeclaredAt,
     /// Where it is used. A shared tag counts the uses in all scopes.
     pub uses: Uses,
     /// The scope and tag that this entry leads to, if it is one of another scope.
@@ -210,6 +211,9 @@ impl TagFacts {
     }
 }
 
+/// So many names are looked through one by one before all of them are put together anew.
+const MOST_RENAMED: usize = 32;
+
 /// The tags of a file or of a block's body.
 #[derive(Debug, Clone, Default)]
 pub struct Scope {
@@ -217,6 +221,8 @@ pub struct Scope {
     pub tags: Tags,
     /// The tags that were there before any use was looked at, by name, and by the address at which they are declared.
     declared_names: Arc<FxHashMap<Name, usize>>,
+    /// What has changed of these names since: few, for edits of declarations.
+    renamed: Vec<(Name, Option<usize>)>,
     /// Those that a use has brought in.
     found_names: Arc<FxHashMap<Name, usize>>,
     /// So many of the tags were there before any use was looked at.
@@ -228,8 +234,35 @@ pub struct Scope {
 impl Scope {
     /// The tag of a name.
     pub fn find(&self, name: &Name) -> Option<usize> {
-        let found = || self.found_names.get(name);
-        self.declared_names.get(name).or_else(found).copied()
+        let found = || self.found_names.get(name).copied();
+        self.find_declared(name).or_else(found)
+    }
+
+    fn find_declared(&self, name: &Name) -> Option<usize> {
+        let renamed = self.renamed.iter().find(|(changed, _)| changed == name);
+        match renamed {
+            Some((_, tag)) => *tag,
+            None => self.declared_names.get(name).copied(),
+        }
+    }
+
+    /// A declared tag is found by a name, or none any longer.
+    pub(crate) fn rename(&mut self, name: Name, tag: Option<usize>) {
+        if self.find_declared(&name) == tag {
+            return;
+        }
+        self.renamed.retain(|(changed, _)| *changed != name);
+        self.renamed.push((name, tag));
+        if self.renamed.len() <= MOST_RENAMED {
+            return;
+        }
+        let names = Arc::make_mut(&mut self.declared_names);
+        for (name, tag) in self.renamed.drain(..) {
+            match tag {
+                Some(tag) => names.insert(name, tag),
+                None => names.remove(&name),
+            };
+        }
     }
 
     /// The scope as it was before any use was looked at. None if what was found since has changed a declared tag.
@@ -256,6 +289,7 @@ impl Scope {
         Some(Scope {
             tags,
             declared_names: Arc::clone(&self.declared_names),
+            renamed: self.renamed.clone(),
             found_names: Arc::default(),
             declared: self.declared,
             block: self.block,

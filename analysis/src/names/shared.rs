@@ -4,6 +4,7 @@
 //! are those of the tag. A tag of another file has one entry in this file's own scope, to which all others lead.
 
 use crate::context::Context;
+use crate::declarations::DeclaredAt;
 use crate::diagnostic::Diagnostic;
 use crate::exports::{Exports, Global};
 use crate::mistakes::shared_globals;
@@ -65,7 +66,7 @@ pub(crate) fn share(context: &mut Context, out: &mut Vec<Diagnostic>) {
             if context.scopes[scope].tags[tag].origin == Origin::Declared(SectionKind::External) {
                 let tag = &context.scopes[scope].tags[tag];
                 let global = target.map(|(scope, tag)| &context.scopes[scope].tags[tag]);
-                agrees = shared_globals::check_external(tag, global, out);
+                agrees = shared_globals::check_external(context, tag, global, out);
             }
             if let Some(target) = target.filter(|target| *target != (scope, tag)) {
                 lead(context, (scope, tag), target);
@@ -97,7 +98,7 @@ fn import(
         constant: global.constant,
         initial: global.initial.as_slice().into(),
         address: None,
-        declared_at: context.place_of(used),
+        declared_at: DeclaredAt::in_file(context.place_of(used)),
         uses: Uses::default(),
         shared: None,
         foreign: Some(Arc::clone(&file.file)),
@@ -142,7 +143,7 @@ fn lead(context: &mut Context, from: Entry, to: Entry) {
     entry.shared = Some(to);
     if !entry.is_declared() {
         entry.origin = Origin::Shared;
-        entry.declared_at = at;
+        entry.declared_at = DeclaredAt::in_file(at);
     }
     (
         entry.ty,

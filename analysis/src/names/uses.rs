@@ -2,6 +2,7 @@
 //! their scope here.
 
 use crate::context::Context;
+use crate::declarations::DeclaredAt;
 use crate::facts::{Node, NodeKind};
 use crate::network::{BoundBlock, Formal, NetworkFacts};
 use crate::networks::{NetworkAt, Networks};
@@ -208,7 +209,7 @@ pub(crate) fn undeclared(name: &str, law: &Law) -> TagFacts {
         constant: false,
         initial: Box::default(),
         address: is_address.then(|| name.into()),
-        declared_at: TextRange::default(),
+        declared_at: DeclaredAt::in_file(TextRange::default()),
         uses: Uses::default(),
         shared: None,
         foreign: None,

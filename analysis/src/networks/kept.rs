@@ -5,6 +5,7 @@
 //! begin with, and those that both end with.
 
 use crate::context::{Context, declared_to};
+use crate::declarations::Declarations;
 use crate::network::{NetworkFacts, UserBlocks};
 use crate::scope::Scope;
 use ladder_syntax::{Network, Parse, Structure};
@@ -46,7 +47,7 @@ impl<'c> Kept<'c> {
     }
 
     /// The scopes with their declared tags, if no declaration has changed, or moved.
-    pub(crate) fn declared(&self, structure: &Structure) -> Option<Vec<Scope>> {
+    pub(crate) fn declared(&self, structure: &Structure) -> Option<(Vec<Scope>, Arc<Declarations>)> {
         let old = self.before.parse.structure();
         let headers = |structure: &Structure| {
             structure
@@ -62,7 +63,8 @@ impl<'c> Kept<'c> {
         if !same {
             return None;
         }
-        self.before.scopes.iter().map(Scope::as_declared).collect()
+        let scopes: Option<Vec<Scope>> = self.before.scopes.iter().map(Scope::as_declared).collect();
+        Some((scopes?, Arc::clone(&self.before.declarations)))
     }
 
     /// What is known of a network of the new text, if the old one has it too. To be asked from top to bottom.

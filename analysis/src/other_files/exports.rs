@@ -206,7 +206,7 @@ fn globals(context: &Context) -> Vec<Global> {
             constant: tag.constant,
             retain: tag.retain,
             initial: tag.initial.to_vec(),
-            at: tag.declared_at,
+            at: context.declared_at(tag),
         });
     }
     // Two scopes of the file may introduce one tag.

@@ -42,7 +42,7 @@ pub(super) fn check(summary: &Summary<'_>, out: &mut Vec<Diagnostic>) {
     }
     if tag.is_declared() {
         found = found.related(
-            tag.declared_at,
+            summary.context.declared_at(tag),
             format!("`{}` is declared as an input here", tag.name),
         );
     }

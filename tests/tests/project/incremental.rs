@@ -77,19 +77,19 @@ const WORDS: [&str; 12] = [
 ];
 
 /// A text with its analysis, edited step by step.
-struct Document {
-    text: String,
+pub(crate) struct Document {
+    pub(crate) text: String,
     parse: Arc<Parse>,
     analysis: Analysis,
     settings: RuleSettings,
 }
 
 impl Document {
-    fn new(text: String) -> Document {
+    pub(crate) fn new(text: String) -> Document {
         Document::with(text, RuleSettings::default())
     }
 
-    fn with(text: String, settings: RuleSettings) -> Document {
+    pub(crate) fn with(text: String, settings: RuleSettings) -> Document {
         let parse = Arc::new(parse(&text));
         let analysis = analyze_with(&parse, "main", &Others::default(), &settings);
         Document {
@@ -100,7 +100,7 @@ impl Document {
         }
     }
 
-    fn becomes(&mut self, text: String) {
+    pub(crate) fn becomes(&mut self, text: String) {
         let parsed = Arc::new(self.parse.updated(&self.text, &text));
         assert_eq!(parsed.to_string(), text);
         let (others, rules) = (Others::default(), &self.settings);
@@ -321,7 +321,7 @@ fn typing_in_long_programs() {
 }
 
 /// As the table of rules says, or everything, or with some rules off or counting otherwise.
-fn settings(dice: &mut Dice) -> RuleSettings {
+pub(crate) fn settings(dice: &mut Dice) -> RuleSettings {
     let mut settings = if dice.one_in(3) {
         RuleSettings::everything()
     } else {

@@ -7,6 +7,7 @@ mod click_programs;
 mod click_traces;
 mod every_feature;
 mod incremental;
+mod incremental_declarations;
 mod incremental_files;
 mod instruction_reference;
 mod iot_traces;

@@ -35,10 +35,11 @@ fn work(kind: Kind, rungs: usize, spot: Place) -> [Work; 2] {
 
 #[test]
 fn does_not_grow_with_the_file() {
-    let spots: [(&str, Place); 3] = [
+    let spots: [(&str, Place); 4] = [
         ("a number", Program::in_a_number),
         ("a name", Program::in_a_name),
         ("a half-typed rung", Program::half_typed),
+        ("a declaration", Program::in_a_declaration),
     ];
     for (name, kind) in KINDS {
         for (what, spot) in spots {
