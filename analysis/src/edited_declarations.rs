@@ -57,7 +57,7 @@ pub(crate) fn enter(context: &mut Context, before: &Context, lines: &Lines) -> O
         return None;
     }
     let mut declarations = Declarations::clone(&before.declarations);
-    declarations.shift(before.parse.line_start(lines.old.end), lines.bytes);
+    declarations.shift(before.parse.line_start(lines.old.end), lines.more_bytes);
     let mut declared = Vec::new();
     for (old, new) in lines.old.clone().zip(lines.new.clone()) {
         if before.parse.lines()[old].kind == LineKind::Declaration {

@@ -77,7 +77,7 @@ pub(crate) fn line(
     let tree = trees.of(line);
     if let Some(node) = Declaration::cast(NodeView::root(&tree)) {
         let before = out.len();
-        declaration(&node, place, &around, (declarations, scope), out);
+        declaration(&node, place, around, (declarations, scope), out);
         if !line.errors.is_empty() {
             // What the parser has to say about the line is enough.
             out.truncate(before);
@@ -97,7 +97,7 @@ pub(crate) struct Around {
 fn declaration(
     node: &Declaration,
     (line, start): (u32, TextSize),
-    context: &Around,
+    context: Around,
     (declarations, scope): (&Declarations, &mut Scope),
     out: &mut Vec<Diagnostic>,
 ) {
