@@ -136,7 +136,7 @@ impl Clone for Analysis {
     }
 }
 
-/// Analyses a file that stands alone. `name` is how messages of a running program call it.
+/// Analyses a file that is alone. `name` is how messages of a running program call it.
 pub fn analyze(parse: &Arc<Parse>, name: &str) -> Analysis {
     analyze_in(parse, name, &Others::default())
 }

@@ -1,7 +1,7 @@
 //! What a comment that speaks to the tools asks for: `# ladder: profile ldmicro #`. Whoever looks for one kind of it
 //! reads it here.
 
-/// A word, and what stands behind it without the blanks around it.
+/// A word, and what is behind it without the blanks around it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) struct Asked<'c> {
     pub(crate) word: &'c str,

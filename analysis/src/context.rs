@@ -135,7 +135,7 @@ pub struct FunctionFacts {
     pub key: Name,
     /// The network that holds the `<FUN>`.
     pub network: usize,
-    /// Where the name stands.
+    /// Where the name is.
     pub at: TextRange,
 }
 
@@ -148,7 +148,7 @@ pub struct LabelFacts {
     pub key: Name,
     /// The network that it marks.
     pub network: usize,
-    /// Where the name stands.
+    /// Where the name is.
     pub at: TextRange,
 }
 
@@ -488,7 +488,7 @@ fn bodies(context: &mut Context) {
     }
 }
 
-/// The line of the next rung, if only rail, comment and blank lines stand between.
+/// The line of the next rung, if only rail, comment and blank lines are between.
 pub(crate) fn rung_below(parse: &Parse, line: usize) -> Option<usize> {
     let lines = parse.lines();
     let next = (line + 1..lines.len()).find(|&n| !lines[n].kind.is_decoration())?;

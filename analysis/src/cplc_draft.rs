@@ -75,7 +75,7 @@ fn has_draft_block(line: &str) -> bool {
     false
 }
 
-/// Whether what stands behind a `<` begins a block of ladder text, which may touch the one before it.
+/// Whether what is behind a `<` begins a block of ladder text, which may touch the one before it.
 fn is_function_block(behind: &str) -> bool {
     let word = behind.split('>').next().unwrap_or_default().trim();
     word.starts_with('$') || lookup(Shape::Function, word).next().is_some()

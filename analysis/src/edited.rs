@@ -52,8 +52,8 @@ pub(crate) struct Lines {
     pub(crate) old: Range<usize>,
     pub(crate) new: Range<usize>,
     /// How many more lines and bytes the later one has.
-    pub(crate) more_lines: isize,
-    pub(crate) more_bytes: i64,
+    pub(crate) added: isize,
+    pub(crate) added_bytes: i64,
 }
 
 /// What an edit has changed.
@@ -118,8 +118,8 @@ fn change(before: &Context, parse: &Parse) -> Option<Change> {
     let change = Lines {
         old: above..old.len() - below,
         new: above..new.len() - below,
-        more_lines: new.len() as isize - old.len() as isize,
-        more_bytes: i64::from(u32::from(parse.text_len())) - i64::from(u32::from(before.parse.text_len())),
+        added: new.len() as isize - old.len() as isize,
+        added_bytes: i64::from(u32::from(parse.text_len())) - i64::from(u32::from(before.parse.text_len())),
     };
     let drawn = |line: &ladder_syntax::Line| {
         line.mode_after == Mode::Network
@@ -261,7 +261,7 @@ impl Edited {
         };
         context
             .networks
-            .splice(first..end, spliced, ids, change.more_lines, change.more_bytes);
+            .splice(first..end, spliced, ids, change.added, change.added_bytes);
         context.bodies.splice(first..end, bodies);
         Some(Edited {
             context,
@@ -411,7 +411,7 @@ fn same_lines(drawn: &Range<usize>, change: &Lines) -> Option<usize> {
     if drawn.end <= change.new.start {
         Some(drawn.start)
     } else if drawn.start >= change.new.end {
-        Some(drawn.start.wrapping_add_signed(-change.more_lines))
+        Some(drawn.start.wrapping_add_signed(-change.added))
     } else {
         None
     }
@@ -427,7 +427,7 @@ fn is_strange(facts: &NetworkFacts) -> bool {
     facts.user_blocks == UserBlocks::Others
 }
 
-/// A tag is spelled as where it stands first.
+/// A tag is spelled as where it is first.
 fn respelled(context: &mut Context, scope: usize, tag: usize) {
     let facts = &context.scopes[scope].tags[tag];
     let Some(place) = facts.uses.0.first() else { return };

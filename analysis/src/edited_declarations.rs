@@ -20,7 +20,7 @@ const MOST_LINES: usize = 16;
 /// Whether an edit has exchanged lines of declarations for as many others, all of them without mistakes.
 pub(crate) fn are_lines_of(old: &[&Line], new: &[&Line]) -> bool {
     let same_count = old.len() == new.len() && (1..=MOST_LINES).contains(&old.len());
-    // Nothing else stands on the line behind it.
+    // Nothing else is on the line behind it.
     let is_whole = |line: &Line| {
         line.kind == LineKind::Declaration
             && line.mode_after == Mode::Section
@@ -57,7 +57,7 @@ pub(crate) fn enter(context: &mut Context, before: &Context, lines: &Lines) -> O
         return None;
     }
     let mut declarations = Declarations::clone(&before.declarations);
-    declarations.shift(before.parse.line_start(lines.old.end), lines.more_bytes);
+    declarations.shift(before.parse.line_start(lines.old.end), lines.added_bytes);
     let mut declared = Vec::new();
     for (old, new) in lines.old.clone().zip(lines.new.clone()) {
         if before.parse.lines()[old].kind == LineKind::Declaration {

@@ -22,7 +22,7 @@
 //! A file shows the others of its workspace its [`Exports`], which follow from its text alone; [`Others`] is what it sees of
 //! theirs, and [`link()`] puts the program together that uses functions and blocks of several files.
 //!
-//! [`analyze()`] does all of it for one file that stands alone, [`analyze_in()`] for one among others. [`Context`](context::Context) is what rules and the editor's features
+//! [`analyze()`] does all of it for one file that is alone, [`analyze_in()`] for one among others. [`Context`](context::Context) is what rules and the editor's features
 //! read; [`Program`](program::Program) is what runs. A file with errors has no program.
 
 mod analyze;

@@ -2,7 +2,7 @@
 //!
 //! The simulator compiles it, importers and exporters go by way of it, and rules about power read it. Names are
 //! resolved, operands typed and brought to the type that the instruction works in, and each network's elements
-//! stand in their order of evaluation (LANGUAGE §6).
+//! are in their order of evaluation (LANGUAGE §6).
 
 pub use crate::system_tag::{Clock, SystemTag};
 use crate::types::{Scalar, Type};
@@ -213,7 +213,7 @@ pub enum BlockKind {
 pub struct Block {
     /// What it is.
     pub kind: BlockKind,
-    /// Where it stands.
+    /// Where it is.
     pub location: Location,
     /// Its operands: those by place in their order, then named ones. For a user-defined block in the order of
     /// its parameters.
@@ -232,7 +232,7 @@ pub struct Bound {
     pub parameter: Option<usize>,
     /// What is given.
     pub argument: Argument,
-    /// Where it stands.
+    /// Where it is.
     pub range: TextRange,
 }
 
@@ -290,7 +290,7 @@ pub enum Argument {
     /// The network that a jump to this label from this block goes to; none for the label in `<LBL>` itself.
     Label(Option<usize>),
     /// In the body of a `<$B>`: a label that the body does not have, as names are compared. It is looked up where
-    /// the block stands, see [`Program::labels`].
+    /// the block is, see [`Program::labels`].
     OuterLabel(Name),
     /// A function: index into [`Program::functions`]; in `<FUN>` its own.
     Function(usize),
@@ -298,7 +298,7 @@ pub enum Argument {
     Operator(Op),
 }
 
-/// Where a value stands.
+/// Where a value is.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Place {
     /// An elementary tag.
@@ -333,7 +333,7 @@ pub struct Expr {
     pub ty: Scalar,
     /// What it is.
     pub kind: ExprKind,
-    /// Where it stands.
+    /// Where it is.
     pub range: TextRange,
 }
 

@@ -1,4 +1,4 @@
-//! What stands on the command line.
+//! What is on the command line.
 
 use crate::commands::{check, convert, dap, explain, fmt, lsp, render, sim, test, tree};
 #[cfg(feature = "pages")]

@@ -5,7 +5,7 @@ use ladder_workspace::{Root, Settings};
 use std::collections::HashMap;
 use std::path::{Path, PathBuf};
 
-/// Settings by the folder they stand in. Each file is read, and complained of, once.
+/// Settings by the folder they are in. Each file is read, and complained of, once.
 #[derive(Default)]
 pub(crate) struct SettingsFiles {
     read: HashMap<Option<PathBuf>, Option<Settings>>,

@@ -11,7 +11,7 @@ const NAME: &str = "<stdin>";
 /// Whether the text comes from stdin: the paths are `-`. `name` is what `--stdin-filename` says.
 ///
 /// # Errors
-/// `-` stands beside other paths, or a name is given and no text that it is for.
+/// `-` is beside other paths, or a name is given and no text that it is for.
 pub(crate) fn is_meant(paths: &[PathBuf], name: Option<&Path>) -> Result<bool, Failure> {
     let meant = paths.iter().any(|path| path == Path::new("-"));
     if meant && paths.len() > 1 {

@@ -98,7 +98,7 @@ def main():
     for elements, name in rows.items():
         print(f'<g id="{name}">{elements}</g>')
     print("</defs>")
-    # All moments stand side by side, and the window moves from one to the next.
+    # All moments are side by side, and the window moves from one to the next.
     width = columns * CELL_WIDTH + 2 * MARGIN
     steps, begun = [], 0.0
     for number, (_, seconds) in enumerate(frames):

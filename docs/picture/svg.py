@@ -69,7 +69,7 @@ def colour(codes, theme):
 
 def restyle(style, sequence, theme):
     """The style behind `ESC [ sequence m`."""
-    # 4:3 is a curly underline; what stands behind a colon is a kind of the same.
+    # 4:3 is a curly underline; what is behind a colon is a kind of the same.
     codes = [int(code.split(":")[0] or 0) if code != "4:0" else 24 for code in sequence.split(";")]
     while codes:
         code = codes.pop(0)

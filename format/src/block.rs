@@ -84,7 +84,7 @@ impl<'s> Block<'s> {
             && lookup(self.shape(), word).any(|row| row.limit() == Some(0))
     }
 
-    /// Hands out its pieces. `in_body`: it stands in the body of a user-defined block.
+    /// Hands out its pieces. `in_body`: it is in the body of a user-defined block.
     pub(crate) fn pieces(self, in_body: bool, give: impl FnMut(Piece)) {
         if self.node.is_plain_block() {
             plain::pieces(self.text, self.node.range(), give);

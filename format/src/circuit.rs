@@ -1,4 +1,4 @@
-//! A network as what stands in series and in parallel, drawn as a [`Sketch`]: for importers and refactorings.
+//! A network as what is in series and in parallel, drawn as a [`Sketch`]: for importers and refactorings.
 
 use crate::width::display_width;
 use crate::{ElementKind, Options, Sketch};
@@ -19,7 +19,7 @@ pub enum Circuit<T> {
 pub struct Piece<'c, T> {
     /// What it is.
     pub kind: PieceKind<'c, T>,
-    /// Whether wire joins it to what stands before it on its rung.
+    /// Whether wire joins it to what is before it on its rung.
     pub joined: bool,
 }
 
@@ -48,7 +48,7 @@ const fn up<'c, T>(joined: bool) -> Piece<'c, T> {
 
 impl<T> Circuit<T> {
     /// Its rungs from top to bottom. Wire comes in at the left end of the first and goes out at its right end; the
-    /// other rungs hang below it. What stands in series is evaluated from left to right, what stands in parallel from
+    /// other rungs hang below it. What is in series is evaluated from left to right, what is in parallel from
     /// top to bottom.
     pub fn rungs(&self) -> Vec<Vec<Piece<'_, T>>> {
         match self {
@@ -112,7 +112,7 @@ impl<T> Circuit<T> {
     }
 }
 
-/// The first branch stands between two `\`, the others in the same way between the `/` below them. On the rungs that
+/// The first branch is between two `\`, the others in the same way between the `/` below them. On the rungs that
 /// hang below the first branch the wires to the others pass on both sides.
 fn parallel<T>(branches: &[Circuit<T>]) -> Rungs<'_, T> {
     let [first, rest @ ..] = branches else {

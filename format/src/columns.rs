@@ -1,7 +1,7 @@
-//! Columns: where every element of a network stands (LANGUAGE §8 rules 2, 3 and 5). A pure function of the
+//! Columns: where every element of a network is (LANGUAGE §8 rules 2, 3 and 5). A pure function of the
 //! sketch; text plays no part.
 //!
-//! First everything stands as far left as its neighbours and the pairs allow. That is a longest path in the
+//! First everything is as far left as its neighbours and the pairs allow. That is a longest path in the
 //! graph of the rungs' order and the pairs, and the order of evaluation (LANGUAGE §6) is an order of that
 //! graph: a rung is followed up to a `\`, then the rung below up to the `/` of the pair, and so on. Each
 //! element is met once, so the cost grows with the number of elements and with nothing else.
@@ -260,7 +260,7 @@ impl Placer {
     }
 }
 
-/// How far an element stands from the one before it on its rung. A stub is the end of a wire: it touches what the
+/// How far an element is from the one before it on its rung. A stub is the end of a wire: it touches what the
 /// wire leads to.
 fn distance(sketch: &Sketch, at: u32, spacing: Spacing) -> u32 {
     let [before, element] = [at - 1, at].map(|n| &sketch.elements[n as usize]);

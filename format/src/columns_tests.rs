@@ -41,7 +41,7 @@ fn pushed_left(sketch: &Sketch) -> Vec<u32> {
     }
 }
 
-/// How far an element and the one before it stand apart: a stub is part of the wire.
+/// How far an element and the one before it are apart: a stub is part of the wire.
 fn apart(sketch: &Sketch, at: usize) -> u32 {
     let stubs = [at - 1, at].map(|n| sketch.elements[n].kind == ElementKind::Stub);
     if sketch.elements[at].joined && stubs.contains(&true) {
@@ -128,7 +128,7 @@ fn pulled_right(sketch: &Sketch, rail: u32, left: &[u32]) -> Vec<u32> {
     }
 }
 
-/// Any network: between the connectors, which pair up from rung to rung, stands anything.
+/// Any network: between the connectors, which pair up from rung to rung, is anything.
 fn sketches() -> impl Strategy<Value = Sketch> {
     let element = (0..10u8, any::<bool>(), 1..12u32);
     let rung = (

@@ -71,7 +71,7 @@ pub(crate) fn verticals<'s>(
 }
 
 /// Draws the rails and verticals of a line between two rungs, all but those in `covered`, a range of columns.
-/// `comments` draws what stands there, once all left of it is drawn, and says in which column it ends.
+/// `comments` draws what is there, once all left of it is drawn, and says in which column it ends.
 pub(crate) fn between<S: Surface>(
     rails: Rails,
     verticals: impl Iterator<Item = u32>,
@@ -120,7 +120,7 @@ pub(crate) fn between<S: Surface>(
 pub(crate) enum Cover {
     /// Up to this column, which is free.
     Until(u32),
-    /// One of them ends on a later line of the text: nothing can stand right of it.
+    /// One of them ends on a later line of the text: nothing can be right of it.
     Everything,
 }
 

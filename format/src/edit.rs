@@ -7,7 +7,7 @@ use ladder_syntax::{TextRange, TextSize};
 pub struct Edit {
     /// What is replaced, in bytes; empty for an insertion.
     pub range: TextRange,
-    /// What stands there afterwards.
+    /// What is there afterwards.
     pub text: String,
 }
 

@@ -1,4 +1,4 @@
-//! Writing a file: what stands between its networks, sections and comments (LANGUAGE §8 rule 7).
+//! Writing a file: what is between its networks, sections and comments (LANGUAGE §8 rule 7).
 //!
 //! ```text
 //! text --LineReader--> a part --Networks::read--> columns, the rail so far --File::item--> what changes
@@ -35,7 +35,7 @@ pub(crate) fn format<S: Sink>(text: &str, options: &Options, only: Option<&[Text
         between: Vec::new(),
         begun: false,
     };
-    // The rails as they are drawn stand in all of the file.
+    // The rails as they are drawn are in all of the file.
     let mut least = if only.is_some() { usize::MAX } else { PART };
     let mut networks = Networks::default();
     while let Err(again) = file.parts(&mut networks, only, least) {
@@ -51,7 +51,7 @@ pub(crate) fn format<S: Sink>(text: &str, options: &Options, only: Option<&[Text
     file.pen.finish()
 }
 
-/// Why a file must be written anew. That is rare: nearly always the first part says how wide the rails stand.
+/// Why a file must be written anew. That is rare: nearly always the first part says how wide the rails are.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Again {
     /// A network moves the file's right rail, and another was drawn by the old one.
@@ -213,7 +213,7 @@ impl<S: Sink> File<'_, S> {
     }
 
     /// Writes what belongs between the last thing and the one that comes: a blank line if one was blank, a
-    /// rail line if only those stood there, else nothing. Before the first thing stands nothing.
+    /// rail line if only those stood there, else nothing. Before the first thing is nothing.
     fn begin(&mut self, part: &PendingPart<'_>) {
         let begun = std::mem::replace(&mut self.begun, true);
         let Some(&first) = self.between.first().filter(|_| begun) else {
@@ -249,7 +249,7 @@ impl<S: Sink> File<'_, S> {
     }
 }
 
-/// Whether a comment stands first on a line.
+/// Whether a comment is first on a line.
 fn has_leading_comment(source: Source<'_>, line: usize) -> bool {
     let mut words = source.line(line).children();
     let first = words.find(|child| !child.kind().is_trivia() || child.kind() == COMMENT);

@@ -15,7 +15,7 @@ pub(crate) struct Entry {
     /// How many entries it has, itself among them.
     pub(crate) size: u32,
     pub(crate) kind: SyntaxKind,
-    /// The kind of the node that it stands in; `EOF` directly on a line.
+    /// The kind of the node that it is in; `EOF` directly on a line.
     pub(crate) inside: SyntaxKind,
 }
 
@@ -47,7 +47,7 @@ impl Flat {
 pub(crate) struct FlatLine {
     /// Its entry.
     entry: u32,
-    /// Whether a comment stands on it outside blocks.
+    /// Whether a comment is on it outside blocks.
     has_comment: bool,
 }
 
@@ -55,7 +55,7 @@ pub(crate) struct FlatLine {
 struct FlatBuilder {
     /// The last one is that of the line that is being read; at the end it marks where the text ends.
     entries: Vec<Entry>,
-    /// The entries of the open nodes, and the kinds of what they stand in.
+    /// The entries of the open nodes, and the kinds of what they are in.
     open: Vec<(u32, SyntaxKind)>,
     /// The kind of the node that was opened last.
     inside: SyntaxKind,
@@ -80,7 +80,7 @@ impl Default for FlatBuilder {
 }
 
 impl FlatBuilder {
-    /// Begins a new list for what stands in a text from a place on.
+    /// Begins a new list for what is in a text from a place on.
     fn begin(&mut self, at: usize) {
         self.entries.clear();
         self.line = 0;
@@ -202,7 +202,7 @@ impl<'s> Source<'s> {
         }
     }
 
-    /// Whether a comment stands on a line, outside its blocks.
+    /// Whether a comment is on a line, outside its blocks.
     pub(crate) fn has_comment(&self, line: usize) -> bool {
         self.lines.lines()[line].node().has_comment
     }

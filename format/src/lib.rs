@@ -53,7 +53,7 @@ use ladder_syntax::{Parse, TextRange};
 /// How a text is laid out.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Options {
-    /// A network up to this many columns wide takes the file's right rail; a wider one has its own. Both stand in a
+    /// A network up to this many columns wide takes the file's right rail; a wider one has its own. Both are in a
     /// multiple of 20.
     pub width: u32,
     /// The least number of columns between neighbours on a rung; at least 1.

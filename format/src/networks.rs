@@ -10,9 +10,9 @@ use crate::width::display_width;
 use ladder_syntax::{MAX_FILE_BYTES, Network};
 use std::ops::Range;
 
-/// The right rail stands in a multiple of this many columns, counted from 1.
+/// The right rail is in a multiple of this many columns, counted from 1.
 const RAIL_STEP: u32 = 20;
-/// Where the right rail stands at the least, counted from 1.
+/// Where the right rail is at the least, counted from 1.
 const LEAST_RAIL: u32 = 40;
 
 /// A network that is drawn anew: its rungs in the sketch, and its outline.

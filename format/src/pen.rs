@@ -4,14 +4,14 @@ use crate::edit::Sink;
 use memchr::memchr2;
 use std::ops::Range;
 
-/// Draws over an old text. What the old text says is kept piece by piece, in order; between two pieces stands
+/// Draws over an old text. What the old text says is kept piece by piece, in order; between two pieces is
 /// what was drawn since the first of them. So nothing but the gaps can change, and no piece can be lost or
 /// doubled.
 pub(crate) struct Pen<'t, S> {
     text: &'t str,
     /// Up to here the old text is dealt with.
     at: usize,
-    /// What stands in the new text behind `at` so far.
+    /// What is in the new text behind `at` so far.
     gap: String,
     sink: S,
     /// A range of places on one physical line, and the line end that belongs there.
@@ -61,7 +61,7 @@ impl<'t, S: Sink> Pen<'t, S> {
         self.gap.push_str(self.line_end.1);
     }
 
-    /// Keeps a piece of the old text. Pieces come in the order in which they stand.
+    /// Keeps a piece of the old text. Pieces come in the order in which they are.
     pub(crate) fn keep(&mut self, start: usize, end: usize) {
         let start = start.max(self.at);
         if self.text.as_bytes()[self.at..start] != *self.gap.as_bytes() {

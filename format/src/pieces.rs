@@ -1,4 +1,4 @@
-//! The words of blocks and declarations: how far apart they stand and which are in capitals (LANGUAGE §8
+//! The words of blocks and declarations: how far apart they are and which are in capitals (LANGUAGE §8
 //! rule 6). One walk over the nodes serves measuring and writing.
 
 use crate::flat::{Entry, Node};
@@ -9,7 +9,7 @@ use ladder_syntax::SyntaxKind::{self, *};
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) struct Piece {
     pub(crate) kind: SyntaxKind,
-    /// Where it stands in the text.
+    /// Where it is in the text.
     pub(crate) start: usize,
     pub(crate) end: usize,
     /// Blanks before it.
@@ -40,7 +40,7 @@ pub(crate) struct Pieces<'t, F> {
     in_calc: bool,
     in_user_block: bool,
     in_search: bool,
-    /// The point of a member that stands behind a number: without blanks the two would read as one number.
+    /// The point of a member that is behind a number: without blanks the two would read as one number.
     point_behind_number: bool,
 }
 
@@ -71,7 +71,7 @@ impl<'t, F: FnMut(Piece)> Pieces<'t, F> {
         self.node(block);
     }
 
-    /// Walks a node or token. What a token asks for depends on what it stands in and on little else, so the list is
+    /// Walks a node or token. What a token asks for depends on what it is in and on little else, so the list is
     /// walked from its first entry to its last, whatever nests in it.
     pub(crate) fn node(&mut self, node: Node<'_>) {
         let entries = node.entries();

@@ -62,7 +62,7 @@ pub(crate) fn pieces(text: &str, place: Range<usize>, mut give: impl FnMut(Piece
     }
 }
 
-/// Whether all pieces stand where they belong.
+/// Whether all pieces are where they belong.
 pub(crate) fn is_canonical(block: &[u8]) -> bool {
     let byte = |at: usize| block.get(at).copied().unwrap_or(0);
     let closing = match byte(1) {

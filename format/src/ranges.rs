@@ -38,7 +38,7 @@ pub(crate) fn keep_all_but(source: Source<'_>, ranges: &[TextRange], stays: &mut
 struct Asked {
     /// Where ranges begin, in order, each with the furthest end of those up to it.
     ranges: Vec<(TextSize, TextSize)>,
-    /// Where cursors stand, in order.
+    /// Where cursors are, in order.
     cursors: Vec<TextSize>,
     text_len: TextSize,
 }

@@ -167,7 +167,7 @@ impl Reader {
     }
 }
 
-/// What stands beside the drawing: bars and comments that join nothing.
+/// What is beside the drawing: bars and comments that join nothing.
 fn is_aside(part: &RungPart) -> bool {
     part.kind == PartKind::Bar || (part.kind == PartKind::Comment && part.segment.is_none())
 }
@@ -184,7 +184,7 @@ fn check_leading_comments(source: Source<'_>, parts: &[RungPart], first: usize) 
     }
 }
 
-/// Whether a `|` stands first on the line and touches the wire there.
+/// Whether a `|` is first on the line and touches the wire there.
 fn begins_at_bar(parts: &[RungPart], first: usize) -> bool {
     first > 0
         && parts[first].kind == PartKind::Wire
@@ -192,7 +192,7 @@ fn begins_at_bar(parts: &[RungPart], first: usize) -> bool {
         && parts[first - 1].kind == PartKind::Bar
 }
 
-/// Whether a `|` stands last on the line and touches the wire there.
+/// Whether a `|` is last on the line and touches the wire there.
 fn ends_at_bar(parts: &[RungPart], last: usize) -> bool {
     parts[last].kind == PartKind::Wire
         && parts

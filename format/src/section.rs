@@ -9,7 +9,7 @@ use ladder_syntax::LineKind;
 use ladder_syntax::SyntaxKind::*;
 use std::ops::Range;
 
-/// How far a declaration stands in.
+/// How far a declaration is in.
 const INDENT: u32 = 4;
 
 /// The parts of a declaration, and with them the columns of a run.
@@ -64,7 +64,7 @@ pub(crate) fn write<S: Sink>(source: Source<'_>, lines: Range<usize>, pen: &mut 
     }
 }
 
-/// Ends a line of a section: with its own line end, or with a new one where more of the section stands behind it.
+/// Ends a line of a section: with its own line end, or with a new one where more of the section is behind it.
 fn end_line<S: Sink>(source: Source<'_>, line: usize, section_end: usize, pen: &mut Pen<'_, S>) {
     let end = source.range(line).end;
     match source.line_end(line) {
@@ -106,7 +106,7 @@ pub(crate) fn comment_line<S: Sink>(source: Source<'_>, line: usize, pen: &mut P
     }
 }
 
-/// The comments of a line that stand behind a place, two blanks before each.
+/// The comments of a line that are behind a place, two blanks before each.
 pub(crate) fn comments_behind<S: Sink>(source: Source<'_>, line: usize, behind: usize, pen: &mut Pen<'_, S>) {
     if !source.has_comment(line) {
         return;

@@ -1,4 +1,4 @@
-//! A network as a drawing without columns: what stands on its rungs, in which order, and how it is joined.
+//! A network as a drawing without columns: what is on its rungs, in which order, and how it is joined.
 //!
 //! The formatter makes a sketch of every network that it reads; whoever makes new networks (an importer, a
 //! refactoring) makes one of what it wants drawn. Columns are worked out from the sketch alone.
@@ -37,7 +37,7 @@ pub enum ElementKind {
 pub struct Element {
     /// What it is.
     pub kind: ElementKind,
-    /// Whether wire joins it to the element before it on its rung; if not, blanks stand between them.
+    /// Whether wire joins it to the element before it on its rung; if not, blanks are between them.
     pub joined: bool,
     /// Its display width in columns.
     pub width: u32,

@@ -11,7 +11,7 @@ pub(crate) struct Stays {
 }
 
 impl Stays {
-    /// What is known without looking into the rungs. `off`: `fmt off` stands before the first line, and afterwards
+    /// What is known without looking into the rungs. `off`: `fmt off` is before the first line, and afterwards
     /// whether it does behind the last.
     pub(crate) fn find(source: Source<'_>, off: &mut bool) -> Stays {
         let lines = source.lines;
@@ -44,7 +44,7 @@ impl Stays {
         self.lines[lines].fill(true);
     }
 
-    /// What stands between `fmt off` and `fmt on`.
+    /// What is between `fmt off` and `fmt on`.
     fn switched_off(&mut self, source: Source<'_>, is_off: &mut bool) {
         let count = self.lines.len();
         let mut off = is_off.then_some(0);
@@ -177,7 +177,7 @@ fn begins_at_rail(rung: Node<'_>) -> bool {
     first == Some(SyntaxKind::RAIL_CONNECTOR)
 }
 
-/// Whether a comment stands before the last token of a line of a section that is not one.
+/// Whether a comment is before the last token of a line of a section that is not one.
 fn has_comment_inside(source: Source<'_>, line: usize) -> bool {
     if matches!(source.kind(line), LineKind::Comment | LineKind::Blank) {
         return false;
@@ -219,7 +219,7 @@ pub(crate) fn directive(comment: &str) -> Option<Directive> {
 
 const BLANKS: [char; 2] = [' ', '\t'];
 
-/// The directive that stands alone on a line.
+/// The directive that is alone on a line.
 fn directive_line(source: Source<'_>, line: usize) -> Option<Directive> {
     if !matches!(source.kind(line), LineKind::Comment | LineKind::Rail) {
         return None;

@@ -37,7 +37,7 @@ pub enum CallerKind {
 pub struct Calls {
     /// The other one.
     pub other: Caller,
-    /// Where the calls stand, in the file of the one that calls.
+    /// Where the calls are, in the file of the one that calls.
     pub places: Vec<TextRange>,
 }
 

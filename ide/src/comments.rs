@@ -1,4 +1,4 @@
-//! The comments that belong to what stands below them.
+//! The comments that belong to what is below them.
 
 use crate::body::line_text;
 use ladder_analysis::context::Context;
@@ -66,7 +66,7 @@ pub(crate) fn title(context: &Context, line: usize) -> Option<String> {
         let mut begin = of_line(parse, line);
         let before = line_text(parse, line);
         let drawn = before.trim_start_matches('\u{feff}').trim_start();
-        // Comments further on are about what they stand beside.
+        // Comments further on are about what they are beside.
         drawn.starts_with('#').then(|| begin.truncate(1))?;
         first_words(&begin)
     })

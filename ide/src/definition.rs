@@ -3,7 +3,7 @@
 //! | asked of | definition | declaration | type | implementation |
 //! | --- | --- | --- | --- | --- |
 //! | a tag | its declaration; of a VAR_EXTERNAL tag the VAR_GLOBAL line | the VAR_EXTERNAL line of this file, else as definition | of a timer or counter the block that it belongs to | the places that write it |
-//! | an undeclared tag | the places that write it, else where it stands first | as definition | | as definition |
+//! | an undeclared tag | the places that write it, else where it is first | as definition | | as definition |
 //! | a direct address | the declaration with this address behind AT, else as an undeclared tag | as definition | | the places that write it |
 //! | a member or bit | as its tag | as its tag | as its tag | as its tag |
 //! | a parameter | its declaration in the block | as definition | | the places in the body that write it |
@@ -158,7 +158,7 @@ fn target(file: &Context, symbol: &Symbol, place: Occurrence) -> Target {
     }
 }
 
-/// All that belongs to a definition whose name stands in a range.
+/// All that belongs to a definition whose name is in a range.
 fn surroundings(context: &Context, symbol: &Symbol, at: TextRange) -> Option<TextRange> {
     match symbol {
         Symbol::Function { .. } => {
@@ -219,7 +219,7 @@ fn states(file: &Context, symbol: &Symbol) -> Vec<Target> {
     targets
 }
 
-/// Where the body of a definition stands.
+/// Where the body of a definition is.
 fn body_of(
     context: &Context,
     symbol: &Symbol,

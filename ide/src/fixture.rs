@@ -87,7 +87,7 @@ impl Fixture {
         &scenarios.find(|(name, _)| name == file).unwrap().1
     }
 
-    /// A place as `main.clad:3:7 run`: line and column from 1, and what stands there.
+    /// A place as `main.clad:3:7 run`: line and column from 1, and what is there.
     pub(crate) fn show(&self, file: &str, range: TextRange) -> String {
         let text = self.text(file);
         let before = &text[..usize::from(range.start())];

@@ -1,6 +1,6 @@
 //! Inlay hints: what a coil computes, at the end of its line.
 //!
-//! A hint within a rung would shift the columns of everything right of it, so they stand behind the last character of
+//! A hint within a rung would shift the columns of everything right of it, so they are behind the last character of
 //! a line and nowhere else.
 
 use crate::body::line_text;

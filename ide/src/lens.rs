@@ -1,6 +1,6 @@
 //! Code lenses: what can be done with a network, on a line of its own above it.
 //!
-//! A line between two rungs would cut the verticals of a drawing, so a lens stands at the first line of a network and
+//! A line between two rungs would cut the verticals of a drawing, so a lens is at the first line of a network and
 //! nowhere else.
 
 use ladder_analysis::context::{Body, Context};
@@ -20,9 +20,9 @@ pub struct Lens {
 pub enum LensKind {
     /// The program can be simulated, and its scenarios run: above its first network.
     Program,
-    /// Who jumps to the label whose name stands here.
+    /// Who jumps to the label whose name is here.
     Jumps(TextSize),
-    /// Who calls the function whose name stands here.
+    /// Who calls the function whose name is here.
     Calls(TextSize),
 }
 
@@ -60,7 +60,7 @@ mod tests {
     use crate::fixture::Fixture;
     use expect_test::{Expect, expect};
 
-    /// The lenses above the lines that they stand at.
+    /// The lenses above the lines that they are at.
     fn check(text: &str, expected: Expect) {
         let fixture = Fixture::new(text);
         let lenses = lenses(&fixture.files[0].0.context);

@@ -7,7 +7,7 @@ use ladder_syntax::{TextRange, TextSize};
 /// A link.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Link {
-    /// Where it stands.
+    /// Where it is.
     pub range: TextRange,
     /// Where it leads.
     pub to: LinkTarget,

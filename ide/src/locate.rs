@@ -1,4 +1,4 @@
-//! What stands at an offset: the network, the rung, the part of its drawing, the block and the operand.
+//! What is at an offset: the network, the rung, the part of its drawing, the block and the operand.
 
 use ladder_analysis::context::Context;
 use ladder_analysis::facts::{Node, NodeKind};

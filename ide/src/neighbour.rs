@@ -32,7 +32,7 @@ pub struct ScenarioFile {
     pub text: String,
 }
 
-/// A file that stands alone.
+/// A file that is alone.
 #[derive(Debug, Clone, Copy)]
 pub struct Alone;
 
@@ -50,7 +50,7 @@ impl Workspace for Alone {
     }
 }
 
-/// Whether a name stands somewhere in a text, in whatever case, if only as a part of another one.
+/// Whether a name is somewhere in a text, in whatever case, if only as a part of another one.
 pub fn mentions(text: &str, name: &Name) -> bool {
     // Folded as a whole, every name in it is folded.
     Name::new(text).as_str().contains(name.as_str())

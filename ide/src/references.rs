@@ -19,7 +19,7 @@ pub struct Reference {
     pub usage: Usage,
 }
 
-/// The places of what stands at an offset: those of the file first, those in scenarios last. Definitions and
+/// The places of what is at an offset: those of the file first, those in scenarios last. Definitions and
 /// declarations are among them.
 pub fn references(context: &Context, offset: TextSize, workspace: &dyn Workspace) -> Vec<Reference> {
     let Some(Found { symbol, .. }) = find(context, offset) else {

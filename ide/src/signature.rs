@@ -34,7 +34,7 @@ pub struct Signature {
 /// An operand in a signature.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Parameter {
-    /// Where it stands in the label, in bytes.
+    /// Where it is in the label, in bytes.
     pub range: Range<usize>,
     /// What it is for.
     pub doc: String,
@@ -273,7 +273,7 @@ mod tests {
         check(
             "+--[PWL]( y, x, 1, 2, 3$0, 4 )--+\n",
             expect![[r#"
-            [PWL]( y, x, x0, y0, {x1}, y1, ... )  Where the next point stands, right of the one before.
+            [PWL]( y, x, x0, y0, {x1}, y1, ... )  Where the next point is, right of the one before.
         "#]],
         );
         check(

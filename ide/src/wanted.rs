@@ -71,7 +71,7 @@ pub(crate) struct Wanted {
     pub(crate) kind: Kind,
     pub(crate) reads: bool,
     pub(crate) writes: bool,
-    /// Whether a whole expression may stand here.
+    /// Whether a whole expression may be here.
     pub(crate) expression: bool,
     /// A timer's, counter's or bistable's own tag, or a result: what other blocks write is less likely meant.
     pub(crate) by_coil: bool,

@@ -15,7 +15,7 @@ pub struct Named {
     pub name: String,
     /// What it is.
     pub kind: OutlineKind,
-    /// Where it stands.
+    /// Where it is.
     pub range: TextRange,
     /// The function or block definition that it belongs to.
     pub container: Option<String>,

@@ -49,7 +49,7 @@ pub use profile::{Profile, Profiles};
 pub use purpose::{Purpose, purpose};
 pub use table::TABLE;
 
-/// The outline of a block: which brackets its first part stands in (LANGUAGE §2).
+/// The outline of a block: which brackets its first part is in (LANGUAGE §2).
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub enum Shape {
     /// `[..](..)`: contacts, comparisons, data, timers, counters, ports.
@@ -122,7 +122,7 @@ impl Group {
         Group::Port,
     ];
 
-    /// The heading that its instructions stand under.
+    /// The heading that its instructions are under.
     pub const fn title(self) -> &'static str {
         match self {
             Group::Condition => "Conditions",
@@ -168,7 +168,7 @@ pub struct Instruction {
     pub eno: &'static str,
     /// A name of two or three words: "Open contact".
     pub title: &'static str,
-    /// What it does, in Markdown: a first paragraph of one sentence that stands alone, then the details a person
+    /// What it does, in Markdown: a first paragraph of one sentence that is alone, then the details a person
     /// must know. Timers show a timing diagram, in the rows of a scenario: `_` low, `-` high, one column a scan.
     pub doc: &'static str,
     /// A rung (or two) that shows it, in canonical layout, without errors when checked on its own.
@@ -242,7 +242,7 @@ impl Instruction {
 
     /// The operand that the `index`-th positional value (from 0) stands for.
     pub fn positional(&self, index: usize) -> Option<&'static Operand> {
-        // The named operands stand last in every row, the repeated ones directly before them.
+        // The named operands are last in every row, the repeated ones directly before them.
         let places = self
             .operands
             .iter()

@@ -1,4 +1,4 @@
-//! What an operand of an instruction is: its name, direction, and what may stand in its place.
+//! What an operand of an instruction is: its name, direction, and what may be in its place.
 
 use crate::Profiles;
 
@@ -9,7 +9,7 @@ pub struct Operand {
     pub name: &'static str,
     /// Read, written, or both.
     pub direction: Direction,
-    /// What may stand here.
+    /// What may be here.
     pub accepts: Accepts,
     /// Whether and how it must be given.
     pub presence: Presence,
@@ -234,7 +234,7 @@ pub enum TypeClass {
     Any,
 }
 
-/// What may stand in an operand's place.
+/// What may be in an operand's place.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Accepts {
     /// A BOOL tag, member or bit; for inputs also a BOOL literal.

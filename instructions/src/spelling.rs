@@ -60,7 +60,7 @@ pub(crate) struct Entry {
     /// The row's brackets, as a number that a constant function can compare.
     pub(crate) shape: u8,
     pub(crate) spelling: Spelling,
-    /// Where the row stands in the table.
+    /// Where the row is in the table.
     pub(crate) row: u8,
 }
 

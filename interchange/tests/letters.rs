@@ -45,7 +45,7 @@ const MOTOR: &str = "\
 +--[ ]( run )--[TON]( warmup, T#5s )--[GE]( speed, 80 )--( )( ready )--+
 ";
 
-/// How the parts with these texts stand: what is not named has power.
+/// How the parts with these texts are: what is not named has power.
 fn live(text: &str, dead: &[&str], gates: &[(&str, Gate)], values: &[(&str, &str, bool)]) -> Live {
     let place = |part: &str| {
         let at = text.find(part).unwrap_or_else(|| panic!("{part} is not there"));
@@ -179,7 +179,7 @@ fn every_block_has_its_place() {
     assert_eq!(places, [0, 0, 1, 1, 2, 2, 2, 2, 2]);
 }
 
-/// A comment above a rung stands beside the lines that come down there.
+/// A comment above a rung is beside the lines that come down there.
 #[test]
 fn comments_are_beside_the_lines() {
     let text = "+--\\--[ ]( a )--\\--( )( x )--+\n# b, too #\n|  /--[ ]( b )--/            |\n";

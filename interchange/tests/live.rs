@@ -7,7 +7,7 @@ use ladder_interchange::picture::live::{Kind, Piece, pieces};
 use ladder_syntax::{LineIndex, TextRange, TextSize, parse};
 use std::sync::Arc;
 
-/// What stands in a stretch of a text: kind, first line from 0, and drawing.
+/// What is in a stretch of a text: kind, first line from 0, and drawing.
 fn drawn_in(text: &str, stretch: TextRange, rail: u32) -> Vec<(Kind, usize, String)> {
     let analysis = analyze(&Arc::new(parse(text)), "program");
     let index = LineIndex::new(text);

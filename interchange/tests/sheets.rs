@@ -82,7 +82,7 @@ fn check(sheets: &[Sheet]) {
     }
 }
 
-/// How often a text stands on the pages where it can be seen whole.
+/// How often a text is on the pages where it can be seen whole.
 fn seen(sheets: &[Sheet], text: &str) -> usize {
     let pieces = sheets.iter().flat_map(|sheet| &sheet.pieces);
     let shapes = pieces.flat_map(|piece| piece.shapes.iter().map(move |shape| (piece, shape)));

@@ -44,9 +44,9 @@ pub struct Drawn {
     pub version: i32,
     /// How many lines that has.
     pub line_count: u32,
-    /// The lines of which all is told: those that were asked for, and the rest of the pieces at their ends.
+    /// The lines of which all is sent: those that were asked for, and the rest of the pieces at their ends.
     pub lines: Lines,
-    /// What stands there, from top to bottom.
+    /// What is there, from top to bottom.
     pub pieces: Vec<DrawnPiece>,
 }
 
@@ -80,7 +80,7 @@ pub enum PieceKind {
     Heading,
     /// A network.
     Network,
-    /// A network with a mistake in its drawing, shown as text, and whatever stands behind a comment that is never closed.
+    /// A network with a mistake in its drawing, shown as text, and whatever is behind a comment that is never closed.
     Broken,
 }
 

@@ -1,4 +1,4 @@
-//! The diagram of an open program drawn with characters: only what a client shows, and, while the program runs, as it stands.
+//! The diagram of an open program drawn with characters: only what a client shows, and, while the program runs, as it is.
 //! `docs/protocol.md` shows the messages.
 
 use ladder_interchange::picture::letters::{self, Ink, Live, Piece};

@@ -1,4 +1,4 @@
-//! Ladder text that stands in another document, such as a fence of a Markdown file: its words with what they are, for
+//! Ladder text that is in another document, such as a fence of a Markdown file: its words with what they are, for
 //! colours, and its picture.
 
 use std::sync::Arc;

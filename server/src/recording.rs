@@ -121,7 +121,7 @@ fn pieces(input: &mut impl BufRead) -> io::Result<Vec<Piece>> {
         let numbers = numbers.and_then(|(at, length)| Some((at.parse().ok()?, length.parse().ok()?)));
         let Some((at, length)) = numbers else {
             return Err(io::Error::other(format!(
-                "a time and a length are expected where {:?} stands, after {} pieces",
+                "a time and a length are expected where {:?} is, after {} pieces",
                 line.trim_end(),
                 pieces.len()
             )));
@@ -165,7 +165,7 @@ mod tests {
         assert!(said("hello\n").unwrap_err().contains("--mirror"));
         assert_eq!(
             said("ladder lsp recording 1\n7 1\na\nnow\n").unwrap_err(),
-            "a time and a length are expected where \"now\" stands, after 1 pieces"
+            "a time and a length are expected where \"now\" is, after 1 pieces"
         );
         let cut = said("ladder lsp recording 1\n7 1\na\n9000 5\nbc").unwrap();
         assert_eq!(

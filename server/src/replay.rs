@@ -182,7 +182,7 @@ fn header(bytes: &[u8]) -> Option<usize> {
     Some(at + end.len())
 }
 
-/// What stands behind the header, if that is one message.
+/// What is behind the header, if that is one message.
 fn body(message: &[u8]) -> Option<&[u8]> {
     (length(message)? == message.len()).then_some(())?;
     Some(&message[header(message)?..])

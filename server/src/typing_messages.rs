@@ -42,9 +42,9 @@ pub enum EditKind {
     Branch,
     /// A contact or coil becomes its opposite.
     Invert,
-    /// A block changes places with what stands before it.
+    /// A block changes places with what is before it.
     Left,
-    /// With what stands behind it.
+    /// With what is behind it.
     Right,
     /// A block goes to the rung above.
     Up,
@@ -62,7 +62,7 @@ pub struct EditedDrawing {
     pub version: i32,
     /// The edits, to be made together.
     pub edits: Vec<Replacement>,
-    /// Where the cursor stands afterwards; none where it stays.
+    /// Where the cursor is afterwards; none where it stays.
     pub cursor: Option<Position>,
 }
 

@@ -101,7 +101,7 @@ pub(crate) const fn state_size(state: StateType) -> (u32, u32) {
     }
 }
 
-/// Where a member stands: in the bits or in the words.
+/// Where a member is: in the bits or in the words.
 pub(crate) enum MemberSlot {
     Bit(Bit),
     Word(Word),

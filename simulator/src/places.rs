@@ -1,5 +1,5 @@
 //! What a program remembers that no tag of it holds: edges and the like belong to a block's place in the text, and tags
-//! of a user-defined block exist once for each place where it stands.
+//! of a user-defined block exist once for each place where it is.
 
 use crate::compile::EdgeOf;
 use crate::layout::Home;
@@ -25,7 +25,7 @@ pub(crate) enum Cell {
 /// What a block remembers.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(crate) struct Remembered {
-    /// The block, behind those in whose bodies it stands.
+    /// The block, behind those in whose bodies it is.
     pub(crate) path: Vec<BlockAt>,
     pub(crate) cell: Cell,
 }

@@ -90,7 +90,7 @@ impl Names {
             .iter()
             .enumerate()
             .filter(|(_, tag)| tag.block.is_none());
-        // The program's own tags stand before those of other files and shadow them.
+        // The program's own tags are before those of other files and shadow them.
         let mut tags = HashMap::new();
         for (index, tag) in visible {
             tags.entry(Name::new(&tag.name)).or_insert(index as u32);
@@ -102,7 +102,7 @@ impl Names {
         Names { tags }
     }
 
-    /// The tags of one place where a user-defined block stands.
+    /// The tags of one place where a user-defined block is.
     pub(crate) fn of_instance(program: &Program, tags: impl Iterator<Item = TagId>) -> Names {
         let named = tags.map(|tag| (Name::new(&program.tags[tag.0 as usize].name), tag.0));
         Names {

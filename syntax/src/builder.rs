@@ -16,7 +16,7 @@ pub trait Builder {
     /// Whether [`Builder::plain_block`] may stand for all that a block holds.
     const TAKES_PLAIN_BLOCKS: bool = false;
 
-    /// Adds a token: what stands at a place of the text, which begins where the token before it ends.
+    /// Adds a token: what is at a place of the text, which begins where the token before it ends.
     fn token(&mut self, kind: SyntaxKind, text: &str, place: Range<usize>);
 
     /// Adds a block without what it holds: at most a mnemonic in capitals, and names, members, numbers and typed

@@ -83,7 +83,7 @@ impl Parse {
             .map_or(Entry::START, |before| entry_behind(&self.lines()[before]))
     }
 
-    /// The line that starts at an offset, but not the first: there a byte order mark may stand.
+    /// The line that starts at an offset, but not the first: there a byte order mark may be.
     fn line_that_starts(&self, offset: usize) -> Option<usize> {
         let line = self.lines.count_before(offset as u32);
         let starts = line > 0 && line < self.lines.len() && self.lines.line_start(line) as usize == offset;

@@ -44,18 +44,18 @@ pub enum SyntaxErrorKind {
     },
     /// A `#` without a partner: the comment reaches to the end of the text.
     UnclosedComment,
-    /// Characters that mean nothing where they stand.
+    /// Characters that mean nothing where they are.
     UnexpectedCharacter {
-        /// What they stand in.
+        /// What they are in.
         place: Surroundings,
-        /// They stand right behind a comment that ended inside what looks like a literal (`T# 5s #`).
+        /// They are right behind a comment that ended inside what looks like a literal (`T# 5s #`).
         behind_comment: bool,
     },
     /// A string without its closing quote.
     UnclosedString,
     /// The name of a user-defined block that is not a letter, then letters and digits, as in `$my_block`.
     BadBlockName,
-    /// No value where an operand or a part of an expression must stand. The range is that of the next token, or
+    /// No value where an operand or a part of an expression must be. The range is that of the next token, or
     /// empty at the end of a line.
     MissingOperand {
         /// What lacks it.
@@ -103,7 +103,7 @@ impl Many {
     }
 }
 
-/// What something stands in.
+/// What something is in.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Surroundings {
     /// On a line, outside blocks.
@@ -152,13 +152,13 @@ pub enum DeclarationProblem {
     BoundsExpected,
     /// `OF` and a type are expected.
     OfExpected,
-    /// Something stands here that belongs to no declaration.
+    /// Something is here that belongs to no declaration.
     Unexpected,
     /// The section above is not closed by END_VAR.
     SectionNotClosed,
     /// END_VAR without a section.
     EndWithoutSection,
-    /// Something stands behind END_VAR, or another keyword that ends its line, on the same line.
+    /// Something is behind END_VAR, or another keyword that ends its line, on the same line.
     LineNotEnded,
     /// FUNCTION_BLOCK without a block's head such as `[$Name]`.
     BlockHeadExpected,

@@ -14,9 +14,9 @@ use std::sync::Arc;
 #[derive(Debug, Clone)]
 pub struct FileLines {
     parts: Vec<Arc<Part>>,
-    /// How many lines stand before each part, and at the end how many there are.
+    /// How many lines are before each part, and at the end how many there are.
     lines_before: Vec<u32>,
-    /// How many bytes stand before each part, and at the end the length of the text.
+    /// How many bytes are before each part, and at the end the length of the text.
     bytes_before: Vec<u32>,
     /// How many physical lines end before each part, and at the end how many there are.
     ends_before: Vec<u32>,

@@ -42,7 +42,7 @@ pub enum SyntaxKind {
     R_ANGLE,
 
     // Words and values.
-    /// What stands in a block's first part: `TON`, `/`.
+    /// What is in a block's first part: `TON`, `/`.
     MNEMONIC,
     /// `$Name` in a block's first part.
     BLOCK_NAME,
@@ -97,7 +97,7 @@ pub enum SyntaxKind {
     /// `>=`
     GREATER_EQUAL,
 
-    /// Characters that have no meaning where they stand.
+    /// Characters that have no meaning where they are.
     ERROR,
     /// The end of the text. Never in a tree.
     EOF,

@@ -65,7 +65,7 @@ impl LongLine {
     }
 }
 
-/// Between two known columns of a long line stand so many bytes.
+/// Between two known columns of a long line are so many bytes.
 const STRIDE: usize = 1024;
 
 /// Characters as people count them: a byte order mark is none.

@@ -25,7 +25,7 @@ pub struct LineTree {
 /// The longest text that lines share. A text lives as long as one of its lines.
 const SHARED: usize = 16 << 10;
 
-/// Stands before a text that is not the beginning of a file, where alone a byte order mark may stand.
+/// Stands before a text that is not the beginning of a file, where alone a byte order mark may be.
 const BEFORE: &str = "\n";
 
 /// Gives lines the text that they were read from. The first one begins at `at`, in the state `entry`.
@@ -53,7 +53,7 @@ pub(crate) fn with_text(text: &str, at: usize, entry: Entry, lines: Vec<Line<()>
                 entry,
                 made: OnceLock::new(),
             };
-            // A line with a mistake may be read so because of what stands behind it.
+            // A line with a mistake may be read so because of what is behind it.
             if !line.errors.is_empty() {
                 let _ = tree.made.set(read(text, from, entry, &mut small_builder()));
             }

@@ -49,7 +49,7 @@ pub struct Lines<N> {
     unclosed_comment: Option<TextRange>,
 }
 
-/// Reads all lines of a text, and tells the builder what stands on them. [`parse`](crate::parse()) does this with the
+/// Reads all lines of a text, and tells the builder what is on them. [`parse`](crate::parse()) does this with the
 /// builder of the tree.
 pub fn read_lines<B: Builder>(text: &str, builder: &mut B) -> Lines<B::Line> {
     let mut lines = Lines::with_capacity(text.len());
@@ -81,7 +81,7 @@ pub struct LineReader<'t> {
 }
 
 impl<'t> LineReader<'t> {
-    /// A reader that stands at the start of a text.
+    /// A reader that is at the start of a text.
     pub fn new(text: &'t str) -> LineReader<'t> {
         LineReader {
             text,

@@ -99,7 +99,7 @@ impl Parse {
     }
 
     /// Where a comment that is never closed is reported: the `#` of the first comment that holds a line of a
-    /// drawing, else the last `#`. What stands behind it is not to be relied on.
+    /// drawing, else the last `#`. What is behind it is not to be relied on.
     pub fn unclosed_comment(&self) -> Option<TextRange> {
         self.unclosed_comment
     }
@@ -116,7 +116,7 @@ impl Parse {
                 line.errors.iter().map(move |e| e.shifted(start))
             })
             .collect();
-        // An end that was not found may stand in a comment that is never closed.
+        // An end that was not found may be in a comment that is never closed.
         let told = |kind: SyntaxErrorKind| self.unclosed_comment().is_none() || !kind.lacks_end();
         let problems = self.structure().problems.iter().filter(|(_, kind)| told(*kind));
         errors.extend(problems.map(|&(line, kind)| {

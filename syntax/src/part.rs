@@ -1,4 +1,4 @@
-//! A part of a file: the unit that an edit makes anew. All that it knows counts from its own start, so that what stands
+//! A part of a file: the unit that an edit makes anew. All that it knows counts from its own start, so that what is
 //! above and below it may change.
 
 use crate::line::{Line, LineKind};

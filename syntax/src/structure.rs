@@ -9,7 +9,7 @@ use crate::lines::{LineList, Lines};
 use crate::{DeclarationProblem, SyntaxErrorKind};
 use std::ops::Range;
 
-/// The networks, sections and block definitions of a file, and the order in which they stand.
+/// The networks, sections and block definitions of a file, and the order in which they are.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub struct Structure {
     /// Everything at the file's outermost level of reading, from top to bottom.
@@ -49,7 +49,7 @@ pub enum Item {
 }
 
 /// A maximal chain of rungs that connectors may join. The rungs are the lines of kind [`LineKind::Rung`] in
-/// `lines`; what else stands between them is decoration (or a stray line, which is a mistake).
+/// `lines`; what else is between them is decoration (or a stray line, which is a mistake).
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Network {
     /// From the first rung to the last.
@@ -239,7 +239,7 @@ impl Grouping {
     }
 }
 
-/// Groups the lines of a text, or of a stretch of it that stands by itself.
+/// Groups the lines of a text, or of a stretch of it that is by itself.
 pub(crate) fn structure<N>(lines: &Lines<N>) -> Structure {
     let mut grouping = Grouping::default();
     grouping.add(lines, 0, &group(lines.lines()));

@@ -100,7 +100,7 @@ impl Rung {
 /// A pair of connectors: one electrical point. Rungs count within their network.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub struct Point {
-    /// The rung of the `\`; the `/` stands on the next.
+    /// The rung of the `\`; the `/` is on the next.
     pub upper: usize,
     /// The part of the `\` on its rung.
     pub down: usize,
@@ -113,7 +113,7 @@ pub struct Point {
 /// The wiring of one network.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
 pub struct Wiring {
-    /// For each rung how many lines below the network's first line it stands. So the wiring is that of the lines
+    /// For each rung how many lines below the network's first line it is. So the wiring is that of the lines
     /// alone, wherever in a file they are.
     pub line_offsets: Vec<usize>,
     /// The rungs from top to bottom.
@@ -245,7 +245,7 @@ fn parts(children: impl Iterator<Item = (SyntaxKind, TextSize, u32)>, parts: &mu
     }
 }
 
-/// The first `+` of a line is the left rail's if nothing but comments and `|` stand before it, the last one
+/// The first `+` of a line is the left rail's if nothing but comments and `|` are before it, the last one
 /// the right rail's likewise. Characters that mean nothing are one mistake and make no second.
 fn classify_rails(parts: &mut [RungPart]) {
     let aside = |part: &RungPart| matches!(part.kind, PartKind::Comment | PartKind::Bar | PartKind::Junk);

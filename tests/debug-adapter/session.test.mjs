@@ -25,7 +25,7 @@ beforeEach(async () => {
 
 afterEach(() => client.stop());
 
-/** Starts a program that stands before its first scan. */
+/** Starts a program that is before its first scan. */
 async function atEntry(more = {}) {
     await Promise.all([
         client.configurationSequence(),
@@ -34,7 +34,7 @@ async function atEntry(more = {}) {
     ]);
 }
 
-/** Does something and waits until the program stands again. */
+/** Does something and waits until the program appears again. */
 async function stopsAfter(reason, action) {
     const [event] = await Promise.all([client.waitForEvent('stopped'), action]);
     assert.equal(event.body.reason, reason, JSON.stringify(event.body));
@@ -42,7 +42,7 @@ async function stopsAfter(reason, action) {
     return { event: event.body, frames: stack.body.stackFrames, top: stack.body.stackFrames[0] };
 }
 
-/** What stands at a place of the program. */
+/** What is at a place of the program. */
 const textAt = ({ line, column, endColumn }) => text[line - 1].slice(column - 1, endColumn - 1);
 
 async function variables(scope, frameId = 1) {

@@ -37,7 +37,7 @@ fn with_includes(path: &Path) -> String {
     let mut text = project::read(path);
     while let Some((before, rest)) = text.split_once("{{#include ") {
         let (file, behind) = rest.split_once("}}").expect("an include is closed");
-        let folder = path.parent().expect("a page stands in a folder");
+        let folder = path.parent().expect("a page is in a folder");
         text = format!("{before}{}{behind}", project::read(&folder.join(file.trim())));
     }
     text

@@ -29,13 +29,13 @@ pub const PAGES: [Page; 6] = [
         group: Group::Data,
         file: "data.md",
         introduction: "These instructions compute a value and write it to their first operand. Which values go together, \
-                       and what happens at a fault, is told in [Values and expressions](../expressions.md).",
+                       and what happens at a fault, is described in [Values and expressions](../expressions.md).",
     },
     Page {
         group: Group::State,
         file: "state.md",
         introduction: "Each of these keeps its state in a tag of its own type. Rules that all timers or all counters \
-                       share stand in [Instructions](../instructions.md#timers).",
+                       share are in [Instructions](../instructions.md#timers).",
     },
     Page {
         group: Group::Coil,
@@ -170,7 +170,7 @@ fn name(operand: &Operand) -> String {
     }
 }
 
-/// Which tags and literals may stand there.
+/// Which tags and literals may be there.
 fn takes(operand: &Operand) -> String {
     let kind = match operand.accepts {
         Accepts::Bool => "BOOL",

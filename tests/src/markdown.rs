@@ -11,7 +11,7 @@ pub struct Markdown {
     pub anchors: HashSet<String>,
     /// Where the links and pictures point to, in the order of the text.
     pub links: Vec<String>,
-    /// What stands between backticks in the text.
+    /// What is between backticks in the text.
     pub codes: Vec<String>,
     /// The fenced blocks.
     pub fences: Vec<Fence>,
@@ -24,7 +24,7 @@ pub struct Fence {
     pub words: Vec<String>,
     /// Its content.
     pub text: String,
-    /// Where the content stands in the Markdown, in bytes.
+    /// Where the content is in the Markdown, in bytes.
     pub range: Range<usize>,
     /// The line of the first line of the content, from 1.
     pub line: usize,

@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 /// The project's folder.
 pub fn root() -> PathBuf {
     let tests = Path::new(env!("CARGO_MANIFEST_DIR"));
-    tests.parent().expect("tests/ stands in the project").to_owned()
+    tests.parent().expect("tests/ is in the project").to_owned()
 }
 
 /// Every file below a folder whose name ends so, sorted. Folders that are installed or built are left out.

@@ -128,7 +128,7 @@ pub fn schema() -> String {
     pretty(&schema) + "\n"
 }
 
-/// The value of `contributes.configuration` in the extension's package.json, as it stands there.
+/// The value of `contributes.configuration` in the extension's package.json, as it is there.
 pub fn extension_settings() -> String {
     let mut entries = Vec::new();
     for section in SECTIONS {
@@ -186,7 +186,7 @@ pub fn extension_settings() -> String {
 fn about(about: &str, place: SetBy) -> String {
     match place {
         SetBy::FileOrEditor => {
-            format!("{about} For programs that no `ladder.toml` stands above; otherwise that file says it.")
+            format!("{about} For programs that no `ladder.toml` is above; otherwise that file says it.")
         }
         SetBy::File | SetBy::Editor | SetBy::Extension => about.to_owned(),
     }

@@ -9,7 +9,7 @@ pub enum Kind {
     Clean,
     /// Every network has a warning.
     Warned,
-    /// Every tag stands in two networks.
+    /// Every tag is in two networks.
     Shared,
     /// Every network names a tag twice: its boolean function is worked out.
     NamedTwice,
@@ -109,7 +109,7 @@ impl Program {
         let lines = self.text.lines().enumerate();
         let all: Vec<(usize, &str)> = lines.filter(|(_, line)| wanted(line)).collect();
         let (line, row) = all[all.len() / 2];
-        let column = row.find(word).expect("the word stands on the line") + word.len();
+        let column = row.find(word).expect("the word is on the line") + word.len();
         Spot {
             line,
             column,

@@ -32,7 +32,7 @@ pub enum Problem {
     TooLarge,
     /// Bytes that are not UTF-8.
     NotUtf8 {
-        /// Where the first such byte stands.
+        /// Where the first such byte is.
         place: LineColumn,
         /// Its value.
         byte: u8,

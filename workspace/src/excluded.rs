@@ -38,7 +38,7 @@ fn is_ignored(file: &Path) -> bool {
                 Match::None => {}
             }
         }
-        // What stands above a repository or a workspace does not belong to it.
+        // What is above a repository or a workspace does not belong to it.
         if folder.join(".git").exists() || folder.join(SETTINGS_FILE).is_file() && !in_repository(folder) {
             return false;
         }

@@ -1,6 +1,6 @@
 //! Ladder files on disk.
 //!
-//! The inner crates know texts, not files. This one stands between them and the disk:
+//! The inner crates know texts, not files. This one is between them and the disk:
 //!
 //! ```text
 //! paths --search--> the programs that are meant --read--> text, or an error that says what to do
@@ -20,7 +20,7 @@
 //!   new one, never a half.
 //! - [`shown`] is what others wrote, on its way to a terminal or a log.
 //! - [`Root::of`] finds the folder that a program belongs to (LANGUAGE §4), which is where the settings file
-//!   [`SETTINGS_FILE`] stands.
+//!   [`SETTINGS_FILE`] is.
 //! - [`RetentiveFile`] keeps the values of retentive tags over a restart.
 //!
 //! - [`Workspace`] has the programs of a workspace, analysed together, as those who check and run them need them.

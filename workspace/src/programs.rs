@@ -8,7 +8,7 @@ use ladder_syntax::Parse;
 use std::path::{Path, PathBuf};
 use std::sync::{Arc, OnceLock};
 
-/// A workspace: its settings, and its programs as they stand on disk.
+/// A workspace: its settings, and its programs as they are on disk.
 #[derive(Debug)]
 pub struct Workspace {
     settings: Settings,
@@ -45,7 +45,7 @@ impl Workspace {
         Ok(Workspace::with(settings, sources.collect()))
     }
 
-    /// The workspace of a text that stands alone: only the settings that hold for its place.
+    /// The workspace of a text that is alone: only the settings that hold for its place.
     ///
     /// # Errors
     /// As for [`Workspace::of`].
@@ -71,7 +71,7 @@ impl Workspace {
         &self.programs
     }
 
-    /// Those that show something to each other: none where one stands alone, which need not be read twice then.
+    /// Those that show something to each other: none where one is alone, which need not be read twice then.
     pub fn programs_seen_by_others(&self) -> &[Source] {
         match &*self.programs {
             [_] => &[],

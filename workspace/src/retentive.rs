@@ -10,7 +10,7 @@
 //! end 5e3f90b1
 //! ```
 //!
-//! The parts of a line are separated by tabs. The number behind `end` is the CRC-32 of all that stands before it.
+//! The parts of a line are separated by tabs. The number behind `end` is the CRC-32 of all that is before it.
 
 use crate::lock::Lock;
 use crate::{FileError, MAX_FILE_BYTES, Named, Problem, regular, shown, write};
@@ -32,7 +32,7 @@ const PAUSE: Duration = Duration::from_secs(1);
 pub struct RetentiveFile {
     path: PathBuf,
     program: String,
-    /// What stands in it.
+    /// What is in it.
     written: Option<String>,
     /// When that was last done; a short run saves at its end only.
     saved: Instant,
@@ -125,7 +125,7 @@ impl RetentiveFile {
     }
 
     /// Writes the values, in one step: whoever looks sees the old file or the new one. Nothing is written if they
-    /// are those that stand there already.
+    /// are those that are there already.
     ///
     /// # Errors
     /// The operating system refuses; the old file is then untouched.

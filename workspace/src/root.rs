@@ -89,7 +89,7 @@ fn is_settings_file(path: &Path) -> bool {
         .is_ok_and(|metadata| metadata.is_file() || metadata.is_symlink())
 }
 
-/// What stands above `plant/../line` is not above `plant`.
+/// What is above `plant/../line` is not above `plant`.
 fn without_parents(program: PathBuf) -> PathBuf {
     let folder = program
         .parent()

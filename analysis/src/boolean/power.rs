@@ -31,7 +31,7 @@ pub(crate) struct Question {
     pub(crate) fixed: bool,
 }
 
-/// What stands in a block's place.
+/// What is in a block's place.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Replacement {
     Wire,

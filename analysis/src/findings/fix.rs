@@ -1,6 +1,6 @@
 //! Fixes as they reach the text: with the drawing around them put straight.
 //!
-//! A fix changes widths, and what stands in columns below it would no longer stand there. So its raw edits are
+//! A fix changes widths, and what is in columns below it would no longer be there. So its raw edits are
 //! made, the networks and sections that they touch are laid out again, and the difference to the text is what
 //! an editor applies. A file that was laid out stays so as a whole: where a rung grows past the right rail, the rail moves
 //! for all. This parses the whole text: it is done for the one fix that is wanted, not for each that
@@ -60,7 +60,7 @@ pub fn aligned(text: &str, fix: &Fix, options: &Options) -> Vec<Edit> {
     difference(text, &tidied)
 }
 
-/// Where the edits' texts stand once all are made. Sorted and disjoint edits are asked for.
+/// Where the edits' texts appear once all are made. Sorted and disjoint edits are asked for.
 fn moved(edits: &[Edit]) -> Vec<TextRange> {
     let mut shift = 0i64;
     edits

@@ -17,7 +17,7 @@ pub(crate) struct ForeignComment {
     pub(crate) text: String,
     /// The logical lines that it touches.
     pub(crate) lines: Range<usize>,
-    /// It stands in a section, which the parser takes to end here.
+    /// It is in a section, which the parser takes to end here.
     pub(crate) ends_section: bool,
 }
 
@@ -125,7 +125,7 @@ fn on_line(parse: &Parse, line: usize) -> Option<ForeignComment> {
     })
 }
 
-/// Whether what stands behind a `;` is no declaration, and the `;` ends none.
+/// Whether what is behind a `;` is no declaration, and the `;` ends none.
 fn is_note(says: &str, kind: LineKind, before: &str) -> bool {
     let ends_declaration = kind == LineKind::Declaration && (says.contains(':') || !before.trim().is_empty());
     let says = says.trim_start_matches([';', ' ', '\t']);

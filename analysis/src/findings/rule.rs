@@ -47,7 +47,7 @@ impl RuleGroup {
         RuleGroup::Program,
     ];
 
-    /// The heading that its rules stand under.
+    /// The heading that its rules are under.
     pub const fn title(self) -> &'static str {
         match self {
             RuleGroup::Text => "Text",

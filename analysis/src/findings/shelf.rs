@@ -344,7 +344,7 @@ impl Shelf {
             .declared
             .partition_point(|item| item.start(context, file) < at);
         let mut before = Vec::new();
-        // What stands behind the place in the network around it does not count.
+        // What is behind the place in the network around it does not count.
         let mut left = most;
         for index in (0..middle).rev() {
             if left == 0 || before.len() >= there {

@@ -19,7 +19,7 @@ pub(crate) enum Pass {
     Form,
     /// Blocks one by one.
     Blocks,
-    /// What stands behind what on a wire.
+    /// What is behind what on a wire.
     Wiring,
     /// When its wires have power.
     Power,

@@ -21,7 +21,7 @@ pub(crate) fn block_name(header: bool, text: &str, range: TextRange) -> Diagnost
         .help("a block's name is a `$` and a letter, then letters and digits: $Debounce2")
 }
 
-/// A word where a declaration should stand that was probably meant to begin or end something.
+/// A word where a declaration should be that was probably meant to begin or end something.
 pub(crate) fn misspelt(word: &str, keyword: &str, range: TextRange) -> Diagnostic {
     wrong(range, format!("`{word}` is no declaration"))
         .help(format!("did you mean {keyword}?"))
@@ -33,7 +33,7 @@ pub(crate) fn misspelt(word: &str, keyword: &str, range: TextRange) -> Diagnosti
         )
 }
 
-/// What the parser could not read. `text` is what stands in the range; `has_text`: a text in quotes stands before it.
+/// What the parser could not read. `text` is what is in the range; `has_text`: a text in quotes is before it.
 pub(crate) fn unreadable(
     problem: DeclarationProblem,
     text: &str,
@@ -64,11 +64,11 @@ pub(crate) fn unreadable(
         ),
         AddressExpected => (
             instead("an address"),
-            "behind AT stands an address such as %IX0.0, %QW1 or %MD2",
+            "behind AT comes an address such as %IX0.0, %QW1 or %MD2",
         ),
         ValueExpected => (
             instead("a value"),
-            "behind `:=` stands the value at the start: limit : INT := 80;",
+            "behind `:=` comes the value at the start: limit : INT := 80;",
         ),
         BoundsExpected => (
             instead("a whole number in brackets"),

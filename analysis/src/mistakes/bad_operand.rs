@@ -1,4 +1,4 @@
-//! `bad-operand`: something stands in an operand's place that cannot stand there. `rules/bad_operand.rs` looks at
+//! `bad-operand`: something is in an operand's place that cannot be there. `rules/bad_operand.rs` looks at
 //! operands that are given by name.
 
 use crate::diagnostic::{Applicability, Diagnostic};
@@ -10,11 +10,11 @@ pub(crate) fn wrong(range: TextRange, message: impl Into<String>) -> Diagnostic 
     Diagnostic::new(Rule::BadOperand, range, message)
 }
 
-/// An expression where a tag or literal must stand.
+/// An expression where a tag or literal must be.
 pub(crate) fn expression(range: TextRange) -> Diagnostic {
     wrong(
         range,
-        "an expression stands in [CALC] only: a tag or a literal is expected here",
+        "an expression belongs in [CALC] only: a tag or a literal is expected here",
     )
     .help("compute it first: [CALC]( result, expression ), then use the result")
 }
@@ -67,11 +67,11 @@ pub(crate) fn state_expected(state: StateType, range: TextRange) -> Diagnostic {
 pub(crate) fn no_function(range: TextRange) -> Diagnostic {
     wrong(
         range,
-        "parentheses stand behind the name of a function only: this is none",
+        "parentheses belong behind the name of a function only: this is none",
     )
 }
 
-/// What stands in an operand's place means nothing, and no other rule says why. Never wanted, but better than a
+/// What is in an operand's place means nothing, and no other rule says why. Never wanted, but better than a
 /// program that runs without the operand.
 pub(crate) fn meaningless(block: TextRange) -> Diagnostic {
     wrong(block, "an operand of this block means nothing here")

@@ -33,7 +33,7 @@ pub(crate) fn two_answers(name: &str, first: (Type, TextRange), second: (Type, T
     }
 }
 
-/// The tag of a timer stands where a value belongs.
+/// The tag of a timer is where a value belongs.
 pub(crate) fn state_as_value(name: &str, state: StateType, range: TextRange) -> Diagnostic {
     let message = format!(
         "`{name}` is the state of {}, a value is expected here",
@@ -76,7 +76,7 @@ pub(crate) fn times(op: Op, ty: Scalar, range: TextRange) -> Diagnostic {
     let (message, help) = match (op, ty) {
         (Op::Add, Scalar::Dt) => (
             "a DT is the sum of a DT and TIMEs",
-            "the DT stands first: [ADD]( dt, dt, time )",
+            "the DT comes first: [ADD]( dt, dt, time )",
         ),
         (_, Scalar::Dt) => (
             "only [ADD] gives a DT: from a DT and a TIME",
@@ -92,7 +92,7 @@ pub(crate) fn times(op: Op, ty: Scalar, range: TextRange) -> Diagnostic {
         ),
         (Op::Div, _) => (
             "a TIME is divided by numbers",
-            "the TIME stands first: [DIV]( time, time, 2 )",
+            "the TIME comes first: [DIV]( time, time, 2 )",
         ),
         _ => (
             "all operands must be TIMEs, as the result is",
@@ -138,7 +138,7 @@ pub(crate) fn result(ty: Scalar, class: TypeClass, range: TextRange) -> Diagnost
     wrong(range, format!("the result is {ty}, this block gives {expected}"))
 }
 
-/// A timer's or counter's block stands on a tag of another type.
+/// A timer's or counter's block is on a tag of another type.
 pub(crate) fn wrong_state(name: &str, found: Type, expected: StateType, range: TextRange) -> Diagnostic {
     wrong(
         range,

@@ -1,4 +1,4 @@
-//! The types of undeclared tags (LANGUAGE §4): from the places they stand in, tried in a fixed order.
+//! The types of undeclared tags (LANGUAGE §4): from the places they are in, tried in a fixed order.
 //!
 //! 1. a place that asks for one type gives it;
 //! 2. a literal or tag written into it, or compared with it, that is a TIME, STRING, date or real gives its
@@ -94,7 +94,7 @@ fn by_place(context: &mut Context, out: &mut Vec<Diagnostic>) {
     }
 }
 
-/// The type that a tag's places give it. One that stands only in blocks that could not be read has neither places nor
+/// The type that a tag's places give it. One that is only in blocks that could not be read has neither places nor
 /// company that say anything.
 pub(crate) fn answer(context: &Context, tag: &TagFacts, out: &mut Vec<Diagnostic>) -> Option<Type> {
     let readable = |place: Use| !context.networks.at(place.network).block(place.block).faulty;

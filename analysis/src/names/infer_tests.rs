@@ -197,7 +197,7 @@ fn values_that_do_not_pass() {
             constant-write: the tags of SYS are read only: the controller sets them `SYS.SCAN`
             bad-operand: a member of a timer or counter is written by its own block only: use (RES) or R := to clear it `n.ET`
             bad-operand: a tag is expected here: the block writes its result to it `5`
-            bad-operand: an expression stands in [CALC] only: a tag or a literal is expected here `i + 1`
+            bad-operand: an expression belongs in [CALC] only: a tag or a literal is expected here `i + 1`
         "#]],
     );
 }
@@ -233,8 +233,8 @@ fn parentheses_behind_no_function() {
             a : ARRAY[1..3] OF DINT, Internal
             y : DINT, Internal
             z : BOOL, Output
-            bad-operand: parentheses stand behind the name of a function only: this is none `a[1]( 2 )`
-            bad-operand: parentheses stand behind the name of a function only: this is none `a.b( 2 )`
+            bad-operand: parentheses belong behind the name of a function only: this is none `a[1]( 2 )`
+            bad-operand: parentheses belong behind the name of a function only: this is none `a.b( 2 )`
         "#]],
     );
 }

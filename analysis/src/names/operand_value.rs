@@ -8,7 +8,7 @@ use crate::types::{Scalar, Type};
 use crate::value::Value;
 use ladder_syntax::Name;
 
-/// A number that stands in the text.
+/// A number that is in the text.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) enum Number {
     /// A whole number, or a duration or date in nanoseconds.

@@ -88,7 +88,7 @@ impl Access {
     }
 }
 
-/// One place where a tag stands in an operand.
+/// One place where a tag is in an operand.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Use {
     /// The network, as in the structure.
@@ -97,17 +97,17 @@ pub struct Use {
     pub block: usize,
     /// The operand in it.
     pub operand: usize,
-    /// Where the tag's name stands, from the start of the file.
+    /// Where the tag's name is, from the start of the file.
     pub range: TextRange,
     /// How it is used.
     pub access: Access,
     /// Whether the tag as a whole is meant, not a member, bit or element.
     pub whole: bool,
-    /// Whether an index or a range stands behind it.
+    /// Whether an index or a range is behind it.
     pub indexed: bool,
 }
 
-/// A use as a tag keeps it: it stays true when other networks stand above it.
+/// A use as a tag keeps it: it stays true when other networks are above it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) struct UseRef {
     /// The number of the network; see [`Networks`](crate::networks::Networks).
@@ -166,7 +166,7 @@ impl Uses {
 }
 
 impl Use {
-    /// The block, wherever it stands.
+    /// The block, wherever it is.
     pub(crate) fn bound(self, context: &Context) -> &BoundBlock {
         &context.networks.at(self.network).facts().blocks[self.block]
     }

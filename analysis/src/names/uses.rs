@@ -53,7 +53,7 @@ pub(crate) fn access(bound: &BoundBlock, formal: Formal, user_blocks: &[UserBloc
 #[derive(Debug, Clone)]
 pub(crate) struct Named {
     pub(crate) key: Name,
-    /// Where it stands, from the start of the block's line.
+    /// Where it is, from the start of the block's line.
     range: TextRange,
     pub(crate) block: u32,
     pub(crate) operand: u32,
@@ -76,7 +76,7 @@ impl Named {
     }
 }
 
-/// The tags that blocks name, in the order in which they stand.
+/// The tags that blocks name, in the order in which they are.
 pub(crate) fn named(blocks: &[BoundBlock], user_blocks: &[UserBlockFacts]) -> Vec<Named> {
     let mut names = Names {
         block: 0,
@@ -199,7 +199,7 @@ pub(crate) fn undeclared(name: &str, law: &Law) -> TagFacts {
         name: name.into(),
         ty: form.map(|(scalar, _)| Type::Scalar(scalar)),
         role: form.map_or(Role::Internal, |(_, role)| role),
-        // One that is no address is told where it stands, and nothing else is said of it.
+        // One that is no address is told where it is, and nothing else is said of it.
         origin: if form.is_some() || is_address {
             Origin::Form
         } else {
@@ -223,7 +223,7 @@ pub(crate) fn spelling<'n>(network: &'n NetworkFacts, named: &Named) -> &'n str 
     spelled(&block.facts.operands[named.operand as usize].value, named.range).unwrap_or_default()
 }
 
-/// The name that stands at a place of an operand, as it is written.
+/// The name that is at a place of an operand, as it is written.
 fn spelled(node: &Node, at: TextRange) -> Option<&str> {
     match &node.kind {
         NodeKind::Name(name) | NodeKind::Address(name) => (node.range == at).then_some(name),

@@ -27,7 +27,7 @@ pub struct BlockFacts {
     pub head_range: TextRange,
     /// The operand list with its parentheses, if there is one.
     pub list_range: Option<TextRange>,
-    /// The operands in the order in which they stand.
+    /// The operands in the order in which they are.
     pub operands: Box<[OperandFacts]>,
 }
 
@@ -52,7 +52,7 @@ impl Head {
 /// An operand as it is written.
 #[derive(Debug, Clone, PartialEq)]
 pub struct OperandFacts {
-    /// What stands before the value, if it is given by name: most are given by place.
+    /// What is before the value, if it is given by name: most are given by place.
     named: Option<Box<NamedOperand>>,
     /// The value.
     pub value: Node,
@@ -79,7 +79,7 @@ impl OperandFacts {
         self.named.as_ref().is_some_and(|named| named.is_arrow)
     }
 
-    /// Where `:=` or `=>` stands.
+    /// Where `:=` or `=>` is.
     pub fn arrow_range(&self) -> Option<TextRange> {
         self.named.as_ref()?.arrow
     }
@@ -99,7 +99,7 @@ pub struct Word {
 pub struct Node {
     /// What it is.
     pub kind: NodeKind,
-    /// Where it stands.
+    /// Where it is.
     pub range: TextRange,
 }
 

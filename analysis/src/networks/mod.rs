@@ -1,8 +1,8 @@
 //! The networks of a file, and where each of them is.
 //!
 //! What is known of a network by itself counts from its start, and texts before and behind an edit share it. Where it
-//! is, and what surrounds it, stands in lists of plain numbers beside it: the only thing that an edit copies for each network.
-//! A network keeps its number (`id`) while it stays, so that whoever refers to it need not know how many stand above it.
+//! is, and what surrounds it, is in lists of plain numbers beside it: the only thing that an edit copies for each network.
+//! A network keeps its number (`id`) while it stays, so that whoever refers to it need not know how many are above it.
 
 pub(crate) mod chunked;
 pub(crate) mod control_flow;
@@ -84,7 +84,7 @@ impl Networks {
     }
 
     /// Puts others in the place of some. Those that are new get the numbers `free` of those that are gone, as far as these
-    /// reach; what stands below is so many more lines and bytes further down.
+    /// reach; what is below is so many more lines and bytes further down.
     pub(crate) fn splice(
         &mut self,
         old: Range<usize>,
@@ -183,7 +183,7 @@ impl Networks {
         range.map(|index| self.at(index))
     }
 
-    /// How many stand at the top of the file for which this holds, of a condition that does not hold any more behind
+    /// How many are at the top of the file for which this holds, of a condition that does not hold any more behind
     /// the first for which it does not.
     pub fn partition_point(&self, mut holds: impl FnMut(NetworkAt<'_>) -> bool) -> usize {
         let (mut low, mut high) = (0, self.len());
@@ -349,7 +349,7 @@ impl Deref for BlockAt<'_> {
 }
 
 impl<'c> BlockAt<'c> {
-    /// What is known of it wherever it stands.
+    /// What is known of it wherever it is.
     pub fn bound(self) -> &'c BoundBlock {
         self.bound
     }

@@ -16,7 +16,7 @@ use ladder_syntax::{
 use std::sync::Arc;
 
 /// A network, its wiring, order and blocks: all that follows from its own lines and the blocks that it holds, wherever
-/// in a file it stands.
+/// in a file it is.
 #[derive(Debug, Clone)]
 pub struct NetworkFacts {
     /// The drawing and its connector pairs.
@@ -40,7 +40,7 @@ pub struct NetworkFacts {
     pub(crate) control_flow: ControlFlow,
     /// Each of its blocks is an instruction or a block that is known.
     pub(crate) known: bool,
-    /// A comment stands in it, on a line of its own or behind a rung.
+    /// A comment is in it, on a line of its own or behind a rung.
     pub(crate) commented: bool,
     /// A block of it keeps its state in a tag.
     pub(crate) keeps_state: bool,
@@ -67,7 +67,7 @@ pub struct BoundBlock {
     pub(crate) base: TextSize,
     /// Which instruction or user-defined block it is.
     pub meaning: Meaning,
-    /// For each operand, as they stand, what it is given for.
+    /// For each operand, as they are, what it is given for.
     pub formals: Box<[Formal]>,
     /// The parser found a mistake in it: rules about its operands would only repeat it.
     pub faulty: bool,

@@ -13,7 +13,7 @@ pub(crate) struct Jump {
     pub(crate) block: usize,
     pub(crate) key: Name,
     pub(crate) name: Box<str>,
-    /// Where the jump stands.
+    /// Where the jump is.
     pub(crate) at: TextRange,
     /// The file of the jump, if it is another one.
     pub(crate) file: Option<Arc<str>>,

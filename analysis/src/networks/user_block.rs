@@ -21,7 +21,7 @@ pub struct UserBlockFacts {
     pub key: Name,
     /// The shape that the header shows.
     pub shape: Shape,
-    /// Where the header's first part stands.
+    /// Where the header's first part is.
     pub at: TextRange,
     /// Its header or a declaration could not be read: its operands are not all known.
     pub doubtful: bool,

@@ -43,7 +43,7 @@ pub struct ExportedFunction {
     pub key: Name,
     /// Its index in the file's own context.
     pub item: usize,
-    /// Where its name stands.
+    /// Where its name is.
     pub at: TextRange,
 }
 
@@ -54,7 +54,7 @@ pub struct ExportedBlock {
     pub facts: UserBlockFacts,
     /// Its index in the file's own context.
     pub item: usize,
-    /// The user-defined blocks that stand in its body.
+    /// The user-defined blocks that are in its body.
     pub uses: Vec<(Name, TextRange)>,
     /// Of a `<$B>`: the labels that its body jumps to and does not have.
     pub labels: Vec<(Name, TextRange)>,
@@ -79,7 +79,7 @@ pub struct Global {
     pub retain: bool,
     /// Initial values; empty for the type's own.
     pub initial: Vec<Value>,
-    /// Where its name stands.
+    /// Where its name is.
     pub at: TextRange,
 }
 

@@ -51,7 +51,7 @@ impl Resolver<'_, '_> {
                 Accepts::Result(class) => {
                     let place = self.result(&written.value, operand, class);
                     works_in = works_in.or(place.as_ref().map(|(_, ty)| *ty));
-                    // Operands that do not fit together are told once.
+                    // Operands that do not fit together are reported once.
                     if works_in.is_some_and(|ty| {
                         !self.is_of_operands(row.op) && !self.check_times(row.op, bound, ty)
                     }) {
@@ -96,7 +96,7 @@ impl Resolver<'_, '_> {
                 },
                 // What a label or function block names is itself.
                 Accepts::Label if row.op == Op::Lbl => Some(Argument::Label(None)),
-                // One that begins no function stands in a wrong place.
+                // One that begins no function is in a wrong place.
                 Accepts::Function if row.op == Op::Fun => match &written.value.kind {
                     NodeKind::Name(name) => {
                         let own = self.context.function(&Name::new(name));

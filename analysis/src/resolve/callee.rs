@@ -29,7 +29,7 @@ impl Resolver<'_, '_> {
         }
     }
 
-    /// Whether this is the body of a `<$B>`, which may jump to labels around the place where the block stands.
+    /// Whether this is the body of a `<$B>`, which may jump to labels around the place where the block is.
     fn is_in_function_shape(&self) -> bool {
         let block = self.scope.block.map(|block| &self.context.user_blocks[block]);
         block.is_some_and(|block| block.shape == Shape::Function)

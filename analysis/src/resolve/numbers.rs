@@ -1,4 +1,4 @@
-//! Where networks, functions and blocks of the files stand in the program that they make up together.
+//! Where networks, functions and blocks of the files are in the program that they make up together.
 
 use crate::context::{Body, Callee, Context};
 use crate::others::Import;

@@ -170,7 +170,7 @@ impl Resolver<'_, '_> {
             if !matches!(base.kind, NodeKind::Missing) {
                 self.report(bad_operand::wrong(
                     range,
-                    "an index stands behind the name of an array",
+                    "an index belongs behind the name of an array",
                 ));
             }
             return None;

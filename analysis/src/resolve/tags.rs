@@ -69,7 +69,7 @@ pub(super) fn tags(units: &[Unit<'_>], numbers: &Numbers, program: &mut Program)
     all
 }
 
-/// What stands before the names of a file's own tags in a program of several files, as in `library.count`: the stem
+/// What is before the names of a file's own tags in a program of several files, as in `library.count`: the stem
 /// of the file, or where two files have one stem its path. The program's own file needs none.
 fn prefixes(units: &[Unit<'_>]) -> Vec<Option<String>> {
     let stem = |unit: &Unit<'_>| {

@@ -1,4 +1,4 @@
-//! `bad-operand`: something stands in an operand's place that cannot stand there.
+//! `bad-operand`: something is in an operand's place that cannot be there.
 
 use crate::context::Context;
 use crate::diagnostic::{Applicability, Diagnostic};
@@ -128,7 +128,7 @@ fn unknown_name(context: &Context, bound: BlockAt<'_>, operand: &OperandFacts, n
             bound.absolute(name.range),
             format!("`{}` of {head} is given by its place, without a name", name.text),
         )
-        .help("the first operands stand in their order; only the optional ones are given by name")
+        .help("the first operands come in their order; only the optional ones are given by name")
         .fix(
             applicability,
             format!("Remove `{} :=`", name.text),
@@ -154,7 +154,7 @@ fn unknown_name(context: &Context, bound: BlockAt<'_>, operand: &OperandFacts, n
     }
 }
 
-/// Whether an operand stands at the place that its name says, behind operands that are given by place.
+/// Whether an operand is at the place that its name says, behind operands that are given by place.
 fn is_at_its_place(bound: BlockAt<'_>, operand: &OperandFacts, name: &Word) -> bool {
     let operands = &bound.facts.operands;
     let place = operands.iter().take_while(|other| other.name().is_none()).count();

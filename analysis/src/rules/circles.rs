@@ -24,7 +24,7 @@ pub(super) fn way(names: impl ExactSizeIterator<Item = String>, between: &str) -
 }
 
 /// The circles that a walk through all uses closes: each as the uses that lead around it, and the block that it
-/// begins with. Only those that go through one of the `own` first blocks: others are told where they stand.
+/// begins with. Only those that go through one of the `own` first blocks: others are told where they are.
 pub(super) fn circles(uses: &[Vec<Use>], own: usize) -> Vec<(usize, Vec<Use>)> {
     #[derive(Clone, Copy, PartialEq)]
     enum Mark {
@@ -33,7 +33,7 @@ pub(super) fn circles(uses: &[Vec<Use>], own: usize) -> Vec<(usize, Vec<Use>)> {
         Done,
     }
     let mut marks = vec![Mark::New; uses.len()];
-    // Where on the stack an open one stands.
+    // Where on the stack an open one is.
     let mut depths = vec![0; uses.len()];
     let mut circles = Vec::new();
     let mut told = 0;

@@ -59,7 +59,7 @@ fn block_is_constant(table: &Table<'_>, block: usize, en: usize) -> Option<Diagn
     let mut found = Diagnostic::new(
         Rule::ConstantPower,
         bound.range(),
-        "no power ever comes through here: when this conducts, what stands before it does not",
+        "no power ever comes through here: when this conducts, what is before it does not",
     )
     .help("change one of the conditions; to switch a rung off on purpose use [ ]( SYS.OFF )");
     for before in opposed(table, block, en) {

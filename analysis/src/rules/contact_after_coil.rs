@@ -1,4 +1,4 @@
-//! `contact-after-coil`: a contact stands behind a coil on its wire.
+//! `contact-after-coil`: a contact is behind a coil on its wire.
 
 use super::power_rules::is_condition;
 use super::wiring_walk::Walk;
@@ -59,7 +59,7 @@ fn found(walk: &Walk<'_>, coil: usize, contact: usize) -> Diagnostic {
         Rule::ContactAfterCoil,
         contact.range(),
         format!(
-            "{} stands behind a coil: whoever looks for it looks left of the coils",
+            "{} is behind a coil: whoever looks for it looks left of the coils",
             written_block(walk.context, walk.network.scope, contact)
         ),
     )

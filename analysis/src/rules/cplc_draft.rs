@@ -1,6 +1,6 @@
 //! `unexpected-character`, for a file in the first draft of the language: told once, for the file as a whole.
 //!
-//! The conversion is the fix, but what reads the draft stands above the analysis and adds it: see [`is_told`].
+//! The conversion is the fix, but what reads the draft is above the analysis and adds it: see [`is_told`].
 
 use crate::cplc_draft::beginning;
 use crate::diagnostic::Diagnostic;

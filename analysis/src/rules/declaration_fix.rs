@@ -33,7 +33,7 @@ pub fn can_be_declared(context: &Context, scope: usize, tag: usize) -> bool {
 pub struct Places {
     /// The last section of each kind that takes them: the place, and whether it begins a line.
     sections: HashMap<SectionKind, (TextSize, bool)>,
-    /// Where a new section goes, what must stand before it, and whether a blank line follows it.
+    /// Where a new section goes, what must be before it, and whether a blank line follows it.
     new: TextSize,
     before_new: &'static str,
     blank_behind: bool,

@@ -87,8 +87,8 @@ fn part(kind: &NodeKind) -> Option<String> {
     }
 }
 
-/// For each network, and for the end, how many networks before hold a block that may leave the straight way down: what stands behind
-/// such a block may be the other case of what stands before. Empty: none does.
+/// For each network, and for the end, how many networks before hold a block that may leave the straight way down: what is behind
+/// such a block may be the other case of what is before. Empty: none does.
 #[derive(Debug, Default, PartialEq, Eq)]
 pub(crate) struct Leaving(Vec<u32>);
 
@@ -116,7 +116,7 @@ impl Leaving {
 /// Whether two coils, the first before the second in the text, both run in every scan, as far as a look at the
 /// text can say.
 fn both_run(context: &Context, leaving: &Leaving, a: &Use, b: &Use) -> bool {
-    // Within one network the block that leaves it may stand between them.
+    // Within one network the block that leaves it may be between them.
     let end = b.network.max(a.network + 1);
     context.bodies[a.network] == context.bodies[b.network] && leaving.before(end) == leaving.before(a.network)
 }

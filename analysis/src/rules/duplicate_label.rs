@@ -1,4 +1,4 @@
-//! `duplicate-label`: a label stands more than once; says which one each jump takes.
+//! `duplicate-label`: a label appears more than once; says which one each jump takes.
 
 use crate::context::{Body, Context};
 use crate::diagnostic::Diagnostic;
@@ -31,10 +31,10 @@ pub(crate) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
         let mut found = Diagnostic::new(
             Rule::DuplicateLabel,
             label.at,
-            format!("the label `{}` stands more than once", label.name),
+            format!("the label `{}` appears more than once", label.name),
         )
         .help("a jump takes the nearest label behind it, else the nearest before it")
-        .related(context.labels[first].at, "it stands here first");
+        .related(context.labels[first].at, "it is here first");
         // Jumps to the first label are told with the second.
         let targets: &[usize] = if std::mem::replace(&mut told[first], true) {
             &[index]

@@ -34,7 +34,7 @@ pub(super) struct Flow<'c> {
     pub(super) survey: &'c Survey<'c>,
     /// The body's networks from top to bottom.
     pub(super) networks: Vec<usize>,
-    /// The blocks that leave, in the order of the networks and of evaluation; what stands behind one that always
+    /// The blocks that leave, in the order of the networks and of evaluation; what is behind one that always
     /// leaves is not among them.
     pub(super) exits: Vec<Exit>,
     /// For each network where a scan can go on; last of all the labels, for what may go to any of them.

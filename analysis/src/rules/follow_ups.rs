@@ -1,4 +1,4 @@
-//! Findings that only follow from another one: a mistake is told once.
+//! Findings that only follow from another one: a mistake is reported once.
 //!
 //! A slip in the text changes what is read behind it: a label that cannot be read makes its jumps lead nowhere, a
 //! section that is not recognised leaves its tags undeclared. What can be explained so is not shown; it comes back
@@ -62,7 +62,7 @@ struct Doubt {
     nameless_function: bool,
     /// Block definitions that reach to the end of the text because their end was not found.
     open_blocks: Vec<TextRange>,
-    /// An END_FUNCTION_BLOCK has no beginning: a body may stand in the program.
+    /// An END_FUNCTION_BLOCK has no beginning: a body may be in the program.
     lost_header: bool,
 }
 

@@ -1,4 +1,4 @@
-//! `latched-power`: something stands behind a set coil, whose power is the tag and not the rung's.
+//! `latched-power`: something is behind a set coil, whose power is the tag and not the rung's.
 
 use super::wiring_walk::Walk;
 use crate::boolean::written::{written, written_block};
@@ -41,7 +41,7 @@ fn found(walk: &Walk<'_>, coil: usize, behind: usize) -> Diagnostic {
         Rule::LatchedPower,
         behind.range(),
         format!(
-            "{} stands behind {}: its power is `{name}`, and stays on when the rung before goes off",
+            "{} is behind {}: its power is `{name}`, and stays on when the rung before goes off",
             written_block(walk.context, walk.network.scope, behind),
             coil.head_text()
         ),

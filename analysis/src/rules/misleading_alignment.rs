@@ -1,4 +1,4 @@
-//! `misleading-alignment`: two connectors stand in one column and belong to two pairs.
+//! `misleading-alignment`: two connectors are in one column and belong to two pairs.
 
 use crate::context::Context;
 use crate::diagnostic::{Applicability, Diagnostic};
@@ -21,14 +21,14 @@ pub(crate) fn check(context: &Context, network: NetworkAt<'_>, out: &mut Vec<Dia
     }
 }
 
-/// Whether both connectors stand at one distance in bytes from the start of their lines: cheap, and the same as
-/// one column where only plain characters stand before them.
+/// Whether both connectors are at one distance in bytes from the start of their lines: cheap, and the same as
+/// one column where only plain characters are before them.
 fn is_straight(network: NetworkAt<'_>, point: &Point) -> bool {
     let rungs = &network.wiring.rungs;
     rungs[point.upper].parts[point.down].range.start() == rungs[point.upper + 1].parts[point.up].range.start()
 }
 
-/// The first pair whose `\` stands above the `/` of another pair.
+/// The first pair whose `\` is above the `/` of another pair.
 fn misleading(context: &Context, network: NetworkAt<'_>, points: &[Point]) -> Option<Diagnostic> {
     let wiring = &network.wiring;
     let upper = points[0].upper;
@@ -51,7 +51,7 @@ fn misleading(context: &Context, network: NetworkAt<'_>, points: &[Point]) -> Op
             Rule::MisleadingAlignment,
             down,
             format!(
-                "the {} `\\` stands above the {} `/`, but pairs with the {}",
+                "the {} `\\` is above the {} `/`, but pairs with the {}",
                 nth(pair + 1),
                 nth(looks_like + 1),
                 nth(pair + 1)

@@ -23,7 +23,7 @@ pub(crate) fn check(context: &Context, network: NetworkAt<'_>, out: &mut Vec<Dia
         for (index, part) in drawing.parts.iter().enumerate() {
             let (message, help) = match part.kind {
                 PartKind::StrayRail => (
-                    "`+` stands in the middle of a line",
+                    "`+` is in the middle of a line",
                     "`+` is where a line leaves the left rail or ends at the right rail; lines are joined with \\ and /",
                 ),
                 PartKind::StrayBar => (
@@ -50,7 +50,7 @@ pub(crate) fn check(context: &Context, network: NetworkAt<'_>, out: &mut Vec<Dia
                         range.cover(next),
                         "a second rung begins on this line",
                     )
-                    .help("each rung stands on a line of its own")
+                    .help("each rung belongs on a line of its own")
                     .fix(
                         Applicability::Unsafe,
                         "Break the line",

@@ -11,7 +11,7 @@ use ladder_syntax::wiring::PartKind;
 use ladder_syntax::{TextRange, TextSize};
 
 pub(crate) fn check(context: &Context, network: NetworkAt<'_>, out: &mut Vec<Diagnostic>) {
-    // Blocks stand in the order of the rungs and parts, so one index follows them.
+    // Blocks are in the order of the rungs and parts, so one index follows them.
     let mut block = 0;
     for (rung, drawing) in network.wiring.rungs.iter().enumerate() {
         let line = network.line(rung);
@@ -108,7 +108,7 @@ fn took_head(network: NetworkAt<'_>, index: usize) -> Diagnostic {
         block.absolute(list.cover(next.facts.range)),
         format!("{head} takes the next parentheses as its operands: the wire between them is missing"),
     );
-    // What stands behind is no block that could run.
+    // What is behind is no block that could run.
     found.severity = Severity::Error;
     found
         .help(format!("{head} has no operands: keep a `-` behind it"))

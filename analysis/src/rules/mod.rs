@@ -143,7 +143,7 @@ fn is_enough(before: usize, out: &mut [Diagnostic]) -> bool {
 /// Has the last finding say that no more is looked for.
 pub(crate) fn say_enough(last: &mut Diagnostic) {
     last.help = Some(format!(
-        "{MOST_FINDINGS} findings are enough: what stands behind this place is not checked"
+        "{MOST_FINDINGS} findings are enough: what is behind this place is not checked"
     ));
     // What was not looked at may be wrong: such a program does not run.
     last.severity = Severity::Error;

@@ -1,7 +1,7 @@
 //! Which of many names is one letter away from another, without comparing each with each.
 //!
 //! Two names that differ by one letter (one too many, one missing, one wrong, two swapped) become equal when one
-//! letter is taken out of each. So all names with one letter taken out stand in a table.
+//! letter is taken out of each. So all names with one letter taken out are in a table.
 
 use ladder_syntax::Name;
 use rustc_hash::FxHashMap;

@@ -102,6 +102,6 @@ fn overlapping(context: &Context, area: &Area<'_>, wide: &Area<'_>) -> Diagnosti
     )
     .related(
         context.place_of(earlier.tag),
-        format!("{} stands here", name(earlier)),
+        format!("{} is here", name(earlier)),
     )
 }

@@ -88,7 +88,7 @@ fn of_network(
     let found = out.len();
     constant_power::check(&table, out);
     duplicate_branch::check(&table, out);
-    // What never or always conducts makes others redundant: it is told once.
+    // What never or always conducts makes others redundant: it is reported once.
     if out.len() == found && !surroundings.is_bypassed {
         redundant_element::check(&table, out);
     }

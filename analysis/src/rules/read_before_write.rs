@@ -1,5 +1,5 @@
 //! `read-before-write`: a rung reads what a rung below it writes, and so sees the value of the scan before,
-//! although the two could stand in the other order.
+//! although the two could be in the other order.
 
 use super::survey::Survey;
 use crate::context::{Body, Context};

@@ -123,7 +123,7 @@ fn recursive(context: &Context, graph: &Graph, (first, around): (usize, Vec<Use>
     let mut found = Diagnostic::new(Rule::RecursiveBlock, context.user_blocks[first].at, message).help(
         "every place of a block has a state of its own, so a block cannot contain itself: break the circle",
     );
-    // Each use stands in the block that the use before it leads to.
+    // Each use is in the block that the use before it leads to.
     let mut user = first;
     for &(block, at) in &around {
         let file = graph.nodes[user].1.as_ref();

@@ -1,6 +1,6 @@
 //! `set-and-reset`: whenever one coil sets a tag, another resets it in the same scan, or the other way round.
 //!
-//! Decided for coils whose conditions stand in series: the later one always acts with the earlier one if each of
+//! Decided for coils whose conditions are in series: the later one always acts with the earlier one if each of
 //! its conditions is one of the earlier one's, and nothing between them writes what they ask for.
 
 use super::survey::Survey;
@@ -77,7 +77,7 @@ pub(crate) fn check<'c>(
 struct Latch {
     place: Use,
     sets: bool,
-    /// Where it stands in its network's order of evaluation.
+    /// Where it is in its network's order of evaluation.
     step: usize,
     /// What must be so for it to act.
     conditions: FxHashSet<String>,
@@ -86,7 +86,7 @@ struct Latch {
 }
 
 impl Latch {
-    /// None unless its conditions stand in series behind the left rail.
+    /// None unless its conditions are in series behind the left rail.
     fn new(context: &Context, place: Use, sets: bool) -> Option<Latch> {
         let network = context.networks.at(place.network);
         if network.broken {

@@ -126,13 +126,13 @@ fn finding(parse: &Parse, error: &SyntaxError, text: &str, rest: &str) -> Diagno
     }
 }
 
-/// What stands before a place on its logical line.
+/// What is before a place on its logical line.
 fn text_before(parse: &Parse, range: TextRange) -> String {
     let line = parse.line_at(range.start()).unwrap_or_default();
     excerpt::text(parse, TextRange::new(parse.line_start(line), range.start()))
 }
 
-/// For each mistake whether an unclosed text or comment stands behind it on its line.
+/// For each mistake whether an unclosed text or comment is behind it on its line.
 fn taken_rests(parse: &Parse, errors: &[SyntaxError]) -> Vec<bool> {
     let mut taken = vec![false; errors.len()];
     let mut line_with_open_end = None;
@@ -152,7 +152,7 @@ fn taken_rests(parse: &Parse, errors: &[SyntaxError]) -> Vec<bool> {
 /// What was told on a line so far.
 #[derive(Default)]
 struct Line {
-    /// A bracket is missing or something stands on the rung that does not belong there: where the drawing goes on
+    /// A bracket is missing or something is on the rung that does not belong there: where the drawing goes on
     /// behind it is a guess.
     misread: bool,
     /// Up to where a block that is not closed reaches.

@@ -56,7 +56,7 @@ fn no_for(at: TextRange) -> Diagnostic {
 }
 
 fn nested(at: TextRange, outer: TextRange) -> Diagnostic {
-    Diagnostic::new(Rule::UnbalancedLoop, at, "a loop cannot stand in another loop")
+    Diagnostic::new(Rule::UnbalancedLoop, at, "a loop cannot be in another loop")
         .help("end the first loop with <NEXT>; or put the inner loop into a function and <CALL> it")
         .related(outer, "this loop has not ended")
 }

@@ -5,7 +5,7 @@ use crate::excerpt::shortened;
 use crate::rule::Rule;
 use ladder_syntax::{SyntaxKind, TextRange, TextSize};
 
-/// `text` is what stands from the opening bracket to the place where the closing one belongs, which is the
+/// `text` is what is from the opening bracket to the place where the closing one belongs, which is the
 /// range. The fix takes the `blanks` behind it away: the wire goes on at the bracket.
 /// `of_list`: the bracket is that of a list of operands, behind a block's first part.
 pub(crate) fn missing(
@@ -65,7 +65,7 @@ pub(crate) fn wrong(closing: SyntaxKind, text: &str, range: TextRange) -> Diagno
     Diagnostic::new(
         Rule::UnclosedBlock,
         range,
-        format!("`{text}` stands where `{bracket}` closes the block"),
+        format!("`{text}` is where `{bracket}` closes the block"),
     )
     .help("a block ends with the partner of the bracket that it begins with")
     // Either of the two brackets may be the wrong one.

@@ -1,7 +1,7 @@
 //! `unclosed-comment`: a `#` has no partner.
 //!
 //! The `#` that is left over at the end is seldom the wrong one: where one is missing, everything behind it
-//! is read the other way round, comments as drawing and drawing as comments. So the finding stands at the
+//! is read the other way round, comments as drawing and drawing as comments. So the finding is at the
 //! first comment that holds a line of drawing, and what is found behind it is not shown.
 
 use crate::diagnostic::Diagnostic;

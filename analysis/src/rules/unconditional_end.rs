@@ -15,7 +15,7 @@ pub(super) fn check(flow: &Flow<'_>, out: &mut Vec<Diagnostic>) {
             Diagnostic::new(
                 Rule::UnconditionalEnd,
                 bound.range(),
-                "<END> stops the program for good, and no condition stands before it: only one scan runs",
+                "<END> stops the program for good, and no condition is before it: only one scan runs",
             )
             .help("a program needs no end; <RET> ends the scan, as END does in other controllers")
             // The program does something else then.

@@ -58,7 +58,7 @@ fn is_clear(context: &Context, tag: &TagFacts, place: &Use) -> bool {
     let value = &bound.facts.operands[place.operand].value;
     let known = match bound.formals[place.operand] {
         Formal::Operand(operand) => {
-            // An expression where none may stand is a mistake of its own.
+            // An expression where none may be is a mistake of its own.
             operand.accepts == Accepts::Expression
                 || !matches!(
                     value.kind,
@@ -142,7 +142,7 @@ fn in_body(context: &Context, scope: usize, places: &Places, tag: &TagFacts, ran
         if outside.shared.is_none() {
             found = found.related(
                 context.place_of(outside),
-                "a tag of this name stands in the program: the block does not see it",
+                "a tag of this name is in the program: the block does not see it",
             );
         }
     }
@@ -231,7 +231,7 @@ fn slips(context: &Context, tags: &Tags, out: &mut Vec<Diagnostic>) {
             found(
                 Severity::Info,
                 context.place_of(tag),
-                format!("`{}` stands here only, and looks like `{other}`", tag.name),
+                format!("`{}` is here only, and looks like `{other}`", tag.name),
             )
             .help("a typing mistake makes a new tag: correct it, or declare the tags of the file")
             .fix(

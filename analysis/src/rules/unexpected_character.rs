@@ -1,4 +1,4 @@
-//! `unexpected-character`: characters that mean nothing where they stand.
+//! `unexpected-character`: characters that mean nothing where they are.
 
 pub(super) mod box_drawing;
 
@@ -16,7 +16,7 @@ pub(crate) fn unexpected(
 ) -> Diagnostic {
     let shown = shortened(text, 30);
     let message = match place {
-        Surroundings::Rung if is_identifier(text) => format!("`{shown}` stands outside of any block"),
+        Surroundings::Rung if is_identifier(text) => format!("`{shown}` is outside of any block"),
         Surroundings::Rung => format!("`{shown}` means nothing on a rung"),
         Surroundings::Head => format!("`{shown}` means nothing in the first part of a block"),
         Surroundings::Operands => format!("`{shown}` means nothing among operands"),
@@ -51,13 +51,13 @@ pub(crate) fn unexpected(
             "a contact is written [ ]( {shown} ), a coil ( )( {shown} )"
         )),
         Surroundings::Rung => {
-            found.help("a rung is drawn with - + | \\ / and blocks; text stands in # comments #")
+            found.help("a rung is drawn with - + | \\ / and blocks; text is in # comments #")
         }
         _ => found,
     }
 }
 
-/// What stands on a line behind the last part that is read.
+/// What is on a line behind the last part that is read.
 pub(crate) fn too_many(range: TextRange) -> Diagnostic {
     let most = Many::Parts.most();
     Diagnostic::new(

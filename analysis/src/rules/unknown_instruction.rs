@@ -61,7 +61,7 @@ fn unknown(context: &Context, network: NetworkAt<'_>, bound: BlockAt<'_>) -> Dia
     let count = bound.positional_count();
     // A likeness across shapes says something only if the operands fit as well.
     let near = closest(shape, text).filter(|row| row.shape == shape || row.takes(count));
-    // `[start]`, `(run)`: the tag stands where the kind of contact or coil belongs.
+    // `[start]`, `(run)`: the tag is where the kind of contact or coil belongs.
     let bare = bound.facts.list_range.is_none() && is_identifier(text) && shape != Shape::Function;
     let is_tag = || context.scopes[network.scope].find(&Name::new(text)).is_some();
     let like_a_tag = || text.chars().count() > 3 && text.chars().any(char::is_lowercase);

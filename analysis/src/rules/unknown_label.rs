@@ -10,7 +10,7 @@ use ladder_syntax::{Name, TextRange};
 use std::collections::HashSet;
 use std::sync::Arc;
 
-/// Jumps out of the bodies of `<$B>` blocks: such a label is looked up where the block stands, and must be there
+/// Jumps out of the bodies of `<$B>` blocks: such a label is looked up where the block is, and must be there
 /// at every place.
 pub(crate) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
     let is_open = |block: usize| context.user_blocks[block].shape == Shape::Function;
@@ -50,12 +50,12 @@ fn nowhere(context: &Context, jump: &Jump, place: TextRange) -> Diagnostic {
             Rule::UnknownLabel,
             jump.at,
             format!(
-                "there is no label `{}` in the block, nor where the block stands",
+                "there is no label `{}` in the block, nor where the block is",
                 jump.name
             ),
         )
         .help("put the label into the block, or at each place that uses the block")
-        .related(place, "here the block stands, and no label of this name"),
+        .related(place, "here the block is, and no label of this name"),
         // The other file is not wrong by itself.
         Some(file) => Diagnostic::new(
             Rule::UnknownLabel,
@@ -105,7 +105,7 @@ fn foreign_jumps(context: &Context, block: usize, jumps: &mut Vec<Jump>) {
     }
 }
 
-/// For each user-defined block the networks that it stands in, and where.
+/// For each user-defined block the networks that it is in, and where.
 fn places(context: &Context) -> Vec<Vec<(usize, TextRange)>> {
     let mut places = vec![Vec::new(); context.user_blocks.len()];
     for (index, network) in context.networks.iter().enumerate() {

@@ -117,7 +117,7 @@ fn unpaired(context: &Context, line: usize, kind: PartKind, out: &mut Vec<Diagno
                 ))
                 .related(
                     own.range(parse, suspect),
-                    format!("no `{partner_name}` stands {} this `{name}`", beside(kind)),
+                    format!("no `{partner_name}` is {} this `{name}`", beside(kind)),
                 )
         };
         if let Some(rung) = belongs {

@@ -54,7 +54,7 @@ fn always_leaves(flow: &Flow<'_>, exit: &Exit) -> &'static str {
     }
 }
 
-/// What stands behind such a block in its own network.
+/// What is behind such a block in its own network.
 fn behind_in_network(flow: &Flow<'_>, exit: &Exit) -> Option<Diagnostic> {
     let network = flow.context.networks.at(flow.networks[exit.from]);
     let behind = network.order.steps[exit.step + 1..]

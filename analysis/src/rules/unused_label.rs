@@ -17,7 +17,7 @@ pub(super) fn check(context: &Context, survey: &Survey<'_>, out: &mut Vec<Diagno
         return;
     }
     let mut targets: FxHashSet<(usize, &Name)> = FxHashSet::default();
-    // Labels that bodies of <$B> blocks jump to wherever such a block stands.
+    // Labels that bodies of <$B> blocks jump to wherever such a block is.
     let mut outside: FxHashSet<Name> = FxHashSet::default();
     for (index, network) in context.networks.iter().enumerate() {
         if !survey.control_flow(index).has(ControlFlow::JUMP) {

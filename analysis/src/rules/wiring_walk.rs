@@ -1,4 +1,4 @@
-//! One walk over each network's steps, shared by the rules about what stands behind what on a wire.
+//! One walk over each network's steps, shared by the rules about what is behind what on a wire.
 
 use super::survey::Survey;
 use super::{bypassed, contact_after_coil, dead_end, latched_power, redundant_element, shorted_branch};

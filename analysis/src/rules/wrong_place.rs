@@ -17,7 +17,7 @@ pub(crate) fn check(context: &Context, network: NetworkAt<'_>, out: &mut Vec<Dia
             (Some(Op::End), Some(block)) if block.shape != Shape::Function => out.push(
                 wrong(
                     bound,
-                    "<END> cannot stand in this block",
+                    "<END> cannot be in this block",
                     "<RET> ends the body of the block",
                 )
                 .related(block.at, "this is the block"),
@@ -25,7 +25,7 @@ pub(crate) fn check(context: &Context, network: NetworkAt<'_>, out: &mut Vec<Dia
             (Some(Op::Fun), Some(block)) => out.push(
                 wrong(
                     bound,
-                    "<FUN> cannot stand in this block",
+                    "<FUN> cannot be in this block",
                     "write the function in the program, or in the body of a <$B> block",
                 )
                 .related(block.at, "this is the block"),

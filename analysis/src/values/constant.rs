@@ -204,7 +204,7 @@ pub(crate) fn initial_values(node: &Node, ty: Type) -> Result<Vec<Value>, Consta
         }
         Type::Array { first, last, element } => {
             let NodeKind::Array(nodes) = &node.kind else {
-                let message = "an array's values stand in brackets: [1, 2, 3]";
+                let message = "an array's values belong in brackets: [1, 2, 3]";
                 return Err(ConstantProblem::new(Rule::BadDeclaration, node.range, message));
             };
             let most = (last - first + 1) as usize;

@@ -124,10 +124,10 @@ fn based(base: &str, digits: &str) -> Parsed<i128> {
     }
 }
 
-/// An underscore stands between two digits.
+/// An underscore is between two digits.
 fn without_underscores(text: &str) -> Parsed<String> {
     if text.starts_with('_') || text.ends_with('_') || text.contains("__") {
-        return malformed("an underscore stands between two digits");
+        return malformed("an underscore belongs between two digits");
     }
     Ok(text.replace('_', ""))
 }
@@ -202,7 +202,7 @@ fn time(text: &str) -> Parsed<i64> {
             return malformed(format!("a duration has the units d h m s ms us ns, not `{unit}`"));
         };
         if index < next_unit {
-            return malformed("the units of a duration stand in falling order, each once");
+            return malformed("the units of a duration come in falling order, each once");
         }
         next_unit = index + 1;
         let (whole, fraction) = match number.split_once('.') {
@@ -315,7 +315,7 @@ fn string(text: &str) -> Parsed<Box<[u8]>> {
             b'P' => (0x0c, 1),
             _ => match behind.get(..2).and_then(|hex| u8::from_str_radix(hex, 16).ok()) {
                 Some(byte) if behind.is_char_boundary(2) => (byte, 2),
-                _ => return malformed("behind `$` stands one of $ ' L N R T P, or two hexadecimal digits"),
+                _ => return malformed("behind `$` comes one of $ ' L N R T P, or two hexadecimal digits"),
             },
         };
         bytes.push(byte);
@@ -385,7 +385,7 @@ mod tests {
                 BOOL#1  Typed(Bool, Bool(true))
                 2#12  malformed: `12` is no number in base 2
                 3#1  malformed: numbers are written in base 2, 8, 10 or 16, not 3
-                1__0  malformed: an underscore stands between two digits
+                1__0  malformed: an underscore belongs between two digits
                 SINT#200  out of range: SINT holds -128 to 127
                 18446744073709551616  out of range: numbers have at most 64 bits
                 FOO#1  malformed: `FOO` names no type
@@ -425,8 +425,8 @@ mod tests {
                 T#2d_4h  Time(187200000000000)
                 1h30m  Time(5400000000000)
                 T#90m  Time(5400000000000)
-                T#1s1s  malformed: the units of a duration stand in falling order, each once
-                T#1s5m  malformed: the units of a duration stand in falling order, each once
+                T#1s1s  malformed: the units of a duration come in falling order, each once
+                T#1s5m  malformed: the units of a duration come in falling order, each once
                 T#1.5m3s  malformed: only the last part of a duration may have a fraction
                 T#  malformed: a duration is written like T#5s, T#1h30m or T#250ms
                 5x  malformed: a duration has the units d h m s ms us ns, not `x`
@@ -447,7 +447,7 @@ mod tests {
                 'text'  Text([116, 101, 120, 116])
                 'a$'b$$c'  Text([97, 39, 98, 36, 99])
                 '$N$41'  Text([10, 65])
-                '$Q'  malformed: behind `$` stands one of $ ' L N R T P, or two hexadecimal digits
+                '$Q'  malformed: behind `$` comes one of $ ' L N R T P, or two hexadecimal digits
                 ''  Text([])
             "]],
         );

@@ -78,7 +78,7 @@ fn check_files_with(texts: &str, settings: &RuleSettings, expected: Expect) {
         for mut diagnostic in found {
             let line = index.line(diagnostic.range.start());
             shown.push_str(&format!("> {}\n", text[index.range(line)].trim_end()));
-            // Those in other files are shown with their text; fixes are tried where files stand alone.
+            // Those in other files are shown with their text; fixes are tried where files are alone.
             let elsewhere: Vec<_> = diagnostic
                 .related
                 .extract_if(.., |place| place.file.is_some())

@@ -71,7 +71,7 @@ fn one_too_many() {
             > +--\--[ ]( a )--\--( )( y )--+
                               ^ error[unpaired-connector]: the 2nd `\` on line 1 has no partner: line 1 has 2 `\`, line 2 below it has 1 `/`
                 help: connectors pair in their order from left to right, whatever their columns: the partner is probably missing at the 1st `\`
-                at 1:4 `\`: no `/` stands below this `\`
+                at 1:4 `\`: no `/` is below this `\`
                 at 2:1 `|  ---[ ]( b )--/            |`: its partner `/` belongs onto this rung
                 fix: Close the branch with `/`
                   +--\--[ ]( a )--\------------( )( y )--+
@@ -87,7 +87,7 @@ fn one_too_many() {
             > |  /--[ ]( b )--/            |
                               ^ error[unpaired-connector]: the 2nd `/` on line 2 has no partner: line 2 has 2 `/`, line 1 above it has 1 `\`
                 help: connectors pair in their order from left to right, whatever their columns: the partner is probably missing at the 1st `/`
-                at 2:4 `/`: no `\` stands above this `/`
+                at 2:4 `/`: no `\` is above this `/`
                 at 1:1 `+-----[ ]( a )--\--( )( y )--+`: its partner `\` belongs onto this rung
                 fix: Join with `\` above it
                   +--\--[ ]( a )--\------------( )( y )--+
@@ -148,7 +148,7 @@ fn what_is_drawn_is_completed() {
             > +-\-[ ]( start )-\-[/]( stop )-( )( run )-+
                                ^ error[unpaired-connector]: the 2nd `\` on line 1 has no partner: line 1 has 2 `\`, line 2 below it has 1 `/`
                 help: connectors pair in their order from left to right, whatever their columns: the partner is probably missing at the 1st `\`
-                at 1:3 `\`: no `/` stands below this `\`
+                at 1:3 `\`: no `/` is below this `\`
                 at 2:1 `|  -[ ]( run )-/`: its partner `/` belongs onto this rung
                 fix: Close the branch with `/`
                   +--\--[ ]( start )--\--[/]( stop )-------------( )( run )--+
@@ -211,7 +211,7 @@ fn what_is_drawn_is_completed() {
             > |  /--[ ]( run )----/
                                   ^ error[unpaired-connector]: the 2nd `/` on line 2 has no partner: line 2 has 2 `/`, line 1 above it has 1 `\`
                 help: connectors pair in their order from left to right, whatever their columns: the partner is probably missing at the 1st `/`
-                at 2:4 `/`: no `\` stands above this `/`
+                at 2:4 `/`: no `\` is above this `/`
                 at 1:1 `+-----[ ]( start )--\--[/]( stop )--( )( run )--+`: its partner `\` belongs onto this rung
                 fix: Join with `\` above it
                   +--\--[ ]( start )--\--[/]( stop )-------------( )( run )--+
@@ -284,7 +284,7 @@ fn swapped_connectors() {
             > +--\--[ ]( start )--\--[/]( stop )--( )( run )--+
                                   ^ error[unpaired-connector]: the 2nd `\` on line 1 has no partner: line 1 has 2 `\`, line 2 below it has 1 `/`
                 help: connectors pair in their order from left to right, whatever their columns: the partner is probably missing at the 1st `\`
-                at 1:4 `\`: no `/` stands below this `\`
+                at 1:4 `\`: no `/` is below this `\`
                 at 2:1 `|  \--[ ]( run )----/`: its partner `/` belongs onto this rung
                 fix: Replace `\` with `/`
                   +--\--[ ]( start )--\--[/]( stop )-------------( )( run )--+
@@ -313,7 +313,7 @@ fn swapped_connectors() {
             > |  /--[ ]( run )----/
                                   ^ error[unpaired-connector]: the 2nd `/` on line 2 has no partner: line 2 has 2 `/`, line 1 above it has 1 `\`
                 help: connectors pair in their order from left to right, whatever their columns: the partner is probably missing at the 1st `/`
-                at 2:4 `/`: no `\` stands above this `/`
+                at 2:4 `/`: no `\` is above this `/`
                 at 1:1 `+--/--[ ]( start )--\--[/]( stop )--( )( run )--+`: its partner `\` belongs onto this rung
                 fix: Replace `/` with `\`
                   +--\--[ ]( start )--\--[/]( stop )-------------( )( run )--+
@@ -330,7 +330,7 @@ fn a_rail_in_the_place_of_a_connector() {
             > +--\--[ ]( start )--\--[/]( stop )--( )( run )--+
                                   ^ error[unpaired-connector]: the 2nd `\` on line 1 has no partner: line 1 has 2 `\`, line 2 below it has 1 `/`
                 help: connectors pair in their order from left to right, whatever their columns: the partner is probably missing at the 1st `\`
-                at 1:4 `\`: no `/` stands below this `\`
+                at 1:4 `\`: no `/` is below this `\`
                 at 2:1 `|  |--[ ]( run )----/                          |`: its partner `/` belongs onto this rung
                 fix: Replace `|` with `/`
                   +--\--[ ]( start )--\--[/]( stop )-------------( )( run )--+
@@ -403,14 +403,14 @@ fn a_rail_in_the_place_of_a_connector() {
         "+--+--[ ]( start )--+--[/]( stop )--( )( run )--+\n|  /--[ ]( run )----/                          |\n",
         expect![[r#"
             > +--+--[ ]( start )--+--[/]( stop )--( )( run )--+
-                 ^ error[misplaced-rail]: `+` stands in the middle of a line
+                 ^ error[misplaced-rail]: `+` is in the middle of a line
                 help: `+` is where a line leaves the left rail or ends at the right rail; lines are joined with \ and /
                 fix: Replace with `\`
                   +--\--[ ]( start )--+--[/]( stop )--( )( run )--+
                 fix: Replace with wire
                   +--[ ]( start )--+--[/]( stop )----------------( )( run )--+
             > +--+--[ ]( start )--+--[/]( stop )--( )( run )--+
-                                  ^ error[misplaced-rail]: `+` stands in the middle of a line
+                                  ^ error[misplaced-rail]: `+` is in the middle of a line
                 help: `+` is where a line leaves the left rail or ends at the right rail; lines are joined with \ and /
                 fix: Replace with `\`
                   +--+--[ ]( start )--\--[/]( stop )--( )( run )--+

@@ -53,7 +53,7 @@ fn never_reached() {
         "#]],
     );
     clean("+--[ ]( SYS.FIRST_SCAN )--<JMP>( x )--+\n\n+--( )( b )--+\n\n+--<LBL>( x )--( )( d )--+\n");
-    // A function stands behind the main program's end.
+    // A function is behind the main program's end.
     clean(
         "+--<CALL>( f )--+\n\n+--<JMP>( done )--+\n\n+--<LBL>( done )--+\n\n+--<FUN>( f )--( )( y )--<RET>--+\n",
     );
@@ -98,7 +98,7 @@ fn ends() {
         "+--[ ]( a )--( )( y )--+\n\n+--<END>--+\n",
         expect![[r#"
             > +--<END>--+
-                 ^^^^^ warning[unconditional-end]: <END> stops the program for good, and no condition stands before it: only one scan runs
+                 ^^^^^ warning[unconditional-end]: <END> stops the program for good, and no condition is before it: only one scan runs
                 help: a program needs no end; <RET> ends the scan, as END does in other controllers
                 fix: End the scan only: <RET>
                   +---------------<RET>--+
@@ -137,7 +137,7 @@ fn loops() {
         "+--<FOR>( 3 )--+\n\n+--<FOR>( 2 )--[ADD]( n, n, 1 )--+\n\n+--<NEXT>--+\n\n+--<NEXT>--+\n",
         expect![[r#"
             > +--<FOR>( 2 )--[ADD]( n, n, 1 )--+
-                 ^^^^^^^^^^ error[unbalanced-loop]: a loop cannot stand in another loop
+                 ^^^^^^^^^^ error[unbalanced-loop]: a loop cannot be in another loop
                 help: end the first loop with <NEXT>; or put the inner loop into a function and <CALL> it
                 at 1:4 `<FOR>( 3 )`: this loop has not ended
             > +--<NEXT>--+

@@ -1,4 +1,4 @@
-//! One slip is told once, whatever it does to what stands behind it.
+//! One slip is reported once, whatever it does to what is behind it.
 
 use crate::check::{check, clean};
 use expect_test::expect;
@@ -10,7 +10,7 @@ fn on_its_line() {
         expect![[r#"
             > +--\--[ ] start )--\--[/]( stop )--( )( run )--+
                         ^^^^^^^ error[unexpected-character]: `start )` means nothing on a rung
-                help: a rung is drawn with - + | \ / and blocks; text stands in # comments #
+                help: a rung is drawn with - + | \ / and blocks; text is in # comments #
         "#]],
     );
     check(
@@ -18,7 +18,7 @@ fn on_its_line() {
         expect![[r#"
             > +--[ ]( run )--TON]( t, T#5s, R := stop )--[ ]( t.Q )--( )( lamp )--+
                              ^^^^ error[unexpected-character]: `TON]` means nothing on a rung
-                help: a rung is drawn with - + | \ / and blocks; text stands in # comments #
+                help: a rung is drawn with - + | \ / and blocks; text is in # comments #
         "#]],
     );
     check(
@@ -36,7 +36,7 @@ fn on_its_line() {
         expect![[r#"
             > +--[EQ]( n, 5 )--[CALC]( m, n * 3 + k ) )--( )( y )--+
                                                       ^ error[unexpected-character]: `)` means nothing on a rung
-                help: a rung is drawn with - + | \ / and blocks; text stands in # comments #
+                help: a rung is drawn with - + | \ / and blocks; text is in # comments #
         "#]],
     );
     check(
@@ -81,7 +81,7 @@ fn labels_and_functions_that_cannot_be_read() {
         expect![[r#"
             > +--<LBL> out )--( )( y )--+
                        ^^^^^ error[unexpected-character]: `out )` means nothing on a rung
-                help: a rung is drawn with - + | \ / and blocks; text stands in # comments #
+                help: a rung is drawn with - + | \ / and blocks; text is in # comments #
         "#]],
     );
     check(
@@ -122,7 +122,7 @@ fn frames_of_sections() {
         "VAR_INPT\n    a : BOOL;\nEND_VAR\nVAR x : BOOL; END_VAR\n\n+--[ ]( a )--( )( x )--+\n",
         expect![[r#"
             > VAR_INPT
-              ^^^^^^^^ error[unexpected-character]: `VAR_INPT` stands outside of any block
+              ^^^^^^^^ error[unexpected-character]: `VAR_INPT` is outside of any block
                 help: did you mean VAR_INPUT?
                 fix: Replace with VAR_INPUT
                   VAR_INPUT
@@ -155,7 +155,7 @@ fn frames_of_blocks() {
         &format!("FUNCTON_BLOCK [$Pass]\n{rest}"),
         expect![[r#"
         > FUNCTON_BLOCK [$Pass]
-          ^^^^^^^^^^^^^ error[unexpected-character]: `FUNCTON_BLOCK` stands outside of any block
+          ^^^^^^^^^^^^^ error[unexpected-character]: `FUNCTON_BLOCK` is outside of any block
             help: did you mean FUNCTION_BLOCK?
             fix: Replace with FUNCTION_BLOCK
               FUNCTION_BLOCK [$Pass]
@@ -176,7 +176,7 @@ fn frames_of_blocks() {
         &text.replace("END_FUNCTION", "END-FUNCTION"),
         expect![[r#"
         > END-FUNCTION_BLOCK
-          ^^^ error[unexpected-character]: `END` stands outside of any block
+          ^^^ error[unexpected-character]: `END` is outside of any block
             help: a contact is written [ ]( END ), a coil ( )( END )
     "#]],
     );
@@ -203,7 +203,7 @@ fn rails() {
         "-+--[ ]( a )--( )( y )--+\n",
         expect![[r#"
             > -+--[ ]( a )--( )( y )--+
-               ^ error[misplaced-rail]: `+` stands in the middle of a line
+               ^ error[misplaced-rail]: `+` is in the middle of a line
                 help: `+` is where a line leaves the left rail or ends at the right rail; lines are joined with \ and /
                 fix: Replace with wire
                   --[ ]( a )-------------------( )( y )--+

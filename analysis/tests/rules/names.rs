@@ -111,7 +111,7 @@ fn in_a_body() {
             > +--[ ]( a )--[ ]( outside )--( )( I1 )--( )( ENO )--+
                                 ^^^^^^^ error[undeclared-tag]: `outside` is not declared in the block `$A`
                 help: a block sees its own tags and VAR_GLOBAL tags only: declare it in the block
-                at 1:9 `outside`: a tag of this name stands in the program: the block does not see it
+                at 1:9 `outside`: a tag of this name is in the program: the block does not see it
                 fix: Declare `outside : BOOL` in VAR
                   VAR
                       outside : BOOL;
@@ -153,7 +153,7 @@ fn slips_in_a_file_without_declarations() {
         "+--\\--[ ]( start )--\\--[/]( stop )--( )( run )--+\n|  /--[ ]( rum )----/                           |\n\n+--[ ]( run )--[ ]( start )--( )( lamp1 )--+\n\n+--[ ]( run )--( )( lamp2 )--( )( lamp1 )--+\n",
         expect![[r#"
             > |  /--[ ]( rum )----/                           |
-                         ^^^ info[undeclared-tag]: `rum` stands here only, and looks like `run`
+                         ^^^ info[undeclared-tag]: `rum` is here only, and looks like `run`
                 help: a typing mistake makes a new tag: correct it, or declare the tags of the file
                 fix: Replace with `run`
                   +--\--[ ]( start )--\--[/]( stop )-------------( )( run )--+
@@ -260,7 +260,7 @@ fn operands_by_name() {
         expect![[r#"
             > +--[TON]( t, PT := T#5s )--( )( z )--+
                            ^^ error[bad-operand]: `PT` of [TON] is given by its place, without a name
-                help: the first operands stand in their order; only the optional ones are given by name
+                help: the first operands come in their order; only the optional ones are given by name
                 safe fix: Remove `PT :=`
                   +----------[TON]( t, T#5s )--( )( z )--+
         "#]],
@@ -299,7 +299,7 @@ fn operands_by_name() {
         expect![[r#"
             > +--[ ]( tag := a )--( )( z )--+
                       ^^^ error[bad-operand]: `tag` of [ ] is given by its place, without a name
-                help: the first operands stand in their order; only the optional ones are given by name
+                help: the first operands come in their order; only the optional ones are given by name
                 safe fix: Remove `tag :=`
                   +--[ ]( a )------------------( )( z )--+
         "#]],

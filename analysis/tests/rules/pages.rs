@@ -95,7 +95,7 @@ fn every_rule_has_a_page_that_holds_true() {
 #[test]
 fn pages_belong_to_rules() {
     let folder = page(Rule::OpenWire);
-    let folder = folder.parent().expect("a page stands in a folder");
+    let folder = folder.parent().expect("a page is in a folder");
     let mut strays: Vec<String> = std::fs::read_dir(folder)
         .expect("the pages are there")
         .filter_map(|entry| entry.ok()?.file_name().into_string().ok())
@@ -164,7 +164,7 @@ fn fixes_are_safe_and_leave_the_drawing_aligned() {
     for &rule in Rule::ALL {
         let text = std::fs::read_to_string(page(rule)).unwrap_or_default();
         for program in programs(&text, "wrong") {
-            // The rest of a page's program need not stand where the file's rail is.
+            // The rest of a page's program need not be where the file's rail is.
             let canonical = format_text(program, &Options::default());
             let shows_it = found(&canonical).iter().any(|d| d.rule == rule);
             let program = if shows_it { &canonical } else { program };

@@ -9,7 +9,7 @@ fn never_and_always() {
         "+--[ ]( a )--[ ]( b )--[/]( A )--( )( y )--+\n",
         expect![[r#"
         > +--[ ]( a )--[ ]( b )--[/]( A )--( )( y )--+
-                                 ^^^^^^^^ warning[constant-power]: no power ever comes through here: when this conducts, what stands before it does not
+                                 ^^^^^^^^ warning[constant-power]: no power ever comes through here: when this conducts, what is before it does not
             help: change one of the conditions; to switch a rung off on purpose use [ ]( SYS.OFF )
             at 1:4 `[ ]( a )`: this is off whenever the other is on
     "#]],
@@ -28,7 +28,7 @@ fn never_and_always() {
         "+--\\--[ ]( a )--\\--[/]( a )--[/]( b )--( )( y )--+\n|  /--[ ]( b )--/                                |\n",
         expect![[r#"
             > +--\--[ ]( a )--\--[/]( a )--[/]( b )--( )( y )--+
-                                           ^^^^^^^^ warning[constant-power]: no power ever comes through here: when this conducts, what stands before it does not
+                                           ^^^^^^^^ warning[constant-power]: no power ever comes through here: when this conducts, what is before it does not
                 help: change one of the conditions; to switch a rung off on purpose use [ ]( SYS.OFF )
                 at 1:20 `[/]( a )`: this is off whenever the other is on
         "#]],
@@ -37,7 +37,7 @@ fn never_and_always() {
         "+--[P]( a )--[/]( a )--( )( y )--+\n",
         expect![[r#"
         > +--[P]( a )--[/]( a )--( )( y )--+
-                       ^^^^^^^^ warning[constant-power]: no power ever comes through here: when this conducts, what stands before it does not
+                       ^^^^^^^^ warning[constant-power]: no power ever comes through here: when this conducts, what is before it does not
             help: change one of the conditions; to switch a rung off on purpose use [ ]( SYS.OFF )
             at 1:4 `[P]( a )`: this is off whenever the other is on
     "#]],
@@ -46,7 +46,7 @@ fn never_and_always() {
         "+--[ ]( a )--[NOT]--[ ]( a )--( )( y )--+\n",
         expect![[r#"
         > +--[ ]( a )--[NOT]--[ ]( a )--( )( y )--+
-                              ^^^^^^^^ warning[constant-power]: no power ever comes through here: when this conducts, what stands before it does not
+                              ^^^^^^^^ warning[constant-power]: no power ever comes through here: when this conducts, what is before it does not
             help: change one of the conditions; to switch a rung off on purpose use [ ]( SYS.OFF )
             at 1:14 `[NOT]`: this is off whenever the other is on
     "#]],
@@ -72,10 +72,10 @@ fn a_coil_before_a_contact_decides_its_value() {
                 help: a contact reads what a coil of the same network has just written: give the later part a rung of its own
                 at 2:14 `[ ]( m )`: this contact sees what the network has just written
             > +--(/)( m )--[ ]( m )--/             |
-                           ^^^^^^^^ warning[constant-power]: no power ever comes through here: when this conducts, what stands before it does not
+                           ^^^^^^^^ warning[constant-power]: no power ever comes through here: when this conducts, what is before it does not
                 help: change one of the conditions; to switch a rung off on purpose use [ ]( SYS.OFF )
             > +--(/)( m )--[ ]( m )--/             |
-                           ^^^^^^^^ warning[contact-after-coil]: [ ]( m ) stands behind a coil: whoever looks for it looks left of the coils
+                           ^^^^^^^^ warning[contact-after-coil]: [ ]( m ) is behind a coil: whoever looks for it looks left of the coils
                 help: draw a branch before the coil: the coil on one line, this contact and what it leads to on the other
                 at 2:4 `(/)( m )`: this is the coil
         "#]],
@@ -88,7 +88,7 @@ fn comparisons() {
         "+--[GT]( level, 80 )--[LT]( level, 20 )--( )( y )--+\n",
         expect![[r#"
             > +--[GT]( level, 80 )--[LT]( level, 20 )--( )( y )--+
-                                    ^^^^^^^^^^^^^^^^^ warning[constant-power]: no power ever comes through here: when this conducts, what stands before it does not
+                                    ^^^^^^^^^^^^^^^^^ warning[constant-power]: no power ever comes through here: when this conducts, what is before it does not
                 help: change one of the conditions; to switch a rung off on purpose use [ ]( SYS.OFF )
                 at 1:4 `[GT]( level, 80 )`: this is off whenever the other is on
         "#]],
@@ -115,7 +115,7 @@ fn comparisons() {
         "+--[GT]( n, 5 )--[LT]( n, 6 )--( )( y )--+\n",
         expect![[r#"
         > +--[GT]( n, 5 )--[LT]( n, 6 )--( )( y )--+
-                           ^^^^^^^^^^^^ warning[constant-power]: no power ever comes through here: when this conducts, what stands before it does not
+                           ^^^^^^^^^^^^ warning[constant-power]: no power ever comes through here: when this conducts, what is before it does not
             help: change one of the conditions; to switch a rung off on purpose use [ ]( SYS.OFF )
             at 1:4 `[GT]( n, 5 )`: this is off whenever the other is on
     "#]],
@@ -131,7 +131,7 @@ fn comparisons() {
                  ^^^^^^^^^^^^ warning[constant-power]: [GE]( n, 0 ) always conducts
                 help: whatever its tags hold, it is true: compare with another value, or remove it
             > +--[GT]( m, HIGH )--[LE]( m, 80 )--( )( Q3 )--+
-                                  ^^^^^^^^^^^^^ warning[constant-power]: no power ever comes through here: when this conducts, what stands before it does not
+                                  ^^^^^^^^^^^^^ warning[constant-power]: no power ever comes through here: when this conducts, what is before it does not
                 help: change one of the conditions; to switch a rung off on purpose use [ ]( SYS.OFF )
                 at 12:4 `[GT]( m, HIGH )`: this is off whenever the other is on
             > +--[GT]( HIGH, 5 )--( )( Q4 )--+
@@ -143,7 +143,7 @@ fn comparisons() {
         "+--[GT]( a, b )--[GT]( b, a )--( )( y )--+\n",
         expect![[r#"
         > +--[GT]( a, b )--[GT]( b, a )--( )( y )--+
-                           ^^^^^^^^^^^^ warning[constant-power]: no power ever comes through here: when this conducts, what stands before it does not
+                           ^^^^^^^^^^^^ warning[constant-power]: no power ever comes through here: when this conducts, what is before it does not
             help: change one of the conditions; to switch a rung off on purpose use [ ]( SYS.OFF )
             at 1:4 `[GT]( a, b )`: this is off whenever the other is on
     "#]],
@@ -152,7 +152,7 @@ fn comparisons() {
         "+--[EQ]( a, b )--[NE]( a, b )--( )( y )--+\n\n+--[GE]( a, a )--( )( z )--+\n",
         expect![[r#"
             > +--[EQ]( a, b )--[NE]( a, b )--( )( y )--+
-                               ^^^^^^^^^^^^ warning[constant-power]: no power ever comes through here: when this conducts, what stands before it does not
+                               ^^^^^^^^^^^^ warning[constant-power]: no power ever comes through here: when this conducts, what is before it does not
                 help: change one of the conditions; to switch a rung off on purpose use [ ]( SYS.OFF )
                 at 1:4 `[EQ]( a, b )`: this is off whenever the other is on
             > +--[GE]( a, a )--( )( z )--+
@@ -249,10 +249,10 @@ fn order() {
         "+--[ ]( a )--( )( y )--[/]( y )--( )( z )--+\n",
         expect![[r#"
             > +--[ ]( a )--( )( y )--[/]( y )--( )( z )--+
-                                     ^^^^^^^^ warning[constant-power]: no power ever comes through here: when this conducts, what stands before it does not
+                                     ^^^^^^^^ warning[constant-power]: no power ever comes through here: when this conducts, what is before it does not
                 help: change one of the conditions; to switch a rung off on purpose use [ ]( SYS.OFF )
             > +--[ ]( a )--( )( y )--[/]( y )--( )( z )--+
-                                     ^^^^^^^^ warning[contact-after-coil]: [/]( y ) stands behind a coil: whoever looks for it looks left of the coils
+                                     ^^^^^^^^ warning[contact-after-coil]: [/]( y ) is behind a coil: whoever looks for it looks left of the coils
                 help: draw a branch before the coil: the coil on one line, this contact and what it leads to on the other
                 at 1:14 `( )( y )`: this is the coil
             > +--[ ]( a )--( )( y )--[/]( y )--( )( z )--+

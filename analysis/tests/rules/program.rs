@@ -121,9 +121,9 @@ fn labels() {
         "+--[ ]( a )--<JMP>( x )--+\n\n+--<LBL>( x )--( )( p )--+\n\n+--[ ]( b )--<JMP>( X )--+\n\n+--<LBL>( x )--( )( q )--+\n\n+--[ ]( c )--<JMP>( x )--+\n",
         expect![[r#"
             > +--<LBL>( x )--( )( q )--+
-                        ^ info[duplicate-label]: the label `x` stands more than once
+                        ^ info[duplicate-label]: the label `x` appears more than once
                 help: a jump takes the nearest label behind it, else the nearest before it
-                at 3:11 `x`: it stands here first
+                at 3:11 `x`: it is here first
                 at 1:21 `x`: this jump goes to line 3
                 at 5:21 `X`: this jump goes to line 7
                 at 9:21 `x`: this jump goes to line 7
@@ -309,11 +309,11 @@ fn definitions_of_blocks() {
         "FUNCTION_BLOCK [$A]\n+--<END>--+\n+--<FUN>( f )--( )( ENO )--+\nEND_FUNCTION_BLOCK\n",
         expect![[r#"
             > +--<END>--+
-                 ^^^^^ error[wrong-place]: <END> cannot stand in this block
+                 ^^^^^ error[wrong-place]: <END> cannot be in this block
                 help: <RET> ends the body of the block
                 at 1:16 `[$A]`: this is the block
             > +--<FUN>( f )--( )( ENO )--+
-                 ^^^^^ error[wrong-place]: <FUN> cannot stand in this block
+                 ^^^^^ error[wrong-place]: <FUN> cannot be in this block
                 help: write the function in the program, or in the body of a <$B> block
                 at 1:16 `[$A]`: this is the block
         "#]],
@@ -340,9 +340,9 @@ fn labels_around_a_block() {
         ),
         expect![[r#"
             > +--[ ]( EN )--<JMP>( there )--+
-                                   ^^^^^ error[unknown-label]: there is no label `there` in the block, nor where the block stands
+                                   ^^^^^ error[unknown-label]: there is no label `there` in the block, nor where the block is
                 help: put the label into the block, or at each place that uses the block
-                at 9:16 `<$Skip>`: here the block stands, and no label of this name
+                at 9:16 `<$Skip>`: here the block is, and no label of this name
         "#]],
     );
     check(
@@ -352,9 +352,9 @@ fn labels_around_a_block() {
         ),
         expect![[r#"
             > +--[ ]( EN )--<JMP>( there )--+
-                                   ^^^^^ error[unknown-label]: there is no label `there` in the block, nor where the block stands
+                                   ^^^^^ error[unknown-label]: there is no label `there` in the block, nor where the block is
                 help: put the label into the block, or at each place that uses the block
-                at 9:4 `<$Outer>`: here the block stands, and no label of this name
+                at 9:4 `<$Outer>`: here the block is, and no label of this name
         "#]],
     );
     // In other shapes a jump stays in the body.

@@ -503,7 +503,7 @@ VAR_OUTPUT lamp : BOOL; END_VAR
             == broken.clad
             > +--[ ]( a )--? b --[TOM]( c )--<CALL>( g )--[$Other]( d )--+
                            ^^^ error[unexpected-character]: `? b` means nothing on a rung
-                help: a rung is drawn with - + | \ / and blocks; text stands in # comments #
+                help: a rung is drawn with - + | \ / and blocks; text is in # comments #
         "#]],
     );
 }

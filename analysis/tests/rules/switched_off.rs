@@ -73,7 +73,7 @@ fn an_error_that_is_hidden_still_keeps_the_program_from_running() {
 
 #[test]
 fn a_comment_speaks_of_what_stands_next() {
-    // The finding stands at the second coil.
+    // The finding is at the second coil.
     check(
         "+--[ ]( a )--( )( y )--+\n\n# ladder: allow(double-coil): two modes #\n\n+--[ ]( b )--( )( y )--+\n",
         &[],
@@ -120,7 +120,7 @@ fn comments_that_the_tools_do_not_understand() {
         (
             "allow double-coil",
             expect![[r#"
-            1 warning bad-directive: the rules to switch off stand in parentheses <# ladder: allow double-coil #>
+            1 warning bad-directive: the rules to switch off belong in parentheses <# ladder: allow double-coil #>
             3 warning double-coil: `y` is written by 2 coils: the last one alone decides <y>
         "#]],
         ),

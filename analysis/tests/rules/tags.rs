@@ -49,7 +49,7 @@ fn read_and_written() {
     );
     // No outputs: what the tags hold is what the program is for.
     clean_program("VAR\n    n : INT;\nEND_VAR\n+--[MOV]( n, 5 )--+\n");
-    // A misspelt name is told once.
+    // A misspelt name is reported once.
     check_program(
         "VAR_INPUT\n    start : BOOL;\nEND_VAR\nVAR_OUTPUT\n    run : BOOL;\nEND_VAR\n+--[ ]( strat )--( )( run )--+\n",
         expect![[r#"
@@ -95,7 +95,7 @@ fn inputs() {
                 at 6:30 `a`: `a` is written here as well
                 at 2:5 `a`: `a` is declared as an input here
             > +--[ ]( a )--( )( b )--(S)( a )--( )( I1 )--( )( %IX0.1 )--+
-                                               ^^^^^^^^^ info[latched-power]: ( )( I1 ) stands behind (S): its power is `a`, and stays on when the rung before goes off
+                                               ^^^^^^^^^ info[latched-power]: ( )( I1 ) is behind (S): its power is `a`, and stays on when the rung before goes off
                 help: if that is meant, keep it; else draw a branch before the set coil
                 at 5:24 `(S)( a )`: the set coil
             > +--[ ]( a )--( )( b )--(S)( a )--( )( I1 )--( )( %IX0.1 )--+
@@ -196,11 +196,11 @@ fn addresses() {
             > +--[GT]( %IW0, 100 )--( )( %QX2.1 )--+
                        ^^^^ warning[overlapping-address]: `%IW0` and `%IX0.3` would share memory in a controller; here each is a tag of its own
                 help: use one address for one thing: name a bit of the word (tag.3), or put the bits into it with [PACK]
-                at 1:9 `%IX0.3`: `%IX0.3` stands here
+                at 1:9 `%IX0.3`: `%IX0.3` is here
             > +--[MOV]( %QB2, 16#1 )--+
                         ^^^^ warning[overlapping-address]: `%QB2` and `%QX2.1` would share memory in a controller; here each is a tag of its own
                 help: use one address for one thing: name a bit of the word (tag.3), or put the bits into it with [PACK]
-                at 3:28 `%QX2.1`: `%QX2.1` stands here
+                at 3:28 `%QX2.1`: `%QX2.1` is here
         "#]],
     );
     check_program(
@@ -209,7 +209,7 @@ fn addresses() {
             >     low AT %IX2.0 : BOOL;
                   ^^^ warning[overlapping-address]: `low` at %IX2.0 and `level` at %IW1 would share memory in a controller; here each is a tag of its own
                 help: use one address for one thing: name a bit of the word (tag.3), or put the bits into it with [PACK]
-                at 2:5 `level`: `level` at %IW1 stands here
+                at 2:5 `level`: `level` at %IW1 is here
         "#]],
     );
     clean_program(

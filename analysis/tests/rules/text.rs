@@ -39,7 +39,7 @@ fn first_part_that_is_not_closed() {
         "+--[TON)( t, T#5s )--( )( y )--+\n",
         expect![[r#"
             > +--[TON)( t, T#5s )--( )( y )--+
-                     ^ error[unclosed-block]: `)` stands where `]` closes the block
+                     ^ error[unclosed-block]: `)` is where `]` closes the block
                 help: a block ends with the partner of the bracket that it begins with
                 fix: Replace `)` with `]`
                   +----------[TON]( t, T#5s )--( )( y )--+
@@ -156,7 +156,7 @@ fn comment_that_is_not_closed() {
                 at 3:8 `#`: this `#` is left without a partner
         "#]],
     );
-    // What stands before is still found; what a name means may be behind.
+    // What is before is still found; what a name means may be behind.
     check(
         "+--[TOM]( t, 5s )--<JMP>( there )--+\n# mark\n+--<LBL>( there )--( )( y )--+\n",
         expect![[r#"
@@ -187,14 +187,14 @@ fn stray_characters() {
         expect![[r#"
             > +--[ ]( a )--?--( )( y )--+
                            ^ error[unexpected-character]: `?` means nothing on a rung
-                help: a rung is drawn with - + | \ / and blocks; text stands in # comments #
+                help: a rung is drawn with - + | \ / and blocks; text is in # comments #
         "#]],
     );
     check(
         "+--start--( )( y )--+\n",
         expect![[r#"
             > +--start--( )( y )--+
-                 ^^^^^ error[unexpected-character]: `start` stands outside of any block
+                 ^^^^^ error[unexpected-character]: `start` is outside of any block
                 help: a contact is written [ ]( start ), a coil ( )( start )
         "#]],
     );
@@ -203,7 +203,7 @@ fn stray_characters() {
         expect![[r#"
             > hello world
               ^^^^^^^^^^^ error[unexpected-character]: `hello world` means nothing on a rung
-                help: a rung is drawn with - + | \ / and blocks; text stands in # comments #
+                help: a rung is drawn with - + | \ / and blocks; text is in # comments #
         "#]],
     );
     check(
@@ -357,10 +357,10 @@ fn declarations_that_cannot_be_read() {
                 help: bounds are written ARRAY[1..10] OF INT, lengths STRING[80]
             >     b AT : BOOL;
                        ^ error[bad-declaration]: expected an address, found `:`
-                help: behind AT stands an address such as %IX0.0, %QW1 or %MD2
+                help: behind AT comes an address such as %IX0.0, %QW1 or %MD2
             >     c : INT := ;
                              ^ error[bad-declaration]: expected a value, found `;`
-                help: behind `:=` stands the value at the start: limit : INT := 80;
+                help: behind `:=` comes the value at the start: limit : INT := 80;
         "#]],
     );
     check(

@@ -1,4 +1,4 @@
-//! What single blocks are given: numbers, durations, spellings; and what stands behind what.
+//! What single blocks are given: numbers, durations, spellings; and what is behind what.
 
 use crate::check::{check, check_program, clean};
 use expect_test::expect;
@@ -133,7 +133,7 @@ fn behind_coils() {
         "+--[ ]( a )--( )( y )--[ ]( b )--( )( z )--[ ]( c )--( )( q )--+\n",
         expect![[r#"
             > +--[ ]( a )--( )( y )--[ ]( b )--( )( z )--[ ]( c )--( )( q )--+
-                                     ^^^^^^^^ warning[contact-after-coil]: [ ]( b ) stands behind a coil: whoever looks for it looks left of the coils
+                                     ^^^^^^^^ warning[contact-after-coil]: [ ]( b ) is behind a coil: whoever looks for it looks left of the coils
                 help: draw a branch before the coil: the coil on one line, this contact and what it leads to on the other
                 at 1:14 `( )( y )`: this is the coil
         "#]],
@@ -142,7 +142,7 @@ fn behind_coils() {
         "+--[ ]( a )--(S)( y )--[TON]( t, T#5s )--( )( z )--+\n",
         expect![[r#"
             > +--[ ]( a )--(S)( y )--[TON]( t, T#5s )--( )( z )--+
-                                     ^^^^^^^^^^^^^^^^ info[latched-power]: [TON]( t, T#5s ) stands behind (S): its power is `y`, and stays on when the rung before goes off
+                                     ^^^^^^^^^^^^^^^^ info[latched-power]: [TON]( t, T#5s ) is behind (S): its power is `y`, and stays on when the rung before goes off
                 help: if that is meant, keep it; else draw a branch before the set coil
                 at 1:14 `(S)( y )`: the set coil
         "#]],
@@ -152,7 +152,7 @@ fn behind_coils() {
         "VAR i : INT; t : ARRAY[1..3] OF INT; END_VAR\n+--(S)( Q1 )--[search]( i, eq, 5, t[1..3], FOUND => Q2 )--+\n",
         expect![[r#"
             > +--(S)( Q1 )--[search]( i, eq, 5, t[1..3], FOUND => Q2 )--+
-                            ^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^ info[latched-power]: [SEARCH]( i, EQ, 5, t[1..3], Q2 ) stands behind (S): its power is `Q1`, and stays on when the rung before goes off
+                            ^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^ info[latched-power]: [SEARCH]( i, EQ, 5, t[1..3], Q2 ) is behind (S): its power is `Q1`, and stays on when the rung before goes off
                 help: if that is meant, keep it; else draw a branch before the set coil
                 at 2:4 `(S)( Q1 )`: the set coil
         "#]],
@@ -382,7 +382,7 @@ fn what_a_profile_takes() {
         "# ladder: profile iot #\nVAR c : CTU; END_VAR\n+--[ ]( MI01 )--[AND]( Q1, c.AC, 4 )--[ADD]( MF01, I1, 0.5 )--( )( MI02 )--[EQ]( I1, 1 )--( )( y )--+\n",
         expect![[r#"
             > +--[ ]( MI01 )--[AND]( Q1, c.AC, 4 )--[ADD]( MF01, I1, 0.5 )--( )( MI02 )--[EQ]( I1, 1 )--( )( y )--+
-                                                                                         ^^^^^^^^^^^^^ warning[contact-after-coil]: [EQ]( I1, 1 ) stands behind a coil: whoever looks for it looks left of the coils
+                                                                                         ^^^^^^^^^^^^^ warning[contact-after-coil]: [EQ]( I1, 1 ) is behind a coil: whoever looks for it looks left of the coils
                 help: draw a branch before the coil: the coil on one line, this contact and what it leads to on the other
                 at 3:63 `( )( MI02 )`: this is the coil
             > +--[ ]( MI01 )--[AND]( Q1, c.AC, 4 )--[ADD]( MF01, I1, 0.5 )--( )( MI02 )--[EQ]( I1, 1 )--( )( y )--+

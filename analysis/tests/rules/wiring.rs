@@ -9,7 +9,7 @@ fn blank_cuts_the_wire() {
         "+--[ ]( a )--  --( )( y )--+\n",
         expect![[r#"
         > +--[ ]( a )--  --( )( y )--+
-                       ^^ error[open-wire]: the wire is cut here: no power can reach what stands behind
+                       ^^ error[open-wire]: the wire is cut here: no power can reach what is behind
             help: a blank or a `|` breaks a wire: draw it through with `-`
             fix: Join the wire
               +--[ ]( a )------------------( )( y )--+
@@ -19,7 +19,7 @@ fn blank_cuts_the_wire() {
         "+--[ ]( a )-- | --( )( y )--+\n",
         expect![[r#"
         > +--[ ]( a )-- | --( )( y )--+
-                       ^^^ error[open-wire]: the wire is cut here: no power can reach what stands behind
+                       ^^^ error[open-wire]: the wire is cut here: no power can reach what is behind
             help: a blank or a `|` breaks a wire: draw it through with `-`
             fix: Join the wire
               +--[ ]( a )------------------( )( y )--+
@@ -29,7 +29,7 @@ fn blank_cuts_the_wire() {
         "+--[ ]( a )-- # oil # --( )( y )--+\n",
         expect![[r#"
         > +--[ ]( a )-- # oil # --( )( y )--+
-                       ^^^^^^^^^ error[open-wire]: the wire is cut here: no power can reach what stands behind
+                       ^^^^^^^^^ error[open-wire]: the wire is cut here: no power can reach what is behind
             help: a blank or a `|` breaks a wire: draw it through with `-`
             fix: Join the wire
               +--[ ]( a )--# oil #---------( )( y )--+
@@ -39,7 +39,7 @@ fn blank_cuts_the_wire() {
         "+--[ ]( a )--( )( y ) +\n",
         expect![[r#"
             > +--[ ]( a )--( )( y ) +
-                                   ^ error[open-wire]: the wire is cut here: no power can reach what stands behind
+                                   ^ error[open-wire]: the wire is cut here: no power can reach what is behind
                 help: a blank or a `|` breaks a wire: draw it through with `-`
                 safe fix: Join the wire
                   +--[ ]( a )------------------( )( y )--+
@@ -49,7 +49,7 @@ fn blank_cuts_the_wire() {
         "+--\\--[ ]( a )--\\-----( )( y )--+\n|  /-- [ ]( b )--/            |\n",
         expect![[r#"
             > |  /-- [ ]( b )--/            |
-                    ^ error[open-wire]: the wire is cut here: no power can reach what stands behind
+                    ^ error[open-wire]: the wire is cut here: no power can reach what is behind
                 help: a blank or a `|` breaks a wire: draw it through with `-`
                 safe fix: Join the wire
                   +--\--[ ]( a )--\------------( )( y )--+
@@ -149,7 +149,7 @@ fn pair_that_nothing_feeds() {
         "+--[ ]( a )-- \\--( )( y )--+\n|             /--( )( z )--+\n",
         expect![[r#"
             > +--[ ]( a )-- \--( )( y )--+
-                           ^ error[open-wire]: the wire is cut here: no power can reach what stands behind
+                           ^ error[open-wire]: the wire is cut here: no power can reach what is behind
                 help: a blank or a `|` breaks a wire: draw it through with `-`
                 fix: Join the wire
                   +--[ ]( a )--\---------------( )( y )--+
@@ -165,7 +165,7 @@ fn one_loss_is_told_once() {
         "+--[ ]( a )--  --\\--( )( x )--+\n|                /--\\--( )( y )--+\n|                   /--( )( z )--+\n",
         expect![[r#"
             > +--[ ]( a )--  --\--( )( x )--+
-                           ^^ error[open-wire]: the wire is cut here: no power can reach what stands behind
+                           ^^ error[open-wire]: the wire is cut here: no power can reach what is behind
                 help: a blank or a `|` breaks a wire: draw it through with `-`
                 fix: Join the wire
                   +--[ ]( a )--\---------------( )( x )--+
@@ -188,7 +188,7 @@ fn one_loss_is_told_once() {
         "+--[ ]( a )--+--( )( y )--+\n",
         expect![[r#"
         > +--[ ]( a )--+--( )( y )--+
-                       ^ error[misplaced-rail]: `+` stands in the middle of a line
+                       ^ error[misplaced-rail]: `+` is in the middle of a line
             help: `+` is where a line leaves the left rail or ends at the right rail; lines are joined with \ and /
             fix: Replace with wire
               +--[ ]( a )------------------( )( y )--+
@@ -199,7 +199,7 @@ fn one_loss_is_told_once() {
         expect![[r#"
             > +--[ ]( a )--( )( y )--+  +--[ ]( b )--( )( z )--+
                                      ^^^^ error[misplaced-rail]: a second rung begins on this line
-                help: each rung stands on a line of its own
+                help: each rung belongs on a line of its own
                 fix: Break the line
                   +--[ ]( a )--( )( y )--+
                   +--[ ]( b )--( )( z )--+
@@ -269,7 +269,7 @@ fn columns_that_mislead() {
             > +--\--[ ]( a )--\--------------\--( )( y )--+
                                              ^ error[unpaired-connector]: the 3rd `\` on line 1 has no partner: line 1 has 3 `\`, line 2 below it has 2 `/`
                 help: connectors pair in their order from left to right, whatever their columns: the partner is probably missing at the 1st `\`
-                at 1:4 `\`: no `/` stands below this `\`
+                at 1:4 `\`: no `/` is below this `\`
                 at 2:1 `|               /--[ ]( b )--\-/--------------+`: its partner `/` belongs onto this rung
                 fix: Replace `\` with wire
                   +--[ ]( a )--\---------------\-------------------( )( y )--+
@@ -281,7 +281,7 @@ fn columns_that_mislead() {
         "+--\\--[ ]( a )--\\--[ ]( c )--\\--( )( y )--+\n|               /--[ ]( b )--/--[ ]( d )--/\n",
         expect![[r#"
             > +--\--[ ]( a )--\--[ ]( c )--\--( )( y )--+
-                              ^ info[misleading-alignment]: the 2nd `\` stands above the 1st `/`, but pairs with the 2nd
+                              ^ info[misleading-alignment]: the 2nd `\` is above the 1st `/`, but pairs with the 2nd
                 help: connectors pair in their order from left to right, whatever their columns
                 at 2:30 `/`: this is its partner
                 safe fix: Put pairs into one column

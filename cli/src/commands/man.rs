@@ -91,7 +91,7 @@ fn name(page: &Command) -> String {
         .to_owned()
 }
 
-/// The page. What stands below the help, examples and the exit status, are sections of their own, line by line.
+/// The page. What is below the help, examples and the exit status, are sections of their own, line by line.
 fn text(page: &Command) -> io::Result<Vec<u8>> {
     let below = page.get_after_help().map(ToString::to_string).unwrap_or_default();
     let man = Man::new(page.clone())

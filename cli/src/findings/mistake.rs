@@ -5,7 +5,7 @@ use annotate_snippets::{AnnotationKind, Group, Level, Renderer};
 use ladder_simulator::scenario::Mistake;
 use ladder_workspace::{SettingsError, shown};
 
-/// What stands where the name of a rule would.
+/// What is where the name of a rule would.
 pub(crate) const NAME: &str = "bad-scenario";
 
 /// The same in `ladder.toml`.

@@ -300,7 +300,7 @@ impl Lines {
         }
     }
 
-    /// How many lines stand between the two; 0 if they touch or overlap.
+    /// How many lines are between the two; 0 if they touch or overlap.
     pub(crate) fn distance(self, other: Lines) -> usize {
         let between = |upper: usize, lower: usize| lower.saturating_sub(upper).saturating_sub(1);
         between(self.last, other.first).max(between(other.last, self.first))

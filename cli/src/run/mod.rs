@@ -14,7 +14,7 @@ use crate::terminal;
 use ladder_simulator::{Fault, Inputs, Simulation, Status};
 use ladder_workspace::shown;
 
-/// How many scans to run, as it stands on the command line.
+/// How many scans to run, as it is on the command line.
 pub(crate) fn number_of_scans(text: &str) -> Result<u64, String> {
     text.parse()
         .map_err(|_| "write a whole number, such as 100".to_owned())

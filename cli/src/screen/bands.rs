@@ -1,4 +1,4 @@
-//! Which lines of a program are folded together, and what stands in their columns.
+//! Which lines of a program are folded together, and what is in their columns.
 
 use super::columns;
 use super::fold::{Band, Content, LineShape};
@@ -53,7 +53,7 @@ fn plain(lines: Range<usize>, sheet: &Sheet) -> Band {
     Band::plain(lines, full.unwrap_or(0))
 }
 
-/// What stands in the columns of a line.
+/// What is in the columns of a line.
 fn shape(line: usize, sheet: &Sheet) -> LineShape {
     let (text, start) = (sheet.line(line), sheet.line_start(line));
     let blocks = &sheet.blocks[sheet.blocks_of(line)];

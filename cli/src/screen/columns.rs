@@ -6,7 +6,7 @@ use unicode_segmentation::UnicodeSegmentation;
 /// Tabs reach to the next multiple of this, as terminals have it.
 const TAB: usize = 8;
 
-/// One character as a person sees it, with where it stands.
+/// One character as a person sees it, with where it is.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) struct Cell<'t> {
     /// What is shown. A tab and a control character are shown as blanks.
@@ -45,7 +45,7 @@ pub(super) fn width(line: &str) -> usize {
     column(line, line.len())
 }
 
-/// The column where an offset in the line stands.
+/// The column where an offset in the line is.
 pub(super) fn column(line: &str, offset: usize) -> usize {
     if line.is_ascii() && !line.contains('\t') {
         return offset.min(line.len());
@@ -60,7 +60,7 @@ pub(super) fn column(line: &str, offset: usize) -> usize {
     end
 }
 
-/// The offset in the line of what stands in a column. None behind its end.
+/// The offset in the line of what is in a column. None behind its end.
 pub(super) fn offset(line: &str, column: usize) -> Option<usize> {
     cells(line)
         .find(|cell| (cell.column..cell.column + cell.width).contains(&column))

@@ -1,6 +1,6 @@
 //! Wide networks on a narrow screen.
 //!
-//! The right-hand blocks of a network stand at its right rail, behind wires that may be long. Where all lines of the network
+//! The right-hand blocks of a network are at its right rail, behind wires that may be long. Where all lines of the network
 //! have nothing but wire, or nothing at all, columns are left out, so that conditions and coils are seen together:
 //!
 //! ```text
@@ -50,13 +50,13 @@ pub(super) struct LineShape {
     pub(super) columns: Vec<Content>,
     /// The columns of its blocks.
     pub(super) blocks: Vec<Range<usize>>,
-    /// How many columns it has with all that stands behind the rail.
+    /// How many columns it has with all that is behind the rail.
     pub(super) full: usize,
     /// How many columns the values at its end take.
     pub(super) values: usize,
 }
 
-/// Lines that are folded and scrolled together: a network, or what stands between two.
+/// Lines that are folded and scrolled together: a network, or what is between two.
 #[derive(Debug, Default)]
 pub(super) struct Band {
     pub(super) lines: Range<usize>,
@@ -175,7 +175,7 @@ fn tail(shapes: &[LineShape]) -> Option<Tail> {
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Folding {
     pane: usize,
-    /// The width that all networks have, so that their rails stand below each other; one that cannot be so narrow is as
+    /// The width that all networks have, so that their rails are below each other; one that cannot be so narrow is as
     /// narrow as it can be.
     wanted: usize,
 }
@@ -353,7 +353,7 @@ impl Window {
         }
     }
 
-    /// The column of the drawing that stands in a column of the pane.
+    /// The column of the drawing that is in a column of the pane.
     pub(super) fn drawn_at(&self, seen: usize) -> Option<usize> {
         let column = match self.split {
             Some(split) if seen == split.at => return None,

@@ -4,7 +4,7 @@ use super::fold::{Band, ColumnPlace, Content, Folding, LineShape, cuts};
 use expect_test::{Expect, expect};
 use std::ops::Range;
 
-/// A drawing as a network: dashes are wires, blanks are blank, what stands between brackets is a block.
+/// A drawing as a network: dashes are wires, blanks are blank, what is between brackets is a block.
 fn band(drawing: &str) -> Band {
     let shapes: Vec<LineShape> = drawing.lines().map(shape).collect();
     Band::network(0..shapes.len(), &shapes)

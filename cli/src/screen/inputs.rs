@@ -1,4 +1,4 @@
-//! The inputs with numbers: which key switches which, and where each stands in its bar.
+//! The inputs with numbers: which key switches which, and where each is in its bar.
 
 use super::plant::Plant;
 use super::values;
@@ -19,7 +19,7 @@ pub(super) fn numbered(plant: &Plant) -> &[Point] {
     &inputs[..inputs.len().min(NUMBERED)]
 }
 
-/// Where the inputs stand.
+/// Where the inputs are.
 #[derive(Debug, PartialEq, Eq)]
 pub(super) struct Flow {
     pub(super) lines: u16,
@@ -36,7 +36,7 @@ pub(super) struct Entry {
     pub(super) line: u16,
     pub(super) column: u16,
     pub(super) width: u16,
-    /// What stands behind its number.
+    /// What is behind its number.
     pub(super) text: String,
 }
 

@@ -234,7 +234,7 @@ pub(super) const HELP: [&[HelpGroup]; 2] = [
     ],
 ];
 
-/// The keys that always stand at the bottom, most important first. `p` says what it would do now.
+/// The keys that always are at the bottom, most important first. `p` says what it would do now.
 pub(super) fn hints(running: bool) -> [(&'static str, &'static str, Action); 9] {
     [
         ("space", "switch", Action::Switch),
@@ -284,7 +284,7 @@ mod tests {
     fn no_key_means_two_things() {
         for (index, binding) in BINDINGS.iter().enumerate() {
             let again = BINDINGS[index + 1..].iter().any(|other| other.key == binding.key);
-            assert!(!again, "{:?} stands twice", binding.key);
+            assert!(!again, "{:?} appears twice", binding.key);
         }
     }
 }

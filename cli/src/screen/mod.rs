@@ -9,7 +9,7 @@
 //! - `view` is what a person sees, a plain value; `update` and `mouse` change it and give back what is to be
 //!   done with the program as commands; `app` carries them out and runs the scans.
 //! - `plant` is all that the screen knows of the simulator.
-//! - `sheet` is the program on paper: what stands where. It is made once, so that a frame costs what it shows and
+//! - `sheet` is the program on paper: what is where. It is made once, so that a frame costs what it shows and
 //!   not what the program is long.
 //! - `fold` makes wide networks as narrow as the screen, where they have nothing but wire; `bands` says which lines belong
 //!   together there.

@@ -15,7 +15,7 @@ pub(super) fn instruction(block: &Block) -> Option<&'static Instruction> {
     }
 }
 
-/// The tags that stand between a block's parentheses and have one value.
+/// The tags that are between a block's parentheses and have one value.
 pub(super) fn named(text: &str, block: &Block, simulation: &Simulation) -> Vec<Operand> {
     let program = simulation.program();
     let mut operands = Vec::new();
@@ -67,7 +67,7 @@ pub(super) fn shown(text: &str, block: &Block, simulation: &Simulation) -> Vec<S
         let of_state =
             matches!(block.arguments.first(), Some(first) if matches!(first.argument, Argument::State(_)));
         for (place, range) in bound.places() {
-            // The preset of a timer stands beside what it has reached.
+            // The preset of a timer is beside what it has reached.
             if of_state {
                 continue;
             }

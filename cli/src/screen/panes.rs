@@ -1,4 +1,4 @@
-//! Where everything stands on the terminal.
+//! Where everything is on the terminal.
 //!
 //! ```text
 //! bar      file, state, speed, scan, time

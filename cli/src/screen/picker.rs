@@ -24,7 +24,7 @@ pub(super) struct Picker {
 pub(super) enum Purpose {
     /// To be watched, or no more.
     Watch,
-    /// To go where it stands.
+    /// To go where it is.
     Find,
 }
 
@@ -104,7 +104,7 @@ enum Likeness {
     Same,
     Begins,
     Holds,
-    /// Its letters stand in the name in this order.
+    /// Its letters are in the name in this order.
     InOrder,
 }
 

@@ -275,7 +275,7 @@ impl Plant {
         let drawing = drawing(source, self.session.simulation());
         let newest = self.session.newest_generation();
         if change == Changeover::None && newest != self.generation {
-            // The session stands before an earlier change.
+            // The session is before an earlier change.
             self.drawings.retain(|(number, _)| *number != newest);
             self.drawings.push((newest, drawing));
             return Ok(change);

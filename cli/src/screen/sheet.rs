@@ -1,4 +1,4 @@
-//! The program as it is drawn: its lines, and where on them stands what can be selected or carries power.
+//! The program as it is drawn: its lines, and where on them is what can be selected or carries power.
 //!
 //! All of it is found once, when the program is loaded; drawing a screen then costs what the screen shows.
 
@@ -26,13 +26,13 @@ pub(super) struct Sheet {
     /// Every block of the drawing, in the order in which one reads.
     pub(super) blocks: Vec<Block>,
     marks: Vec<Mark>,
-    /// Where comments stand in the text.
+    /// Where comments are in the text.
     comments: Vec<Range<usize>>,
     /// The lines that are folded and scrolled together, from top to bottom.
     bands: Vec<Band>,
     /// What the world outside gives to the program.
     pub(super) inputs: Vec<Point>,
-    /// Where each tag's blocks stand: indices into `blocks`, by the point's name.
+    /// Where each tag's blocks are: indices into `blocks`, by the point's name.
     uses: HashMap<String, Vec<usize>>,
 }
 
@@ -195,7 +195,7 @@ impl Sheet {
         folding.window(self.band(line), left)
     }
 
-    /// The line that a place in the text stands on.
+    /// The line that a place in the text is on.
     pub(super) fn line_at(&self, offset: usize) -> usize {
         let behind = self.lines.partition_point(|line| line.text.start <= offset);
         behind.saturating_sub(1)
@@ -234,7 +234,7 @@ impl Sheet {
             .is_some_and(|index| offset < self.comments[index].end)
     }
 
-    /// The values that stand at the end of a line.
+    /// The values that are at the end of a line.
     pub(super) fn shown(&self, line: usize) -> impl Iterator<Item = &Shown> {
         let mut before: Vec<&Shown> = Vec::new();
         self.blocks[self.blocks_of(line)]
@@ -281,7 +281,7 @@ impl Sheet {
             .unwrap_or_else(|| self.blocks.partition_point(|block| block.start < offset))
     }
 
-    /// The line that a place in the program's own file stands on, from 0, and its column in characters, from 1.
+    /// The line that a place in the program's own file is on, from 0, and its column in characters, from 1.
     pub(super) fn place(&self, location: Location) -> Option<(usize, usize)> {
         if location.file != 0 {
             return None;

@@ -120,7 +120,7 @@ impl Theme {
         self.style(Color::Cyan)
     }
 
-    /// The lines around what stands over the screen.
+    /// The lines around what is over the screen.
     pub(super) fn border(self) -> border::Set<'static> {
         match self.charset {
             Charset::Unicode => border::PLAIN,
@@ -179,7 +179,7 @@ impl Theme {
         }
     }
 
-    /// What stands before a tag: low or high.
+    /// What is before a tag: low or high.
     pub(super) fn dot(self, high: bool) -> char {
         match (self.charset, high) {
             (Charset::Unicode, true) => '●',

@@ -416,7 +416,7 @@ impl View {
         }
     }
 
-    /// To the first block of a tag that stands behind the selected one, or to the first.
+    /// To the first block of a tag that is behind the selected one, or to the first.
     pub(super) fn go_to_tag(&mut self, point: &Point, plant: &Plant) {
         let uses = plant.sheet.uses(point);
         let behind = uses.iter().find(|&&block| block > self.selected);
@@ -425,13 +425,10 @@ impl View {
                 self.select(block, plant);
                 self.sought = Some(point.clone());
                 if uses.len() > 1 {
-                    self.say(format!("{} stands in {} blocks: n, N", point.name, uses.len()));
+                    self.say(format!("{} is in {} blocks: n, N", point.name, uses.len()));
                 }
             }
-            None => self.say(format!(
-                "{} stands in no block of {}",
-                point.name, plant.sheet.file
-            )),
+            None => self.say(format!("{} is in no block of {}", point.name, plant.sheet.file)),
         }
     }
 

@@ -1,10 +1,10 @@
-//! Values as they stand beside the diagram: short.
+//! Values as they are beside the diagram: short.
 
 use ladder_analysis::types::Scalar;
 use ladder_analysis::value::Value;
 use ladder_simulator::value_text;
 
-/// A value for a narrow place. A TIME stands in its largest unit with one decimal, so that it does not jump about
+/// A value for a narrow place. A TIME is in its largest unit with one decimal, so that it does not jump about
 /// while it runs.
 pub(super) fn short(value: &Value, ty: Scalar) -> String {
     match (value, ty) {

@@ -128,7 +128,7 @@ impl View {
         self.select(self.selected, plant);
     }
 
-    /// Where everything stands.
+    /// Where everything is.
     pub(super) fn panes(&self, plant: &Plant) -> Panes {
         panes(self.area, plant)
     }

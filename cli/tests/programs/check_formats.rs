@@ -264,7 +264,7 @@ fn fix_leaves_alone_what_is_right() {
     assert_eq!(std::fs::metadata(&path).unwrap().modified().unwrap(), before);
 }
 
-/// Many files are checked at once; what is found stands in their order all the same.
+/// Many files are checked at once; what is found is in their order all the same.
 #[test]
 fn the_order_of_many_files_is_theirs() {
     let names: Vec<String> = (0..200).map(|n| format!("{n:03}.clad")).collect();

@@ -129,7 +129,7 @@ impl Run {
 }
 
 impl fmt::Display for Run {
-    /// The exit status, then what stands on stdout and stderr, for snapshots.
+    /// The exit status, then what is on stdout and stderr, for snapshots.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self.status {
             Some(code) => writeln!(f, "exit status {code}")?,

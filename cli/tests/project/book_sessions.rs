@@ -47,7 +47,7 @@ struct Session {
     shown: String,
     /// As it goes.
     replayed: String,
-    /// Where it stands in the page.
+    /// Where it is in the page.
     range: Range<usize>,
     line: usize,
 }

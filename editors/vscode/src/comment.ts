@@ -1,5 +1,5 @@
 // Turns lines into comments and back. A comment cannot hold a `#`, so the editor's own command would break a rung with a
-// duration in it: `T#5s` becomes `5s`, which means the same; where another `#` stands, the command refuses.
+// duration in it: `T#5s` becomes `5s`, which means the same; where another `#` is, the command refuses.
 
 export type Toggled = { readonly lines: string[] } | { readonly refused: number };
 
@@ -10,7 +10,7 @@ function uncommented(line: string): string {
     return line.replace(/^(\s*)#\s?([^#]*?)\s?#\s*$/, '$1$2');
 }
 
-/** @returns undefined if a `#` stands in the way */
+/** @returns undefined if a `#` is in the way */
 function commented(line: string): string | undefined {
     const [, indent = '', text = ''] = /^(\s*)(.*?)\s*$/.exec(line) ?? [];
     const bare = text.replaceAll(/'(?:\$.|[^'])*'|(?<![\p{L}\p{N}_])(?:TIME|T)#(-?\d[\w.]*)/giu, (found, duration) => duration ?? found);

@@ -1,6 +1,6 @@
 // What F5 starts: configurations of the debugger, as far as they need no editor to be understood.
 
-/** A configuration as it stands in launch.json, or an empty one where there is no such file. */
+/** A configuration as it is in launch.json, or an empty one where there is no such file. */
 export interface Configuration {
     type?: string;
     request?: string;
@@ -24,7 +24,7 @@ export function canBeDebugged(file: ActiveFile | undefined): file is ActiveFile 
 }
 
 /**
- * The configuration with what is left out of it: without a launch.json the program of the active editor, which stands
+ * The configuration with what is left out of it: without a launch.json the program of the active editor, which is
  * before its first scan; a scenario runs.
  *
  * @returns undefined if there is nothing to be run

@@ -55,7 +55,7 @@ const values = style({});
 
 const kinds = [...Object.values(looks).flat(), next, values];
 
-/** A value of an operand, and where it stands. */
+/** A value of an operand, and where it is. */
 interface ShownLabel {
     readonly tag: string;
     readonly line: number;
@@ -140,7 +140,7 @@ function placeAll(session: Session): ShownLabel[] {
 }
 
 /**
- * A label stands over the text, out of its flow: it takes no room in its line. On a blank line it is as large as the
+ * A label is over the text, out of its flow: it takes no room in its line. On a blank line it is as large as the
  * text; between two lines it is as large as the gap.
  */
 function labelOptions(session: Session, label: ShownLabel): vscode.DecorationOptions {

@@ -60,7 +60,7 @@ export function unitsBefore(line: string, column: number): number {
 }
 
 /**
- * Where the steps of a row stand that are not as expected: each run of them in a waveform, else the first value.
+ * Where the steps of a row are that are not as expected: each run of them in a waveform, else the first value.
  *
  * @param line the row's text
  */

@@ -14,7 +14,7 @@ export interface Place {
 }
 
 export interface Surroundings {
-    /** The setting `ladder.server.path`, as it stands there. */
+    /** The setting `ladder.server.path`, as it is there. */
     readonly setting: string;
     readonly extensionPath: string;
     readonly home: string;

@@ -11,7 +11,7 @@ type Node = TagGroup | Tag;
 
 /**
  * In milliseconds. The editor waits until a view has been quiet for 200 before it draws it again: one that changes more
- * often would stand still.
+ * often would be still.
  */
 const REFRESH_EVERY = 300;
 

@@ -208,7 +208,7 @@ export class TestExplorer implements vscode.Disposable {
         try {
             results = JSON.parse(said.stdout) as Results;
         } catch {
-            // What it could not do stands on the other stream.
+            // What it could not do is on the other stream.
         }
         const [result] = results?.files ?? [];
         if (!result) {

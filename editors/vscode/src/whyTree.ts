@@ -51,7 +51,7 @@ export function whyRow(reason: Reason): WhyRow {
     const now = reason.now ? ofWrite(reason.now, 'keeps it off') : [];
     const children = [...written, ...now];
     return {
-        // The sentence goes on with what stands beneath.
+        // The sentence goes on with what is beneath.
         label: (children.length > 0 && reason.text.split(': ', 1)[0]) || reason.text,
         tooltip: reason.text,
         icon: reason.cause === 'forced' ? 'lock' : 'symbol-variable',

@@ -53,7 +53,7 @@ export class WhyView implements vscode.Disposable, vscode.TreeDataProvider<WhyRo
         }
     }
 
-    /** Shows where a reason stands. */
+    /** Shows where a reason is. */
     async open(row: WhyRow): Promise<void> {
         if (row.range && this.#session) {
             const uri = row.uri === undefined ? this.#session.document.uri : vscode.Uri.parse(row.uri);

@@ -130,7 +130,7 @@ test('a number is a line of steps', () => {
     assert.equal(scaleOf([3, 3], 0, 100)(3), 50);
 });
 
-test('words stand where they hold', () => {
+test('words are where they hold', () => {
     assert.deepEqual(words([[0, 'idle'], [3, 'busy']], toX, 50), [
         { from: 0, to: 30, text: 'idle' },
         { from: 30, to: 50, text: 'busy' },

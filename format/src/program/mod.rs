@@ -34,7 +34,7 @@ pub enum Item {
     Block {
         /// As in a header: `[$Debounce]`.
         header: String,
-        /// What stands between header and end.
+        /// What is between header and end.
         items: Vec<Item>,
     },
 }
@@ -134,7 +134,7 @@ impl Declaration {
     }
 }
 
-/// A network, with the comments that stand above it.
+/// A network, with the comments that are above it.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Network {
     /// Each on a line of its own, or more.
@@ -146,7 +146,7 @@ pub struct Network {
 /// How a network is given.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum Drawing {
-    /// From the left rail to the right one, as what stands in series and in parallel.
+    /// From the left rail to the right one, as what is in series and in parallel.
     Circuit(Circuit<Element>),
     /// Rung by rung, with its connectors: for what series and parallel cannot say. The k-th [`RungPiece::Down`] of a
     /// rung and the k-th [`RungPiece::Up`] of the next are one point.
@@ -154,7 +154,7 @@ pub enum Drawing {
 }
 
 /// One thing on a rung of [`Drawing::Rungs`]. Wire joins each to the one before it, unless a
-/// [`RungPiece::Gap`] stands between them.
+/// [`RungPiece::Gap`] is between them.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum RungPiece {
     /// `+` at either end
@@ -194,7 +194,7 @@ impl Element {
     }
 }
 
-/// A text as it can stand in a comment: a comment cannot hold `#`, so it becomes `\x23`. Lone carriage returns and
+/// A text as it can be in a comment: a comment cannot hold `#`, so it becomes `\x23`. Lone carriage returns and
 /// other control characters become `\x..` too, and what would speak to the tools (`ladder: ..`) does not.
 pub fn comment_text(text: &str) -> String {
     let mut out = String::with_capacity(text.len());

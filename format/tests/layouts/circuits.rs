@@ -1,4 +1,4 @@
-//! Networks drawn from what stands in series and in parallel.
+//! Networks drawn from what is in series and in parallel.
 
 use expect_test::{Expect, expect};
 use ladder_format::{Circuit, ElementKind, Options, format_text};

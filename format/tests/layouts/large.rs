@@ -7,7 +7,7 @@ fn stays(text: &str) -> bool {
     format_text(text, &Options::default()) == text
 }
 
-/// Each rung stands three columns right of the one above it, so a drawing of n rungs takes n² columns.
+/// Each rung is three columns right of the one above it, so a drawing of n rungs takes n² columns.
 fn staircase(rungs: usize) -> String {
     let mut text = String::from("+-\\\n");
     for _ in 2..rungs {

@@ -2,7 +2,7 @@
 
 use ladder_format::{Options, format_text};
 
-/// Formats one block that stands alone on a rung.
+/// Formats one block that is alone on a rung.
 #[track_caller]
 fn becomes(block: &str, expected: &str) {
     for (text, expected) in [(block, expected), (expected, expected)] {

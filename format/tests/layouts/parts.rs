@@ -46,7 +46,7 @@ fn networks_and_sections() {
     assert!(new.contains("+--[ ]( en )"), "a program in a later part");
 }
 
-/// The widest network stands last, and all before it are drawn by its rail.
+/// The widest network is last, and all before it are drawn by its rail.
 #[test]
 fn the_rail_moves_late() {
     let mut text = "+--[ ]( a )--( )( y )--+\n|\n".repeat(MANY);

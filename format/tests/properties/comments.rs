@@ -30,7 +30,7 @@ const CONSTRUCTS: &[&str] = &[
     "VAR_INPUT a : INT; END_VAR +--[ ]( a )--+ \nEND_FUNCTION_BLOCK x\nFUNCTION_BLOCK x\nFUNCTION_BLOCK\n",
 ];
 
-/// Comments and what may stand around them.
+/// Comments and what may be around them.
 pub(crate) const COMMENTS: &[&str] = &[
     "# c #",
     " # c # ",

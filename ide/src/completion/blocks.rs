@@ -50,7 +50,7 @@ fn is_offered(row: &Instruction, profile: Profile) -> bool {
 
 fn each_user_block(typing: &Typing<'_>, mut give: impl FnMut(&UserBlockFacts)) {
     let context = typing.context;
-    // A block does not stand in its own body.
+    // A block is not in its own body.
     let own_body = typing.scope.checked_sub(1);
     let mut seen = FxHashSet::default();
     for (index, block) in context.user_blocks.iter().enumerate() {
@@ -136,7 +136,7 @@ fn acts(row: &Instruction) -> bool {
     row.shape == Shape::Coil || matches!(row.op, Op::Jmp | Op::Call | Op::Ret | Op::End)
 }
 
-/// The operands that must be given, as they stand until somebody writes others. None: the block has no list.
+/// The operands that must be given, as they are until somebody writes others. None: the block has no list.
 fn operands_of(row: &Instruction) -> Option<Vec<String>> {
     if row.required() == 0
         && !row
@@ -155,7 +155,7 @@ fn operands_of(row: &Instruction) -> Option<Vec<String>> {
     )
 }
 
-/// What stands in an operand's place until somebody writes something else.
+/// What is in an operand's place until somebody writes something else.
 fn stand_in(name: &str, accepts: Accepts) -> String {
     match accepts {
         Accepts::Duration | Accepts::Time => "T#1s".to_owned(),

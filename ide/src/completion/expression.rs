@@ -64,7 +64,7 @@ pub(super) fn values(typing: &Typing<'_>, out: &mut Proposals<'_>) {
     );
 }
 
-/// The operators that are words. `missing`: what stands behind one that is accepted, where nothing stands yet.
+/// The operators that are words. `missing`: what is behind one that is accepted, where nothing is yet.
 pub(super) fn operators(missing: &str, out: &mut Proposals<'_>) {
     for (word, doc) in [
         ("AND", "Both; of numbers, bit by bit."),

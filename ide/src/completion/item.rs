@@ -100,13 +100,13 @@ impl Snippet {
         self
     }
 
-    /// A stop with what stands there until somebody writes something else.
+    /// A stop with what is there until somebody writes something else.
     pub(crate) fn stop(mut self, text: &str) -> Snippet {
         self.0.push(Piece::Stop(text.to_owned()));
         self
     }
 
-    /// Where the cursor stands in the end; without it that is behind the text.
+    /// Where the cursor is in the end; without it that is behind the text.
     pub(crate) fn end(mut self) -> Snippet {
         self.0.push(Piece::End);
         self

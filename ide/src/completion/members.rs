@@ -1,4 +1,4 @@
-//! What stands behind a point: members of timers, counters and bistables, system tags, bits.
+//! What is behind a point: members of timers, counters and bistables, system tags, bits.
 
 use super::item::{CompletionKind, Topic};
 use super::proposals::Proposals;

@@ -1,7 +1,7 @@
 //! Completion: what can be written at a place. One file for each kind of place.
 //!
 //! What is accepted leaves a text that reads: a block comes with its operands, its bracket and the wire to what is
-//! drawn behind it, and nothing twice that stands there already. Only the cursor's line is changed: the drawing
+//! drawn behind it, and nothing twice that is there already. Only the cursor's line is changed: the drawing
 //! around it is put straight by the formatter, which knows how wide it all became.
 
 mod blocks;
@@ -70,7 +70,7 @@ fn is_welcome(typing: &Typing<'_>, trigger: char) -> bool {
     }
 }
 
-/// What can stand in an operand's place. Gives what each proposal gets behind it.
+/// What can be in an operand's place. Gives what each proposal gets behind it.
 fn in_operand(typing: &Typing<'_>, operand: &Operand, out: &mut Proposals<'_>) -> Snippet {
     if operand.before_value && !operand.behind_value {
         return Snippet::default();

@@ -12,7 +12,7 @@ pub(super) fn labels(typing: &Typing<'_>, operand: &Operand, out: &mut Proposals
     let word = typing.absolute(typing.word.clone());
     let mut seen = FxHashSet::default();
     if operand.head.eq_ignore_ascii_case("LBL") {
-        // Labels that are jumped to and do not stand anywhere.
+        // Labels that are jumped to and are not anywhere.
         return missing_labels(typing, out);
     }
     for label in &context.labels {
@@ -44,11 +44,11 @@ fn missing_labels(typing: &Typing<'_>, out: &mut Proposals<'_>) {
         .filter(|(_, of)| **of == body)
     {
         for (name, key, at) in crate::jumps::jumps(network) {
-            let stands = context
+            let is = context
                 .labels
                 .iter()
                 .any(|label| label.key == key && label.at != word && context.bodies[label.network] == body);
-            if !stands && seen.insert(key) {
+            if !is && seen.insert(key) {
                 let detail = format!("jumped to on line {}", context.line_number(at.start()));
                 out.word((0, 0), CompletionKind::Label, name, &detail, Topic::Nothing);
             }

@@ -11,7 +11,7 @@ pub(super) const MOST: usize = 128;
 pub(super) struct Proposals<'t> {
     prefix: &'t str,
     word: TextRange,
-    /// What stands on the line in front of the word.
+    /// What is on the line in front of the word.
     before: &'t str,
     /// How well each fits, its place in the order of the proposals, and itself.
     found: Vec<(Order, Completion)>,
@@ -125,7 +125,7 @@ impl<'t> Proposals<'t> {
         self.found.truncate(MOST);
         let mut items: Vec<Completion> = self.found.into_iter().map(|(_, item)| item).collect();
         for item in &mut items {
-            // An editor compares with what stands in the whole range up to the cursor.
+            // An editor compares with what is in the whole range up to the cursor.
             let more = usize::from(
                 self.word
                     .start()

@@ -14,7 +14,7 @@ use ladder_syntax::Name;
 const INPUTS: u8 = 4;
 /// Behind the tags that fit as they are, those that pass, and those of which a member fits.
 const SYSTEM: u8 = 4;
-/// Literals stand behind everything that has a name.
+/// Literals are behind everything that has a name.
 const LITERALS: u8 = 5;
 
 /// A tag, and its rank: whether it only holds what is written and does not begin so, how well it fits, and what else
@@ -22,7 +22,7 @@ const LITERALS: u8 = 5;
 type Ranked<'c> = (&'c TagFacts, (bool, u8, u8));
 
 pub(super) fn propose(typing: &Typing<'_>, operand: &Operand, wanted: &Wanted, out: &mut Proposals<'_>) {
-    // What stands in the list already is less likely meant.
+    // What is in the list already is less likely meant.
     let given = |tag: &TagFacts| {
         let mut before = operand
             .before
@@ -72,7 +72,7 @@ pub(super) fn propose(typing: &Typing<'_>, operand: &Operand, wanted: &Wanted, o
     }
 }
 
-/// Whether all that is known of a tag is the half of a name that stands at the cursor.
+/// Whether all that is known of a tag is the half of a name that is at the cursor.
 fn is_being_written(typing: &Typing<'_>, tag: &TagFacts) -> bool {
     let word = typing.absolute(typing.word.clone());
     tag.origin == Origin::Undeclared && typing.context.uses(tag).all(|place| place.range == word)

@@ -11,7 +11,7 @@ use std::sync::Arc;
 /// So many files are named.
 const MOST: usize = 6;
 
-/// How often each other file writes, reads or names what stands at an offset. None where none does.
+/// How often each other file writes, reads or names what is at an offset. None where none does.
 pub fn used_elsewhere(context: &Context, offset: TextSize, workspace: &dyn Workspace) -> Option<String> {
     if !context.others.have_files() {
         return None;

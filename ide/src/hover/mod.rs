@@ -29,7 +29,7 @@ pub struct Hover {
     pub markdown: String,
 }
 
-/// What stands at an offset.
+/// What is at an offset.
 pub fn hover(context: &Context, offset: TextSize) -> Option<Hover> {
     let parse = &context.parse;
     let line = parse.line_at(offset)?;

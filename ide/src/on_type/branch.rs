@@ -1,4 +1,4 @@
-//! A `/` that ends a branch below a rung: the `\` on the rung is drawn, as near above it as it can stand.
+//! A `/` that ends a branch below a rung: the `\` on the rung is drawn, as near above it as it can be.
 
 use super::network_at;
 use crate::body::line_text;

@@ -7,7 +7,7 @@ use ladder_format::{Edit, Options, display_width};
 use ladder_syntax::wiring::{PartKind, Rung};
 use ladder_syntax::{LineKind, Mode, TextRange, TextSize};
 
-/// How far declarations stand in (LANGUAGE §8 rule 8).
+/// How far declarations are in (LANGUAGE §8 rule 8).
 const INDENT: &str = "    ";
 
 /// What a rung begins with.
@@ -184,7 +184,7 @@ fn is_finished(context: &Context, line: usize) -> bool {
         && rungs.iter().any(Rung::has_right_rail)
 }
 
-/// Whether a rung stands right below the line of an offset.
+/// Whether a rung is right below the line of an offset.
 fn stands_below(context: &Context, offset: TextSize) -> bool {
     let parse = &context.parse;
     let below = parse.line_at(offset).map(|line| line + 1);

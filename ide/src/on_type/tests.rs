@@ -265,7 +265,7 @@ fn enter_behind_a_rung_begins_the_next() {
             +--
         "#]],
     );
-    // A rung stands there already: a line is put between.
+    // A rung is there already: a line is put between.
     check(
         "+--[ ]( a )------------------( )( y )--+\n$0\n+--[ ]( x )------------------( )( z )--+\n",
         expect![[r#"

@@ -1,4 +1,4 @@
-//! Networks as what stands in series and in parallel, and back to a drawing.
+//! Networks as what is in series and in parallel, and back to a drawing.
 
 use super::drawing::{Drawing, Item, ItemKind, Row, comments};
 use super::parallel::Parallel;
@@ -8,7 +8,7 @@ use std::ops::Range;
 /// A network from the left rail to its end, if all of it is in series and in parallel.
 #[derive(Debug, Clone)]
 pub(crate) struct Rung {
-    /// What stands in series, from left to right.
+    /// What is in series, from left to right.
     pub(crate) parts: Vec<Circuit<Item>>,
     /// Whether it ends at the right rail.
     pub(crate) railed: bool,

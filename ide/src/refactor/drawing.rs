@@ -33,7 +33,7 @@ pub(crate) struct Item {
     pub(crate) text: String,
     /// Whether wire joins it to the item before it.
     pub(crate) joined: bool,
-    /// Where it stands in the file, unless it is new.
+    /// Where it is in the file, unless it is new.
     pub(crate) at: TextRange,
 }
 
@@ -71,7 +71,7 @@ impl Item {
         matches!(self.kind, ItemKind::Block(_))
     }
 
-    /// A comment that is no piece of a wire. It joins nothing, and what stands behind it is not joined to it.
+    /// A comment that is no piece of a wire. It joins nothing, and what is behind it is not joined to it.
     pub(crate) fn is_loose(&self, next: Option<&Item>) -> bool {
         self.kind == ItemKind::Comment && !self.joined && next.is_none_or(|next| !next.joined)
     }
@@ -153,7 +153,7 @@ impl Drawing {
         self.line_end
     }
 
-    /// Where it stands in the file, without the last line end.
+    /// Where it is in the file, without the last line end.
     pub(crate) fn range(&self) -> TextRange {
         self.range
     }
@@ -230,7 +230,7 @@ impl Drawing {
         found.map(|(index, _)| index)
     }
 
-    /// How many items of a kind stand on a row before an index.
+    /// How many items of a kind are on a row before an index.
     pub(crate) fn count_before(&self, row: usize, index: usize, kind: ItemKind) -> usize {
         self.all(row, kind).take_while(|&at| at < index).count()
     }
@@ -271,14 +271,14 @@ impl Drawing {
             .is_some_and(|item| item.joined)
     }
 
-    /// Where on a row its first thing that is drawn stands: before it stand only comments.
+    /// Where on a row its first thing that is drawn is: before it are only comments.
     pub(crate) fn drawn_start(&self, row: usize) -> usize {
         let items = &self.rows[row].items;
         let loose = |&(n, item): &(usize, &Item)| item.is_loose(items.get(n + 1));
         items.iter().enumerate().take_while(loose).count()
     }
 
-    /// Takes an item out; what stands on both sides of it is joined if both were.
+    /// Takes an item out; what is on both sides of it is joined if both were.
     pub(crate) fn take(&mut self, row: usize, index: usize) -> Item {
         let items = &mut self.rows[row].items;
         let item = items.remove(index);
@@ -289,7 +289,7 @@ impl Drawing {
     }
 
     /// Takes rows out that hold nothing but comments; the comments go to the row above, or below the first. Lines of
-    /// comments that no rung stands below any more go above the first.
+    /// comments that no rung is below any more go above the first.
     pub(crate) fn drop_empty_rows(&mut self) {
         let mut row = 0;
         while row < self.rows.len() {

@@ -1,4 +1,4 @@
-//! Selected blocks become a user-defined block. Its power goes in as `EN` and out as `ENO`, so that it stands where they
+//! Selected blocks become a user-defined block. Its power goes in as `EN` and out as `ENO`, so that it is where they
 //! stood; the tags that they use become its operands: those that are only read as inputs, all others by reference.
 
 use super::drawing::{Drawing, Item, line_end, lines_text};
@@ -57,7 +57,7 @@ fn extracted(
             Some(Op::RetentiveCoil | Op::RetentiveSet | Op::RetentiveReset | Op::Persist)
         );
         if is_flow(&block) {
-            return Err(format!("{} works only where it stands", block.head_text()));
+            return Err(format!("{} works only where it is", block.head_text()));
         }
         if retentive {
             return Err(format!(

@@ -52,7 +52,7 @@ fn extracted(context: &Context, networks: Range<usize>, name: &str) -> Result<Ve
     {
         let block = block.head_text();
         return Err(Some(format!(
-            "{block} works only where it stands: a function has labels, returns and loops of its own"
+            "{block} works only where it is: a function has labels, returns and loops of its own"
         )));
     }
     if has_mcr(context, body) {
@@ -83,7 +83,7 @@ fn extracted(context: &Context, networks: Range<usize>, name: &str) -> Result<Ve
     let function = begin_function(context, networks.start, start, &moved, name).ok_or(None)?;
     let place = TextRange::new(start, parse.line_range(lines.end - 1).end());
     if place.end() == parse.text_len() {
-        // Nothing stands behind them: call and function come one behind the other.
+        // Nothing is behind them: call and function come one behind the other.
         return Ok(vec![Edit {
             range: place,
             text: format!("{call}{line_end}{line_end}{function}"),
@@ -115,7 +115,7 @@ pub(super) fn starts_with_mark(context: &Context, lines: &Range<usize>) -> bool 
     lines.start == 0 && lines_text(&context.parse, 0..1).starts_with(MARK)
 }
 
-/// A call stands where a function stood: there is nothing to extract.
+/// A call is where a function stood: there is nothing to extract.
 fn is_call_alone(context: &Context, networks: &Range<usize>) -> bool {
     let facts = context.networks.range(networks.clone());
     let mut blocks = facts.clone().flat_map(NetworkAt::blocks);

@@ -41,7 +41,7 @@ fn inlined(
 ) -> Result<Vec<Edit>, String> {
     let context = place.context;
     if definition >= context.own_blocks {
-        return Err("the block stands in another file".to_owned());
+        return Err("the block is in another file".to_owned());
     }
     if place.analysis.has_errors() {
         return Err("mend the mistakes of the file first".to_owned());
@@ -82,7 +82,7 @@ fn inlined(
     Ok(edits)
 }
 
-/// The network of a body, and what of it stands between `EN` and `ENO`.
+/// The network of a body, and what of it is between `EN` and `ENO`.
 struct Inner {
     network: usize,
     drawing: Drawing,
@@ -287,7 +287,7 @@ impl Words<'_> {
         Ok(new)
     }
 
-    /// Whether an operand can stand wherever the body says its parameter.
+    /// Whether an operand can be wherever the body says its parameter.
     fn fits(&self, tag: &TagFacts, kind: ParameterKind, node: &NodeKind, body: &Inner) -> Result<(), String> {
         let name = &tag.name;
         let mut uses = self.place.context.uses(tag);

@@ -29,9 +29,7 @@ pub(super) fn offer(place: &Selected<'_>, out: &mut Vec<Action>) {
 }
 
 fn inlined(context: &Context, caller: usize, drawing: &Drawing, name: &Name) -> Result<Vec<Edit>, String> {
-    let function = context
-        .function(name)
-        .ok_or("the function stands in another file")?;
+    let function = context.function(name).ok_or("the function is in another file")?;
     if has_other_calls(context, caller, name) {
         return Err("the function is called elsewhere too".to_owned());
     }
@@ -74,10 +72,10 @@ fn inlined(context: &Context, caller: usize, drawing: &Drawing, name: &Name) -> 
     if facts.clone().any(|network| network.broken) {
         return Err("the function holds a mistake in its drawing".to_owned());
     }
-    let mixed = || "declarations or blocks stand between the rungs of the function".to_owned();
+    let mixed = || "declarations or blocks are between the rungs of the function".to_owned();
     let lines = lines_with_comments(context, &networks).ok_or_else(mixed)?;
     if starts_with_mark(context, &lines) {
-        return Err("the function stands first in a file with a byte order mark".to_owned());
+        return Err("the function is first in a file with a byte order mark".to_owned());
     }
     if lines.contains(&context.networks.at(caller).first_line) {
         return Err("the function calls itself".to_owned());

@@ -21,7 +21,7 @@ type Parts = Vec<Circuit<Item>>;
 struct Output<'c> {
     drawing: Drawing,
     rung: Rung,
-    /// What stands before the coil.
+    /// What is before the coil.
     before: Parts,
     coil: &'c BoundBlock,
     blocks: &'c [BoundBlock],
@@ -241,7 +241,7 @@ fn seal_in(context: &Context, first: usize) -> Option<Action> {
     let tag = &one.tag;
     let hold = Circuit::Element(Item::block(format!("[ ]( {tag} )")));
     let set_parts = Circuit::Series(set.before.clone());
-    // The order of evaluation stays: what stands above is evaluated first.
+    // The order of evaluation stays: what is above is evaluated first.
     let mut parts = if set_first {
         vec![Circuit::Parallel(vec![set_parts, hold]), released]
     } else {
@@ -264,7 +264,7 @@ fn seal_in(context: &Context, first: usize) -> Option<Action> {
     Some(action(title, obstacle(context, &one, 2), vec![edit]))
 }
 
-/// The comments between a network and the next one, if nothing else stands there.
+/// The comments between a network and the next one, if nothing else is there.
 fn between(context: &Context, first: usize) -> Option<String> {
     let parse = &context.parse;
     let networks = &parse.structure().networks;

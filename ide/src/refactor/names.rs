@@ -40,7 +40,7 @@ fn numbered(base: &str, between: &str, exists: impl Fn(&Name) -> bool) -> String
     }
 }
 
-/// How a title calls a block that stands in `drawing`: by its first operand, else by its first part.
+/// How a title calls a block that is in `drawing`: by its first operand, else by its first part.
 pub(crate) fn called(block: &BoundBlock, text: &str) -> String {
     operand(block, text, 0).map_or_else(|| block.head_text(), str::to_owned)
 }

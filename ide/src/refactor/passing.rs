@@ -30,7 +30,7 @@ impl Way {
         }
     }
 
-    /// What stands on the new row.
+    /// What is on the new row.
     fn wires(self) -> Vec<Item> {
         let down = || [Item::up(false), Item::down()];
         let up = || [Item::new(ItemKind::Down, "\\", false), Item::up(true)];

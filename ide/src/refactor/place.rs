@@ -13,7 +13,7 @@ pub(crate) struct Selected<'a> {
     pub(crate) analysis: &'a Analysis,
     pub(crate) context: &'a Context,
     pub(crate) range: TextRange,
-    /// The networks that the selection reaches into, or the cursor stands in.
+    /// The networks that the selection reaches into, or the cursor is in.
     pub(crate) networks: Range<usize>,
     /// Where it is one network whose drawing can be read: what is selected in it.
     pub(crate) on: Option<OnNetwork<'a>>,
@@ -75,7 +75,7 @@ fn on_network(context: &Context, network: usize, range: TextRange) -> Option<OnN
     })
 }
 
-/// The items that a range reaches into, all on one row; for a cursor the one that it stands in or touches.
+/// The items that a range reaches into, all on one row; for a cursor the one that it is in or touches.
 fn selected(drawing: &Drawing, range: TextRange) -> Option<(usize, Range<usize>)> {
     let mut found: Option<(usize, Range<usize>)> = None;
     for (number, row) in drawing.rows.iter().enumerate() {

@@ -30,9 +30,9 @@ pub enum Redraw {
     Branch,
     /// The contact or coil under the cursor becomes its opposite.
     Invert,
-    /// The block under the cursor changes places with what stands before it.
+    /// The block under the cursor changes places with what is before it.
     Left,
-    /// The same, with what stands behind it.
+    /// The same, with what is behind it.
     Right,
     /// The block under the cursor goes to the rung above, in its column; from the first one to the network above.
     Up,
@@ -47,7 +47,7 @@ pub enum Redraw {
 pub struct Redrawn {
     /// The edits, sorted, none touching another.
     pub edits: Vec<Edit>,
-    /// Where the cursor stands in the new text.
+    /// Where the cursor is in the new text.
     pub cursor: Option<TextSize>,
 }
 

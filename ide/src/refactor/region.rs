@@ -89,7 +89,7 @@ impl Region {
         run.is_some_and(|run| run.iter().all(|block| blocks.contains(block)))
     }
 
-    /// Its rows as a drawing of their own, without what stands around them.
+    /// Its rows as a drawing of their own, without what is around them.
     pub(crate) fn copy(&self, drawing: &Drawing) -> Vec<Row> {
         let rows = self.rows.iter().enumerate();
         rows.map(|(n, range)| Row {

@@ -1,4 +1,4 @@
-//! A parallel branch goes: the one that the cursor stands in.
+//! A parallel branch goes: the one that the cursor is in.
 
 use super::drawing::{Drawing, Item, ItemKind};
 use super::insert_branch::first_name;

@@ -51,7 +51,7 @@ pub(super) fn offer(place: &Selected<'_>, out: &mut Vec<Action>) {
     }
 }
 
-/// The item of the first row that a branch in which an item stands begins at.
+/// The item of the first row that a branch in which an item is begins at.
 fn on_first_row(drawing: &Drawing, mut row: usize, mut item: usize) -> (usize, usize) {
     while row > 0 {
         let start = drawing.segment(row, item).start;
@@ -174,7 +174,7 @@ fn is_rail(drawing: &Drawing, row: usize, down: usize) -> bool {
     }
 }
 
-/// What stands from an item of the first row on, and hangs below that, gets a network of its own.
+/// What is from an item of the first row on, and hangs below that, gets a network of its own.
 fn across(on: &OnNetwork<'_>, row: usize, at: usize, tag: &str) -> Option<Split> {
     let drawing = &on.drawing;
     let items = &drawing.rows[0].items;

@@ -85,7 +85,7 @@ fn others(block: BlockAt<'_>) -> &'static [(&'static str, &'static str)] {
     }
 }
 
-/// Whether the operand can stand in the other block: edges take no range, and only a bit can be set or inverted.
+/// Whether the operand can be in the other block: edges take no range, and only a bit can be set or inverted.
 fn may_be(place: &Selected<'_>, block: BlockAt<'_>, head: &str) -> bool {
     let Some(operand) = block.facts.operands.first() else {
         return true;

@@ -1,5 +1,5 @@
 //! Labels that must go by one name: a jump in a `<$B>` block to a label that the block does not have goes to the
-//! label of that name wherever the block stands (LANGUAGE §5.7).
+//! label of that name wherever the block is (LANGUAGE §5.7).
 
 use crate::neighbour::Workspace;
 use crate::symbol::{Symbol, Usage, occurrences};
@@ -46,7 +46,7 @@ impl Search<'_> {
     /// The bodies that share the label with one, directly.
     fn linked(&self, (file, body): &FileBody) -> Vec<FileBody> {
         let mut linked = Vec::new();
-        // The blocks that stand in it and jump out.
+        // The blocks that are in it and jump out.
         self.with(file, &mut |file| {
             for block in blocks_in(file, *body) {
                 if self.passes(&block, 0) {
@@ -54,7 +54,7 @@ impl Search<'_> {
                 }
             }
         });
-        // The places where it stands itself.
+        // The places where it is itself.
         let Body::Block(item) = *body else { return linked };
         if !self.passes(&(Arc::clone(file), *body), 0) {
             return linked;
@@ -111,7 +111,7 @@ impl Search<'_> {
     }
 }
 
-/// The `<$B>` blocks that stand in a body.
+/// The `<$B>` blocks that are in a body.
 fn blocks_in(file: &Context, body: Body) -> Vec<FileBody> {
     let context = file;
     let mut places: Vec<FileBody> = Vec::new();

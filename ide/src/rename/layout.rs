@@ -1,6 +1,6 @@
 //! Edits of names together with the drawing that they move.
 //!
-//! A longer name shifts what stands behind it, and the connectors below no longer stand under theirs. So the names
+//! A longer name shifts what is behind it, and the connectors below no longer be under theirs. So the names
 //! are changed first, then what was laid out before is laid out again, together with every network in which a name has
 //! another width now; and both steps become one list of small edits.
 
@@ -23,7 +23,7 @@ pub(super) fn laid_out(old: &Parse, text: &str, names: &[Edit], options: &Option
     compose(text, names, &renamed, &straighten)
 }
 
-/// Where the new names stand once all are there, as far as they move what is drawn behind them. Declarations are no
+/// Where the new names appear once all are there, as far as they move what is drawn behind them. Declarations are no
 /// drawing: those that nobody laid out stay.
 fn moved(old: &Parse, text: &str, names: &[Edit], shift: &Shift<'_>) -> Vec<TextRange> {
     let moves = |edit: &&Edit| {

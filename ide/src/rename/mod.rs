@@ -50,7 +50,7 @@ pub struct Renamed {
     pub edits: Vec<Edit>,
 }
 
-/// What stands at an offset and can be renamed. None: nothing has a name there.
+/// What is at an offset and can be renamed. None: nothing has a name there.
 ///
 /// # Errors
 /// It has a name that is not the program's to choose.
@@ -67,7 +67,7 @@ pub fn prepare_rename(context: &Context, offset: TextSize) -> Result<Option<Rena
     }))
 }
 
-/// The edits that give what stands at an offset another name. `options` are those that the workspace's drawings are
+/// The edits that give what is at an offset another name. `options` are those that the workspace's drawings are
 /// laid out with.
 ///
 /// # Errors

@@ -261,7 +261,7 @@ fn labels() {
             +--<FUN>( f )--<JMP>( top )--+
         "#]],
     );
-    // The block jumps to the label of each place where it stands.
+    // The block jumps to the label of each place where it is.
     check(
         "FUNCTION_BLOCK <$Go>\n+--[ ]( EN )--<JMP>( out )--+\nEND_FUNCTION_BLOCK\n\
          FUNCTION_BLOCK <$Via>\n+--<$Go>--+\nEND_FUNCTION_BLOCK\n\

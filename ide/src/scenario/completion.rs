@@ -86,7 +86,7 @@ pub fn completions(
 struct Proposals {
     /// What is replaced.
     word: TextRange,
-    /// Nothing stands behind the cursor on its line.
+    /// Nothing is behind the cursor on its line.
     ends_line: bool,
     items: Vec<Completion>,
 }
@@ -243,7 +243,7 @@ fn values_of(program: &Context, tag: &TagFacts, ty: Type) -> Vec<(String, Scalar
     }
 }
 
-/// A tag and what stands between it and its values, where nothing follows yet.
+/// A tag and what is between it and its values, where nothing follows yet.
 fn row_text(name: &str, direction: Direction, out: &Proposals) -> Snippet {
     let behind = match direction {
         _ if !out.ends_line => "",
@@ -340,7 +340,7 @@ fn levels(scenario: &Scenario, start: TextSize, out: &mut Proposals) {
             .filter(|(_, place)| place.start() < out.word.end())
             .count()
     });
-    // Levels touch: what is accepted stands behind those that are written.
+    // Levels touch: what is accepted is behind those that are written.
     out.word = TextRange::empty(out.word.end());
     let missing = steps.saturating_sub(there);
     for (letter, one, all) in [

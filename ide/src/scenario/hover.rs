@@ -14,7 +14,7 @@ use ladder_simulator::value_text;
 use ladder_syntax::numeral::counted;
 use ladder_syntax::{TextRange, TextSize};
 
-/// What stands at an offset. Links are to lines of the program.
+/// What is at an offset. Links are to lines of the program.
 pub fn hover(scenarios: &Scenarios<'_>, offset: TextSize) -> Option<Hover> {
     let Some(found) = place(scenarios, offset) else {
         return word(scenarios, offset);
@@ -46,7 +46,7 @@ fn word(scenarios: &Scenarios<'_>, offset: TextSize) -> Option<Hover> {
     let word = &text[from..to];
     let is_first = text[..from].trim().is_empty();
     let markdown = match word {
-        "=>" => "What stands behind `=>` is expected of the program after each step.",
+        "=>" => "What is behind `=>` is expected of the program after each step.",
         word if is_first => keyword(word)?,
         _ => return None,
     };

@@ -15,7 +15,7 @@ use ladder_simulator::scenario::{Direction, Row};
 use ladder_syntax::{Name, TextRange, TextSize};
 use std::sync::Arc;
 
-/// What is named at an offset: the tag, and where its name stands.
+/// What is named at an offset: the tag, and where its name is.
 fn symbol_at(scenarios: &Scenarios<'_>, offset: TextSize) -> Option<(Symbol, TextRange)> {
     let Place::Tag(row) = place(scenarios, offset)? else {
         return None;
@@ -24,7 +24,7 @@ fn symbol_at(scenarios: &Scenarios<'_>, offset: TextSize) -> Option<(Symbol, Tex
     Some((named.symbol, named.range))
 }
 
-/// Where what stands at an offset is defined: a tag in the program, or the program. `workspace` is that of the program.
+/// Where what is at an offset is defined: a tag in the program, or the program. `workspace` is that of the program.
 pub fn definition(scenarios: &Scenarios<'_>, offset: TextSize, workspace: &dyn Workspace) -> Vec<Target> {
     let Some(program) = scenarios.program else {
         return Vec::new();
@@ -79,7 +79,7 @@ pub(crate) const fn usage(row: &Row) -> Usage {
     }
 }
 
-/// What stands at an offset and can be renamed.
+/// What is at an offset and can be renamed.
 ///
 /// # Errors
 /// It has a name that is not the program's to choose.

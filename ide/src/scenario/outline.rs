@@ -25,7 +25,7 @@ pub fn outline(scenarios: &Scenarios<'_>) -> Vec<ScenarioPart> {
     let part = |scenario: &ladder_simulator::scenario::Scenario| {
         let children: Vec<ScenarioPart> = scenario.rows.iter().map(of_row).collect();
         let start = scenario.range.start();
-        // The word `scenario` and a blank stand before the name.
+        // The word `scenario` and a blank are before the name.
         let line = scenarios.text[..usize::from(start)]
             .rfind(['\n', '\r'])
             .map_or(0, |end| end + 1);

@@ -1,10 +1,10 @@
-//! What stands at an offset of a scenario file.
+//! What is at an offset of a scenario file.
 
 use super::Scenarios;
 use ladder_simulator::scenario::{Row, Scenario};
 use ladder_syntax::{TextRange, TextSize};
 
-/// What the cursor stands at.
+/// What the cursor is at.
 #[derive(Debug, Clone, Copy)]
 pub(super) enum Place<'s> {
     /// The program's name.
@@ -15,11 +15,11 @@ pub(super) enum Place<'s> {
     Tag(&'s Row),
     /// The value of a step: of which row of which scenario, and the number of the step, from 0.
     Step(&'s Scenario, &'s Row, usize),
-    /// What stands behind `±`.
+    /// What is behind `±`.
     Tolerance(TextRange),
 }
 
-/// What stands at an offset; a cursor right behind a word counts, unless something else begins there.
+/// What is at an offset; a cursor right behind a word counts, unless something else begins there.
 pub(super) fn place<'s>(scenarios: &'s Scenarios<'_>, offset: TextSize) -> Option<Place<'s>> {
     let suite = &scenarios.suite;
     if let Some((_, range)) = &suite.program

@@ -90,7 +90,7 @@ pub(crate) fn name_in(row: &Row, symbol: &Symbol, program: &str) -> Option<TextR
     }
 }
 
-/// Where the tag of a row stands, without member and index.
+/// Where the tag of a row is, without member and index.
 pub(super) fn word_of(row: &Row) -> TextRange {
     word(&row.name, row.range.start(), 0)
 }

@@ -23,7 +23,7 @@ start _-
 run => _-
 ";
 
-/// The workspace of [`PLANT`] with one more file of scenarios, in which the cursor stands.
+/// The workspace of [`PLANT`] with one more file of scenarios, in which the cursor is.
 struct Asked {
     fixture: Fixture,
     text: String,
@@ -108,7 +108,7 @@ fn completion_of_tags_and_values() {
         $0
     "#]],
     );
-    // What has a row is not proposed, and what stands behind the cursor stays.
+    // What has a row is not proposed, and what is behind the cursor stays.
     check(
         "start _-\nr$0 _-\n",
         expect![[r#"
@@ -245,7 +245,7 @@ fn hover_says_what_a_row_and_a_value_mean() {
         "run =$0> _-\n",
         expect![[r#"
         [=>]
-        What stands behind `=>` is expected of the program after each step.
+        What is behind `=>` is expected of the program after each step.
     "#]],
     );
     check(

@@ -107,12 +107,12 @@ impl Modifiers {
         (
             Modifiers::CONTACT,
             "contact",
-            "what stands in a contact: the `P` of `[P]`; not of the standard",
+            "what is in a contact: the `P` of `[P]`; not of the standard",
         ),
         (
             Modifiers::COIL,
             "coil",
-            "what stands in a coil: the `S` of `(S)`; not of the standard",
+            "what is in a coil: the `S` of `(S)`; not of the standard",
         ),
     ];
 

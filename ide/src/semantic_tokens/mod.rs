@@ -22,7 +22,7 @@ use ladder_syntax::{LineKind, Name, NodeOrToken, SyntaxKind, TextRange, TextSize
 /// A word and what it is.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Token {
-    /// Where it stands. A comment may span lines.
+    /// Where it is. A comment may span lines.
     pub range: TextRange,
     /// What it is.
     pub kind: TokenKind,
@@ -101,7 +101,7 @@ struct Inside {
     parent: Option<SyntaxKind>,
     /// What names mean.
     names: Names,
-    /// Whether a tag that stands here is written.
+    /// Whether a tag that is here is written.
     written: bool,
     /// Whether it is a block of program flow.
     flow: bool,
@@ -241,7 +241,7 @@ impl Walk<'_> {
         let kind = SyntaxKind::from_raw(node.kind());
         inside.parent = Some(kind);
         let mut first = true;
-        // What stands before the arrow is a name of the block's own.
+        // What is before the arrow is a name of the block's own.
         let mut named = kind == SyntaxKind::NAMED_OPERAND;
         for child in node.children() {
             match child {
@@ -253,7 +253,7 @@ impl Walk<'_> {
                     match kind {
                         SyntaxKind::CALL_EXPR if first => inner.names = Names::Callee,
                         SyntaxKind::NAME_LIST => inner.names = Names::Declared,
-                        // What stands in an index is read; so are the arguments of a function.
+                        // What is in an index is read; so are the arguments of a function.
                         SyntaxKind::INDEX_EXPR | SyntaxKind::CALL_EXPR if !first => {
                             inner.written = false;
                             inner.names = Names::Tags;

@@ -220,7 +220,7 @@ fn half_written_text() {
     check("", expect![[r""]]);
 }
 
-/// The tokens of a range are those of all of the text that stand on its lines.
+/// The tokens of a range are those of all of the text that are on its lines.
 #[test]
 fn a_range_is_a_part_of_the_whole() {
     let text = "VAR a : BOOL; END_VAR\n+--[ ]( a )--( )( y )--+\nFUNCTION_BLOCK [$B]\nVAR_INPUT raw : BOOL; END_VAR\n\

@@ -13,7 +13,7 @@ pub(crate) struct DeclaredName {
     /// The scope: 0 the file's.
     pub(crate) scope: usize,
     pub(crate) section: SectionKind,
-    /// Where the name stands.
+    /// Where the name is.
     pub(crate) at: TextRange,
     /// The whole declaration.
     pub(crate) declaration: TextRange,

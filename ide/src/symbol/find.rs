@@ -157,7 +157,7 @@ fn in_operand(
     }
 }
 
-/// The tag that an expression with members and indices is about, and where its name stands.
+/// The tag that an expression with members and indices is about, and where its name is.
 pub(super) fn tag_of_node(node: &Node) -> Option<(&str, TextRange)> {
     match &node.kind {
         NodeKind::Name(name) | NodeKind::Address(name) => Some((name, node.range)),

@@ -88,7 +88,7 @@ impl From<Access> for Usage {
 }
 
 impl Symbol {
-    /// The name that stands at its places; none if they differ (an instruction).
+    /// The name that is at its places; none if they differ (an instruction).
     pub(crate) fn name(&self) -> Option<&Name> {
         match self {
             Symbol::Tag { name, .. }

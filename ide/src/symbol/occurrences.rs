@@ -187,7 +187,7 @@ pub(crate) fn function_file(file: &Context, name: &Name) -> Option<Arc<str>> {
     })
 }
 
-/// Where a block's first operand stands, if it is this name.
+/// Where a block's first operand is, if it is this name.
 fn named(block: BlockAt<'_>, name: &Name) -> Option<TextRange> {
     let value = &block.facts.operands.first()?.value;
     match &value.kind {
@@ -233,7 +233,7 @@ pub(crate) fn block_file(file: &Context, name: &Name) -> Option<Arc<str>> {
     Some(Arc::clone(&exports.file))
 }
 
-/// The word `$Name` in a block's first part, which stands on one line.
+/// The word `$Name` in a block's first part, which is on one line.
 pub(crate) fn block_name(context: &Context, head: TextRange) -> Option<TextRange> {
     let parse = &context.parse;
     let line = parse.line_at(head.start())?;

@@ -1,7 +1,7 @@
 //! Where a person types: what the block, operand or declaration around the cursor is.
 //!
 //! Read off the tokens in front of the cursor, so that it holds for half-written text: a first part without its
-//! bracket, an operand list without its parenthesis. What stands at an offset of finished text is for `locate`.
+//! bracket, an operand list without its parenthesis. What is at an offset of finished text is for `locate`.
 
 mod declaration;
 mod operand;
@@ -179,7 +179,7 @@ impl Typing<'_> {
         start..end
     }
 
-    /// What stands behind a place on its physical line.
+    /// What is behind a place on its physical line.
     pub(crate) fn rest(&self, from: usize) -> &str {
         &self.text[from..self.physical_line().end.max(from)]
     }

@@ -1,4 +1,4 @@
-//! Which operand of a block a person types, and what stands around it.
+//! Which operand of a block a person types, and what is around it.
 
 use super::{Token, Typing, is_word};
 use ladder_instructions::Shape;
@@ -23,11 +23,11 @@ pub(crate) struct Operand {
     pub(crate) open: Vec<Open>,
     /// Whether a value ends right in front of the word: an operator fits here, no value.
     pub(crate) behind_value: bool,
-    /// The place in front of the `.` that stands before the word.
+    /// The place in front of the `.` that is before the word.
     pub(crate) member_of: Option<Range<usize>>,
     /// Whether the operand begins with this word.
     pub(crate) first_word: bool,
-    /// Whether something of the operand stands behind the word.
+    /// Whether something of the operand is behind the word.
     pub(crate) goes_on: bool,
     /// Whether that is a value: none fits in front of it.
     pub(crate) before_value: bool,
@@ -139,7 +139,7 @@ pub(super) fn operand(list: &[Token], from: usize, closed: bool, typing: &mut Ty
     operand
 }
 
-/// What stands behind the word: whether the operand goes on, and which operands follow.
+/// What is behind the word: whether the operand goes on, and which operands follow.
 fn behind(list: &[Token], typing: &Typing<'_>, operand: &mut Operand) {
     let mut depth = operand.open.len();
     let mut this = true;

@@ -72,7 +72,7 @@ END_VAR
         doc: "Q1 goes high with EN and stays high until R; if both are high, Q1 is low.
 
 The reset, R, is the stronger. ENO is Q1; other rungs read `b.Q1`. Use `[SR]` where the set must win, as for
-an alarm that still stands.
+an alarm that still is.
 
 IEC 61131-3: RS.",
         example: "VAR_INPUT

@@ -42,7 +42,7 @@ pub(super) const ROWS: &[Instruction] = &[
 
 With a range of BOOLs (`a[1..8]`) all its bits follow. The tag is written at every evaluation, so a second
 `( )` on the same tag would overwrite this one: join the conditions of one output in one network. The coil
-passes EN on, so several can stand in a row.
+passes EN on, so several can be in a row.
 
 A coil that is jumped over, or in a function that is not called, leaves the tag as it is.
 
@@ -107,7 +107,7 @@ END_VAR
 The tag stays high until something else clears it, usually `(R)`. If `(S)` and `(R)` on one tag both have
 power, the one that runs later decides. With a range of BOOLs (`a[1..8]`) all bits are set.
 
-ENO is the tag itself (of a range: all of it), not EN: what stands behind the block has power as long as the
+ENO is the tag itself (of a range: all of it), not EN: what is behind the block has power as long as the
 tag is high.
 
 IEC 61131-3: set (latch) coil.",

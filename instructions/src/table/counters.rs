@@ -124,7 +124,7 @@ END_VAR
         ],
         doc: "Counts one down each time EN rises; Q is high while the count is 0 or below.
 
-- While LD is high CV is PV: load the counter before it counts. A new counter stands at 0, so Q is high
+- While LD is high CV is PV: load the counter before it counts. A new counter is at 0, so Q is high
   until then.
 - CV goes on counting below 0, down to the smallest DINT, where it stays.
 - While R is high CV is 0. R is stronger than LD, LD stronger than counting; a rise of EN under either is

@@ -65,12 +65,12 @@ END_VAR
         operands: &[
             Operand::output("y", Accepts::Result(TypeClass::Number), "The result."),
             Operand::input("x", Accepts::Value, "The input of the curve."),
-            Operand::input("x0", Accepts::Value, "Where the first point stands."),
+            Operand::input("x0", Accepts::Value, "Where the first point is."),
             Operand::input("y0", Accepts::Value, "The result at the first point."),
             Operand::input(
                 "x1",
                 Accepts::Value,
-                "Where the next point stands, right of the one before.",
+                "Where the next point is, right of the one before.",
             )
             .repeated_pair(),
             Operand::input("y1", Accepts::Value, "The result at that point.").repeated_pair(),

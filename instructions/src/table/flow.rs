@@ -60,7 +60,7 @@ END_VAR
         eno: "EN, if it does not jump",
         doc: "Leaves this network at once and goes on at the network that holds the label.
 
-- What stands right of it, and on the lines below it in this network, is not run in this scan. Networks that
+- What is right of it, and on the lines below it in this network, is not run in this scan. Networks that
   are jumped over keep their outputs and their state; timers catch up when they are next reached.
 - The target is the nearest label of that name behind the jump; if there is none, the nearest before it, or
   in this network. Labels of other functions are not seen.
@@ -150,7 +150,7 @@ END_VAR
         eno: "EN, if it does not return",
         doc: "Ends the function at once and goes on behind the call.
 
-What stands right of it and below it in the function is not run. In the main program it ends this scan; the
+What is right of it and below it in the function is not run. In the main program it ends this scan; the
 next scan begins as usual. (The `END` of many controllers, which ends the scan, is this block.) A function
 also returns at its end without it.
 

@@ -56,7 +56,7 @@ const fn join() -> [Instruction; Op::COUNT] {
         while row < SECTIONS[section].len() {
             assert!(
                 SECTIONS[section][row].op as usize == next,
-                "the rows stand in the order of `Op`"
+                "the rows are in the order of `Op`"
             );
             rows[next] = SECTIONS[section][row];
             next += 1;

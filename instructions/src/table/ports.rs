@@ -148,7 +148,7 @@ END_VAR
         ],
         doc: "Sends a text through the serial port, with numbers in the places of `%d`.
 
-The values stand behind the text, one for each `%d`, in order. With EN high it sends in every scan, so put
+The values are behind the text, one for each `%d`, in order. With EN high it sends in every scan, so put
 an edge in front. In the simulator the port has a name; tests and editors read what was sent.",
         example: "VAR_INPUT
     report : BOOL;

@@ -288,7 +288,7 @@ Q    _--------___--__
 ET   0000111123333333
 ```
 
-- While EN is low after a fall, ET grows by the time between two evaluations; while EN is high it stands
+- While EN is low after a fall, ET grows by the time between two evaluations; while EN is high it is
   still. A new rise of EN does not clear it.
 - Q is high while EN is high. Once ET has reached PT, Q falls together with EN, until R clears the time.
 - Q starts low: nothing runs before EN was high once.

@@ -1,4 +1,4 @@
-//! A network of the program model as what stands in series and in parallel: what most notations can say.
+//! A network of the program model as what is in series and in parallel: what most notations can say.
 
 use ladder_analysis::program::{Network, Step};
 use ladder_format::Circuit;
@@ -25,7 +25,7 @@ pub fn series_parallel(network: &Network) -> Option<Circuit<usize>> {
 /// A network with more steps is not looked at: circuits nest, and what walks them has only so much stack.
 const MOST_STEPS: usize = 8_192;
 
-/// Whether the steps stand in their order when they are read from left to right and top to bottom.
+/// Whether the steps are in their order when they are read from left to right and top to bottom.
 fn in_order(circuit: &Circuit<usize>, last: &mut Option<usize>) -> bool {
     match circuit {
         Circuit::Element(step) => last.replace(*step) < Some(*step),
@@ -219,7 +219,7 @@ impl Graph {
         }
     }
 
-    /// Makes one edge of what stands in series, until nothing does.
+    /// Makes one edge of what is in series, until nothing does.
     fn reduce(&mut self) {
         let mut waiting: Vec<usize> = (2..self.into.len()).rev().collect();
         while let Some(point) = waiting.pop() {

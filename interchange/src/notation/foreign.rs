@@ -7,7 +7,7 @@ use ladder_syntax::{TextRange, TextSize};
 use std::collections::{HashMap, HashSet};
 use std::fmt;
 
-/// What stands where the name of a rule would, for an element without a counterpart.
+/// What is where the name of a rule would, for an element without a counterpart.
 const NOT_TRANSLATED: &str = "not-translated";
 
 /// A foreign program that was read.
@@ -17,7 +17,7 @@ pub struct Foreign {
     text: String,
     lines: Lines,
     converted: Converted,
-    /// How many bytes what stands at a place takes.
+    /// How many bytes what is at a place takes.
     lengths: HashMap<LineColumn, usize>,
     /// Where each name of the ladder text is used first.
     uses: HashMap<String, LineColumn>,
@@ -212,7 +212,7 @@ impl Foreign {
         TextRange::at(word.start(), length)
     }
 
-    /// The lengths of the elements that stand in the file as the report has them.
+    /// The lengths of the elements that are in the file as the report has them.
     fn measured(&self) -> HashMap<LineColumn, usize> {
         let mut lengths: HashMap<LineColumn, usize> = HashMap::new();
         for entry in &self.converted.report.entries {

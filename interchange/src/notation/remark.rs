@@ -16,7 +16,7 @@ pub struct Remark<'r> {
     pub reason: &'r str,
 }
 
-/// All remarks in the order of the file. What was refused is told once.
+/// All remarks in the order of the file. What was refused is reported once.
 pub fn remarks<'r>(report: &'r Report, findings: &'r [Finding]) -> Vec<Remark<'r>> {
     let elements = report.entries.iter().filter_map(|entry| {
         let (outcome, reason) = match &entry.outcome {

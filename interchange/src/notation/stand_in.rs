@@ -1,4 +1,4 @@
-//! Elements without a counterpart, which stand in ladder text as comments, on their way back.
+//! Elements without a counterpart, which are in ladder text as comments, on their way back.
 
 use super::{Lines, WriteError};
 use ladder_analysis::Analysis;

@@ -1,7 +1,7 @@
-//! Columns: where everything of a network stands. As in the text (LANGUAGE §8 rules 3 and 5), but with a vertical line
+//! Columns: where everything of a network is. As in the text (LANGUAGE §8 rules 3 and 5), but with a vertical line
 //! of any number of rungs as one thing.
 //!
-//! First everything stands as far left as its neighbours allow: a longest path through the rungs, in which each thing
+//! First everything is as far left as its neighbours allow: a longest path through the rungs, in which each thing
 //! is met once. Lines from rung to rung do not cross, so there always is an order in which everything left of a thing
 //! comes before it. Then what acts moves to the right rail, by the same path from the other end.
 
@@ -159,7 +159,7 @@ fn find_still(grid: &Grid) -> Vec<usize> {
     still
 }
 
-/// Whether a thing may move as far as what stands directly left of it goes.
+/// Whether a thing may move as far as what is directly left of it goes.
 fn is_held(grid: &Grid, thing: usize, still: &[usize]) -> bool {
     let thing = &grid.things[thing];
     if !matches!(thing.kind, Kind::Node | Kind::Comment) {

@@ -257,7 +257,7 @@ impl Drawing<'_> {
         paper.text(Look::Comment, at, Anchor::Start, width(comment), comment);
     }
 
-    /// Draws what stands in a slot. `flow` is the power that arrives at it, and that leaves it.
+    /// Draws what is in a slot. `flow` is the power that arrives at it, and that leaves it.
     fn draw_slot(
         &self,
         paper: &mut Paper,

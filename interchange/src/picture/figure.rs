@@ -14,7 +14,7 @@ use std::collections::HashMap;
 pub(super) struct Figure {
     /// The elements of each rung from left to right.
     pub(super) rungs: Vec<Vec<Item>>,
-    /// Comments that stand above each rung.
+    /// Comments that are above each rung.
     pub(super) above: Vec<Vec<String>>,
     /// Comments behind each rung.
     pub(super) behind: Vec<String>,

@@ -6,7 +6,7 @@ use super::scene::{Anchor, At, PathStep};
 use super::style::{HALF, LINE, Look, UNIT};
 use super::symbol::{Label, Mark, NAME, ROWS, Symbol, VALUE, width};
 
-/// Where a symbol stands: its ends on the wire.
+/// Where a symbol is: its ends on the wire.
 #[derive(Clone, Copy)]
 pub(super) struct WireEnds {
     pub(super) left: i32,

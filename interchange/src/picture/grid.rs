@@ -1,14 +1,14 @@
-//! A network as things on rungs, where a vertical line is one thing that stands on several.
+//! A network as things on rungs, where a vertical line is one thing that is on several.
 
 use super::figure::{Drawn, Figure};
 use super::nodes::{Joints, Sets, point_of, points};
 use std::ops::Range;
 
-/// The things of a network and the order in which they stand on its rungs.
+/// The things of a network and the order in which they are on its rungs.
 #[derive(Debug)]
 pub(super) struct Grid {
     pub(super) things: Vec<Thing>,
-    /// For each rung what stands on it, from left to right.
+    /// For each rung what is on it, from left to right.
     pub(super) rungs: Vec<Vec<Slot>>,
 }
 
@@ -18,7 +18,7 @@ pub(super) struct Thing {
     pub(super) kind: Kind,
     /// How many columns it takes.
     pub(super) columns: u32,
-    /// Where it stands: rung, and slot there. A line from rung to rung has several.
+    /// Where it is: rung, and slot there. A line from rung to rung has several.
     pub(super) slots: Vec<(usize, usize)>,
 }
 

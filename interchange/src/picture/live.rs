@@ -35,7 +35,7 @@ const EDGE: i32 = 4;
 /// A comment, heading or network, drawn by itself.
 #[derive(Debug)]
 pub struct Piece {
-    /// Where it stands in the text, line ends included.
+    /// Where it is in the text, line ends included.
     pub range: TextRange,
     /// The drawing, from its own upper left corner.
     scene: Scene,
@@ -50,7 +50,7 @@ pub enum Kind {
     Heading,
     /// A network.
     Network,
-    /// A network with a mistake in its drawing, shown as text, and whatever stands behind a comment that is never closed.
+    /// A network with a mistake in its drawing, shown as text, and whatever is behind a comment that is never closed.
     Broken,
 }
 

@@ -4,7 +4,7 @@
 //! network --figure--> the elements of its rungs, each with its symbol and the room that it takes
 //!         --nodes---> which connectors are one vertical line: points that only bare wire joins
 //!         --grid----> things on rungs, a vertical line as one thing
-//!         --columns-> where each thing stands
+//!         --columns-> where each thing is
 //!         --draw----> shapes on Paper, each knowing which part of the program it shows: a Scene
 //!                         --svg---> a document for screens
 //!                         --sheet-> pages for a printer, still as shapes

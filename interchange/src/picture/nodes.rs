@@ -5,7 +5,7 @@
 //!
 //! ```text
 //! points   p --bare wire--> q   one node, if all power of q comes from p, or all power of p goes to q
-//! node                          one line, as far as on every rung nothing stands between its connectors
+//! node                          one line, as far as on every rung nothing is between its connectors
 //! ```
 //!
 //! In a node every wire that comes in reaches every wire that goes out, exactly as through its points: if q gets its
@@ -118,7 +118,7 @@ fn electrical(figure: &Figure) -> Sets {
     nodes
 }
 
-/// Takes joints apart until every line is one: two points between the same two rungs are on one line if nothing stands
+/// Takes joints apart until every line is one: two points between the same two rungs are on one line if nothing is
 /// between their connectors on both.
 struct Separation<'f> {
     figure: &'f Figure,
@@ -195,7 +195,7 @@ impl<'f> Separation<'f> {
         self.joints
     }
 
-    /// Where a point and the next one stand on their upper (0) or lower (1) rung.
+    /// Where a point and the next one are on their upper (0) or lower (1) rung.
     fn beside(&self, point: usize, side: usize) -> Option<((usize, usize), (usize, usize))> {
         let next = self.next[point]?;
         Some((self.ends[point]?[side], self.ends[next]?[side]))

@@ -11,7 +11,7 @@ use super::symbol::{Words, width};
 use ladder_analysis::context::Context;
 use ladder_syntax::{Item, LineKind};
 
-/// Pixels between a network and what stands above it.
+/// Pixels between a network and what is above it.
 const APART: i32 = 14;
 /// A network whose right rail would be further right than this column has one of its own.
 const WIDEST: u32 = 100;
@@ -26,7 +26,7 @@ pub(super) enum PageItem {
     Network(usize, Box<(Figure, Layout)>),
     /// The text of a network that cannot be drawn.
     Text(usize, Vec<String>),
-    /// A section of declarations, and whether a comment stands right above it.
+    /// A section of declarations, and whether a comment is right above it.
     Section(usize, bool),
 }
 

@@ -22,7 +22,7 @@ pub struct Scene {
     pub placed: Vec<Placed>,
 }
 
-/// A network, or what stands between networks.
+/// A network, or what is between networks.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Block {
     /// What it is.

@@ -1,6 +1,6 @@
 //! Which symbol a block is drawn as, and how much room it takes.
 //!
-//! Contacts, coils, timers and counters stand as IEC 61131-3 draws them: the tag above, the inputs in a box. A
+//! Contacts, coils, timers and counters are as IEC 61131-3 draws them: the tag above, the inputs in a box. A
 //! comparison of two values is a contact with the comparison in it, which keeps a rung on one line.
 
 use super::measure::columns;
@@ -69,7 +69,7 @@ pub(super) enum Symbol {
     Target(String),
 }
 
-/// What stands between the bars of a contact or the arcs of a coil.
+/// What is between the bars of a contact or the arcs of a coil.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(super) enum Mark {
     Nothing,
@@ -297,7 +297,7 @@ impl<'c> Words<'c> {
         }
     }
 
-    /// A box; its first `over` operands stand above it.
+    /// A box; its first `over` operands are above it.
     fn box_of(
         &self,
         bound: BlockAt<'_>,

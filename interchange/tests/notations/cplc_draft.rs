@@ -225,7 +225,7 @@ fn a_program_is_written() {
         +--[GRT]<greater1><x><3>--( )<high>------------------------+
 
         // +--[ ]( high )--[SQRT]( y, 2.0 )--( )( root )----+
-        18:1 network: refused: the draft has no [SQRT] as it stands here
+        18:1 network: refused: the draft has no [SQRT] as it is here
     "#]]
     .assert_eq(&write(LADDER));
 }

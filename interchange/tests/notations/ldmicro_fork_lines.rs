@@ -154,7 +154,7 @@ fn one_by_one() {
         FORMATTED_STRING (none) a\x20b\?: [FMT]( 'a b?' )--# was: FORMATTED_STRING (none) a\x20b\? #
             nearly: here it is also sent once at the start; the fork waits until power comes
         RETURN: # ldmicro: RETURN #
-            not: it stands in no subprogram
+            not: it is in no subprogram
         GOSUB 2: # ldmicro: GOSUB 2 #
             not: there is no subprogram `2` that could be made a function
     "#]].assert_eq(&out);
@@ -348,7 +348,7 @@ fn a_relay_in_a_subprogram_and_branches_that_go_on() {
 
             +--[ ]( Xa )--------------------<MCR>--+
             11:1 SUBPROG sub: approximated: what its MASTER_RELAY does ends with the function here
-            22:1 PARALLEL: approximated: what stands behind these branches has the power that comes out of any of them here; in LDmicro's fork it has what goes in
+            22:1 PARALLEL: approximated: what is behind these branches has the power that comes out of any of them here; in LDmicro's fork it has what goes in
             22:1 ldmicro-rightmost: COIL must be the rightmost element of its rung
             23:1 ldmicro-rightmost: COIL must be the rightmost element of its rung
         "#]],
@@ -447,7 +447,7 @@ fn ladder_programs_become_programs_of_the_fork() {
     assert!(older.contains("COMMENT +--[ ]( Xa )--[AND]"), "{older}");
 }
 
-/// What stands between rungs' ends; `#` is a number of a name, so that some are met twice.
+/// What is between rungs' ends; `#` is a number of a name, so that some are met twice.
 const ELEMENTS: &[&str] = &[
     "CONTACTS Xa 0 0",
     "CONTACTS Xa 1 1",

@@ -277,10 +277,10 @@ fn what_is_wrong_has_a_place() {
     }
     expect![[r#"
         it can be read
-        2:1: here stand the crystal and the cycle time: `.., 4.000000 MHz crystal, 10.0 ms cycle time`
+        2:1: here are the crystal and the cycle time: `.., 4.000000 MHz crystal, 10.0 ms cycle time`
         there is no `LADDER DIAGRAM:` in the text
-        8:1: between the rails stand cells of 17 columns, at most 256 of them
-        8:8: `-` is nothing that stands in a wire
+        8:1: between the rails are cells of 17 columns, at most 256 of them
+        8:8: `-` is nothing that is in a wire
         8:13: `(X)` is no element of LDmicro 2.2
         8:13: there is no name above this element
         there is no `[END]` in the diagram

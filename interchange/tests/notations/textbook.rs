@@ -132,7 +132,7 @@ fn what_the_grammar_refuses() {
         (
             "| start open contact I0.1 | active coil Q0 end |",
             expect![[r#"
-                1:27: `|` stands before `start` and behind `end` only; `V` stands between branches
+                1:27: `|` is before `start` and behind `end` only; `V` is between branches
             "#]],
         ),
         (
@@ -168,7 +168,7 @@ fn what_the_grammar_refuses() {
         (
             "start open contact I0.1 & active coil Q0",
             expect![[r#"
-            1:39: a program ends with `end`, and `&` or `V` stands between two elements
+            1:39: a program ends with `end`, and `&` or `V` is between two elements
         "#]],
         ),
         (

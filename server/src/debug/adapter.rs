@@ -38,7 +38,7 @@ pub(super) enum Phase {
     Ready,
     /// Before `configurationDone`.
     Launched,
-    /// The program runs or stands.
+    /// The program runs or is.
     Live,
     /// The program is over.
     Over,
@@ -57,7 +57,7 @@ pub(super) struct Adapter<W> {
     pub(super) table: Table,
     pub(super) handles: Handles,
     pub(super) going: Option<Going>,
-    /// Why it stands.
+    /// Why it is.
     pub(super) stopped: Option<Stopped>,
     pub(super) stops_at_faults: bool,
     pub(super) stops_at_expectations: bool,

@@ -157,7 +157,7 @@ impl Table {
                 target.simulation().program().networks[*network].location == *location
             }
             (Breakpoint::Block(block), Hit::Block(location)) => block == location,
-            // Both stand in front of the same instruction.
+            // Both are in front of the same instruction.
             (Breakpoint::Block(block), Hit::Network(_)) => next == Some(*block),
             (Breakpoint::Change(tag), Hit::Change { point, .. }) => tag.name == point.name,
             _ => false,

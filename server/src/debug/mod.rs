@@ -11,7 +11,7 @@
 //! - A request is answered by the thread that runs the program, between two scans or where it has stopped. A long scan
 //!   is given up for `pause` and its like, so that these never wait.
 //! - Every request gets exactly one answer, also after a panic. Events go out behind the answer that they follow from.
-//! - What is stopped in front of the first network of a scan stands between two scans: what is set there counts for the
+//! - What is stopped in front of the first network of a scan is between two scans: what is set there counts for the
 //!   next one.
 //!
 //! `docs/src/guide/debugging.md` is the page for people.

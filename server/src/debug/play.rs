@@ -29,7 +29,7 @@ impl Play {
         }
     }
 
-    /// Before a scan: gives what stands before its step, unless the history gives it again.
+    /// Before a scan: gives what is before its step, unless the history gives it again.
     pub(super) fn give(&mut self, session: &mut Session) {
         let scan = session.simulation().scans();
         let Some(step) = self.case.step_before(scan) else {

@@ -30,7 +30,7 @@ pub(super) enum Going {
     Back,
 }
 
-/// Why a program stands.
+/// Why a program is.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Stopped {
     /// In the protocol's words.
@@ -129,7 +129,7 @@ impl<W: Write> Adapter<W> {
         }
     }
 
-    /// The program stands, and the client is told why.
+    /// The program is, and the client is told why.
     pub(super) fn stop(&mut self, stopped: Stopped) {
         self.going = None;
         self.handles.clear();
@@ -309,7 +309,7 @@ impl<W: Write> Adapter<W> {
         };
         let status = target.simulation().status();
         let has_ended = status != Status::Ready;
-        // Once it is shown where the program stands; who then goes on means the end.
+        // Once it is shown where the program is; who then goes on means the end.
         let is_shown = self.end_is_shown;
         if has_ended && !is_shown && !self.configuration.no_debug && status == Status::Ended {
             self.end_is_shown = true;

@@ -11,7 +11,7 @@ use ladder_syntax::{SyntaxKind, SyntaxNode, TextRange, TextSize, parse};
 
 use super::watch::{Kind, Problem, Scope, Watch};
 
-/// What stands before the expression in the small program.
+/// What is before the expression in the small program.
 const BEFORE: &str = "+--[CALC]( result, ";
 const BEHIND: &str = " )--+\n";
 
@@ -107,7 +107,7 @@ impl<'s> Small<'s> {
             rest = &rest[end..];
         }
         left.push_str(rest);
-        // One line: what stands behind a line end would be another.
+        // One line: what is behind a line end would be another.
         Ok(left.replace(['\r', '\n'], " "))
     }
 

@@ -53,7 +53,7 @@ impl<W: Write> Adapter<W> {
         }
         target.give();
         if !target.session.is_open() && step != Step::Out {
-            // What stands between two scans is shown in front of the first rung: that is where it steps from.
+            // What is between two scans is shown in front of the first rung: that is where it steps from.
             match target.session.step_network() {
                 Stepped::At(_) => {}
                 Stepped::Done => return Ok(self.scan_ended()),
@@ -104,7 +104,7 @@ impl<W: Write> Adapter<W> {
             .map_or(0, |target| target.activations().len())
     }
 
-    /// Where it stands: the block, and how many were evaluated before.
+    /// Where it is: the block, and how many were evaluated before.
     fn here(&self) -> Option<(Location, u64)> {
         let target = self.target.as_ref()?;
         Some((
@@ -167,9 +167,9 @@ impl<W: Write> Adapter<W> {
             }
             last = Some(done);
         }
-        // The scan may have come to its end here, or stands open.
+        // The scan may have come to its end here, or is open.
         session.step_back(1);
-        // In front of the first rung it stands between two scans.
+        // In front of the first rung it is between two scans.
         let Some(last) = last.filter(|&last| last > 0 || limit.is_none()) else {
             return Ok(true);
         };
@@ -190,7 +190,7 @@ impl<W: Write> Adapter<W> {
         Ok(())
     }
 
-    /// One scan of a run backwards: looks for the last breakpoint in it before the place where it stands.
+    /// One scan of a run backwards: looks for the last breakpoint in it before the place where it is.
     pub(super) fn back_a_scan(&mut self) -> After {
         let Some(target) = &mut self.target else {
             return After::Go;

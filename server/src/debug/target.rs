@@ -101,7 +101,7 @@ impl Target {
         &self.sources[file as usize]
     }
 
-    /// The place where it stands: what is open in the scan, or the first network of the next one.
+    /// The place where it is: what is open in the scan, or the first network of the next one.
     pub(super) fn activations(&self) -> Vec<Activation> {
         let open = self.simulation().activations();
         if !open.is_empty() {

@@ -12,7 +12,7 @@ use super::watch::{Problem, Scope, Watch};
 
 /// What a value in a list ends with while it is held.
 const FORCED: &str = " (forced)";
-/// What stands between a value and the one that is waiting for the end of the scan.
+/// What is between a value and the one that is waiting for the end of the scan.
 const WAITING: &str = " → ";
 
 /// What can be opened.
@@ -221,7 +221,7 @@ pub(super) fn list(
         .collect()
 }
 
-/// The places of user-defined blocks that stand in the body of one, or in none.
+/// The places of user-defined blocks that are in the body of one, or in none.
 fn inner<'s>(simulation: &'s Simulation, outer: Option<&'s Instance>) -> impl Iterator<Item = Row> + 's {
     let all = simulation.instances().iter().enumerate();
     all.filter_map(move |(number, instance)| {

@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 /// The path of a `file:` address; none for any other (`untitled:`, a file inside an archive).
 pub(crate) fn path_of(uri: &str) -> Option<PathBuf> {
     let rest = uri.strip_prefix("file://")?;
-    // A host may stand before the path; only this one's files can be read.
+    // A host may be before the path; only this one's files can be read.
     let rest = rest.strip_prefix("localhost").unwrap_or(rest);
     let path = String::from_utf8(decoded(rest)?).ok()?;
     // Two slashes of either kind name another machine on Windows, and to look there tells it who is asking.

@@ -11,7 +11,7 @@ pub(crate) enum Change {
     Part {
         /// What is replaced, in the text as it is after the changes before this one.
         range: Range,
-        /// What stands there afterwards.
+        /// What is there afterwards.
         text: String,
     },
     /// The whole text is replaced.

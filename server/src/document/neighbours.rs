@@ -187,7 +187,7 @@ impl Neighbours {
         changed
     }
 
-    /// What holds for programs that no settings file stands above.
+    /// What holds for programs that no settings file is above.
     pub(crate) fn set_defaults(&self, settings: Settings) {
         let mut state = self.lock();
         state.defaults = settings;

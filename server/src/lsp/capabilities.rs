@@ -57,7 +57,7 @@ pub(crate) struct Agreed {
     pub(crate) completion_markdown: bool,
     /// The documentation of completions cannot be asked for later.
     pub(crate) documented_at_once: bool,
-    /// Of a completion's edit the client replaces only what stands before the cursor. What stands behind it the client
+    /// Of a completion's edit the client replaces only what is before the cursor. What is behind it the client
     /// cuts with a command.
     pub(crate) cuts_behind: bool,
     /// Symbols of a document may hold others.

@@ -56,7 +56,7 @@ impl Opened {
         &self.findings
     }
 
-    /// What the line around an offset becomes, in Markdown, and where it stands.
+    /// What the line around an offset becomes, in Markdown, and where it is.
     pub(crate) fn hover(&self, offset: TextSize) -> Option<(TextRange, String)> {
         let line = self.line_with_parts(line_around(self.foreign.text(), offset))?;
         let mut shown: Vec<String> = Vec::new();
@@ -149,7 +149,7 @@ fn line_around(text: &str, offset: TextSize) -> TextRange {
     TextRange::new(TextSize::new(start as u32), TextSize::new(end as u32))
 }
 
-/// The line without the blanks around what stands on it.
+/// The line without the blanks around what is on it.
 fn trimmed(text: &str, line: TextRange) -> TextRange {
     let whole = &text[line];
     let start = whole.len() - whole.trim_start().len();

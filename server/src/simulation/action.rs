@@ -88,7 +88,7 @@ impl Action {
         )
     }
 
-    /// Whether the simulation stands differently behind it.
+    /// Whether the simulation is differently behind it.
     pub(super) fn changes(&self) -> bool {
         !matches!(
             self,
@@ -108,7 +108,7 @@ impl Action {
 #[derive(Debug, Serialize)]
 #[serde(untagged)]
 pub(crate) enum Answer {
-    /// How it stands.
+    /// How it is.
     State(Box<State>),
     /// Reasons.
     Why(Box<Why>),

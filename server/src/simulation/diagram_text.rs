@@ -11,7 +11,7 @@ use super::request::Failure;
 use crate::diagram_text::{self, DiagramText, DrawnText};
 
 impl Engine {
-    /// Draws what is asked for, as it stands now.
+    /// Draws what is asked for, as it is now.
     pub(super) fn diagram_text(&self, asked: &DiagramText) -> Result<DrawnText, Failure> {
         let simulation = self.session.simulation();
         let elements = self.drawing.get_or_init(|| Elements::of(simulation));
@@ -47,7 +47,7 @@ impl Engine {
         Ok(drawing.done)
     }
 
-    /// How the parts of the drawing in a stretch stand.
+    /// How the parts of the drawing in a stretch are.
     fn live_in(&self, elements: &Elements, stretch: TextRange) -> Live {
         let simulation = self.session.simulation();
         let revision = self.sight.running();

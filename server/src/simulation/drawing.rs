@@ -18,7 +18,7 @@ use crate::document::Revision;
 /// Numbers from here on are those of verticals, which the engine does not know. Texts are shorter.
 const VERTICALS: usize = 1 << 31;
 
-/// Where the networks of the program's own text stand.
+/// Where the networks of the program's own text are.
 #[derive(Debug)]
 pub(super) struct Drawing {
     /// In the order of the text.
@@ -40,7 +40,7 @@ struct NetworkPlace {
 pub(super) struct Element {
     /// The engine's number for it.
     pub(super) number: usize,
-    /// Where it stands.
+    /// Where it is.
     pub(super) range: TextRange,
     /// What the contact that it is looks at.
     pub(super) contact: Option<Contact>,
@@ -124,7 +124,7 @@ impl Drawing {
         networks.fold(stretch, |whole, network| whole.cover(network.range))
     }
 
-    /// The elements that stand in a stretch of the text.
+    /// The elements that are in a stretch of the text.
     pub(super) fn elements_in(
         &self,
         stretch: TextRange,
@@ -252,7 +252,7 @@ impl Operand {
     }
 }
 
-/// The verticals of a network: rails where no rung joins them, and what stands between connectors. No power is told of them.
+/// The verticals of a network: rails where no rung joins them, and what is between connectors. No power is told of them.
 fn verticals_in(network: TextRange, stretch: TextRange, revision: &Revision) -> Vec<Element> {
     let Some(shown) = network.intersect(stretch) else {
         return Vec::new();

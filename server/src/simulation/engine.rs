@@ -41,7 +41,7 @@ pub(super) struct Engine {
     pub(super) pulses: Vec<Pulse>,
     /// What inputs hold from the first scan on.
     inputs: Vec<(Point, Value)>,
-    /// Where the elements of the drawing stand, in the order in which the engine lists their power, for a client that
+    /// Where the elements of the drawing are, in the order in which the engine lists their power, for a client that
     /// takes them all. Computed once, for the text that runs does not change.
     pub(super) places: OnceCell<Vec<Option<Range>>>,
     pub(super) drawing: OnceCell<Drawing>,
@@ -295,7 +295,7 @@ impl Engine {
         self.session.simulation().time() as f64 / 1e6
     }
 
-    /// What went wrong so far, the newest last. A mistake that repeats in one place stands here once, with the scan it
+    /// What went wrong so far, the newest last. A mistake that repeats in one place is here once, with the scan it
     /// last happened in.
     pub(super) fn faults(&self) -> Vec<messages::Fault> {
         let mut faults: Vec<messages::Fault> = Vec::new();

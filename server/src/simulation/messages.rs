@@ -160,7 +160,7 @@ pub struct Unforce {
 pub struct Started {
     /// The session's name, for all later commands.
     pub session: String,
-    /// How things stand before the first scan.
+    /// How things are before the first scan.
     pub state: State,
     /// What a person should know, as that the retentive file was damaged.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]

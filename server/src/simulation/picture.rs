@@ -144,7 +144,7 @@ impl Engine {
     }
 }
 
-/// The elements that stand in the program's own file, which is the document.
+/// The elements that are in the program's own file, which is the document.
 fn power(simulation: &Simulation) -> impl Iterator<Item = (TextRange, bool)> {
     let own = simulation.power().filter(|(_, location, _)| location.file == 0);
     own.map(|(_, location, on)| (location.range, on))

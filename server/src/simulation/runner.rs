@@ -347,7 +347,7 @@ impl Runner {
         }
     }
 
-    /// Tells the client how things stand; one that says what it shows only when it has shown what it was told before.
+    /// Tells the client how things are; one that says what it shows only when it has shown what it was told before.
     fn publish(&mut self) {
         if self.simulation.engine.is_shown_in_part() && !self.has_shown.swap(false, Ordering::SeqCst) {
             return;

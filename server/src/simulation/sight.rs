@@ -59,7 +59,7 @@ impl Sight {
         Some(place)
     }
 
-    /// The same; what is not shown any more stands at the start of the next line that is.
+    /// The same; what is not shown any more is at the start of the next line that is.
     pub(super) fn range_or_near(&self, range: TextRange) -> Range {
         self.range(range).unwrap_or_else(|| {
             let first = self.running.range(range).start.line as usize;

@@ -1,4 +1,4 @@
-//! The program of a session and how it stands.
+//! The program of a session and how it is.
 
 use super::engine::Engine;
 use super::messages::{Hit, State, Status};
@@ -12,7 +12,7 @@ pub(super) enum Telling {
     Answer,
 }
 
-/// The program and how it stands.
+/// The program and how it is.
 pub(super) struct Simulation {
     pub(super) id: String,
     pub(super) engine: Engine,

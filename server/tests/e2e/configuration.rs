@@ -72,7 +72,7 @@ async fn what_is_wrong_in_them_is_told_once() {
     assert_eq!(
         shown["message"].as_str().unwrap(),
         "The settings of this editor: `ladder.lint.double-coils`: `double-coils` is no rule: did you mean `double-coil`?\n\
-         `ladder.workspace`: `workspace` is no setting: it must be the same for everybody, and stands in ladder.toml"
+         `ladder.workspace`: `workspace` is no setting: it must be the same for everybody, and is in ladder.toml"
     );
     let params = json!({"settings": {"ladder": options}});
     client.notify("workspace/didChangeConfiguration", params).await;

@@ -64,7 +64,7 @@ async fn hover_explains_what_stands_there() {
     assert_eq!(
         client.hover(1, 0).await,
         Ok(Value::Null),
-        "nothing stands behind the last line"
+        "nothing is behind the last line"
     );
     client.finish().await;
 

@@ -233,7 +233,7 @@ async fn the_page_shows_every_command_whole() {
     client.request("shutdown", Value::Null).await.unwrap();
 }
 
-/// JSON as a person writes it: what fits on a line stands on one, members in an order that reads well.
+/// JSON as a person writes it: what fits on a line is on one, members in an order that reads well.
 fn pretty(value: &Value) -> String {
     let mut out = String::new();
     write_pretty(&mut out, value, 0);

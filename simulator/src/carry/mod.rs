@@ -81,7 +81,7 @@ pub(crate) fn is_same(old: &Simulation, new: &Simulation) -> bool {
         && same_tags()
 }
 
-/// Lets a program that has not run yet go on where another stands, between two scans.
+/// Lets a program that has not run yet go on where another is, between two scans.
 pub(crate) fn carry(old: &Simulation, new: &mut Simulation) -> (Vec<Lost>, Moved) {
     let matching = Matching::of(&old.program, &new.program);
     let mut lost = Vec::new();

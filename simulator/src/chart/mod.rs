@@ -4,7 +4,7 @@
 //! Session --after each scan--> Recorder: a Track for each tag --Window--> columns, ticks, readings
 //! ```
 //!
-//! Scans are counted as a state counts them: what stands at scan 5 is what tags held when five scans were done, and its
+//! Scans are counted as a state counts them: what is at scan 5 is what tags held when five scans were done, and its
 //! time is five intervals. A column of a drawing is one or more scans; columns begin at whole multiples of their
 //! length, so that a picture that moves does not flicker, and only those that are new have to be asked for.
 
@@ -26,7 +26,7 @@ pub use track::{Kind, Track};
 /// A tick of an axis.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Tick {
-    /// Where it stands: nanoseconds on a time axis, on others a value.
+    /// Where it is: nanoseconds on a time axis, on others a value.
     pub at: f64,
     /// What it says.
     pub text: String,

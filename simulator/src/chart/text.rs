@@ -4,7 +4,7 @@ use crate::value_text;
 use ladder_analysis::types::Scalar;
 use ladder_analysis::value::Value;
 
-/// A value as it stands beside a drawing: `1`, `1s500ms`, `16#00FF`.
+/// A value as it is beside a drawing: `1`, `1s500ms`, `16#00FF`.
 pub fn reading(value: &Value, ty: Scalar) -> String {
     match value {
         Value::Bool(_) => value_text::cell(value, ty),

@@ -1,4 +1,4 @@
-//! The time axis: where its ticks stand, and what they say.
+//! The time axis: where its ticks are, and what they say.
 
 use super::Tick;
 use crate::value_text;

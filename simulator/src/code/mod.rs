@@ -63,7 +63,7 @@ impl Code {
         (place.start == pc).then_some(place.network as usize)
     }
 
-    /// All networks that begin at an instruction: those without code stand there too.
+    /// All networks that begin at an instruction: those without code are there too.
     pub(crate) fn networks_at(&self, pc: u32) -> impl Iterator<Item = usize> + '_ {
         let first = self.networks.partition_point(|place| place.start < pc);
         let here = self.networks[first..]
@@ -105,7 +105,7 @@ pub(crate) struct NetworkPlace {
     pub(crate) network: u32,
 }
 
-/// Where a block's code stands.
+/// Where a block's code is.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct BlockPlace {
     /// Its first instruction.

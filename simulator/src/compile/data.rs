@@ -190,7 +190,7 @@ impl Compiler<'_> {
     fn arithmetic(&mut self, op: Op, ty: Scalar, operands: &[&Expr]) -> Result<Word> {
         let mut operands = operands.to_vec();
         if op == Op::Mul && ty == Scalar::Time {
-            // A time is scaled by numbers, wherever among them it stands.
+            // A time is scaled by numbers, wherever among them it is.
             operands.sort_by_key(|operand| operand.ty != Scalar::Time);
         }
         let words: Vec<Word> = operands

@@ -20,7 +20,7 @@ pub(super) struct Region {
     pub(super) has_mcr: bool,
     /// The first instruction of each network, and the one behind the last.
     starts: Vec<u32>,
-    /// Jumps, to be aimed when all networks stand: instruction and network.
+    /// Jumps, to be aimed when all networks are: instruction and network.
     jumps: Vec<(u32, usize)>,
     /// Returns from a block's body, to be aimed at its end.
     returns: Vec<u32>,
@@ -43,11 +43,11 @@ pub(super) struct BodyExit {
     pub(super) outputs: Vec<Output>,
     /// Whether it has a frame of its own.
     pub(super) framed: bool,
-    /// `<$B>`: what it does not do itself acts where the block stands.
+    /// `<$B>`: what it does not do itself acts where the block is.
     pub(super) passes_on: bool,
     /// It is drawn with the power of another place, so what it reaches is not noted.
     pub(super) hidden: bool,
-    /// The step of the outer network at which it stands.
+    /// The step of the outer network at which it is.
     pub(super) step: usize,
 }
 
@@ -67,7 +67,7 @@ pub(super) fn is(kind: &BlockKind, op: Op) -> bool {
 }
 
 /// Notes which networks of the main program some scans may not reach, or not in one go: what jumps pass over or go back
-/// to, what loops run, what stands behind an end.
+/// to, what loops run, what is behind an end.
 fn note_skippable(program: &Program, skippable: &mut [bool]) {
     let main = program.main.clone();
     let mut elsewhere = program
@@ -174,7 +174,7 @@ impl Compiler<'_> {
         Ok(())
     }
 
-    /// What stands behind a network with `<NEXT>` or `<FOR>`. A network with both ends the one loop before it
+    /// What is behind a network with `<NEXT>` or `<FOR>`. A network with both ends the one loop before it
     /// enters the other.
     fn loop_ends(&mut self, index: usize) {
         let program = self.program;
@@ -237,7 +237,7 @@ impl Compiler<'_> {
         }
     }
 
-    /// A jump from the body of a `<$B>` to a label around the place where the block stands: the nearest behind that
+    /// A jump from the body of a `<$B>` to a label around the place where the block is: the nearest behind that
     /// place, else the nearest before it.
     fn jump_out(&mut self, arguments: Arguments, label: &Name, en: Bit) -> Result<Bit> {
         let program = self.program;
@@ -275,7 +275,7 @@ impl Compiler<'_> {
             }
         }
         Err(arguments.refused(format!(
-            "there is no label `{}` in this block, nor where the block stands",
+            "there is no label `{}` in this block, nor where the block is",
             label.as_str()
         )))
     }

@@ -82,7 +82,7 @@ pub(crate) struct Compiled {
     pub(crate) elements: Vec<ElementPlace>,
     /// For each network of the drawing, whether some scans may not reach it.
     pub(crate) skippable: Vec<bool>,
-    /// For each network of the drawing where its code stands; that of the first place where it is in a block's body.
+    /// For each network of the drawing where its code is; that of the first place where it is in a block's body.
     pub(crate) stretches: Vec<Range<u32>>,
     /// Where the ports are.
     pub(crate) ports: Ports,
@@ -105,7 +105,7 @@ pub(crate) fn compile(program: &Program, interval: i64) -> Result<Compiled> {
         .tags
         .iter()
         .map(|tag| match tag.block {
-            // Tags of a block's body get room for each place where the block stands.
+            // Tags of a block's body get room for each place where the block is.
             Some(_) => Ok(Home::Unbound),
             None => layout.tag(tag),
         })
@@ -164,7 +164,7 @@ struct Compiler<'p> {
     stretches: Vec<Range<u32>>,
     constants: HashMap<i64, Word>,
     arrays: HashMap<ArrayPlace, u32>,
-    /// The stretch of networks that is being compiled, with those it stands in.
+    /// The stretch of networks that is being compiled, with those it is in.
     regions: Vec<Region>,
     /// The first instruction of each function.
     functions: Vec<u32>,
@@ -179,7 +179,7 @@ struct Compiler<'p> {
     ports: Ports,
     /// Of each user-defined block the tags of its body.
     block_tags: Vec<Vec<TagId>>,
-    /// Whether a place where it stands was compiled.
+    /// Whether a place where it is was compiled.
     shown: Vec<bool>,
     /// The powers of the networks around the body that is being compiled.
     outer_powers: Vec<Vec<Bit>>,
@@ -202,7 +202,7 @@ struct Compiler<'p> {
     /// The scan from which on the serial port is free, where sending takes time.
     line_free: Option<Word>,
     places: Places,
-    /// The block that is being compiled, behind those in whose bodies it stands.
+    /// The block that is being compiled, behind those in whose bodies it is.
     standing: Vec<BlockAt>,
 }
 
@@ -277,7 +277,7 @@ impl Compiler<'_> {
         self.code.instrs.push(instr);
     }
 
-    /// Where the next instruction will stand.
+    /// Where the next instruction will be.
     fn here(&self) -> u32 {
         self.code.instrs.len() as u32
     }

@@ -1,4 +1,4 @@
-//! User-defined blocks (LANGUAGE §5.7). Each place where a block stands has a state of its own, so it gets code of
+//! User-defined blocks (LANGUAGE §5.7). Each place where a block is has a state of its own, so it gets code of
 //! its own too: the body is compiled in place, on that place's slots.
 
 use super::arguments::Arguments;

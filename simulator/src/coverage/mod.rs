@@ -32,7 +32,7 @@ pub enum CoverageItemKind {
 pub struct CoverageItem {
     /// What it is.
     pub kind: CoverageItemKind,
-    /// Where it stands.
+    /// Where it is.
     pub location: Location,
     /// It was seen closed; a coil with power.
     pub on: bool,

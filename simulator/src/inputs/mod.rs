@@ -76,7 +76,7 @@ impl Inputs {
         }
     }
 
-    /// Makes the assignments that stand before a scan.
+    /// Makes the assignments that are before a scan.
     pub fn give(&self, scan: u64, simulation: &mut Simulation) {
         for (point, value) in self.before(scan) {
             // What could be refused was found when the file was read.
@@ -84,7 +84,7 @@ impl Inputs {
         }
     }
 
-    /// The assignments that stand before a scan.
+    /// The assignments that are before a scan.
     pub fn before(&self, scan: u64) -> impl Iterator<Item = (&Point, Value)> {
         let row = usize::try_from(scan)
             .ok()

@@ -27,7 +27,7 @@ impl Table {
     /// Reads the text of a file.
     ///
     /// # Errors
-    /// It has no header, a name stands twice in the header, or a row has another number of cells.
+    /// It has no header, a name appears twice in the header, or a row has another number of cells.
     pub(super) fn parse(file: &str, text: &str) -> Result<Table, InputsError> {
         let text = text.strip_prefix('\u{feff}').unwrap_or(text);
         let mut reader = ReaderBuilder::new()

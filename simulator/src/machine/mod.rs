@@ -30,7 +30,7 @@ pub(crate) enum Halt {
     Ended,
     /// Watchdog or call depth: the scan was not finished.
     Stopped,
-    /// It stands in front of a block or network where it was to halt, and can go on.
+    /// It is in front of a block or network where it was to halt, and can go on.
     Halted,
 }
 
@@ -271,7 +271,7 @@ impl Machine {
     }
 }
 
-/// The code that may run on from an instruction before the watchdog must be asked, and the work of what stands before
+/// The code that may run on from an instruction before the watchdog must be asked, and the work of what is before
 /// it.
 fn stretch(code: &Code, pc: usize, budget: u64) -> (u64, &[Instr]) {
     let before = work_before(code, pc);

@@ -1,4 +1,4 @@
-//! Where a scan stands that is not finished, and where it is to halt.
+//! Where a scan is that is not finished, and where it is to halt.
 
 use super::flow::Frame;
 use super::{Machine, block_at};
@@ -81,7 +81,7 @@ impl Until {
 }
 
 /// What a scan that halted has open: instructions that all lie in different activations, the innermost first. What
-/// stands before them in their networks has run.
+/// is before them in their networks has run.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct OpenScan<'m> {
     machine: &'m Machine,
@@ -133,7 +133,7 @@ impl Machine {
         self.position.passed = stop::BLOCK | stop::NETWORK;
     }
 
-    /// Lets a scan that a fault has stopped stand where it does in plain code, if it ran fused code.
+    /// Lets a scan that a fault has stopped are where it does in plain code, if it ran fused code.
     pub(crate) fn stand_in_plain(&mut self, ran: Option<&Code>, plain: &Code) {
         if let Some(fault) = self.faults.last() {
             self.position.pc = plain.blocks[fault.block as usize].start as usize;

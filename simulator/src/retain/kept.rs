@@ -85,7 +85,7 @@ fn part(state: StateType, word: u32) -> WordKind {
     }
 }
 
-/// Puts kept values into a memory whose clock stands at 0. Gives for each tag that cannot be restored why.
+/// Puts kept values into a memory whose clock is at 0. Gives for each tag that cannot be restored why.
 pub(crate) fn restore(
     program: &Program,
     retained: &[Retained],

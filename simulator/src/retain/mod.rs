@@ -16,7 +16,7 @@ use std::collections::HashMap;
 /// One retentive tag.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Retained {
-    /// Its name; for a tag in the body of a user-defined block with the place where the block stands, counted in
+    /// Its name; for a tag in the body of a user-defined block with the place where the block is, counted in
     /// the order in which they run first: `$Debounce[2].t`.
     name: String,
     tag: TagId,

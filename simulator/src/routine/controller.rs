@@ -32,7 +32,7 @@ pub(super) fn tell<const FORCED: bool>(memory: &mut Memory, with: &mut Operands,
         let period = wave.period();
         put(number, clock.now.rem_euclid(period) >= period / 2);
     }
-    // The switch stands at RUN.
+    // The switch is at RUN.
     put(10, true);
     put(11, true);
     for relay in [Relay::Zero, Relay::Range, Relay::Address, Relay::Math] {

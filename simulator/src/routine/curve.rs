@@ -30,7 +30,7 @@ pub(super) fn point(memory: &mut Memory, with: &mut Operands) -> Result<(), Trou
     Ok(())
 }
 
-/// The height of the curve at x. Of two points that stand one above the other the later one counts.
+/// The height of the curve at x. Of two points that are one above the other the later one counts.
 fn on_curve<N: PartialOrd + Copy>(
     x: N,
     points: impl Iterator<Item = (N, N)>,

@@ -80,7 +80,7 @@ pub(super) fn counter<const FORCED: bool>(memory: &mut Memory, with: &mut Operan
     let was = memory.word(words.offset(c::CV));
     let (_, count) = evaluate(was, most, rose, en);
     memory.put_word::<FORCED>(words.offset(c::CV), count);
-    // The output is that of the count that stands there now: it may be forced.
+    // The output is that of the count that is there now: it may be forced.
     let (q, _) = evaluate(memory.word(words.offset(c::CV)), most, false, en);
     memory.put_bit::<FORCED>(bits.offset(c::CHANGED), count != was);
     memory.put_bit::<FORCED>(bits.offset(c::Q), q);

@@ -9,7 +9,7 @@ use crate::timers::Clock;
 /// The clock counts whole milliseconds.
 const MILLISECOND: i64 = 1_000_000;
 
-/// The clock of that system: a program's first scan stands at the end of its first interval.
+/// The clock of that system: a program's first scan is at the end of its first interval.
 fn now(memory: &Memory, clock: Clock, interval: Word) -> i64 {
     let now = clock.now.saturating_add(memory.word(interval));
     now - now.rem_euclid(MILLISECOND)

@@ -205,12 +205,12 @@ impl Binder<'_> {
         let point = match self.simulation.resolve(&row.name) {
             Ok(point) => point,
             Err(unknown) => {
-                // A heading that stands too late.
+                // A heading that is too late.
                 let heading = matches!(row.name.as_str(), "program" | "step" | "interval" | "tolerance");
                 self.mistakes.push(Mistake {
                     range: row.range,
                     message: unknown.message,
-                    help: heading.then(|| format!("`{}` stands before the first scenario", row.name)),
+                    help: heading.then(|| format!("`{}` is before the first scenario", row.name)),
                 });
                 return None;
             }
@@ -271,7 +271,7 @@ impl Binder<'_> {
             self.mistake(
                 *range,
                 "what is given has no tolerance",
-                "± stands in rows with an arrow",
+                "± is in rows with an arrow",
             );
             return None;
         }
@@ -289,7 +289,7 @@ impl Binder<'_> {
                 self.mistake(
                     *range,
                     problem,
-                    "the tolerance stands last in the row, as in: level => 1.0 2.0 ± 0.01",
+                    "the tolerance is last in the row, as in: level => 1.0 2.0 ± 0.01",
                 );
                 None
             }

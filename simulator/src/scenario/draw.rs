@@ -34,7 +34,7 @@ pub struct Line {
 /// Draws the rows that differ, below what was given, in lines of at most about `width` letters: of a long scenario
 /// the part around the first difference. `interval` is that of the simulation that ran it.
 ///
-/// Waveforms are drawn as they are written, a letter a step. Rows of values stand below them with columns as wide as
+/// Waveforms are drawn as they are written, a letter a step. Rows of values are below them with columns as wide as
 /// their values need, and what was given once more in these columns.
 pub fn draw(case: &Case, ran: &Ran, interval: i64, width: usize) -> Vec<Line> {
     let is_wave = |difference: &&Difference| case.expected[difference.row].target.ty() == Scalar::Bool;

@@ -44,13 +44,13 @@ pub struct Scenario {
 pub struct Row {
     /// The tag as it is written.
     pub name: String,
-    /// Where that stands.
+    /// Where that is.
     pub range: TextRange,
     /// Whether it goes in or is expected to come out.
     pub direction: Direction,
     /// One for each step, with its place.
     pub cells: Vec<(Cell, TextRange)>,
-    /// What stands behind `±`.
+    /// What is behind `±`.
     pub tolerance: Option<(String, TextRange)>,
 }
 
@@ -131,13 +131,13 @@ impl Reader {
                 let help = match wanted {
                     Some(heading) => format!("write it in small letters: {heading}"),
                     None if rest.is_empty() => "a comment begins with #".to_owned(),
-                    None => "rows stand behind a line as in: scenario \"what is shown\"".to_owned(),
+                    None => "rows are behind a line as in: scenario \"what is shown\"".to_owned(),
                 };
                 self.mistake(
                     first.range(),
                     format!(
-                        "`{other}` stands before the first scenario, where only program, step, interval and \
-                         tolerance stand"
+                        "`{other}` is before the first scenario, where only program, step, interval and \
+                         tolerance are"
                     ),
                     help,
                 );
@@ -192,7 +192,7 @@ impl Reader {
                     _ => &mut self.suite.interval,
                 };
                 if slot.is_some() {
-                    let twice = format!("`{}` stands here a second time", first.text);
+                    let twice = format!("`{}` appears here a second time", first.text);
                     return self.mistake(first.range(), twice, "leave only one of them");
                 }
                 *slot = Some((nanoseconds, value.range()));
@@ -213,7 +213,7 @@ impl Reader {
         match parsed {
             Ok(_) if std::mem::replace(&mut self.tolerance_given, true) => self.mistake(
                 first.range(),
-                "`tolerance` stands here a second time",
+                "`tolerance` appears here a second time",
                 "leave only one of them; a row may have its own, as in: level => 1.0 2.0 ± 0.01",
             ),
             Ok(tolerance) => self.suite.tolerance = Some(tolerance),
@@ -234,16 +234,12 @@ impl Reader {
                 if name.unclosed {
                     self.mistake(name.range(), "the quote behind the name is missing", EXAMPLE);
                 } else if let Some(more) = rest.get(1) {
-                    self.mistake(
-                        more.range(),
-                        "nothing stands behind the name of a scenario",
-                        EXAMPLE,
-                    );
+                    self.mistake(more.range(), "nothing is behind the name of a scenario", EXAMPLE);
                 }
                 (name.text.trim_matches('"').trim(), name.range())
             }
             _ => {
-                self.mistake(whole, "a scenario's name stands in quotes", EXAMPLE);
+                self.mistake(whole, "a scenario's name is in quotes", EXAMPLE);
                 ("", whole)
             }
         };
@@ -294,7 +290,7 @@ impl Reader {
             if word.text == "=>" {
                 return self.mistake(
                     word.range(),
-                    "the arrow stands directly behind the tag",
+                    "the arrow is directly behind the tag",
                     "write it as in: run => _--_",
                 );
             }
@@ -321,7 +317,7 @@ impl Reader {
         }
     }
 
-    /// What stands before `±` or `+-`, and behind it.
+    /// What is before `±` or `+-`, and behind it.
     fn split_tolerance<'w, 't>(
         &mut self,
         words: &'w [Word<'t>],

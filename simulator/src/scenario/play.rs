@@ -13,7 +13,7 @@ use ladder_syntax::TextRange;
 pub struct Unmet {
     /// The tag.
     pub tag: String,
-    /// Where the value stands that was expected.
+    /// Where the value is that was expected.
     pub range: TextRange,
     /// What is wrong, in words.
     pub message: String,
@@ -26,7 +26,7 @@ impl Case {
         (scan.is_multiple_of(self.scans) && step < self.steps).then_some(step)
     }
 
-    /// Gives what stands before a step.
+    /// Gives what is before a step.
     pub fn give(&self, step: usize, session: &mut Session) {
         for row in &self.given {
             match (&row.target, row.values.get(step)) {
@@ -40,7 +40,7 @@ impl Case {
         }
     }
 
-    /// Where the first value of a step stands, or the scenario's name.
+    /// Where the first value of a step is, or the scenario's name.
     pub fn place_of(&self, step: usize) -> TextRange {
         let values = self.expected.iter().find_map(|row| row.values.get(step));
         values.map_or(self.range, |(_, place)| *place)

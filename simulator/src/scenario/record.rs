@@ -29,7 +29,7 @@ const MOST_ROWS: usize = 8;
 /// So many columns can be read; with more a step takes no account of what the outputs do in between.
 const READABLE: u64 = 200;
 
-/// A session up to where it stands as a scenario of this name; `program` is the program's file, as the scenario file
+/// A session up to where it is as a scenario of this name; `program` is the program's file, as the scenario file
 /// names it.
 ///
 /// # Errors
@@ -138,7 +138,7 @@ pub fn record(session: &Session, program: &str, name: &str) -> Result<Recorded, 
     Ok(Recorded { text, notes })
 }
 
-/// How the file of a recorded scenario may be called that stands beside a program: `motor-recorded.ladder-test`.
+/// How the file of a recorded scenario may be called that is beside a program: `motor-recorded.ladder-test`.
 pub fn recorded_file(program: &str) -> String {
     let stem = program.rsplit_once('.').map_or(program, |(stem, _)| stem);
     format!("{stem}-recorded.ladder-test")

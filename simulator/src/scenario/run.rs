@@ -40,7 +40,7 @@ pub struct Difference {
     pub(super) row: usize,
     /// The tag.
     pub tag: String,
-    /// Where the first value stands that is not met.
+    /// Where the first value is that is not met.
     pub range: TextRange,
     /// The steps that differ, from 0, in their order.
     pub steps: Vec<usize>,

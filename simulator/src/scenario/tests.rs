@@ -230,23 +230,23 @@ run _ => -
 run => _- ± 1 2
 ",
         expect![[r#"
-            1:1-8: `Program` stands before the first scenario, where only program, step, interval and tolerance stand
+            1:1-8: `Program` is before the first scenario, where only program, step, interval and tolerance are
                 write it in small letters: program
             3:10-14: `soon` is no duration longer than 0
                 write it as in: interval 10ms
-            4:1-5: `step` stands here a second time
+            4:1-5: `step` appears here a second time
                 leave only one of them
             5:11-15: `much` is no tolerance: write it as in 0.01 or 1%
                 write it as in: tolerance 0.001
-            6:1-4: `run` stands before the first scenario, where only program, step, interval and tolerance stand
-                rows stand behind a line as in: scenario "what is shown"
-            7:1-14: a scenario's name stands in quotes
+            6:1-4: `run` is before the first scenario, where only program, step, interval and tolerance are
+                rows are behind a line as in: scenario "what is shown"
+            7:1-14: a scenario's name is in quotes
                 write it as in: scenario "the pump starts"
             9:10-11: `run` has 3 steps, but `start` has 2
                 all rows of a scenario have one length: a value for each step
             10:10-12: the scenario has no name
                 write it as in: scenario "the pump starts"
-            11:18-21: nothing stands behind the name of a scenario
+            11:18-21: nothing is behind the name of a scenario
                 write it as in: scenario "the pump starts"
             12:1-3: the row begins with no tag
                 a row is a tag and a value for each step, as in: start _-__
@@ -258,7 +258,7 @@ run => _- ± 1 2
                 write it as in: scenario "the pump starts"
             16:9-14: the quote behind the text is missing
                 a text is written as in: 'it works'; a quote in it as $'
-            17:7-9: the arrow stands directly behind the tag
+            17:7-9: the arrow is directly behind the tag
                 write it as in: run => _--_
             18:11-16: one number behind ± says how far the values may be away
                 write it last in the row, as in: level => 1.0 2.0 ± 0.01
@@ -337,13 +337,13 @@ text => 12 'a' b
             15:12-15: values of a BOOL are equal or not: they have no tolerance
                 take the ± away
             16:22-28: `fast` is no tolerance for a TIME: write it as in 20ms or 1%
-                the tolerance stands last in the row, as in: level => 1.0 2.0 ± 0.01
+                the tolerance is last in the row, as in: level => 1.0 2.0 ± 0.01
             17:1-5: there is no tag `step`; did you mean stop?
-                `step` stands before the first scenario
+                `step` is before the first scenario
             18:1-12: the program does not use PORT.SERIAL
                 the blocks USND, URCV, FMT and SCANTIME without operand do
             19:11-14: what is given has no tolerance
-                ± stands in rows with an arrow
+                ± is in rows with an arrow
         "#]],
     );
 }

@@ -3,7 +3,7 @@
 
 use ladder_syntax::{TextRange, TextSize};
 
-/// A word and where it stands.
+/// A word and where it is.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Word<'t> {
     /// As it is written.
@@ -20,7 +20,7 @@ impl Word<'_> {
         self.start + self.text.len()
     }
 
-    /// Where it stands.
+    /// Where it is.
     pub fn range(&self) -> TextRange {
         range(self.start, self.end())
     }
@@ -104,7 +104,7 @@ fn words(line: &str, start: usize) -> (Vec<Word<'_>>, Option<usize>) {
     (words, None)
 }
 
-/// The length of the word that a rest begins with, in which the last `]` stands at `closing`.
+/// The length of the word that a rest begins with, in which the last `]` is at `closing`.
 fn length(rest: &str, closing: Option<usize>) -> (usize, bool) {
     if rest.starts_with("=>") {
         return (2, false);

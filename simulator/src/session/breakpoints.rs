@@ -15,7 +15,7 @@ pub enum Breakpoint {
     /// In front of a network, by its number in the program: whenever it is about to be evaluated.
     Network(usize),
     /// In front of the block at this place, wherever its code runs: the body of a user-defined block has code for each
-    /// place where that stands.
+    /// place where that is.
     Block(Location),
     /// Behind the block that changes what a point holds. What is given from outside does not count.
     Change(Point),
@@ -166,7 +166,7 @@ impl Session {
         }
     }
 
-    /// Whether what stands here ends a step.
+    /// Whether what is here ends a step.
     fn ends_step(&self, by: StepBy) -> bool {
         let pc = self.simulation.machine.open_scan().pc();
         let code = &self.simulation.compiled.code;

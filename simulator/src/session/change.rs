@@ -5,7 +5,7 @@
 //! earlier eras .. | this era: base --scan--> .. here .. --scan--> newest | later eras, when stepped back
 //! ```
 //!
-//! The end of an era and the start of the next are the same moment; the session stands in the later one there.
+//! The end of an era and the start of the next are the same moment; the session is in the later one there.
 
 use super::history::History;
 use super::{Breakpoint, Session, Writers};
@@ -88,7 +88,7 @@ impl Session {
         Ok(Changeover::Carried { lost })
     }
 
-    /// How often the running program had been changed before it became the one that runs where the session stands: a
+    /// How often the running program had been changed before it became the one that runs where the session is: a
     /// change that was none does not count.
     pub fn generation(&self) -> u64 {
         self.generation

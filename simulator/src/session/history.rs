@@ -6,7 +6,7 @@
 //!
 //! Each entry is one scan in two parts: what was given from outside before it, and what it did. Both are the bytes
 //! of [`Banks::follow`], which lead either way, so no full copies are kept but one: the banks of the moment
-//! that the simulation stands at.
+//! that the simulation is at.
 
 use super::banks::Banks;
 use super::delta::{Bytes, Way};
@@ -117,7 +117,7 @@ impl Given {
 #[derive(Debug)]
 pub(super) struct History {
     limits: HistoryLimits,
-    /// The banks where the simulation stands: after a scan and before anything was given since.
+    /// The banks where the simulation is: after a scan and before anything was given since.
     pub(super) banks: Banks,
     /// The forces there.
     pub(super) forces: Forces,
@@ -126,12 +126,12 @@ pub(super) struct History {
     pub(super) entries: VecDeque<Entry>,
     /// The bytes of all entries.
     bytes: VecDeque<u8>,
-    /// How many entries, and how many of the bytes, lie before the moment where the simulation stands.
+    /// How many entries, and how many of the bytes, lie before the moment where the simulation is.
     pub(super) here: usize,
     bytes_here: usize,
     /// What was given for the scan that runs.
     pub(super) given: Given,
-    /// What was given behind the newest scan, while the simulation stands before it.
+    /// What was given behind the newest scan, while the simulation is before it.
     waiting: Given,
     serial: SerialLog,
     scratch: Vec<u8>,
@@ -182,7 +182,7 @@ impl History {
         self.entries.len() - self.here
     }
 
-    /// After how many scans the values are known, the one that the simulation stands behind among them.
+    /// After how many scans the values are known, the one that the simulation is behind among them.
     pub(super) fn known(&self) -> usize {
         if !self.is_on() {
             return 0;
@@ -241,7 +241,7 @@ impl History {
         self.waiting = given;
     }
 
-    /// Gives what was set aside, if the simulation stands behind the newest scan again. Whether that is anything.
+    /// Gives what was set aside, if the simulation is behind the newest scan again. Whether that is anything.
     pub(super) fn give_what_waits(&mut self, simulation: &mut Simulation) -> bool {
         if self.ahead() > 0 || self.waiting.is_nothing() {
             return false;
@@ -345,7 +345,7 @@ impl History {
         (self.here, self.bytes_here) = (self.entries.len(), self.bytes.len());
     }
 
-    /// The scan that was begun is given up: the simulation stands before it again, with what was given for it. Gives
+    /// The scan that was begun is given up: the simulation is before it again, with what was given for it. Gives
     /// whether that is anything.
     pub(super) fn give_up(&mut self, simulation: &mut Simulation) -> bool {
         self.banks.restore(&mut simulation.machine);
@@ -468,7 +468,7 @@ impl History {
         self.banks.go(Bytes(&self.scratch), way);
     }
 
-    /// Makes the simulation stand here.
+    /// Makes the simulation be here.
     pub(super) fn restore(&self, simulation: &mut Simulation) {
         simulation.restore_forces(&self.forces);
         self.banks.restore(&mut simulation.machine);

@@ -67,7 +67,7 @@ pub struct Session {
     repeats: bool,
     faults: VecDeque<FaultRecord>,
     breakpoints: Vec<Breakpoint>,
-    /// The run stopped behind a block, and what stands there has not been looked at yet.
+    /// The run stopped behind a block, and what is there has not been looked at yet.
     unseen_network: bool,
     /// Who writes what, for those who ask why.
     writers: OnceCell<Writers>,
@@ -113,7 +113,7 @@ impl Session {
         }
     }
 
-    /// Sets what may stop a scan that takes long. Such a scan is taken back: the session stands before it, with what
+    /// Sets what may stop a scan that takes long. Such a scan is taken back: the session is before it, with what
     /// was given for it. Without a history that cannot be done, and it is a fault that stops the simulation.
     pub fn set_brake(&mut self, brake: Option<Brake>) {
         self.simulation.set_brake(brake);
@@ -272,7 +272,7 @@ impl Session {
         self.changed
     }
 
-    /// Makes the place where the simulation stands the newest: what was stepped back from is forgotten.
+    /// Makes the place where the simulation is the newest: what was stepped back from is forgotten.
     pub fn forget_ahead(&mut self) {
         if self.repeats {
             return;

@@ -10,7 +10,7 @@ use ladder_analysis::value::Value;
 
 impl Session {
     /// What points held after each of the last scans, the oldest first: for each point up to `scans` values, of which
-    /// the last is from the scan that the simulation stands behind. What was given since is not in it. Only kept
+    /// the last is from the scan that the simulation is behind. What was given since is not in it. Only kept
     /// scans are known, so there may be fewer, equally many for all points. Where the program was changed a point is the
     /// one of that name and type; what there was none of before shows nothing, or 0.
     pub fn past(&self, points: &[Point], scans: usize) -> Vec<Vec<Value>> {

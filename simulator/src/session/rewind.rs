@@ -7,14 +7,14 @@ use crate::simulation::Simulation;
 use crate::tags::Point;
 use ladder_analysis::value::Value;
 
-/// A moment of the past. It stands at the start of a scan, with what was given for it; from there
+/// A moment of the past. It is at the start of a scan, with what was given for it; from there
 /// [`Rewind::undo_given`] leads to the end of the scan before, and [`Rewind::undo_scan`] to that one's start.
 #[derive(Debug, Clone)]
 pub(super) struct Rewind<'h> {
     history: &'h History,
     banks: Banks,
     forces: Forces,
-    /// The scan that it stands at the start of: an entry of the history, or the one behind the last, which is open or
+    /// The scan that it is at the start of: an entry of the history, or the one behind the last, which is open or
     /// has not begun.
     entry: usize,
     /// The end of the bytes of the entries before it.
@@ -65,12 +65,12 @@ impl<'h> Rewind<'h> {
         }
     }
 
-    /// The scan that it stands at the start of, or before.
+    /// The scan that it is at the start of, or before.
     pub(super) fn entry(&self) -> usize {
         self.entry
     }
 
-    /// Whether anything was given for the scan at whose start it stands.
+    /// Whether anything was given for the scan at whose start it is.
     pub(super) fn has_given(&self) -> bool {
         self.given > 0
     }
@@ -106,7 +106,7 @@ impl<'h> Rewind<'h> {
         point.read(&self.banks.memory)
     }
 
-    /// Makes a simulation stand here, at the start of the scan.
+    /// Makes a simulation be here, at the start of the scan.
     pub(super) fn restore(&self, simulation: &mut Simulation) {
         simulation.restore_forces(&self.forces);
         self.banks.restore(&mut simulation.machine);

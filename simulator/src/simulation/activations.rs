@@ -1,4 +1,4 @@
-//! What a scan has open where it stands: the main program, functions that were called, bodies of user-defined blocks.
+//! What a scan has open where it is: the main program, functions that were called, bodies of user-defined blocks.
 
 use super::{Simulation, Status};
 use crate::places::BlockAt;
@@ -21,7 +21,7 @@ pub enum Routine {
 pub struct Activation {
     /// The routine.
     pub routine: Routine,
-    /// The network in which it stands, by its number in the program.
+    /// The network in which it is, by its number in the program.
     pub network: usize,
     /// The block that runs next there, or through which the routine within was entered; the network if no block of it
     /// is left.
@@ -30,7 +30,7 @@ pub struct Activation {
     pub instance: Option<usize>,
 }
 
-/// Where the code of bodies is, and what blocks stand at places of the text.
+/// Where the code of bodies is, and what blocks are at places of the text.
 #[derive(Debug)]
 pub(crate) struct Bodies {
     /// User-defined blocks with their code, in the order of that.

@@ -1,4 +1,4 @@
-//! The tags of user-defined blocks: they exist once for each place where a block stands.
+//! The tags of user-defined blocks: they exist once for each place where a block is.
 
 use super::Simulation;
 use crate::layout::Home;
@@ -8,17 +8,17 @@ use ladder_analysis::program::{BlockKind, Location, TagId};
 use ladder_syntax::Name;
 use std::collections::{BTreeMap, HashMap};
 
-/// A place where a user-defined block stands, with tags of its own.
+/// A place where a user-defined block is, with tags of its own.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Instance {
     /// The block's name and a number: `$RAMP#2` is the second place of `$RAMP` in the order of the code. Of a block in the
-    /// body of another, the name of that stands before it: `$OUTER#1.$RAMP#1`.
+    /// body of another, the name of that is before it: `$OUTER#1.$RAMP#1`.
     pub name: String,
     /// The block: index into [`Program::blocks`](ladder_analysis::program::Program::blocks).
     pub block: usize,
-    /// Where it stands.
+    /// Where it is.
     pub location: Location,
-    /// The block, behind those in whose bodies it stands.
+    /// The block, behind those in whose bodies it is.
     pub(super) path: Vec<BlockAt>,
     tags: Vec<(TagId, Home)>,
 }
@@ -32,7 +32,7 @@ impl Instance {
 }
 
 impl Simulation {
-    /// The places where user-defined blocks stand, in the order of the code. A block of another's body has a place for
+    /// The places where user-defined blocks are, in the order of the code. A block of another's body has a place for
     /// each of that one's. What is called by several places has one.
     pub fn instances(&self) -> &[Instance] {
         self.instances.get_or_init(|| self.find_instances())

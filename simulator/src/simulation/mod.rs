@@ -75,7 +75,7 @@ pub struct Simulation {
     pub(crate) open: bool,
     /// What waits for its end.
     pub(crate) pending: Vec<Change>,
-    /// Where user-defined blocks stand, for those who ask.
+    /// Where user-defined blocks are, for those who ask.
     pub(crate) instances: OnceLock<Vec<Instance>>,
     /// Where their bodies' code is, likewise.
     pub(crate) bodies: OnceLock<Bodies>,
@@ -211,7 +211,7 @@ impl Simulation {
     }
 
     /// The value that a text names: `run`, `t1.ET`, `a[3]`, `w.15`, `SYS.SCAN`, in any case; a channel of a port,
-    /// `PORT.ADC[0]`; or a tag of a place where a user-defined block stands, `$RAMP#2.level`, see [`Self::instances`].
+    /// `PORT.ADC[0]`; or a tag of a place where a user-defined block is, `$RAMP#2.level`, see [`Self::instances`].
     ///
     /// # Errors
     /// There is no such value.
@@ -226,7 +226,7 @@ impl Simulation {
     }
 
     /// The value of a place that is written so, if it always is the same one: not `a[i]`, and not the tags of a
-    /// user-defined block's body, of which every place where the block stands has its own.
+    /// user-defined block's body, of which every place where the block is has its own.
     pub fn point_at(&self, place: &Place, written: &str) -> Option<Point> {
         let in_body = |tag: TagId| self.program.tags[tag.0 as usize].block.is_some();
         if place.root().is_some_and(in_body) {

@@ -73,7 +73,7 @@ impl Simulation {
     fn is_reached(&self, element: &ElementPlace) -> bool {
         let network = element.network as usize;
         let machine = &self.machine;
-        // One that a fault stopped stands where it was stopped.
+        // One that a fault stopped is where it was stopped.
         let open = self.open || self.status == Status::Faulted;
         if open {
             let stretch = &self.compiled.stretches[network];

@@ -45,7 +45,7 @@ impl Simulation {
             .count() as u64
     }
 
-    /// Begins a scan that is to be run in steps: it stands in front of the first network. False if the program has
+    /// Begins a scan that is to be run in steps: it is in front of the first network. False if the program has
     /// ended or a fault stopped it. Nothing happens if one is open.
     ///
     /// What of it has run shows in [`Self::value`] and [`Self::power`]; what is set or forced now waits for its end.
@@ -77,7 +77,7 @@ impl Simulation {
 
     /// Goes on up to the next block, into called functions and the bodies of user-defined blocks too. Blocks that do
     /// nothing when they run (`<LBL>`, `<FUN>`, `<NEXT>`, `[PERSIST]`) are passed by. Begins a scan if none is open:
-    /// then it stands in front of the first block.
+    /// then it is in front of the first block.
     pub fn step_block(&mut self) -> Stepped {
         self.step(Until::Block)
     }

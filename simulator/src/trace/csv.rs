@@ -35,7 +35,7 @@ impl super::Write for Csv {
     fn end(&mut self, _: &Header, _: u64, _: &mut String) {}
 }
 
-/// A cell that would end early, or begin a new one, stands in quotes; a quote in it is doubled.
+/// A cell that would end early, or begin a new one, is in quotes; a quote in it is doubled.
 fn push_cell(text: &str, out: &mut String) {
     if !text.contains([',', '"', '\n', '\r']) {
         out.push_str(text);

@@ -74,7 +74,7 @@ pub struct Trace {
 }
 
 impl Trace {
-    /// A trace of some points, by the names that it is to show. What stands before the first row goes to `out`.
+    /// A trace of some points, by the names that it is to show. What is before the first row goes to `out`.
     pub fn begin(
         format: Format,
         program: &str,
@@ -115,7 +115,7 @@ impl Trace {
         self.scans += 1;
     }
 
-    /// Writes what stands behind the last row.
+    /// Writes what is behind the last row.
     pub fn end(mut self, out: &mut String) {
         self.writer.end(&self.header, self.scans, out);
     }

@@ -26,13 +26,13 @@ pub struct Timing {
 /// One line of a timing diagram.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Lane {
-    /// What stands at its left.
+    /// What is at its left.
     pub name: String,
     /// What it draws.
     pub signal: Signal,
 }
 
-/// What a lane draws. A change is a column and what holds from there on; the first stands at column 0.
+/// What a lane draws. A change is a column and what holds from there on; the first is at column 0.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Signal {
     /// A waveform.
@@ -95,7 +95,7 @@ impl Write for Recorder {
     }
 }
 
-/// A value as it stands in a bus: `1s500ms` is a time even without its type.
+/// A value as it is in a bus: `1s500ms` is a time even without its type.
 fn shown(value: &Value, ty: Scalar) -> String {
     let text = value_text::display(value, ty);
     match text.strip_prefix("T#") {

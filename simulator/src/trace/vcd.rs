@@ -2,7 +2,7 @@
 //!
 //! BOOL is a wire, integers and bit strings are vectors of their width, reals are reals, and TIME is a real number
 //! of milliseconds, so that a viewer can draw a timer as a ramp. Texts and dates are strings, a kind that GTKWave
-//! added. Members stand in a scope of their tag's name: `warmup.ET` is `ET` in `warmup`.
+//! added. Members are in a scope of their tag's name: `warmup.ET` is `ET` in `warmup`.
 
 use super::{Header, Write};
 use crate::value_text;
@@ -68,7 +68,7 @@ impl Write for Vcd {
     }
 }
 
-/// What stands under one name.
+/// What is under one name.
 #[derive(Debug, Default)]
 struct Scope {
     /// Names, and their tags by number.
@@ -94,7 +94,7 @@ impl Scope {
     }
 }
 
-/// The scopes a name stands in, and its last part. The point in `%IX0.3` belongs to the name.
+/// The scopes a name is in, and its last part. The point in `%IX0.3` belongs to the name.
 fn path(name: &str) -> (Vec<&str>, &str) {
     if name.starts_with('%') {
         return (Vec::new(), name);

@@ -104,7 +104,7 @@ fn what_stands_elsewhere_goes_on() {
 #[test]
 fn edges_belong_to_their_place() {
     let old = "+--[ ]( a )--[OSR]--[ADD]( n, n, 1 )--+\n+--[P]( a )--[ADD]( m, m, 1 )--+\n+--[ ]( a )--(P)( y )--+\n";
-    // All of them have seen `a` high: none sees a rise again, wherever it stands now.
+    // All of them have seen `a` high: none sees a rise again, wherever it is now.
     check(
         old,
         "a _--",

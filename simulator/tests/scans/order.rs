@@ -142,7 +142,7 @@ fn a_jump_out_of_a_branch_leaves_the_whole_network() {
     assert_eq!(order_of(drawing), "125");
 }
 
-/// The branch writes m before the contact that stands right of the join reads it: y follows at once.
+/// The branch writes m before the contact that is right of the join reads it: y follows at once.
 #[test]
 fn a_write_in_a_branch_is_seen_behind_the_join() {
     check(
@@ -172,7 +172,7 @@ fn a_read_above_comes_before_the_write_below() {
     );
 }
 
-/// Side by side: the coil of the first branch is read by the second, and by what stands between them.
+/// Side by side: the coil of the first branch is read by the second, and by what is between them.
 #[test]
 fn side_by_side_writes_are_seen_to_the_right() {
     check(

@@ -57,7 +57,7 @@ fn the_first_place_of_a_block_is_shown() {
     );
 }
 
-/// A fault behind which more contacts stand: what the block would have left stays away.
+/// A fault behind which more contacts are: what the block would have left stays away.
 #[test]
 fn a_fault_leaves_a_coil_without_power() {
     check(

@@ -279,7 +279,7 @@ fn fun_in_the_body_of_a_function_shape_defines_a_function_of_the_workspace() {
             k      1 2 3
         "#]],
     );
-    // It ends with the body; what stands behind the definition is the program's.
+    // It ends with the body; what is behind the definition is the program's.
     let behind = "FUNCTION_BLOCK <$Kit>\n+--<FUN>( f )--( )( x )--+\nEND_FUNCTION_BLOCK\n+--( )( y )--+\n";
     check(
         behind,

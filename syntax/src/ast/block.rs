@@ -63,7 +63,7 @@ impl<'g> Block<'g> {
         child(self.0)
     }
 
-    /// The operands in the order in which they stand.
+    /// The operands in the order in which they are.
     pub fn operands(&self) -> impl Iterator<Item = Operand<'g>> + use<'g> {
         self.operand_list().into_iter().flat_map(|list| list.operands())
     }
@@ -93,7 +93,7 @@ impl<'g> BlockHead<'g> {
 }
 
 impl<'g> OperandList<'g> {
-    /// The operands in the order in which they stand.
+    /// The operands in the order in which they are.
     pub fn operands(&self) -> impl Iterator<Item = Operand<'g>> + use<'g> {
         self.0.children().filter_map(Operand::cast)
     }

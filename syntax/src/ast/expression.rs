@@ -105,7 +105,7 @@ fn is_operator(kind: SyntaxKind) -> bool {
 }
 
 impl<'g> MemberExpression<'g> {
-    /// What stands before the point.
+    /// What is before the point.
     pub fn base(&self) -> Option<Expression<'g>> {
         child_expression(self.0, 0)
     }
@@ -119,7 +119,7 @@ impl<'g> MemberExpression<'g> {
 }
 
 impl<'g> IndexExpression<'g> {
-    /// What stands before the bracket.
+    /// What is before the bracket.
     pub fn base(&self) -> Option<Expression<'g>> {
         child_expression(self.0, 0)
     }
@@ -177,7 +177,7 @@ impl<'g> BinaryExpression<'g> {
 }
 
 impl<'g> ParenExpression<'g> {
-    /// What stands in the parentheses.
+    /// What is in the parentheses.
     pub fn inner(&self) -> Option<Expression<'g>> {
         child_expression(self.0, 0)
     }

@@ -54,13 +54,13 @@ fn child_expression(node: NodeView<'_>, nth: usize) -> Option<Expression<'_>> {
     node.children().filter_map(Expression::cast).nth(nth)
 }
 
-/// The expression that stands before the first token of a kind; none if the token is first.
+/// The expression that is before the first token of a kind; none if the token is first.
 fn expression_before(node: NodeView<'_>, kind: impl Fn(SyntaxKind) -> bool) -> Option<Expression<'_>> {
     let end = node.tokens().find(|t| kind(t.kind()))?.text_range().start();
     child_expression(node, 0).filter(|e| e.range().end() <= end)
 }
 
-/// The expression that stands behind the first token of a kind.
+/// The expression that is behind the first token of a kind.
 fn expression_behind(node: NodeView<'_>, kind: impl Fn(SyntaxKind) -> bool) -> Option<Expression<'_>> {
     let start = node.tokens().find(|t| kind(t.kind()))?.text_range().end();
     node.children()

@@ -1,6 +1,6 @@
 //! Nodes and tokens as the green tree holds them, with their places: a reference and an offset each.
 //!
-//! rowan's own cursor knows its parents and allocates for each node it stands on. What is read downwards only, for
+//! rowan's own cursor knows its parents and allocates for each node it is on. What is read downwards only, for
 //! every block of every check, needs neither.
 
 use crate::SyntaxKind;
@@ -35,7 +35,7 @@ impl<'g> NodeView<'g> {
         SyntaxKind::from_raw(self.green.kind())
     }
 
-    /// Where it stands.
+    /// Where it is.
     pub fn range(self) -> TextRange {
         TextRange::at(self.start, self.green.text_len())
     }
@@ -88,7 +88,7 @@ impl<'g> TokenView<'g> {
         self.green.text()
     }
 
-    /// Where it stands.
+    /// Where it is.
     pub fn text_range(self) -> TextRange {
         TextRange::at(self.start, self.green.text_len())
     }

@@ -167,7 +167,7 @@ fn block_name<B: Builder>(p: &mut Parser<'_, '_, B>, start: usize, end: usize) {
     }
 }
 
-/// What stands directly before a place in an operand list.
+/// What is directly before a place in an operand list.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Before {
     Opening,

@@ -177,11 +177,11 @@ fn line_end<B: Builder>(p: &mut Parser<'_, '_, B>) {
     }
 }
 
-/// Takes what stands here up to the line end as one mistake, if something does.
+/// Takes what is here up to the line end as one mistake, if something does.
 fn rest_of_line<B: Builder>(p: &mut Parser<'_, '_, B>, problem: DeclarationProblem) {
     blanks(p);
     let from = p.at;
-    // A drawing or a keyword is a line of its own, which says that it should stand on one.
+    // A drawing or a keyword is a line of its own, which says that it should be on one.
     if begins_drawing(p.byte(from)) || p.byte(from) == b'-' || keyword_at(p.text, from).is_some() {
         return;
     }

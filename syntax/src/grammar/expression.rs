@@ -4,7 +4,7 @@
 //! (to the right); unary `-` and `NOT`.
 //!
 //! White space and comments between two parts of an expression belong to the innermost node that holds both;
-//! those behind it belong to what it stands in.
+//! those behind it belong to what it is in.
 
 use super::{MAX_DEPTH, MAX_TERMS, Parser, recovery};
 use crate::builder::Builder;
@@ -89,7 +89,7 @@ const fn missing(place: OperandPlace) -> SyntaxErrorKind {
     SyntaxErrorKind::MissingOperand { place }
 }
 
-/// An expression that must stand here.
+/// An expression that must be here.
 pub(super) fn value<B: Builder>(p: &mut Parser<'_, '_, B>, floor: u8, place: OperandPlace) {
     if p.drawing_goes_on() {
         p.error_behind(missing(place));
@@ -120,7 +120,7 @@ fn binding<B: Builder>(p: &mut Parser<'_, '_, B>) -> u8 {
             [b'A' | b'a', ..] => 3,
             [b'S' | b's', ..] => 6,
             [b'M' | b'm', ..] => 8,
-            // NOT stands before its only operand.
+            // NOT is before its only operand.
             _ => 0,
         },
         SyntaxKind::EQUAL | SyntaxKind::NOT_EQUAL => 4,
@@ -179,7 +179,7 @@ fn prefix<B: Builder>(p: &mut Parser<'_, '_, B>) {
     }
 }
 
-/// What stands behind a `+` that is no operator; a second one lacks the value before it.
+/// What is behind a `+` that is no operator; a second one lacks the value before it.
 fn prefix_behind_plus<B: Builder>(p: &mut Parser<'_, '_, B>) {
     p.space();
     if p.next() == SyntaxKind::MINUS {
@@ -232,7 +232,7 @@ fn postfix<B: Builder>(p: &mut Parser<'_, '_, B>) {
     }
 }
 
-/// What stands between the brackets of an index: `i`, `3..9`.
+/// What is between the brackets of an index: `i`, `3..9`.
 fn index<B: Builder>(p: &mut Parser<'_, '_, B>, from: usize) {
     p.space();
     let checkpoint = p.checkpoint();

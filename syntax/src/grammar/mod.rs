@@ -86,7 +86,7 @@ impl<'t, 'b, B: Builder> Parser<'t, 'b, B> {
         }
     }
 
-    /// The byte at a place; 0 behind the end, which is junk wherever it stands.
+    /// The byte at a place; 0 behind the end, which is junk wherever it is.
     fn byte(&self, at: usize) -> u8 {
         self.text.as_bytes().get(at).copied().unwrap_or(0)
     }
@@ -230,7 +230,7 @@ impl<'t, 'b, B: Builder> Parser<'t, 'b, B> {
         self.error_ahead(SyntaxErrorKind::BadDeclaration(problem));
     }
 
-    /// Records characters that mean nothing where they stand. What only blanks part is one mistake.
+    /// Records characters that mean nothing where they are. What only blanks part is one mistake.
     fn unexpected(&mut self, place: Surroundings, from: usize, to: usize) {
         let place = if self.free_form {
             Surroundings::Declaration

@@ -1,7 +1,7 @@
 //! Where a bracket that was never closed ends.
 //!
 //! A mistake must not take the rest of the rung with it: an operand list without its `)` ends where the drawing
-//! goes on. But `-`, `+`, `[` and `/` also stand in expressions, so these guesses are made only where the
+//! goes on. But `-`, `+`, `[` and `/` also are in expressions, so these guesses are made only where the
 //! parentheses of the line do not pair: in text without mistakes nothing is ever guessed.
 
 use super::Parser;
@@ -105,7 +105,7 @@ fn begins_wire(text: &str, at: usize) -> bool {
     }
 }
 
-/// Whether nothing but blanks and rails stands between `at` and the line's end.
+/// Whether nothing but blanks and rails is between `at` and the line's end.
 fn ends_line(text: &str, at: usize) -> bool {
     let rest = text[at..].trim_start_matches([' ', '\t', '|']);
     rest.is_empty() || rest.starts_with(['\n', '\r'])
@@ -131,7 +131,7 @@ fn begins_block(text: &str, at: usize) -> bool {
 /// How far a first part or an index is searched for its closing bracket.
 const REACH: usize = 64;
 
-/// Where the closing bracket stands, if what stands before it on the line is not drawing or another list. Then
+/// Where the closing bracket is, if what is before it on the line is not drawing or another list. Then
 /// that is no lack of a bracket, but characters that mean nothing.
 pub(super) fn closing_behind_junk(text: &str, at: usize, closing: u8) -> Option<usize> {
     let end = text.len().min(at + REACH);

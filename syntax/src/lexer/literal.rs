@@ -47,7 +47,7 @@ pub(super) fn literal_end(text: &str, at: usize) -> usize {
     }
 }
 
-/// Whether the `#` at `at` stands directly behind a letter or digit.
+/// Whether the `#` at `at` is directly behind a letter or digit.
 pub(super) fn takes_hash(text: &str, at: usize) -> bool {
     text[..at].ends_with(char::is_alphanumeric)
 }

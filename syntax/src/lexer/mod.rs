@@ -134,7 +134,7 @@ pub(crate) fn in_operands(text: &str, at: usize) -> Token {
     (kind, at + len)
 }
 
-/// A name, a word operator, TRUE or FALSE; or a literal when a `#` stands directly behind a letter or digit.
+/// A name, a word operator, TRUE or FALSE; or a literal when a `#` is directly behind a letter or digit.
 fn word(text: &str, at: usize) -> Token {
     let Some(end) = identifier_end(text, at) else {
         return (ERROR, junk_end(text, at));
@@ -239,7 +239,7 @@ pub(crate) fn identifier_end(text: &str, at: usize) -> Option<usize> {
     Some(word_end(text, at))
 }
 
-/// Where a run of characters that may stand in an identifier ends.
+/// Where a run of characters that may be in an identifier ends.
 pub(crate) fn word_end(text: &str, at: usize) -> usize {
     // Nearly every name is ASCII; the rest goes through the tables.
     let bytes = text.as_bytes();

@@ -6,7 +6,7 @@ use ladder_syntax::{Builder, LineReader, Lines, NodeOrToken, SyntaxKind, parse, 
 use proptest::prelude::*;
 use std::ops::Range;
 
-/// What stands directly on lines: kinds and places.
+/// What is directly on lines: kinds and places.
 #[derive(Default)]
 struct OnLines {
     open: u32,

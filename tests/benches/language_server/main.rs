@@ -4,7 +4,7 @@
 //! Five kinds of programs are opened in `ladder lsp`. A letter is typed in the middle again and again, in a number, in the
 //! name of an operand and in a declaration; each time until the diagnostics of that very version arrive. Then everything
 //! else is asked, some of it at once behind the edit, as an editor does, some once the diagnostics are there. Beside it
-//! stands the bare limit: the round trip of a request that the server does not know, which has the same framing, pipes and
+//! is the bare limit: the round trip of a request that the server does not know, which has the same framing, pipes and
 //! scheduling, and no work.
 //!
 //! Run with `cargo build --release -p ladder-cli --bins && cargo bench -p ladder-tests --bench language_server`. Numbers

@@ -55,7 +55,7 @@ return function(t, messages)
     t.equal('the number of scans', 3, ladder.state().scan)
   end)
 
-  t.step('values stand beside their operands, where they can be seen', function()
+  t.step('values are beside their operands, where they can be seen', function()
     local bufnr = t.open('motor.clad')
     vim.cmd('Ladder start')
     vim.cmd('Ladder set start 1')

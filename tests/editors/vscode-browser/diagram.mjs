@@ -57,7 +57,7 @@ export const programs = {
 
 export async function diagram(page, { step, until, screenshot }) {
     let frame;
-    await step('the diagram stands beside the text, and shows the power', async () => {
+    await step('the diagram is beside the text, and shows the power', async () => {
         await openFirst(page, 'motor.clad');
         // A hint at a tab would lie over the diagram.
         await page.mouse.move(0, 0);

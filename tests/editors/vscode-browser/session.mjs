@@ -1,5 +1,5 @@
 // Opens VS Code (code-server) in a headless browser with the packaged extension, lets the probe run in the extension
-// host, and looks at the page: what has power must be bold, and values must stand behind the lines.
+// host, and looks at the page: what has power must be bold, and values must be behind the lines.
 import assert from 'node:assert/strict';
 import { cpSync, readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
@@ -53,7 +53,7 @@ function weights(page, start) {
     }, start);
 }
 
-/** Where values stand on the page: pseudo-elements, which have no place of their own to be asked for. */
+/** Where values are on the page: pseudo-elements, which have no place of their own to be asked for. */
 function labels(page, text) {
     return page.evaluate((wanted) => {
         const found = [];
@@ -68,7 +68,7 @@ function labels(page, text) {
     }, text);
 }
 
-/** Where an operand stands on the page, and where the part of the editor ends that is not covered. */
+/** Where an operand is on the page, and where the part of the editor ends that is not covered. */
 function operandBox(page, name) {
     return page.evaluate((wanted) => {
         const root = document.querySelector('.editor-group-container .monaco-editor');
@@ -102,7 +102,7 @@ async function look(page) {
         const underlined = rung.filter(({ line }) => line.includes('underline')).map(({ text }) => text.trim());
         assert.equal(underlined.join('').replaceAll(' ', ''), '[](start)[/](stop)');
     });
-    await step('a value stands above its operand, and can be seen', async () => {
+    await step('a value is above its operand, and can be seen', async () => {
         const [box] = await labels(page, '20ms');
         assert.ok(box, 'there is no such value');
         // The value hangs on the first letter.
@@ -198,7 +198,7 @@ async function operate(page) {
     });
 }
 
-/** The page of a view, which stands in a frame of a frame. */
+/** The page of a view, which is in a frame of a frame. */
 const inView = (page) => page.frameLocator('iframe.webview.ready').frameLocator('#active-frame');
 
 /** The scan that the status bar tells. */

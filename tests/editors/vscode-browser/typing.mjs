@@ -1,4 +1,4 @@
-// A diagram typed by hand: keys are pressed in the page, and what stands in the editor is looked at.
+// A diagram typed by hand: keys are pressed in the page, and what is in the editor is looked at.
 import assert from 'node:assert/strict';
 
 import { open } from './palette.mjs';

@@ -1,9 +1,9 @@
 //! How bytes become texts, numbers and edits.
 //!
-//! Most inputs are texts that a person can read. Where more than one thing is asked for, a line `%%` stands between
+//! Most inputs are texts that a person can read. Where more than one thing is asked for, a line `%%` is between
 //! them.
 
-/// What stands between the parts of an input.
+/// What is between the parts of an input.
 const SEPARATOR: &[u8] = b"\n%%\n";
 
 /// The parts of an input; always one, which may be empty.

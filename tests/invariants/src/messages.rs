@@ -33,7 +33,7 @@ pub(crate) fn check(data: &[u8]) {
     let runtime = runtime.expect("a runtime");
     runtime.block_on(async {
         admitted(data).await;
-        // A header in a body may take the place of the one that follows, and swallow what stands behind it.
+        // A header in a body may take the place of the one that follows, and swallow what is behind it.
         let has_headers = data
             .to_ascii_lowercase()
             .windows(HEADER.len())

@@ -83,7 +83,7 @@ fn is_external(link: &str) -> bool {
 
 /// A path as it is seen from the folder of a file, without `..` in it.
 fn beside(file: &Path, path: &str) -> PathBuf {
-    let mut whole = file.parent().expect("a file stands in a folder").to_owned();
+    let mut whole = file.parent().expect("a file is in a folder").to_owned();
     for component in Path::new(path).components() {
         match component {
             Component::ParentDir => {

@@ -1,6 +1,6 @@
-//! The programs in the book hold no mistakes and stand in the canonical layout.
+//! The programs in the book hold no mistakes and are in the canonical layout.
 //!
-//! Every block that is marked `clad` is one program. Behind the language may stand:
+//! Every block that is marked `clad` is one program. Behind the language may be:
 //!
 //! - `wrong`: it shows a mistake, and `ladder check` finds something;
 //! - `sketch`: it is not in the canonical layout, to show something about the drawing.

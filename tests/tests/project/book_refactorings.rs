@@ -1,7 +1,7 @@
 //! The pairs of drawings in the book that show what a code action does: the second is what the action makes of the first.
 //!
-//! Above the first stands `<!-- refactoring: TITLE | TEXT -->`: how the action's title begins, and where it is asked for:
-//! at a text that stands in the first drawing (`( stop`: in the middle of it), or with that text selected, if it holds a
+//! Above the first is `<!-- refactoring: TITLE | TEXT -->`: how the action's title begins, and where it is asked for:
+//! at a text that is in the first drawing (`( stop`: in the middle of it), or with that text selected, if it holds a
 //! whole block. `UPDATE_EXPECT=1 cargo test -p ladder-tests` writes the second drawings into the page.
 
 use ladder_analysis::analyze;
@@ -16,7 +16,7 @@ use std::sync::Arc;
 fn done(text: &str, title: &str, place: &str) -> String {
     let at = text
         .find(place)
-        .unwrap_or_else(|| panic!("`{place}` does not stand in\n{text}"));
+        .unwrap_or_else(|| panic!("`{place}` is not in\n{text}"));
     let (start, end) = (TextSize::new(at as u32), TextSize::new((at + place.len()) as u32));
     let range = if place.contains(")--") || place.ends_with(" )") {
         TextRange::new(start, end)
@@ -50,12 +50,12 @@ fn drawings_show_what_actions_do() {
         let (title, place) = rest
             .split_once(" -->")
             .and_then(|(rest, _)| rest.split_once(" | "))
-            .unwrap_or_else(|| panic!("a title and a place stand in the comment: {rest:.40}"));
+            .unwrap_or_else(|| panic!("a title and a place are in the comment: {rest:.40}"));
         let mut behind = fences
             .iter()
             .filter(|fence| fence.line > text[..at].lines().count());
         let (Some(before), Some(after)) = (behind.next(), behind.next()) else {
-            panic!("two drawings stand below {title}");
+            panic!("two drawings are below {title}");
         };
         let made = done(&before.text, title, place);
         if made != after.text {

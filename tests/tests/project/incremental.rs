@@ -394,7 +394,7 @@ fn findings_whose_reasons_stand_elsewhere() {
 #[test]
 fn edits_that_decide_about_other_networks() {
     let network = |drawn: &str| format!("+--[ ]( first )--( )( second )--+\n\n{drawn}\n");
-    // Messages spell a tag as it stands first.
+    // Messages spell a tag as it is first.
     let spelled = |name| {
         network(&format!(
             "+--[ ]( {name} )--( )( x )--+\n\n+--[ ]( a )--( )( m )--[/]( m )--( )( y )--+"

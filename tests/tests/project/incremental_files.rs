@@ -195,7 +195,7 @@ fn edits_of_several_files() {
     }
 }
 
-/// Letters come and go in networks of a file while a global that they name stands in another.
+/// Letters come and go in networks of a file while a global that they name is in another.
 #[test]
 fn typing_in_a_file_that_sees_another() {
     for seed in 0..asked(40) / 4 {

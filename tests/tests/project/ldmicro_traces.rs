@@ -326,7 +326,7 @@ fn changes(line: &str) -> Vec<&str> {
     let mut rest = line;
     while let Some(start) = rest.find(|c: char| c != ' ') {
         rest = &rest[start..];
-        // A blank may stand between the quotes.
+        // A blank may be between the quotes.
         let end = match rest.find("=\"") {
             Some(at) if !rest[..at].contains(' ') => {
                 at + 2

@@ -24,7 +24,7 @@ struct Says {
     others: &'static [(&'static str, &'static str)],
     /// Blocks that decide; `{}` is a bit that is read, `{n}` a number, `{#}` a number of the generator's own.
     conditions: &'static [&'static str],
-    /// Blocks that stand last; `{y}` is a bit that is written, `{m}` a number.
+    /// Blocks that are last; `{y}` is a bit that is written, `{m}` a number.
     actions: &'static [&'static str],
     /// Blocks with a tag of their own: its letter, its type, the block.
     states: &'static [(&'static str, &'static str, &'static str)],
@@ -339,7 +339,7 @@ impl Says {
         let mut networks = Vec::new();
         for _ in 0..=dice.below(6) {
             networks.push(Item::Blank);
-            // What stands above the first network may be said of the whole program.
+            // What is above the first network may be said of the whole program.
             let comments = if networks.len() > 1 && dice.one_in(4) {
                 vec!["What this one does".to_owned()]
             } else {
@@ -499,7 +499,7 @@ impl Maker<'_> {
     }
 }
 
-/// Parts in series, with what stands in series among them.
+/// Parts in series, with what is in series among them.
 fn flat(parts: Vec<Circuit<Element>>) -> Circuit<Element> {
     let mut out = Vec::new();
     for part in parts {
@@ -543,7 +543,7 @@ fn check(says: &Says) {
         let back = convert(notation, &source, &Options::default());
         let back = back.unwrap_or_else(|error| panic!("{error}\n{shown}\nof\n{text}"));
         let remarks: Vec<_> = back.report.remarks().collect();
-        // A program of Click ends with END, and a counter stands behind an edge: its own software says so.
+        // A program of Click ends with END, and a counter is behind an edge: its own software says so.
         let findings = back.findings.iter().filter(|_| says.rungs == Rungs::Any).count();
         assert!(
             remarks.is_empty() && findings == 0,

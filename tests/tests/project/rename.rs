@@ -114,7 +114,7 @@ fn sorted_and_apart(edits: &[Edit]) {
     }
 }
 
-/// Renames what stands at an offset; the old name and the new text, or none if that is refused.
+/// Renames what is at an offset; the old name and the new text, or none if that is refused.
 fn renamed(text: &str, offset: TextSize, new: &str) -> Option<(String, String)> {
     let analysis = analyze(&Arc::new(parse(text)), "program");
     let old = prepare_rename(&analysis.context, offset).ok()??.name;

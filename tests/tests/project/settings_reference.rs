@@ -10,7 +10,7 @@ use ladder_workspace::{EditorSettings, Settings, Tree};
 use serde_json::Value;
 use std::path::Path;
 
-/// The text with what stands behind `begin`, up to `end`, replaced.
+/// The text with what is behind `begin`, up to `end`, replaced.
 fn replaced(text: &str, begin: &str, end: &str, new: &str) -> String {
     let start = text.find(begin).unwrap_or_else(|| panic!("{begin} is missing")) + begin.len();
     let length = text[start..]

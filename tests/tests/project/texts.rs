@@ -1,4 +1,4 @@
-//! The project's texts stand on their own: they name no places that only one machine has.
+//! The project's texts are on their own: they name no places that only one machine has.
 
 use ladder_tests::project;
 use std::path::PathBuf;

@@ -1,7 +1,7 @@
 //! What an editor's own settings say.
 //!
-//! What must be the same for everybody who works on a project stands in its `ladder.toml`, and nothing in an editor
-//! changes it. An editor decides what is shown to the person at the screen; for programs that no `ladder.toml` stands
+//! What must be the same for everybody who works on a project is in its `ladder.toml`, and nothing in an editor
+//! changes it. An editor decides what is shown to the person at the screen; for programs that no `ladder.toml` is
 //! above it may say the rest too.
 
 use super::Settings;
@@ -17,7 +17,7 @@ pub struct EditorSettings {
     pub inlay_hints: bool,
     /// Whether commands are shown above networks.
     pub code_lens: bool,
-    /// What holds for programs that no `ladder.toml` stands above.
+    /// What holds for programs that no `ladder.toml` is above.
     pub project: Settings,
 }
 

@@ -4,7 +4,7 @@ use std::ops::Range;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
-/// A value and where it stands.
+/// A value and where it is.
 #[derive(Debug, Clone)]
 pub(super) struct Given {
     /// In bytes of the file; in an editor's settings the number of the path, see [`Paths`].
@@ -28,7 +28,7 @@ pub(super) enum Value {
 #[derive(Debug, Clone)]
 pub(super) struct Entry {
     pub(super) key: String,
-    /// Where the key stands.
+    /// Where the key is.
     pub(super) range: Range<usize>,
     pub(super) given: Given,
 }

@@ -1,6 +1,6 @@
 //! The settings file of a workspace, `ladder.toml` (LANGUAGE §9).
 //!
-//! Every key may be left out. What the command line gives wins over what stands here.
+//! Every key may be left out. What the command line gives wins over what is here.
 
 mod editor;
 mod error;

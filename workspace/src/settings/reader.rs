@@ -34,7 +34,7 @@ impl Source {
     fn elsewhere(self) -> &'static str {
         match self {
             Source::File => "every person sets it in the settings of the editor",
-            Source::Editor => "it must be the same for everybody, and stands in ladder.toml",
+            Source::Editor => "it must be the same for everybody, and is in ladder.toml",
         }
     }
 }
@@ -230,7 +230,7 @@ impl Table {
         }
     }
 
-    /// Where it stands.
+    /// Where it is.
     pub(super) fn range(&self) -> Range<usize> {
         self.range.clone()
     }

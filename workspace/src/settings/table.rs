@@ -63,7 +63,7 @@ pub enum Kind {
 pub enum SetBy {
     /// The project: only `ladder.toml`.
     File,
-    /// The project. What an editor says holds for programs that no `ladder.toml` stands above.
+    /// The project. What an editor says holds for programs that no `ladder.toml` is above.
     FileOrEditor,
     /// The person at the screen: only the editor.
     Editor,
@@ -179,7 +179,7 @@ pub(super) const INLAY_HINTS: Setting = Setting {
     place: SetBy::Editor,
     default: Some("false"),
     example: "true",
-    about: "Hints at the ends of lines. They never stand within a drawing, whose columns they would shift.",
+    about: "Hints at the ends of lines. They never are within a drawing, whose columns they would shift.",
 };
 
 pub(super) const CODE_LENS: Setting = Setting {

@@ -47,7 +47,7 @@ enum Sink {
     Beside(Beside),
     /// The file must stay the one that it is.
     InPlace(InPlace),
-    /// To replace a device or a pipe by a file would break what stands behind it.
+    /// To replace a device or a pipe by a file would break what is behind it.
     Through(File),
 }
 

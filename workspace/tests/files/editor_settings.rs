@@ -105,8 +105,8 @@ fn what_must_be_the_same_for_everybody_is_not_set_in_an_editor() {
             ("simulate", table(&[("retain", text("plant.retain"))])),
         ]),
         expect![[r#"
-            `ladder.workspace`: `workspace` is no setting: it must be the same for everybody, and stands in ladder.toml
-            `ladder.simulate.retain`: `retain` is no setting in [simulate]: it must be the same for everybody, and stands in ladder.toml
+            `ladder.workspace`: `workspace` is no setting: it must be the same for everybody, and is in ladder.toml
+            `ladder.simulate.retain`: `retain` is no setting in [simulate]: it must be the same for everybody, and is in ladder.toml
         "#]],
     );
 }

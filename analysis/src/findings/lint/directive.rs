@@ -11,13 +11,13 @@ use ladder_syntax::{TextRange, TextSize};
 /// What a comment asks for.
 #[derive(Debug, PartialEq, Eq)]
 pub(super) enum Directive {
-    /// Switch rules off for what stands next, or for the file.
+    /// Switch rules off for what is next, or for the file.
     Allow { rules: Vec<Rule>, file: bool },
     /// Something else that the tools know: `fmt off`, `profile iec`.
     Known,
 }
 
-/// Reads a comment that stands at `at`. None: it does not speak to the tools. What is wrong goes to `out`.
+/// Reads a comment that is at `at`. None: it does not speak to the tools. What is wrong goes to `out`.
 pub(super) fn read(comment: &str, at: TextSize, out: &mut Vec<Diagnostic>) -> Option<Directive> {
     let Asked { word: name, behind } = asked(comment)?;
     let place = TextRange::at(at, TextSize::of(comment));
@@ -51,7 +51,7 @@ pub(super) fn read(comment: &str, at: TextSize, out: &mut Vec<Diagnostic>) -> Op
 fn rules(text: &str, place: TextRange, out: &mut Vec<Diagnostic>) -> Option<Vec<Rule>> {
     const FORM: &str = "write it as in `# ladder: allow(double-coil): reason #`";
     let Some((names, reason)) = text.strip_prefix('(').and_then(|text| text.split_once(')')) else {
-        out.push(bad(place, "the rules to switch off stand in parentheses").help(FORM));
+        out.push(bad(place, "the rules to switch off belong in parentheses").help(FORM));
         return None;
     };
     let mut rules = Vec::new();

@@ -1,4 +1,4 @@
-//! Where the comments stand that switch rules off, and what each of them covers.
+//! Where the comments are that switch rules off, and what each of them covers.
 
 use super::directive::{self, Directive};
 use crate::context::Context;
@@ -17,7 +17,7 @@ pub(super) struct Allow {
     pub(super) covers: TextRange,
     /// That is the whole file.
     pub(super) whole_file: bool,
-    /// What to take out to be rid of the comment: its line, if nothing else stands there.
+    /// What to take out to be rid of the comment: its line, if nothing else is there.
     pub(super) removal: Option<TextRange>,
 }
 
@@ -33,7 +33,7 @@ pub(super) struct Switched {
 pub(super) fn allows(context: &Context, out: &mut Vec<Diagnostic>) -> Vec<Allow> {
     let parse = &context.parse;
     let mut allows = Vec::new();
-    // Comments between the things of a file: they speak of what stands next.
+    // Comments between the things of a file: they speak of what is next.
     let items = &parse.structure().items;
     // The next such thing, and which item it is.
     let mut known: Option<(usize, TextRange)> = None;
@@ -46,7 +46,7 @@ pub(super) fn allows(context: &Context, out: &mut Vec<Diagnostic>) -> Vec<Allow>
                     let mut behind = items.iter().enumerate().skip(index + 1);
                     let found =
                         behind.find_map(|(at, item)| covered(context, *item).map(|range| (at, range)));
-                    // Nothing stands behind: that stays so.
+                    // Nothing is behind: that stays so.
                     let (at, range) = found.unwrap_or((items.len(), TextRange::default()));
                     known = Some((at, range));
                     range

@@ -9,7 +9,7 @@ use std::collections::BTreeMap;
 pub(super) struct Switches {
     /// In the whole file; with it whether it would have found something.
     everywhere: BTreeMap<Rule, bool>,
-    /// In a network, section or line, by its place. Of these none reaches into another, so that few of them stand
+    /// In a network, section or line, by its place. Of these none reaches into another, so that few of them are
     /// around any place.
     local: Vec<Switch>,
 }

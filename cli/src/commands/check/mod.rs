@@ -81,7 +81,7 @@ pub(crate) struct Arguments {
     /// The file that the text from stdin stands for; it need not exist
     ///
     /// Messages have its name, its ladder.toml holds, and the other programs of its workspace are known. Without it the
-    /// text stands alone, under the settings of the current folder.
+    /// text is alone, under the settings of the current folder.
     #[arg(long, value_name = "PATH")]
     stdin_filename: Option<PathBuf>,
 

@@ -56,7 +56,7 @@ pub(super) struct Report {
     renderer: Renderer,
     tally: Tally,
     statistics: bool,
-    /// The results of SARIF, which stand in the middle of its document.
+    /// The results of SARIF, which are in the middle of its document.
     results: Vec<Value>,
 }
 
@@ -155,7 +155,7 @@ impl Report {
         to_writer(&mut self.out, finding)
     }
 
-    /// Writes what stands at the end. Where no file could be checked, nothing is written at all. Also says whether
+    /// Writes what is at the end. Where no file could be checked, nothing is written at all. Also says whether
     /// the reader has gone away.
     pub(super) fn finish(mut self) -> io::Result<(Tally, bool)> {
         let for_people = matches!(self.format, Format::Full | Format::Concise);

@@ -43,7 +43,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     Ok(checked.outcome().max(exit_of(&tally, arguments)))
 }
 
-/// A text with a name is a file of its workspace, as if it had been saved there. One without a name stands alone, for
+/// A text with a name is a file of its workspace, as if it had been saved there. One without a name is alone, for
 /// it may be one of the files around, and would then be there twice; only the settings of the current folder hold.
 fn source(given: Option<&Path>, bytes: Vec<u8>, arguments: &Arguments) -> Result<Source, Failure> {
     let name = stdin::name_or_default(given);

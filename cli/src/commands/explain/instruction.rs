@@ -19,7 +19,7 @@ pub(super) fn find(name: &str) -> Vec<&'static Instruction> {
     }
 }
 
-/// The rows whose title has this word in it: `timer` stands in "On-delay timer".
+/// The rows whose title has this word in it: `timer` is in "On-delay timer".
 pub(super) fn with_word(word: &str) -> impl Iterator<Item = &'static Instruction> {
     let word = word.trim().to_lowercase();
     TABLE.iter().filter(move |row| {

@@ -57,7 +57,7 @@ enum Piece<'m> {
     },
     /// A line of a fenced block.
     Code(&'m str),
-    /// The rows of a table without its head: what stands first, and what stands behind it.
+    /// The rows of a table without its head: what is first, and what is behind it.
     Table(Vec<(String, String)>),
 }
 

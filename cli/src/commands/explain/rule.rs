@@ -25,7 +25,7 @@ pub(super) fn summary(rule: Rule) -> String {
     }
 }
 
-/// The rules whose name has this word in it, as `coil` stands in `double-coil`.
+/// The rules whose name has this word in it, as `coil` is in `double-coil`.
 pub(super) fn with_word(word: &str) -> impl Iterator<Item = &'static str> {
     let word = word.trim().to_lowercase();
     let names = Rule::ALL.iter().map(|rule| rule.name());

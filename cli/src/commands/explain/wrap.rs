@@ -6,7 +6,7 @@ use ladder_format::display_width;
 const LONGEST_SPAN: usize = 40;
 
 /// The text in lines of at most so many columns, each with its line end. The first line begins with `first`, the others
-/// with `rest`. Code between backticks stays together where it can; a word that is wider than a line stands out.
+/// with `rest`. Code between backticks stays together where it can; a word that is wider than a line is out.
 pub(super) fn wrap(text: &str, first: &str, rest: &str, columns: usize) -> String {
     let mut wrapped = first.to_owned();
     let mut used = width(first);

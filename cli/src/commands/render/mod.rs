@@ -77,7 +77,7 @@ pub(crate) struct Arguments {
     #[arg(long)]
     landscape: bool,
 
-    /// What stands at the head of each page of a PDF [default: the program's name]
+    /// What is at the head of each page of a PDF [default: the program's name]
     #[arg(long, value_name = "TEXT")]
     title: Option<String>,
 

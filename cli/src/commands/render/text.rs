@@ -11,7 +11,7 @@ use ladder_syntax::{TextRange, TextSize};
 /// The column of the right rail: what a terminal of 80 columns shows.
 const RAIL: u32 = 78;
 
-/// The diagram of a program, as it is written or as it stands.
+/// The diagram of a program, as it is written or as it is.
 pub(super) fn drawn(source: &Source, simulation: Option<&Simulation>) -> String {
     let context = &source.analyze().context;
     let live = simulation.map(|simulation| live(source, simulation));
@@ -25,7 +25,7 @@ pub(super) fn drawn(source: &Source, simulation: Option<&Simulation>) -> String 
     drawn.collect::<Vec<_>>().join("\n")
 }
 
-/// How the parts of the drawing stand.
+/// How the parts of the drawing are.
 fn live(source: &Source, simulation: &Simulation) -> Live {
     let context = &source.analyze().context;
     let own = simulation.power().filter(|(_, location, _)| location.file == 0);

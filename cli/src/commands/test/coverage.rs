@@ -35,7 +35,7 @@ pub(super) struct CoveredPart {
     pub(super) place: FileRange,
     pub(super) on: bool,
     pub(super) off: bool,
-    /// The network that it stands in is reached.
+    /// The network that it is in is reached.
     pub(super) reached: bool,
 }
 

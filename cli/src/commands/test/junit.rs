@@ -7,7 +7,7 @@ use ladder_workspace::shown;
 use std::fmt::Write as _;
 use std::io::{self, Write};
 
-/// The sums stand at the beginning, so the suites are kept until all are there.
+/// The sums are at the beginning, so the suites are kept until all are there.
 #[derive(Default)]
 pub(super) struct Junit {
     suites: String,

@@ -43,7 +43,7 @@ A file of scenarios, motor.ladder-test, says what goes into a program and what m
   stop    ______-__
   run  => _-----___
 
-One column is one step: _ is low, - is high, . is as before (behind => it is not checked). Numbers stand with
+One column is one step: _ is low, - is high, . is as before (behind => it is not checked). Numbers are with
 blanks between them.
 
 Exit status: 0 all is as expected, 1 a scenario failed, or a scenario file or its program has mistakes, 2 a file
@@ -101,7 +101,7 @@ trait Writer {
     fn end(&mut self, all: &All, out: &mut dyn Write) -> io::Result<()>;
 }
 
-/// What stands at the end.
+/// What is at the end.
 struct All<'c> {
     tally: Tally,
     seconds: f64,

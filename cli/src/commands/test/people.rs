@@ -9,13 +9,13 @@ use ladder_syntax::numeral::counted;
 use ladder_workspace::shown;
 use std::io::{self, Write};
 
-/// What stands before a drawing.
+/// What is before a drawing.
 pub(super) const INDENT: &str = "        ";
 
 pub(super) struct People {
     colours: bool,
     coverage: bool,
-    /// Whether what stands above ends with a blank line.
+    /// Whether what is above ends with a blank line.
     separated: bool,
 }
 

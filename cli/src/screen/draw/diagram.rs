@@ -122,7 +122,7 @@ fn draw_line(buffer: &mut Buffer, pane: Rect, row: u16, line: usize, folding: Fo
         .collect();
     let marks = sheet.marks(line);
     let mut mark = 0;
-    // Where the next character would stand, and where the rail ends.
+    // Where the next character would be, and where the rail ends.
     let (mut end, mut rail) = (0, 0);
     let mut between = Hidden::Nothing;
     let mut hides_a_block = false;
@@ -285,7 +285,7 @@ fn values_width(line: usize, scene: Scene) -> u16 {
         .unwrap_or(0)
 }
 
-/// The values behind the end of a line. What stands there is a comment, and gives way.
+/// The values behind the end of a line. What is there is a comment, and gives way.
 fn draw_values(buffer: &mut Buffer, pane: Rect, row: u16, column: u16, line: usize, scene: Scene) {
     let Scene { plant, theme, .. } = scene;
     let mut column = column;

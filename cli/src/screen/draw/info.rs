@@ -110,7 +110,7 @@ pub(super) fn draw(buffer: &mut Buffer, pane: Rect, scene: Scene) -> Option<Posi
     None
 }
 
-/// What is wrong with what was typed, over whatever stands there.
+/// What is wrong with what was typed, over whatever is there.
 fn draw_above(buffer: &mut Buffer, pane: Rect, problem: &str, scene: Scene) {
     if pane.y > scene.view.area.y {
         let above = Rect {

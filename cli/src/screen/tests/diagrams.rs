@@ -4,7 +4,7 @@ use super::{Bench, MOTOR, styles};
 use crate::screen::theme::Charset;
 use expect_test::expect;
 
-/// The first input stands far to the right: what the rung decides by is seen first all the same.
+/// The first input is far to the right: what the rung decides by is seen first all the same.
 #[test]
 fn a_wide_rung_begins_at_its_left() {
     let text = "\

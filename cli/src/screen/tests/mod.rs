@@ -1,4 +1,4 @@
-//! Screens as people see them: a program, what is pressed, and what stands on the terminal then.
+//! Screens as people see them: a program, what is pressed, and what is on the terminal then.
 
 mod book;
 mod diagrams;
@@ -209,12 +209,12 @@ fn press(app: &mut App, code: KeyCode, modifiers: KeyModifiers) -> Next {
     app.handle(&Event::Key(KeyEvent::new(code, modifiers)))
 }
 
-/// What stands on the screen.
+/// What is on the screen.
 pub(super) fn characters(buffer: &Buffer) -> String {
     grid(buffer, |buffer, x, y| buffer[(x, y)].symbol().to_owned())
 }
 
-/// How it stands there: `R` reversed, `B` bold, `D` dim, `U` underlined; with colours their first letters, `g` green,
+/// How it is there: `R` reversed, `B` bold, `D` dim, `U` underlined; with colours their first letters, `g` green,
 /// `y` on yellow, `r` on red, `c` cyan.
 pub(super) fn styles(buffer: &Buffer) -> String {
     grid(buffer, |buffer, x, y| {

@@ -201,7 +201,7 @@ fn finding_tags() {
     bench.check_info(
         "/ 'run' enter",
         expect![[r#"
-            | run stands in 3 blocks: n, N
+            | run is in 3 blocks: n, N
         "#]],
     );
     bench.check_info(

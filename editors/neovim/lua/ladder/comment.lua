@@ -1,5 +1,5 @@
 --- Turns lines into comments and back. A comment cannot hold a `#`, so the editor's own `gc` would break a rung with a
---- duration in it: `T#5s` becomes `5s`, which means the same; where another `#` stands, the command refuses.
+--- duration in it: `T#5s` becomes `5s`, which means the same; where another `#` is, the command refuses.
 local M = {}
 
 local function is_comment(line)
@@ -25,7 +25,7 @@ local function without_prefixes(text)
   )
 end
 
---- @return string|nil nil if a `#` stands in the way
+--- @return string|nil nil if a `#` is in the way
 local function commented(line)
   local indent, text = line:match('^(%s*)(.-)%s*$')
   -- A `$'` does not end a string.

@@ -31,7 +31,7 @@ local function is_enabled(bufnr)
   return known and #found > 0
 end
 
---- Cuts a text that stands behind what was inserted. `before` is the rest of its line.
+--- Cuts a text that is behind what was inserted. `before` is the rest of its line.
 --- @param argument { cut: string, before: string }
 --- @param bufnr integer
 function M.cut(argument, bufnr)

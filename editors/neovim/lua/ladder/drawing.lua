@@ -93,7 +93,7 @@ function M.attach(client, bufnr)
         return
       end
       vim.schedule(function()
-        -- The cursor stands on the line that is new: after Enter, or `o` in normal mode.
+        -- The cursor is on the line that is new: after Enter, or `o` in normal mode.
         if vim.api.nvim_get_current_buf() == bufnr and vim.api.nvim_win_get_cursor(0)[1] == new then
           go_on(client, bufnr, state, ENTER)
         end

@@ -11,7 +11,7 @@ end
 --- what has power is bold, a contact that lets it through is underlined, one that does not is neither.
 local function attributes()
   local good = colour('DiagnosticOk', 10)
-  -- Comments are quiet and must be readable, in any scheme. Without a colour the syntax colours would stand: then it is
+  -- Comments are quiet and must be readable, in any scheme. Without a colour the syntax colours would be: then it is
   -- a grey that can be read.
   local quiet = colour('Comment', vim.o.background == 'dark' and 248 or 240)
   local with = function(base, more)

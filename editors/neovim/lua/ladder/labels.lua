@@ -1,4 +1,4 @@
---- Where values stand: above their operands where nothing else does, else below them, else between the lines. Never between
+--- Where values are: above their operands where nothing else does, else below them, else between the lines. Never between
 --- the characters of a line, which would push the drawing apart.
 local M = {}
 

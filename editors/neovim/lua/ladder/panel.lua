@@ -18,7 +18,7 @@ local max_height = 14
 --- @field bufnr integer
 --- @field session string|nil whose tags are listed
 --- @field tags ladder.Tag[] as they were when they were listed
---- @field drawn table<integer, string> what stands in the lines that were drawn, by line from 1
+--- @field drawn table<integer, string> what is in the lines that were drawn, by line from 1
 --- @field names integer the width of the names
 --- @field types integer the width of the types
 

@@ -88,7 +88,7 @@ end
 --- Takes in what a state tells of the drawing.
 --- @param session ladder.Session
 --- @param state ladder.State
---- @return boolean moved what stands beside operands may have to stand elsewhere
+--- @return boolean moved what is beside operands may have to be elsewhere
 function M.take(session, state)
   local moved = state.operands ~= nil
   for _, tag in ipairs(state.tags) do

@@ -54,7 +54,7 @@ function M.on_change(callback)
   vim.api.nvim_create_autocmd({ 'WinScrolled', 'WinResized', 'BufWinEnter', 'WinClosed' }, {
     group = vim.api.nvim_create_augroup('ladder_shown', {}),
     callback = function()
-      -- A window that closes still stands there.
+      -- A window that closes still is there.
       vim.schedule(function()
         for _, session in ipairs(sessions.all()) do
           callback(session)

@@ -68,7 +68,7 @@ local function tell_of_change(before, state)
   end
 end
 
---- Shows how things stand; of the drawing what the state tells.
+--- Shows how things are; of the drawing what the state tells.
 --- @param session ladder.Session
 --- @param state ladder.State
 local function show(session, state)

@@ -18,7 +18,7 @@ local namespace = vim.api.nvim_create_namespace('ladder_values')
 --- @field name string the operand's tag
 --- @field drawn boolean|nil
 
---- What stands where, by buffer; computed when other lines are shown, or when a value outgrows its room.
+--- What is where, by buffer; computed when other lines are shown, or when a value outgrows its room.
 --- @type table<integer, { labels: ladder.PlacedLabel[], marks: table<integer, string> }>
 local placed = {}
 
@@ -76,7 +76,7 @@ local function group_of(tag)
   return tag.forced and 'LadderForced' or tag.value == true and 'LadderValueOn' or 'LadderValue'
 end
 
---- What stands over each line, and in a line of its own above it: pieces of text at their columns.
+--- What is over each line, and in a line of its own above it: pieces of text at their columns.
 --- @param session ladder.Session
 --- @param found ladder.PlacedLabel[]
 local function rows_of(session, found)

@@ -1,7 +1,7 @@
 --- Traces drawn with characters: a column of the drawing is a column of the screen.
 local M = {}
 
---- What stands in one column of the screen, and how it is highlighted.
+--- What is in one column of the screen, and how it is highlighted.
 --- @class ladder.Cell
 --- @field text string one column wide
 --- @field group string|nil

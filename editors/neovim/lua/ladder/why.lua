@@ -25,7 +25,7 @@ local marked = {}
 --- @param rows ladder.ReasonRow[]
 local function add(reason, depth, rows)
   local write = reason.write or reason.now
-  -- The sentence goes on with what stands beneath.
+  -- The sentence goes on with what is beneath.
   local text = write and reason.text:match('^(.-): ') or reason.text
   table.insert(rows, { text = text, depth = depth, range = write and write.range, uri = write and write.uri })
   for _, written in ipairs({ reason.write, reason.now }) do
@@ -133,7 +133,7 @@ function M.ask(bufnr, tag)
     vim.fn.setqflist({}, ' ', {
       title = ('Why %s'):format(rows[1].text),
       items = items,
-      -- The places stand in the text already.
+      -- The places are in the text already.
       quickfixtextfunc = function(list)
         local shown = vim.fn.getqflist({ id = list.id, items = 1 }).items
         return vim.list_slice(

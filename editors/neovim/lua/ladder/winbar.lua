@@ -1,4 +1,4 @@
---- How the simulation stands, above the program's windows: scan, time, forces and faults are always in sight there.
+--- How the simulation is, above the program's windows: scan, time, forces and faults are always in sight there.
 --- `vim.g.ladder_winbar = false` leaves the windows alone, for those who have `b:ladder_status` in their status line.
 require('ladder.highlight')
 

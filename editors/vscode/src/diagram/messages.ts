@@ -29,7 +29,7 @@ export interface Drawn {
     readonly uri: string;
     readonly version: number;
     readonly lineCount: number;
-    /** The lines of which all is told. */
+    /** The lines of which all is sent. */
     readonly lines: Lines;
     readonly pieces: readonly DrawnPiece[];
 }

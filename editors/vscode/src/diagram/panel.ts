@@ -204,7 +204,7 @@ export class DiagramPanel implements vscode.Disposable {
         await vscode.window.showTextDocument(document, { viewColumn, selection, preserveFocus: !focus });
     }
 
-    /** Tells the page how the program stands: the next time when it has painted the last one. */
+    /** Tells the page how the program is: the next time when it has painted the last one. */
     #tellLive(): void {
         if (!this.#isReady) {
             return;

@@ -56,7 +56,7 @@ export interface Traced {
     readonly tags: readonly TraceTag[];
 }
 
-/** How the simulation stands, for the page. */
+/** How the simulation is, for the page. */
 export interface Situation {
     /** The session whose trace it is; none if nothing is simulated. */
     readonly session?: string;

@@ -111,7 +111,7 @@ export class TraceView implements vscode.WebviewViewProvider, vscode.Disposable 
         void this.#view?.webview.postMessage(message);
     }
 
-    /** Says how the simulation stands: the page asks for what it shows of it. */
+    /** Says how the simulation is: the page asks for what it shows of it. */
     async #tell(): Promise<void> {
         if (!this.#view?.visible) {
             return;

@@ -63,7 +63,7 @@ function inspect(): void {
     inspector.show(tags.length > 0 ? name : '', tags);
 }
 
-/** Said aloud when a person has done something, or the simulation stands differently. */
+/** Said aloud when a person has done something, or the simulation is differently. */
 function say(text: string): void {
     if (spoken.textContent !== text) {
         spoken.textContent = text;

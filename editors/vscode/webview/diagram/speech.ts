@@ -37,7 +37,7 @@ export function describe({ kind, name, operands }: Spoken, power: Power | undefi
     return [what, ...(power ? powerInWords(kind, power) : []), ...tags.slice(0, 3).map(valueInWords)].join(', ');
 }
 
-/** How the simulation stands, in words. */
+/** How the simulation is, in words. */
 export function standing(state: LiveUpdate | undefined): string {
     if (!state) {
         return 'at rest';

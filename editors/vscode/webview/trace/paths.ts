@@ -71,7 +71,7 @@ export function numberPath(columns: readonly Column[], toX: ToX, end: number, to
     return path;
 }
 
-/** Where a value stands between the least and the greatest; one that never changed in the middle. */
+/** Where a value is between the least and the greatest; one that never changed in the middle. */
 export function scaleOf([least, greatest]: readonly [number, number], top: number, bottom: number): (value: number) => number {
     const span = greatest - least;
     if (!(span > 0) || !Number.isFinite(span)) {

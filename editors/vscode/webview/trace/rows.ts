@@ -14,7 +14,7 @@ export interface RowEvents {
     remove(tag: string): void;
 }
 
-/** From scans to pixels, and where lines stand across all rows. */
+/** From scans to pixels, and where lines are across all rows. */
 export interface Sheet {
     readonly width: number;
     readonly traced: Traced;

@@ -1,4 +1,4 @@
-//! What stands in an operand's place.
+//! What is in an operand's place.
 
 use super::{accept, check, in_plant};
 use expect_test::expect;

@@ -76,7 +76,7 @@ VAR a, b : BOOL; END_VAR
             Draw a parallel contact `new_contact_1` around `b` (no change while it is low)
             Wrap `b` in a branch, with a copy in parallel (changes nothing yet)
             Declare the undeclared tags of the file
-            Extract the network into the function `function_1` -- <MCR> works only where it stands: a function has labels, returns and loops of its own
+            Extract the network into the function `function_1` -- <MCR> works only where it is: a function has labels, returns and loops of its own
         "#]],
     );
 }
@@ -130,7 +130,7 @@ fn extract() {
         "Extract",
         "+--[ ]( a )-----------<JMP>( $0y )--+\n",
         expect![[r#"
-        disabled: <JMP> works only where it stands: a function has labels, returns and loops of its own
+        disabled: <JMP> works only where it is: a function has labels, returns and loops of its own
     "#]],
     );
 }

@@ -12,7 +12,7 @@ use super::tags::Tags;
 
 /// What an instruction becomes.
 pub(super) struct Acts {
-    /// What stands behind its condition.
+    /// What is behind its condition.
     pub(super) chain: Chain,
     /// Rungs of their own, right above: what pins and set points need.
     pub(super) above: Vec<Above>,

@@ -296,7 +296,7 @@ const fn row(
 impl Bank {
     /// What there is to know about it.
     pub(super) fn row(self) -> &'static Row {
-        // The rows stand in the order of the variants; a test checks it.
+        // The rows are in the order of the variants; a test checks it.
         &BANKS[self as usize]
     }
 

@@ -315,7 +315,7 @@ fn action() -> impl Strategy<Value = Action> {
                 | Instruction::End
                 | Instruction::Nop
         );
-        // A comment stands behind a block.
+        // A comment is behind a block.
         let says = what != Instruction::Nop;
         Action {
             place: LineColumn::START,

@@ -221,7 +221,7 @@ pub(super) struct Action {
     pub(super) comment: Option<String>,
 }
 
-/// An instruction that acts. Pins are conditions of their own: they stand at the left rail.
+/// An instruction that acts. Pins are conditions of their own: they are at the left rail.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) enum Instruction {
     Out(Coil),

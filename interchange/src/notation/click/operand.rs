@@ -13,7 +13,7 @@ pub(super) fn kind(operand: &Operand) -> Option<Kind> {
     }
 }
 
-/// Whether a value of one kind can stand where another is asked for, without `[TYP]`.
+/// Whether a value of one kind can be where another is asked for, without `[TYP]`.
 pub(super) const fn passes(from: Kind, to: Kind) -> bool {
     matches!(
         (from, to),
@@ -26,7 +26,7 @@ pub(super) const fn passes(from: Kind, to: Kind) -> bool {
     )
 }
 
-/// Whether a constant can stand where a kind is asked for.
+/// Whether a constant can be where a kind is asked for.
 pub(super) fn fits(constant: &Constant, kind: Kind) -> bool {
     match (constant, kind) {
         (Constant::Int(number), Kind::Int) => i16::try_from(*number).is_ok(),

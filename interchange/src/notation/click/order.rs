@@ -1,5 +1,5 @@
 //! Which contacts of a rung would be looked at too late: Click looks at all of them before the rung acts, and in ladder
-//! text each is looked at where it stands.
+//! text each is looked at where it is.
 
 use super::address::Which;
 use super::bank::Bank;
@@ -44,7 +44,7 @@ pub(super) fn late<'p>(tags: &Tags<'_>, rungs: &'p [Rung]) -> Vec<&'p Condition>
 pub(super) enum Look {
     /// Before the rung acts: they are a part of it.
     Before,
-    /// Where they stand: each is a rung of its own.
+    /// Where they are: each is a rung of its own.
     InPlace,
 }
 

@@ -271,7 +271,7 @@ impl Sketcher<'_> {
         }));
     }
 
-    /// What stands behind the condition of an action.
+    /// What is behind the condition of an action.
     fn action(
         &mut self,
         action: &Action,

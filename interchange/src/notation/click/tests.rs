@@ -161,13 +161,13 @@ fn ends_loops_and_calls_are_checked() {
         expect![[r#"
             7:9 Error click-c0103: loops do not nest: end the loop above with next_loop() first
             7:9 Error click-setpoint: 40000 is no number of loops: write a whole number from 0 to 32767, or an address of ds
-            10:9 Error click-c0009: next_loop() stands alone on its rung, without contacts: under `if True:`
+            10:9 Error click-c0009: next_loop() is alone on its rung, without contacts: under `if True:`
             13:9 Error click-c0102: there is no loop that this next_loop() could end
             15:9 Error click-end: return is for subroutines: the main program ends with end()
             17:9 Error click-c010c: there is no subroutine `nowhere`: write it with @sub above it
             19:9 Error click-c0101: the loop has no end: write next_loop() under `if True:` behind what it repeats
             22:9 Warning click-c1004: a timer in a loop counts the scan several times
-            22:9 Error click-c010a: the timer t[1] stands at 11:9 already: it has one place in a program
+            22:9 Error click-c010a: the timer t[1] is at 11:9 already: it has one place in a program
         "#]],
     );
     let text = "def main():\n    if c.A:\n        end()\n@sub\ndef one():\n    if c.A:\n        call(one)\n        return\n@sub\ndef one():\n    if c.A:\n        end()\n";
@@ -296,7 +296,7 @@ fn outputs_and_timers_that_stand_twice_are_found() {
 ",
         expect![[r#"
             6:9 Warning click-c1001: y[2] has an out() at 4:9 too: the last one in the scan wins
-            9:9 Error click-c010a: the timer t.A stands at 7:9 already: it has one place in a program
+            9:9 Error click-c010a: the timer t.A is at 7:9 already: it has one place in a program
             10:8 Warning click-c1002: no timer of the program has the bit t.B
             11:9 Info click-rtof: Click itself keeps time with the on-delay alone: it has no rtof
             11:40 Warning click-c1002: no counter of the program has the bit ct.C
@@ -333,7 +333,7 @@ fn what_is_not_of_the_dsl_is_named() {
     check_rungs(
         "    out(c.A)\n    x = 5\n    import os\n    os.system('true')",
         expect![[r#"
-            not read: 2:5: an action stands under an `if`: write `if True:` above it; 3:5: an assignment is not in the DSL: a function has rungs, each under an `if`; 4:5: an import is not in the DSL: a function has rungs, each under an `if`; 5:5: a call outside a rung is not in the DSL
+            not read: 2:5: an action is under an `if`: write `if True:` above it; 3:5: an assignment is not in the DSL: a function has rungs, each under an `if`; 4:5: an import is not in the DSL: a function has rungs, each under an `if`; 5:5: a call outside a rung is not in the DSL
         "#]],
     );
     check_rungs(
@@ -507,7 +507,7 @@ fn what_is_planted_does_not_run() {
         let refused = Click.read(&source).expect_err("it is not of the DSL");
         assert!(refused.place.is_some(), "{refused}");
     }
-    // A text is a text, whatever stands in it.
+    // A text is a text, whatever is in it.
     let harmless = format!(
         "def main():\n    if True:\n        copy(\"__import__('os').system('touch {path}')\", txt[1])\n        end()\n"
     );

@@ -15,7 +15,7 @@ pub(super) struct Entry {
     pub(super) text: String,
 }
 
-/// The section that a header names, with what stands behind its `=`, if a line begins one.
+/// The section that a header names, with what is behind its `=`, if a line begins one.
 pub(super) fn begins(line: &str) -> Option<(SectionKind, &str)> {
     let line = line.trim_start();
     let length = line.find(|c: char| !c.is_ascii_alphabetic())?;

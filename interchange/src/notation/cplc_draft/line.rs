@@ -151,7 +151,7 @@ fn is_operand(text: &str) -> bool {
         }
 }
 
-/// What stands between the bracket that a text begins with and its partner, and the length of it all.
+/// What is between the bracket that a text begins with and its partner, and the length of it all.
 fn bracketed(text: &str, place: LineColumn) -> Result<(&str, usize), ReadError> {
     let close = match text.chars().next() {
         Some('[') => ']',

@@ -120,7 +120,7 @@ impl File {
             let mut inside = behind.trim_start().strip_prefix('{').ok_or_else(|| {
                 ReadError::at(
                     LineColumn::line(number),
-                    "the entries of a header stand between `{` and `}`",
+                    "the entries of a header are between `{` and `}`",
                 )
             })?;
             let mut at = number;
@@ -138,7 +138,7 @@ impl File {
                     Some(_) => {
                         return Err(ReadError::at(
                             LineColumn::line(at),
-                            "nothing may stand behind the `}` of a header",
+                            "nothing may be behind the `}` of a header",
                         ));
                     }
                     None => {}

@@ -163,7 +163,7 @@ impl Writer<'_> {
         let BlockKind::Instruction(row) = block.kind else {
             return Err("the draft has no blocks of one's own".to_owned());
         };
-        let unknown = || format!("the draft has no {} as it stands here", row.block());
+        let unknown = || format!("the draft has no {} as it is here", row.block());
         let values: Vec<&Argument> = block.arguments.iter().map(|bound| &bound.argument).collect();
         let (head, name) = match row.op {
             Op::Contact => ("[ ]", None),

@@ -112,7 +112,7 @@ fn rung(line: &str, number: u32) -> Result<Circuit<Element>, ReadError> {
     }
 }
 
-/// What stands between blanks; signs stand alone.
+/// What is between blanks; signs are alone.
 fn words(line: &str, number: u32) -> Vec<(&str, LineColumn)> {
     let mut words = Vec::new();
     let mut start: Option<(usize, u32)> = None;
@@ -245,7 +245,7 @@ impl<'l> Reader<'l> {
         }
         let (least, most) = row.operands();
         if !(least..=most).contains(&operands.len()) {
-            let message = format!("behind `{}` stands {}", row.word, row.usage());
+            let message = format!("behind `{}` is {}", row.word, row.usage());
             return Err(ReadError::at(place, message));
         }
         check(row, &operands).map_err(|message| ReadError::at(place, message))?;
@@ -309,7 +309,7 @@ pub(super) fn variable(name: &str) -> Option<Variable> {
 
 /// Whether the operands are of the kind that the word wants.
 fn check(row: &Row, operands: &[Operand]) -> Result<(), String> {
-    let wrong = || Err(format!("behind `{}` stands {}", row.word, row.usage()));
+    let wrong = || Err(format!("behind `{}` is {}", row.word, row.usage()));
     let family = |index: usize| match operands.get(index) {
         Some(Operand::Variable(variable)) => Some(variable.family),
         _ => None,

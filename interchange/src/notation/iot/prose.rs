@@ -88,7 +88,7 @@ fn range(title: &str) -> Option<RangeInclusive<u32>> {
 struct Line<'l> {
     /// `0` in `rung 0:`, or `n-1`.
     number: &'l str,
-    /// What stands in the columns, each with its place in the line.
+    /// What is in the columns, each with its place in the line.
     parts: Vec<(u32, &'l str)>,
 }
 

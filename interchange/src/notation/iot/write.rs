@@ -128,7 +128,7 @@ impl Writer<'_> {
         self.series(network, &circuit, 0)
     }
 
-    /// A part as what stands between `;`.
+    /// A part as what is between `;`.
     fn series(&self, network: &Network, circuit: &Circuit<usize>, depth: usize) -> Result<String, String> {
         match circuit {
             Circuit::Series(parts) if !parts.is_empty() => self.parts(network, parts, " ; ", depth),
@@ -144,16 +144,14 @@ impl Writer<'_> {
         depth: usize,
     ) -> Result<String, String> {
         if parts.len() > MOST_PARTS {
-            return Err(format!(
-                "at most {MOST_PARTS} parts stand beside each other there"
-            ));
+            return Err(format!("at most {MOST_PARTS} parts are beside each other there"));
         }
         let texts: Result<Vec<String>, String> =
             parts.iter().map(|part| self.one(network, part, depth)).collect();
         Ok(texts?.join(between))
     }
 
-    /// A part as what stands between `;` or between `|`.
+    /// A part as what is between `;` or between `|`.
     fn one(&self, network: &Network, circuit: &Circuit<usize>, depth: usize) -> Result<String, String> {
         if depth == DEEPEST {
             return Err("its branches are nested too deep".to_owned());
@@ -177,9 +175,7 @@ impl Writer<'_> {
                     .collect();
                 let texts = texts?;
                 if texts.len() > MOST_PARTS {
-                    return Err(format!(
-                        "at most {MOST_PARTS} parts stand beside each other there"
-                    ));
+                    return Err(format!("at most {MOST_PARTS} parts are beside each other there"));
                 }
                 Ok(texts.join(" | "))
             }

@@ -10,7 +10,7 @@ use ladder_instructions::Op;
 pub(super) struct Row {
     pub(super) word: &'static str,
     pub(super) form: Form,
-    /// LDmicro's editor lets nothing stand to its right.
+    /// LDmicro's editor lets nothing are to its right.
     pub(super) ends_rung: bool,
 }
 

@@ -9,7 +9,7 @@ pub(super) fn kept(comment: &str) -> Option<String> {
     behind(comment, "ldmicro:")
 }
 
-/// What stands behind a word in a comment.
+/// What is behind a word in a comment.
 pub(super) fn behind(comment: &str, word: &str) -> Option<String> {
     let text = comment
         .strip_prefix('#')?

@@ -43,7 +43,7 @@ fn by_codes(fields: &[&str]) -> Option<String> {
         .filter(|_| codes.len() == length)
 }
 
-/// What stands behind a backslash, and how long it is.
+/// What is behind a backslash, and how long it is.
 fn escape(text: &str, version: Version) -> Option<(Piece, usize)> {
     if let Some(number) = number(text) {
         return Some(number);

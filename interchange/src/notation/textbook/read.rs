@@ -89,7 +89,7 @@ impl Reader<'_> {
         let behind = self.at;
         self.expect(
             WordKind::End,
-            "a program ends with `end`, and `&` or `V` stands between two elements",
+            "a program ends with `end`, and `&` or `V` is between two elements",
         )?;
         self.check(first, behind)?;
         Ok(circuit)
@@ -218,7 +218,7 @@ impl Reader<'_> {
         )))
     }
 
-    /// The paper's checks of a whole program, which stands between two words.
+    /// The paper's checks of a whole program, which is between two words.
     fn check(&mut self, first: usize, behind: usize) -> Result<(), ReadError> {
         let inside = &self.words[first..behind];
         let mut elements = inside.iter().filter_map(|word| match word.kind {
@@ -298,7 +298,7 @@ impl Reader<'_> {
         Err(ReadError::at(place, message))
     }
 
-    /// Where the next word stands; at the end, where the last one does.
+    /// Where the next word is; at the end, where the last one does.
     fn place(&self) -> LineColumn {
         let word = self.words.get(self.at).or(self.words.last());
         word.map_or(LineColumn::START, |word| word.place)

@@ -69,7 +69,7 @@ pub(super) struct Name {
     pub(super) value: Option<bool>,
 }
 
-/// A word and where it stands.
+/// A word and where it is.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) struct Word {
     pub(super) kind: WordKind,
@@ -95,7 +95,7 @@ pub(super) fn words(text: &str) -> Result<Vec<Word>, ReadError> {
                 1
             }
             '|' if words.last().is_some_and(|word| word.kind != WordKind::End) => {
-                let message = "`|` stands before `start` and behind `end` only; `V` stands between branches";
+                let message = "`|` is before `start` and behind `end` only; `V` is between branches";
                 return Err(ReadError::at(place, message));
             }
             '#' if at_line_start => rest.find('\n').unwrap_or(rest.len()),

@@ -135,7 +135,7 @@ struct Writer<'p> {
 impl Writer<'_> {
     fn network(&mut self, network: &Network) -> Result<String, String> {
         let Some(circuit) = series_parallel(network) else {
-            return Err("it is more than what stands in series and in parallel".to_owned());
+            return Err("it is more than what is in series and in parallel".to_owned());
         };
         let mut elements = Vec::new();
         let text = self.circuit(&circuit, network, &mut elements)?;

@@ -35,7 +35,7 @@ const JOINTS: &str = concat!(
     "┗┺┻┡╄╇┣╊╋",
 );
 
-/// What stands in one column of one line.
+/// What is in one column of one line.
 #[derive(Debug, Clone, Default)]
 enum Content {
     #[default]

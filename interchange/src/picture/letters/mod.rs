@@ -1,5 +1,5 @@
 //! The diagram drawn with characters, for a terminal and for editors that show nothing else: each comment and network by
-//! itself, at rest or as it stands while a program runs.
+//! itself, at rest or as it is while a program runs.
 //!
 //! ```text
 //!       start       stop              run
@@ -8,7 +8,7 @@
 //! │  └──┤   ├──┘                            │
 //! ```
 //!
-//! What stands where is decided as for a picture: one unit of a column is a letter there, too. Power is told by the weight
+//! What is where is decided as for a picture: one unit of a column is a letter there, too. Power is told by the weight
 //! of the lines, what a contact does by what is between its bars, and all of it by marks besides, which may be colours.
 
 mod canvas;
@@ -26,7 +26,7 @@ use ladder_syntax::{Item, TextRange, TextSize};
 use std::collections::HashMap;
 use std::ops::Range;
 
-/// How the parts of a running program stand, by their places in the text.
+/// How the parts of a running program are, by their places in the text.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Live {
     /// Whether power leaves a wire, block or connector.
@@ -124,7 +124,7 @@ pub struct Area {
 /// A comment, heading or network.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Piece {
-    /// Where it stands in the text, line ends included.
+    /// Where it is in the text, line ends included.
     pub range: TextRange,
     /// What is drawn.
     pub lines: Vec<Line>,
@@ -133,7 +133,7 @@ pub struct Piece {
 }
 
 /// Draws what has something in a stretch of a text, with the right rail in this column where a network is no wider.
-/// `text` is that of the context; `live` is how its parts stand, if it runs.
+/// `text` is that of the context; `live` is how its parts are, if it runs.
 pub fn pieces(
     context: &Context,
     text: &str,

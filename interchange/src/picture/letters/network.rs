@@ -14,7 +14,7 @@ use ladder_syntax::{Parse, TextRange, TextSize};
 /// Where a comment above a rung begins.
 const COMMENT: usize = 3;
 
-/// A network with its columns, and how it stands.
+/// A network with its columns, and how it is.
 pub(super) struct Drawing<'d> {
     pub(super) parse: &'d Parse,
     pub(super) network: NetworkAt<'d>,
@@ -25,7 +25,7 @@ pub(super) struct Drawing<'d> {
     pub(super) live: Option<&'d Live>,
 }
 
-/// What stands where in a drawing.
+/// What is where in a drawing.
 pub(super) struct Plan {
     /// For each line the place that it shows.
     pub(super) places: Vec<TextSize>,
@@ -62,7 +62,7 @@ impl Flow {
 }
 
 impl Drawing<'_> {
-    /// Draws it; gives what stands where.
+    /// Draws it; gives what is where.
     pub(super) fn draw(&self, canvas: &mut Canvas) -> Plan {
         let mut wires = Vec::new();
         let mut places = Vec::new();

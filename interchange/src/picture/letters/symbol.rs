@@ -13,7 +13,7 @@ pub(super) struct Lines {
     pub(super) under: usize,
 }
 
-/// Where a symbol stands: its columns, and the line of its wire.
+/// Where a symbol is: its columns, and the line of its wire.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Place {
     pub(super) row: usize,
@@ -21,7 +21,7 @@ pub(super) struct Place {
     pub(super) right: usize,
 }
 
-/// How a symbol stands while a program runs.
+/// How a symbol is while a program runs.
 pub(super) struct Standing<'s> {
     pub(super) arriving: Flow,
     pub(super) own: Flow,
@@ -106,7 +106,7 @@ pub(super) fn draw(canvas: &mut Canvas, symbol: &Symbol, place: Place, standing:
     }
 }
 
-/// The bar of a contact, with the wire that it stands on.
+/// The bar of a contact, with the wire that it is on.
 fn bar(canvas: &mut Canvas, row: usize, column: usize, wire: Arm, flow: Flow, standing: &Standing<'_>) {
     let ink = glyph_ink(standing);
     canvas.text(row, column, " ", ink);

@@ -5,7 +5,7 @@ use super::super::style::Look;
 use std::ops::Range;
 
 /// Pixels beside a shape that a cut keeps away from. Above and below there is room enough between rungs, and the rows of
-/// a box stand closer than that.
+/// a box are closer than that.
 const BESIDE: i32 = 3;
 
 /// Which way a drawing is cut.

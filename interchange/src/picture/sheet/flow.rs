@@ -128,7 +128,7 @@ fn declarations(pages: &mut Pages, groups: &[Group], notes: &HashMap<usize, &[St
     }
 }
 
-/// The networks with what stands between them.
+/// The networks with what is between them.
 fn networks(pages: &mut Pages, scene: &Scene, blocks: &[&Block]) {
     let scale = common_scale(pages, blocks);
     let mut title: Option<&[String]> = None;
@@ -223,7 +223,7 @@ fn network(pages: &mut Pages, scene: &Scene, block: &Block, label: Label, title:
     let whole = window(block);
     let mut head = vec![label.strip(pages, "", APART)];
     head.extend(comment_strips(pages, title, 0.0));
-    // What a page has left below what stands above the network, unless that fills a page itself.
+    // What a page has left below what is above the network, unless that fills a page itself.
     let above = Pages::needed(&head.iter().collect::<Vec<_>>());
     let above = if above < pages.height() / 2.0 { above } else { 0.0 };
     let room = pages.height() - above - CLOSE - 1.0;

@@ -44,9 +44,9 @@ pub struct Options<'o> {
     pub size: Size,
     /// Which way up it is.
     pub orientation: Orientation,
-    /// What stands at the head of each page.
+    /// What is at the head of each page.
     pub title: &'o str,
-    /// What stands there besides, on the right.
+    /// What is there besides, on the right.
     pub note: &'o str,
 }
 

@@ -71,7 +71,7 @@ impl Client {
         self.folder.path().join("own.clad").to_str().unwrap().to_owned()
     }
 
-    /// Sends a request and runs the program until it stands. What was said: the answer first.
+    /// Sends a request and runs the program until it is. What was said: the answer first.
     fn ask(&mut self, command: &str, arguments: Json) -> Vec<Json> {
         self.seq += 1;
         let request = Request {
@@ -114,7 +114,7 @@ impl Client {
         }
     }
 
-    /// Launches the program: it stands before its first scan.
+    /// Launches the program: it is before its first scan.
     fn launched(text: &str) -> Client {
         let mut client = Client::new(text);
         client.body("initialize", json!({}));

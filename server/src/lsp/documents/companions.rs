@@ -16,7 +16,7 @@ use crate::document::{Kind, Revision, address};
 use crate::lsp::transport::blocking::blocking;
 use crate::lsp::{convert, shared::Shared};
 
-/// What stands where the name of a rule would.
+/// What is where the name of a rule would.
 pub(crate) const BAD_SETTING: &str = "bad-setting";
 const BAD_SCENARIO: &str = "bad-scenario";
 

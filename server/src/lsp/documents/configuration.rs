@@ -1,7 +1,7 @@
 //! What the editor's own settings say.
 //!
 //! They come with `initialize`, and again whenever a person changes them: a client that can be asked is asked for the
-//! section `ladder`, any other sends them along with `workspace/didChangeConfiguration`. What stands in a
+//! section `ladder`, any other sends them along with `workspace/didChangeConfiguration`. What is in a
 //! `ladder.toml` wins over them (see [`ladder_workspace::EditorSettings`]).
 
 use std::sync::Arc;

@@ -15,7 +15,7 @@ use crate::lsp::{convert, shared::Shared};
 use crate::notation::Opened;
 use crate::notation::messages::Previewed;
 
-/// What stands where the name of a rule would, for a file that cannot be read.
+/// What is where the name of a rule would, for a file that cannot be read.
 const BAD_PROGRAM: &str = "bad-program";
 
 /// What is wrong in a program of another system. For a blocking thread.

@@ -80,7 +80,7 @@ pub(crate) fn tell(shared: &Shared) {
     *sent = wrong;
 }
 
-/// Whether a program is open that the settings file stands above.
+/// Whether a program is open that the settings file is above.
 fn concerns_an_open_program(shared: &Shared, settings_file: &Path) -> bool {
     shared.documents.all().iter().any(|document| {
         document

@@ -107,7 +107,7 @@ fn show(shared: &Arc<Shared>, uri: &str) {
     pull::refresh(shared);
 }
 
-/// `ladder.cursor`: the cursor stands somewhere else. What a change finds is recorded before anything is waited for, so
+/// `ladder.cursor`: the cursor is somewhere else. What a change finds is recorded before anything is waited for, so
 /// that the next change is one of somebody who types.
 pub(crate) async fn execute(shared: &Arc<Shared>, params: ExecuteCommandParams) -> Result<LSPAny> {
     let Cursor { uri, line } = argument_of(CURSOR, params.arguments).map_err(error)?;

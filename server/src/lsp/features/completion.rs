@@ -27,7 +27,7 @@ const TRIGGERS: [&str; 8] = ["[", "(", "<", ".", "$", "%", ",", ":"];
 /// So many files of a folder are looked at.
 const MOST_FILES: usize = 10_000;
 
-/// Cuts what stood behind the cursor and belongs to what was accepted: the text, and what stands behind it on its line.
+/// Cuts what stood behind the cursor and belongs to what was accepted: the text, and what is behind it on its line.
 const CUT: &str = "ladder.completion.cut";
 
 /// Whether the client names the command that cuts, because it replaces nothing behind the cursor by itself.
@@ -161,7 +161,7 @@ fn proposal(
     };
     CompletionItem {
         command: cut.then(|| Command {
-            title: "Take the place of what stands behind".to_owned(),
+            title: "Take the place of what is behind".to_owned(),
             command: CUT.to_owned(),
             arguments: Some(vec![what_to_cut(text, behind)]),
         }),
@@ -181,7 +181,7 @@ fn proposal(
     }
 }
 
-/// A stretch of a line, and what stands behind it.
+/// A stretch of a line, and what is behind it.
 fn what_to_cut(text: &str, range: TextRange) -> Value {
     let behind = &text[range.end().into()..];
     let line_end = behind.find(['\n', '\r']).unwrap_or(behind.len());

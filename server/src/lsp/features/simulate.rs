@@ -28,7 +28,7 @@ const PATIENCE: std::time::Duration = std::time::Duration::from_millis(200);
 /// The values of so many scans are sent unless more are asked for.
 const PAST: u64 = 100;
 
-/// The notification that shows how a simulation stands.
+/// The notification that shows how a simulation is.
 #[derive(Debug)]
 enum SimulationState {}
 

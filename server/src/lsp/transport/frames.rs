@@ -1,6 +1,6 @@
 //! Messages out of a stream of bytes, also where a header gives the wrong length.
 //!
-//! A header counts wherever it stands, because no message can hold one: inside a JSON text a line end is written `\n`, and
+//! A header counts wherever it is, because no message can hold one: inside a JSON text a line end is written `\n`, and
 //! outside of one there are no such words. So a body ends where the next header begins, if that is before the end
 //! that its own header announces; and behind a body that was too short everything up to the next header is skipped.
 
@@ -23,7 +23,7 @@ const CHUNK: usize = 64 << 10;
 
 const FIELD: &[u8] = b"content-length";
 
-/// What stands between two headers.
+/// What is between two headers.
 #[derive(Debug, PartialEq, Eq)]
 pub(crate) enum Frame {
     /// A message, as far as the header is right.
@@ -101,7 +101,7 @@ impl<R: AsyncRead + Unpin> Frames<R> {
         }
     }
 
-    /// A body was no message. Where the beginning of a header stands at its end, the body is cut off there and the
+    /// A body was no message. Where the beginning of a header is at its end, the body is cut off there and the
     /// header is read again; whether that is so.
     pub(crate) fn end_at_header(&mut self, body: &mut Vec<u8>) -> bool {
         let earliest = body.len().saturating_sub(LONGEST_FIELD);
@@ -191,7 +191,7 @@ impl<R: AsyncRead + Unpin> Frames<R> {
 }
 
 /// The header field at the end of some bytes: where it begins, and the length. Behind stray bytes without a line end
-/// it stands at the end of their line.
+/// it is at the end of their line.
 fn field_at_end(bytes: &[u8]) -> Option<(usize, u64)> {
     let bytes = bytes.trim_ascii_end();
     let digits = bytes

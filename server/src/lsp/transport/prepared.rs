@@ -57,7 +57,7 @@ struct Waiting {
 /// Before the number of a ticket. No answer of the server is a string by itself.
 const TICKET: &str = "ladder-prepared-";
 
-/// What stands before a ticket and its quote: in an answer, and in a notification.
+/// What is before a ticket and its quote: in an answer, and in a notification.
 const BEFORE: [&[u8]; 2] = [
     br#"{"jsonrpc":"2.0","result":"#,
     br#"{"jsonrpc":"2.0","method":"textDocument/publishDiagnostics","params":"#,

@@ -84,7 +84,7 @@ pub enum Contact {
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "camelCase", deny_unknown_fields)]
 pub struct Operand {
-    /// Where the operand stands.
+    /// Where the operand is.
     pub range: Range,
     /// Its block.
     pub block: Range,

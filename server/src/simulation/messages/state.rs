@@ -1,4 +1,4 @@
-//! How a simulation stands, and what belongs to that.
+//! How a simulation is, and what belongs to that.
 
 use serde::{Deserialize, Serialize};
 use serde_json::Value;
@@ -6,7 +6,7 @@ use serde_json::Value;
 use super::{Contact, Operand, is_false, shortest};
 use crate::document::position::Range;
 
-/// How a simulation stands: the answer of every other command, and the parameters of
+/// How a simulation is: the answer of every other command, and the parameters of
 /// `ladder/simulationState`.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(rename_all = "camelCase", deny_unknown_fields)]
@@ -178,7 +178,7 @@ pub enum Role {
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "camelCase", deny_unknown_fields)]
 pub struct Power {
-    /// Where the element stands.
+    /// Where the element is.
     pub range: Range,
     /// Whether power flowed there: for a block, whether it left it.
     pub on: bool,

@@ -62,7 +62,7 @@ pub struct Traced {
     pub oldest: u64,
     /// The newest scan that is recorded.
     pub newest: u64,
-    /// The scan that the simulation stands behind.
+    /// The scan that the simulation is behind.
     pub here: u64,
     /// The scans that one can go to.
     pub reach: Reach,

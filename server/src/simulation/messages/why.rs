@@ -92,7 +92,7 @@ pub struct WriteReason {
     /// The file, where it is not the document itself.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub uri: Option<String>,
-    /// Where the block stands.
+    /// Where the block is.
     pub range: Range,
     /// The block as it is drawn.
     pub block: String,
@@ -116,7 +116,7 @@ pub struct PassOrStop {
     /// The file, where it is not the document itself.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub uri: Option<String>,
-    /// Where it stands; of a rail the network.
+    /// Where it is; of a rail the network.
     pub range: Range,
     /// The block as it is drawn; nothing for a rail.
     #[serde(default, skip_serializing_if = "Option::is_none")]

@@ -3,7 +3,7 @@
 use super::super::parse::{Cell, Row};
 use super::{at, is_expected, ruler, width};
 
-/// What stands between a tag and its values: an arrow with a blank at either side, or as many blanks.
+/// What is between a tag and its values: an arrow with a blank at either side, or as many blanks.
 const ARROW: &str = " => ";
 
 /// Where the rows of a scenario have their columns.
@@ -11,7 +11,7 @@ const ARROW: &str = " => ";
 pub(super) struct Columns {
     /// The width of the longest tag.
     names: usize,
-    /// Of each step: whether a blank stands before it, and how wide it is.
+    /// Of each step: whether a blank is before it, and how wide it is.
     steps: Vec<(bool, usize)>,
     /// Where the comments behind rows begin.
     comments: usize,
@@ -103,7 +103,7 @@ impl Columns {
     }
 }
 
-/// Whether a blank stands before a step: where a value is longer than a letter might be, or where most rows have one.
+/// Whether a blank is before a step: where a value is longer than a letter might be, or where most rows have one.
 fn is_apart(rows: &[&Row], step: usize) -> bool {
     let Some(before) = step.checked_sub(1) else {
         return false;

@@ -230,7 +230,7 @@ fn width(text: &str) -> usize {
     text.width()
 }
 
-/// What stands in a range.
+/// What is in a range.
 fn at(text: &str, range: TextRange) -> &str {
     text.get(std::ops::Range::<usize>::from(range))
         .unwrap_or_default()

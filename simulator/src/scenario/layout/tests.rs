@@ -32,7 +32,7 @@ fn said(suite: &Suite) -> String {
         }
     }
     let mut mistakes: Vec<&str> = suite.mistakes.iter().map(|it| it.message.as_str()).collect();
-    // Where nothing stands before a line, the missing program and its mistake have one place.
+    // Where nothing is before a line, the missing program and its mistake have one place.
     mistakes.sort_unstable();
     out.push_str(&mistakes.join("\n"));
     out

@@ -266,7 +266,7 @@ impl Inquiry<'_> {
         question
     }
 
-    /// It changed in the scan at whose start this stands.
+    /// It changed in the scan at whose start this is.
     fn has_changed_in(&mut self, rewind: &Rewind<'_>, question: usize) {
         let entry = rewind.entry();
         let this = &mut self.questions[question];
@@ -355,7 +355,7 @@ impl Inquiry<'_> {
         self.writers.of_tag(tag)
     }
 
-    /// The last write in the scan at whose start this stands, up to a moment.
+    /// The last write in the scan at whose start this is, up to a moment.
     fn written(&mut self, rewind: &Rewind<'_>, question: usize, when: When) -> Option<FoundWrite> {
         if self.traces == MOST_TRACES {
             return None;

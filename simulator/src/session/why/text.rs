@@ -69,7 +69,7 @@ impl<'t> Wording<'t> {
 
     fn lines(&self, why: &Why, depth: usize, lines: &mut Vec<String>) {
         let line = self.why(why);
-        // The same tag may stand in several contacts.
+        // The same tag may be in several contacts.
         if lines.iter().any(|known| known.trim_start() == line) {
             return;
         }

@@ -25,7 +25,7 @@ pub(super) enum Limit {
 }
 
 impl Limit {
-    /// Where a simulation stands in its scan.
+    /// Where a simulation is in its scan.
     pub(super) fn of(simulation: &Simulation) -> Limit {
         let open = simulation.machine.open_scan();
         Limit::Position {
@@ -58,7 +58,7 @@ struct Next {
     before: Value,
 }
 
-/// Runs the scan at whose start a simulation stands, up to a limit; the last write of the point in it.
+/// Runs the scan at whose start a simulation is, up to a limit; the last write of the point in it.
 pub(super) fn last_write(
     simulation: &mut Simulation,
     writers: &Writers,

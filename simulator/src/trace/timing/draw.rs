@@ -61,7 +61,7 @@ pub(super) fn svg(timing: &Timing) -> String {
 
 /// The measures of a picture.
 struct Page {
-    /// Where time 0 stands.
+    /// Where time 0 is.
     left: f64,
     /// How wide a column is.
     column: f64,
@@ -326,7 +326,7 @@ fn scale(lane: &Lane, columns: u64, column: f64) -> Option<Scale> {
     })
 }
 
-/// The column at which a change's successor stands, or the end.
+/// The column at which a change's successor is, or the end.
 fn next<T>(changes: &[T], index: usize, columns: u64, column: impl Fn(&T) -> u64) -> u64 {
     changes.get(index + 1).map_or(columns, column)
 }

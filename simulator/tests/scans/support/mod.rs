@@ -87,7 +87,7 @@ pub(crate) fn stimulus(text: &str) -> (usize, Vec<(String, Vec<String>)>) {
 }
 
 /// Runs a program and shows the tags that are watched, one column a scan: BOOLs as waves, the rest as numbers. Faults
-/// stand below.
+/// are below.
 pub(crate) fn trace(simulation: &mut Simulation, inputs: &str, watch: &str) -> String {
     let (scans, rows) = stimulus(inputs);
     let points: Vec<_> = watch

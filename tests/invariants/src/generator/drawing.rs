@@ -1,6 +1,6 @@
 //! A network as a list of things on rungs, and the writer that draws it.
 //!
-//! The writer knows no columns and is not the formatter's: wires are as long as the dice say, verticals stand
+//! The writer knows no columns and is not the formatter's: wires are as long as the dice say, verticals are
 //! anywhere, so that what is tested is the wiring and not the look.
 
 use super::dice::Dice;
@@ -9,7 +9,7 @@ use crate::reference::DrawnPart;
 /// A thing on a rung. Things that follow each other are joined by a wire.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum Item {
-    /// A `+`: the left rail's if it stands first, the right rail's if it stands last.
+    /// A `+`: the left rail's if it is first, the right rail's if it is last.
     Rail,
     /// A block.
     Block(String),
@@ -60,7 +60,7 @@ pub struct Pen {
     pub line_end: &'static str,
     /// Draw comments, rail lines and blank lines that mean nothing.
     pub decorated: bool,
-    /// Paired connectors stand below each other.
+    /// Paired connectors are below each other.
     pub aligned: bool,
 }
 

@@ -15,14 +15,14 @@ pub(super) struct Region<'p> {
     pub(super) functions: &'p [String],
     /// User-defined blocks.
     pub(super) blocks: &'p [Definition],
-    /// `<END>` may stand here.
+    /// `<END>` may be here.
     pub(super) may_end: bool,
     /// Contacts and coils only.
     pub(super) is_boolean: bool,
 }
 
 impl Region<'_> {
-    /// Some networks. `first` stands in the first of them, before all else.
+    /// Some networks. `first` is in the first of them, before all else.
     pub(super) fn networks(
         self,
         dice: &mut Dice,

@@ -1,4 +1,4 @@
-//! What stands between a block's parentheses: values that pass to a type, and places of a type.
+//! What is between a block's parentheses: values that pass to a type, and places of a type.
 
 use super::dice::Dice;
 use super::scope::{Scope, Type};

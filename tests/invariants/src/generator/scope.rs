@@ -75,9 +75,9 @@ pub(super) struct Tag {
     pub(super) ty: Type,
     /// Where it is declared.
     pub(super) section: Section,
-    /// What stands behind the `:=`.
+    /// What is behind the `:=`.
     pub(super) initial: Option<String>,
-    /// What stands behind `AT`.
+    /// What is behind `AT`.
     pub(super) address: Option<String>,
 }
 

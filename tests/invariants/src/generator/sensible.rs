@@ -80,7 +80,7 @@ impl Writer {
         let _ = writeln!(self.networks, "\n# {words} #");
     }
 
-    /// Draws what stands between the rails.
+    /// Draws what is between the rails.
     fn draw(&mut self, dice: &mut Dice, conditions: &[Condition], acts: &[String]) {
         let mut network: Network = vec![vec![Item::Rail]];
         sketch(conditions, &mut network, 0);
@@ -298,7 +298,7 @@ impl Writer {
 /// What power must pass.
 enum Condition {
     Contact(String),
-    /// One above the other; what stands above is on one line.
+    /// One above the other; what is above is on one line.
     Branches(Vec<Condition>, Vec<Condition>),
 }
 

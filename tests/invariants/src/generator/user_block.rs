@@ -38,7 +38,7 @@ impl Definition {
             for _ in 0..dice.below(3) {
                 let ty = dice.of(&SCALARS);
                 let parameter = format!("p{}", parameters.len());
-                // Those with a default stand last.
+                // Those with a default are last.
                 let initial = (section == Section::Input && dice.one_in(3)).then(|| literal(dice, ty));
                 parameters.push((parameter.clone(), section, ty, initial.is_some()));
                 scope.add(Tag {

@@ -59,7 +59,7 @@ struct Run<'n> {
 }
 
 impl Run<'_> {
-    /// Evaluates a line from where it stands, up to but not including its k-th `/`, else to its end.
+    /// Evaluates a line from where it is, up to but not including its k-th `/`, else to its end.
     fn run(&mut self, line: usize, up_to: Option<usize>) {
         while let Some(&part) = self.network[line].get(self.lines[line].next) {
             if part == DrawnPart::Up && Some(self.lines[line].ups) == up_to {

@@ -11,7 +11,7 @@ use subsetter::GlyphRemapper;
 
 /// What stands for a letter that a font does not have.
 const NO_LETTER: char = '\u{fffd}';
-/// How a font numbers its letters in the document: as they stand in it.
+/// How a font numbers its letters in the document: as they are in it.
 const IDENTITY: SystemInfo<'static> = SystemInfo {
     registry: Str(b"Adobe"),
     ordering: Str(b"Identity"),

@@ -1,4 +1,4 @@
---- The trace as text: which scans are drawn in which columns, and what stands in each line.
+--- The trace as text: which scans are drawn in which columns, and what is in each line.
 require('ladder.highlight')
 
 local sessions = require('ladder.session')
@@ -61,7 +61,7 @@ function M.columns_of(trace)
   }
 end
 
---- Where a scan stands in the drawing: in the middle of its column, from 0.
+--- Where a scan is in the drawing: in the middle of its column, from 0.
 --- @param trace ladder.Trace
 --- @param scan integer
 local function place_of(trace, scan)

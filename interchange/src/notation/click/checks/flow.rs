@@ -1,4 +1,4 @@
-//! Ends and returns, loops and calls, timers and counters that stand twice, pins.
+//! Ends and returns, loops and calls, timers and counters that appear twice, pins.
 
 use super::super::address::Tag;
 use super::super::bank::Bank;
@@ -98,7 +98,7 @@ fn loops(routine: &Routine, out: &mut Found) {
                         out.error(action.place, "click-c0102", message);
                     }
                     if rung.actions.len() > 1 || !is_unconditional(rung, action) {
-                        let message = format!("{} stands {}", out.words.next(), out.words.alone_on_rung());
+                        let message = format!("{} is {}", out.words.next(), out.words.alone_on_rung());
                         out.error(action.place, "click-c0009", message);
                     }
                 }
@@ -252,7 +252,7 @@ fn blocks(program: &Program, out: &mut Found) {
         };
         if let Some(place) = first.get(tag) {
             let message = format!(
-                "the {what} {} stands at {place} already: it has one place in a program",
+                "the {what} {} is at {place} already: it has one place in a program",
                 out.words.tag(tag)
             );
             out.error(action.place, check, message);

@@ -41,12 +41,12 @@ impl Words {
         self.choose("next_loop()", "next()")
     }
 
-    /// Where an instruction stands that no contact stops.
+    /// Where an instruction is that no contact stops.
     pub(super) const fn alone(self) -> &'static str {
         self.choose("under `if True:`", "on a rung without contacts")
     }
 
-    /// Where an instruction stands that nothing else stands beside.
+    /// Where an instruction is that nothing else is beside.
     pub(super) const fn alone_on_rung(self) -> &'static str {
         self.choose(
             "alone on its rung, without contacts: under `if True:`",

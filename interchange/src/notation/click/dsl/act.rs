@@ -1,4 +1,4 @@
-//! Actions: what stands under an `if`.
+//! Actions: what is under an `if`.
 
 use super::super::address::Span;
 use super::super::formula;
@@ -70,7 +70,7 @@ fn repeat(mistakes: &mut Mistakes<'_>, repeat: &StmtFor) -> Result<Instruction, 
     match &repeat.body[..] {
         [Stmt::Pass(_)] => Ok(Instruction::For(count)),
         body => {
-            let message = "only `pass` stands in a loop: what it repeats are the rungs up to next_loop()";
+            let message = "only `pass` is in a loop: what it repeats are the rungs up to next_loop()";
             Err(match body.first() {
                 Some(first) => mistakes.note(first, message),
                 None => mistakes.note(repeat, message),

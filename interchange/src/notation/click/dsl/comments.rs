@@ -1,4 +1,4 @@
-//! Comments of a Python file, handed out to what they stand at.
+//! Comments of a Python file, handed out to what they are at.
 
 use ruff_python_ast::token::{TokenKind, Tokens};
 use ruff_text_size::Ranged;
@@ -8,7 +8,7 @@ struct Comment {
     start: usize,
     /// Without its `#`.
     text: String,
-    /// Nothing else stands on its line.
+    /// Nothing else is on its line.
     alone: bool,
     /// It begins its line, without indentation.
     outermost: bool,

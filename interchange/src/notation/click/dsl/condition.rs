@@ -14,7 +14,7 @@ const MOST_IN_RANGE: usize = 32;
 /// A condition of more contacts is not read: its drawing grows with the square of them.
 const MOST_CONTACTS: usize = 500;
 
-/// What stands behind `if`, or in a pin's lambda.
+/// What is behind `if`, or in a pin's lambda.
 pub(super) fn condition(mistakes: &mut Mistakes<'_>, expr: &Expr) -> Result<Condition, Unread> {
     let condition = part(mistakes, expr)?;
     if contacts(&condition) > MOST_CONTACTS {
@@ -309,7 +309,7 @@ fn constant(mistakes: &mut Mistakes<'_>, expr: &Expr) -> Result<Constant, Unread
         Expr::NumberLiteral(literal) => plain_number(mistakes, expr, &literal.value),
         Expr::UnaryOp(operation) if operation.op == UnaryOp::USub => {
             let Expr::NumberLiteral(literal) = &*operation.operand else {
-                return Err(mistakes.note(expr, "a sign stands before a number only"));
+                return Err(mistakes.note(expr, "a sign is before a number only"));
             };
             match plain_number(mistakes, expr, &literal.value)? {
                 Constant::Int(number) => Ok(Constant::Int(-number)),

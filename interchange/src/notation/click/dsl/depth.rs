@@ -8,7 +8,7 @@ use ruff_python_parser::{Mode, lexer};
 const LARGEST: usize = 1024 * 1024;
 /// A longer line is not read, in bytes.
 const LONGEST_LINE: usize = 10_000;
-/// So many brackets may stand in one another.
+/// So many brackets may be in one another.
 const DEEPEST: usize = 24;
 /// So many levels of indentation.
 const MOST_INDENTED: usize = 24;
@@ -61,7 +61,7 @@ fn place_of(text: &str, newlines: usize) -> LineColumn {
 }
 
 struct Depth {
-    /// How much stands one behind the other since the last comma, for each open bracket.
+    /// How much is one behind the other since the last comma, for each open bracket.
     chains: Vec<usize>,
     indents: usize,
     lambdas: usize,

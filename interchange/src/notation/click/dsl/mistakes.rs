@@ -28,7 +28,7 @@ impl<'t> Mistakes<'t> {
         self.text
     }
 
-    /// What stands at a part of the program.
+    /// What is at a part of the program.
     pub(super) fn source(&self, of: &impl Ranged) -> &'t str {
         self.text
             .get(usize::from(of.start())..usize::from(of.end()))
@@ -129,7 +129,7 @@ pub(super) fn expression(expression: &Expr) -> &'static str {
 mod tests {
     use expect_test::expect;
 
-    /// What is said of a statement that stands where none of its kind can, at its place.
+    /// What is said of a statement that is where none of its kind can, at its place.
     fn said(text: &str) -> String {
         let error = super::super::read(text).expect_err(text);
         let (_, message) = error.all().next().expect("something is wrong");
@@ -179,7 +179,7 @@ mod tests {
                     format!("def main():\n    if c.A:\n        {statement}\n"),
                 ),
             ] {
-                // What may stand there is no mistake.
+                // What may be there is no mistake.
                 if super::super::read(&text).is_err() {
                     shown.push_str(&format!("{first} {place}: {}\n", said(&text)));
                 }
@@ -193,7 +193,7 @@ mod tests {
             class A: pass beside the rungs: a class is not in the DSL: a function has rungs, each under an `if`
             class A: pass in a rung: a class is not in the DSL
             return outside: `return` outside a function is not in the DSL
-            return beside the rungs: `return` stands under an `if`: write `if True:` above it
+            return beside the rungs: `return` is under an `if`: write `if True:` above it
             del x outside: `del` outside a function is not in the DSL
             del x beside the rungs: `del` is not in the DSL: a function has rungs, each under an `if`
             del x in a rung: `del` is not in the DSL
@@ -210,7 +210,7 @@ mod tests {
             x: int = 1 beside the rungs: an assignment is not in the DSL: a function has rungs, each under an `if`
             x: int = 1 in a rung: an assignment is not in the DSL
             for _ in range(3): pass outside: `for` outside a function is not in the DSL
-            for _ in range(3): pass beside the rungs: `for` stands under an `if`: write `if True:` above it
+            for _ in range(3): pass beside the rungs: `for` is under an `if`: write `if True:` above it
             while True: pass outside: `while` outside a function is not in the DSL
             while True: pass beside the rungs: `while` is not in the DSL: a function has rungs, each under an `if`
             while True: pass in a rung: `while` is not in the DSL

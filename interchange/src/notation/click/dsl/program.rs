@@ -51,7 +51,7 @@ pub(in super::super) fn read(text: &str) -> Result<Program, ReadError> {
             },
         }
     }
-    // What stands at the end belongs to the last routine.
+    // What is at the end belongs to the last routine.
     if let Some(last) = routines.last_mut() {
         last.behind.extend(comments.before(text.len() + 1));
     }
@@ -77,7 +77,7 @@ pub(in super::super) fn read(text: &str) -> Result<Program, ReadError> {
     }
 }
 
-/// A single action, as it stands under an `if`.
+/// A single action, as it is under an `if`.
 pub(in super::super) fn single_action(text: &str) -> Option<Action> {
     let program = read(&format!("def main():\n    if True:\n        {text}\n")).ok()?;
     let mut rungs = program.main.rungs.into_iter();
@@ -127,7 +127,7 @@ fn routine(
             },
         }
     }
-    // The comments of the next function stand at the left edge.
+    // The comments of the next function are at the left edge.
     let next = mistakes.text().get(usize::from(function.end())..);
     let end = next.map_or(0, |rest| mistakes.text().len() - rest.len());
     let line_end = next.and_then(|rest| rest.find('\n')).unwrap_or(0);
@@ -137,22 +137,19 @@ fn routine(
     routine
 }
 
-/// What is wrong with a statement that stands beside the rungs.
+/// What is wrong with a statement that is beside the rungs.
 fn outside_rung(stmt: &Stmt) -> String {
     if let Stmt::Expr(inside) = stmt {
         return match &*inside.value {
             Expr::Call(call) if matches!(&*call.func, Expr::Name(name) if is_instruction(&name.id)) => {
-                "an action stands under an `if`: write `if True:` above it".to_owned()
+                "an action is under an `if`: write `if True:` above it".to_owned()
             }
             other => format!("{} outside a rung is not in the DSL", expression(other)),
         };
     }
     match stmt {
         Stmt::Return(_) | Stmt::For(_) => {
-            format!(
-                "{} stands under an `if`: write `if True:` above it",
-                statement(stmt)
-            )
+            format!("{} is under an `if`: write `if True:` above it", statement(stmt))
         }
         _ => format!(
             "{} is not in the DSL: a function has rungs, each under an `if`",

@@ -130,7 +130,7 @@ pub(super) fn foreign(formula: &Formula, kind: MathKind) -> Option<&'static str>
     }
 }
 
-/// How many parentheses stand in one another in the text of a formula.
+/// How many parentheses are in one another in the text of a formula.
 pub(super) fn nesting(text: &str) -> usize {
     let mut depth = 0usize;
     let mut deepest = 0;

@@ -11,7 +11,7 @@ const DEEPEST: usize = 32;
 /// A longer formula is not read.
 const LONGEST: usize = 4_096;
 
-/// What is wrong in a formula, and how many bytes stand before it.
+/// What is wrong in a formula, and how many bytes are before it.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(in super::super) struct Mistake {
     pub(in super::super) at: usize,

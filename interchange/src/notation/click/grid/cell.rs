@@ -66,7 +66,7 @@ pub(super) struct Row {
     pub(super) place: LineColumn,
     /// [`COLUMNS`] of them.
     pub(super) cells: Vec<Cell>,
-    /// What stands in column AF, if there is anything.
+    /// What is in column AF, if there is anything.
     pub(super) output: Option<Text>,
 }
 

@@ -88,7 +88,7 @@ fn comparison(text: &str, place: LineColumn) -> Result<Option<Comparison>, Strin
     }))
 }
 
-/// What stands on both sides of the relation, if there is one outside of quotes.
+/// What is on both sides of the relation, if there is one outside of quotes.
 pub(super) fn split(text: &str) -> Option<(&str, Relation, &str)> {
     let mut quoted = false;
     for (at, c) in text.char_indices() {

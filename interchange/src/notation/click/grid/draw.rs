@@ -1,7 +1,7 @@
 //! Rungs of the model drawn into cells.
 //!
-//! A rung's condition stands at the left, from its first row down. Its outputs share those rows and go further down
-//! where there are more of them; a condition that one of them has for itself stands on its row, behind the wire that
+//! A rung's condition is at the left, from its first row down. Its outputs share those rows and go further down
+//! where there are more of them; a condition that one of them has for itself is on its row, behind the wire that
 //! goes down to all outputs. Pins come below everything, each with its own way from the left rail.
 
 use super::super::super::LineColumn;
@@ -205,7 +205,7 @@ impl Sheet<'_> {
         }
     }
 
-    /// Wire from a column to the right edge, and what stands there.
+    /// Wire from a column to the right edge, and what is there.
     fn output(&mut self, row: usize, from: usize, text: &str) -> Result<(), Undrawable> {
         for column in from..COLUMNS {
             self.wire(row, column)?;

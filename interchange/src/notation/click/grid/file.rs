@@ -126,7 +126,7 @@ pub(super) fn kept(rung: &[Row]) -> Vec<String> {
     rows(rung).into_iter().zip(rung).map(short).collect()
 }
 
-/// A comment row. What has commas may stand there without quotes.
+/// A comment row. What has commas may be there without quotes.
 fn comment(record: &Record) -> Text {
     let rest: Vec<&str> = record.fields[1..]
         .iter()

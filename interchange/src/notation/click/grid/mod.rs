@@ -9,7 +9,7 @@
 //!
 //! A row has a marker (`R` begins a rung, nothing goes on with it, `#` is a comment), the 31 condition cells A to AE, and
 //! the output AF. `-` is wire, `T` wire that also goes down at the cell's left edge, `|` goes down only, `T:X002` is a
-//! contact with wire that goes down at its left edge. Pins (`.reset()`) stand on rows of their own, below their output.
+//! contact with wire that goes down at its left edge. Pins (`.reset()`) are on rows of their own, below their output.
 //!
 //! ```text
 //! file --file--> rows of cells --netlist--> nets --reduce, paths--> circuits --rungs--> Program

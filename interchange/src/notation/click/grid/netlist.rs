@@ -27,7 +27,7 @@ pub(super) struct Wired<'r> {
     pub(super) right: usize,
 }
 
-/// What stands in column AF, and the net that feeds it.
+/// What is in column AF, and the net that feeds it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) struct Fed<'r> {
     pub(super) output: &'r Text,

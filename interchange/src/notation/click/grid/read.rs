@@ -127,7 +127,7 @@ fn call_of(main: &Routine, stem: &str) -> Option<(String, LineColumn)> {
     })
 }
 
-/// What stands at each place of the grids.
+/// What is at each place of the grids.
 #[derive(Default)]
 struct Texts {
     texts: HashMap<LineColumn, String>,
@@ -146,7 +146,7 @@ impl Texts {
         }
     }
 
-    /// One entry for each cell, also where a contact stands several times in the model: what is worst of it.
+    /// One entry for each cell, also where a contact appears several times in the model: what is worst of it.
     fn joined(&self, sketch: Report, grid: Report) -> Report {
         let mut out = Report::default();
         let mut by_place: HashMap<LineColumn, usize> = HashMap::new();

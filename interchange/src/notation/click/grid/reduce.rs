@@ -1,6 +1,6 @@
 //! From the wiring of a rung to circuits: how power gets from the left rail to a net.
 //!
-//! What stands in series or in parallel becomes one edge, until one edge leads from the rail to the net. Where that
+//! What is in series or in parallel becomes one edge, until one edge leads from the rail to the net. Where that
 //! does not happen there is a bridge, through which power goes both ways; it becomes the paths that it makes.
 
 use super::netlist::{Netlist, RAIL};
@@ -149,7 +149,7 @@ impl Graph {
         Some(edge)
     }
 
-    /// Makes one edge of what stands in series, and leaves out what leads nowhere, until nothing changes.
+    /// Makes one edge of what is in series, and leaves out what leads nowhere, until nothing changes.
     fn reduce(&mut self) {
         let mut waiting: Vec<usize> = (1..self.at.len()).rev().collect();
         while let Some(net) = waiting.pop() {

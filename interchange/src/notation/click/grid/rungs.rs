@@ -44,7 +44,7 @@ struct Refusal<'r> {
     why: String,
 }
 
-/// What stands where the name of Click's check would, if it has none for it.
+/// What is where the name of Click's check would, if it has none for it.
 const KEPT_RUNG: &str = "click-grid";
 
 impl<'r> Refusal<'r> {
@@ -223,7 +223,7 @@ struct Acting<'r> {
 }
 
 /// The outputs of a grid's rung as rungs of the model: those that follow each other and have a way in common are one.
-/// An output with pins is the last of its rung, for its pins stand at the left rail.
+/// An output with pins is the last of its rung, for its pins are at the left rail.
 fn grouped<'r>(
     powered: Vec<Powered<'r>>,
     conditions: &[Condition],

@@ -50,7 +50,7 @@ impl Subcircuit {
         self.contacts
     }
 
-    /// What stands in series in it.
+    /// What is in series in it.
     pub(super) fn into_series(self) -> Vec<Subcircuit> {
         match self.kind {
             Kind::Series(parts) => parts,

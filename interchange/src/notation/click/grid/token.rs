@@ -76,7 +76,7 @@ fn name_of(part: &str) -> Option<(&str, &str)> {
     (is_name && !value.starts_with('=')).then(|| (name.trim(), value.trim()))
 }
 
-/// What stands between commas outside of brackets and quotes. None: they do not match.
+/// What is between commas outside of brackets and quotes. None: they do not match.
 fn parts(text: &str) -> Option<Vec<&str>> {
     if text.trim().is_empty() {
         return Some(Vec::new());

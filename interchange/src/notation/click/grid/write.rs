@@ -117,7 +117,7 @@ impl Writer<'_> {
     }
 
     fn rung(&mut self, rung: &Rung, mut continues: bool) {
-        // The pins of an output stand at the left rail, so nothing of its rung can follow them.
+        // The pins of an output are at the left rail, so nothing of its rung can follow them.
         let has_pins = |action: &Action| {
             output::write(&action.what, false, self.addresses).is_some_and(|written| !written.pins.is_empty())
         };

@@ -1,4 +1,4 @@
-//! What lets power through: contacts, comparisons, and what they stand in.
+//! What lets power through: contacts, comparisons, and what they are in.
 
 use super::Back;
 use super::act::{is_condition, op};

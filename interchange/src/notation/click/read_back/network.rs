@@ -229,7 +229,7 @@ impl Back<'_> {
         is_state.then_some(block)
     }
 
-    /// The actions of what stands in series behind a condition; the last part may be branches.
+    /// The actions of what is in series behind a condition; the last part may be branches.
     fn branch(&mut self, network: &Network, parts: &[Circuit<usize>]) -> Result<Vec<Action>, Refusal> {
         let mut out = Vec::new();
         let mut blocks: Vec<&Block> = Vec::new();
@@ -254,7 +254,7 @@ impl Back<'_> {
                     );
                     if changes_power && number + 1 < parts.len() {
                         let written = self.written(block.location.range);
-                        return Err(format!("in Click nothing stands behind {written}"));
+                        return Err(format!("in Click nothing is behind {written}"));
                     }
                     blocks.push(block);
                 }
@@ -264,7 +264,7 @@ impl Back<'_> {
                     out.extend(actions);
                     blocks.clear();
                     if number + 1 < parts.len() {
-                        return Err("in Click nothing stands behind branches with instructions".to_owned());
+                        return Err("in Click nothing is behind branches with instructions".to_owned());
                     }
                     for branch in branches {
                         let mut parts = Vec::new();
@@ -295,7 +295,7 @@ impl Back<'_> {
         if let Some(block) = blocks.iter().find(|block| is_condition(block)) {
             let written = self.written(block.location.range);
             return Err(format!(
-                "in Click the contact {written} stands before all instructions of its rung"
+                "in Click the contact {written} is before all instructions of its rung"
             ));
         }
         out.extend(self.actions(&blocks)?);
@@ -332,7 +332,7 @@ fn nop(place: crate::notation::LineColumn) -> Action {
     }
 }
 
-/// What stands in series, without nesting.
+/// What is in series, without nesting.
 fn flatten(circuit: Circuit<usize>, out: &mut Vec<Circuit<usize>>) {
     match circuit {
         Circuit::Series(parts) => parts.into_iter().for_each(|part| flatten(part, out)),
@@ -340,7 +340,7 @@ fn flatten(circuit: Circuit<usize>, out: &mut Vec<Circuit<usize>>) {
     }
 }
 
-/// The blocks of what stands in series, if there are no branches.
+/// The blocks of what is in series, if there are no branches.
 fn series<'n>(network: &'n Network, parts: &[Circuit<usize>]) -> Option<Vec<&'n Block>> {
     let block = |part: &Circuit<usize>| match part {
         Circuit::Element(block) => Some(&network.blocks[*block]),

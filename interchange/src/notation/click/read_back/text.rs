@@ -1,4 +1,4 @@
-//! What stands in the text of a ladder program beside its networks: comments, and what they keep.
+//! What is in the text of a ladder program beside its networks: comments, and what they keep.
 
 use super::Back;
 use crate::notation::{Lines, WriteError};

@@ -93,9 +93,7 @@ impl Back<'_> {
             Place::Tag(tag) => match self.meaning(*tag) {
                 Meaning::Address(tag) => Ok(Operand::Tag(tag.clone())),
                 Meaning::Nothing(why) => Err((*why).to_owned()),
-                _ => Err(
-                    "it is a helper of the conversion, and stands in a place that Click has not".to_owned(),
-                ),
+                _ => Err("it is a helper of the conversion, and is in a place that Click has not".to_owned()),
             },
             Place::Element(tag, by) => {
                 let bank = self.bank(*tag)?;

@@ -17,7 +17,7 @@ pub(super) fn draw(file: &File) -> String {
         width,
         lines: Vec::new(),
     };
-    // The first rung's name stands on the second line.
+    // The first rung's name is on the second line.
     let mut top = 1;
     for (number, rung) in file.rungs.iter().enumerate() {
         let height = height(&rung.parts);
@@ -42,7 +42,7 @@ fn comment(rung: &Rung) -> Option<&str> {
     }
 }
 
-/// The two lines of a comment. Where it has more, they stand behind the second one.
+/// The two lines of a comment. Where it has more, they are behind the second one.
 fn lines_of(comment: &str) -> Vec<String> {
     let mut lines = vec![String::new()];
     let mut chars = comment.chars();
@@ -80,7 +80,7 @@ fn width(node: &Node) -> usize {
     }
 }
 
-/// How many cells what stands in series is high.
+/// How many cells what is in series is high.
 fn height(parts: &[Node]) -> usize {
     parts.iter().map(height_of).max().unwrap_or(0)
 }
@@ -221,7 +221,7 @@ impl Canvas {
     }
 }
 
-/// Whether a part that stands last goes on to the right rail.
+/// Whether a part that is last goes on to the right rail.
 fn fills(node: &Node) -> bool {
     match node {
         Node::Leaf(leaf) => element::row_of(&leaf.text).is_some_and(|row| row.ends_rung),

@@ -1,4 +1,4 @@
-//! What stands around the diagram: the settings above it, and the names with their pins below.
+//! What is around the diagram: the settings above it, and the names with their pins below.
 
 use super::super::element::{self, Form};
 use super::super::model::{File, number};

@@ -35,7 +35,7 @@ pub(in crate::notation) struct LdmicroText;
 const CELL: usize = 17;
 /// Its lines.
 const CELL_LINES: usize = 3;
-/// What stands in place of an element that does not fit its cell.
+/// What is in place of an element that does not fit its cell.
 const TOO_LONG: &str = "!!!too long!!!";
 /// How such a text begins.
 const FIRST_LINE: &str = "LDmicro export text";

@@ -14,7 +14,7 @@ const WIDEST: usize = 256;
 const MOST_IN_RUNG: usize = 256;
 /// Branches nest no deeper.
 const DEEPEST: usize = 64;
-/// Where the left rail stands, and the cells begin.
+/// Where the left rail is, and the cells begin.
 const RAIL: usize = 3;
 const LEFT: usize = RAIL + 2;
 
@@ -91,7 +91,7 @@ fn settings(line: &str) -> Result<Vec<String>, ReadError> {
         }
         _ => {
             let message =
-                "here stand the crystal and the cycle time: `.., 4.000000 MHz crystal, 10.0 ms cycle time`";
+                "here are the crystal and the cycle time: `.., 4.000000 MHz crystal, 10.0 ms cycle time`";
             Err(ReadError::at(LineColumn::line(2), message))
         }
     }
@@ -100,9 +100,9 @@ fn settings(line: &str) -> Result<Vec<String>, ReadError> {
 /// A line of the diagram.
 struct Drawn {
     number: u32,
-    /// The number of a rung stands before the rail.
+    /// The number of a rung is before the rail.
     begins: bool,
-    /// What stands between the rails.
+    /// What is between the rails.
     inside: Vec<char>,
 }
 
@@ -119,7 +119,7 @@ fn drawn_line(number: u32, line: &str) -> Result<Drawn, ReadError> {
     }
     let width = chars.len().saturating_sub(LEFT + 2);
     if !width.is_multiple_of(CELL) || !is_rail(LEFT + width) || width == 0 {
-        return wrong("between the rails stand cells of 17 columns, at most 256 of them");
+        return wrong("between the rails are cells of 17 columns, at most 256 of them");
     }
     let before: String = chars[..RAIL].iter().collect();
     Ok(Drawn {
@@ -216,7 +216,7 @@ fn depth(circuit: &Circuit<usize>) -> usize {
     }
 }
 
-/// What stands in series.
+/// What is in series.
 fn parts(circuit: Circuit<usize>, leaves: &[Leaf]) -> Vec<Node> {
     match circuit {
         Circuit::Element(leaf) => vec![Node::Leaf(leaves[leaf].clone())],
@@ -244,7 +244,7 @@ struct Reader<'l> {
 }
 
 impl Reader<'_> {
-    /// The point at the end of a cell, before which vertical wires stand.
+    /// The point at the end of a cell, before which vertical wires are.
     fn point(&self, branch: usize, cell: usize) -> usize {
         Wires::point(branch * (self.lines[0].inside.len() / CELL + 1) + cell)
     }

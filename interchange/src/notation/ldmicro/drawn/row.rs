@@ -1,4 +1,4 @@
-//! What stands in the wire of a line: from its characters to elements.
+//! What is in the wire of a line: from its characters to elements.
 
 use super::super::element::{Form, ROWS};
 use super::{CELL, TOO_LONG};
@@ -29,10 +29,7 @@ pub(super) fn element(above: &[char], wire: &[char], column: usize) -> Result<Fo
         '{' if wire.get(column + 1) == Some(&'"') => body.string(),
         '{' => body.brace(),
         '!' if body.at(TOO_LONG.len()) == TOO_LONG => Ok(Found::new(TOO_LONG.to_owned(), TOO_LONG.len())),
-        other => Err(format!(
-            "`{}` is nothing that stands in a wire",
-            other.escape_debug()
-        )),
+        other => Err(format!("`{}` is nothing that is in a wire", other.escape_debug())),
     }
 }
 

@@ -145,7 +145,7 @@ impl Exporter<'_> {
         self.lines.place(self.text, location.range.start().into())
     }
 
-    /// What stands in series.
+    /// What is in series.
     fn parts(&mut self, network: &Network, circuit: Circuit<usize>) -> Result<Vec<Node>, String> {
         Ok(match circuit {
             Circuit::Element(block) => vec![self.leaf(&network.blocks[block])?],
@@ -323,7 +323,7 @@ impl Exporter<'_> {
             (Some(0), Some(last)) if is_own => {
                 Ok(format!("SHIFT_REGISTER {} {}", self.name(range.tag), last + 1))
             }
-            _ => Err("LDmicro shifts all of an array from 0, and keeps what stands at 0".to_owned()),
+            _ => Err("LDmicro shifts all of an array from 0, and keeps what is at 0".to_owned()),
         }
     }
 

@@ -1,4 +1,4 @@
-//! The rungs of a program in LDmicro's order: functions stand as subprograms where a comment keeps their place, or
+//! The rungs of a program in LDmicro's order: functions are as subprograms where a comment keeps their place, or
 //! behind the others.
 
 use super::Exporter;
@@ -52,7 +52,7 @@ impl Exporter<'_> {
         rungs
     }
 
-    /// The function that a network begins, where nothing else stands in it.
+    /// The function that a network begins, where nothing else is in it.
     fn begins_function(&self, network: &Network) -> Option<String> {
         let [block] = &network.blocks[..] else {
             return None;

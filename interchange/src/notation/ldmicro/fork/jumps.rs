@@ -1,6 +1,6 @@
 //! Labels, jumps and subprograms of the fork as labels and functions.
 //!
-//! A subprogram stands between other rungs and is passed over; a function stands behind the main program. So the rungs
+//! A subprogram is between other rungs and is passed over; a function is behind the main program. So the rungs
 //! between `SUBPROG` and `ENDSUB` move to the end, and a comment keeps their place. `GOTO 5` leads to a rung by its
 //! number: that rung gets a label.
 
@@ -88,7 +88,7 @@ impl Jumps {
                 },
                 Jump::Return => match jumps.subprogram(*index) {
                     Some(_) => Ok("<RET>".to_owned()),
-                    None => Err("it stands in no subprogram".to_owned()),
+                    None => Err("it is in no subprogram".to_owned()),
                 },
                 Jump::Label | Jump::Subprog | Jump::Endsub => continue,
             };

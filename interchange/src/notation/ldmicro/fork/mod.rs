@@ -41,7 +41,7 @@ pub(super) enum What {
     Made(Made),
 }
 
-/// What stands in an operand's place.
+/// What is in an operand's place.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Given<'l> {
     /// A variable that is written.

@@ -12,7 +12,7 @@ use ladder_analysis::Severity;
 use ladder_instructions::Op;
 use std::collections::{HashMap, HashSet};
 
-/// All that LDmicro would complain about, whatever stands first.
+/// All that LDmicro would complain about, whatever is first.
 pub(super) fn findings(file: &File) -> Vec<Finding> {
     let mut out = Vec::new();
     let mut uses: HashMap<&str, Vec<(&Leaf, Form)>> = HashMap::new();
@@ -216,7 +216,7 @@ fn timer_names(uses: &HashMap<&str, Vec<(&Leaf, Form)>>, out: &mut Vec<Finding>)
     }
 }
 
-/// Whether nothing stands to the right of what ends a rung.
+/// Whether nothing is to the right of what ends a rung.
 fn rightmost(parts: &[Node], at_rail: bool, out: &mut Vec<Finding>) {
     for (index, part) in parts.iter().enumerate() {
         let last = at_rail && index + 1 == parts.len();

@@ -1,4 +1,4 @@
-//! What stands above the networks: the header and the lists of the file in comments, and the declarations.
+//! What is above the networks: the header and the lists of the file in comments, and the declarations.
 
 use super::{Importer, name_of};
 use crate::notation::LineColumn;

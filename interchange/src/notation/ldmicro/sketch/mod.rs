@@ -184,7 +184,7 @@ impl<'f> Importer<'f> {
         self.comments(above);
     }
 
-    /// A comment that stands above no network.
+    /// A comment that is above no network.
     fn comments(&mut self, comment: Option<String>) {
         if let Some(comment) = comment {
             let items = &mut self.reading.program.items;
@@ -206,7 +206,7 @@ impl<'f> Importer<'f> {
                     if index + 1 < parts.len() {
                         self.passes_on(branches);
                     }
-                    // What stands in a branch by itself has nothing behind it.
+                    // What is in a branch by itself has nothing behind it.
                     let branches = branches.iter();
                     let branches = branches.map(|branch| match self.nodes(std::slice::from_ref(branch)) {
                         mut one if one.len() == 1 => one.remove(0),
@@ -228,7 +228,7 @@ impl<'f> Importer<'f> {
             .find(ends)
             .filter(|_| self.file.version == Version::V02)
         {
-            let why = "what stands behind these branches has the power that comes out of any of them here; in \
+            let why = "what is behind these branches has the power that comes out of any of them here; in \
                        LDmicro's fork it has what goes in";
             let place = LineColumn::line(leaf.line);
             self.reading.report.approximated(place, "PARALLEL", why);

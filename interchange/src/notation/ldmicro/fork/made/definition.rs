@@ -1,4 +1,4 @@
-//! The definitions of the blocks, network by network: what stands between `--` is in series. They compute what the
+//! The definitions of the blocks, network by network: what is between `--` is in series. They compute what the
 //! fork's own code does, in the same order.
 
 use super::{Count, Kind, Made, MadeCounter, MadeTimer};

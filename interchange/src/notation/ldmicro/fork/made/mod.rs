@@ -195,7 +195,7 @@ impl Made {
         format!("${word}")
     }
 
-    /// As it stands on a rung, without its operands.
+    /// As it is on a rung, without its operands.
     pub(in crate::notation::ldmicro) fn head(self) -> String {
         match self {
             Made::Toggle => format!("({})", self.name()),
