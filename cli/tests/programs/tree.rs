@@ -10,21 +10,20 @@ fn the_tree_of_a_rung_and_its_mistakes() {
         exit status 0
         -- stdout
         SOURCE_FILE@0..10
-          CHUNK@0..10
-            RUNG@0..10
-              RAIL_CONNECTOR@0..1 "+"
-              WIRE@1..3 "--"
-              LOGICAL_BLOCK@3..9
-                BLOCK_HEAD@3..6
-                  L_BRACKET@3..4 "["
-                  WHITESPACE@4..5 " "
-                  R_BRACKET@5..6 "]"
-                OPERAND_LIST@6..9
-                  L_PAREN@6..7 "("
-                  WHITESPACE@7..8 " "
-                  NAME_EXPR@8..9
-                    IDENT@8..9 "a"
-              NEWLINE@9..10 "\n"
+          RUNG@0..10
+            RAIL_CONNECTOR@0..1 "+"
+            WIRE@1..3 "--"
+            LOGICAL_BLOCK@3..9
+              BLOCK_HEAD@3..6
+                L_BRACKET@3..4 "["
+                WHITESPACE@4..5 " "
+                R_BRACKET@5..6 "]"
+              OPERAND_LIST@6..9
+                L_PAREN@6..7 "("
+                WHITESPACE@7..8 " "
+                NAME_EXPR@8..9
+                  IDENT@8..9 "a"
+            NEWLINE@9..10 "\n"
         error@6..9 UnclosedBlock { closing: R_PAREN }
     "#]]
     .assert_eq(&folder.ladder(&["tree", "a.clad"]).to_string());

@@ -36,6 +36,8 @@ fn the_guide_tells_of_every_option() {
         "--headless",
         "--install-extension",
         "--cached",
+        "--health",
+        "--no-server",
         "--diff-filter",
         "--name-only",
         "--no-textconv",
