@@ -13,6 +13,8 @@ const PAGES = ['first-program.md', 'for-programmers.md'];
 
 /** Milliseconds behind a key: a fast typist, whom the editor's own typing aids can still follow. */
 const KEY = 25;
+/** Before the next line is begun. */
+const NEXT_LINE = 100;
 
 /** The programs of a page that are right, each with the number of its first line. */
 function programs(name) {
@@ -51,6 +53,7 @@ export async function book(page, { step, until, project }) {
                     await page.keyboard.type(text, { delay: KEY });
                     if (number < lines.length - 1) {
                         await page.keyboard.press('Enter', { delay: KEY });
+                        await page.waitForTimeout(NEXT_LINE);
                     }
                 }
                 await until(`no mistake in ${where}`, 5, async () => (await mistakes.count()) === 0);

@@ -186,7 +186,8 @@ export async function diagram(page, { step, until, screenshot }) {
         await until('two networks as they were', 10, async () => (await frame.locator('.piece.held g.element').count()) >= 5);
         assert.equal(await frame.locator('.piece.held text', { hasText: /^lamp$/ }).count(), 1);
         await screenshot(page, 'diagram-held');
-        await page.keyboard.press('Control+Z');
+        await page.keyboard.press('Backspace');
+        await page.keyboard.press('Backspace');
         await until('the drawings', 10, async () => (await frame.locator('.piece.held').count()) === 0);
     });
     await step('a number is set below the drawing', async () => {

@@ -238,7 +238,7 @@ async function traceTags(page) {
     await step('a tag is added from the Tags view, and drawn over a scale', async () => {
         await row(page, 'warmup.ET').hover();
         await row(page, 'warmup.ET').locator('.codicon-pulse').click();
-        await traceRow('warmup.ET').locator('.line').waitFor({ timeout: 5000 });
+        await traceRow('warmup.ET').locator('.line').waitFor({ state: 'attached', timeout: 5000 });
         await traceRow('warmup.ET').getByText('20 ms').first().waitFor({ timeout: 5000 });
     });
     await step('two cursors, and the difference between them', async () => {
