@@ -211,6 +211,12 @@ impl Context {
         tag.uses.0.iter().map(|place| self.networks.use_of(*place))
     }
 
+    /// The tag in whose scope more is known of one that several scopes share; else the tag itself.
+    pub fn shared<'c>(&'c self, tag: &'c TagFacts) -> &'c TagFacts {
+        tag.shared
+            .map_or(tag, |(scope, tag)| &self.scopes[scope].tags[tag])
+    }
+
     /// Where a tag is written, from top to bottom.
     pub fn writers<'c>(
         &'c self,

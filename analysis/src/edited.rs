@@ -11,7 +11,7 @@ use crate::edited_declarations;
 use crate::infer;
 use crate::known_blocks::KnownBlocks;
 use crate::network::{self, NetworkFacts, UserBlocks};
-use crate::networks::Spliced;
+use crate::networks::{Networks, Spliced};
 use crate::others::Others;
 use crate::program::Role;
 use crate::reading::Reading;
@@ -129,11 +129,12 @@ fn change(before: &Context, parse: &Parse) -> Option<Change> {
         return None;
     }
     if above < before.declared_to {
-        let (old, new): (Vec<_>, Vec<_>) = (
-            old.range(change.old.clone()).take(20).collect(),
-            new.range(change.new.clone()).take(20).collect(),
-        );
-        return edited_declarations::are_lines_of(&old, &new).then_some(Change::Declarations(change));
+        let are_lines = edited_declarations::is_short(&change)
+            && edited_declarations::are_lines_of(
+                || old.range(change.old.clone()),
+                || new.range(change.new.clone()),
+            );
+        return are_lines.then_some(Change::Declarations(change));
     }
     // Comments before the first network may say what profile the file has.
     let below_first = before.networks.first().is_some_and(|first| {
@@ -394,11 +395,7 @@ impl Edited {
             context.scopes[0].replace_found(|mut tags| {
                 tags.retain(|tag| !tag.uses.is_empty());
                 tags.extend(new);
-                let first = |tag: &Arc<TagFacts>| {
-                    let place = tag.uses.0[0];
-                    (networks.index_of(place.network), place.named())
-                };
-                tags.sort_by_cached_key(first);
+                sort_found(&mut tags, networks);
                 tags
             });
         }
@@ -427,15 +424,26 @@ fn is_strange(facts: &NetworkFacts) -> bool {
     facts.user_blocks == UserBlocks::Others
 }
 
+/// Sorts tags that are only used by their first places.
+pub(crate) fn sort_found(tags: &mut [Arc<TagFacts>], networks: &Networks) {
+    tags.sort_by_cached_key(|tag| {
+        let place = tag.uses.0[0];
+        (networks.index_of(place.network), place.named())
+    });
+}
+
+/// How a tag is spelled at a place.
+pub(crate) fn spelled_at(context: &Context, place: UseRef) -> &str {
+    let network = context.networks.index_of(place.network);
+    let network = context.networks.at(network).facts();
+    uses::spelling(network, &network.named[place.named() as usize])
+}
+
 /// A tag is spelled as where it is first.
 fn respelled(context: &mut Context, scope: usize, tag: usize) {
     let facts = &context.scopes[scope].tags[tag];
     let Some(place) = facts.uses.0.first() else { return };
-    let network = context
-        .networks
-        .at(context.networks.index_of(place.network))
-        .facts();
-    let name = uses::spelling(network, &network.named[place.named() as usize]);
+    let name = spelled_at(context, *place);
     if *facts.name != *name {
         let spelled = uses::undeclared(name, context.profile.law());
         let facts = &mut context.scopes[scope].tags[tag];

@@ -6,7 +6,7 @@
 use crate::context::Context;
 use crate::declarations::Declarations;
 use crate::declare::{self, Around};
-use crate::edited::{EditedTags, Lines, typed};
+use crate::edited::{EditedTags, Lines, sort_found, spelled_at, typed};
 use crate::scope::{Origin, Scope, SectionKind, TagFacts, Uses};
 use crate::uses;
 use ladder_syntax::{Line, LineKind, Mode, Name, TextSize, Trees};
@@ -17,9 +17,16 @@ use std::sync::Arc;
 /// An edit of more lines is not followed one by one.
 const MOST_LINES: usize = 16;
 
-/// Whether an edit has exchanged lines of declarations for as many others, all of them without mistakes.
-pub(crate) fn are_lines_of(old: &[&Line], new: &[&Line]) -> bool {
-    let same_count = old.len() == new.len() && (1..=MOST_LINES).contains(&old.len());
+/// Whether an edit has exchanged some lines for as many others, few enough to be followed one by one.
+pub(crate) fn is_short(lines: &Lines) -> bool {
+    lines.old.len() == lines.new.len() && (1..=MOST_LINES).contains(&lines.old.len())
+}
+
+/// Whether lines of declarations took the place of others, all of them without mistakes.
+pub(crate) fn are_lines_of<'l, I: Iterator<Item = &'l Line>>(
+    old: impl Fn() -> I,
+    new: impl Fn() -> I,
+) -> bool {
     // Nothing else is on the line behind it.
     let is_whole = |line: &Line| {
         line.kind == LineKind::Declaration
@@ -27,9 +34,8 @@ pub(crate) fn are_lines_of(old: &[&Line], new: &[&Line]) -> bool {
             && line.errors.is_empty()
             && line.line_ends > 0
     };
-    let pairs = || old.iter().zip(new);
-    same_count
-        && pairs().all(|(old, new)| (is_whole(old) && is_whole(new)) || is_same_decoration(old, new))
+    let pairs = || old().zip(new());
+    pairs().all(|(old, new)| (is_whole(old) && is_whole(new)) || is_same_decoration(old, new))
         && pairs().any(|(old, _)| is_whole(old))
 }
 
@@ -175,12 +181,7 @@ fn exchange(context: &mut Context, declared: Vec<Declared>) -> Option<EditedTags
     let found = uses.into_iter().filter(|(_, uses)| !uses.is_empty());
     let found: Vec<Arc<TagFacts>> = found
         .map(|(_, uses)| {
-            let first = uses.0[0];
-            let network = context
-                .networks
-                .at(context.networks.index_of(first.network))
-                .facts();
-            let name = uses::spelling(network, &network.named[first.named() as usize]);
+            let name = spelled_at(context, uses.0[0]);
             let tag = TagFacts {
                 uses,
                 ..uses::undeclared(name, law)
@@ -194,10 +195,7 @@ fn exchange(context: &mut Context, declared: Vec<Declared>) -> Option<EditedTags
         scope.replace_found(|mut tags| {
             tags.retain(|tag| !no_more_found.contains(&Name::new(&tag.name)));
             tags.extend(found);
-            tags.sort_by_cached_key(|tag| {
-                let place = tag.uses.0[0];
-                (networks.index_of(place.network), place.named())
-            });
+            sort_found(&mut tags, networks);
             tags
         });
     }

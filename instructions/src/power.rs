@@ -26,6 +26,13 @@ pub enum Power {
     SetTag,
 }
 
+impl Power {
+    /// Whether it is that of a contact: it asks for nothing but the level, or a change, of its operand.
+    pub const fn is_contact(self) -> bool {
+        matches!(self, Power::Level { .. } | Power::TagEdge(_))
+    }
+}
+
 /// A change of a bit from one scan to the next.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 #[allow(missing_docs)]

@@ -7,7 +7,7 @@ use ladder_analysis::Others;
 use ladder_analysis::context::context;
 use ladder_analysis::networks::BlockAt;
 use ladder_ide::{Modifiers, Token, TokenKind, semantic_tokens};
-use ladder_instructions::{Op, Shape};
+use ladder_instructions::Shape;
 use ladder_interchange::picture::{Options, Theme, scene, svg};
 use ladder_syntax::TextRange;
 use serde::{Deserialize, Serialize};
@@ -104,8 +104,8 @@ pub(crate) fn draw(fence: &Fence) -> Option<DrawnFence> {
 
 /// The first part of a contact or coil.
 fn head(block: BlockAt<'_>) -> Option<(TextRange, &'static str)> {
-    let kind = match block.op()? {
-        Op::Contact | Op::NegatedContact | Op::RisingContact | Op::FallingContact => "contact",
+    let kind = match block.instruction()? {
+        row if row.power.is_contact() => "contact",
         _ if block.facts.shape == Shape::Coil => "coil",
         _ => return None,
     };

@@ -286,10 +286,7 @@ impl Resolver<'_, '_> {
         let Some(tag) = tag.filter(|&tag| self.scope.tags[tag].constant) else {
             return true;
         };
-        let mut tag = &self.scope.tags[tag];
-        if let Some((scope, shared)) = tag.shared {
-            tag = &self.context.scopes[scope].tags[shared];
-        }
+        let tag = self.context.shared(&self.scope.tags[tag]);
         let name = Name::new(&tag.name);
         let elsewhere = match &tag.foreign {
             Some(_) => self.context.others.globals(&name).next(),

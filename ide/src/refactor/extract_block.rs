@@ -150,10 +150,7 @@ fn parameters(context: &Context, on: &OnNetwork<'_>, blocks: &[usize]) -> Result
 
 /// A shared tag counts the uses in all scopes; an entry that leads to it, its own.
 fn uses_in<'c>(context: &'c Context, tag: &'c TagFacts) -> impl Iterator<Item = Use> {
-    match tag.shared {
-        Some((scope, index)) => context.uses(&context.scopes[scope].tags[index]),
-        None => context.uses(tag),
-    }
+    context.uses(context.shared(tag))
 }
 
 /// Global tags and direct addresses are the same in every body.

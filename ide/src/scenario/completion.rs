@@ -3,7 +3,7 @@
 use super::Scenarios;
 use super::hover::keyword;
 use super::place::line;
-use super::row::{shared, value_type};
+use super::row::value_type;
 use crate::completion::{Completion, CompletionKind, Completions, Snippet, Topic};
 use ladder_analysis::context::Context;
 use ladder_analysis::program::{Role, SystemTag};
@@ -174,7 +174,7 @@ fn tags(
     };
     let mut found: Vec<(u8, String, Scalar, &TagFacts, Direction)> = Vec::new();
     for tag in &scope.tags {
-        let tag = shared(program, tag);
+        let tag = program.shared(tag);
         let Some(ty) = tag.ty else { continue };
         let (order, direction) = match tag.role {
             Role::Input => (0, Direction::Given),

@@ -2,7 +2,7 @@
 
 use super::Scenarios;
 use super::place::{Place, line, place};
-use super::row::{named, shared, value_type};
+use super::row::{named, value_type};
 use crate::comments;
 use crate::hover::{Hover, tag_card};
 use ladder_analysis::context::Context;
@@ -116,7 +116,7 @@ fn of_tag(scenarios: &Scenarios<'_>, row: &Row) -> Option<String> {
 
 /// The comment behind a tag's declaration.
 fn declared_comment(program: &Context, tag: &TagFacts) -> Option<String> {
-    let tag = shared(program, tag);
+    let tag = program.shared(tag);
     if !tag.is_declared() {
         return None;
     }

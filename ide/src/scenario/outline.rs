@@ -1,9 +1,10 @@
 //! The parts of a scenario file.
 
 use super::Scenarios;
+use super::place::line;
 use ladder_simulator::scenario::Direction;
+use ladder_syntax::TextRange;
 use ladder_syntax::numeral::counted;
-use ladder_syntax::{TextRange, TextSize};
 
 /// A scenario, or a row of one.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -26,9 +27,7 @@ pub fn outline(scenarios: &Scenarios<'_>) -> Vec<ScenarioPart> {
         let children: Vec<ScenarioPart> = scenario.rows.iter().map(of_row).collect();
         let start = scenario.range.start();
         // The word `scenario` and a blank are before the name.
-        let line = scenarios.text[..usize::from(start)]
-            .rfind(['\n', '\r'])
-            .map_or(0, |end| end + 1);
+        let (line, _) = line(scenarios.text, start);
         let end = children
             .last()
             .map_or(scenario.range.end(), |row| row.range.end());
@@ -39,7 +38,7 @@ pub fn outline(scenarios: &Scenarios<'_>) -> Vec<ScenarioPart> {
                 scenario.name.clone()
             },
             detail: counted(scenario.steps, "step"),
-            range: TextRange::new(TextSize::new(line as u32), end),
+            range: TextRange::new(line, end),
             focus: scenario.range,
             children,
         }

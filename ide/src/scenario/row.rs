@@ -5,7 +5,6 @@ use super::Scenarios;
 use super::navigate::usage;
 use crate::neighbour::ScenarioFile;
 use crate::symbol::{Symbol, Usage, tag_of};
-use ladder_analysis::context::Context;
 use ladder_analysis::program::SystemTag;
 use ladder_analysis::scope::TagFacts;
 use ladder_analysis::state_member;
@@ -53,20 +52,12 @@ pub(super) fn value_type(scenarios: &Scenarios<'_>, name: &str) -> Option<Scalar
     }
     let scope = program.scopes.first()?;
     let tag = &scope.tags[scope.find(&Name::new(first.trim()))?];
-    match (shared(program, tag).ty?, member) {
+    match (program.shared(tag).ty?, member) {
         (Type::Scalar(ty), None) if rest.is_empty() => Some(ty),
         (Type::Scalar(_), Some(_)) => Some(Scalar::Bool),
         (Type::State(state), Some(member)) => Some(state_member(state, member)?.ty(program.profile.law())),
         (Type::Array { element, .. }, None) => Some(element),
         _ => None,
-    }
-}
-
-/// What is known of a tag that several scopes share is known where it is declared.
-pub(super) fn shared<'c>(program: &'c Context, tag: &'c TagFacts) -> &'c TagFacts {
-    match tag.shared {
-        Some((scope, tag)) => &program.scopes[scope].tags[tag],
-        None => tag,
     }
 }
 

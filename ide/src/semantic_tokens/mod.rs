@@ -159,11 +159,9 @@ impl Walk<'_> {
 
     fn block(&mut self, node: &GreenNodeData, bound: Option<BlockAt<'_>>) {
         let kind = SyntaxKind::from_raw(node.kind());
-        let shape = match bound.and_then(|bound| bound.op()) {
+        let shape = match bound.and_then(|bound| bound.instruction()) {
             _ if kind == SyntaxKind::COIL_BLOCK => Modifiers::COIL,
-            Some(Op::Contact | Op::NegatedContact | Op::RisingContact | Op::FallingContact) => {
-                Modifiers::CONTACT
-            }
+            Some(row) if row.power.is_contact() => Modifiers::CONTACT,
             _ => Modifiers::default(),
         };
         for child in node.children() {

@@ -27,6 +27,7 @@ mod console;
 mod launch;
 mod marker;
 mod messages;
+mod once;
 mod play;
 mod running;
 mod serve;

@@ -3,6 +3,7 @@
 use ladder_simulator::Session;
 use ladder_simulator::scenario::{Case, Unmet};
 
+use super::once::Once;
 use super::sources::Source;
 
 /// A scenario on its way.
@@ -10,8 +11,7 @@ use super::sources::Source;
 pub(super) struct Play {
     pub file: Source,
     pub case: Case,
-    /// The scan for which its values were given last.
-    given_for: Option<u64>,
+    given: Once,
     /// What the program had sent through the serial port when the step began.
     sent_before: Vec<u8>,
     /// An expectation was not met.
@@ -23,7 +23,7 @@ impl Play {
         Play {
             file,
             case,
-            given_for: None,
+            given: Once::default(),
             sent_before: Vec::new(),
             has_failed: false,
         }
@@ -35,10 +35,9 @@ impl Play {
         let Some(step) = self.case.step_before(scan) else {
             return;
         };
-        if session.scans_ahead() > 0 || self.given_for == Some(scan) {
+        if !self.given.is_due(session) {
             return;
         }
-        self.given_for = Some(scan);
         self.sent_before = session.serial();
         self.case.give(step, session);
     }

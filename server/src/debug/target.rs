@@ -7,6 +7,7 @@ use ladder_analysis::program::Location;
 use ladder_simulator::{Activation, Inputs, Instance, Routine, Session, Simulation, Stop};
 use ladder_workspace::RetentiveFile;
 
+use super::once::Once;
 use super::play::Play;
 use super::sources::Source;
 use super::watch::Scope;
@@ -20,8 +21,7 @@ pub(super) struct Target {
     pub play: Option<Play>,
     /// What a table gives, scan by scan.
     inputs: Inputs,
-    /// The scan for which the table gave its values last.
-    given_for: Option<u64>,
+    given: Once,
     retention: Option<RetentiveFile>,
 }
 
@@ -38,7 +38,7 @@ impl Target {
             sources,
             play,
             inputs,
-            given_for: None,
+            given: Once::default(),
             retention,
         }
     }
@@ -60,11 +60,10 @@ impl Target {
 
     /// What the table gives before a scan, unless the history gives it again.
     fn give_inputs(&mut self) {
-        let scan = self.session.simulation().scans();
-        if self.session.scans_ahead() > 0 || self.given_for == Some(scan) {
+        if !self.given.is_due(&self.session) {
             return;
         }
-        self.given_for = Some(scan);
+        let scan = self.session.simulation().scans();
         for (point, value) in self.inputs.before(scan) {
             // What could be refused was found when the table was read.
             let _ = self.session.set(point, value);

@@ -189,29 +189,17 @@ local function map_keys(panel, source)
         simulation.command(source, 'unforce', { tag = tag.name })
       end
     end,
-    s = function()
-      simulation.command(source, 'step', { scans = vim.v.count1 })
-    end,
-    b = function()
-      simulation.command(source, 'back', { scans = vim.v.count1 })
-    end,
     w = function()
       local tag = tag_here(source)
       if tag then
         require('ladder.why').ask(source, tag.name)
       end
     end,
-    r = function()
-      simulation.run(source)
-    end,
-    p = function()
-      simulation.pause(source)
-    end,
     q = function()
       M.close(source)
     end,
   }
-  side_buffer.map(panel, actions)
+  side_buffer.map(panel, side_buffer.with_run(source, actions))
 end
 
 local function create(source)

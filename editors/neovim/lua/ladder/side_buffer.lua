@@ -23,6 +23,30 @@ function M.map(bufnr, actions)
   end
 end
 
+--- The keys of a buffer with those that all buffers have which show a run: step, back, run and pause.
+--- @param source integer the buffer of the program
+--- @param actions table<string, function> by their keys
+--- @return table<string, function>
+function M.with_run(source, actions)
+  local simulation = require('ladder.simulation')
+  local function scans(name)
+    return function()
+      simulation.command(source, name, { scans = vim.v.count1 })
+    end
+  end
+  local running = {
+    s = scans('step'),
+    b = scans('back'),
+    r = function()
+      simulation.run(source)
+    end,
+    p = function()
+      simulation.pause(source)
+    end,
+  }
+  return vim.tbl_extend('error', running, actions)
+end
+
 --- The windows that show it.
 --- @param bufnr integer
 --- @return integer[]

@@ -54,12 +54,12 @@ export class Fences {
 
     /** What could not be drawn before may be now: the server runs. */
     begin(): void {
-        for (const [text, drawn] of this.#drawn) {
-            if (!drawn) {
-                this.#drawn.delete(text);
-            }
+        const plain = [...this.#drawn].filter(([, drawn]) => !drawn);
+        plain.forEach(([text]) => this.#drawn.delete(text));
+        // Where nothing was shown the preview is not woken.
+        if (plain.length > 0) {
+            this.#showAgain();
         }
-        this.#showAgain();
     }
 
     dispose(): void {

@@ -191,18 +191,6 @@ function M.map(source, trace, hands)
         hands.remove_tag(tag)
       end
     end,
-    s = function()
-      simulation.command(source, 'step', { scans = vim.v.count1 })
-    end,
-    b = function()
-      simulation.command(source, 'back', { scans = vim.v.count1 })
-    end,
-    r = function()
-      simulation.run(source)
-    end,
-    p = function()
-      simulation.pause(source)
-    end,
     q = function()
       hands.close()
     end,
@@ -211,7 +199,7 @@ function M.map(source, trace, hands)
     end,
   }
   actions['<Left>'], actions['<Right>'] = actions.h, actions.l
-  side_buffer.map(trace.bufnr, actions)
+  side_buffer.map(trace.bufnr, side_buffer.with_run(source, actions))
 end
 
 return M
