@@ -151,6 +151,8 @@ impl Runner {
                 }
                 return Next::Stay;
             }
+            // What does not concern the program is no news for who shows it.
+            Action::FollowOthers(revision) if !self.concerned_by_others(&revision) => return Next::Stay,
             action => self.change(action, &cancel),
         };
         let _ = reply.send(outcome);
@@ -238,14 +240,7 @@ impl Runner {
                     self.follow(revision);
                 }
             }
-            Action::FollowOthers(revision) => {
-                // A text that waits goes with the other files as they are.
-                let is_newest = revision.version >= self.simulation.engine.revision().version;
-                let waits = self.texts.load(Ordering::SeqCst) > 0;
-                if is_newest && !waits && self.simulation.engine.uses_others() {
-                    self.follow(revision);
-                }
-            }
+            Action::FollowOthers(revision) => self.follow(revision),
             Action::Stop => {
                 self.run = None;
                 self.simulation.engine.save();
@@ -253,6 +248,14 @@ impl Runner {
             }
         }
         Ok(())
+    }
+
+    /// Whether the program is to be looked at again because other files are not as they were.
+    fn concerned_by_others(&self, revision: &Revision) -> bool {
+        // A text that waits goes with the other files as they are.
+        let waits = self.texts.load(Ordering::SeqCst) > 0;
+        let is_newest = revision.version >= self.simulation.engine.revision().version;
+        is_newest && !waits && self.simulation.engine.uses_others()
     }
 
     fn follow(&mut self, revision: Arc<Revision>) {
