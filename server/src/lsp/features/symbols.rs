@@ -98,7 +98,7 @@ fn scenario_symbol(revision: &Revision, part: ScenarioPart, kind: SymbolKind) ->
     }
 }
 
-/// As [`DocumentSymbol`](tower_lsp::ls_types::DocumentSymbol)s.
+/// As [`DocumentSymbol`]s.
 struct Symbols<'s>(&'s [Outlined], &'s Positions);
 
 impl Serialize for Symbols<'_> {
