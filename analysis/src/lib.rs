@@ -67,5 +67,5 @@ pub use others::{Exported, Import, Others};
 pub use resolve::{in_class, is_function as is_expression_function};
 pub use rule::{Rule, RuleGroup, Severity};
 pub use rule_settings::{Level, RuleSettings};
-pub use rules::cplc_draft::is_told as says_cplc_draft;
+pub use rules::cplc_draft::is_reported as says_cplc_draft;
 pub use rules::declaration_fix;

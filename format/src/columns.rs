@@ -39,7 +39,7 @@ pub(crate) struct Placer {
     /// For each rung its first element that moves right. What moves is always the rung's end.
     moving: Vec<u32>,
     /// For each rung: up to here the partners know that they do not move.
-    told: Vec<u32>,
+    passed_on: Vec<u32>,
     queue: Vec<usize>,
 }
 
@@ -194,7 +194,7 @@ impl Placer {
     fn find_moving(&mut self, sketch: &Sketch, rungs: Range<usize>) {
         let first = rungs.start;
         self.moving.clear();
-        self.told.clear();
+        self.passed_on.clear();
         self.queue.clear();
         for range in &sketch.rungs[rungs.clone()] {
             let elements = &sketch.elements[range.start as usize..range.end as usize];
@@ -203,7 +203,7 @@ impl Placer {
                 .rposition(|e| !could_move(e.kind))
                 .map_or(0, |n| n + 1);
             self.moving.push(range.start + still as u32);
-            self.told.push(range.start);
+            self.passed_on.push(range.start);
         }
         for rung in 0..rungs.len() {
             self.queue.push(rung);
@@ -215,14 +215,14 @@ impl Placer {
         }
         while let Some(rung) = self.queue.pop() {
             let moving = self.moving[rung];
-            for at in self.told[rung]..moving {
+            for at in self.passed_on[rung]..moving {
                 let element = &sketch.elements[at as usize];
                 if element.partner != NONE {
                     let other = partners_rung(rung, element.kind);
                     self.stop(other, element.partner);
                 }
             }
-            self.told[rung] = moving;
+            self.passed_on[rung] = moving;
             if moving < sketch.rungs[first + rung].end {
                 self.check_support(sketch, rung, moving);
             }

@@ -84,7 +84,7 @@ fn varied(size: usize) -> String {
     text
 }
 
-/// What the builder is told, recorded.
+/// The calls of the builder, recorded.
 enum Event {
     Start(SyntaxKind),
     Token(SyntaxKind, Range<usize>),

@@ -117,8 +117,12 @@ impl Parse {
             })
             .collect();
         // An end that was not found may be in a comment that is never closed.
-        let told = |kind: SyntaxErrorKind| self.unclosed_comment().is_none() || !kind.lacks_end();
-        let problems = self.structure().problems.iter().filter(|(_, kind)| told(*kind));
+        let reported = |kind: SyntaxErrorKind| self.unclosed_comment().is_none() || !kind.lacks_end();
+        let problems = self
+            .structure()
+            .problems
+            .iter()
+            .filter(|(_, kind)| reported(*kind));
         errors.extend(problems.map(|&(line, kind)| {
             // The line without its white space and line end.
             let text = self.lines()[line].text();

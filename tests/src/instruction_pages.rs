@@ -45,7 +45,7 @@ pub const PAGES: [Page; 6] = [
     Page {
         group: Group::Flow,
         file: "flow.md",
-        introduction: "These blocks change which network runs next. What the main program and a function are is told in \
+        introduction: "These blocks change which network runs next. The main program and functions are described in \
                        [Instructions](../instructions.md#flow).",
     },
     Page {

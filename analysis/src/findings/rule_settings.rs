@@ -1,4 +1,4 @@
-//! What the rules are told before they look: which of them look at all, and how long a scan takes.
+//! What the rules are given before they look: which of them look at all, and how long a scan takes.
 
 use crate::rule::{Rule, Severity};
 use std::collections::BTreeMap;

@@ -194,7 +194,7 @@ fn company(law: &Law, scope: &Scope, bound: BlockAt<'_>, mut give: impl FnMut(us
         return;
     }
     let operands = || bound.facts.operands.iter().zip(bound.formals.iter());
-    let told = |asked: fn(Accepts) -> bool| {
+    let type_among = |asked: fn(Accepts) -> bool| {
         operands()
             .filter(|(_, formal)| matches!(formal, Formal::Operand(o) if asked(o.accepts)))
             .find_map(|(other, _)| telling(law, scope, &other.value))
@@ -211,8 +211,10 @@ fn company(law: &Law, scope: &Scope, bound: BlockAt<'_>, mut give: impl FnMut(us
         };
         let company = match row.accepts {
             Accepts::Result(TypeClass::Real) => Some(Scalar::real_of(law)),
-            Accepts::Result(_) => told(|accepts| matches!(accepts, Accepts::Value | Accepts::Expression)),
-            _ => *compared.get_or_insert_with(|| told(|accepts| accepts == Accepts::Compared)),
+            Accepts::Result(_) => {
+                type_among(|accepts| matches!(accepts, Accepts::Value | Accepts::Expression))
+            }
+            _ => *compared.get_or_insert_with(|| type_among(|accepts| accepts == Accepts::Compared)),
         };
         if let Some(ty) = company {
             give(tag, ty);

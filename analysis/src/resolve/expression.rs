@@ -96,7 +96,7 @@ impl Resolver<'_, '_> {
         })
     }
 
-    /// The type that a node has by itself; none for untyped literals and what cannot be told.
+    /// The type that a node has by itself; none for untyped literals and for what cannot be known.
     pub(super) fn own_type(&self, node: &Node) -> Option<Scalar> {
         if let Some((literal, _)) = signed_literal(node) {
             return match literal {

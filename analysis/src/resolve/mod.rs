@@ -85,7 +85,7 @@ fn check(context: &Context, network: usize, out: &mut Vec<Diagnostic>) -> Option
     unresolved
 }
 
-/// Resolves all networks of the units, whose mistakes are told already.
+/// Resolves all networks of the units, whose mistakes are reported already.
 pub(crate) fn program(units: &[Unit<'_>]) -> Resolved {
     let numbers = Numbers::of(units);
     let mut program = Program {
@@ -118,7 +118,7 @@ fn networks(
 ) -> Option<TextRange> {
     let context = unit.context;
     let mut unresolved = None;
-    let mut told = Vec::new();
+    let mut reported = Vec::new();
     let mut lowered: Vec<(usize, Network)> = Vec::with_capacity(context.networks.len());
     for (network, facts) in context.networks.iter().enumerate() {
         let Some(number) = numbers.network(index, network) else {
@@ -136,7 +136,7 @@ fn networks(
                 }),
                 base: bound.base,
                 network,
-                out: &mut told,
+                out: &mut reported,
             };
             let block = resolver.block(bound);
             if !is_whole(block.as_ref(), bound) {

@@ -21,7 +21,7 @@ enum Kind {
 
 impl Resolver<'_, '_> {
     /// Whether the operands fit together for a result of type TIME or DT. Says so if they do not; what is neither a
-    /// time nor a number is told operand by operand.
+    /// time nor a number is reported operand by operand.
     pub(super) fn check_times(&mut self, op: Op, bound: BlockAt<'_>, ty: Scalar) -> bool {
         if !matches!(ty, Scalar::Time | Scalar::Dt)
             || !matches!(
@@ -37,7 +37,7 @@ impl Resolver<'_, '_> {
         );
         let kinds: Option<Vec<Kind>> = values.map(|(operand, _)| self.kind(&operand.value)).collect();
         let Some(kinds) = kinds else { return true };
-        // A number among TIMEs does not pass, and is told by itself.
+        // A number among TIMEs does not pass, and is reported by itself.
         let points = kinds.iter().any(|kind| matches!(kind, Kind::Dt | Kind::Tod));
         if ty == Scalar::Time && !points && !matches!(op, Op::Mul | Op::Div) {
             return true;

@@ -5,7 +5,7 @@ use ladder_syntax::TextRange;
 /// What is used, and where.
 pub(super) type Use = (usize, TextRange);
 
-/// Once the circles that are told have so many uses together, no more of them are told. A file can hold as many circles as
+/// Once the circles that are reported have so many uses together, no more of them are reported. A file can hold as many circles as
 /// it has uses, each as long as the file.
 const MOST_USES: usize = 100_000;
 
@@ -24,7 +24,7 @@ pub(super) fn way(names: impl ExactSizeIterator<Item = String>, between: &str) -
 }
 
 /// The circles that a walk through all uses closes: each as the uses that lead around it, and the block that it
-/// begins with. Only those that go through one of the `own` first blocks: others are told where they are.
+/// begins with. Only those that go through one of the `own` first blocks: others are reported where they are.
 pub(super) fn circles(uses: &[Vec<Use>], own: usize) -> Vec<(usize, Vec<Use>)> {
     #[derive(Clone, Copy, PartialEq)]
     enum Mark {
@@ -36,7 +36,7 @@ pub(super) fn circles(uses: &[Vec<Use>], own: usize) -> Vec<(usize, Vec<Use>)> {
     // Where on the stack an open one is.
     let mut depths = vec![0; uses.len()];
     let mut circles = Vec::new();
-    let mut told = 0;
+    let mut reported = 0;
     for start in 0..own {
         if marks[start] != Mark::New {
             continue;
@@ -59,16 +59,16 @@ pub(super) fn circles(uses: &[Vec<Use>], own: usize) -> Vec<(usize, Vec<Use>)> {
                     stack.push((used, 0));
                 }
                 Mark::Open => {
-                    if told > MOST_USES {
+                    if reported > MOST_USES {
                         continue;
                     }
                     let from = depths[used];
-                    told += stack.len() - from;
+                    reported += stack.len() - from;
                     let mut around: Vec<Use> = stack[from..]
                         .iter()
                         .map(|&(block, next)| uses[block][next - 1])
                         .collect();
-                    // Told at a block of this file.
+                    // Reported at a block of this file.
                     let Some(at) = around.iter().rposition(|&(block, _)| block < own) else {
                         continue;
                     };

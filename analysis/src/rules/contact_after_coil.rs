@@ -15,7 +15,7 @@ pub(super) fn check(walk: &Walk<'_>, out: &mut Vec<Diagnostic>) {
     }
     // For each step the coil that its power has passed.
     let mut passed: Vec<Option<usize>> = Vec::with_capacity(walk.steps().len());
-    let mut told = vec![false; walk.network.blocks.len()];
+    let mut reported = vec![false; walk.network.blocks.len()];
     for (index, step) in walk.steps().iter().enumerate() {
         passed.push(match *step {
             Step::Start { .. } => None,
@@ -23,8 +23,8 @@ pub(super) fn check(walk: &Walk<'_>, out: &mut Vec<Diagnostic>) {
             Step::Block { block, en } => {
                 let bound = walk.block(block);
                 match passed[en] {
-                    Some(coil) if is_condition(bound) && walk.useful[index] && !told[coil] => {
-                        told[coil] = true;
+                    Some(coil) if is_condition(bound) && walk.useful[index] && !reported[coil] => {
+                        reported[coil] = true;
                         out.push(found(walk, coil, block));
                     }
                     _ => {}

@@ -1,6 +1,6 @@
-//! `unexpected-character`, for a file in the first draft of the language: told once, for the file as a whole.
+//! `unexpected-character`, for a file in the first draft of the language: reported once, for the file as a whole.
 //!
-//! The conversion is the fix, but what reads the draft is above the analysis and adds it: see [`is_told`].
+//! The conversion is the fix, but what reads the draft is above the analysis and adds it: see [`is_reported`].
 
 use crate::cplc_draft::beginning;
 use crate::diagnostic::Diagnostic;
@@ -27,6 +27,6 @@ pub(crate) fn is_it(parse: &Parse) -> bool {
 }
 
 /// Whether a finding is the one that says that a file is in the draft.
-pub fn is_told(found: &Diagnostic) -> bool {
+pub fn is_reported(found: &Diagnostic) -> bool {
     found.rule == Rule::UnexpectedCharacter && found.message == MESSAGE
 }

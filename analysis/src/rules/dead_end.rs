@@ -51,7 +51,7 @@ fn loose_wires(walk: &Walk<'_>, out: &mut Vec<Diagnostic>) {
         return;
     }
     for &(rung, part, step, _) in &network.order.elements {
-        // Behind a block that acts it only lacks the rail; behind a condition that is told already; and where no
+        // Behind a block that acts it only lacks the rail; behind a condition that is reported already; and where no
         // power comes the line has another mistake.
         if loose.binary_search(&(rung, part)).is_err() || comes_from_block(walk, step) || !is_live(walk, step)
         {

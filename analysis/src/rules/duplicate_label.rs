@@ -25,7 +25,7 @@ pub(crate) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
         return;
     }
     let jumps = jumps(context);
-    let mut told = vec![false; context.labels.len()];
+    let mut reported = vec![false; context.labels.len()];
     for (index, first) in again {
         let label = &context.labels[index];
         let mut found = Diagnostic::new(
@@ -35,8 +35,8 @@ pub(crate) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
         )
         .help("a jump takes the nearest label behind it, else the nearest before it")
         .related(context.labels[first].at, "it is here first");
-        // Jumps to the first label are told with the second.
-        let targets: &[usize] = if std::mem::replace(&mut told[first], true) {
+        // Jumps to the first label are reported with the second.
+        let targets: &[usize] = if std::mem::replace(&mut reported[first], true) {
             &[index]
         } else {
             &[first, index]

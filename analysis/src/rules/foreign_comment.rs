@@ -1,4 +1,4 @@
-//! `unexpected-character`, for a comment as another language writes it: told once, with what is written here.
+//! `unexpected-character`, for a comment as another language writes it: reported once, with what is written here.
 
 use crate::context::Context;
 use crate::diagnostic::{Applicability, Diagnostic};

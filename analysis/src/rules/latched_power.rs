@@ -13,14 +13,14 @@ pub(super) fn check(walk: &Walk<'_>, out: &mut Vec<Diagnostic>) {
     }
     // For each step the set coil whose power it carries.
     let mut latched: Vec<Option<usize>> = Vec::with_capacity(walk.steps().len());
-    let mut told = vec![false; walk.network.blocks.len()];
+    let mut reported = vec![false; walk.network.blocks.len()];
     for step in walk.steps() {
         latched.push(match *step {
             Step::Start { .. } => None,
             Step::Join { upper, lower } => latched[upper].or(latched[lower]),
             Step::Block { block, en } => {
-                if let Some(coil) = latched[en].filter(|&coil| !told[coil]) {
-                    told[coil] = true;
+                if let Some(coil) = latched[en].filter(|&coil| !reported[coil]) {
+                    reported[coil] = true;
                     out.push(found(walk, coil, block));
                 }
                 match walk.block(block).coil() {

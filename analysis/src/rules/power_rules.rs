@@ -50,7 +50,7 @@ pub(crate) fn check(
         |found: &Arc<Anchored>| matches!(found.rule(), Rule::ShortedBranch | Rule::RedundantElement);
     let surroundings = Surroundings {
         rail_varies: survey.any.has(ControlFlow::MCR) && !network.control_flow.has(ControlFlow::MCR),
-        // A wire round a contact is told already.
+        // A wire round a contact is reported already.
         is_bypassed: wiring.iter().any(bypassed),
     };
     let key = network.names_tags_only.then(|| {

@@ -14,16 +14,16 @@ use ladder_instructions::Power;
 use rustc_hash::FxHashSet;
 
 /// Tells of the contacts round which a wire leads, together where it joins their lines at one place; but for those
-/// that shorted-branch told of.
+/// that shorted-branch reported.
 pub(super) fn bypassed(
     walk: &Walk<'_>,
     contacts: &[Bypassed],
-    told: &FxHashSet<usize>,
+    reported: &FxHashSet<usize>,
     out: &mut Vec<Diagnostic>,
 ) {
     let mut contacts: Vec<&Bypassed> = contacts
         .iter()
-        .filter(|contact| !told.contains(&contact.block))
+        .filter(|contact| !reported.contains(&contact.block))
         .collect();
     contacts.sort_by_key(|contact| (contact.join, contact.block));
     for together in contacts.chunk_by(|a, b| a.join == b.join) {

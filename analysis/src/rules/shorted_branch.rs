@@ -14,15 +14,15 @@ use rustc_hash::FxHashSet;
 const LONGEST: usize = 64;
 
 /// `bypassed` are the contacts that decide nothing, if that is known: one of a branch that leads elsewhere too does.
-/// Gives the blocks that were told.
+/// Gives the blocks that were reported.
 pub(super) fn check(
     walk: &Walk<'_>,
     bypassed: Option<&[Bypassed]>,
     out: &mut Vec<Diagnostic>,
 ) -> FxHashSet<usize> {
-    let mut told = FxHashSet::default();
+    let mut reported = FxHashSet::default();
     if bypassed.is_some_and(<[Bypassed]>::is_empty) {
-        return told;
+        return reported;
     }
     let decides_nothing = |block: &usize| {
         bypassed.is_none_or(|bypassed| bypassed.iter().any(|contact| contact.block == *block))
@@ -37,7 +37,7 @@ pub(super) fn check(
             continue;
         };
         contacts.retain(decides_nothing);
-        told.extend(&contacts);
+        reported.extend(&contacts);
         let contacts: Vec<BlockAt<'_>> = contacts.iter().map(|&block| walk.block(block)).collect();
         let Some((first, rest)) = contacts.split_first() else {
             continue;
@@ -57,7 +57,7 @@ pub(super) fn check(
         }
         out.push(found);
     }
-    told
+    reported
 }
 
 /// The conditions of a branch that comes from a step and from nowhere else, from left to right. None if it is no

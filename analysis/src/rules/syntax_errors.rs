@@ -1,7 +1,7 @@
 //! What the parser found, as findings of the rules.
 //!
 //! One slip often makes the parser stumble more than once: a bracket that is missing leaves its partner over, a
-//! section that is not recognised leaves its END_VAR alone. What follows so from an earlier mistake is not told.
+//! section that is not recognised leaves its END_VAR alone. What follows so from an earlier mistake is not reported.
 
 use super::{bad_literal, frame_keyword, is_enough, unclosed_block, unclosed_comment, unexpected_character};
 use crate::context::Context;
@@ -28,9 +28,9 @@ pub(crate) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
     let mut excerpts = Excerpts::new(parse);
     let mut line = Line::default();
     let mut number = None;
-    let told = out.len();
+    let reported = out.len();
     for (index, (error, taken)) in errors.iter().zip(taken).enumerate() {
-        if is_enough(told, out) {
+        if is_enough(reported, out) {
             break;
         }
         let range = error.range;
@@ -149,7 +149,7 @@ fn taken_rests(parse: &Parse, errors: &[SyntaxError]) -> Vec<bool> {
     taken
 }
 
-/// What was told on a line so far.
+/// What was reported on a line so far.
 #[derive(Default)]
 struct Line {
     /// A bracket is missing or something is on the rung that does not belong there: where the drawing goes on

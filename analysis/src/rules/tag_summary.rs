@@ -100,7 +100,7 @@ pub(super) fn check(
     }
     let summary = Summary::new(context, scope, tag, has_outputs || scope > 0);
     input_written::check(&summary, out);
-    // A global is told of in the first file that declares it.
+    // A global is reported in the first file that declares it.
     let counts = if summary.is_global() {
         !context.others.is_declared_before(&Name::new(&tag.name))
     } else {

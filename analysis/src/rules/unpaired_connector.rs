@@ -13,7 +13,7 @@ use ladder_syntax::numeral::nth;
 use ladder_syntax::wiring::{self, PartKind, Rung};
 use ladder_syntax::{Parse, TextRange};
 
-/// How many connectors of one line are told: whoever draws more of them without partners knows.
+/// How many connectors of one line are reported: whoever draws more of them without partners knows.
 const MOST: usize = 10;
 
 /// With so many connectors on a line the columns are compared one by one.

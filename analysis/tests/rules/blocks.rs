@@ -235,7 +235,7 @@ fn too_many_operands() {
 }
 
 #[test]
-fn one_mistake_in_an_operand_list_is_told_once() {
+fn one_mistake_in_an_operand_list_is_reported_once() {
     check(
         "+--[TON]( t, )--( )( y )--+\n",
         expect![[r#"

@@ -307,7 +307,7 @@ fn operands_by_name() {
 }
 
 #[test]
-fn a_mistake_in_a_type_is_told_once() {
+fn a_mistake_in_a_type_is_reported_once() {
     check(
         "+--[TON]( delay, T#5s )--[ ]( dleay.Q )--[ ]( delay.QU )--( )( y )--+\n",
         expect![[r#"

@@ -124,7 +124,7 @@ fn every_page_tells_all() {
         // The heading, what is wrong, why it matters on a machine.
         let paragraphs = introduction.split("\n\n").filter(|part| !part.trim().is_empty());
         if !text.starts_with(&format!("# `{rule}`\n")) || paragraphs.count() < 3 {
-            problems.push(format!("{rule}: what is wrong and why it matters are not told"));
+            problems.push(format!("{rule}: what is wrong and why it matters are missing"));
         }
         let off = text.split("## Switching it off").nth(1).unwrap_or_default();
         let ways = [
@@ -133,7 +133,7 @@ fn every_page_tells_all() {
             format!("[lint]\n{rule} = "),
         ];
         for way in ways.iter().filter(|way| !off.contains(way.as_str())) {
-            problems.push(format!("{rule}: `{way}` is not told"));
+            problems.push(format!("{rule}: `{way}` is missing"));
         }
     }
     assert!(problems.is_empty(), "{}", problems.join("\n"));

@@ -203,7 +203,7 @@ fn types_that_follow_from_each_other() {
     let _ = writeln!(text, "+--[MOV]( a{MANY}, T#5s )--+");
     let parse = Arc::new(parse(&text));
     let found = analyze(&parse, "test.clad").diagnostics().to_vec();
-    // Each rung reads what the next one writes: that is told of each of them.
+    // Each rung reads what the next one writes: that is reported for each of them.
     assert!(
         found.iter().all(|found| found.rule == Rule::ReadBeforeWrite),
         "{found:?}"

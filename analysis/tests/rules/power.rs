@@ -372,7 +372,7 @@ fn a_wire_leads_round() {
                 help: put a contact into the wire beside it, or remove the branch
         "#]],
     );
-    // Power also comes in between: only what the wire leads round is told.
+    // Power also comes in between: only what the wire leads round is reported.
     check(
         "+--[ ]( p )--\\-----------------------------\\--( )( y )--+\n|            /--[ ]( a )--\\--[ ]( b )------/            |\n+--[ ]( q )---------------/                             |\n",
         expect![[r#"

@@ -539,7 +539,7 @@ VAR_OUTPUT z : BOOL; END_VAR
 }
 
 #[test]
-fn a_global_of_several_files_is_told_once() {
+fn a_global_of_several_files_is_reported_once() {
     check_workspace(
         "\
 %% a.clad

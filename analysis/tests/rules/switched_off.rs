@@ -163,7 +163,7 @@ fn comments_that_the_tools_do_not_understand() {
 }
 
 #[test]
-fn a_comment_that_hides_nothing_is_told_and_can_be_removed() {
+fn a_comment_that_hides_nothing_is_reported_and_can_be_removed() {
     let text = "# ladder: allow(double-coil, never-read): why #\n+--[ ]( a )--( )( y )--+\n";
     check(
         text,

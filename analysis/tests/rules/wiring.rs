@@ -159,7 +159,7 @@ fn pair_that_nothing_feeds() {
 }
 
 #[test]
-fn one_loss_is_told_once() {
+fn one_loss_is_reported_once() {
     // All three lines are dead behind the cut.
     check(
         "+--[ ]( a )--  --\\--( )( x )--+\n|                /--\\--( )( y )--+\n|                   /--( )( z )--+\n",

@@ -223,16 +223,16 @@ fn the_mode_of_a_file_stays_and_links_are_followed() {
 }
 
 #[test]
-fn many_files_are_told_of_in_their_order() {
+fn many_files_are_named_in_their_order() {
     let names: Vec<String> = (0..300).map(|n| format!("f{n:03}.clad")).collect();
     let files: Vec<(&str, &str)> = names.iter().map(|name| (name.as_str(), CROOKED)).collect();
     let folder = Folder::with(&files);
     let run = folder.ldfmt(&["--check", "."]).to_string();
-    let told: Vec<&str> = run
+    let named: Vec<&str> = run
         .lines()
         .filter_map(|line| line.strip_prefix("note: would change: "))
         .collect();
-    assert_eq!(told, names);
+    assert_eq!(named, names);
     assert_eq!(folder.ldfmt(&["."]).to_string(), "exit status 0\n");
     assert_eq!(folder.ldfmt(&["--check", "."]).to_string(), "exit status 0\n");
 }

@@ -278,7 +278,7 @@ Q1 => -____
 }
 
 #[test]
-fn what_is_broken_is_told_with_its_place() {
+fn what_is_broken_is_reported_with_its_place() {
     let folder = Folder::with(&[
         ("broken.rung", "start open contact I0.1 & active coil end\n"),
         ("unknown.ld", "what is this\n"),
@@ -355,7 +355,7 @@ OUT = {DO run}
 ";
 
 #[test]
-fn a_draft_that_is_called_ladder_text_is_told_once() {
+fn a_draft_that_is_called_ladder_text_is_reported_once() {
     let folder = Folder::with(&[("motor.clad", MOTOR_DRAFT), ("lamp.clad", DRAFT)]);
     let run = folder.ladder(&["check", "--format", "concise", "motor.clad"]);
     expect![[r#"

@@ -101,7 +101,7 @@ fn a_recording_can_be_played_by_its_own_clock() {
 }
 
 #[test]
-fn what_is_no_recording_is_told() {
+fn what_is_no_recording_is_refused() {
     let folder = Folder::with(&[("motor.clad", "+--[ ]( a )--( )( y )--+\n")]);
     let run = folder.ladder(&["lsp", "--replay", "motor.clad"]);
     assert_eq!(run.status, Some(2));

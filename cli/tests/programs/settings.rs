@@ -85,7 +85,7 @@ fn the_simulator_takes_the_interval_and_the_watchdog() {
 }
 
 #[test]
-fn a_broken_settings_file_is_told_once() {
+fn a_broken_settings_file_is_reported_once() {
     let broken = [
         ("ladder.toml", "[format]\nwith = 3\n"),
         ("a.clad", MOTOR),

@@ -27,8 +27,8 @@ fn the_guide_tells_of_every_option() {
         .into_iter()
         .flat_map(|command| options(&help(command)))
         .collect();
-    let told = options(&guide);
-    let missing: Vec<&String> = there.difference(&told).collect();
+    let described = options(&guide);
+    let missing: Vec<&String> = there.difference(&described).collect();
     assert!(missing.is_empty(), "the guide does not describe {missing:?}");
     // Other programs' options.
     let foreign = [
@@ -44,7 +44,7 @@ fn the_guide_tells_of_every_option() {
         "--word-diff",
     ]
     .map(str::to_owned);
-    let wrong: Vec<&String> = told
+    let wrong: Vec<&String> = described
         .difference(&there)
         .filter(|option| !foreign.contains(option))
         .collect();

@@ -86,7 +86,7 @@ highlight default link cladSection Keyword
 highlight default link cladAt Keyword
 highlight default link cladType Type
 
-" Where a line begins as a rung does, no comment is open: colours are told from there, whatever stands above. A comment
+" Where a line begins as a rung does, no comment is open: colours are worked out from there, whatever stands above. A comment
 " with such a line in it is coloured by the server's tokens.
 syntax sync clear
 syntax sync match cladSyncRung grouphere NONE /^[+|\\/\[<]/

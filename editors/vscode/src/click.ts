@@ -48,7 +48,7 @@ export class Click implements vscode.Disposable {
         }
     }
 
-    /** @returns the document that shows the diagram of a program; none if there is something wrong with it, which is told */
+    /** @returns the document that shows the diagram of a program; none if there is something wrong with it, which is shown */
     async show(program: vscode.TextDocument): Promise<vscode.TextDocument | undefined> {
         try {
             const uri = vscode.Uri.from(drawingOf(program.uri));
@@ -71,7 +71,7 @@ export class Click implements vscode.Disposable {
     async #followAgain(): Promise<void> {
         for (const { languageId, uri } of vscode.workspace.textDocuments) {
             if (languageId === CLICK && this.#drawings.has(uri.toString())) {
-                // One that cannot be read now is told by its diagnostics.
+                // One that cannot be read now is marked by its diagnostics.
                 await this.#server.execute('ladder.preview', { uri: uri.toString() }).catch(() => undefined);
             }
         }

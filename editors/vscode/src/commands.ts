@@ -108,8 +108,8 @@ async function record(simulation: Simulation): Promise<void> {
     if (recorded) {
         const document = await vscode.workspace.openTextDocument({ language: 'ladder-test', content: recorded.text });
         await vscode.window.showTextDocument(document, vscode.ViewColumn.Beside);
-        const told = [`Save it as ${recorded.file} beside the program to run it`, ...(recorded.notes ?? [])];
-        void vscode.window.showInformationMessage(`Ladder: ${told.join('; ')}.`);
+        const parts = [`Save it as ${recorded.file} beside the program to run it`, ...(recorded.notes ?? [])];
+        void vscode.window.showInformationMessage(`Ladder: ${parts.join('; ')}.`);
     }
 }
 

@@ -5,8 +5,8 @@ import { type Simulation, toRange } from './simulation.ts';
 
 export function showFaults(simulation: Simulation): vscode.Disposable {
     const collection = vscode.languages.createDiagnosticCollection('ladder simulation');
-    // What was told last of each document: most states have no other faults than the one before.
-    const told = new Map<string, string>();
+    // What was shown last for each document: most states have no other faults than the one before.
+    const shown = new Map<string, string>();
     return vscode.Disposable.from(
         collection,
         simulation.onDidChange((document) => {
@@ -14,10 +14,10 @@ export function showFaults(simulation: Simulation): vscode.Disposable {
             const faults = session && !session.stale ? session.state.faults : [];
             const key = JSON.stringify(faults);
             const address = document.uri.toString();
-            if ((told.get(address) ?? '[]') === key) {
+            if ((shown.get(address) ?? '[]') === key) {
                 return;
             }
-            told.set(address, key);
+            shown.set(address, key);
             collection.set(
                 document.uri,
                 faults.map(({ message, range, scan }) => {

@@ -60,7 +60,7 @@ export interface State {
         readonly scan: number;
         readonly lost?: readonly { readonly message: string; readonly range?: Range }[];
     };
-    /** Only what has changed is told of the drawing. */
+    /** Only what has changed is sent of the drawing. */
     readonly delta?: boolean;
     readonly status: 'paused' | 'running' | 'ended' | 'faulted';
     readonly scan: number;

@@ -14,9 +14,9 @@ export function report(
 ): void {
     if (!scenario) {
         const messages = mistakes.map(({ file, line, column, message }) => {
-            const told = new vscode.TestMessage(message);
-            told.location = new vscode.Location(vscode.Uri.file(whole(file)), new vscode.Position(line - 1, column - 1));
-            return told;
+            const shown = new vscode.TestMessage(message);
+            shown.location = new vscode.Location(vscode.Uri.file(whole(file)), new vscode.Position(line - 1, column - 1));
+            return shown;
         });
         run.errored(item, messages.length > 0 ? messages : new vscode.TestMessage('The file has no such scenario any more.'));
         return;
@@ -37,17 +37,17 @@ export function report(
         drawn.location = place;
     }
     const rest = others.map(({ line, column, message }) => {
-        const told = new vscode.TestMessage(message);
+        const shown = new vscode.TestMessage(message);
         const there = at(line, column);
         if (there) {
-            told.location = there;
+            shown.location = there;
         }
-        return told;
+        return shown;
     });
     const faults = scenario.faults.map(({ file, line, scan, message }) => {
-        const told = new vscode.TestMessage(`fault in scan ${scan}: ${message}`);
-        told.location = new vscode.Location(vscode.Uri.file(whole(file)), new vscode.Position(line - 1, 0));
-        return told;
+        const shown = new vscode.TestMessage(`fault in scan ${scan}: ${message}`);
+        shown.location = new vscode.Location(vscode.Uri.file(whole(file)), new vscode.Position(line - 1, 0));
+        return shown;
     });
     for (const line of (scenario.diagram ?? '').split('\n')) {
         run.appendOutput(`${line}\r\n`, undefined, item);

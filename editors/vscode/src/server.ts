@@ -142,7 +142,7 @@ export class Server implements vscode.Disposable {
             if (newState === ClientState.Stopped) {
                 this.#stopped.fire();
             } else if (newState === ClientState.Running) {
-                // The documents are told to it first.
+                // It gets the documents first.
                 setTimeout(() => this.#started.fire());
             }
         });

@@ -28,7 +28,7 @@ export interface Surroundings {
     readonly isFile: (path: string) => boolean;
 }
 
-/** The first place that has a program; a setting goes first even if it names nothing, so that the mistake is told. */
+/** The first place that has a program; a setting goes first even if it names nothing, so that the mistake is seen. */
 export function findServer(surroundings: Surroundings): Place {
     const { setting, extensionPath, home, platform, isFile } = surroundings;
     const wanted = setting.trim().replace(/^~(?=[/\\])/, () => home);

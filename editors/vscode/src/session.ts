@@ -28,7 +28,7 @@ export class Session {
     seen = 0;
     shown: Shown;
     speed: Speed = 1;
-    /** The text is newer than what the server has told of: its places are about an older one. */
+    /** The text is newer than what the server has answered about: its places are about an older one. */
     stale = false;
     /** Grows whenever what is known is about another text. */
     texts = 0;

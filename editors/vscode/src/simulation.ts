@@ -315,7 +315,7 @@ export class Simulation implements vscode.Disposable {
         this.#changed.fire(document);
     }
 
-    /** Thirty times a second nothing has changed here: the editor is told only when something has. */
+    /** Thirty times a second nothing has changed here: the editor is notified only when something has. */
     #setContext(name: string, value: boolean): void {
         if (this.#context.get(name) !== value) {
             this.#context.set(name, value);

@@ -16,9 +16,9 @@ export interface StatusText {
     readonly warning: boolean;
 }
 
-type Told = Pick<State, 'status' | 'scan' | 'timeMs' | 'forced' | 'faults' | 'stale'>;
+type Shown = Pick<State, 'status' | 'scan' | 'timeMs' | 'forced' | 'faults' | 'stale'>;
 
-export function statusText(state: Told, speed: Speed): StatusText {
+export function statusText(state: Shown, speed: Speed): StatusText {
     const { stale } = state;
     const faults = state.faults.length;
     const parts = [`Ladder: ${state.status}`, `scan ${state.scan}`, showDuration(state.timeMs)];

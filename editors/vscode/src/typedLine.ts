@@ -9,7 +9,7 @@ export function sayTypedLine(server: Server): vscode.Disposable {
     const say = (uri: string, line: number | null) => {
         if (said?.uri !== uri || said.line !== line) {
             said = { uri, line };
-            // Without a server there is nobody to be told.
+            // Without a server there is nobody to ask.
             server.execute('ladder.cursor', said).catch(() => undefined);
         }
     };

@@ -37,7 +37,7 @@ function source(lines: readonly number[], tags: Tag[]): Source & { tags: Map<str
     };
 }
 
-test('a page is told of the lines that it shows, and then of what changes there', () => {
+test('a page is sent the lines that it shows, and then of what changes there', () => {
     const feed = new Feed();
     const program = source([0, 1, 2], [tag('a0', false), tag('a1', false), tag('a2', false)]);
     const first = feed.news(program, { first: 0, last: 1 });
@@ -56,7 +56,7 @@ test('a page is told of the lines that it shows, and then of what changes there'
     assert.deepEqual([second.power, second.tags.map(({ name }) => name)], [[[1, 3, true, 'closed']], ['a1']]);
 });
 
-test('of another text, and after it has forgotten, all is told again', () => {
+test('of another text, and after it has forgotten, all is sent again', () => {
     const feed = new Feed();
     const program = source([0], [tag('a0', false)]);
     const news = () => feed.news(program, { first: 0, last: 0 });

@@ -25,7 +25,7 @@ const nothing = { lines: [], tags: [] };
 // Only the address and the version of the document are looked at.
 const document = { uri: { toString: () => 'file:///motor.clad' }, version: 1 } as unknown as Session['document'];
 
-/** A server that answers when it is told to, and a list of what it was sent. */
+/** A server that answers when it is asked to, and a list of what it was sent. */
 function slowServer() {
     const sent: string[] = [];
     const answers: ((value: unknown) => void)[] = [];
@@ -78,7 +78,7 @@ test('an edit waits for what the server says of the new text, which is all there
     assert.deepEqual([session.stale, session.tag('Run')], [false, undefined]);
 });
 
-test('what is told is kept, until its lines are shown no more', async () => {
+test('what is sent is kept, until its lines are shown no more', async () => {
     const { sent, send } = slowServer();
     const session = await Session.start(document, nothing, send);
     const range = (line: number) => ({ start: { line, character: 0 }, end: { line, character: 1 } });
@@ -89,7 +89,7 @@ test('what is told is kept, until its lines are shown no more', async () => {
     assert.deepEqual([session.tag('RUN')?.value, session.state.scan, session.operands.get(3)?.length], [true, 7, 2]);
     const shown = { lines: [{ first: 4, last: 9 }], tags: [] };
     assert.equal(session.show(shown), true);
-    assert.equal(session.show({ ...shown }), false, 'the same is not told again');
+    assert.equal(session.show({ ...shown }), false, 'the same is not sent again');
     assert.deepEqual([...session.power.keys(), ...session.operands.keys()], [4]);
     assert.equal(sent.at(-1), 'show {"lines":[{"first":4,"last":9}],"tags":[],"session":"s1"}');
 });

@@ -7,7 +7,7 @@ import { statusText } from '../src/statusText.ts';
 const zero = { line: 0, character: 0 };
 const fault: Fault = { message: 'division by zero', range: { start: zero, end: zero }, scan: 3 };
 
-test('status, scan and time are told', () => {
+test('status, scan and time are shown', () => {
     const { text, warning } = statusText({ status: 'paused', scan: 3, timeMs: 30, forced: 0, faults: [], stale: false }, 1);
     assert.equal(text, '$(debug-pause) Ladder: paused, scan 3, 30ms');
     assert.equal(warning, false);

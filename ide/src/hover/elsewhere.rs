@@ -64,8 +64,8 @@ mod tests {
     fn check(text: &str, expected: Expect) {
         let fixture = Fixture::new(text);
         let (context, offset, others) = fixture.ask();
-        let told = used_elsewhere(context, offset, &others);
-        expected.assert_eq(&format!("{}\n", told.unwrap_or_else(|| "nothing".to_owned())));
+        let shown = used_elsewhere(context, offset, &others);
+        expected.assert_eq(&format!("{}\n", shown.unwrap_or_else(|| "nothing".to_owned())));
     }
 
     const PLANT: &str = "%% library.clad\nVAR_GLOBAL total : DINT; END_VAR\n+--<FUN>( count )--[ADD]( total, total, 1 )--[GT]( total, 3 )--( )( own )--+\n\

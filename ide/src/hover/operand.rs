@@ -125,7 +125,7 @@ fn describe(
 /// A tag: its declaration in one line, where it comes from, and who writes and reads it. `here` is where somebody
 /// looks at it already.
 pub(crate) fn tag_card(context: &Context, tag: &TagFacts, here: Option<TextSize>) -> String {
-    // What several scopes share is told where it is declared.
+    // What several scopes share is shown where it is declared.
     let tag = tag
         .shared
         .map_or(tag, |(scope, tag)| &context.scopes[scope].tags[tag]);

@@ -278,12 +278,12 @@ impl Words<'_> {
             new_tag(self.place.context, &taken, name)
         };
         let written = tag.uses.accesses().any(Access::writes);
-        let told_by_use = match ty {
+        let known_by_use = match ty {
             Type::State(_) => true,
             Type::Scalar(Scalar::Bool) => written,
             _ => false,
         };
-        self.new.push((new.clone(), ty, told_by_use));
+        self.new.push((new.clone(), ty, known_by_use));
         Ok(new)
     }
 
@@ -328,7 +328,10 @@ impl Words<'_> {
 
     fn declarations(self, context: &Context, scope: usize) -> Result<Vec<Edit>, String> {
         let declares = scope > 0 || context.scopes[0].declares();
-        let needed = self.new.iter().filter(|(_, _, told)| declares || !told);
+        let needed = self
+            .new
+            .iter()
+            .filter(|(_, _, known_by_use)| declares || !known_by_use);
         let tags: Vec<_> = needed
             .map(|(name, ty, _)| (SectionKind::Var, name.clone(), ty.to_string()))
             .collect();

@@ -122,7 +122,7 @@ impl Foreign {
     /// What the other system itself complains about, and what has no counterpart here; in the order of the file.
     pub fn remarks(&self) -> Vec<Mark> {
         let found = &self.converted.findings;
-        let told: HashSet<LineColumn> = found.iter().map(|found| found.place).collect();
+        let reported: HashSet<LineColumn> = found.iter().map(|found| found.place).collect();
         let found = found.iter().map(|found| Mark {
             range: self.range_at(found.place),
             check: found.check,
@@ -135,7 +135,7 @@ impl Foreign {
             .entries
             .iter()
             .filter_map(|entry| match &entry.outcome {
-                Outcome::Refused(why) if !told.contains(&entry.place) => Some(Mark {
+                Outcome::Refused(why) if !reported.contains(&entry.place) => Some(Mark {
                     range: self.range_at(entry.place),
                     check: NOT_TRANSLATED,
                     severity: Severity::Error,

@@ -33,10 +33,10 @@ pub fn remarks<'r>(report: &'r Report, findings: &'r [Finding]) -> Vec<Remark<'r
     });
     let elements: Vec<Remark<'r>> = elements.collect();
     let refused = elements.iter().filter(|remark| remark.outcome == "refused");
-    let told: HashSet<LineColumn> = refused.map(|remark| remark.place).collect();
+    let reported: HashSet<LineColumn> = refused.map(|remark| remark.place).collect();
     let found = findings
         .iter()
-        .filter(|found| !told.contains(&found.place))
+        .filter(|found| !reported.contains(&found.place))
         .map(|found| Remark {
             place: found.place,
             outcome: found.severity.name(),

@@ -134,8 +134,8 @@ fn find_still(grid: &Grid) -> Vec<usize> {
             .rposition(|slot| !could(grid.things[slot.thing].kind));
         still.push(last.map_or(0, |last| last + 1));
     }
-    // What lies left of `still` on a rung has stopped; `told` of it have stopped on their other rungs too.
-    let mut told = vec![0; grid.rungs.len()];
+    // What lies left of `still` on a rung has stopped; `passed_on` of it have stopped on their other rungs too.
+    let mut passed_on = vec![0; grid.rungs.len()];
     let mut open: Vec<usize> = (0..grid.rungs.len()).collect();
     for (rung, slots) in grid.rungs.iter().enumerate() {
         for slot in slots.iter().skip(still[rung]) {
@@ -145,9 +145,9 @@ fn find_still(grid: &Grid) -> Vec<usize> {
         }
     }
     while let Some(rung) = open.pop() {
-        while told[rung] < still[rung] {
-            let thing = grid.rungs[rung][told[rung]].thing;
-            told[rung] += 1;
+        while passed_on[rung] < still[rung] {
+            let thing = grid.rungs[rung][passed_on[rung]].thing;
+            passed_on[rung] += 1;
             stop(&grid.things[thing], &mut still, &mut open);
         }
         if let Some(slot) = grid.rungs[rung].get(still[rung])

@@ -376,8 +376,8 @@ impl<W: Write> Adapter<W> {
             return Err(problem);
         }
         let target = self.target.as_ref().ok_or_else(no_program)?;
-        for told in self.table.place_anew(target, self.counting) {
-            self.event("breakpoint", json!({"reason": "changed", "breakpoint": told}));
+        for reported in self.table.place_anew(target, self.counting) {
+            self.event("breakpoint", json!({"reason": "changed", "breakpoint": reported}));
         }
         self.begin()?;
         Ok(Json::Null)

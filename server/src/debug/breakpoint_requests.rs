@@ -39,17 +39,17 @@ impl<W: Write> Adapter<W> {
         let target = self.target.as_ref().ok_or_else(no_program)?;
         let path = arguments.source.path.as_deref().unwrap_or_default();
         let Some(file) = target.file_of(Path::new(path)) else {
-            let told = wanted.iter().map(|wanted| {
+            let reported = wanted.iter().map(|wanted| {
                 json!({
                     "verified": false, "line": wanted.line,
                     "message": "the program that runs uses nothing of this file",
                 })
             });
-            return Ok(json!({"breakpoints": told.collect::<Vec<_>>()}));
+            return Ok(json!({"breakpoints": reported.collect::<Vec<_>>()}));
         };
-        let told = self.table.set_in_file(target, file, wanted, self.counting);
+        let reported = self.table.set_in_file(target, file, wanted, self.counting);
         self.arm();
-        Ok(json!({"breakpoints": told}))
+        Ok(json!({"breakpoints": reported}))
     }
 
     pub(super) fn breakpoint_locations(&mut self, arguments: &BreakpointLocations) -> Result<Json, String> {
@@ -89,9 +89,9 @@ impl<W: Write> Adapter<W> {
 
     pub(super) fn set_data_breakpoints(&mut self, arguments: &SetDataBreakpoints) -> Result<Json, String> {
         let target = self.target.as_ref().ok_or_else(no_program)?;
-        let told = self.table.set_data(target, arguments.breakpoints.clone());
+        let reported = self.table.set_data(target, arguments.breakpoints.clone());
         self.arm();
-        Ok(json!({"breakpoints": told}))
+        Ok(json!({"breakpoints": reported}))
     }
 
     pub(super) fn set_exception_breakpoints(

@@ -33,9 +33,9 @@ impl Table {
         counting: Counting,
     ) -> Vec<Json> {
         let asked: Vec<_> = wanted.into_iter().map(|wanted| (self.new_id(), wanted)).collect();
-        let told = self.place_in_file(target, file, &asked, counting);
+        let reported = self.place_in_file(target, file, &asked, counting);
         self.asked.insert(target.source(file).path.clone(), asked);
-        told
+        reported
     }
 
     fn new_id(&mut self) -> i64 {
@@ -51,14 +51,14 @@ impl Table {
         counting: Counting,
     ) -> Vec<Json> {
         let mut markers = Vec::new();
-        let mut told = Vec::new();
+        let mut reported = Vec::new();
         for (id, wanted) in asked {
             let line = counting.line(wanted.line);
             let column = wanted
                 .column
                 .map(|column| counting.offset(target.source(file), line, column));
             let Some((breakpoint, location)) = place(target, file, line, column) else {
-                told.push(json!({
+                reported.push(json!({
                     "id": id, "verified": false, "line": wanted.line,
                     "message": "there is no rung in this line or below it",
                 }));
@@ -80,23 +80,23 @@ impl Table {
                     shown["message"] = problem.into();
                 }
             }
-            told.push(shown);
+            reported.push(shown);
         }
         self.by_file.insert(file, markers);
-        told
+        reported
     }
 
     /// These breakpoints on tags, in the place of those before.
     pub(super) fn set_data(&mut self, target: &Target, wanted: Vec<DataBreakpoint>) -> Vec<Json> {
         let asked: Vec<_> = wanted.into_iter().map(|wanted| (self.new_id(), wanted)).collect();
-        let told = self.place_data(target, &asked);
+        let reported = self.place_data(target, &asked);
         self.asked_data = asked;
-        told
+        reported
     }
 
     fn place_data(&mut self, target: &Target, asked: &[(i64, DataBreakpoint)]) -> Vec<Json> {
         let mut markers = Vec::new();
-        let mut told = Vec::new();
+        let mut reported = Vec::new();
         for (id, wanted) in asked {
             let beside = SourceBreakpoint {
                 condition: wanted.condition.clone(),
@@ -112,29 +112,29 @@ impl Table {
             match marker {
                 Ok(marker) => {
                     markers.push(marker);
-                    told.push(json!({"id": id, "verified": true}));
+                    reported.push(json!({"id": id, "verified": true}));
                 }
-                Err(problem) => told.push(json!({"id": id, "verified": false, "message": problem})),
+                Err(problem) => reported.push(json!({"id": id, "verified": false, "message": problem})),
             }
         }
         self.data = markers;
-        told
+        reported
     }
 
     /// Places all of them in another program. Gives what has become of each.
     pub(super) fn place_anew(&mut self, target: &Target, counting: Counting) -> Vec<Json> {
         self.by_file.clear();
-        let mut told = Vec::new();
+        let mut reported = Vec::new();
         for (path, asked) in std::mem::take(&mut self.asked) {
             if let Some(file) = target.file_of(&path) {
-                told.extend(self.place_in_file(target, file, &asked, counting));
+                reported.extend(self.place_in_file(target, file, &asked, counting));
             }
             self.asked.insert(path, asked);
         }
         let asked = std::mem::take(&mut self.asked_data);
-        told.extend(self.place_data(target, &asked));
+        reported.extend(self.place_data(target, &asked));
         self.asked_data = asked;
-        told
+        reported
     }
 
     fn all(&mut self) -> impl Iterator<Item = &mut Marker> {

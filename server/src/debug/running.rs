@@ -129,7 +129,7 @@ impl<W: Write> Adapter<W> {
         }
     }
 
-    /// The program is, and the client is told why.
+    /// The program is, and the client learns why.
     pub(super) fn stop(&mut self, stopped: Stopped) {
         self.going = None;
         self.handles.clear();

@@ -35,7 +35,7 @@ pub(crate) enum Action {
     Trace(Trace),
     /// Draw lines with characters.
     DiagramText(DiagramText),
-    /// Scan until told otherwise.
+    /// Scan until another action comes.
     Run {
         /// Pause after so many scans.
         scans: Option<u64>,
@@ -56,7 +56,7 @@ pub(crate) enum Action {
     State,
     /// Tell only of this from now on.
     Show(Shown),
-    /// The client has shown what it was told.
+    /// The client has shown what it was sent.
     HasShown,
     /// List tags.
     Tags(Search),

@@ -252,7 +252,7 @@ impl Operand {
     }
 }
 
-/// The verticals of a network: rails where no rung joins them, and what is between connectors. No power is told of them.
+/// The verticals of a network: rails where no rung joins them, and what is between connectors. They have no power of their own.
 fn verticals_in(network: TextRange, stretch: TextRange, revision: &Revision) -> Vec<Element> {
     let Some(shown) = network.intersect(stretch) else {
         return Vec::new();

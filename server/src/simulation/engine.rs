@@ -109,7 +109,7 @@ impl Engine {
         Ok((engine, notes))
     }
 
-    /// The text that places are told in: the editor's.
+    /// The text that places refer to: the editor's.
     pub(super) fn revision(&self) -> &Revision {
         self.sight.shown()
     }

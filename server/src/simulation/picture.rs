@@ -68,7 +68,7 @@ impl Engine {
             .into_iter()
             .find(|it| it.range.contains_inclusive(offset));
         let points = operand.map_or_else(|| self.named_at(offset), |operand| operand.points);
-        let told = points.iter().map(|point| {
+        let values = points.iter().map(|point| {
             let value = simulation.value(point);
             let value = match point.ty {
                 Scalar::Bool => value_text::cell(&value, point.ty),
@@ -81,7 +81,7 @@ impl Engine {
             };
             format!("`{}` is **{value}**{forced}", point.name)
         });
-        told.collect()
+        values.collect()
     }
 
     /// What the word at a place names, as in a declaration.

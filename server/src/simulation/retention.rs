@@ -5,7 +5,7 @@ use std::time::{Duration, Instant};
 use ladder_simulator::Session;
 use ladder_workspace::{FileError, Found, Named, Problem, RetentiveFile};
 
-/// A simulation that was told to stop lets go of its file in this time.
+/// A simulation that was asked to stop lets go of its file in this time.
 const PATIENCE: Duration = Duration::from_secs(1);
 
 /// Opens the file. An editor that starts a simulation anew may not wait until the one before has ended.

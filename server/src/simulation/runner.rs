@@ -48,11 +48,11 @@ pub(super) struct Runner {
     pub(super) urgent: Arc<AtomicUsize>,
     /// How many texts wait to be followed.
     pub(super) texts: Arc<AtomicUsize>,
-    /// Whether the client has shown what it was told last.
+    /// Whether the client has shown what it was sent last.
     pub(super) has_shown: Arc<AtomicBool>,
-    /// There is something that it has not been told yet.
+    /// There is something that it has not been sent yet.
     pub(super) owes: bool,
-    /// When it was told last.
+    /// When it was last sent something.
     pub(super) shown: Instant,
     pub(super) states: watch::Sender<State>,
 }
@@ -86,7 +86,7 @@ impl Runner {
         }
     }
 
-    /// Waits for a command, until the next scan is due. What the client waits for meanwhile it is told in time.
+    /// Waits for a command, until the next scan is due. What the client waits for meanwhile is sent in time.
     fn wait_until(&mut self, due: Instant) -> Result<Command, RecvTimeoutError> {
         let telling = self.shown + SHOW;
         if self.may_show() && self.owes && telling < due {
@@ -102,7 +102,7 @@ impl Runner {
             .recv_timeout(due.saturating_duration_since(Instant::now()))
     }
 
-    /// Whether the client takes what it shows, and has shown what it was told before.
+    /// Whether the client takes what it shows, and has shown what it was sent before.
     fn may_show(&self) -> bool {
         self.simulation.engine.is_shown_in_part() && self.has_shown.load(Ordering::SeqCst)
     }
@@ -350,7 +350,7 @@ impl Runner {
         }
     }
 
-    /// Tells the client how things are; one that says what it shows only when it has shown what it was told before.
+    /// Tells the client how things are; one that says what it shows only when it has shown what it was sent before.
     fn publish(&mut self) {
         if self.simulation.engine.is_shown_in_part() && !self.has_shown.swap(false, Ordering::SeqCst) {
             return;

@@ -23,7 +23,7 @@ pub(super) struct Command {
     pub(super) reply: oneshot::Sender<Result<Answer, Failure>>,
 }
 
-/// The handle of a session's thread. The thread ends when it is told to stop, or when the handle is dropped.
+/// The handle of a session's thread. The thread ends when it is asked to stop, or when the handle is dropped.
 #[derive(Debug)]
 pub(crate) struct Session {
     /// Its name.
@@ -35,7 +35,7 @@ pub(crate) struct Session {
     urgent: Arc<AtomicUsize>,
     /// How many texts wait to be followed.
     texts: Arc<AtomicUsize>,
-    /// Whether the client has shown what it was told last.
+    /// Whether the client has shown what it was sent last.
     has_shown: Arc<AtomicBool>,
 }
 

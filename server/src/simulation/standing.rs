@@ -17,7 +17,7 @@ pub(super) struct Simulation {
     pub(super) id: String,
     pub(super) engine: Engine,
     pub(super) status: Status,
-    /// What the client is told next is all of what it shows.
+    /// What the client is sent next is all of what it shows.
     pub(super) whole: bool,
     /// The breakpoint that stopped the last run.
     pub(super) hit: Option<Hit>,

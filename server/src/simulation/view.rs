@@ -1,4 +1,4 @@
-//! What a client shows of a program, and what it has been told of that: so that states cost what is seen.
+//! What a client shows of a program, and what it has been sent of that: so that states cost what is seen.
 
 use std::collections::{HashMap, HashSet};
 
@@ -18,12 +18,12 @@ pub(super) struct View {
     elements: Vec<Element>,
     points: Vec<Point>,
     /// The power of elements as the client knows it, by the engine's numbers.
-    told_power: HashMap<usize, (bool, Option<Contact>)>,
+    sent_power: HashMap<usize, (bool, Option<Contact>)>,
     /// The values as the client knows them.
     told_values: HashMap<String, (Value, bool)>,
     /// Lines whose operands the client knows.
     told_lines: HashSet<u32>,
-    /// Operands that it is to be told of.
+    /// Operands whose values it is to be sent.
     operands: Vec<messages::Operand>,
 }
 
@@ -79,9 +79,9 @@ impl View {
         }
         let mut seen = HashSet::new();
         self.elements.retain(|element| seen.insert(element.number));
-        self.told_power.retain(|number, _| seen.contains(number));
+        self.sent_power.retain(|number, _| seen.contains(number));
         self.told_values.retain(|name, _| known.contains(name));
-        // They are told with the next picture.
+        // They are sent with the next picture.
         self.told_lines = lines_told;
     }
 
@@ -94,8 +94,8 @@ impl View {
         for element in &self.elements {
             let on = simulation.is_live(element.number);
             let contact = element.contact.as_ref().map(|it| it.state(on, simulation));
-            let told = self.told_power.insert(element.number, (on, contact));
-            if told != Some((on, contact))
+            let sent = self.sent_power.insert(element.number, (on, contact));
+            if sent != Some((on, contact))
                 && let Some(range) = sight.range(element.range)
             {
                 news.power.push(messages::Power { range, on, contact });

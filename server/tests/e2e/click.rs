@@ -183,9 +183,12 @@ async fn the_ladder_text_is_followed() {
     replace(&mut client, URI, 2, &TANK.replace("y.Valve", "y.")).await;
     assert_eq!(published(&mut client, URI, 2).await.len(), 1);
     replace(&mut client, URI, 3, &TANK.replace("y.Valve", "y.Inlet")).await;
-    let told = client.notification("ladder/preview", |_| true).await;
-    assert_eq!((&told["uri"], &told["version"]), (&json!(URI), &json!(3)));
-    assert!(told["text"].as_str().unwrap().contains("( )( Inlet )"), "{told}");
+    let preview = client.notification("ladder/preview", |_| true).await;
+    assert_eq!((&preview["uri"], &preview["version"]), (&json!(URI), &json!(3)));
+    assert!(
+        preview["text"].as_str().unwrap().contains("( )( Inlet )"),
+        "{preview}"
+    );
     // The same text is not sent twice, and nobody follows what is closed.
     replace(&mut client, URI, 4, &TANK.replace("(y.Valve", "( y.Inlet")).await;
     published(&mut client, URI, 4).await;
@@ -218,8 +221,8 @@ async fn a_client_that_asks_for_diagnostics_is_told_the_ladder_text_too() {
         .await
         .unwrap();
     replace(&mut client, URI, 3, &TANK.replace("y.Valve", "y.Inlet")).await;
-    let told = client.notification("ladder/preview", |_| true).await;
-    assert_eq!(told["version"], 3);
+    let preview = client.notification("ladder/preview", |_| true).await;
+    assert_eq!(preview["version"], 3);
     assert_eq!(
         client.arrived("textDocument/publishDiagnostics"),
         [Value::Null; 0]
@@ -299,9 +302,12 @@ async fn an_open_program_has_the_nicknames_that_lie_beside_it() {
     plant.write("my tank_nicknames.csv", &nicknames.replace("Valve", "Inlet"));
     let changed = json!({"changes": [{"uri": plant.uri("my%20tank_nicknames.csv"), "type": 2}]});
     client.notify("workspace/didChangeWatchedFiles", changed).await;
-    let told = client.notification("ladder/preview", |_| true).await;
-    assert_eq!(told["version"], 1);
-    assert!(told["text"].as_str().unwrap().contains("( )( Inlet )"), "{told}");
+    let preview = client.notification("ladder/preview", |_| true).await;
+    assert_eq!(preview["version"], 1);
+    assert!(
+        preview["text"].as_str().unwrap().contains("( )( Inlet )"),
+        "{preview}"
+    );
     client.finish().await;
 }
 

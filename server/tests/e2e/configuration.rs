@@ -61,7 +61,7 @@ async fn a_settings_file_wins() {
 }
 
 #[tokio::test]
-async fn what_is_wrong_in_them_is_told_once() {
+async fn what_is_wrong_in_them_is_reported_once() {
     let plant = Plant::with(&[]);
     let options = json!({"lint": {"double-coils": "off"}, "workspace": {"exclude": ["old/"]}});
     let mut client = Client::begun(

@@ -204,7 +204,7 @@ async fn a_client_that_takes_deltas_is_told_what_has_changed() {
     assert!(deltas > 0, "{last}");
     let state = act(&mut client, &s, "state").await;
     assert_eq!(state["power"], json!(power));
-    // Nothing but the time changes any more: no power is told, however many states are.
+    // Nothing but the time changes any more: no power is sent, however many states are.
     let run = json!({"session": s, "scans": 40, "realTime": true});
     client.simulate("run", run).await.unwrap();
     loop {

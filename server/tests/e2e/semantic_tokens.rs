@@ -84,7 +84,7 @@ async fn a_change_is_told_as_a_delta() {
     let mut client = Client::with(json!({})).await;
     client.open(TEXT).await;
     let whole = ask(&mut client, "full", json!({})).await;
-    let mut told = data(&whole);
+    let mut known = data(&whole);
     let mut id = whole["resultId"].clone();
     let mut text = TEXT.to_owned();
     for (version, (line, from, to, new)) in [(3, 8, 9, "longer"), (3, 0, 0, "# x #\n"), (2, 8, 9, "")]
@@ -107,17 +107,17 @@ async fn a_change_is_told_as_a_delta() {
         let start = edits[0]["start"].as_u64().unwrap() as usize;
         let end = start + edits[0]["deleteCount"].as_u64().unwrap() as usize;
         let new = edits[0]["data"].as_array().cloned().unwrap_or_default();
-        assert!(new.len() < told.len() / 2, "it is short: {delta}");
-        told.splice(start..end, new);
+        assert!(new.len() < known.len() / 2, "it is short: {delta}");
+        known.splice(start..end, new);
         let whole = ask(&mut client, "full", json!({})).await;
-        assert_eq!(told, data(&whole));
+        assert_eq!(known, data(&whole));
         id = whole["resultId"].clone();
-        read(&text, &told);
+        read(&text, &known);
     }
     let unknown = ask(&mut client, "full/delta", json!({"previousResultId": "?"})).await;
     assert_eq!(
         data(&unknown),
-        told,
+        known,
         "to a client that asks for something else all is sent"
     );
     client.finish().await;

@@ -57,7 +57,7 @@ async fn only_what_is_shown_is_told() {
         json!({"range": span([0, 11, 0, 16]), "block": span([0, 6, 0, 18]), "tags": ["start"], "drawn": true})
     );
 
-    // Where no rung joins it, a rail is told of as an element without power.
+    // Where no rung joins it, a rail is sent as an element without power.
     let rail = json!({"range": span([1, 0, 1, 1]), "on": false});
     assert!(first["power"].as_array().unwrap().contains(&rail), "{first}");
 
@@ -75,7 +75,7 @@ async fn only_what_is_shown_is_told() {
     );
     assert_eq!(state.get("operands"), None);
 
-    // Other lines: what is known is not told again.
+    // Other lines: what is known is not sent again.
     client.notify(SEEN, json!({"session": s})).await;
     let show = json!({"session": s, "lines": [{"first": 1, "last": 3}], "tags": []});
     client.simulate("show", show).await.unwrap();
@@ -165,12 +165,12 @@ async fn ten_thousand_rungs_cost_what_is_shown() {
     client.simulate("set", set).await.unwrap();
     client.notify(SEEN, json!({"session": s})).await;
     client.simulate("step", json!({"session": s})).await.unwrap();
-    let mut told = Vec::new();
+    let mut named = Vec::new();
     for commands in [1, 2] {
         let state = client.notification(STATE, |it| it["commands"] == commands).await;
-        told.extend(names(&state).into_iter().map(str::to_owned));
+        named.extend(names(&state).into_iter().map(str::to_owned));
     }
-    assert_eq!(told, ["a5007", "c5007"]);
+    assert_eq!(named, ["a5007", "c5007"]);
 
     let search = json!({"session": s, "containing": "C500", "first": 1, "count": 2});
     let found = client.simulate("tags", search).await.unwrap();

@@ -222,8 +222,8 @@ impl Machine {
     fn fault(&mut self, code: &Code, pc: usize, trouble: Trouble, clock: Clock) -> usize {
         let block = block_at(code, pc);
         let place = &code.blocks[block as usize];
-        let is_told = place.controller == Controller::Banks && self.tell(code, trouble);
-        if !is_told {
+        let is_signalled = place.controller == Controller::Banks && self.signal(code, trouble);
+        if !is_signalled {
             self.record(trouble, block, clock.scan);
         }
         if trouble.is_remark() {
@@ -238,13 +238,13 @@ impl Machine {
 
     /// Tells an error in the controller's relays; gives whether that is all there is to say of it. A function outside its
     /// domain stops the controller.
-    fn tell(&mut self, code: &Code, trouble: Trouble) -> bool {
+    fn signal(&mut self, code: &Code, trouble: Trouble) -> bool {
         let Some(relay) = Relay::of(trouble) else {
             return false;
         };
         let stops = relay == Relay::Math;
-        let told = [code.relays.slot(relay), code.relays.stop.filter(|_| stops)];
-        for slot in told.into_iter().flatten() {
+        let slots = [code.relays.slot(relay), code.relays.stop.filter(|_| stops)];
+        for slot in slots.into_iter().flatten() {
             if self.memory.held.bits.get(slot.0 as usize) != Some(&1) {
                 self.memory.set_bit(slot, true);
             }

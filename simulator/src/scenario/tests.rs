@@ -33,7 +33,7 @@ fn simulation(program: &str, interval: Option<i64>) -> Simulation {
 }
 
 /// The mistakes of a text, or what comes of its scenarios.
-fn told(program: &str, text: &str, width: usize) -> String {
+fn report(program: &str, text: &str, width: usize) -> String {
     let suite = parse(text);
     let mut simulation = simulation(program, suite.interval.map(|interval| interval.0));
     let (cases, mistakes) = bind(&suite, &simulation);
@@ -75,7 +75,7 @@ fn told(program: &str, text: &str, width: usize) -> String {
 }
 
 fn check(text: &str, expected: Expect) {
-    expected.assert_eq(&told(MOTOR, text, 80));
+    expected.assert_eq(&report(MOTOR, text, 80));
 }
 
 #[test]
@@ -433,7 +433,7 @@ PORT.SERIAL => '' 'got 65' ''
 scenario \"a fault is seen in the next scan\"
 go _-__
 SYS.FAULT => __-_
-scenario \"faults are told\"
+scenario \"faults are reported\"
 go -_
 share => 0 0
 ";
@@ -441,10 +441,10 @@ share => 0 0
         ok ports, 3 scans
         ok a fault is seen in the next scan, 4 scans
         fault in scan 1: division by zero: nothing was written; check the divisor before this block
-        ok faults are told, 2 scans
+        ok faults are reported, 2 scans
         fault in scan 0: division by zero: nothing was written; check the divisor before this block
     "#]]
-    .assert_eq(&told(PORTS, text, 80));
+    .assert_eq(&report(PORTS, text, 80));
 }
 
 const ENDLESS: &str = "\
@@ -475,7 +475,7 @@ SYS.FAULT => __--
         fault in scan 2: this scan has evaluated more than 1000000 blocks, so the watchdog stopped the simulation here; look for a jump or loop that does not end
         ok expected, 2 scans
         fault in scan 2: this scan has evaluated more than 1000000 blocks, so the watchdog stopped the simulation here; look for a jump or loop that does not end
-    "#]].assert_eq(&told(ENDLESS, text, 80));
+    "#]].assert_eq(&report(ENDLESS, text, 80));
 }
 
 #[test]

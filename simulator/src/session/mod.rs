@@ -44,7 +44,7 @@ const FAULTS: usize = 4096;
 pub enum Stop {
     /// It ran as many scans as it was to.
     Done,
-    /// It was told to stop.
+    /// It was asked to stop.
     Cancelled,
     /// The program has ended with `<END>`.
     Ended,

@@ -67,11 +67,11 @@ fn change(session: &mut Session, text: &str) -> String {
 fn check(old: &str, before: &str, new: &str, after: &str, tags: &str, expected: Expect) {
     let mut session = session(old);
     run(&mut session, before);
-    let mut told = change(&mut session, new);
-    told.push_str(&held(&session, tags));
+    let mut shown = change(&mut session, new);
+    shown.push_str(&held(&session, tags));
     run(&mut session, after);
-    told.push_str(&format!("\n{}\n", held(&session, tags)));
-    expected.assert_eq(&told);
+    shown.push_str(&format!("\n{}\n", held(&session, tags)));
+    expected.assert_eq(&shown);
 }
 
 const MOTOR: &str = "\

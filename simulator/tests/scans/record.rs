@@ -33,11 +33,11 @@ fn scan(session: &mut Session, scans: usize) {
 #[track_caller]
 fn check(session: &Session, program: &str, expected: Expect) {
     let recorded = record(session, "motor.clad", "what was done").unwrap();
-    let mut told = recorded.text.clone();
+    let mut shown = recorded.text.clone();
     for note in &recorded.notes {
-        told.push_str(&format!("note: {note}\n"));
+        shown.push_str(&format!("note: {note}\n"));
     }
-    expected.assert_eq(&told);
+    expected.assert_eq(&shown);
     passes(&recorded, program);
 }
 

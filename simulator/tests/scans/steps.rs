@@ -162,7 +162,7 @@ fn network(session: &Session, text: &str, mark: &str) -> Breakpoint {
     Breakpoint::Network(session.network_at(0, offset).unwrap())
 }
 
-fn told(text: &str, session: &Session, (scans, stop): &(u64, Stop)) -> String {
+fn described(text: &str, session: &Session, (scans, stop): &(u64, Stop)) -> String {
     let why = match stop {
         Stop::Breakpoint(Hit::Network(at)) => format!("in front of {}", text_at(text, at.range)),
         Stop::Breakpoint(Hit::Block(at)) => format!("in front of {}", text_at(text, at.range)),
@@ -198,19 +198,19 @@ fn a_run_stops_in_front_of_a_network() {
     let mut shown = String::new();
     for _ in 0..3 {
         let run = session.run(10, &never);
-        shown.push_str(&told(TWO, &session, &run));
+        shown.push_str(&described(TWO, &session, &run));
     }
     assert_eq!(get(&session, "n"), "n=23");
     assert!(session.remove_breakpoint(&second));
     let run = session.run(2, &never);
-    shown.push_str(&told(TWO, &session, &run));
+    shown.push_str(&described(TWO, &session, &run));
     // The first network of a program, too, and on the way again behind a step back.
     let first = network(&session, TWO, "+--[ ]( x )");
     session.add_breakpoint(first);
     session.step_back(2);
     for _ in 0..3 {
         let run = session.run(10, &never);
-        shown.push_str(&told(TWO, &session, &run));
+        shown.push_str(&described(TWO, &session, &run));
     }
     expect![[r#"
         0 scans, then in front of +--[ ]( y )--[ADD]( n, n, 10 )--( )( z )--+; 0 done
@@ -233,16 +233,16 @@ fn a_run_stops_behind_the_block_that_changes_a_tag() {
     let second = network(&session, TWO, "+--[ ]( y )");
     let mut shown = String::new();
     let run = session.run(3, &never);
-    shown.push_str(&told(TWO, &session, &run));
+    shown.push_str(&described(TWO, &session, &run));
     set(&mut session, "x", true);
     for _ in 0..3 {
         let run = session.run(10, &never);
-        shown.push_str(&told(TWO, &session, &run));
+        shown.push_str(&described(TWO, &session, &run));
     }
     session.add_breakpoint(second);
     for _ in 0..4 {
         let run = session.run(10, &never);
-        shown.push_str(&told(TWO, &session, &run));
+        shown.push_str(&described(TWO, &session, &run));
     }
     expect![[r#"
         3 scans, then Done; 3 done
@@ -271,7 +271,7 @@ fn a_network_in_a_function_and_in_a_body_stops_each_time() {
     let mut shown = String::new();
     for _ in 0..6 {
         let run = session.run(10, &never);
-        shown.push_str(&told(text, &session, &run));
+        shown.push_str(&described(text, &session, &run));
     }
     expect![[r#"
         0 scans, then in front of +--[ADD]( n, n, 1 )--+; 0 done
@@ -323,7 +323,7 @@ fn a_run_stops_in_front_of_a_block() {
     let mut shown = String::new();
     for _ in 0..4 {
         let run = session.run(10, &never);
-        shown.push_str(&told(TWO, &session, &run));
+        shown.push_str(&described(TWO, &session, &run));
     }
     expect![[r#"
         0 scans, then in front of [ ]( x ); 0 done

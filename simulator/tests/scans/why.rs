@@ -32,16 +32,16 @@ fn set(session: &mut Session, tag: &str, value: &str) {
 }
 
 fn ask(session: &mut Session, text: &str, tags: &str) -> String {
-    let mut told = String::new();
+    let mut shown = String::new();
     for tag in tags.split_whitespace() {
         let point = session
             .simulation()
             .resolve(tag)
             .unwrap_or_else(|error| panic!("{error}"));
-        told.push_str(&session.why(&point).text(&[text]));
-        told.push('\n');
+        shown.push_str(&session.why(&point).text(&[text]));
+        shown.push('\n');
     }
-    told
+    shown
 }
 
 const MOTOR: &str = "\

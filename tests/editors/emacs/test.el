@@ -94,7 +94,7 @@
     (same "a literal" '("" "             T#5s" "") (faced 'font-lock-constant-face))
     (same "a coil" '("" "                     ( )(" "") (faced 'font-lock-builtin-face))))
 
-(step "the server is told the language, and finds nothing wrong with a good program"
+(step "the server knows the language, and finds nothing wrong with a good program"
   (open "motor.clad")
   (same "the mode" 'ladder-mode major-mode)
   (same "'truncate-lines'" t truncate-lines))

@@ -1,4 +1,4 @@
---- Steps with a name, each told as it passes or fails, and what steps need to look at Neovim with.
+--- Steps with a name, each reported as it passes or fails, and what steps need to look at Neovim with.
 local M = {}
 
 local steps = {}

@@ -73,7 +73,7 @@ return function(t)
     end
   end)
 
-  t.step('of a long program only what the window shows is told and drawn', function()
+  t.step('of a long program only what the window shows is sent and drawn', function()
     local lines = {}
     for rung = 1, 10000 do
       lines[rung] = ('+--[ ]( a%d )--[/]( b%d )--( )( c%d )--+'):format(rung, rung, rung)

@@ -280,7 +280,7 @@ return function(t, messages)
     vim.cmd('Ladder stop')
   end)
 
-  t.step('a program with errors is not simulated, and the reason is told', function()
+  t.step('a program with errors is not simulated, and the reason is shown', function()
     t.open('unpaired.clad')
     t.clear(messages)
     vim.cmd('Ladder start')

@@ -1,4 +1,4 @@
-// Steps with a name, each told as it passes or fails.
+// Steps with a name, each reported as it passes or fails.
 
 let failed = 0;
 

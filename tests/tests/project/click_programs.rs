@@ -251,8 +251,8 @@ def main():
     assert!(simulation.scan());
     let shown = ["Q", "Small", "Got"].map(|name| get(&simulation, name));
     assert_eq!(shown, [Value::Int(0), Value::Int(32767), Value::Int(9)]);
-    let told = ["Divided", "Clamped", "Lost"].map(|name| get(&simulation, name));
-    assert_eq!(told, [Value::Bool(true), Value::Bool(true), Value::Bool(true)]);
+    let values = ["Divided", "Clamped", "Lost"].map(|name| get(&simulation, name));
+    assert_eq!(values, [Value::Bool(true), Value::Bool(true), Value::Bool(true)]);
     set(&mut simulation, "Go", Value::Bool(false));
     assert!(simulation.scan());
     assert_eq!(get(&simulation, "SC[40]"), Value::Bool(false));

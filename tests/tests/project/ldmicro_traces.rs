@@ -106,7 +106,7 @@ fn compare_warnings(converted: &Converted, expected: &str) -> Result<(), String>
         0 => Ok(()),
         _ if expected.contains("not assigned to") => Ok(()),
         count => Err(format!(
-            "LDmicro knows all variables, and {count} are told to be unknown"
+            "LDmicro knows all variables, and {count} are reported as unknown"
         )),
     }
 }

@@ -171,9 +171,9 @@ fn redundant_elements_are_redundant_and_all_others_are_not() {
                 .iter()
                 .filter(move |found| found.rule == rule)
         };
-        let mut told = of(Rule::RedundantElement).peekable();
-        if told.peek().is_some() {
-            for found in told {
+        let mut reported = of(Rule::RedundantElement).peekable();
+        if reported.peek().is_some() {
+            for found in reported {
                 let block = lone.block_at(found.range);
                 assert!(lone.is_redundant(block), "block {block} of\n{}", lone.text);
             }

@@ -79,9 +79,9 @@ fn problem(healthy: &str, damaged: &str, seed: u64) -> (bool, Option<String>) {
         (false, false) => beside(damaged, &mended, stimulus),
         (false, true) => Some("there are errors now".to_owned()),
     };
-    let told = differs
+    let reported = differs
         .map(|differs| format!("seed {seed}: {differs}\n{healthy}\ndamaged\n{damaged}\nbecomes\n{mended}"));
-    (true, told)
+    (true, reported)
 }
 
 #[test]

@@ -105,7 +105,7 @@ fn power_flows() {
 }
 
 #[test]
-fn nothing_is_told_by_colour_alone() {
+fn nothing_is_shown_by_colour_alone() {
     let bench = Bench::new(MOTOR);
     expect![[r#"
         |RRRRRRRRRRRRRRRRRRRRRRRRRRRRRRRRRRRRRRRRRRRRRRRRRRRRRRRRRRRRRRRRRRRRRRRRRRRRRRRR

@@ -519,11 +519,11 @@ fn why() {
 #[test]
 fn a_session_becomes_a_test() {
     let bench = Bench::new(MOTOR);
-    let told = bench.play("s space s s space s s tab space s R R", |_, buffer| {
+    let message = bench.play("s space s s space s s tab space s R R", |_, buffer| {
         let all = super::characters(buffer);
         all.lines().nth(22).unwrap_or_default().to_owned()
     });
-    expect!["| motor-recorded-2.ladder-test was written: `ladder test` runs it"].assert_eq(&told);
+    expect!["| motor-recorded-2.ladder-test was written: `ladder test` runs it"].assert_eq(&message);
     let file = bench.folder.path().join("motor-recorded.ladder-test");
     expect![[r#"
         program motor.clad
@@ -541,9 +541,9 @@ fn a_session_becomes_a_test() {
         std::fs::read_to_string(&file).unwrap(),
         std::fs::read_to_string(bench.folder.path().join("motor-recorded-2.ladder-test")).unwrap()
     );
-    let told = Bench::new(MOTOR).play("R", |_, buffer| {
+    let message = Bench::new(MOTOR).play("R", |_, buffer| {
         let all = super::characters(buffer);
         all.lines().nth(22).unwrap_or_default().to_owned()
     });
-    expect!["| nothing has run yet: run some scans, and record then"].assert_eq(&told);
+    expect!["| nothing has run yet: run some scans, and record then"].assert_eq(&message);
 }

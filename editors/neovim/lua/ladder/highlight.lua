@@ -7,7 +7,7 @@ local function colour(name, cterm)
   return { fg = found.fg, ctermfg = found.ctermfg or cterm, default = true }
 end
 
---- Each is told by weight or line besides its colour, so that it is seen without colours too; a link could not add that:
+--- Each is marked by weight or line besides its colour, so that it is seen without colours too; a link could not add that:
 --- what has power is bold, a contact that lets it through is underlined, one that does not is neither.
 local function attributes()
   local good = colour('DiagnosticOk', 10)

@@ -205,7 +205,7 @@ end
 local function create(source)
   local panel = side_buffer.create('tags', source)
   map_keys(panel, source)
-  -- What scrolls into sight is to be told of, and drawn.
+  -- What scrolls into sight is to be asked for, and drawn.
   vim.api.nvim_create_autocmd('WinScrolled', {
     buffer = panel,
     callback = function()

@@ -13,7 +13,7 @@ local M = {}
 --- @field tags table<string, ladder.Tag> what is known of tags, by their names in lower case
 --- @field power table<integer, table<integer, ladder.Power>> what is known of elements, by line and column
 --- @field operands table<integer, ladder.Operand[]> those of the lines that are shown, by line
---- @field stale boolean the text is newer than what the server has told of
+--- @field stale boolean the text is newer than what the server has answered about
 --- @field waiting fun()[] commands that wait for the one under way
 --- @field busy boolean a command is under way
 --- @field asked integer how many commands had taken effect at the last answer

@@ -1,13 +1,13 @@
-// What a diagram's page is told of a session: what has changed of what it shows, and never what it knows.
+// What a diagram's page is sent of a session: what has changed of what it shows, and never what it knows.
 import type { Session } from '../session.ts';
 import { showDuration } from '../value.ts';
 import type { Lines, LiveUpdate, OperandAt, PowerAt } from './messages.ts';
 
-/** As much of a session as a page is told of. */
+/** As much of a session as a page is sent. */
 export type Source = Pick<Session, 'state' | 'power' | 'operands' | 'texts' | 'stale' | 'tag'>;
 
 export class Feed {
-    #told = new Map<string, string>();
+    #sent = new Map<string, string>();
     #source: Source | undefined;
     #texts = -1;
 
@@ -22,16 +22,16 @@ export class Feed {
         if (whole) {
             this.#source = source;
             this.#texts = source.texts;
-            this.#told = new Map();
+            this.#sent = new Map();
         }
         const power: PowerAt[] = [];
         const operands: OperandAt[] = [];
         const names = new Set<string>();
-        const told = new Map<string, string>();
-        /** Whether it is another one than the page knows. What it does not show any more it may be told again. */
+        const sent = new Map<string, string>();
+        /** Whether it is another one than the page knows. What it does not show any more it may be sent again. */
         const isNews = (key: string, value: string): boolean => {
-            told.set(key, value);
-            return this.#told.get(key) !== value;
+            sent.set(key, value);
+            return this.#sent.get(key) !== value;
         };
         for (let line = lines.first; line <= lines.last; line += 1) {
             for (const [character, { on, contact }] of source.power.get(line) ?? []) {
@@ -51,7 +51,7 @@ export class Feed {
             const tag = source.tag(name);
             return tag && isNews(`tag ${name}`, `${tag.value} ${tag.forced}`) ? [tag] : [];
         });
-        this.#told = told;
+        this.#sent = sent;
         const { status, scan, timeMs, forced, faults, stale } = source.state;
         const time = showDuration(timeMs);
         return { whole, status, scan, time, forced, faults: faults.length, stale, power, operands, tags };

@@ -56,7 +56,7 @@ export interface LiveUpdate {
     readonly time: string;
     readonly forced: number;
     readonly faults: number;
-    /** Lines of the text have changed, and the server has not told of them yet, or has errors to tell. */
+    /** Lines of the text have changed, and the server has not answered yet, or reports errors. */
     readonly stale: boolean;
     readonly power: readonly PowerAt[];
     readonly operands: readonly OperandAt[];

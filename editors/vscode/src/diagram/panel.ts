@@ -6,9 +6,9 @@ import type { Simulation } from '../simulation.ts';
 import { Feed } from './feed.ts';
 import type { FromPage, Lines, LiveUpdate, Place, ToPage } from './messages.ts';
 
-/** The page is not told more often that nothing has happened but scans. In milliseconds. */
+/** The page is not notified more often that nothing has happened but scans. In milliseconds. */
 const SCANS_EVERY = 200;
-/** Nobody is told more often where the cursor is. In milliseconds. */
+/** The place of the cursor is not sent more often. In milliseconds. */
 const CURSOR_EVERY = 50;
 
 function isNews({ whole, power, operands, tags }: LiveUpdate): boolean {
@@ -30,8 +30,8 @@ export class DiagramPanel implements vscode.Disposable {
     #owes = false;
     #later: NodeJS.Timeout | undefined;
     #soon: NodeJS.Timeout | undefined;
-    /** When the page was told last. */
-    #told = 0;
+    /** When the page was notified last. */
+    #notified = 0;
     /** What the page itself has shown in the text: the cursor is there because of that. */
     #revealed: vscode.Range | undefined;
 
@@ -220,17 +220,17 @@ export class DiagramPanel implements vscode.Disposable {
             this.#send({ type: 'live', update: undefined });
         } else if (!session.stale) {
             const update = this.#feed.news(session, this.#lines ?? { first: 0, last: -1 });
-            const wait = isNews(update) || update.status !== 'running' ? 0 : SCANS_EVERY - (Date.now() - this.#told);
+            const wait = isNews(update) || update.status !== 'running' ? 0 : SCANS_EVERY - (Date.now() - this.#notified);
             if (wait > 0) {
                 this.#soon ??= setTimeout(() => this.#tellLive(), wait);
                 return;
             }
             clearTimeout(this.#soon);
             this.#soon = undefined;
-            this.#told = Date.now();
+            this.#notified = Date.now();
             this.#send({ type: 'live', update });
         } else {
-            // Of a text that is newer than what is known nothing is told until the server has seen it.
+            // Of a text that is newer than what is known nothing is sent until the server has seen it.
             return;
         }
         this.#isPainting = true;

@@ -45,7 +45,7 @@ export class Toolbar {
     readonly #standing = document.createElement('span');
     readonly #zoom = document.createElement('button');
     #state: LiveUpdate | undefined;
-    #told = 0;
+    #updated = 0;
     #later: ReturnType<typeof setTimeout> | undefined;
 
     constructor(node: HTMLElement, send: (message: FromPage) => void, zoom: (factor: number | undefined) => void) {
@@ -97,7 +97,7 @@ export class Toolbar {
             [...this.#buttons.values()].find((button) => !button.hidden)?.focus();
         }
         this.#state = state;
-        const wait = state?.status === 'running' ? UPDATE_EVERY - (Date.now() - this.#told) : 0;
+        const wait = state?.status === 'running' ? UPDATE_EVERY - (Date.now() - this.#updated) : 0;
         if (wait <= 0) {
             this.#tell();
         } else {
@@ -108,7 +108,7 @@ export class Toolbar {
     #tell(): void {
         clearTimeout(this.#later);
         this.#later = undefined;
-        this.#told = Date.now();
+        this.#updated = Date.now();
         const text = standing(this.#state);
         if (this.#standing.textContent !== text) {
             this.#standing.textContent = text;

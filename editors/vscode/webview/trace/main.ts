@@ -161,9 +161,9 @@ function draw(): void {
     const time = (scan: number) => milliseconds(scan * (traced?.intervalMs ?? 0));
     setText(place, `scan ${traced.here}${traced.here < traced.newest ? ` of ${traced.newest}` : ''}, ${time(traced.here)}`);
     const times = traced.cursors?.times ?? [];
-    const told = cursors.flatMap((scan, index) => (scan === undefined ? [] : [letters[index] ?? '']));
+    const set = cursors.flatMap((scan, index) => (scan === undefined ? [] : [letters[index] ?? '']));
     const difference = traced.cursors?.difference === undefined ? [] : [`B − A ${traced.cursors.difference}`];
-    setText(measure, [...told.map((letter, index) => `${letter} ${times[index] ?? ''}`), ...difference].join('   '));
+    setText(measure, [...set.map((letter, index) => `${letter} ${times[index] ?? ''}`), ...difference].join('   '));
     put(find('follow'), 'aria-pressed', String(follows(shown)));
     const clear = find<HTMLButtonElement>('clear');
     if (clear.disabled !== (cursorsSet().length === 0)) {

@@ -139,7 +139,7 @@ impl Sketcher<'_> {
                 Bank::Xd | Bank::Yd => {
                     "it holds the bits of a module in Click, and is a word of its own here"
                 }
-                Bank::Sc | Bank::Sd if number.is_some_and(|number| super::tags::is_told(bank, number)) => {
+                Bank::Sc | Bank::Sd if number.is_some_and(|number| super::tags::is_known(bank, number)) => {
                     continue;
                 }
                 Bank::Sc | Bank::Sd => "Click's controller sets it, and nothing does here",

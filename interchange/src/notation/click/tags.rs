@@ -53,7 +53,7 @@ const SYSTEM: &[(u16, &str)] = &[
 ];
 
 /// Whether the profile knows an address of the controller itself in the arrays SC and SD.
-pub(super) const fn is_told(bank: Bank, number: u16) -> bool {
+pub(super) const fn is_known(bank: Bank, number: u16) -> bool {
     match bank {
         Bank::Sc => matches!(number, 1..=11 | 40 | 43 | 44 | 46 | 50),
         Bank::Sd => matches!(number, 9..=12),
@@ -225,7 +225,7 @@ impl<'p> Tags<'p> {
     /// Whether an address is reached as an element of its bank too, so that it cannot be a tag of its own.
     fn is_shared(&self, address: Address) -> bool {
         let in_range = self.ranged.get(&address.bank);
-        is_told(address.bank, address.number)
+        is_known(address.bank, address.number)
             || self.pointed.contains(&address.bank)
             || in_range.is_some_and(|there| there.get(usize::from(address.number)) == Some(&true))
     }

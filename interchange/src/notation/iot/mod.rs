@@ -11,7 +11,7 @@
 //!
 //! A second form, with the editor's symbols in the columns of its grid, is read too: see [`prose`].
 //!
-//! The editor itself has no text: its projects (`.ld`) are Java objects, which are told from texts and refused. The
+//! The editor itself has no text: its projects (`.ld`) are Java objects, which are recognised and refused. The
 //! words are those of [`word::ROWS`]; parentheses are for branches of several elements, which nobody else writes yet.
 //!
 //! A variable of the editor is a number of some width: inputs and outputs have eight bits, `MI` 32, `MF` is a float. An input or

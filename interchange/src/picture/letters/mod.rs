@@ -8,7 +8,7 @@
 //! │  └──┤   ├──┘                            │
 //! ```
 //!
-//! What is where is decided as for a picture: one unit of a column is a letter there, too. Power is told by the weight
+//! What is where is decided as for a picture: one unit of a column is a letter there, too. Power is shown by the weight
 //! of the lines, what a contact does by what is between its bars, and all of it by marks besides, which may be colours.
 
 mod canvas;

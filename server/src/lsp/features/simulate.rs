@@ -92,7 +92,7 @@ fn speed(run: &Run) -> Result<Option<f64>> {
     }
 }
 
-/// The client has shown what a session told it.
+/// The client has shown what a session sent it.
 pub(crate) fn has_shown(shared: &Arc<Shared>, OfSession { session }: OfSession) {
     // One that has ended meanwhile is no mistake.
     if let Ok(session) = shared.sessions.get(&session) {
@@ -105,15 +105,15 @@ pub(crate) async fn values_at(shared: &Arc<Shared>, uri: &str, position: Positio
     let Some(revision) = shared.documents.get(uri) else {
         return Vec::new();
     };
-    let mut told = Vec::new();
+    let mut sent = Vec::new();
     for session in shared.sessions.of(uri) {
         let offset = revision.offset(convert::our_position(position));
         let answer = session.ask(Action::ValuesAt(offset), Cancel::default());
         if let Ok(Ok(Ok(Answer::Values(values)))) = tokio::time::timeout(PATIENCE, answer).await {
-            told.extend(values);
+            sent.extend(values);
         }
     }
-    told
+    sent
 }
 
 async fn start(shared: &Arc<Shared>, Start { uri, options }: Start) -> Result<Started> {
@@ -197,13 +197,13 @@ async fn report(client: Client, mut states: watch::Receiver<State>, deltas: bool
             client.send_notification::<SimulationState>(state).await;
             continue;
         }
-        let told = if deltas && state.answers == before.answers {
+        let sent = if deltas && state.answers == before.answers {
             state.since(&before)
         } else {
             state.clone()
         };
         before = state;
-        client.send_notification::<SimulationState>(told).await;
+        client.send_notification::<SimulationState>(sent).await;
         tokio::time::sleep(REPORT).await;
     }
     // A thread that ends without saying so has met a mistake in the scan engine; the client must not go on

@@ -1,4 +1,4 @@
-//! What a client shows of a program, and what it is told of that.
+//! What a client shows of a program, and what it is sent of that.
 
 use serde::{Deserialize, Serialize};
 

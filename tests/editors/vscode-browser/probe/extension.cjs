@@ -163,7 +163,7 @@ async function session() {
         await shut();
     });
 
-    await step('of a long program only what the editor shows is told', async () => {
+    await step('of a long program only what the editor shows is sent', async () => {
         const rung = (number) => `+--[ ]( a${number} )--[/]( b${number} )--( )( c${number} )--+\n`;
         const content = Array.from({ length: 10_000 }, (_, number) => rung(number)).join('');
         const document = await vscode.workspace.openTextDocument({ language: 'clad', content });

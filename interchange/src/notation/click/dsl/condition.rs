@@ -119,7 +119,7 @@ fn called(mistakes: &mut Mistakes<'_>, expr: &Expr, call: &ExprCall) -> Result<C
         (Some(_), _) => Err(mistakes.note(expr, format!("`{word}` takes one address"))),
         (None, []) => Err(mistakes.note(expr, format!("`{word}` takes one condition or more"))),
         (None, arguments) => {
-            // Each mistake in it is told.
+            // Each mistake in it is reported.
             let parts: Vec<_> = arguments
                 .iter()
                 .map(|argument| part(mistakes, argument))
