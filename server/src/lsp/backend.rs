@@ -358,7 +358,7 @@ impl LanguageServer for Backend {
             command if notations::COMMANDS.contains(&command) => {
                 notations::execute(&self.shared, params).await
             }
-            _ => simulate::execute(&self.shared, params).await,
+            _ => return simulate::execute(&self.shared, params).await,
         };
         answer.map(Some)
     }

@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use serde::Serialize;
-use tokio::sync::watch;
+use tokio::sync::{oneshot, watch};
 use tower_lsp::Client;
 use tower_lsp::jsonrpc::{Error, ErrorCode, Result};
 use tower_lsp::ls_types::notification::Notification;
@@ -12,7 +12,7 @@ use tower_lsp::ls_types::{ExecuteCommandParams, LSPAny, Position};
 use crate::cancel::Cancel;
 use crate::lsp::convert;
 use crate::lsp::shared::Shared;
-use crate::lsp::transport::blocking::blocking;
+use crate::lsp::transport::{blocking::blocking, prepared};
 use crate::simulation::messages::{OfSession, Run, Show, Shown, Start, Started, State, Status, Stopped};
 use crate::simulation::{Action, Answer, Failure, REPORT, Request, Session};
 
@@ -37,10 +37,10 @@ impl Notification for SimulationState {
     const METHOD: &'static str = "ladder/simulationState";
 }
 
-pub(crate) async fn execute(shared: &Arc<Shared>, params: ExecuteCommandParams) -> Result<LSPAny> {
+pub(crate) async fn execute(shared: &Arc<Shared>, params: ExecuteCommandParams) -> Result<Option<LSPAny>> {
     let request = Request::read(&params.command, params.arguments).map_err(error)?;
-    match request {
-        Request::Start(it) => json(&start(shared, it).await?),
+    let answer = match request {
+        Request::Start(it) => return start(shared, it).await,
         Request::Step(it) => act(shared, &it.session, Action::Step(it.scans.unwrap_or(1))).await,
         Request::StepBlock(it) => act(shared, &it.session, Action::StepBlock).await,
         Request::StepRung(it) => act(shared, &it.session, Action::StepRung).await,
@@ -75,7 +75,8 @@ pub(crate) async fn execute(shared: &Arc<Shared>, params: ExecuteCommandParams) 
         Request::Reset(it) => act(shared, &it.session, Action::Reset).await,
         Request::WarmRestart(it) => act(shared, &it.session, Action::WarmRestart).await,
         Request::Stop(it) => stop(shared, it).await,
-    }
+    };
+    answer.map(Some)
 }
 
 /// How many times as fast as real time a run is to be; none for as fast as it goes.
@@ -116,7 +117,7 @@ pub(crate) async fn values_at(shared: &Arc<Shared>, uri: &str, position: Positio
     sent
 }
 
-async fn start(shared: &Arc<Shared>, Start { uri, options }: Start) -> Result<Started> {
+async fn start(shared: &Arc<Shared>, Start { uri, options }: Start) -> Result<Option<LSPAny>> {
     let revision = shared
         .documents
         .get(&uri)
@@ -130,18 +131,27 @@ async fn start(shared: &Arc<Shared>, Start { uri, options }: Start) -> Result<St
     let mut state = states.borrow().clone();
     // All of what is shown.
     state.delta = false;
-    tokio::spawn(report(shared.client.clone(), states, deltas));
+    let (on_its_way, answered) = oneshot::channel();
+    tokio::spawn(report(
+        shared.client.clone(),
+        state.clone(),
+        states,
+        deltas,
+        answered,
+    ));
     // A change may have come while the program was compiled, when nobody could tell the session.
     if let Some(newest) = shared.documents.get(&uri)
         && !newest.is(&revision)
     {
         drop(session.ask(Action::Follow(newest), Cancel::default()));
     }
-    Ok(Started {
+    let started = Started {
         session: session.id.clone(),
         state,
         notes,
-    })
+    };
+    let text = serde_json::to_string(&started).map_err(|_| Error::internal_error())?;
+    prepared::answer_ahead(text, on_its_way)
 }
 
 /// Why there is nothing to simulate.
@@ -188,8 +198,18 @@ async fn answer(session: &Session, action: Action) -> Result<Answer> {
 
 /// Sends states to the client: the newest, at most one in each interval, and the last one always. With `deltas` only
 /// what has changed since the one before; the first behind an answer is whole, for it may be older than that.
-async fn report(client: Client, mut states: watch::Receiver<State>, deltas: bool) {
-    let mut before = states.borrow().clone();
+///
+/// None goes out before the answer to the start, with the state `before`: a client that does not know the session yet
+/// would not take it, and would wait for the next one for ever.
+async fn report(
+    client: Client,
+    mut before: State,
+    mut states: watch::Receiver<State>,
+    deltas: bool,
+    answered: oneshot::Receiver<()>,
+) {
+    // The other end says nothing; it goes.
+    let _ = answered.await;
     while states.changed().await.is_ok() {
         let state = states.borrow_and_update().clone();
         if state.commands.is_some() {
@@ -236,12 +256,66 @@ pub(crate) fn error(failure: Failure) -> Error {
 
 #[cfg(test)]
 mod tests {
+    use std::time::Duration;
+
     use futures::StreamExt;
-    use tower::Service;
+    use serde_json::{Value, json};
+    use tokio::io::AsyncWriteExt;
+    use tower::{Service, ServiceExt};
     use tower_lsp::LspService;
+    use tower_lsp::jsonrpc::Response;
 
     use super::*;
     use crate::lsp::backend::Backend;
+    use crate::lsp::transport::{guard::Guard, prepared::Outlet};
+
+    /// A client that is slow to take an answer sees this: the state of a change must not overtake the answer to the
+    /// start. Which of the two the framework writes first cannot be told from outside.
+    #[tokio::test]
+    async fn no_state_goes_out_before_the_answer_to_the_start() {
+        let (service, socket) = LspService::new(Backend::new);
+        let outbox = service.inner().shared().outbox.clone();
+        let mut guard = Guard::new(service, outbox);
+        let prepared = guard.prepared();
+        let mut call = async |message: Value| -> Option<Response> {
+            let request = serde_json::from_value(message).unwrap();
+            guard.ready().await.unwrap().call(request).await.unwrap()
+        };
+        let uri = "file:///a.clad";
+        let text = "+--[ ]( a )--( )( y )--+\n";
+        let show = json!({"lines": [{"first": 0, "last": 0}], "tags": []});
+        let start = json!({"uri": uri, "options": {"show": show}});
+        let mut answer = None;
+        for message in [
+            json!({"id": 1, "method": "initialize", "params": {"capabilities": {}}}),
+            json!({"method": "textDocument/didOpen", "params": {"textDocument":
+                {"uri": uri, "languageId": "clad", "version": 1, "text": text}}}),
+            json!({"id": 2, "method": "workspace/executeCommand", "params":
+                {"command": "ladder.simulate.start", "arguments": [start]}}),
+            json!({"method": "textDocument/didChange", "params": {"textDocument": {"uri": uri, "version": 2},
+                "contentChanges": [{"text": format!("# more #\n{text}")}]}}),
+        ] {
+            let mut message = message;
+            message["jsonrpc"] = "2.0".into();
+            answer = call(message).await.or(answer);
+        }
+
+        let (sent, _answers) = socket.split();
+        let mut states = sent.filter(|it| std::future::ready(it.method() == SimulationState::METHOD));
+        let early = tokio::time::timeout(Duration::from_millis(200), states.next()).await;
+        assert!(early.is_err(), "{early:?}");
+
+        let body = serde_json::to_string(&answer).unwrap();
+        let mut written = Vec::new();
+        let mut outlet = Outlet::new(&mut written, prepared);
+        let framed = format!("Content-Length: {}\r\n\r\n{body}", body.len());
+        outlet.write_all(framed.as_bytes()).await.unwrap();
+        outlet.flush().await.unwrap();
+        drop(outlet);
+        assert!(String::from_utf8(written).unwrap().contains(r#""session":"s1""#));
+        let state = tokio::time::timeout(Duration::from_secs(10), states.next()).await;
+        assert_eq!(state.unwrap().unwrap().params().unwrap()["version"], 2);
+    }
 
     #[tokio::test]
     async fn a_session_whose_thread_is_gone_is_shown_as_ended() {
@@ -275,7 +349,9 @@ mod tests {
             operands: Vec::new(),
         };
         let (states, seen) = watch::channel(state.clone());
-        tokio::spawn(report(service.inner().shared().client.clone(), seen, false));
+        let (_, answered) = oneshot::channel();
+        let client = service.inner().shared().client.clone();
+        tokio::spawn(report(client, state.clone(), seen, false, answered));
         states.send_replace(State {
             status: Status::Running,
             scan: 7,

@@ -16,25 +16,54 @@ use std::task::{Context, Poll, ready};
 use serde::de::DeserializeOwned;
 use serde_json::Value;
 use tokio::io::AsyncWrite;
+use tokio::sync::oneshot;
 use tower_lsp::jsonrpc::{Error, Result};
 
 tokio::task_local! {
     /// The text that the handler of a request has given.
-    static GIVEN: Cell<Option<String>>;
+    static GIVEN: Cell<Option<Text>>;
+}
+
+/// A JSON text that is to be written.
+#[derive(Debug)]
+pub(super) struct Text {
+    json: String,
+    /// Dropped, and so noticed at the other end, when the text is written or will never be.
+    _on_its_way: Option<oneshot::Sender<()>>,
 }
 
 /// Answers the request that is being handled with a JSON text. What it returns is for the handler to return.
 pub(crate) fn answer<T: DeserializeOwned>(text: String) -> Result<Option<T>> {
+    give(Text {
+        json: text,
+        _on_its_way: None,
+    })
+}
+
+/// As [`answer`]. The other end of the channel learns when the answer has its place in what is written: what is sent
+/// from then on comes behind it.
+pub(crate) fn answer_ahead<T: DeserializeOwned>(
+    text: String,
+    on_its_way: oneshot::Sender<()>,
+) -> Result<Option<T>> {
+    give(Text {
+        json: text,
+        _on_its_way: Some(on_its_way),
+    })
+}
+
+fn give<T: DeserializeOwned>(text: Text) -> Result<Option<T>> {
     let mut text = Some(text);
     if GIVEN.try_with(|given| given.set(text.take())).is_ok() {
         return Ok(None);
     }
     // Outside of a session, as in tests.
-    serde_json::from_str(&text.unwrap_or_default()).map_err(|_| Error::internal_error())
+    let json = text.map(|text| text.json).unwrap_or_default();
+    serde_json::from_str(&json).map_err(|_| Error::internal_error())
 }
 
 /// Runs a handler; with its outcome comes the text that it has given.
-pub(super) async fn handle<F: Future>(handler: F) -> (F::Output, Option<String>) {
+pub(super) async fn handle<F: Future>(handler: F) -> (F::Output, Option<Text>) {
     let run = async {
         let outcome = handler.await;
         (outcome, GIVEN.with(Cell::take))
@@ -51,7 +80,7 @@ pub(crate) struct Prepared {
 #[derive(Debug, Default)]
 struct Waiting {
     last: u64,
-    texts: HashMap<u64, String>,
+    texts: HashMap<u64, Text>,
 }
 
 /// Before the number of a ticket. No answer of the server is a string by itself.
@@ -71,12 +100,19 @@ const LONGEST_NUMBER: usize = 21;
 
 impl Prepared {
     /// Keeps a text, and gives its ticket.
-    pub(super) fn keep(&self, text: String) -> Value {
-        Value::String(self.ticket(text))
+    pub(super) fn keep(&self, text: Text) -> Value {
+        Value::String(self.put(text))
     }
 
     /// The same, for the parameters of a notification.
-    pub(super) fn ticket(&self, text: String) -> String {
+    pub(super) fn ticket(&self, json: String) -> String {
+        self.put(Text {
+            json,
+            _on_its_way: None,
+        })
+    }
+
+    fn put(&self, text: Text) -> String {
         let mut waiting = self.waiting();
         waiting.last += 1;
         let number = waiting.last;
@@ -84,7 +120,7 @@ impl Prepared {
         format!("{TICKET}{number}")
     }
 
-    fn take(&self, number: u64) -> Option<String> {
+    fn take(&self, number: u64) -> Option<Text> {
         self.waiting().texts.remove(&number)
     }
 
@@ -174,7 +210,7 @@ impl<O: AsyncWrite> Outlet<O> {
         let body = &self.held[header..];
         let ticket = ticket_in(body);
         match ticket.and_then(|ticket| Some((self.prepared.take(ticket.number)?, ticket))) {
-            Some((text, Ticket { start, end, .. })) => {
+            Some((Text { json: text, .. }, Ticket { start, end, .. })) => {
                 let length = length - (end - start) + text.len();
                 self.ahead = format!("Content-Length: {length}\r\n\r\n").into_bytes();
                 self.ahead.reserve(start + text.len() + body.len() - end);
@@ -294,7 +330,7 @@ mod tests {
                 let id = format!("{:?}", "7".repeat(length));
                 match kind {
                     0 => {
-                        let ticket = prepared.keep(text.clone()).to_string();
+                        let ticket = Value::String(prepared.ticket(text.clone())).to_string();
                         given += &answer_with(&ticket, &id);
                         expected += &answer_with(&text, &id);
                     }
@@ -309,7 +345,7 @@ mod tests {
                         expected += &answer_with(&text, "1");
                     }
                     3 => {
-                        let ticket = prepared.keep(text.clone()).to_string();
+                        let ticket = Value::String(prepared.ticket(text.clone())).to_string();
                         given += &diagnostics_with(&ticket);
                         expected += &diagnostics_with(&text);
                     }
