@@ -13,6 +13,7 @@ import { previewNotification, shownNotification, stateNotification, type OtherCo
 import { cannotStart, findCargo, findServer, type Place, type Surroundings } from './serverPath.ts';
 import { fit, misfit } from './serverVersion.ts';
 import type { Send } from './session.ts';
+import { TypedAhead } from './typedAhead.ts';
 
 const execute = promisify(execFile);
 
@@ -41,6 +42,7 @@ export class Server implements vscode.Disposable {
     readonly #previewReceived = new vscode.EventEmitter<Previewed>();
     readonly #started = new vscode.EventEmitter<void>();
     readonly #stopped = new vscode.EventEmitter<void>();
+    readonly #typedAhead = new TypedAhead();
     #client: LanguageClient | undefined;
     #waiting: vscode.Disposable | undefined;
     #turn = 0;
@@ -132,6 +134,16 @@ export class Server implements vscode.Disposable {
                 outputChannel: this.log,
                 middleware: {
                     provideCodeLenses: (document, token, next) => lensesOf(document, token, next, this.isSimulated(document)),
+                    provideOnTypeFormattingEdits: async (document, position, character, options, token, next) => {
+                        await this.#typedAhead.typed(
+                            document,
+                            position,
+                            character,
+                            token,
+                            async (at, typed, until) => (await next(document, at, typed, options, until)) ?? [],
+                        );
+                        return undefined;
+                    },
                 },
             },
         );
@@ -196,6 +208,7 @@ export class Server implements vscode.Disposable {
 
     dispose(): void {
         this.#waiting?.dispose();
+        this.#typedAhead.dispose();
         this.#stateReceived.dispose();
         this.#previewReceived.dispose();
         this.#started.dispose();

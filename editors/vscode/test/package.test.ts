@@ -118,16 +118,6 @@ test('every grammar and configuration of a language is packed', () => {
     }
 });
 
-test('Enter behind a line with a branch continues the rail, and only there', () => {
-    const [branch] = language.onEnterRules;
-    const continues = (line: string) => new RegExp(branch.beforeText).test(line);
-    assert.ok(continues('+--\\--[ ]( start )--( )( run )--+'));
-    assert.ok(continues('|  /--\\--[ ]( run )--/         |'));
-    assert.ok(!continues('+--[ ]( start )--( )( run )--+'));
-    assert.ok(!continues('# a path: C:\\ladder #'));
-    assert.equal(branch.action.appendText, '|  ');
-});
-
 test('words are tags, direct addresses and names of blocks', () => {
     const { pattern, flags } = language.wordPattern;
     const words = '--[$Debounce]( größe, %IX0.3, T#5s )--'.match(new RegExp(pattern, `g${flags}`));

@@ -1,5 +1,6 @@
 //! Enter: the line below begins as the drawing goes on.
 
+use super::typed_over::typed_over;
 use super::{drawn_again, network_at};
 use crate::body::line_text;
 use ladder_analysis::context::Context;
@@ -20,10 +21,12 @@ const BRANCH: &str = "/--";
 pub(super) fn enter(context: &Context, offset: TextSize, options: &Options) -> Vec<Edit> {
     let parse = &context.parse;
     if parse.unclosed_comment().is_some_and(|open| open.start() < offset) {
-        return Vec::new();
+        return left_behind(context, offset, options).unwrap_or_default();
     }
     let Some((new_line, above)) = blank_line(context, offset) else {
-        return split_behind_down(context, offset).unwrap_or_default();
+        let split = split_behind_down(context, offset);
+        let edits = split.or_else(|| left_behind(context, offset, options));
+        return edits.unwrap_or_default();
     };
     let line = &parse.lines()[above];
     if line.mode_after == Mode::Section
@@ -66,10 +69,9 @@ fn blank_line(context: &Context, offset: TextSize) -> Option<(TextRange, usize)>
     let text = line_text(parse, line);
     let before = &text[..usize::from(offset - parse.line_start(line))];
     let is_rail = parse.lines()[line].kind == LineKind::Rail && text.trim() == "|";
-    // An editor without the server may have gone on with the rail; or the rail at the right was drawn when the branch was
-    // closed, and Enter has taken it along.
-    let is_rail = is_rail && (before.contains('|') || behind_branch(context, line));
-    if parse.lines()[line].kind != LineKind::Blank && !is_rail {
+    // The rail at the right was drawn when the branch was closed, and Enter has taken it along.
+    let is_taken_along = is_rail && !before.contains('|') && behind_branch(context, line);
+    if parse.lines()[line].kind != LineKind::Blank && !is_taken_along {
         return None;
     }
     let above = line.checked_sub(1).filter(|&above| ends_line(context, above))?;
@@ -190,6 +192,26 @@ fn stands_below(context: &Context, offset: TextSize) -> bool {
     let below = parse.line_at(offset).map(|line| line + 1);
     let below = below.and_then(|below| parse.lines().get(below));
     below.is_some_and(|line| line.kind == LineKind::Rung)
+}
+
+/// Enter that a client asks about again when the next line has already been written: nothing is begun there any more. What the
+/// line above had begun is taken back, or its network is drawn again.
+fn left_behind(context: &Context, offset: TextSize, options: &Options) -> Option<Vec<Edit>> {
+    let parse = &context.parse;
+    let line = parse.line_at(offset.checked_sub(TextSize::new(1))?)?;
+    let within = usize::from(offset - parse.line_start(line));
+    let before = &line_text(parse, line)[..within];
+    if before.trim().is_empty() || before.contains(['\r', '\n']) {
+        return None;
+    }
+    let above = line.checked_sub(1).filter(|&above| ends_line(context, above))?;
+    let begun = TextSize::of(line_text(parse, above).trim_end_matches(['\r', '\n']));
+    if is_begun(context, above) {
+        let range = TextRange::at(parse.line_start(above), begun);
+        return Some(replace(context, range, ""));
+    }
+    let again = typed_over(context, parse.line_start(above) + begun);
+    again.or_else(|| drawn_again(context, above, options))
 }
 
 /// Enter right behind a `\` in the middle of a rung: what stood behind it stays on the rung, and the new line is

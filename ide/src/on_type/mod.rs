@@ -9,6 +9,9 @@
 //! - What Enter has begun may be typed once more; a comment or a keyword takes its place.
 //!
 //! What was typed stays, but for rails and wires.
+//!
+//! Edits for a text that has moved on are of no use. A client whose user types faster than the answers come asks again, about the
+//! same character, from the end of its line as it is by then; for Enter from the end of the line that it began.
 
 mod branch;
 mod enter;

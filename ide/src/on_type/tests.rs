@@ -9,13 +9,20 @@ use ladder_format::{Options, apply};
 /// line end.
 fn check(text: &str, expected: Expect) {
     let fixture = Fixture::new(text);
-    let (context, offset, _) = fixture.ask();
+    let (_, offset, _) = fixture.ask();
     let before = fixture.text("main.clad");
     let typed = before[..usize::from(offset)]
         .trim_end_matches(' ')
         .chars()
         .next_back();
-    let typed = typed.unwrap();
+    check_typed(text, typed.unwrap(), expected);
+}
+
+/// The character is asked about once more: others were typed behind it since.
+fn check_typed(text: &str, typed: char, expected: Expect) {
+    let fixture = Fixture::new(text);
+    let (context, offset, _) = fixture.ask();
+    let before = fixture.text("main.clad");
     let edits = on_type(context, offset, typed, &Options::default());
     let shown = if edits.is_empty() {
         "nothing".to_owned()
@@ -553,7 +560,74 @@ fn enter_behind_a_branch_leaves_the_rail_where_it_is() {
     check(
         &format!("{ROW}|\n$0|\n"),
         expect![[r#"
-        nothing
-    "#]],
+            nothing
+        "#]],
+    );
+}
+
+#[test]
+fn an_enter_that_was_overtaken_is_asked_about_again() {
+    const RUNG: &str = "+--[ ]( a )------------------( )( y )--+\n";
+    // What was begun on the line above is not wanted.
+    check_typed(
+        &format!("{RUNG}+--\n# why$0\n{RUNG}"),
+        '\n',
+        expect![[r#"
+            +--[ ]( a )------------------( )( y )--+
+
+            # why
+            +--[ ]( a )------------------( )( y )--+
+
+        "#]],
+    );
+    check_typed(
+        &format!("{RUNG}+--# why #\n+--[ ]( b )$0"),
+        '\n',
+        expect![[r#"
+            +--[ ]( a )------------------( )( y )--+
+            # why #
+            +--[ ]( b )
+        "#]],
+    );
+    check_typed(
+        "+--\\--[ ]( a )--\\--( )( y )--+\n|  /--|  /--[ ]( b )--/\n+--[ ]( c )$0",
+        '\n',
+        expect![[r#"
+            +--\--[ ]( a )--\--( )( y )--+
+            |  /--[ ]( b )--/
+            +--[ ]( c )
+        "#]],
+    );
+    // The network above is drawn again, and nothing is begun.
+    check_typed(
+        "+-[ ]( a )-( )( y )-+\n# why #$0",
+        '\n',
+        expect![[r#"
+            +--[ ]( a )------------------( )( y )--+
+            # why #
+        "#]],
+    );
+    check_typed(
+        "# open\n+--\n+--[ ]( b )$0",
+        '\n',
+        expect![[r#"
+            nothing
+        "#]],
+    );
+    // A rail that somebody draws is none that was begun.
+    check_typed(
+        "+--\\--[ ]( a )--\\--( )( y )--+\n|  $0",
+        '\n',
+        expect![[r#"
+            nothing
+        "#]],
+    );
+    // A rung that was begun by hand, and a line that an editor has indented.
+    check_typed(
+        &format!("{RUNG}+--\n  $0[ ]( b )--( )( y )--+\n"),
+        '\n',
+        expect![[r#"
+            nothing
+        "#]],
     );
 }

@@ -11,10 +11,8 @@ const { LADDER_BIN, LADDER_ROOT } = process.env;
 
 const PAGES = ['first-program.md', 'for-programmers.md'];
 
-/** Milliseconds behind a key: a fast typist, whom the editor's own typing aids can still follow. */
+/** Milliseconds behind a key: somebody who types faster than the answers come, whom the editor's own aids can still follow. */
 const KEY = 25;
-/** Before the next line is begun. */
-const NEXT_LINE = 100;
 
 /** The programs of a page that are right, each with the number of its first line. */
 function programs(name) {
@@ -49,13 +47,7 @@ export async function book(page, { step, until, project }) {
                 const where = `${name}:${line}`;
                 await open(page, file);
                 await page.locator('.editor-group-container.active .monaco-editor .view-lines').click();
-                for (const [number, text] of lines.entries()) {
-                    await page.keyboard.type(text, { delay: KEY });
-                    if (number < lines.length - 1) {
-                        await page.keyboard.press('Enter', { delay: KEY });
-                        await page.waitForTimeout(NEXT_LINE);
-                    }
-                }
+                await page.keyboard.type(lines.join('\n'), { delay: KEY });
                 await until(`no mistake in ${where}`, 5, async () => (await mistakes.count()) === 0);
                 await page.keyboard.press('Control+S');
                 await until(`${file} to be saved`, 5, () => statSync(join(project, file)).size > 0);

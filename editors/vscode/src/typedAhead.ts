@@ -1,0 +1,98 @@
+// What the drawing does of itself while a person types, also for one who types faster than the answers come. VS Code drops
+// the edits behind a key that another has overtaken; here they are asked for again, for the text as it is by then.
+import * as vscode from 'vscode';
+
+import { LINE_END, Overtaken } from './overtaken.ts';
+
+type Ask = (position: vscode.Position, typed: string, token: vscode.CancellationToken) => Promise<vscode.TextEdit[]>;
+
+/** Makes edits if the document still has the version that they are for. */
+async function make(document: vscode.TextDocument, version: number, edits: vscode.TextEdit[], undoStops: boolean): Promise<boolean> {
+    const editor = vscode.window.visibleTextEditors.find((candidate) => candidate.document === document);
+    if (!editor || document.version !== version) {
+        return false;
+    }
+    const write = (builder: vscode.TextEditorEdit) => {
+        for (const { range, newText } of edits) {
+            if (range.isEmpty) {
+                builder.insert(range.start, newText);
+            } else {
+                builder.replace(range, newText);
+            }
+        }
+    };
+    return editor.edit(write, { undoStopBefore: undoStops, undoStopAfter: undoStops });
+}
+
+export class TypedAhead implements vscode.Disposable {
+    /** Per document, the lines whose edits are still to be made. */
+    readonly #overtaken = new Map<vscode.TextDocument, Overtaken>();
+    readonly #followed: vscode.Disposable;
+
+    constructor() {
+        this.#followed = vscode.Disposable.from(
+            vscode.workspace.onDidChangeTextDocument(({ document, contentChanges }) => {
+                for (const { range, text } of contentChanges) {
+                    const added = text.split(LINE_END).length - 1;
+                    this.#overtaken.get(document)?.shift(range.start.line, range.end.line, added);
+                }
+            }),
+            vscode.workspace.onDidCloseTextDocument((document) => this.#overtaken.delete(document)),
+        );
+    }
+
+    /** A character was typed. Makes what the server answers. */
+    async typed(document: vscode.TextDocument, position: vscode.Position, character: string, token: vscode.CancellationToken, ask: Ask): Promise<void> {
+        const { version } = document;
+        const isAtEnd = document.lineAt(position).text.slice(position.character).trim() === '';
+        const waiting = this.#of(document);
+        const own = waiting.add(position.line, character);
+        const edits = await ask(position, character, token);
+        // One undo takes back Enter and what it has begun.
+        const undoStops = character !== LINE_END;
+        const isMade = document.version === version && (edits.length === 0 || (await make(document, version, edits, undoStops)));
+        if (isMade || !isAtEnd) {
+            waiting.remove(own);
+        } else {
+            own.isLate = true;
+            await this.#catchUp(document, waiting, ask);
+        }
+    }
+
+    dispose(): void {
+        this.#followed.dispose();
+        this.#overtaken.clear();
+    }
+
+    #of(document: vscode.TextDocument): Overtaken {
+        const known = this.#overtaken.get(document) ?? new Overtaken();
+        this.#overtaken.set(document, known);
+        return known;
+    }
+
+    /** Asks about one line after the other until all edits are made. */
+    async #catchUp(document: vscode.TextDocument, waiting: Overtaken, ask: Ask): Promise<void> {
+        if (waiting.isCatchingUp) {
+            return;
+        }
+        waiting.isCatchingUp = true;
+        try {
+            for (let next = waiting.late(); next && !document.isClosed; next = waiting.late()) {
+                const { version } = document;
+                const line = document.lineAt(Math.min(next.line, document.lineCount - 1));
+                // Nothing was written on it: behind Enter the next one was pressed.
+                if (line.isEmptyOrWhitespace) {
+                    waiting.remove(next);
+                    continue;
+                }
+                const edits = await ask(line.range.end, next.typed, new vscode.CancellationTokenSource().token);
+                // The typist's step of undo, not one of its own.
+                if (document.version === version && (edits.length === 0 || (await make(document, version, edits, false)))) {
+                    waiting.remove(next);
+                }
+            }
+        } finally {
+            waiting.isCatchingUp = false;
+        }
+    }
+}
