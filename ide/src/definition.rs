@@ -13,7 +13,7 @@
 
 use crate::body;
 use crate::neighbour::Workspace;
-use crate::symbol::{Found, Occurrence, Symbol, Usage, declared_names, files_of, find, occurrences};
+use crate::symbol::{Found, Occurrence, Symbol, Usage, declared_names, find, in_files_of, occurrences};
 use crate::target::Target;
 use ladder_analysis::context::{Body, Context};
 use ladder_analysis::network::Formal;
@@ -128,12 +128,11 @@ fn each_file(
     context: &Context,
     symbol: &Symbol,
     workspace: &dyn Workspace,
-    give: impl Fn(&Context) -> Vec<Target>,
+    give: impl Fn(&Context) -> Vec<Target> + Sync,
 ) -> Vec<Target> {
     let mut targets = give(context);
-    for neighbour in files_of(context, symbol, workspace) {
-        targets.extend(give(&neighbour));
-    }
+    let others = in_files_of(context, std::slice::from_ref(symbol), workspace, give);
+    targets.extend(others.into_iter().flatten());
     targets
 }
 

@@ -1,9 +1,9 @@
 //! Texts of tests: several files, a cursor, and how places are shown.
 
-use crate::{ScenarioFile, Workspace, mentions};
+use crate::{ScenarioFile, Which, Workspace, mentions};
 use ladder_analysis::context::Context;
 use ladder_analysis::{Analysis, Exported, analyze_in, exports};
-use ladder_syntax::{Name, TextRange, TextSize, parse};
+use ladder_syntax::{TextRange, TextSize, parse};
 use std::sync::Arc;
 
 /// The files of a workspace, the first of them the one that is asked about.
@@ -115,16 +115,17 @@ impl Workspace for Others<'_> {
         Some(Arc::clone(&analysis.context))
     }
 
-    fn mentioning(&self, name: &Name) -> Vec<Arc<Context>> {
-        let files = self.fixture.files.iter().enumerate();
-        files
-            .filter(|(index, (_, text))| *index != self.own && mentions(text, name))
-            .map(|(_, (analysis, _))| Arc::clone(&analysis.context))
-            .collect()
-    }
-
-    fn all(&self) -> Vec<Arc<Context>> {
-        self.mentioning(&Name::new(""))
+    fn show(&self, which: Which<'_>, look: &(dyn Fn(usize, &Arc<Context>) + Sync)) {
+        let wanted = |text: &str| match which {
+            Which::All => true,
+            Which::Mentioning(names) => names.iter().any(|name| mentions(text, name)),
+        };
+        // Nobody relies on their order.
+        for (index, (analysis, text)) in self.fixture.files.iter().enumerate().rev() {
+            if index != self.own && wanted(text) {
+                look(index, &analysis.context);
+            }
+        }
     }
 
     fn scenarios(&self) -> Vec<ScenarioFile> {

@@ -2,23 +2,47 @@
 
 use ladder_analysis::context::Context;
 use ladder_syntax::Name;
-use std::sync::Arc;
+use std::sync::{Arc, Mutex, PoisonError};
 
 /// Where a feature finds the other files of the workspace. It never gives the file that is asked about itself.
 pub trait Workspace {
     /// The file of a name.
     fn file(&self, name: &str) -> Option<Arc<Context>>;
 
-    /// At least all files whose text [`mentions`] a name.
-    fn mentioning(&self, name: &Name) -> Vec<Arc<Context>>;
-
-    /// All of them.
-    fn all(&self) -> Vec<Arc<Context>>;
+    /// Shows files with their numbers in the order of the workspace, in any order and several at once. They may be
+    /// thousands: what is known of one takes much more memory than its text, and is let go when it was looked at.
+    fn show(&self, which: Which<'_>, look: &(dyn Fn(usize, &Arc<Context>) + Sync));
 
     /// The files of scenarios, which name tags too.
     fn scenarios(&self) -> Vec<ScenarioFile> {
         Vec::new()
     }
+}
+
+/// Which files of a workspace are wanted.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Which<'n> {
+    /// At least all whose text [`mentions`] one of these names.
+    Mentioning(&'n [Name]),
+    /// All of them.
+    All,
+}
+
+/// What is found in files of a workspace, in its order.
+pub(crate) fn in_each<T: Send>(
+    workspace: &dyn Workspace,
+    which: Which<'_>,
+    look: impl Fn(&Context) -> T + Sync,
+) -> Vec<T> {
+    let found = Mutex::new(Vec::new());
+    workspace.show(which, &|number, file| {
+        let in_file = look(file);
+        let mut found = found.lock().unwrap_or_else(PoisonError::into_inner);
+        found.push((number, in_file));
+    });
+    let mut found = found.into_inner().unwrap_or_else(PoisonError::into_inner);
+    found.sort_unstable_by_key(|(number, _)| *number);
+    found.into_iter().map(|(_, in_file)| in_file).collect()
 }
 
 /// A file of scenarios.
@@ -41,19 +65,25 @@ impl Workspace for Alone {
         None
     }
 
-    fn mentioning(&self, _: &Name) -> Vec<Arc<Context>> {
-        Vec::new()
-    }
-
-    fn all(&self) -> Vec<Arc<Context>> {
-        Vec::new()
-    }
+    fn show(&self, _: Which<'_>, _: &(dyn Fn(usize, &Arc<Context>) + Sync)) {}
 }
 
 /// Whether a name is somewhere in a text, in whatever case, if only as a part of another one.
 pub fn mentions(text: &str, name: &Name) -> bool {
+    if text.is_ascii() {
+        return name.as_str().is_ascii() && contains_in_any_case(text.as_bytes(), name.as_str().as_bytes());
+    }
     // Folded as a whole, every name in it is folded.
     Name::new(text).as_str().contains(name.as_str())
+}
+
+fn contains_in_any_case(text: &[u8], name: &[u8]) -> bool {
+    let Some(&first) = name.first() else { return true };
+    let mut begins = memchr::memchr2_iter(first.to_ascii_lowercase(), first.to_ascii_uppercase(), text);
+    begins.any(|at| {
+        text.get(at..at + name.len())
+            .is_some_and(|it| it.eq_ignore_ascii_case(name))
+    })
 }
 
 #[cfg(test)]
@@ -67,5 +97,8 @@ mod tests {
         assert!(ma("+--[ ]( \u{212a}ipp )--+", "kipp"));
         assert!(ma("+--[ ]( A\u{308}b )--+", "ÄB"));
         assert!(!ma("+--[ ]( star )--+", "start"));
+        assert!(ma("+--[ ]( s_Start )--+", "START"));
+        assert!(!ma("+--[ ]( star", "start"));
+        assert!(!ma("+--[ ]( a )--+", "ä"));
     }
 }

@@ -1,6 +1,6 @@
 //! Names in all files of a workspace, found by a few of their letters.
 
-use crate::neighbour::Workspace;
+use crate::neighbour::{Which, Workspace, in_each};
 use crate::outline::{OutlineKind, Outlined, of_context};
 use ladder_analysis::context::Context;
 use ladder_syntax::{Name, TextRange};
@@ -32,11 +32,13 @@ pub fn workspace_symbols(query: &str, own: &Context, workspace: &dyn Workspace) 
         .chars()
         .filter(|c| !c.is_whitespace())
         .collect();
-    let mut found = Vec::new();
-    gather(own, &wanted, &mut found);
-    for neighbour in workspace.all() {
-        gather(&neighbour, &wanted, &mut found);
-    }
+    let in_file = |file: &Context| {
+        let mut found = Vec::new();
+        add(&file.name, &of_context(file), None, &wanted, &mut found);
+        found
+    };
+    let mut found = in_file(own);
+    found.extend(in_each(workspace, Which::All, in_file).into_iter().flatten());
     found.sort_by(|(a, named_a), (b, named_b)| {
         b.cmp(a)
             .then_with(|| named_a.name.chars().count().cmp(&named_b.name.chars().count()))
@@ -45,10 +47,6 @@ pub fn workspace_symbols(query: &str, own: &Context, workspace: &dyn Workspace) 
     });
     found.truncate(MOST);
     found.into_iter().map(|(_, named)| named).collect()
-}
-
-fn gather(file: &Context, wanted: &[char], found: &mut Vec<(u32, Named)>) {
-    add(&file.name, &of_context(file), None, wanted, found);
 }
 
 fn add(

@@ -21,6 +21,7 @@
 //! - `notation` translates programs of other systems for the editor, and reads those that are open; it knows the custom
 //!   messages of that.
 //! - `debug` is the debug adapter, `ladder dap`, over the same engine.
+//! - `settling` gives memory back when the server has come to rest.
 //! - `recording` and `replay` keep what a client sent, and play it again.
 //! - `lsp` speaks the protocol. It is the only folder that names `tower-lsp`, and its page has the rules that
 //!   keep a server on it alive, in order and answering.
@@ -43,6 +44,7 @@ mod notation;
 pub mod probe;
 mod recording;
 mod replay;
+mod settling;
 mod simulation;
 pub mod typing_messages;
 
@@ -112,8 +114,12 @@ pub fn run_replay(recorded: &Path, speed: Option<f64>) -> ExitCode {
 }
 
 fn run(session: impl Future<Output = Ending>) -> ExitCode {
+    let settling = settling::Settling::default();
+    let ended = settling.clone();
     let runtime = match tokio::runtime::Builder::new_multi_thread()
         .worker_threads(WORKERS)
+        .thread_keep_alive(settling::PATIENCE)
+        .on_thread_stop(move || ended.thread_ended())
         .enable_all()
         .build()
     {
@@ -123,6 +129,7 @@ fn run(session: impl Future<Output = Ending>) -> ExitCode {
             return ExitCode::from(2);
         }
     };
+    runtime.spawn(settling.watch());
     let ending = runtime.block_on(session);
     // A read of standard input cannot be interrupted: waiting for that thread would wait for the client.
     runtime.shutdown_background();

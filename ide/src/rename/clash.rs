@@ -1,7 +1,7 @@
 //! Names that something else has: after the renaming one of the two would mean the other.
 
 use super::RenameRefused;
-use crate::neighbour::Workspace;
+use crate::neighbour::{Which, Workspace, in_each};
 use crate::symbol::{Symbol, Usage, declared_names, occurrences, tag_of};
 use ladder_analysis::context::Context;
 use ladder_analysis::scope::{Origin, SectionKind};
@@ -9,7 +9,8 @@ use ladder_analysis::with_article;
 use ladder_syntax::{Name, TextRange};
 use std::sync::Arc;
 
-/// Whether a symbol may get a new name.
+/// Whether a symbol may get a new name, as far as the files say that have it already. Those that name the symbol are asked
+/// one by one with [`where_used`].
 pub(super) fn check(
     context: &Context,
     symbol: &Symbol,
@@ -21,17 +22,7 @@ pub(super) fn check(
         Symbol::Tag { file, scope, .. } => {
             in_file(context, file, workspace, |file| tag(file, *scope, key, new))
         }
-        Symbol::Global(_) => {
-            global(context, symbol, key, new)?;
-            let (uses, named) = (
-                crate::symbol::files_of(context, symbol, workspace),
-                workspace.mentioning(key),
-            );
-            for neighbour in uses.iter().chain(&named) {
-                global(neighbour, symbol, key, new)?;
-            }
-            Ok(())
-        }
+        Symbol::Global(_) => in_all(context, key, workspace, |file| global(file, symbol, key, new)),
         Symbol::Label { file, body, .. } => in_file(context, file, workspace, |file| {
             let other = Symbol::Label {
                 file: Arc::clone(&file.name),
@@ -84,13 +75,24 @@ fn in_all(
     context: &Context,
     key: &Name,
     workspace: &dyn Workspace,
-    check: impl Fn(&Context) -> Result<(), RenameRefused>,
+    check: impl Fn(&Context) -> Result<(), RenameRefused> + Sync,
 ) -> Result<(), RenameRefused> {
     check(context)?;
-    for neighbour in workspace.mentioning(key) {
-        check(&neighbour)?;
+    let which = Which::Mentioning(std::slice::from_ref(key));
+    in_each(workspace, which, check).into_iter().collect()
+}
+
+/// Whether a symbol may get a new name in a file that names it.
+pub(super) fn where_used(
+    file: &Context,
+    symbol: &Symbol,
+    key: &Name,
+    new: &str,
+) -> Result<(), RenameRefused> {
+    match symbol {
+        Symbol::Global(_) => global(file, symbol, key, new),
+        _ => Ok(()),
     }
-    Ok(())
 }
 
 /// A tag of one file, or of one block's body.

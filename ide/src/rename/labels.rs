@@ -1,7 +1,7 @@
 //! Labels that must go by one name: a jump in a `<$B>` block to a label that the block does not have goes to the
 //! label of that name wherever the block is (LANGUAGE §5.7).
 
-use crate::neighbour::Workspace;
+use crate::neighbour::{Which, Workspace, in_each};
 use crate::symbol::{Symbol, Usage, occurrences};
 use ladder_analysis::context::{Body, Context};
 use ladder_analysis::network::Meaning;
@@ -65,17 +65,16 @@ impl Search<'_> {
         });
         let Some(key) = key else { return linked };
         let wanted = (Arc::clone(file), *body);
-        let mut hold = |file: &Context| {
-            for body in bodies(file) {
-                if blocks_in(file, body).contains(&wanted) {
-                    linked.push((Arc::clone(&file.name), body));
-                }
-            }
+        let holding = |file: &Context| {
+            let mut bodies = bodies(file);
+            bodies.retain(|body| blocks_in(file, *body).contains(&wanted));
+            let of_file = |body| (Arc::clone(&file.name), body);
+            bodies.into_iter().map(of_file).collect::<Vec<FileBody>>()
         };
-        hold(self.own);
-        for neighbour in self.workspace.mentioning(&key) {
-            hold(&neighbour);
-        }
+        linked.extend(holding(self.own));
+        let which = Which::Mentioning(std::slice::from_ref(&key));
+        let others = in_each(self.workspace, which, holding);
+        linked.extend(others.into_iter().flatten());
         linked
     }
 

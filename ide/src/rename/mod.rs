@@ -13,13 +13,12 @@ mod spelling;
 use crate::body::file_text;
 use crate::neighbour::Workspace;
 use crate::outline::text_of;
-use crate::symbol::{Found, Occurrence, Symbol, files_of, find, occurrences, tag_of};
+use crate::symbol::{Found, Occurrence, Symbol, find, in_files_of, occurrences, tag_of};
 use ladder_analysis::context::{Context, context};
 use ladder_analysis::scope::Origin;
 use ladder_analysis::with_article;
 use ladder_format::{Edit, Options, apply};
 use ladder_syntax::{Name, TextRange, TextSize, parse};
-use std::collections::HashSet;
 use std::sync::Arc;
 
 /// What would be renamed.
@@ -106,48 +105,64 @@ pub(crate) fn rename_symbol(
     // All places of all that must go by one name.
     let symbols = labels::together(own, symbol, workspace);
     let key = Name::new(&new);
-    if symbol.name() != Some(&key) {
+    let is_other = symbol.name() != Some(&key);
+    if is_other {
         for symbol in &symbols {
             clash::check(context, symbol, &key, &new, workspace)?;
         }
     }
-    let neighbours = neighbours(context, &symbols, workspace);
-    let files = std::iter::once(own).chain(neighbours.iter().map(|neighbour| &**neighbour));
-    let mut renamed = Vec::new();
-    for file in files {
-        let mut places: Vec<Occurrence> = symbols
-            .iter()
-            .flat_map(|symbol| occurrences(file, symbol))
-            .collect();
-        places.sort_by_key(|place| place.range.start());
-        places.dedup_by_key(|place| place.range);
-        if places.is_empty() {
-            continue;
+    let in_file = |file: &Context| {
+        if is_other {
+            clash::where_used(file, symbol, &key, &new)?;
         }
-        let text = file_text(&file.parse);
-        let edits = places.into_iter().map(|place| Edit {
-            range: place.range,
-            text: new.clone(),
-        });
-        // What is written so already stays, and so does the tag's address where that is written in its stead.
-        let edits: Vec<Edit> = edits
-            .filter(|edit| {
-                let written = &text[edit.range];
-                written != edit.text && !written.starts_with('%')
-            })
-            .collect();
-        if edits.is_empty() {
-            continue;
-        }
-        same_type(file, symbol, &text, &edits, &new)?;
-        renamed.push(Renamed {
-            file: Arc::clone(&file.name),
-            edits: layout::laid_out(&file.parse, &text, &edits, options),
-        });
+        renamed_in(file, symbol, &symbols, &new, options)
+    };
+    let mut renamed: Vec<Renamed> = in_file(own)?.into_iter().collect();
+    for file in in_files_of(own, &symbols, workspace, in_file) {
+        renamed.extend(file?);
     }
     let hides = |program: &str| hides_in(own, symbol, program, workspace);
     renamed.extend(scenarios::renamed(symbol, &new, workspace, &hides));
     Ok(renamed)
+}
+
+/// The edits of one file, if there are any: all of `symbols` get the name that is given to `symbol`, one of them.
+fn renamed_in(
+    file: &Context,
+    symbol: &Symbol,
+    symbols: &[Symbol],
+    new: &str,
+    options: &Options,
+) -> Result<Option<Renamed>, RenameRefused> {
+    let mut places: Vec<Occurrence> = symbols
+        .iter()
+        .flat_map(|symbol| occurrences(file, symbol))
+        .collect();
+    places.sort_by_key(|place| place.range.start());
+    places.dedup_by_key(|place| place.range);
+    if places.is_empty() {
+        return Ok(None);
+    }
+    let text = file_text(&file.parse);
+    let edits = places.into_iter().map(|place| Edit {
+        range: place.range,
+        text: new.to_owned(),
+    });
+    // What is written so already stays, and so does the tag's address where that is written in its stead.
+    let edits: Vec<Edit> = edits
+        .filter(|edit| {
+            let written = &text[edit.range];
+            written != edit.text && !written.starts_with('%')
+        })
+        .collect();
+    if edits.is_empty() {
+        return Ok(None);
+    }
+    same_type(file, symbol, &text, &edits, new)?;
+    Ok(Some(Renamed {
+        file: Arc::clone(&file.name),
+        edits: layout::laid_out(&file.parse, &text, &edits, options),
+    }))
 }
 
 /// Whether a program has a tag of its own by a symbol's name.
@@ -162,20 +177,6 @@ pub(crate) fn hides_in(own: &Context, symbol: &Symbol, program: &str, workspace:
 /// Whether a file has a tag of its own by a symbol's name.
 fn hides(file: &Context, symbol: &Symbol, name: &Name) -> bool {
     tag_of(file, 0, name).is_some_and(|found| found != *symbol)
-}
-
-/// The other files in which the symbols have places, each once.
-fn neighbours(context: &Context, symbols: &[Symbol], workspace: &dyn Workspace) -> Vec<Arc<Context>> {
-    let mut all: Vec<Arc<Context>> = Vec::new();
-    let mut known: HashSet<Arc<str>> = HashSet::new();
-    for symbol in symbols {
-        for neighbour in files_of(context, symbol, workspace) {
-            if known.insert(Arc::clone(&neighbour.name)) {
-                all.push(neighbour);
-            }
-        }
-    }
-    all
 }
 
 /// Names that are not the program's to choose.

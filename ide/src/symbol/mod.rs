@@ -10,7 +10,7 @@ mod find;
 mod occurrences;
 
 pub(crate) use declared::{DeclaredName, declared_names};
-pub(crate) use everywhere::{everywhere, files_of};
+pub(crate) use everywhere::{everywhere, in_files_of};
 pub(crate) use find::{Found, find, tag_of};
 pub(crate) use occurrences::{Occurrence, block_name, occurrences};
 

@@ -3,6 +3,7 @@
 //! An open file counts with the text that its editor shows, any other with the one on disk. Everything here may
 //! read the disk and analyse texts: for a blocking thread.
 
+use std::borrow::Cow;
 use std::cell::{Cell, OnceCell};
 use std::collections::HashSet;
 use std::path::PathBuf;
@@ -10,8 +11,8 @@ use std::sync::{Arc, OnceLock};
 
 use ladder_analysis::Exported;
 use ladder_analysis::context::Context;
-use ladder_ide::{ScenarioFile, Workspace, mentions};
-use ladder_syntax::{Name, TextRange};
+use ladder_ide::{ScenarioFile, Which, Workspace, mentions};
+use ladder_syntax::TextRange;
 use ladder_workspace::Named;
 use ropey::Rope;
 
@@ -40,6 +41,14 @@ struct Files {
     /// The others.
     closed: Vec<(PathBuf, Arc<OnDisk>)>,
     exported: Option<Arc<Exported>>,
+    /// Whether the closed ones are so few that what is known of them is kept.
+    are_few: bool,
+}
+
+impl Files {
+    fn context(&self, closed: &OnDisk) -> Option<Arc<Context>> {
+        Some(closed.context(self.exported.as_ref()?, self.are_few))
+    }
 }
 
 /// A file of scenarios.
@@ -141,12 +150,14 @@ impl Elsewhere {
             open.push((name, revision));
         }
         open.sort_by(|(a, _), (b, _)| a.cmp(b));
-        let (mut closed, exported) = place.neighbours.on_disk(&place.path);
-        closed.retain(|(path, _)| !shown.contains(path));
+        let mut on_disk = place.neighbours.on_disk(&place.path);
+        let are_few = on_disk.are_few();
+        on_disk.files.retain(|(path, _)| !shown.contains(path));
         Some(Files {
             open,
-            closed,
-            exported: Some(exported),
+            closed: on_disk.files,
+            exported: Some(on_disk.exported),
+            are_few,
         })
     }
 
@@ -240,38 +251,42 @@ impl Elsewhere {
             None => FileText::of_file(address::uri_of(&found.path), &found.text, encoding),
         })
     }
-
-    fn which(&self, wanted: impl Fn(&str, &dyn Fn(&Name) -> bool) -> bool + Sync) -> Vec<Arc<Context>> {
-        let files = self.files();
-        let waited_for = || !self.cancel.is_cancelled();
-        let open = files.open.iter().take_while(|_| waited_for());
-        let open =
-            open.filter(|(name, revision)| wanted(name, &|tag| mentions(&revision.rope().to_string(), tag)));
-        let mut found: Vec<Arc<Context>> = open
-            .filter_map(|(_, revision)| Some(Arc::clone(revision.names()?.context())))
-            .collect();
-        let Some(exported) = &files.exported else {
-            return found;
-        };
-        found.extend(together::map(&files.closed, |(_, file)| {
-            let is_it = waited_for() && wanted(&file.name, &|tag| mentions(&file.text, tag));
-            is_it.then(|| file.context(exported))
-        }));
-        found
-    }
 }
 
 impl Workspace for Elsewhere {
     fn file(&self, name: &str) -> Option<Arc<Context>> {
-        self.which(|of, _| of == name).pop()
+        let files = self.files();
+        if self.cancel.is_cancelled() {
+            return None;
+        }
+        if let Some((_, revision)) = files.open.iter().find(|(of, _)| **of == *name) {
+            return Some(Arc::clone(revision.names()?.context()));
+        }
+        let (_, file) = files.closed.iter().find(|(_, file)| *file.name == *name)?;
+        files.context(file)
     }
 
-    fn mentioning(&self, name: &Name) -> Vec<Arc<Context>> {
-        self.which(|_, mentions| mentions(name))
-    }
-
-    fn all(&self) -> Vec<Arc<Context>> {
-        self.which(|_, _| true)
+    fn show(&self, which: Which<'_>, look: &(dyn Fn(usize, &Arc<Context>) + Sync)) {
+        let files = self.files();
+        let is_wanted = |text: &str| match which {
+            _ if self.cancel.is_cancelled() => false,
+            Which::All => true,
+            Which::Mentioning(names) => names.iter().any(|name| mentions(text, name)),
+        };
+        for (number, (_, revision)) in files.open.iter().enumerate() {
+            if is_wanted(&Cow::from(revision.rope()))
+                && let Some(names) = revision.names()
+            {
+                look(number, names.context());
+            }
+        }
+        together::each(&files.closed, |number, (_, file)| {
+            if is_wanted(&file.text)
+                && let Some(context) = files.context(file)
+            {
+                look(files.open.len() + number, &context);
+            }
+        });
     }
 
     fn scenarios(&self) -> Vec<ScenarioFile> {
@@ -281,6 +296,8 @@ impl Workspace for Elsewhere {
 
 #[cfg(test)]
 mod tests {
+    use std::sync::atomic::{AtomicUsize, Ordering};
+
     use super::super::neighbours::{Membership, Neighbours};
     use super::super::position::Encoding;
     use super::*;
@@ -309,8 +326,15 @@ mod tests {
         open("other.clad");
         let cancel = Cancel::default();
         let elsewhere = Elsewhere::of(&own, &documents, &companions, &cancel);
-        assert_eq!(elsewhere.all().len(), 2);
+        let shown = || {
+            let shown = AtomicUsize::new(0);
+            elsewhere.show(Which::All, &|_, _| {
+                shown.fetch_add(1, Ordering::Relaxed);
+            });
+            shown.into_inner()
+        };
+        assert_eq!(shown(), 2);
         cancel.cancel();
-        assert_eq!(elsewhere.all().len(), 0);
+        assert_eq!(shown(), 0);
     }
 }

@@ -56,6 +56,10 @@ pub(crate) struct News {
     pub(crate) for_itself: bool,
 }
 
+/// The names of files that no editor shows are kept in workspaces with so many bytes of text; in larger ones they are read
+/// again when somebody asks.
+const MOST_KEPT: usize = 2 << 20;
+
 /// A file that no editor shows.
 #[derive(Debug)]
 pub(crate) struct OnDisk {
@@ -89,17 +93,39 @@ impl OnDisk {
     }
 
     /// Its names. `exported` is what the files of its workspace show to each other.
-    pub(crate) fn context(&self, exported: &Arc<Exported>) -> Arc<Context> {
+    pub(crate) fn context(&self, exported: &Arc<Exported>, are_few: bool) -> Arc<Context> {
+        if !are_few {
+            return Arc::new(self.read_context(exported));
+        }
         let mut names = self.names.lock().unwrap_or_else(PoisonError::into_inner);
         if let Some((of, context)) = &*names
             && Arc::ptr_eq(of, exported)
         {
             return Arc::clone(context);
         }
-        let others = exported.others_of(&self.name);
-        let context = Arc::new(context(&self.parse(), &self.name, &others));
+        let context = Arc::new(self.read_context(exported));
         *names = Some((Arc::clone(exported), Arc::clone(&context)));
         context
+    }
+
+    fn read_context(&self, exported: &Arc<Exported>) -> Context {
+        let others = exported.others_of(&self.name);
+        context(&self.parse(), &self.name, &others)
+    }
+}
+
+/// The files of a workspace as they are on disk.
+pub(crate) struct FilesOnDisk {
+    pub(crate) files: Vec<(PathBuf, Arc<OnDisk>)>,
+    /// What all files of the workspace, open or not, show to each other.
+    pub(crate) exported: Arc<Exported>,
+}
+
+impl FilesOnDisk {
+    /// Whether what is known of all of them may be kept. It takes some twenty times the memory of the texts.
+    pub(crate) fn are_few(&self) -> bool {
+        let bytes: usize = self.files.iter().map(|(_, file)| file.text.len()).sum();
+        bytes <= MOST_KEPT
     }
 }
 
@@ -205,15 +231,19 @@ impl Neighbours {
         self.lock().root(path)
     }
 
-    /// The files on disk of a file's workspace, with what all of them show to each other. Those that are open are among
-    /// them, as they were when they were last saved.
-    pub(crate) fn on_disk(&self, path: &Path) -> (Vec<(PathBuf, Arc<OnDisk>)>, Arc<Exported>) {
+    /// The files on disk of a file's workspace. Those that are open are among them, as they were when they were last
+    /// saved.
+    pub(crate) fn on_disk(&self, path: &Path) -> FilesOnDisk {
         let mut state = self.lock();
         let (_, folder) = state.folder(path);
         let exported = Arc::clone(folder.exported());
         let files = folder.disk.iter();
-        let files = files.map(|(path, file)| (path.clone(), Arc::clone(file)));
-        (files.collect(), exported)
+        FilesOnDisk {
+            files: files
+                .map(|(path, file)| (path.clone(), Arc::clone(file)))
+                .collect(),
+            exported,
+        }
     }
 
     /// What the workspace of a file asks for.

@@ -1,13 +1,50 @@
 //! The same work for each of many files, on all processors.
 
-use rayon::prelude::*;
+use std::num::NonZero;
+use std::sync::atomic::{AtomicUsize, Ordering};
+use std::sync::{Mutex, PoisonError};
+use std::thread;
 
-/// So many items a thread takes at least: for fewer it would take longer to wake.
+/// So many items a thread takes at once: for fewer it would take longer to begin.
 const BATCH: usize = 8;
+
+/// Does some work for each item, with its number. The threads end with the work: one that waits for more keeps the memory
+/// that it worked with from all others.
+pub(crate) fn each<T: Sync>(items: &[T], work: impl Fn(usize, &T) + Sync) {
+    let batches = items.len().div_ceil(BATCH);
+    let processors = thread::available_parallelism().map_or(1, NonZero::get);
+    let next = AtomicUsize::new(0);
+    let take_on = || {
+        loop {
+            let first = next.fetch_add(BATCH, Ordering::Relaxed);
+            let Some(rest) = items.get(first..).filter(|rest| !rest.is_empty()) else {
+                return;
+            };
+            for (number, item) in (first..).zip(rest.iter().take(BATCH)) {
+                work(number, item);
+            }
+        }
+    };
+    thread::scope(|scope| {
+        for _ in 1..processors.min(batches) {
+            scope.spawn(take_on);
+        }
+        take_on();
+    });
+}
 
 /// What `work` gives for each item, in the order of the items. `None` where it gives nothing.
 pub(crate) fn map<T: Sync, U: Send>(items: &[T], work: impl Fn(&T) -> Option<U> + Sync) -> Vec<U> {
-    items.par_iter().with_min_len(BATCH).filter_map(&work).collect()
+    let found = Mutex::new(Vec::new());
+    each(items, |number, item| {
+        if let Some(one) = work(item) {
+            let mut found = found.lock().unwrap_or_else(PoisonError::into_inner);
+            found.push((number, one));
+        }
+    });
+    let mut found = found.into_inner().unwrap_or_else(PoisonError::into_inner);
+    found.sort_unstable_by_key(|(number, _)| *number);
+    found.into_iter().map(|(_, one)| one).collect()
 }
 
 #[cfg(test)]
