@@ -37,7 +37,7 @@
 //! # Ok::<(), ladder_simulator::CompileError>(())
 //! ```
 //!
-//! A new instruction is a row of the table in `ladder-instructions` and a line in `compile/mod.rs`, which does not
+//! A new instruction is a row of the table in `ladder-instructions` and a line in `compile/instruction.rs`, which does not
 //! compile without it.
 
 mod carry;
@@ -53,6 +53,7 @@ mod fuse;
 mod inputs;
 mod layout;
 mod machine;
+mod members;
 mod memory;
 mod operation;
 mod places;
@@ -73,6 +74,7 @@ pub use compile::CompileError;
 pub use diagram::{diagram, diagram_of};
 pub use fault::Fault;
 pub use inputs::{Inputs, InputsError};
+pub use members::members_of;
 pub use retain::Kept;
 pub use session::{
     Breakpoint, Cause, HistoryLimits, Hit, Reason, Session, Since, StepBy, Stop, Why, Wording, Write,
@@ -80,5 +82,5 @@ pub use session::{
 pub use simulation::{
     Activation, Instance, Options, Routine, Simulation, State, Status, Stepped, ValueRefused,
 };
-pub use tags::{Point, UnknownTag, members_of};
+pub use tags::{Point, UnknownTag};
 pub use work::Brake;

@@ -17,6 +17,8 @@ mod data;
 mod expression;
 mod flow;
 mod formula;
+mod instruction;
+mod network;
 mod number_coils;
 mod place;
 mod ports;
@@ -32,19 +34,18 @@ mod ticks;
 mod units;
 mod user_block;
 
-use crate::code::{ArrayPlace, BlockPlace, Code, ElementPlace, Instr, NetworkPlace};
+use crate::code::{ArrayPlace, Code, ElementPlace, Instr};
 use crate::fuse::{Fused, fuse};
 use crate::layout::{Home, Layout};
 use crate::memory::{Bit, Memory, Word};
 use crate::places::{BlockAt, Cell, Places, Remembered};
 use crate::retain::{Retained, kept_tags, retained};
 use crate::work;
-use arguments::Arguments;
 use call_graph::Cycles;
 pub(crate) use cycles::COUNT as COUNT_OF_SCANS;
 use flow::Region;
-use ladder_analysis::program::{Block, BlockKind, Location, Program, Step, TagId};
-use ladder_instructions::{Counting, Instruction, Law, Op, Relay, Serial, Tables, Timing};
+use ladder_analysis::program::{Location, Program, TagId};
+use ladder_instructions::Law;
 pub(crate) use ports::{CHANNELS, Ports};
 use std::collections::HashMap;
 use std::ops::Range;
@@ -289,234 +290,5 @@ impl Compiler<'_> {
             .constants
             .entry(value)
             .or_insert_with(|| layout.constant(value))
-    }
-
-    /// One network: its steps in their order.
-    fn network(&mut self, index: usize) -> Result<()> {
-        let program = self.program;
-        let network = &program.networks[index];
-        let outer_law = std::mem::replace(&mut self.law, program.law(network.location));
-        let start = self.here();
-        self.code.networks.push(NetworkPlace {
-            start,
-            network: index as u32,
-        });
-        if self.skippable[index] {
-            let network = self.noted(self.regions.len() - 1);
-            self.emit(Instr::Network { network });
-        }
-        let lights_itself = self.law.relay == Relay::Power && flow::holds(network, Op::Mcr);
-        let outer = std::mem::take(&mut self.powers);
-        let mut ends = Vec::with_capacity(network.steps.len());
-        for (number, &step) in network.steps.iter().enumerate() {
-            self.step = number;
-            let power = match step {
-                Step::Start { rail: false } => Bit::LOW,
-                Step::Start { rail: true } => self.rail(lights_itself),
-                Step::Join { upper, lower } => self.join(self.powers[upper], self.powers[lower]),
-                Step::Block { block, en } => {
-                    self.standing.push(BlockAt {
-                        network: index,
-                        block,
-                    });
-                    let power = self.block(&network.blocks[block], self.powers[en])?;
-                    self.standing.pop();
-                    power
-                }
-            };
-            self.powers.push(power);
-            ends.push(self.here());
-        }
-        self.elements
-            .extend(network.elements.iter().map(|element| ElementPlace {
-                kind: element.kind,
-                location: Location {
-                    file: network.location.file,
-                    range: element.range,
-                },
-                power: self.powers[element.step],
-                network: index as u32,
-                step: element.step as u32,
-                at: ends[element.step],
-            }));
-        if self.stretches[index].is_empty() {
-            self.stretches[index] = start..self.here();
-        }
-        self.powers = outer;
-        self.law = outer_law;
-        if self.layout.is_too_large() || self.code.instrs.len() > MOST_INSTRUCTIONS {
-            return Err(CompileError {
-                message: "the program takes more memory than the simulator has; user-defined blocks inside \
-                          blocks multiply"
-                    .into(),
-                location: network.location,
-            });
-        }
-        Ok(())
-    }
-
-    /// The left rail of a network. One that holds an `<MCR>` always has a live rail.
-    fn rail(&mut self, lights_itself: bool) -> Bit {
-        if !self.region().has_mcr || lights_itself {
-            return Bit::HIGH;
-        }
-        let out = self.layout.bit();
-        self.emit(Instr::Rail { out });
-        out
-    }
-
-    fn join(&mut self, upper: Bit, lower: Bit) -> Bit {
-        match (upper, lower) {
-            (Bit::LOW, one) | (one, Bit::LOW) => one,
-            (Bit::HIGH, _) | (_, Bit::HIGH) => Bit::HIGH,
-            _ if upper == lower => upper,
-            _ => {
-                let out = self.layout.bit();
-                self.emit(Instr::Join { out, upper, lower });
-                out
-            }
-        }
-    }
-
-    /// One block; gives its ENO.
-    fn block(&mut self, block: &Block, en: Bit) -> Result<Bit> {
-        let number = self.code.blocks.len();
-        self.code.blocks.push(BlockPlace {
-            start: self.here(),
-            end: self.here(),
-            work_through: 0,
-            out: en,
-            location: block.location,
-            controller: self.law.controller,
-        });
-        let out = match block.kind {
-            BlockKind::Instruction(row) => self.instruction(row, block, en)?,
-            BlockKind::User(index) => self.user_block(index, block, en)?,
-        };
-        let end = self.here();
-        let place = &mut self.code.blocks[number];
-        (place.end, place.out) = (end, out);
-        Ok(out)
-    }
-
-    /// One instruction of the table. A new row does not compile until it has its line here.
-    fn instruction(&mut self, row: &Instruction, block: &Block, en: Bit) -> Result<Bit> {
-        let arguments = Arguments::of(block);
-        match row.op {
-            Op::Contact
-            | Op::NegatedContact
-            | Op::RisingContact
-            | Op::FallingContact
-            | Op::Inverter
-            | Op::OneShotRising
-            | Op::OneShotFalling
-            | Op::Eq
-            | Op::Ne
-            | Op::Gt
-            | Op::Ge
-            | Op::Lt
-            | Op::Le => self.condition(row, arguments, en),
-
-            op if self.is_as_in_c(op) => self.c_arithmetic(op, arguments, en),
-            Op::Lut | Op::Pwl if self.law.tables == Tables::Open => self.open_table(row.op, arguments, en),
-            Op::Mov
-            | Op::Typ
-            | Op::Add
-            | Op::Mul
-            | Op::Sub
-            | Op::Div
-            | Op::Mod
-            | Op::Exp
-            | Op::Not
-            | Op::And
-            | Op::Or
-            | Op::Xor
-            | Op::Shl
-            | Op::Shr
-            | Op::Rol
-            | Op::Ror
-            | Op::Abs
-            | Op::Neg
-            | Op::Trunc
-            | Op::Sqrt
-            | Op::Ln
-            | Op::Log
-            | Op::Expe
-            | Op::Sin
-            | Op::Cos
-            | Op::Tan
-            | Op::Asin
-            | Op::Acos
-            | Op::Atan
-            | Op::Rad
-            | Op::Deg
-            | Op::Min
-            | Op::Max
-            | Op::Limit
-            | Op::Sel
-            | Op::Calc
-            | Op::Mux
-            | Op::Lut
-            | Op::Pwl
-            | Op::Len
-            | Op::Left
-            | Op::Right
-            | Op::Mid
-            | Op::Concat
-            | Op::Insert
-            | Op::Delete
-            | Op::Replace
-            | Op::Find => self.data(row.op, arguments, en),
-            Op::Bmov => self.move_range(arguments, en),
-            Op::Fill => self.fill_range(arguments, en),
-            Op::Pack => self.pack(arguments, en),
-            Op::Unpack => self.unpack(arguments, en),
-            Op::Shift => self.shift_range(arguments, en),
-            Op::Search => self.search(arguments, en),
-
-            Op::Ton | Op::Tof | Op::Tp | Op::Rto | Op::Rtof => match self.law.timing {
-                Timing::Clock => self.timer(row.op, arguments, en),
-                Timing::Scans => self.scan_timer(row.op, arguments, en),
-                Timing::Ticks => self.tick_timer(row.op, arguments, en),
-                Timing::Units => self.unit_timer(row.op, arguments, en),
-            },
-            Op::Ctu | Op::Ctd | Op::Ctud | Op::Ctc => match self.law.counting {
-                Counting::Saturating => self.counter(row.op, arguments, en),
-                Counting::Wrapping => self.wrapping_counter(row.op, arguments, en),
-                Counting::Latching => self.latching_counter(row.op, arguments, en),
-                Counting::Comparing => self.comparing_counter(row.op, arguments, en),
-            },
-            Op::Sr | Op::Rs => self.bistable(row.op, arguments, en),
-
-            // That the tag is retentive is known from its declaration or from the coil, when the program starts.
-            Op::Coil
-            | Op::NegatedCoil
-            | Op::SetCoil
-            | Op::ResetCoil
-            | Op::RisingCoil
-            | Op::FallingCoil
-            | Op::RetentiveCoil
-            | Op::RetentiveSet
-            | Op::RetentiveReset => self.coil(row, arguments, en),
-            Op::Res => self.clear(arguments, en),
-
-            // What PERSIST does is known when the program starts.
-            Op::Lbl | Op::Fun | Op::Next | Op::Persist => Ok(en),
-            Op::Jmp => self.jump(arguments, en),
-            Op::Call => self.call(arguments, en),
-            Op::Ret => self.ret(en),
-            Op::End => self.end(en),
-            Op::For => self.for_loop(arguments, en),
-            Op::Mcr => Ok(self.mcr(en)),
-
-            Op::Adc => self.analog_input(arguments, en),
-            Op::Pwm => self.pulse_output(arguments, en),
-            Op::Usnd if self.law.serial == Serial::EverySecondScan => self.send_slowly(arguments, en),
-            Op::Usnd => self.send(arguments, en),
-            Op::Urcv => self.receive(arguments, en),
-            Op::Fmt if self.law.serial == Serial::EverySecondScan => self.send_text_slowly(arguments, en),
-            Op::Fmt => self.send_text(arguments, en),
-            Op::Scantime => self.scan_time(arguments, en),
-        }
     }
 }
