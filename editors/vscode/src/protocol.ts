@@ -71,7 +71,7 @@ export interface State {
     /** In the midst of a scan the block that runs next. */
     readonly next?: Range;
     /** The breakpoint that stopped the last run. */
-    readonly hit?: { readonly message: string; readonly range?: Range };
+    readonly hit?: { readonly number: number; readonly message: string; readonly range?: Range };
     /** How many tags are forced. */
     readonly forced: number;
     /** How many commands have taken effect. */

@@ -26,6 +26,8 @@ export class Session {
     powerChanges = 0;
     /** How many commands had taken effect in the last picture; an answer comes before the picture of it. */
     seen = 0;
+    /** The number of the last hit that was told. */
+    hits = 0;
     shown: Shown;
     speed: Speed = 1;
     /** The text is newer than what the server has answered about: its places are about an older one. */

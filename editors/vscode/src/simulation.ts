@@ -246,8 +246,9 @@ export class Simulation implements vscode.Disposable {
 
     #show(session: Session, state: State): void {
         if (this.of(session.document) === session) {
-            // The same hit comes with an answer and with a notification.
-            if (state.hit && state.hit.message !== session.state.hit?.message) {
+            // The same hit comes with an answer and with a notification, and with one that comes late once more.
+            if (state.hit && state.hit.number > session.hits) {
+                session.hits = state.hit.number;
                 void vscode.window.showInformationMessage(`Ladder: ${state.hit.message}.`);
             }
             const before = session.state.change?.number;

@@ -51,6 +51,8 @@ pub(super) struct Engine {
     pub(super) shown: Option<messages::Shown>,
     /// The tags whose trace the client shows.
     pub(super) recorder: Recorder,
+    /// How many breakpoints have stopped it.
+    hits: u64,
 }
 
 impl Engine {
@@ -101,6 +103,7 @@ impl Engine {
             view: None,
             shown: None,
             recorder: Recorder::default(),
+            hits: 0,
         };
         engine.set_inputs()?;
         if let Some(shown) = &options.show {
@@ -141,7 +144,10 @@ impl Engine {
             retention.keep(&self.session);
         }
         match stop {
-            Some(Stop::Breakpoint(hit)) => Some(self.hit(&hit)),
+            Some(Stop::Breakpoint(hit)) => {
+                self.hits += 1;
+                Some(self.hit(self.hits, &hit))
+            }
             _ => None,
         }
     }

@@ -76,23 +76,19 @@ impl Engine {
             .collect()
     }
 
-    /// Why a run stopped, in words.
-    pub(super) fn hit(&self, hit: &Hit) -> messages::Hit {
+    /// Why a run stopped, in words; the hits of a session are counted.
+    pub(super) fn hit(&self, number: u64, hit: &Hit) -> messages::Hit {
+        let in_front = |what: &str, location| {
+            let (_, range) = self.place(location);
+            messages::Hit {
+                number,
+                message: format!("stopped in front of the {what} in line {}", range.start.line + 1),
+                range: Some(range),
+            }
+        };
         match hit {
-            Hit::Network(location) => {
-                let (_, range) = self.place(*location);
-                messages::Hit {
-                    message: format!("stopped in front of the rung in line {}", range.start.line + 1),
-                    range: Some(range),
-                }
-            }
-            Hit::Block(location) => {
-                let (_, range) = self.place(*location);
-                messages::Hit {
-                    message: format!("stopped in front of the block in line {}", range.start.line + 1),
-                    range: Some(range),
-                }
-            }
+            Hit::Network(location) => in_front("rung", *location),
+            Hit::Block(location) => in_front("block", *location),
             Hit::Change {
                 point,
                 before,
@@ -105,6 +101,7 @@ impl Engine {
                 });
                 let value = |it| value_text::display(it, point.ty);
                 messages::Hit {
+                    number,
                     message: format!(
                         "{} changed from {} to {}{line}",
                         point.name,

@@ -132,7 +132,10 @@ async fn a_run_stops_at_a_breakpoint_and_goes_on_from_there() {
         state["hit"]["message"],
         "run changed from FALSE to TRUE in line 1"
     );
-    assert_eq!(state["hit"]["range"], span([0, 36, 0, 46]));
+    assert_eq!(
+        (&state["hit"]["range"], &state["hit"]["number"]),
+        (&span([0, 36, 0, 46]), &json!(2))
+    );
     let wrong = client
         .simulate("breakpoints", json!({"session": s, "lines": [7], "tags": []}))
         .await;

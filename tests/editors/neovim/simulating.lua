@@ -158,6 +158,15 @@ return function(t, messages)
       return messages[1]
     end)
     assert(messages[1]:find('run changed from FALSE to TRUE', 1, true), messages[1])
+    -- A notification that comes late repeats a hit that is over.
+    local session = require('ladder.session').of(bufnr)
+    assert(ladder.wait(), 'no answer')
+    local old = vim.deepcopy(session.state)
+    t.equal('the number of the hit', 2, old.hit.number)
+    old.hit.number, old.hit.message = 1, 'an old hit'
+    t.clear(messages)
+    require('ladder.simulation').receive(old, session.client.id)
+    t.equal('the messages', {}, messages)
   end)
 
   t.step('why is a list to walk through, and marks what stops the power, also while the program runs', function()

@@ -18,6 +18,7 @@ local M = {}
 --- @field busy boolean a command is under way
 --- @field asked integer how many commands had taken effect at the last answer
 --- @field seen integer how many of them are in the picture that is shown
+--- @field hits integer the number of the last hit that was told
 --- @field speed number|'max' how many times as fast as real time a run goes
 
 --- @class ladder.State
@@ -35,7 +36,7 @@ local M = {}
 --- @field forced integer
 --- @field commands integer
 --- @field next lsp.Range|nil
---- @field hit { message: string, range: lsp.Range|nil }|nil
+--- @field hit { number: integer, message: string, range: lsp.Range|nil }|nil
 --- @field tags ladder.Tag[]
 --- @field power ladder.Power[]
 --- @field operands ladder.Operand[]|nil
@@ -79,6 +80,7 @@ function M.open(bufnr, client)
     busy = false,
     asked = 0,
     seen = 0,
+    hits = 0,
     speed = 1,
   }
   sessions[bufnr] = session

@@ -73,7 +73,6 @@ end
 --- @param state ladder.State
 local function show(session, state)
   local last = session.state
-  local before = last and last.hit
   session.state = state
   -- The server is a moment behind the buffer; until it has taken up what was typed its places are of the text before. What
   -- it says first of the new text is all that there is to show.
@@ -84,8 +83,9 @@ local function show(session, state)
   end
   local moved = sessions.take(session, state) or not state.delta
   tell_of_change(last, state)
-  -- The same hit comes with an answer and with a notification.
-  if state.hit and not vim.deep_equal(before, state.hit) then
+  -- The same hit comes with an answer and with a notification, and with one that comes late once more.
+  if state.hit and state.hit.number > session.hits then
+    session.hits = state.hit.number
     notify(state.hit.message .. '.')
   end
   if not session.stale then

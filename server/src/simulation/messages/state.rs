@@ -109,6 +109,8 @@ pub struct Lost {
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "camelCase", deny_unknown_fields)]
 pub struct Hit {
+    /// Which hit of the session it is, from 1 on: a notification that comes late may repeat one that is over.
+    pub number: u64,
     /// Why, for people.
     pub message: String,
     /// The rung that runs next, or the block that changed the tag.
