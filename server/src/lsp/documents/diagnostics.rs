@@ -77,7 +77,7 @@ fn tell_others(shared: &Arc<Shared>, revision: &Revision) {
     if let Some(place) = revision.place().filter(|_| shared.documents.is_current(revision)) {
         let news = revision.tell_neighbours();
         if news.for_others {
-            refresh_others(shared, &place.path, Some(&revision.uri));
+            refresh_others(shared, &[&place.path], Some(&revision.uri));
         }
         if news.for_itself {
             look_again(shared, &revision.uri);
@@ -88,12 +88,14 @@ fn tell_others(shared: &Arc<Shared>, revision: &Revision) {
     }
 }
 
-/// Looks once more at the open documents of a file's workspace, but for one.
-fn refresh_others(shared: &Arc<Shared>, path: &Path, but: Option<&str>) {
+/// Looks once more at the open documents of the workspaces of files, but for one. Once for all of the files: each look says
+/// what it finds.
+fn refresh_others(shared: &Arc<Shared>, paths: &[impl AsRef<Path>], but: Option<&str>) {
     for other in shared.documents.all() {
-        let beside = other
-            .place()
-            .is_some_and(|place| shared.neighbours.together(&place.path, path));
+        let beside = other.place().is_some_and(|place| {
+            let together = |path: &Path| shared.neighbours.together(&place.path, path);
+            paths.iter().any(|path| together(path.as_ref()))
+        });
         if beside && Some(&*other.uri) != but {
             look_again(shared, &other.uri);
         }
@@ -129,7 +131,7 @@ pub(crate) fn neighbour_closed(shared: &Arc<Shared>, uri: String, path: PathBuf)
     shared.in_background(move |shared| {
         // Unless it was opened again meanwhile.
         if shared.documents.get(&uri).is_none() && shared.neighbours.closed(&path) {
-            refresh_others(shared, &path, None);
+            refresh_others(shared, &[&path], None);
         }
         simulate_with(shared, &path, None);
     });
@@ -150,9 +152,7 @@ pub(crate) fn files_changed(shared: &Arc<Shared>, paths: &[PathBuf]) {
             // Which file belongs where may be another matter now.
             look_at_everything_again(shared);
         } else {
-            for path in paths {
-                refresh_others(shared, path, None);
-            }
+            refresh_others(shared, paths, None);
         }
     }
     for path in paths {
