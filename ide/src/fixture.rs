@@ -136,6 +136,7 @@ impl Workspace for Others<'_> {
                 .find_map(|line| line.strip_prefix("program "))
                 .map(Arc::from),
             text: text.clone(),
+            suite: Arc::new(ladder_simulator::scenario::parse(text)),
         };
         self.fixture.scenarios.iter().map(file).collect()
     }

@@ -1,6 +1,7 @@
 //! The other files of a workspace, as features read them that look beyond one file: of each its names are enough.
 
 use ladder_analysis::context::Context;
+use ladder_simulator::scenario::Suite;
 use ladder_syntax::Name;
 use std::sync::{Arc, Mutex, PoisonError};
 
@@ -46,7 +47,7 @@ pub(crate) fn in_each<T: Send>(
 }
 
 /// A file of scenarios.
-#[derive(Debug, Clone, PartialEq, Eq)]
+#[derive(Debug, Clone)]
 pub struct ScenarioFile {
     /// Its name in the workspace.
     pub name: Arc<str>,
@@ -54,6 +55,8 @@ pub struct ScenarioFile {
     pub program: Option<Arc<str>>,
     /// What it says.
     pub text: String,
+    /// What was read from that.
+    pub suite: Arc<Suite>,
 }
 
 /// A file that is alone.

@@ -5,7 +5,7 @@ use crate::neighbour::{ScenarioFile, Workspace};
 use crate::scenario::name_in;
 use crate::symbol::Symbol;
 use ladder_format::{Edit, display_width};
-use ladder_simulator::scenario::{Row, parse};
+use ladder_simulator::scenario::Row;
 use ladder_syntax::{TextRange, TextSize};
 use std::sync::Arc;
 
@@ -39,7 +39,7 @@ fn of_file(symbol: &Symbol, new: &str, file: &ScenarioFile, hides: &dyn Fn(&str)
         return Vec::new();
     }
     let mut edits = Vec::new();
-    for scenario in parse(&file.text).scenarios {
+    for scenario in &file.suite.scenarios {
         let names: Vec<Option<TextRange>> = scenario
             .rows
             .iter()

@@ -2,7 +2,7 @@
 
 use super::Scenarios;
 use super::place::{Place, line, place};
-use super::row::{named, value_type};
+use super::row::{Named, named, value_type};
 use crate::comments;
 use crate::hover::{Hover, tag_card};
 use ladder_analysis::context::Context;
@@ -13,23 +13,33 @@ use ladder_simulator::scenario::{Cell, Direction, Row, Scenario};
 use ladder_simulator::value_text;
 use ladder_syntax::numeral::counted;
 use ladder_syntax::{TextRange, TextSize};
+use std::sync::Arc;
 
-/// What is at an offset. Links are to lines of the program.
-pub fn hover(scenarios: &Scenarios<'_>, offset: TextSize) -> Option<Hover> {
+/// What is at an offset, and the file whose lines its links are to.
+pub fn hover(scenarios: &Scenarios<'_>, offset: TextSize) -> Option<(Hover, Option<Arc<str>>)> {
     let Some(found) = place(scenarios, offset) else {
-        return word(scenarios, offset);
+        return Some((word(scenarios, offset)?, None));
     };
+    if let Place::Tag(row) = found
+        && let Some(named) = named(scenarios, &row.name)
+    {
+        let hover = Hover {
+            range: row.range,
+            markdown: of_tag(scenarios, row, &named),
+        };
+        return Some((hover, Some(Arc::clone(&named.file.name))));
+    }
     let (range, markdown) = match found {
         Place::Program(range) => (range, program(scenarios)?),
         Place::Scenario(scenario) => (scenario.range, length(scenarios, scenario)),
-        Place::Tag(row) => (row.range, of_tag(scenarios, row)?),
+        Place::Tag(row) => (row.range, of_value(scenarios, row)?),
         Place::Step(scenario, row, step) => (row.cells[step].1, of_step(scenarios, scenario, row, step)),
         Place::Tolerance(range) => (
             range,
             "How far a value may be from what is expected: `± 0.01`, or a part of it, `± 1%`.".to_owned(),
         ),
     };
-    Some(Hover { range, markdown })
+    Some((Hover { range, markdown }, None))
 }
 
 /// A word that every file has.
@@ -95,23 +105,29 @@ fn length(scenarios: &Scenarios<'_>, scenario: &Scenario) -> String {
     }
 }
 
-fn of_tag(scenarios: &Scenarios<'_>, row: &Row) -> Option<String> {
-    let does = match row.direction {
+/// What a row does with its tag.
+const fn does(row: &Row) -> &'static str {
+    match row.direction {
         Direction::Given => "Given before the first scan of each step.",
         Direction::Expected => "Expected after the last scan of each step.",
-    };
-    let Some((named, program)) = named(scenarios, row).zip(scenarios.program) else {
-        let ty = value_type(scenarios, &row.name)?;
-        return Some(format!("`{}` : {}\n\n{does}", row.name, ty.name()));
-    };
-    let mut card = tag_card(program, named.tag, None);
-    if let Some(said) = declared_comment(program, named.tag) {
+    }
+}
+
+/// A row of something that is no tag.
+fn of_value(scenarios: &Scenarios<'_>, row: &Row) -> Option<String> {
+    let ty = value_type(scenarios, &row.name)?;
+    Some(format!("`{}` : {}\n\n{}", row.name, ty.name(), does(row)))
+}
+
+fn of_tag(scenarios: &Scenarios<'_>, row: &Row, named: &Named<'_>) -> String {
+    let mut card = tag_card(&named.file, named.tag(), None);
+    if let Some(said) = declared_comment(&named.file, named.tag()) {
         card = format!("{said}\n\n{card}");
     }
-    if let Some(ty) = value_type(scenarios, &row.name).filter(|_| named.range != row.range) {
+    if let Some(ty) = value_type(scenarios, &row.name).filter(|_| named.name.len() < row.name.len()) {
         card = format!("`{}` : {}, of\n\n{card}", row.name, ty.name());
     }
-    Some(format!("{card}\n\n---\n\n{does}"))
+    format!("{card}\n\n---\n\n{}", does(row))
 }
 
 /// The comment behind a tag's declaration.

@@ -1,7 +1,8 @@
 //! Files of scenarios in an editor: one file for each feature.
 //!
-//! A scenario file names the tags of a program. Whoever asks gives both: the [`Scenarios`] of a text, and the context of
-//! the program that they are about, if it was found. The reader is the one that runs them.
+//! A scenario file names the tags of a program, and those of the files that it uses with the file's name before them. Whoever
+//! asks gives all of that: what was read from a text, once for each request, and the program that it is about with the files
+//! beside it, if it was found. The reader is the one that runs the scenarios.
 
 mod completion;
 mod edits;
@@ -22,26 +23,21 @@ pub use navigate::{
 pub use outline::{ScenarioPart, outline as scenario_outline};
 pub(crate) use row::{name_in, places};
 
+use crate::neighbour::Workspace;
 use ladder_analysis::context::Context;
-use ladder_simulator::scenario::{Suite, parse};
+use ladder_simulator::scenario::Suite;
 
 /// A scenario file as features read it.
-#[derive(Debug)]
+#[derive(Clone, Copy)]
 pub struct Scenarios<'t> {
-    text: &'t str,
-    suite: Suite,
-    program: Option<&'t Context>,
-}
-
-impl<'t> Scenarios<'t> {
-    /// Reads a text. `program` is the one that it names.
-    pub fn read(text: &'t str, program: Option<&'t Context>) -> Scenarios<'t> {
-        Scenarios {
-            text,
-            suite: parse(text),
-            program,
-        }
-    }
+    /// What it says.
+    pub text: &'t str,
+    /// What was read from that.
+    pub suite: &'t Suite,
+    /// The program that it names, if that was found.
+    pub program: Option<&'t Context>,
+    /// The files beside the program.
+    pub workspace: &'t dyn Workspace,
 }
 
 #[cfg(test)]

@@ -2,17 +2,16 @@
 
 use super::Scenarios;
 use super::place::{Place, place};
-use super::row::{named, word_of};
+use super::row::named;
 use crate::definition::defined;
 use crate::highlight::Highlight;
-use crate::neighbour::Workspace;
 use crate::references::{Reference, of_symbol};
 use crate::rename::{Renamable, RenameRefused, Renamed, is_address, no_name, rename_symbol};
 use crate::symbol::{Symbol, Usage};
 use crate::target::Target;
 use ladder_format::Options;
 use ladder_simulator::scenario::{Direction, Row};
-use ladder_syntax::{Name, TextRange, TextSize};
+use ladder_syntax::{TextRange, TextSize};
 use std::sync::Arc;
 
 /// What is named at an offset: the tag, and where its name is.
@@ -20,12 +19,13 @@ fn symbol_at(scenarios: &Scenarios<'_>, offset: TextSize) -> Option<(Symbol, Tex
     let Place::Tag(row) = place(scenarios, offset)? else {
         return None;
     };
-    let named = named(scenarios, row)?;
-    Some((named.symbol, named.range))
+    let named = named(scenarios, &row.name)?;
+    let range = named.range(row);
+    Some((named.symbol, range))
 }
 
-/// Where what is at an offset is defined: a tag in the program, or the program. `workspace` is that of the program.
-pub fn definition(scenarios: &Scenarios<'_>, offset: TextSize, workspace: &dyn Workspace) -> Vec<Target> {
+/// Where what is at an offset is defined: a tag in its file, or the program.
+pub fn definition(scenarios: &Scenarios<'_>, offset: TextSize) -> Vec<Target> {
     let Some(program) = scenarios.program else {
         return Vec::new();
     };
@@ -38,15 +38,15 @@ pub fn definition(scenarios: &Scenarios<'_>, offset: TextSize, workspace: &dyn W
         }];
     }
     match symbol_at(scenarios, offset) {
-        Some((symbol, _)) => defined(program, &symbol, workspace),
+        Some((symbol, _)) => defined(program, &symbol, scenarios.workspace),
         None => Vec::new(),
     }
 }
 
 /// All places of the tag at an offset: in the program, the files beside it, and in scenarios.
-pub fn references(scenarios: &Scenarios<'_>, offset: TextSize, workspace: &dyn Workspace) -> Vec<Reference> {
+pub fn references(scenarios: &Scenarios<'_>, offset: TextSize) -> Vec<Reference> {
     match (scenarios.program, symbol_at(scenarios, offset)) {
-        (Some(program), Some((symbol, _))) => of_symbol(program, &symbol, workspace),
+        (Some(program), Some((symbol, _))) => of_symbol(program, &symbol, scenarios.workspace),
         _ => Vec::new(),
     }
 }
@@ -56,19 +56,22 @@ pub fn highlights(scenarios: &Scenarios<'_>, offset: TextSize) -> Vec<Highlight>
     let Some(Place::Tag(row)) = place(scenarios, offset) else {
         return Vec::new();
     };
-    let key = |row: &Row| Name::new(&scenarios.text[word_of(row)]);
-    let wanted = key(row);
+    let Some(wanted) = named(scenarios, &row.name) else {
+        return Vec::new();
+    };
     let rows = scenarios
         .suite
         .scenarios
         .iter()
         .flat_map(|scenario| &scenario.rows);
-    rows.filter(|row| key(row) == wanted)
-        .map(|row| Highlight {
-            range: word_of(row),
+    let here = |row: &Row| {
+        let found = named(scenarios, &row.name).filter(|it| it.symbol == wanted.symbol)?;
+        Some(Highlight {
+            range: found.range(row),
             usage: usage(row),
         })
-        .collect()
+    };
+    rows.filter_map(here).collect()
 }
 
 /// What a row does with its tag.
@@ -108,12 +111,13 @@ pub fn rename(
     scenarios: &Scenarios<'_>,
     offset: TextSize,
     new: &str,
-    workspace: &dyn Workspace,
     options: &Options,
 ) -> Result<Vec<Renamed>, RenameRefused> {
     prepare_rename(scenarios, offset)?;
     match (scenarios.program, symbol_at(scenarios, offset)) {
-        (Some(program), Some((symbol, _))) => rename_symbol(program, &symbol, new, workspace, options),
+        (Some(program), Some((symbol, _))) => {
+            rename_symbol(program, &symbol, new, scenarios.workspace, options)
+        }
         _ => Err(no_name()),
     }
 }

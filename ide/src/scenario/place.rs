@@ -20,8 +20,8 @@ pub(super) enum Place<'s> {
 }
 
 /// What is at an offset; a cursor right behind a word counts, unless something else begins there.
-pub(super) fn place<'s>(scenarios: &'s Scenarios<'_>, offset: TextSize) -> Option<Place<'s>> {
-    let suite = &scenarios.suite;
+pub(super) fn place<'s>(scenarios: &Scenarios<'s>, offset: TextSize) -> Option<Place<'s>> {
+    let suite = scenarios.suite;
     if let Some((_, range)) = &suite.program
         && range.contains_inclusive(offset)
     {

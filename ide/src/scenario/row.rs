@@ -1,61 +1,123 @@
 //! The tag of a row: `run`, `warmup.ET`, `list[3]`; a tag of a file that the program only uses with the file's name before
-//! it.
+//! it, `library.count`.
 
 use super::Scenarios;
 use super::navigate::usage;
 use crate::neighbour::ScenarioFile;
 use crate::symbol::{Symbol, Usage, tag_of};
+use ladder_analysis::context::Context;
 use ladder_analysis::program::SystemTag;
 use ladder_analysis::scope::TagFacts;
 use ladder_analysis::state_member;
 use ladder_analysis::types::{Scalar, Type};
-use ladder_simulator::scenario::{Row, parse};
+use ladder_simulator::scenario::Row;
 use ladder_syntax::{Name, TextRange, TextSize};
+use std::ops::{Deref, Range};
+use std::sync::Arc;
 
-/// What a row names in the program.
+/// What a row names.
 pub(super) struct Named<'c> {
     pub(super) symbol: Symbol,
-    pub(super) tag: &'c TagFacts,
-    /// The tag's name in the row, without member or index.
-    pub(super) range: TextRange,
+    /// The file that has the tag.
+    pub(super) file: File<'c>,
+    /// Its number in the scope of that file.
+    tag: usize,
+    /// The tag's name in the row's, without the file's name, member or index.
+    pub(super) name: Range<usize>,
 }
 
-/// The tag of the program that a row names. None for one of SYS, PORT or another file, or one that is not there.
-pub(super) fn named<'c>(scenarios: &Scenarios<'c>, row: &Row) -> Option<Named<'c>> {
+impl Named<'_> {
+    pub(super) fn tag(&self) -> &TagFacts {
+        &self.file.scopes[0].tags[self.tag]
+    }
+
+    /// Where the tag's name is in a row.
+    pub(super) fn range(&self, row: &Row) -> TextRange {
+        let at = |place: usize| row.range.start() + TextSize::new(place as u32);
+        TextRange::new(at(self.name.start), at(self.name.end))
+    }
+}
+
+/// A file whose tags a row can name.
+pub(super) enum File<'c> {
+    /// The program that the scenarios are about.
+    Program(&'c Context),
+    /// One that the program may use.
+    Beside(Arc<Context>),
+}
+
+impl Deref for File<'_> {
+    type Target = Context;
+
+    fn deref(&self) -> &Context {
+        match self {
+            File::Program(program) => program,
+            File::Beside(file) => file,
+        }
+    }
+}
+
+/// The tag that a row's name is about. None for one of SYS or PORT, or one that is not there.
+pub(super) fn named<'c>(scenarios: &Scenarios<'c>, name: &str) -> Option<Named<'c>> {
     let program = scenarios.program?;
-    let range = word_of(row);
-    let key = Name::new(&scenarios.text[range]);
-    let tag = program.scopes.first()?.find(&key)?;
-    Some(Named {
-        symbol: tag_of(program, 0, &key)?,
-        tag: &program.scopes[0].tags[tag],
-        range,
+    let first = word(name, 0);
+    let key = Name::new(&name[first.clone()]);
+    if let Some(tag) = program.scopes.first()?.find(&key) {
+        return Some(Named {
+            symbol: tag_of(program, 0, &key)?,
+            file: File::Program(program),
+            tag,
+            name: first,
+        });
+    }
+    if !name[first.end..].starts_with('.') {
+        return None;
+    }
+    let word = word(name, first.end + 1);
+    let (stem, key) = (key, Name::new(&name[word.clone()]));
+    let mut beside = scenarios.workspace.mentioning(&key).into_iter();
+    let file = beside.find(|file| Name::new(stem_of(&file.name)) == stem)?;
+    let tag = file.scopes.first()?.find(&key)?;
+    let symbol = tag_of(&file, 0, &key)?;
+    // What is the same in all files goes by its name alone.
+    matches!(symbol, Symbol::Tag { .. }).then_some(Named {
+        symbol,
+        file: File::Beside(file),
+        tag,
+        name: word,
     })
+}
+
+/// What a program calls a file that it uses: its name without folders and ending.
+fn stem_of(file: &str) -> &str {
+    let name = file.rsplit('/').next().unwrap_or(file);
+    name.rsplit_once('.').map_or(name, |(stem, _)| stem)
 }
 
 /// The type of the values of a row.
 pub(super) fn value_type(scenarios: &Scenarios<'_>, name: &str) -> Option<Scalar> {
-    let program = scenarios.program?;
-    let (first, rest) = name.split_at(name.find(['.', '[']).unwrap_or(name.len()));
-    let rest = rest.trim();
-    let member = rest.strip_prefix('.').map(str::trim);
+    scenarios.program?;
+    let (first, member) = name.split_once('.').unwrap_or((name, ""));
+    let (first, member) = (first.trim(), member.trim());
     if first.eq_ignore_ascii_case("SYS") {
-        return Some(SystemTag::from_name(member?)?.ty());
+        return Some(SystemTag::from_name(member)?.ty());
     }
     if first.eq_ignore_ascii_case("PORT") {
-        let serial = member?.eq_ignore_ascii_case("SERIAL");
+        let serial = member.eq_ignore_ascii_case("SERIAL");
         return Some(if serial {
             Scalar::String(u16::MAX)
         } else {
             Scalar::Lint
         });
     }
-    let scope = program.scopes.first()?;
-    let tag = &scope.tags[scope.find(&Name::new(first.trim()))?];
-    match (program.shared(tag).ty?, member) {
+    let named = named(scenarios, name)?;
+    let file = &named.file;
+    let rest = name[named.name.end..].trim();
+    let member = rest.strip_prefix('.').map(str::trim);
+    match (file.shared(named.tag()).ty?, member) {
         (Type::Scalar(ty), None) if rest.is_empty() => Some(ty),
         (Type::Scalar(_), Some(_)) => Some(Scalar::Bool),
-        (Type::State(state), Some(member)) => Some(state_member(state, member)?.ty(program.profile.law())),
+        (Type::State(state), Some(member)) => Some(state_member(state, member)?.ty(file.profile.law())),
         (Type::Array { element, .. }, None) => Some(element),
         _ => None,
     }
@@ -64,15 +126,17 @@ pub(super) fn value_type(scenarios: &Scenarios<'_>, name: &str) -> Option<Scalar
 /// Where a row names a symbol of the program of this name.
 pub(crate) fn name_in(row: &Row, symbol: &Symbol, program: &str) -> Option<TextRange> {
     let old = symbol.name()?;
-    let start = row.range.start();
     let here = |from: usize| {
-        let range = word(&row.name, start, from);
-        let name = &row.name[from..from + usize::from(range.len())];
-        (Name::new(name) == *old).then_some(range)
+        let word = word(&row.name, from);
+        let range = TextRange::at(
+            row.range.start() + TextSize::new(from as u32),
+            TextSize::of(&row.name[word.clone()]),
+        );
+        (Name::new(&row.name[word]) == *old).then_some(range)
     };
     match symbol {
         Symbol::Tag { file, .. } if **file != *program => {
-            let stem = file.rsplit('/').next()?.trim_end_matches(".clad");
+            let stem = stem_of(file);
             let prefix = row.name.get(..stem.len())?;
             let is_prefix = Name::new(prefix) == Name::new(stem) && row.name[stem.len()..].starts_with('.');
             is_prefix.then(|| here(stem.len() + 1)).flatten()
@@ -81,18 +145,13 @@ pub(crate) fn name_in(row: &Row, symbol: &Symbol, program: &str) -> Option<TextR
     }
 }
 
-/// Where the tag of a row is, without member and index.
-pub(super) fn word_of(row: &Row) -> TextRange {
-    word(&row.name, row.range.start(), 0)
-}
-
 /// The word of a row's name that begins `from` bytes behind its start, without member and index.
-fn word(name: &str, start: TextSize, from: usize) -> TextRange {
+fn word(name: &str, from: usize) -> Range<usize> {
     let rest = &name[from..];
     let end = rest
         .find(|c: char| c.is_whitespace() || matches!(c, '.' | '['))
         .unwrap_or(rest.len());
-    TextRange::at(start + TextSize::new(from as u32), TextSize::new(end as u32))
+    from..from + end
 }
 
 /// Where a file of scenarios names a symbol, in the order of its text. `hides` says whether a program has a tag of its own
@@ -115,8 +174,7 @@ pub(crate) fn places(
     if !is_shown {
         return Vec::new();
     }
-    let suite = parse(&file.text);
-    let rows = suite.scenarios.iter().flat_map(|scenario| &scenario.rows);
+    let rows = file.suite.scenarios.iter().flat_map(|scenario| &scenario.rows);
     rows.filter_map(|row| Some((name_in(row, symbol, program)?, usage(row))))
         .collect()
 }

@@ -7,6 +7,7 @@ use super::{
 use crate::fixture::Fixture;
 use expect_test::{Expect, expect};
 use ladder_format::{Options, apply};
+use ladder_simulator::scenario::parse;
 use ladder_syntax::TextSize;
 
 const PLANT: &str = "\
@@ -16,6 +17,10 @@ VAR_OUTPUT run : BOOL; END_VAR
 VAR warm : TON; total : DINT; list : ARRAY[1..2] OF INT; END_VAR
 +--[ ]( start )--[TON]( warm, 5s )--( )( run )--+
 +--[ ]( run )--[ADD]( total, total, 1 )--[MOV]( list[1], 2 )--+
++--<CALL>( count )--+
+%% lib.clad
+VAR total, go : BOOL; list : ARRAY[1..2] OF INT; END_VAR
++--<FUN>( count )--[ ]( go )--( )( total )--+
 %% other.ladder-test
 program main.clad
 scenario \"other\"
@@ -42,13 +47,19 @@ impl Asked {
         }
     }
 
-    fn scenarios(&self) -> Scenarios<'_> {
-        Scenarios::read(&self.text, Some(&self.fixture.files[0].0.context))
+    /// Asks, as an editor does: of a text that was read once, and of all files of the workspace.
+    fn ask<T>(&self, question: impl FnOnce(&Scenarios<'_>) -> T) -> T {
+        question(&Scenarios {
+            text: &self.text,
+            suite: &parse(&self.text),
+            program: Some(&self.fixture.files[0].0.context),
+            workspace: &self.fixture.others(0),
+        })
     }
 
     fn completions(&self, trigger: Option<char>) -> String {
         let programs = ["a.clad".to_owned(), "main.clad".to_owned()];
-        let found = scenario_completions(&self.scenarios(), self.offset, &programs, trigger);
+        let found = self.ask(|it| scenario_completions(it, self.offset, &programs, trigger));
         let item = |it: &crate::Completion| format!("{}|{}|{}\n", it.label, it.detail, it.text.snippet());
         found.items.iter().map(item).collect::<Vec<_>>().concat()
     }
@@ -177,8 +188,12 @@ fn a_dot_among_levels_opens_no_list() {
 fn hover_says_what_a_row_and_a_value_mean() {
     let check = |rows: &str, expected: Expect| {
         let asked = Asked::at(&format!("{HEAD}{rows}"));
-        let found = scenario_hover(&asked.scenarios(), asked.offset);
-        let shown = found.map(|it| format!("[{}]\n{}\n", &asked.text[it.range], it.markdown));
+        let found = asked.ask(|it| scenario_hover(it, asked.offset));
+        let shown = found.map(|(it, file)| {
+            let file = file.filter(|file| **file != *"main.clad");
+            let links = file.map_or(String::new(), |file| format!("(lines of {file})\n"));
+            format!("[{}]\n{}\n{links}", &asked.text[it.range], it.markdown)
+        });
         expected.assert_eq(&shown.unwrap_or_default());
     };
     check(
@@ -265,6 +280,33 @@ fn hover_says_what_a_row_and_a_value_mean() {
     "#]],
     );
     check(
+        "lib.li$0st[2] => 0 1\n",
+        expect![[r#"
+        [lib.list[2]]
+        `lib.list[2]` : INT, of
+
+        ```clad
+        list : ARRAY[1..2] OF INT
+        ```
+        Internal tag (declared in VAR on line [1](#L1))  
+        Written: nowhere  
+        Read: nowhere
+
+        ---
+
+        Expected after the last scan of each step.
+        (lines of lib.clad)
+    "#]],
+    );
+    check(
+        "lib.go _$0-\n",
+        expect![[r#"
+        [-]
+        `lib.go` is given: high (`TRUE`)  
+        step 2 of 2: 100ms to 200ms
+    "#]],
+    );
+    check(
         "total => 1 2 ± 1$0%\n",
         expect![[r#"
         [± 1%]
@@ -272,39 +314,43 @@ fn hover_says_what_a_row_and_a_value_mean() {
     "#]],
     );
     let asked = Asked::at("program ma$0in.clad\n");
-    let found = scenario_hover(&asked.scenarios(), asked.offset).unwrap();
-    expect!["main.clad: 2 networks, 5 tags"].assert_eq(&found.markdown);
+    let found = asked.ask(|it| scenario_hover(it, asked.offset)).unwrap().0;
+    expect!["main.clad: 3 networks, 5 tags"].assert_eq(&found.markdown);
     let asked = Asked::at("program main.clad\nst$0ep 1s\n");
-    let found = scenario_hover(&asked.scenarios(), asked.offset).unwrap();
+    let found = asked.ask(|it| scenario_hover(it, asked.offset)).unwrap().0;
     assert!(found.markdown.starts_with("How long a step is"));
 }
 
 #[test]
 fn a_row_leads_to_its_declaration_and_to_all_uses() {
-    let asked = Asked::at(&format!("{HEAD}start _-\nru$0n => _-\nwarm.ET => 0s 1s\n"));
-    let others = asked.fixture.others(0);
-    let mut shown = String::new();
-    for target in scenario_definition(&asked.scenarios(), asked.offset, &others) {
-        shown.push_str(&format!(
-            "definition {}\n",
-            asked.fixture.show(&target.file, target.focus)
-        ));
-    }
-    for it in scenario_references(&asked.scenarios(), asked.offset, &others) {
-        shown.push_str(&format!(
-            "{} {:?}\n",
-            asked.fixture.show(&it.file, it.range),
-            it.usage
-        ));
-    }
-    for it in scenario_highlights(&asked.scenarios(), asked.offset) {
-        shown.push_str(&format!(
-            "highlight {} {:?}\n",
-            asked.fixture.show("main.ladder-test", it.range),
-            it.usage
-        ));
-    }
-    expect![[r#"
+    let check = |rows: &str, expected: Expect| {
+        let asked = Asked::at(&format!("{HEAD}{rows}"));
+        let mut shown = String::new();
+        for target in asked.ask(|it| scenario_definition(it, asked.offset)) {
+            shown.push_str(&format!(
+                "definition {}\n",
+                asked.fixture.show(&target.file, target.focus)
+            ));
+        }
+        for it in asked.ask(|it| scenario_references(it, asked.offset)) {
+            shown.push_str(&format!(
+                "{} {:?}\n",
+                asked.fixture.show(&it.file, it.range),
+                it.usage
+            ));
+        }
+        for it in asked.ask(|it| scenario_highlights(it, asked.offset)) {
+            shown.push_str(&format!(
+                "highlight {} {:?}\n",
+                asked.fixture.show("main.ladder-test", it.range),
+                it.usage
+            ));
+        }
+        expected.assert_eq(&shown);
+    };
+    check(
+        "start _-\nru$0n => _-\nwarm.ET => 0s 1s\n",
+        expect![[r#"
         definition main.clad:2:12 run
         main.clad:2:12 run Definition
         main.clad:4:42 run Write
@@ -312,8 +358,33 @@ fn a_row_leads_to_its_declaration_and_to_all_uses() {
         other.ladder-test:4:1 run Read
         main.ladder-test:6:1 run Read
         highlight main.ladder-test:6:1 run Read
-    "#]]
-    .assert_eq(&shown);
+    "#]],
+    );
+    // A tag of a file that the program uses; the program has another one of that name.
+    check(
+        "lib.to$0tal => _-\nlib.go _-\ntotal => 1 1\nLIB.TOTAL => _-\n",
+        expect![[r#"
+            definition lib.clad:1:5 total
+            lib.clad:1:5 total Definition
+            lib.clad:2:36 total Write
+            main.ladder-test:5:5 total Read
+            main.ladder-test:8:5 TOTAL Read
+            highlight main.ladder-test:5:5 total Read
+            highlight main.ladder-test:8:5 TOTAL Read
+        "#]],
+    );
+    check(
+        "li$0b.list[1] => 0 1\nlib.list[2] => 0 1\n",
+        expect![[r#"
+        definition lib.clad:1:23 list
+        lib.clad:1:23 list Definition
+        main.ladder-test:5:5 list Read
+        main.ladder-test:6:5 list Read
+        highlight main.ladder-test:5:5 list Read
+        highlight main.ladder-test:6:5 list Read
+    "#]],
+    );
+    check("lib.nothing$0 => _-\nother.total => _-\n", expect![]);
 }
 
 #[test]
@@ -338,14 +409,7 @@ fn a_tag_of_the_program_has_places_in_scenarios() {
 fn rename_reaches_the_program_and_all_scenarios() {
     let check = |rows: &str, new: &str, expected: Expect| {
         let asked = Asked::at(&format!("{HEAD}{rows}"));
-        let others = asked.fixture.others(0);
-        let renamed = rename_in_scenario(
-            &asked.scenarios(),
-            asked.offset,
-            new,
-            &others,
-            &Options::default(),
-        );
+        let renamed = asked.ask(|it| rename_in_scenario(it, asked.offset, new, &Options::default()));
         let shown = match renamed {
             Err(refused) => format!("refused: {refused}\n"),
             Ok(files) => files
@@ -366,43 +430,68 @@ fn rename_reaches_the_program_and_all_scenarios() {
         "start _-\nru$0n => _-\n",
         "motor",
         expect![[r#"
-        %% main.clad
-        VAR_INPUT start : BOOL; # the green *button* # END_VAR
-        VAR_OUTPUT motor : BOOL; END_VAR
-        VAR warm : TON; total : DINT; list : ARRAY[1..2] OF INT; END_VAR
-        +--[ ]( start )-------------------------------[TON]( warm, 5s )--( )( motor )--+
-        +--[ ]( motor )-----------------[ADD]( total, total, 1 )--[MOV]( list[1], 2 )--+
-        %% other.ladder-test
-        program main.clad
-        scenario "other"
-        start   _-
-        motor => _-
-        %% main.ladder-test
-        program main.clad
-        step 100ms
+            %% main.clad
+            VAR_INPUT start : BOOL; # the green *button* # END_VAR
+            VAR_OUTPUT motor : BOOL; END_VAR
+            VAR warm : TON; total : DINT; list : ARRAY[1..2] OF INT; END_VAR
+            +--[ ]( start )-------------------------------[TON]( warm, 5s )--( )( motor )--+
+            +--[ ]( motor )-----------------[ADD]( total, total, 1 )--[MOV]( list[1], 2 )--+
+            +--<CALL>( count )--+
+            %% other.ladder-test
+            program main.clad
+            scenario "other"
+            start   _-
+            motor => _-
+            %% main.ladder-test
+            program main.clad
+            step 100ms
 
-        scenario "one"
-        start   _-
-        motor => _-
-    "#]],
+            scenario "one"
+            start   _-
+            motor => _-
+        "#]],
     );
     check(
         "war$0m.ET => 0s\n",
         "heat",
         expect![[r#"
-        %% main.clad
-        VAR_INPUT start : BOOL; # the green *button* # END_VAR
-        VAR_OUTPUT run : BOOL; END_VAR
-        VAR heat : TON; total : DINT; list : ARRAY[1..2] OF INT; END_VAR
-        +--[ ]( start )--[TON]( heat, 5s )--( )( run )--+
-        +--[ ]( run )--[ADD]( total, total, 1 )--[MOV]( list[1], 2 )--+
-        %% main.ladder-test
-        program main.clad
-        step 100ms
+            %% main.clad
+            VAR_INPUT start : BOOL; # the green *button* # END_VAR
+            VAR_OUTPUT run : BOOL; END_VAR
+            VAR heat : TON; total : DINT; list : ARRAY[1..2] OF INT; END_VAR
+            +--[ ]( start )--[TON]( heat, 5s )--( )( run )--+
+            +--[ ]( run )--[ADD]( total, total, 1 )--[MOV]( list[1], 2 )--+
+            +--<CALL>( count )--+
+            %% main.ladder-test
+            program main.clad
+            step 100ms
 
-        scenario "one"
-        heat.ET => 0s
-    "#]],
+            scenario "one"
+            heat.ET => 0s
+        "#]],
+    );
+    check(
+        "lib.to$0tal => _-\ntotal => 1 1\n",
+        "count_of_parts",
+        expect![[r#"
+            %% lib.clad
+            VAR count_of_parts, go : BOOL; list : ARRAY[1..2] OF INT; END_VAR
+            +--<FUN>( count )--[ ]( go )--------( )( count_of_parts )--+
+            %% main.ladder-test
+            program main.clad
+            step 100ms
+
+            scenario "one"
+            lib.count_of_parts => _-
+            total          => 1 1
+        "#]],
+    );
+    check(
+        "lib.to$0tal => _-\n",
+        "go",
+        expect![[r#"
+            refused: there is a tag `go` on line 1 of lib.clad already: both would become one
+        "#]],
     );
     check(
         "start$0 _-\n",
@@ -426,7 +515,8 @@ fn rename_reaches_the_program_and_all_scenarios() {
     "#]],
     );
     let asked = Asked::at(&format!("{HEAD}war$0m.ET => 0s\n"));
-    let found = prepare_scenario_rename(&asked.scenarios(), asked.offset)
+    let found = asked
+        .ask(|it| prepare_scenario_rename(it, asked.offset))
         .unwrap()
         .unwrap();
     assert_eq!(found.name, "warm");
@@ -436,7 +526,7 @@ fn rename_reaches_the_program_and_all_scenarios() {
 fn the_outline_holds_scenarios_with_their_rows() {
     let asked = Asked::at(&format!("{HEAD}start _-$0\nrun => _-\nscenario \"two\"\n"));
     let mut shown = String::new();
-    for part in scenario_outline(&asked.scenarios()) {
+    for part in asked.ask(scenario_outline) {
         shown.push_str(&format!(
             "{} ({}) {:?}\n",
             part.name, part.detail, &asked.text[part.range]

@@ -198,8 +198,8 @@ impl Elsewhere {
                 None => ladder_workspace::read(&path).unwrap_or_default(),
             };
             let suite = ladder_simulator::scenario::parse(&text);
-            let program = suite.program.and_then(|(program, _)| {
-                let beside = Named::in_file(&path, &program).locate().ok()?;
+            let program = suite.program.as_ref().and_then(|(program, _)| {
+                let beside = Named::in_file(&path, program).locate().ok()?;
                 Some(place.neighbours.view(&beside).0)
             });
             let (name, _) = place.neighbours.view(&path);
@@ -207,6 +207,7 @@ impl Elsewhere {
                 name,
                 program,
                 text: text.clone(),
+                suite: Arc::new(suite),
             };
             found.push(Scenarios {
                 path,

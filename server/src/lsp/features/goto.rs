@@ -28,7 +28,7 @@ pub(crate) async fn goto(
         return about_scenarios(shared, revision, move |scenarios| {
             let asked = scenarios.program.as_ref()?;
             let offset = scenarios.offset(place.position);
-            let targets = ladder_ide::scenario_definition(&scenarios.read(), offset, &asked.elsewhere);
+            let targets = ladder_ide::scenario_definition(&scenarios.read(), offset);
             response(asked, &targets, links)
         })
         .await;

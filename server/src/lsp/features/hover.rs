@@ -19,9 +19,10 @@ pub(crate) async fn hover(shared: &Arc<Shared>, params: HoverParams) -> Result<O
     if let Some(revision) = of_scenarios::scenarios_at(shared, &place.text_document.uri) {
         let position = place.position;
         return of_scenarios::about_scenarios(shared, revision, move |asked| {
-            let hover = ladder_ide::scenario_hover(&asked.read(), asked.offset(position))?;
-            let text = match &asked.program {
-                Some(program) => markup::linked(hover.markdown, &program.revision.uri),
+            let (hover, file) = ladder_ide::scenario_hover(&asked.read(), asked.offset(position))?;
+            let file = asked.program.as_ref().zip(file);
+            let text = match file.and_then(|(program, file)| program.elsewhere.text(&file)) {
+                Some(file) => markup::linked(hover.markdown, &file.uri),
                 None => hover.markdown,
             };
             Some(Hover {

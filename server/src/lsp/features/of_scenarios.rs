@@ -14,7 +14,8 @@ use crate::document::neighbours::Membership;
 use crate::document::{Kind, Revision, address};
 use crate::lsp::transport::blocking::blocking;
 use crate::lsp::{convert, shared::Shared};
-use ladder_ide::Scenarios;
+use ladder_ide::{Alone, Scenarios};
+use ladder_simulator::scenario::{self, Suite};
 use ladder_syntax::TextSize;
 use ladder_workspace::Named;
 
@@ -23,6 +24,7 @@ pub(crate) struct AskedScenarios {
     /// The scenario file.
     pub(crate) revision: Arc<Revision>,
     text: String,
+    suite: Suite,
     /// The program, if it was found.
     pub(crate) program: Option<Asked>,
 }
@@ -35,7 +37,15 @@ impl AskedScenarios {
 
     /// The file as features read it.
     pub(crate) fn read(&self) -> Scenarios<'_> {
-        Scenarios::read(&self.text, self.program.as_ref().map(|program| &*program.context))
+        Scenarios {
+            text: &self.text,
+            suite: &self.suite,
+            program: self.program.as_ref().map(|program| &*program.context),
+            workspace: match &self.program {
+                Some(program) => &program.elsewhere,
+                None => &Alone,
+            },
+        }
     }
 
     /// The text.
@@ -62,10 +72,12 @@ pub(crate) async fn about_scenarios<T: Send + 'static>(
             return None;
         }
         let text = revision.text();
-        let program = program(&shared, &revision, &text, cancel);
+        let suite = scenario::parse(&text);
+        let program = program(&shared, &revision, &suite, cancel);
         job(&AskedScenarios {
             revision,
             text,
+            suite,
             program,
         })
     })
@@ -73,9 +85,9 @@ pub(crate) async fn about_scenarios<T: Send + 'static>(
 }
 
 /// The program that a scenario file names: as the editor shows it if it is open, else as it is on disk.
-fn program(shared: &Shared, revision: &Revision, text: &str, cancel: &Cancel) -> Option<Asked> {
-    let (name, _) = ladder_simulator::scenario::parse(text).program?;
-    let path = Named::in_file(&address::path_of(&revision.uri)?, &name)
+fn program(shared: &Shared, revision: &Revision, suite: &Suite, cancel: &Cancel) -> Option<Asked> {
+    let (name, _) = suite.program.as_ref()?;
+    let path = Named::in_file(&address::path_of(&revision.uri)?, name)
         .locate()
         .ok()?;
     let program = shown(shared, &path).or_else(|| on_disk(shared, &path))?;

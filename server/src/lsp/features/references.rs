@@ -26,7 +26,7 @@ pub(crate) async fn references(
             about_scenarios(shared, revision, move |scenarios| {
                 let asked = scenarios.program.as_ref()?;
                 let offset = scenarios.offset(place.position);
-                let found = ladder_ide::scenario_references(&scenarios.read(), offset, &asked.elsewhere);
+                let found = ladder_ide::scenario_references(&scenarios.read(), offset);
                 written(asked, found, declarations)
             })
             .await?

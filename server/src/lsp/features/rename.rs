@@ -66,13 +66,7 @@ pub(crate) async fn rename(shared: &Arc<Shared>, params: RenameParams) -> Result
                 let asked = scenarios.program.as_ref()?;
                 let options = asked.revision.format_options();
                 let offset = scenarios.offset(place.position);
-                let files = ladder_ide::rename_in_scenario(
-                    &scenarios.read(),
-                    offset,
-                    &new,
-                    &asked.elsewhere,
-                    &options,
-                );
+                let files = ladder_ide::rename_in_scenario(&scenarios.read(), offset, &new, &options);
                 Some(files.map(|files| written(asked, files, versioned)))
             })
             .await?
