@@ -1,14 +1,14 @@
 // VS Code where there is no language server: the message, and what it offers; the server is started once it is there.
 // Then a package that brings a server of another version: that is said, and it is used all the same.
 import assert from 'node:assert/strict';
-import { chmodSync, copyFileSync, existsSync, mkdirSync, writeFileSync } from 'node:fs';
+import { chmodSync, existsSync, mkdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 
 import { openBrowser, removeScratch, scratchFolder, serve } from './codeServer.mjs';
-import { open } from './palette.mjs';
+import { command, open } from './palette.mjs';
 import { failures, step, tell } from './steps.mjs';
 
-const { LADDER_BIN, LADDER_PACKAGES, LADDER_SCREENSHOTS } = process.env;
+const { LADDER_BIN, LADDER_PACKAGES, LADDER_ROOT, LADDER_SCREENSHOTS } = process.env;
 
 const UNPAIRED = '+--\\--[ ]( start )-----( )( run )--+\n|  |                              |\n|  /--[ ]( run )--                |\n';
 
@@ -71,11 +71,21 @@ await session('ladder.vsix', async (page, scratch) => {
         await message(page, 'there is no program "cargo" here').getByRole('button', { name: 'Get Rust' }).waitFor();
         await page.keyboard.press('Escape');
     });
-    await step('a server that comes is started without a reload', async () => {
+    await step('with Rust it is built from the folder that is chosen, and started without a reload', async () => {
         assert.equal(await squiggle(page).count(), 0);
-        mkdirSync(join(scratch, 'home/.cargo/bin'), { recursive: true });
-        copyFileSync(LADDER_BIN, join(scratch, 'home/.cargo/bin/ladder'));
-        await squiggle(page).waitFor({ timeout: 20_000 });
+        const cargo = join(scratch, 'home/.cargo/bin');
+        mkdirSync(cargo, { recursive: true });
+        // It notes what it is asked for, and brings the program that was built.
+        const lines = ['#!/bin/sh', `echo "$@" >'${scratch}/asked'`, `cp '${LADDER_BIN}' '${cargo}/ladder'`];
+        writeFileSync(join(cargo, 'cargo'), `${lines.join('\n')}\n`);
+        chmodSync(join(cargo, 'cargo'), 0o755);
+        await command(page, 'Ladder: Restart Language Server');
+        await missing.getByRole('button', { name: 'Install...' }).click();
+        const folder = page.locator('.quick-input-widget input').first();
+        await folder.fill(`${LADDER_ROOT}/`);
+        await page.locator('.quick-input-widget').getByRole('button', { name: 'Build and Install' }).click();
+        await squiggle(page).waitFor({ timeout: 30_000 });
+        assert.equal(readFileSync(join(scratch, 'asked'), 'utf8'), `install --locked --path ${LADDER_ROOT}/cli\n`);
     });
     await step('the program that the folder names is not run', async () => {
         assert.ok(!existsSync(join(scratch, 'was-run')));
