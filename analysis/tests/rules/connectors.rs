@@ -565,3 +565,50 @@ fn a_drawing_of_boxes() {
         "#]],
     );
 }
+
+#[test]
+fn names_above_a_drawing_of_boxes() {
+    check(
+        "     start         stop            run\n├─┬──┤ ├───┬────────┤/├────────────( )──┤\n│ │  run   │                            │\n│ └──┤ ├───┘                            │\n",
+        expect![[r#"
+            >      start         stop            run
+                   ^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^ error[unexpected-character]: `start         stop...` means nothing on a rung
+                help: a rung is drawn with - + | \ / and blocks; text is in # comments #
+            > ├─┬──┤ ├───┬────────┤/├────────────( )──┤
+              ^^^^^^^^^^^^^^^^^^^^^ error[unexpected-character]: `├─┬──┤ ├───┬────────┤` means nothing on a rung
+                help: a rung is drawn with - + | \ / and blocks; this looks like box-drawing characters
+                fix: Draw it with - + | \ / and blocks
+                  +--\--[ ]( start )--\--[/]( stop )-------------( )( run )--+
+                  |  |                |                                      |
+                  |  /--[ ]( run )----/                                      |
+            > ├─┬──┤ ├───┬────────┤/├────────────( )──┤
+                                    ^^^^^^^^^^^^^ error[unexpected-character]: `├────────────` means nothing on a rung
+                help: a rung is drawn with - + | \ / and blocks; this looks like box-drawing characters
+                fix: Draw it with - + | \ / and blocks
+                  +--\--[ ]( start )--\--[/]( stop )-------------( )( run )--+
+                  |  |                |                                      |
+                  |  /--[ ]( run )----/                                      |
+            > ├─┬──┤ ├───┬────────┤/├────────────( )──┤
+                                                    ^^^ error[unexpected-character]: `──┤` means nothing on a rung
+                help: a rung is drawn with - + | \ / and blocks; this looks like box-drawing characters
+                fix: Draw it with - + | \ / and blocks
+                  +--\--[ ]( start )--\--[/]( stop )-------------( )( run )--+
+                  |  |                |                                      |
+                  |  /--[ ]( run )----/                                      |
+            > │ │  run   │                            │
+              ^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^ error[unexpected-character]: `│ │  run   │...` means nothing on a rung
+                help: a rung is drawn with - + | \ / and blocks; this looks like box-drawing characters
+                fix: Draw it with - + | \ / and blocks
+                  +--\--[ ]( start )--\--[/]( stop )-------------( )( run )--+
+                  |  |                |                                      |
+                  |  /--[ ]( run )----/                                      |
+            > │ └──┤ ├───┘                            │
+              ^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^ error[unexpected-character]: `│ └──┤ ├───┘...` means nothing on a rung
+                help: a rung is drawn with - + | \ / and blocks; this looks like box-drawing characters
+                fix: Draw it with - + | \ / and blocks
+                  +--\--[ ]( start )--\--[/]( stop )-------------( )( run )--+
+                  |  |                |                                      |
+                  |  /--[ ]( run )----/                                      |
+        "#]],
+    );
+}
