@@ -4,7 +4,7 @@ import assert from 'node:assert/strict';
 import { command, list, open } from './palette.mjs';
 
 /** The page of the diagram that is in sight: a frame in a frame. */
-async function diagramOf(page, until, seconds = 20) {
+export async function diagramOf(page, until, seconds = 20) {
     let found;
     await until('the diagram', seconds, async () => {
         for (const frame of page.frames()) {

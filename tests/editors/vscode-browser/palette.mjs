@@ -20,7 +20,7 @@ async function pick(page, key, text, name) {
     // Letters that come too soon behind the opening would be lost.
     await (await list(page, key)).fill(text);
     // Not the first row: the list has its own opinion of what is meant.
-    await page.locator('.quick-input-list .monaco-list-row', { hasText: name }).first().click({ timeout: 10_000 });
+    await page.locator('.quick-input-list .monaco-list-row', { hasText: name }).first().click({ timeout: 30_000 });
 }
 
 /** Opens a file of the project. */

@@ -10,6 +10,7 @@ import { debug, PROGRAM, TEXT } from './debug.mjs';
 import { diagram, programs } from './diagram.mjs';
 import { live, LIVE, LIVE_TEXT } from './live.mjs';
 import { command, open } from './palette.mjs';
+import { PROGRAMS, running } from './running.mjs';
 import { scenarios } from './scenarios.mjs';
 import { failures, step, tell } from './steps.mjs';
 import { NAME, RUNG, typing } from './typing.mjs';
@@ -32,7 +33,7 @@ function prepare() {
     writeFileSync(join(scratch, 'project', NAME), `${RUNG}\n`);
     writeFileSync(join(scratch, 'project/watch.clad'), '+--[TON]( clock, T#1h )--( )( late )--+\n');
     emptyFiles(join(scratch, 'project'));
-    for (const [name, text] of Object.entries(programs)) {
+    for (const [name, text] of Object.entries({ ...programs, ...PROGRAMS })) {
         writeFileSync(join(scratch, 'project', name), text);
     }
 }
@@ -330,6 +331,7 @@ async function main() {
         await traceTags(page);
         await edit(page);
         await live(page, { step, until, weights, labels, operandBox, row });
+        await running(page, { step, until, weights, row, screenshot });
         await typing(page, { step, until, screenshot });
         await book(page, { step, until, project: join(scratch, 'project') });
         await debug(page, { step, screenshot });
