@@ -289,6 +289,37 @@ return function(t, messages)
     vim.cmd('Ladder stop')
   end)
 
+  t.step('a fault is told at its place and in the bar, also while the program runs', function()
+    local bufnr = t.open('motor.clad')
+    vim.api.nvim_buf_set_lines(bufnr, 0, -1, false, {
+      'VAR_INPUT  go : BOOL;  zero : INT;  END_VAR',
+      'VAR  shelf : ARRAY[0..3] OF INT;  place : INT := 9;  quotient, found : INT;  END_VAR',
+      '+--[ ]( go )--[DIV]( quotient, 10, zero )--+',
+      '+--[ ]( go )--[MOVE]( found, shelf[place] )--+',
+    })
+    local function faults()
+      local found = vim.diagnostic.get(bufnr, { severity = vim.diagnostic.severity.ERROR })
+      return vim.tbl_map(function(it)
+        return ('%d:%d %s'):format(it.lnum, it.col, it.message:match('^[^:]+'))
+      end, found)
+    end
+    vim.cmd('Ladder start')
+    vim.cmd('Ladder step')
+    assert(ladder.wait(bufnr), 'no answer')
+    t.equal('the faults', {}, faults())
+    vim.cmd('Ladder run')
+    vim.cmd('Ladder set go 1')
+    t.eventually('both faults', function()
+      return #faults() == 2
+    end)
+    t.equal('the faults', { '2:14 division by zero', '3:14 index 9 is outside the array [0..3]' }, faults())
+    t.equal('the status', 'running', ladder.state(bufnr).status)
+    assert(vim.wo.winbar:find('LadderForced#running, .*, 2 faults'), vim.wo.winbar)
+    vim.cmd('Ladder stop')
+    t.equal('the faults of a simulation that is over', {}, faults())
+    vim.cmd('bwipeout!')
+  end)
+
   t.step('a program with errors is not simulated, and the reason is shown', function()
     t.open('unpaired.clad')
     t.clear(messages)

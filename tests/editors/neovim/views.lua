@@ -19,6 +19,37 @@ return function(t)
     t.equal('the buffer in the window', bufnr, vim.api.nvim_get_current_buf())
   end)
 
+  t.step('the tag panel takes the focus while the program runs, and its keys do not change the program', function()
+    local bufnr = t.open('motor.clad')
+    local text = vim.api.nvim_buf_get_lines(bufnr, 0, -1, false)
+    vim.cmd('Ladder start')
+    vim.cmd('Ladder speed 10')
+    vim.cmd('Ladder run')
+    assert(ladder.wait(bufnr), 'no answer')
+    vim.cmd('Ladder tags')
+    t.equal('the file type where the cursor is', 'ladder_tags', vim.bo.filetype)
+    local function row(pattern)
+      return t.eventually(pattern, function()
+        local found
+        for line, shown in ipairs(vim.api.nvim_buf_get_lines(0, 0, -1, false)) do
+          found = found or shown:find(pattern) and line
+        end
+        return found
+      end)
+    end
+    vim.api.nvim_win_set_cursor(0, { row('^start +BOOL +input +0$'), 0 })
+    vim.api.nvim_feedkeys(vim.keycode('<CR>'), 'x', false)
+    row('^start +BOOL +input +1$')
+    row('^lamp +BOOL +output +1$')
+    -- Keys that the panel has no use for, and that would change a text.
+    vim.cmd('silent! normal xddiA')
+    t.equal('the program', text, vim.api.nvim_buf_get_lines(bufnr, 0, -1, false))
+    t.equal('the status', 'running', ladder.state(bufnr).status)
+    vim.api.nvim_feedkeys('q', 'x', false)
+    t.equal('the buffer in the window', bufnr, vim.api.nvim_get_current_buf())
+    vim.cmd('Ladder stop')
+  end)
+
   t.step('the diagram beside the text is live, and its keys work on what the cursor is on', function()
     local bufnr = t.open('motor.clad')
     local text = vim.api.nvim_get_current_win()

@@ -3,10 +3,18 @@ local M = {}
 
 local namespace = vim.api.nvim_create_namespace('ladder_faults')
 
+--- What is shown, by buffer: most states have the faults of the one before.
+--- @type table<integer, table[]>
+local shown = {}
+
 --- @param bufnr integer
 --- @param faults { message: string, range: lsp.Range, scan: integer }[]
 --- @param encoding string the position encoding of the server
 function M.show(bufnr, faults, encoding)
+  if vim.deep_equal(shown[bufnr] or {}, faults) then
+    return
+  end
+  shown[bufnr] = faults
   local diagnostics = {}
   for _, fault in ipairs(faults) do
     local from, to = fault.range.start, fault.range['end']
@@ -27,6 +35,7 @@ end
 
 --- @param bufnr integer
 function M.clear(bufnr)
+  shown[bufnr] = nil
   vim.diagnostic.reset(namespace, bufnr)
 end
 

@@ -6,7 +6,7 @@ local status = require('ladder.status')
 
 local M = {}
 
-local keys = '%<F5 run  F6 pause  F10 step  F8 back  F4 toggle'
+local keys = 'F5 run  F6 pause  F10 step  F8 back  F4 toggle'
 
 --- The windows' own bars, to give them back.
 --- @type table<integer, string>
@@ -26,7 +26,8 @@ function M.show(bufnr, session)
       local bad = state and (#state.faults > 0 or state.status == 'faulted')
       local group = (bad or state and state.stale) and '%#LadderForced#' or ''
       local text = status.text(session):gsub('%%', '%%%%')
-      vim.wo[window][0].winbar = (' %s%s%%*%%=%s '):format(group, text, keys)
+      -- What has no room is cut off at the end.
+      vim.wo[window][0].winbar = (' %s%s%%*%%=  %s %%<'):format(group, text, keys)
     elseif before[window] then
       vim.wo[window][0].winbar = before[window]
       before[window] = nil
