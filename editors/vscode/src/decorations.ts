@@ -2,6 +2,7 @@
 import * as vscode from 'vscode';
 
 import { type Label, type Placed, placeLabels, roomFor } from './labels.ts';
+import { Pace } from './pace.ts';
 import { type Look, powerRanges } from './powerRanges.ts';
 import type { Session } from './session.ts';
 import { type Simulation, toRange } from './simulation.ts';
@@ -224,8 +225,6 @@ function paint(editor: vscode.TextEditor, session: Session, withValues: boolean)
 }
 
 export function showPower(simulation: Simulation): vscode.Disposable {
-    let later: NodeJS.Timeout | undefined;
-    let valuesShown = 0;
     const update = (editors: readonly vscode.TextEditor[], withValues: boolean) => {
         for (const editor of editors) {
             const session = simulation.of(editor.document);
@@ -236,24 +235,15 @@ export function showPower(simulation: Simulation): vscode.Disposable {
             }
         }
     };
-    const all = () => {
-        clearTimeout(later);
-        later = undefined;
-        valuesShown = Date.now();
-        update(vscode.window.visibleTextEditors, true);
-    };
+    const all = new Pace(VALUES_EVERY, () => update(vscode.window.visibleTextEditors, true));
     return vscode.Disposable.from(
         ...kinds,
-        new vscode.Disposable(() => clearTimeout(later)),
+        all,
         simulation.onDidChange((document) => {
-            const wait = simulation.of(document)?.state.status === 'running' ? VALUES_EVERY - (Date.now() - valuesShown) : 0;
-            if (wait <= 0) {
-                all();
-                return;
+            if (!all.news(simulation.of(document)?.state.status === 'running')) {
+                update(vscode.window.visibleTextEditors.filter((editor) => editor.document === document), false);
             }
-            update(vscode.window.visibleTextEditors.filter((editor) => editor.document === document), false);
-            later ??= setTimeout(all, wait);
         }),
-        vscode.window.onDidChangeVisibleTextEditors(all),
+        vscode.window.onDidChangeVisibleTextEditors(() => all.now()),
     );
 }

@@ -1,6 +1,7 @@
 // The status bar item: status, scan and simulated time of the current simulation.
 import * as vscode from 'vscode';
 
+import { Pace } from './pace.ts';
 import type { Simulation } from './simulation.ts';
 import { statusText } from './statusText.ts';
 
@@ -23,25 +24,10 @@ export function showStatus(simulation: Simulation): vscode.Disposable {
         item.backgroundColor = warning ? new vscode.ThemeColor('statusBarItem.warningBackground') : undefined;
         item.show();
     };
-    let later: NodeJS.Timeout | undefined;
-    let updated = 0;
-    const updateNow = () => {
-        clearTimeout(later);
-        later = undefined;
-        updated = Date.now();
-        update();
-    };
-    const updateInTime = () => {
-        const wait = simulation.current?.state.status === 'running' ? UPDATE_EVERY - (Date.now() - updated) : 0;
-        if (wait <= 0) {
-            updateNow();
-        } else {
-            later ??= setTimeout(updateNow, wait);
-        }
-    };
+    const pace = new Pace(UPDATE_EVERY, update);
     return vscode.Disposable.from(
         item,
-        new vscode.Disposable(() => clearTimeout(later)),
-        simulation.onDidChange(updateInTime),
+        pace,
+        simulation.onDidChange(() => pace.news(simulation.current?.state.status === 'running')),
     );
 }

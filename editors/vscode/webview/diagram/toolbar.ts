@@ -1,5 +1,6 @@
 // The strip above the diagram: what the simulation is doing, and the buttons that move it.
 import type { FromPage, LiveUpdate } from '../../src/diagram/messages.ts';
+import { Pace } from '../../src/pace.ts';
 import { standing } from './speech.ts';
 
 /** Nobody reads more often how far the program is. In milliseconds. */
@@ -45,8 +46,7 @@ export class Toolbar {
     readonly #standing = document.createElement('span');
     readonly #zoom = document.createElement('button');
     #state: LiveUpdate | undefined;
-    #updated = 0;
-    #later: ReturnType<typeof setTimeout> | undefined;
+    readonly #pace = new Pace(UPDATE_EVERY, () => this.#tell());
 
     constructor(node: HTMLElement, send: (message: FromPage) => void, zoom: (factor: number | undefined) => void) {
         node.setAttribute('role', 'toolbar');
@@ -97,18 +97,10 @@ export class Toolbar {
             [...this.#buttons.values()].find((button) => !button.hidden)?.focus();
         }
         this.#state = state;
-        const wait = state?.status === 'running' ? UPDATE_EVERY - (Date.now() - this.#updated) : 0;
-        if (wait <= 0) {
-            this.#tell();
-        } else {
-            this.#later ??= setTimeout(() => this.#tell(), wait);
-        }
+        this.#pace.news(state?.status === 'running');
     }
 
     #tell(): void {
-        clearTimeout(this.#later);
-        this.#later = undefined;
-        this.#updated = Date.now();
         const text = standing(this.#state);
         if (this.#standing.textContent !== text) {
             this.#standing.textContent = text;
