@@ -2,12 +2,14 @@
 --- long list only the lines that its window shows are kept up to date.
 require('ladder.highlight')
 
+local assign = require('ladder.assign')
 local sessions = require('ladder.session')
 local shown = require('ladder.shown')
 local side_buffer = require('ladder.side_buffer')
 local simulation = require('ladder.simulation')
 local status = require('ladder.status')
 local value = require('ladder.value')
+local view = require('ladder.view')
 
 local M = {}
 
@@ -144,7 +146,7 @@ local function refresh(source)
   title(panel, source)
 end
 
-simulation.on_change(refresh)
+view.on_change(refresh)
 
 --- The tag in the cursor's line.
 local function tag_here(source)
@@ -153,18 +155,13 @@ local function tag_here(source)
   return listed and (sessions.tag(sessions.of(source), listed.name) or listed)
 end
 
---- Asks for a value, then sends it with `set` or `force`.
+--- @param source integer
+--- @param command 'set'|'force'
 local function ask(source, command)
   local tag = tag_here(source)
-  if not tag then
-    return
+  if tag then
+    assign(source, command, tag)
   end
-  local prompt = ('%s %s (%s): '):format(command, tag.name, tag.type)
-  vim.ui.input({ prompt = prompt, default = value.show(tag) }, function(text)
-    if text and text ~= '' then
-      simulation.command(source, command, { tag = tag.name, value = value.parse(tag.type, text) })
-    end
-  end)
 end
 
 local function map_keys(panel, source)

@@ -1,13 +1,11 @@
 --- Runs sessions: sends the simulator's commands, one at a time and in order, and shows every state that comes back.
 local breakpoints = require('ladder.breakpoints')
-local faults = require('ladder.faults')
 local keys = require('ladder.keys')
 local power = require('ladder.power')
 local server = require('ladder.server')
 local sessions = require('ladder.session')
 local shown = require('ladder.shown')
-local status = require('ladder.status')
-local values = require('ladder.values')
+local view = require('ladder.view')
 local winbar = require('ladder.winbar')
 
 local M = {}
@@ -22,24 +20,6 @@ local function tell_error(err)
   notify(err.message, vim.log.levels.ERROR)
 end
 
---- Called after each change of a buffer's session, by what shows it elsewhere (the tag panel).
---- @type fun(bufnr: integer)[]
-local listeners = {}
-
---- @param listener fun(bufnr: integer)
-function M.on_change(listener)
-  table.insert(listeners, listener)
-end
-
-local function changed(bufnr)
-  vim.b[bufnr].ladder_status = status.text(sessions.of(bufnr))
-  winbar.show(bufnr, sessions.of(bufnr))
-  vim.cmd.redrawstatus({ bang = true })
-  for _, listener in ipairs(listeners) do
-    listener(bufnr)
-  end
-end
-
 --- Forgets the session and takes everything it showed off the buffer.
 local function close(session)
   local bufnr = session.bufnr
@@ -49,53 +29,8 @@ local function close(session)
   sessions.close(bufnr)
   vim.api.nvim_clear_autocmds({ group = group, buffer = bufnr })
   if vim.api.nvim_buf_is_valid(bufnr) then
-    power.clear(bufnr)
-    values.clear(bufnr)
-    faults.clear(bufnr)
-    keys.unmap(bufnr)
-    changed(bufnr)
+    view.clear(bufnr)
   end
-end
-
---- Says what a change of the program could not keep.
-local function tell_of_change(before, state)
-  local change = state.change
-  if not change or (before and before.change and before.change.number == change.number) then
-    return
-  end
-  for _, lost in ipairs(change.lost or {}) do
-    notify(lost.message .. '.')
-  end
-end
-
---- Shows how things are; of the drawing what the state tells.
---- @param session ladder.Session
---- @param state ladder.State
-local function show(session, state)
-  local last = session.state
-  session.state = state
-  -- The server is a moment behind the buffer; until it has taken up what was typed its places are of the text before. What
-  -- it says first of the new text is all that there is to show.
-  if not state.delta and state.version >= session.tick then
-    session.stale = false
-    sessions.reset(session)
-    power.clear(session.bufnr)
-  end
-  local moved = sessions.take(session, state) or not state.delta
-  tell_of_change(last, state)
-  -- The same hit comes with an answer and with a notification, and with one that comes late once more.
-  if state.hit and state.hit.number > session.hits then
-    session.hits = state.hit.number
-    notify(state.hit.message .. '.')
-  end
-  if not session.stale then
-    local encoding = session.client.offset_encoding
-    power.paint(session.bufnr, state.power, encoding)
-    power.mark_next(session.bufnr, state.next, encoding)
-    values.show(session, moved)
-    faults.show(session.bufnr, state.faults, encoding)
-  end
-  changed(session.bufnr)
 end
 
 --- An answer tells nothing of the drawing: what a command changes there comes with the next notification.
@@ -103,7 +38,7 @@ end
 --- @param state ladder.State
 local function answered(session, state)
   session.asked = math.max(session.asked, state.commands)
-  show(session, state)
+  view.show(session, state)
 end
 
 --- A `ladder/simulationState` from the server.
@@ -113,7 +48,7 @@ function M.receive(state, client_id)
   local session = sessions.find(state.session, client_id)
   if session and vim.api.nvim_buf_is_loaded(session.bufnr) then
     -- What failed once would fail with every state; the server must not wait for it.
-    local done, message = pcall(show, session, state)
+    local done, message = pcall(view.show, session, state)
     session.seen = math.max(session.seen, state.commands or 0)
     session.client:notify('ladder/simulationShown', { session = session.id })
     if not state.delta then
@@ -269,7 +204,7 @@ function M.start(bufnr, options)
     return { uri = vim.uri_from_bufnr(bufnr), options = with }
   end, function(result)
     session.id = result.session
-    show(session, result.state)
+    view.show(session, result.state)
     keys.map(bufnr)
     look(session)
     for _, note in ipairs(result.notes or {}) do
@@ -372,7 +307,7 @@ function M.speed(bufnr, speed)
   if session.state and session.state.status == 'running' then
     M.run(bufnr)
   else
-    changed(bufnr)
+    view.changed(bufnr)
   end
 end
 

@@ -6,6 +6,7 @@ local server = require('ladder.server')
 local sessions = require('ladder.session')
 local side_buffer = require('ladder.side_buffer')
 local simulation = require('ladder.simulation')
+local view = require('ladder.view')
 
 local M = {}
 
@@ -68,7 +69,7 @@ local function ask(source)
   end)
 end
 
-simulation.on_change(ask)
+view.on_change(ask)
 
 --- @param source integer
 --- @param names string[]

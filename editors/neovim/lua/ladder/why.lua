@@ -4,6 +4,7 @@ require('ladder.highlight')
 
 local sessions = require('ladder.session')
 local simulation = require('ladder.simulation')
+local view = require('ladder.view')
 
 local M = {}
 
@@ -97,7 +98,7 @@ local function mark(session, rows)
 end
 
 -- What stopped power in one scan may let it through in the next.
-simulation.on_change(function(bufnr)
+view.on_change(function(bufnr)
   local session = sessions.of(bufnr)
   if marked[bufnr] and not (session and not session.stale and session.state.scan == marked[bufnr]) then
     marked[bufnr] = nil
