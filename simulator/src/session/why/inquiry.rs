@@ -9,16 +9,17 @@
 //! once, with all questions that are open, instead of once for each. A question whose tag has never changed leads to a
 //! scan that was passed by already; such scans wait for the next way back, of which there are few.
 
+use super::question::{Change, Found, FoundReason, FoundWrite, Question, When, before, written_out};
 use super::reasons::{self, Blocker};
 use super::trace::{self, Limit, Traced, en_of};
 use super::writers::Writers;
-use super::{Cause, Reason, Since, Why, Write, place};
+use super::{Cause, Why, place};
 use crate::places::BlockAt;
 use crate::session::history::History;
 use crate::session::rewind::Rewind;
 use crate::simulation::Simulation;
 use crate::tags::Point;
-use ladder_analysis::program::{Location, Network, Role};
+use ladder_analysis::program::{Network, Role};
 use ladder_analysis::types::Scalar;
 use ladder_analysis::value::Value;
 
@@ -26,67 +27,6 @@ use ladder_analysis::value::Value;
 const MOST_TRACES: usize = 60;
 /// So far the chain is followed.
 const DEEPEST: usize = 4;
-
-/// A moment in a scan: an entry of the history, or the one that is open, and how far it had come.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-struct When {
-    entry: usize,
-    limit: Limit,
-}
-
-/// Why a point had a value at a moment.
-#[derive(Debug)]
-struct Question {
-    point: Point,
-    value: Value,
-    /// Before the first scan there is no moment.
-    when: Option<When>,
-    /// The question that led to this one.
-    asker: Option<usize>,
-    depth: usize,
-    forced: bool,
-    change: Change,
-    cause: Found,
-    now: Option<FoundWrite>,
-}
-
-/// When a value came to be.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum Change {
-    /// It was there at the start.
-    Never,
-    /// Before the kept scans; also as long as it was not looked for.
-    NotKept,
-    /// Given from outside before the scan of this entry of the history; or before the next scan, which is not run yet.
-    Given(usize),
-    /// In the scan of this entry; or in the one that is open.
-    In(usize),
-}
-
-#[derive(Debug)]
-enum Found {
-    Plain(Cause),
-    Block(FoundWrite),
-}
-
-/// As [`Write`], with questions where that has their answers.
-#[derive(Debug)]
-struct FoundWrite {
-    scan: u64,
-    block: Location,
-    power: bool,
-    ways: Vec<Vec<FoundReason>>,
-    read: Vec<(Point, Value)>,
-    because: Vec<usize>,
-}
-
-#[derive(Debug)]
-struct FoundReason {
-    block: Location,
-    is_rail: bool,
-    values: Vec<(Point, Value)>,
-    because: Vec<usize>,
-}
 
 /// A scan that is to be run again for a question.
 #[derive(Debug)]
@@ -478,92 +418,5 @@ impl Inquiry<'_> {
         let this = &self.questions[question];
         (this.point == *point && this.value == *value)
             || this.asker.is_some_and(|asker| self.is_asked(asker, point, value))
-    }
-}
-
-impl Question {
-    /// Whether it is for a block, or for the outside, to have given the value.
-    fn takes_a_cause(&self) -> bool {
-        !self.forced && !self.point.is_system()
-    }
-}
-
-/// The scan before a moment in the midst of one.
-fn before(when: When) -> Option<When> {
-    let entry = when.entry.checked_sub(1).filter(|_| when.limit != Limit::End)?;
-    Some(When {
-        entry,
-        limit: Limit::End,
-    })
-}
-
-/// The tree of a question and those that it led to.
-fn written_out(questions: &mut [Option<Question>], history: &History, question: usize) -> Why {
-    let Question {
-        point,
-        value,
-        change,
-        cause,
-        now,
-        ..
-    } = questions[question].take().expect("each question is asked by one");
-    let since = match change {
-        Change::Never => Since::Start,
-        Change::NotKept => Since::Longer,
-        Change::Given(entry) | Change::In(entry) => {
-            let (scan, time) = history.clock_before(entry);
-            Since::Scan { scan, time }
-        }
-    };
-    let cause = match cause {
-        Found::Plain(cause) => cause,
-        Found::Block(write) => Cause::Block(Box::new(write_of(questions, history, write))),
-    };
-    let now = now.map(|now| Box::new(write_of(questions, history, now)));
-    let then = match &cause {
-        Cause::Block(write) => obstacles(write),
-        _ => Vec::new(),
-    };
-    Why {
-        point,
-        value,
-        since,
-        now: now.filter(|now| obstacles(now) != then),
-        cause,
-    }
-}
-
-fn obstacles(write: &Write) -> Vec<Vec<Location>> {
-    let ways = write.reasons.iter();
-    ways.map(|way| way.iter().map(|reason| reason.block).collect())
-        .collect()
-}
-
-fn write_of(questions: &mut [Option<Question>], history: &History, found: FoundWrite) -> Write {
-    let mut answers = |because: Vec<usize>| -> Vec<Why> {
-        let answers = because.into_iter();
-        answers
-            .map(|question| written_out(questions, history, question))
-            .collect()
-    };
-    let ways = found.ways.into_iter();
-    let reasons = ways
-        .map(|way| {
-            let reasons = way.into_iter().map(|reason| Reason {
-                block: reason.block,
-                is_rail: reason.is_rail,
-                values: reason.values,
-                because: answers(reason.because),
-            });
-            reasons.collect()
-        })
-        .collect();
-    Write {
-        scan: found.scan,
-        block: found.block,
-        power: found.power,
-        reasons,
-        read: found.read,
-        because: answers(found.because),
     }
 }

@@ -6,6 +6,7 @@
 
 mod inquiry;
 mod place;
+mod question;
 mod reasons;
 mod text;
 mod trace;

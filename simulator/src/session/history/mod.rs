@@ -8,110 +8,18 @@
 //! of [`Banks::follow`], which lead either way, so no full copies are kept but one: the banks of the moment
 //! that the simulation is at.
 
+mod entry;
+mod travel;
+
 use super::banks::Banks;
 use super::delta::{Bytes, Way};
 use super::rewind::Rewind;
 use super::serial::SerialLog;
 use super::touched::Touched;
-use crate::memory::Memory;
-use crate::simulation::{Force, Simulation, Status};
-use std::collections::{BTreeMap, VecDeque};
-
-/// How much of the past is kept.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct HistoryLimits {
-    /// At most so many scans; none with 0.
-    pub scans: usize,
-    /// At most so many bytes.
-    pub bytes: usize,
-}
-
-impl Default for HistoryLimits {
-    /// 10,000 scans (100 seconds at 10 ms) in at most 64 MiB.
-    fn default() -> Self {
-        HistoryLimits {
-            scans: 10_000,
-            bytes: 64 << 20,
-        }
-    }
-}
-
-impl HistoryLimits {
-    /// So many scans, in at most as many bytes as by default.
-    pub fn of_scans(scans: usize) -> HistoryLimits {
-        HistoryLimits {
-            scans,
-            ..HistoryLimits::default()
-        }
-    }
-}
-
-pub(super) type Forces = BTreeMap<String, Force>;
-
-/// The clock of a moment, and how the program stood.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct Moment {
-    pub(super) now: i64,
-    pub(super) scan: i64,
-    faulted: bool,
-    status: Status,
-    ran_plain: bool,
-}
-
-impl Moment {
-    fn of(simulation: &Simulation) -> Moment {
-        Moment {
-            now: simulation.machine.now,
-            scan: simulation.machine.scan,
-            faulted: simulation.machine.faulted,
-            status: simulation.status,
-            ran_plain: simulation.ran_plain,
-        }
-    }
-
-    pub(super) fn restore(self, simulation: &mut Simulation) {
-        simulation.machine.now = self.now;
-        simulation.machine.scan = self.scan;
-        simulation.machine.faulted = self.faulted;
-        simulation.status = self.status;
-        simulation.ran_plain = self.ran_plain;
-    }
-}
-
-/// What was given from outside, beyond what the banks show: the forces before and after. None if they stayed.
-pub(super) type ForceChange = Option<Box<(Forces, Forces)>>;
-
-/// One scan.
-#[derive(Debug)]
-pub(super) struct Entry {
-    /// Bytes of what was given before it.
-    pub(super) given: u32,
-    /// Bytes of what it did.
-    ran: u32,
-    /// Bytes that it sent through the serial port.
-    sent: u32,
-    pub(super) forces: ForceChange,
-    after: Moment,
-}
-
-impl Entry {
-    fn bytes(&self) -> usize {
-        self.given as usize + self.ran as usize
-    }
-}
-
-/// What was given for a scan that has not ended.
-#[derive(Debug, Default)]
-pub(super) struct Given {
-    pub(super) bytes: Vec<u8>,
-    pub(super) forces: ForceChange,
-}
-
-impl Given {
-    fn is_nothing(&self) -> bool {
-        self.bytes.is_empty() && self.forces.is_none()
-    }
-}
+use crate::simulation::Simulation;
+pub use entry::HistoryLimits;
+pub(super) use entry::{Entry, Forces, Given, Moment};
+use std::collections::VecDeque;
 
 /// The kept scans.
 #[derive(Debug)]
@@ -233,29 +141,6 @@ impl History {
         self.entries.len()
     }
 
-    /// What was given behind the newest scan is set aside, for when the simulation comes forward again: it leaves this
-    /// history.
-    pub(super) fn set_aside(&mut self, simulation: &Simulation) {
-        let given = self.take_up(simulation);
-        self.take_back(&given);
-        self.waiting = given;
-    }
-
-    /// Gives what was set aside, if the simulation is behind the newest scan again. Whether that is anything.
-    pub(super) fn give_what_waits(&mut self, simulation: &mut Simulation) -> bool {
-        if self.ahead() > 0 || self.waiting.is_nothing() {
-            return false;
-        }
-        let given = std::mem::take(&mut self.waiting);
-        if let Some(change) = &given.forces {
-            simulation.restore_forces(&change.1);
-        }
-        let mut then = self.banks.clone();
-        then.go(Bytes(&given.bytes), Way::Forward);
-        then.restore(&mut simulation.machine);
-        true
-    }
-
     /// Begins behind what another program sent through the serial port.
     pub(super) fn follow_serial(&mut self, earlier: &History) {
         self.serial = earlier.serial.following();
@@ -267,20 +152,6 @@ impl History {
         self.bytes.truncate(self.bytes_here);
         self.serial.forget_ahead();
         self.waiting = Given::default();
-    }
-
-    /// Gives again what was given before the scan ahead.
-    pub(super) fn give_next(&mut self, simulation: &mut Simulation) {
-        let Some(entry) = self.entries.get(self.here) else {
-            return;
-        };
-        if let Some(change) = &entry.forces {
-            simulation.restore_forces(&change.1);
-        }
-        let given = entry.given as usize;
-        self.go(self.bytes_here, given, Way::Forward);
-        self.banks.restore(&mut simulation.machine);
-        self.go(self.bytes_here, given, Way::Back);
     }
 
     /// A scan is about to run. `changed` says whether anything was given from outside since the last one.
@@ -380,99 +251,6 @@ impl History {
     pub(super) fn clock_before(&self, entry: usize) -> (u64, i64) {
         let moment = self.moment_before(entry);
         (moment.scan as u64, moment.now)
-    }
-
-    /// Goes back up to so many scans; how many it were. What was given since the last scan (`changed`) is kept for
-    /// when the simulation comes forward again.
-    pub(super) fn back(&mut self, simulation: &mut Simulation, scans: usize, changed: bool) -> usize {
-        let scans = scans.min(self.here);
-        if scans == 0 {
-            return 0;
-        }
-        if changed {
-            let given = self.take_up(simulation);
-            self.take_back(&given);
-            self.waiting = given;
-        }
-        for _ in 0..scans {
-            self.here -= 1;
-            let entry = &self.entries[self.here];
-            let (given, ran) = (entry.given as usize, entry.ran as usize);
-            self.serial.back(entry.sent);
-            if let Some(change) = &entry.forces {
-                self.forces.clone_from(&change.0);
-            }
-            self.bytes_here -= ran;
-            self.go(self.bytes_here, ran, Way::Back);
-            self.bytes_here -= given;
-            self.go(self.bytes_here, given, Way::Back);
-        }
-        self.restore(simulation);
-        scans
-    }
-
-    /// Goes forward one kept scan. None if there is none; else whether something was given behind it, which is
-    /// given again now.
-    pub(super) fn forward(&mut self, simulation: &mut Simulation) -> Option<bool> {
-        (self.forward_by(simulation, 1) == 1).then(|| self.give_what_waits(simulation))
-    }
-
-    /// Goes forward up to so many kept scans; how many it were. What was given behind the newest one still waits.
-    pub(super) fn forward_by(&mut self, simulation: &mut Simulation, scans: usize) -> usize {
-        let scans = scans.min(self.ahead());
-        for _ in 0..scans {
-            let entry = &self.entries[self.here];
-            let (given, ran) = (entry.given as usize, entry.ran as usize);
-            self.serial.forward(entry.sent);
-            if let Some(change) = &entry.forces {
-                self.forces.clone_from(&change.1);
-            }
-            self.here += 1;
-            self.go(self.bytes_here, given, Way::Forward);
-            self.bytes_here += given;
-            self.go(self.bytes_here, ran, Way::Forward);
-            self.bytes_here += ran;
-        }
-        if scans > 0 {
-            self.restore(simulation);
-        }
-        scans
-    }
-
-    /// Looks at the memory of tags after each of the scans ahead, without moving the history.
-    pub(super) fn look_ahead(&self, mut look: impl FnMut(&Memory)) {
-        let mut banks = self.banks.clone();
-        let (mut start, mut bytes) = (self.bytes_here, Vec::new());
-        for entry in self.entries.iter().skip(self.here) {
-            let end = start + entry.bytes();
-            bytes.clear();
-            bytes.extend(self.bytes.range(start..end));
-            let (given, ran) = bytes.split_at(entry.given as usize);
-            for part in [given, ran] {
-                if !part.is_empty() {
-                    banks.go_over_tags(&mut Bytes(part), Way::Forward);
-                }
-            }
-            look(&banks.memory);
-            start = end;
-        }
-    }
-
-    /// Moves the banks over a part of the bytes.
-    fn go(&mut self, start: usize, len: usize, way: Way) {
-        if len == 0 {
-            return;
-        }
-        self.scratch.clear();
-        self.scratch.extend(self.bytes.range(start..start + len));
-        self.banks.go(Bytes(&self.scratch), way);
-    }
-
-    /// Makes the simulation be here.
-    pub(super) fn restore(&self, simulation: &mut Simulation) {
-        simulation.restore_forces(&self.forces);
-        self.banks.restore(&mut simulation.machine);
-        self.moment().restore(simulation);
     }
 
     /// The state from which one can go back scan by scan, without moving the history.
