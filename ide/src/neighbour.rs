@@ -46,6 +46,26 @@ pub(crate) fn in_each<T: Send>(
     found.into_iter().map(|(_, in_file)| in_file).collect()
 }
 
+/// The first of the files, in the order of the workspace, that is the wanted one.
+pub(crate) fn first_that(
+    workspace: &dyn Workspace,
+    which: Which<'_>,
+    is_it: impl Fn(&Context) -> bool + Sync,
+) -> Option<Arc<Context>> {
+    let first: Mutex<Option<(usize, Arc<Context>)>> = Mutex::new(None);
+    workspace.show(which, &|number, file| {
+        if !is_it(file) {
+            return;
+        }
+        let mut first = first.lock().unwrap_or_else(PoisonError::into_inner);
+        if first.as_ref().is_none_or(|(known, _)| number < *known) {
+            *first = Some((number, Arc::clone(file)));
+        }
+    });
+    let first = first.into_inner().unwrap_or_else(PoisonError::into_inner);
+    first.map(|(_, file)| file)
+}
+
 /// A file of scenarios.
 #[derive(Debug, Clone)]
 pub struct ScenarioFile {

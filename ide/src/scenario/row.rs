@@ -3,7 +3,7 @@
 
 use super::Scenarios;
 use super::navigate::usage;
-use crate::neighbour::ScenarioFile;
+use crate::neighbour::{ScenarioFile, Which, first_that};
 use crate::symbol::{Symbol, Usage, tag_of};
 use ladder_analysis::context::Context;
 use ladder_analysis::program::SystemTag;
@@ -75,8 +75,9 @@ pub(super) fn named<'c>(scenarios: &Scenarios<'c>, name: &str) -> Option<Named<'
     }
     let word = word(name, first.end + 1);
     let (stem, key) = (key, Name::new(&name[word.clone()]));
-    let mut beside = scenarios.workspace.mentioning(&key).into_iter();
-    let file = beside.find(|file| Name::new(stem_of(&file.name)) == stem)?;
+    let which = Which::Mentioning(std::slice::from_ref(&key));
+    let is_it = |file: &Context| Name::new(stem_of(&file.name)) == stem;
+    let file = first_that(scenarios.workspace, which, is_it)?;
     let tag = file.scopes.first()?.find(&key)?;
     let symbol = tag_of(&file, 0, &key)?;
     // What is the same in all files goes by its name alone.
