@@ -1,8 +1,9 @@
 //! A file, analysed.
 
+use crate::checking::{self, Ledger, Shown, StillWanted, Work};
 use crate::context::{Context, context_after};
 use crate::diagnostic::Diagnostic;
-use crate::findings::{self, Finding, Ledger, Shown, Work};
+use crate::findings::Finding;
 use crate::others::Others;
 use crate::program::Program;
 use crate::resolve::{self, Resolved, numbers::Unit};
@@ -171,9 +172,23 @@ pub fn analyze_context(
     context: Arc<Context>,
     settings: &RuleSettings,
 ) -> Analysis {
+    match analyze_while(before, context, settings, &|| true) {
+        Some(analysis) => analysis,
+        None => unreachable!("it is always wanted"),
+    }
+}
+
+/// As [`analyze_context()`], while `wanted` holds: that is asked between each [`BETWEEN`](crate::BETWEEN) networks or tags. None
+/// once it does not. What an edit usually concerns is less, and is always looked at.
+pub fn analyze_while(
+    before: Option<&Analysis>,
+    context: Arc<Context>,
+    settings: &RuleSettings,
+    wanted: &dyn Fn() -> bool,
+) -> Option<Analysis> {
     let ledger = before.and_then(Analysis::take_ledger);
-    let found = findings::find(ledger, &context, settings);
-    Analysis {
+    let found = checking::find(ledger, &context, settings, &StillWanted::new(wanted))?;
+    Some(Analysis {
         context,
         shown: found.shown,
         findings: OnceLock::new(),
@@ -182,5 +197,5 @@ pub fn analyze_context(
         diagnostics: OnceLock::new(),
         ledger: Mutex::new(Some(found.ledger)),
         program: OnceLock::new(),
-    }
+    })
 }

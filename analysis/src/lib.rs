@@ -15,8 +15,9 @@
 //! | `resolve` | what operands mean; the program model |
 //! | `mistakes` | the sentences of what `names` and `resolve` find wrong |
 //! | `boolean` | when power comes through a network |
+//! | `findings` | what a finding is, and what comments say about it |
 //! | `rules` | what is wrong, one file for each rule |
-//! | `findings` | what was found, by owner, from one text to the next |
+//! | `checking` | who asks the rules, and keeps what they find, by owner, from one text to the next |
 //! | `other_files` | what files show to each other, and programs of several files |
 //!
 //! A file shows the others of its workspace its [`Exports`], which follow from its text alone; [`Others`] is what it sees of
@@ -28,6 +29,7 @@
 mod analyze;
 mod asked;
 mod boolean;
+mod checking;
 pub mod context;
 mod cplc_draft;
 mod edited;
@@ -54,13 +56,16 @@ pub use networks::{facts, network, order, user_block};
 pub(crate) use other_files::{exports, link, others, outward};
 pub use values::{constant, literal, types, value};
 
-pub use analyze::{Analysis, analyze, analyze_after, analyze_context, analyze_in, analyze_with};
+pub use analyze::{
+    Analysis, analyze, analyze_after, analyze_context, analyze_in, analyze_while, analyze_with,
+};
 pub use article::with_article;
 pub use boolean::formula::{Formulas, formulas};
+pub use checking::{BETWEEN, Work, keep_nearest};
 pub use cplc_draft::is_cplc_draft;
 pub use diagnostic::{Applicability, Diagnostic, Fix, Related};
 pub use exports::{ExportedBlock, ExportedFunction, Exports, Global, exports};
-pub use findings::{Finding, Work, keep_nearest};
+pub use findings::Finding;
 pub use infer::member as state_member;
 pub use link::{NotWhole, link};
 pub use others::{Exported, Import, Others};

@@ -1,6 +1,5 @@
 //! The comments that belong to what is below them.
 
-use crate::body::line_text;
 use ladder_analysis::context::Context;
 use ladder_syntax::rowan::GreenNodeData;
 use ladder_syntax::{LineKind, NodeOrToken, Parse, SyntaxKind, TextRange, TextSize};
@@ -63,11 +62,11 @@ pub(crate) fn title(context: &Context, line: usize) -> Option<String> {
     let mut lines = above(context, line).map_or(line..line, |(first, last)| first..last + 1);
     let said = lines.find_map(|line| first_words(&of_line(parse, line)));
     said.or_else(|| {
-        let mut begin = of_line(parse, line);
-        let before = line_text(parse, line);
-        let drawn = before.trim_start_matches('\u{feff}').trim_start();
+        let text = parse.lines()[line].text();
+        let drawn = text.trim_start_matches('\u{feff}').trim_start();
         // Comments further on are about what they are beside.
-        drawn.starts_with('#').then(|| begin.truncate(1))?;
+        let mut begin = drawn.starts_with('#').then(|| of_line(parse, line))?;
+        begin.truncate(1);
         first_words(&begin)
     })
 }

@@ -60,7 +60,7 @@ pub use scenario::{
     scenario_on_type, scenario_outline, scenario_references,
 };
 pub use selection::selections;
-pub use semantic_tokens::{Modifiers, Token, TokenKind, semantic_tokens};
+pub use semantic_tokens::{Modifiers, Token, TokenKind, semantic_tokens, semantic_tokens_of};
 pub use signature::{Parameter, Signature, SignatureHelp, signature_help};
 pub use symbol::Usage;
 pub use target::Target;

@@ -1,13 +1,15 @@
 //! The one place where the server asks the language about a text. Places are bytes.
 
+use std::ops::Range;
 use std::sync::Arc;
 
 use ladder_analysis::context::{Context, context_after};
-use ladder_analysis::{Diagnostic, Finding, Others, Rule, RuleSettings, analyze_context, says_cplc_draft};
+use ladder_analysis::{Diagnostic, Finding, Others, Rule, RuleSettings, analyze_while, says_cplc_draft};
 use ladder_format::{Edit, Options, format};
 use ladder_ide::{Action, ActionKind, fix_all, quick_fixes, refactorings};
 use ladder_ide::{
-    Completions, SignatureHelp, Token, Topic, completions, documentation, semantic_tokens, signature_help,
+    Completions, SignatureHelp, Token, Topic, completions, documentation, semantic_tokens,
+    semantic_tokens_of, signature_help,
 };
 use ladder_ide::{Inlay, Lens};
 use ladder_interchange::notation::offer_conversion;
@@ -55,9 +57,14 @@ impl Names {
         signature_help(&self.context, offset)
     }
 
-    /// What each word is, for the colours of an editor.
-    pub(crate) fn semantic_tokens(&self, within: Option<TextRange>) -> Vec<Token> {
-        semantic_tokens(&self.context, within)
+    /// What each word within a range is, for the colours of an editor.
+    pub(crate) fn semantic_tokens(&self, within: TextRange) -> Vec<Token> {
+        semantic_tokens(&self.context, Some(within))
+    }
+
+    /// The same for some logical lines.
+    pub(crate) fn semantic_tokens_of(&self, lines: Range<usize>) -> Vec<Token> {
+        semantic_tokens_of(&self.context, lines)
     }
 
     /// What can be done with its networks.
@@ -89,17 +96,23 @@ pub(crate) struct Analysis {
 }
 
 impl Analysis {
-    /// Looks for what is wrong. What an earlier text of the document has in common with it is not looked at again.
-    pub(crate) fn of(names: &Names, before: Option<&Analysis>, rules: &RuleSettings) -> Self {
+    /// Looks for what is wrong. What an earlier text of the document has in common with it is not looked at again. What
+    /// concerns a large part of the file is given up once it is no longer wanted.
+    pub(crate) fn of(
+        names: &Names,
+        before: Option<&Analysis>,
+        rules: &RuleSettings,
+        wanted: &dyn Fn() -> bool,
+    ) -> Option<Self> {
         let before = before.map(|before| &*before.whole);
-        let mut whole = analyze_context(before, Arc::clone(&names.context), rules);
+        let mut whole = analyze_while(before, Arc::clone(&names.context), rules, wanted)?;
         whole.change_finding(Rule::UnexpectedCharacter, says_cplc_draft, |found| {
             offer_conversion(std::slice::from_mut(found), &names.text, &Options::default());
         });
-        Analysis {
+        Some(Analysis {
             whole: Arc::new(whole),
             text: Arc::clone(&names.text),
-        }
+        })
     }
 
     /// What is wrong, in the order of the places.

@@ -1,9 +1,5 @@
-//! What is found in a file, and how it is kept from one text to the next.
-//!
-//! ```text
-//! Context --ledger--> findings by owner: a network, a tag, the file; each looked for where something changed
-//!         --shown---> those that are shown, with their severities, in the order of their places: a list of Finding
-//! ```
+//! What a finding is: its rule, its places, its sentences and fixes, and what comments say about it. No file here knows a
+//! rule's; who asks the rules, and keeps what they find, is [`checking`](crate::checking).
 //!
 //! What networks and tags own is kept with [`Anchored`] places, which stay true when text comes or goes elsewhere. A
 //! [`Finding`] is small: rule, severity and place are there, the sentences are put into place when somebody reads them.
@@ -20,23 +16,12 @@ pub(crate) mod stamp;
 pub(crate) mod verdict;
 
 mod anchored;
-mod at_tags;
-mod ledger;
-mod part_notes;
-mod shelf;
-mod shown;
 
-pub(crate) use anchored::Anchored;
-pub(crate) use ledger::Ledger;
-pub use ledger::Work;
-pub(crate) use shown::Shown;
-pub use shown::keep_nearest;
+pub(crate) use anchored::{Anchored, Home};
 
 use crate::context::Context;
 use crate::diagnostic::Diagnostic;
-use crate::mistakes;
 use crate::rule::{Rule, Severity};
-use crate::rule_settings::RuleSettings;
 use ladder_syntax::{TextRange, TextSize};
 use std::sync::Arc;
 
@@ -55,14 +40,29 @@ pub struct Finding {
 }
 
 impl Finding {
-    fn new(anchored: &Arc<Anchored>, own: TextSize, context: &Context) -> Finding {
+    /// One about a network that starts at `own`, if it is about one.
+    pub(crate) fn new(anchored: &Arc<Anchored>, own: TextSize, context: &Context) -> Finding {
+        Finding::at(anchored.range(own, context), anchored.severity(), (anchored, own))
+    }
+
+    /// The same where its range is known.
+    pub(crate) fn at(
+        range: TextRange,
+        severity: Severity,
+        (anchored, own): (&Arc<Anchored>, TextSize),
+    ) -> Finding {
         Finding {
             rule: anchored.rule(),
-            severity: anchored.severity(),
-            range: anchored.range(own, context),
+            severity,
+            range,
             own,
             anchored: Arc::clone(anchored),
         }
+    }
+
+    /// The finding with the severity that settings give it.
+    pub(crate) fn counted_as(self, severity: Severity) -> Finding {
+        Finding { severity, ..self }
     }
 
     /// Stands for what it says: where two findings of a document have the same number and both are kept, they say the
@@ -99,35 +99,5 @@ impl From<Diagnostic> for Finding {
             own: TextSize::default(),
             anchored: Arc::new(Anchored::in_file(found)),
         }
-    }
-}
-
-/// What is found in a text.
-#[derive(Debug)]
-pub(crate) struct Found {
-    pub(crate) shown: Shown,
-    /// Errors that settings or comments hide, or count as less.
-    pub(crate) hidden_errors: Vec<Diagnostic>,
-    /// What was looked at for it.
-    pub(crate) work: Work,
-    /// To be handed on to the next text.
-    pub(crate) ledger: Ledger,
-}
-
-/// Looks for what is wrong in a file. `before` is what was found in an earlier text of it.
-pub(crate) fn find(before: Option<Ledger>, context: &Context, settings: &RuleSettings) -> Found {
-    let (ledger, of_file) = Ledger::look(before, context, settings);
-    let (mut shown, hidden_errors) = shown::shown(context, &ledger, of_file, settings);
-    if let Some(block) = ledger.unresolved(context)
-        && hidden_errors.is_empty()
-        && !shown.has_errors()
-    {
-        shown.add(Finding::from(mistakes::bad_operand::meaningless(block)));
-    }
-    Found {
-        shown,
-        hidden_errors,
-        work: ledger.work(),
-        ledger,
     }
 }

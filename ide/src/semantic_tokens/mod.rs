@@ -18,6 +18,7 @@ use ladder_analysis::scope::{Origin, SectionKind};
 use ladder_instructions::{Accepts, Direction, Op};
 use ladder_syntax::rowan::GreenNodeData;
 use ladder_syntax::{LineKind, Name, NodeOrToken, SyntaxKind, TextRange, TextSize, Trees};
+use std::ops::Range;
 
 /// A word and what it is.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -33,11 +34,23 @@ pub struct Token {
 /// The tokens of a text in their order: of all of it, or of the lines that touch a range.
 pub fn semantic_tokens(context: &Context, within: Option<TextRange>) -> Vec<Token> {
     let parse = &context.parse;
-    let (mut first, mut last) = (0, parse.lines().len());
-    if let Some(within) = within {
-        first = parse.line_at(within.start()).unwrap_or(0);
-        last = parse.line_at(within.end()).map_or(0, |line| line + 1);
-    }
+    let lines = match within {
+        Some(within) => {
+            let last = parse.line_at(within.end());
+            parse.line_at(within.start()).unwrap_or(0)..last.map_or(0, |line| line + 1)
+        }
+        None => 0..parse.lines().len(),
+    };
+    semantic_tokens_of(context, lines)
+}
+
+/// The tokens of some logical lines, in their order.
+pub fn semantic_tokens_of(context: &Context, lines: Range<usize>) -> Vec<Token> {
+    let parse = &context.parse;
+    let Range {
+        start: first,
+        end: last,
+    } = lines;
     let mut walk = Walk {
         context,
         at: TextSize::new(0),

@@ -5,7 +5,7 @@
 
 use std::borrow::Cow;
 use std::cell::{Cell, OnceCell};
-use std::collections::HashSet;
+use std::collections::{HashMap, HashSet};
 use std::path::PathBuf;
 use std::sync::{Arc, OnceLock};
 
@@ -40,12 +40,18 @@ struct Files {
     open: Vec<(Arc<str>, Arc<Revision>)>,
     /// The others.
     closed: Vec<(PathBuf, Arc<OnDisk>)>,
+    /// Their numbers by their names.
+    closed_by_name: HashMap<Arc<str>, usize>,
     exported: Option<Arc<Exported>>,
     /// Whether the closed ones are so few that what is known of them is kept.
     are_few: bool,
 }
 
 impl Files {
+    fn closed(&self, name: &str) -> Option<&(PathBuf, Arc<OnDisk>)> {
+        self.closed.get(*self.closed_by_name.get(name)?)
+    }
+
     fn context(&self, closed: &OnDisk) -> Option<Arc<Context>> {
         Some(closed.context(self.exported.as_ref()?, self.are_few))
     }
@@ -153,8 +159,10 @@ impl Elsewhere {
         let mut on_disk = place.neighbours.on_disk(&place.path);
         let are_few = on_disk.are_few();
         on_disk.files.retain(|(path, _)| !shown.contains(path));
+        let names = on_disk.files.iter().map(|(_, file)| Arc::clone(&file.name));
         Some(Files {
             open,
+            closed_by_name: names.zip(0..).collect(),
             closed: on_disk.files,
             exported: Some(on_disk.exported),
             are_few,
@@ -241,8 +249,7 @@ impl Elsewhere {
                 encoding,
             ));
         }
-        let mut closed = self.files().closed.iter();
-        if let Some((path, file)) = closed.find(|(_, file)| *file.name == *name) {
+        if let Some((path, file)) = self.files().closed(name) {
             return Some(FileText::of_file(address::uri_of(path), &file.text, encoding));
         }
         let mut scenarios = self.scenarios.get()?.iter();
@@ -263,8 +270,7 @@ impl Workspace for Elsewhere {
         if let Some((_, revision)) = files.open.iter().find(|(of, _)| **of == *name) {
             return Some(Arc::clone(revision.names()?.context()));
         }
-        let (_, file) = files.closed.iter().find(|(_, file)| *file.name == *name)?;
-        files.context(file)
+        files.context(&files.closed(name)?.1)
     }
 
     fn show(&self, which: Which<'_>, look: &(dyn Fn(usize, &Arc<Context>) + Sync)) {

@@ -16,7 +16,7 @@ mod revision;
 mod seen;
 mod store;
 pub(crate) mod sweep;
-mod together;
+pub(crate) mod together;
 
 pub(crate) use beside::Beside;
 pub(crate) use kind::Kind;

@@ -59,6 +59,8 @@ pub(crate) struct Revision {
     place: Option<Membership>,
     names: OnceLock<Names>,
     analysis: OnceLock<Analysis>,
+    /// Held by who looks for what is wrong.
+    looking: Mutex<()>,
     /// What the text becomes, if it is a program of another system.
     opened: OnceLock<Result<Opened, ReadError>>,
     /// What was made last of any revision of the document: the next one begins with its names.
@@ -92,6 +94,7 @@ impl Revision {
             place,
             names: OnceLock::new(),
             analysis: OnceLock::new(),
+            looking: Mutex::default(),
             opened: OnceLock::new(),
             latest: Arc::default(),
             superseded: Mutex::default(),
@@ -155,18 +158,29 @@ impl Revision {
 
     /// The same with all that is found in it: for those who cannot do without.
     pub(crate) fn analysis(&self) -> Option<&Analysis> {
+        self.analysis_while(&|| true)
+    }
+
+    /// The same while it is wanted: work that concerns a large part of the text is given up once it no longer is.
+    pub(crate) fn analysis_while(&self, wanted: &dyn Fn() -> bool) -> Option<&Analysis> {
         let names = self.names()?;
-        Some(self.analysis.get_or_init(|| {
-            let rules = match &self.place {
-                Some(place) => place.neighbours.rules(&place.path),
-                None => RuleSettings::default(),
-            };
-            let before = self.latest().analysis.clone();
-            let analysis = Analysis::of(names, before.as_ref(), &rules);
-            self.latest().analysis = Some(analysis.clone());
-            self.superseded().analysis = before;
-            analysis
-        }))
+        if let Some(known) = self.analysis.get() {
+            return Some(known);
+        }
+        // Who comes while another looks waits for what that one finds.
+        let _looking = self.looking.lock().unwrap_or_else(PoisonError::into_inner);
+        if let Some(known) = self.analysis.get() {
+            return Some(known);
+        }
+        let rules = match &self.place {
+            Some(place) => place.neighbours.rules(&place.path),
+            None => RuleSettings::default(),
+        };
+        let before = self.latest().analysis.clone();
+        let analysis = Analysis::of(names, before.as_ref(), &rules, wanted)?;
+        self.latest().analysis = Some(analysis.clone());
+        self.superseded().analysis = before;
+        Some(self.analysis.get_or_init(|| analysis))
     }
 
     /// Whether an editor shows it.
@@ -387,5 +401,29 @@ mod tests {
         assert_eq!(revision.names().unwrap().context().networks.len(), 1);
         assert!(revision.analysis.get().is_none());
         assert!(revision.analysis().is_some());
+    }
+
+    #[test]
+    fn large_work_is_given_up_when_the_text_is_another_one() {
+        let documents = Documents::default();
+        let uri = "file:///a.clad";
+        let text = "+--[ ]( a )--( )( b )--+\n".repeat(2 * ladder_analysis::BETWEEN);
+        let first = documents.open_at(uri, Kind::Program, 1, Encoding::Utf8, &text, None);
+        let shown = |revision: &Revision| documents.is_current(revision);
+        let text = text.replacen("a )", "c )", 1);
+        let second = documents
+            .change(uri, 2, &[crate::document::edit::Change::Whole(text.clone())])
+            .unwrap();
+        assert!(first.analysis_while(&|| shown(&first)).is_none());
+        let found = |revision: &Revision| {
+            let analysis = revision.analysis_while(&|| shown(revision)).unwrap();
+            let all = analysis.findings().iter();
+            all.map(|found| (found.rule, found.range)).collect::<Vec<_>>()
+        };
+        let from_scratch = documents.open_at("file:///b.clad", Kind::Program, 1, Encoding::Utf8, &text, None);
+        let expected = from_scratch.analysis().unwrap().findings().iter();
+        let expected: Vec<_> = expected.map(|found| (found.rule, found.range)).collect();
+        assert!(!expected.is_empty());
+        assert_eq!(found(&second), expected);
     }
 }

@@ -15,6 +15,9 @@ use ladder_tests::typed_programs::{KINDS, Kind, Program, Spot};
 use serde_json::{Value, json};
 use std::time::{Duration, Instant};
 
+/// So long after the last answer the server has given back what it needed for it.
+const SETTLED: Duration = Duration::from_secs(5);
+
 /// An open document in which somebody types.
 struct Typing {
     server: Server,
@@ -137,11 +140,15 @@ fn measure(name: &str, kind: Kind, rungs: usize) {
     };
     show("bare round trip", (0..400).map(bare).collect());
     requests(&mut typing, program.in_a_name(), rungs);
-    if let (Some([idle, _]), Some([now, most])) = (idle, typing.server.memory()) {
+    let at_once = typing.server.memory();
+    std::thread::sleep(SETTLED);
+    if let (Some([idle, _]), Some([at_once, most]), Some([now, _])) = (idle, at_once, typing.server.memory())
+    {
         let share = |bytes: u64| bytes.saturating_sub(idle) as f64 / text.len() as f64;
         println!(
-            "  memory: {:.0} MB idle, {:.1} times the text above it, at most {:.1} times",
+            "  memory: {:.0} MB idle, {:.1} times the text above it, {:.1} times at rest, at most {:.1} times",
             idle as f64 / 1e6,
+            share(at_once),
             share(now),
             share(most)
         );

@@ -10,6 +10,9 @@ use std::fmt::Write as _;
 use std::path::Path;
 use std::time::{Duration, Instant};
 
+/// So long after the last answer the server has given back what it needed for it.
+const SETTLED: Duration = Duration::from_secs(5);
+
 /// How often each file names the global.
 const USES: usize = 60;
 
@@ -88,11 +91,14 @@ fn main() {
     let rename = json!({ "textDocument": document, "position": at, "newName": "released" });
     let (took, edits) = asked(&mut server, "textDocument/rename", &rename, "\"newText\"");
     println!("  {:<28} {took:.2?}, {edits} edits", "rename");
-    if let (Some([idle, _]), Some([now, most])) = (idle, server.memory()) {
+    let at_once = server.memory();
+    std::thread::sleep(SETTLED);
+    if let (Some([idle, _]), Some([at_once, most]), Some([now, _])) = (idle, at_once, server.memory()) {
         let share = |held: u64| held.saturating_sub(idle) as f64 / bytes as f64;
         println!(
-            "  memory: {:.0} MB idle, {:.1} times the texts above it, at most {:.1} times",
+            "  memory: {:.0} MB idle, {:.1} times the texts above it, {:.1} times at rest, at most {:.1} times",
             idle as f64 / 1e6,
+            share(at_once),
             share(now),
             share(most)
         );

@@ -32,6 +32,11 @@ async fn analyse(shared: Arc<Shared>, first: Arc<Revision>, _work: Work) {
             let beside = shared.clone();
             // All on one thread, the person first: what was allocated there is freed there.
             let looked = blocking(move |_| {
+                // What is sent of the text before stays until then.
+                let wanted = || beside.documents.is_current(&job);
+                if job.fits() && job.analysis_while(&wanted).is_none() {
+                    return;
+                }
                 if !agreed.pulls_diagnostics {
                     publish(&beside, agreed, &job);
                 }

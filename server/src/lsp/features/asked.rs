@@ -86,11 +86,6 @@ impl<'e> Places<'e> {
         found.as_ref()
     }
 
-    /// A file that was asked for before.
-    pub(crate) fn known(&self, name: &Arc<str>) -> Option<&(Uri, FileText)> {
-        self.files.get(name)?.as_ref()
-    }
-
     /// A range of a file.
     pub(crate) fn range(&mut self, name: &Arc<str>, range: TextRange) -> Option<Range> {
         let (_, file) = self.file(name)?;

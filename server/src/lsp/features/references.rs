@@ -2,15 +2,14 @@
 
 use std::sync::Arc;
 
-use serde::{Serialize, Serializer};
 use tower_lsp::jsonrpc::Result;
 use tower_lsp::ls_types::{
     DocumentHighlight, DocumentHighlightKind, DocumentHighlightParams, Location, ReferenceParams,
 };
 
-use super::asked::{Asked, Places, about_place};
+use super::asked::{Asked, about_place};
 use super::of_scenarios::{about_scenarios, scenarios_at};
-use crate::document::Revision;
+use crate::document::{Revision, together};
 use crate::lsp::transport::prepared;
 use crate::lsp::{convert, shared::Shared};
 use ladder_ide::{Highlight, Reference, Usage, highlights};
@@ -27,14 +26,14 @@ pub(crate) async fn references(
                 let asked = scenarios.program.as_ref()?;
                 let offset = scenarios.offset(place.position);
                 let found = ladder_ide::scenario_references(&scenarios.read(), offset);
-                written(asked, found, declarations)
+                Some(written(asked, found, declarations))
             })
             .await?
         }
         None => {
             about_place(shared, place, move |asked, offset| {
                 let found = ladder_ide::references(&asked.context, offset, &asked.elsewhere);
-                written(asked, found, declarations)
+                Some(written(asked, found, declarations))
             })
             .await?
         }
@@ -45,35 +44,40 @@ pub(crate) async fn references(
     }
 }
 
-fn written(asked: &Asked, mut found: Vec<Reference>, declarations: bool) -> Option<String> {
+/// As [`Location`]s: each file by itself, on all processors.
+fn written(asked: &Asked, mut found: Vec<Reference>, declarations: bool) -> String {
     found.retain(|it| declarations || !it.usage.declares());
-    let mut places = Places::of(asked);
-    for it in &found {
-        places.file(&it.file);
+    let files: Vec<&[Reference]> = found.chunk_by(|a, b| a.file == b.file).collect();
+    let pieces: Vec<String> = together::map(&files, |places| in_file(asked, places));
+    let length: usize = pieces.iter().map(|piece| piece.len() + 1).sum();
+    let mut text = String::with_capacity(length + 2);
+    text.push('[');
+    for piece in pieces {
+        if text.len() > 1 {
+            text.push(',');
+        }
+        text.push_str(&piece);
     }
-    serde_json::to_string(&Locations(&found, &places)).ok()
+    text.push(']');
+    text
 }
 
-/// As [`Location`]s.
-struct Locations<'f>(&'f [Reference], &'f Places<'f>);
-
-#[derive(Serialize)]
-struct In<'f> {
-    uri: &'f str,
-    range: crate::Range,
-}
-
-impl Serialize for Locations<'_> {
-    fn serialize<S: Serializer>(&self, serializer: S) -> std::result::Result<S::Ok, S::Error> {
-        let Locations(found, places) = self;
-        serializer.collect_seq(found.iter().filter_map(|it| {
-            let (uri, file) = places.known(&it.file)?;
-            Some(In {
-                uri: uri.as_str(),
-                range: file.range(it.range),
-            })
-        }))
+/// The places in one file, parted by commas.
+fn in_file(asked: &Asked, places: &[Reference]) -> Option<String> {
+    let file = asked.elsewhere.text(&places.first()?.file)?;
+    let uri = serde_json::to_string(convert::uri(&file.uri)?.as_str()).ok()?;
+    let mut text = Vec::with_capacity(places.len() * (uri.len() + 96));
+    for place in places {
+        if !text.is_empty() {
+            text.push(b',');
+        }
+        text.extend_from_slice(br#"{"uri":"#);
+        text.extend_from_slice(uri.as_bytes());
+        text.extend_from_slice(br#","range":"#);
+        serde_json::to_writer(&mut text, &file.range(place.range)).ok()?;
+        text.push(b'}');
     }
+    String::from_utf8(text).ok()
 }
 
 pub(crate) async fn highlight(

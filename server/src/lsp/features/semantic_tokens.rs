@@ -1,9 +1,11 @@
 //! `textDocument/semanticTokens/full`, `/full/delta` and `/range`.
 
 use std::collections::HashMap;
+use std::ops::Range;
 use std::sync::{Arc, Mutex, PoisonError};
+use std::thread;
 
-use ladder_ide::{Modifiers, TokenKind};
+use ladder_ide::{Modifiers, Token, TokenKind};
 use ladder_syntax::TextRange;
 use serde::de::DeserializeOwned;
 use serde::{Serialize, Serializer};
@@ -15,6 +17,7 @@ use tower_lsp::ls_types::{
     SemanticTokensResult, SemanticTokensServerCapabilities,
 };
 
+use crate::Position;
 use crate::document::Revision;
 use crate::document::sweep::Sweep;
 use crate::lsp::transport::blocking::blocking;
@@ -112,13 +115,18 @@ impl Serialize for Numbers<'_> {
     }
 }
 
+/// A token usually takes so many bytes of JSON, or a few less.
+const BYTES_EACH: usize = 14;
+
 /// Answers with all of these tokens.
 fn all<T: DeserializeOwned>(result_id: Option<String>, tokens: &[SemanticToken]) -> Result<Option<T>> {
     let all = All {
         result_id,
         data: Numbers(tokens),
     };
-    prepared::answer(serde_json::to_string(&all).map_err(|_| Error::internal_error())?)
+    let mut json = Vec::with_capacity(tokens.len() * BYTES_EACH);
+    serde_json::to_writer(&mut json, &all).map_err(|_| Error::internal_error())?;
+    prepared::answer(String::from_utf8(json).map_err(|_| Error::internal_error())?)
 }
 
 pub(crate) async fn delta(
@@ -165,26 +173,70 @@ async fn tokens(
     let several_lines = shared.agreed().multiline_tokens;
     blocking(move |_| {
         let names = revision.names()?;
-        let within = range.map(|range| {
-            let (start, end) = (revision.offset(range.start), revision.offset(range.end));
-            TextRange::new(start.min(end), start.max(end))
-        });
-        let tokens = names.semantic_tokens(within);
-        Some(encoded(&revision, &tokens, several_lines).into())
+        let encode = |tokens: &[Token]| encoded(&revision, tokens, several_lines);
+        let Some(range) = range else {
+            let lines = names.context().parse.lines().len();
+            let encode_lines = |lines| encode(&names.semantic_tokens_of(lines));
+            return Some(in_halves(lines, &encode_lines).tokens.into());
+        };
+        let (start, end) = (revision.offset(range.start), revision.offset(range.end));
+        let tokens = names.semantic_tokens(TextRange::new(start.min(end), start.max(end)));
+        Some(encode(&tokens).tokens.into())
     })
     .await
 }
 
-/// The tokens as the protocol counts them: each from the one before it.
-fn encoded(revision: &Revision, tokens: &[ladder_ide::Token], several_lines: bool) -> Vec<SemanticToken> {
+/// A text of so many lines is gone through by two threads.
+const MANY_LINES: usize = 2_000;
+
+fn in_halves(lines: usize, encode: &(impl Fn(Range<usize>) -> Encoded + Sync)) -> Encoded {
+    if lines < MANY_LINES {
+        return encode(0..lines);
+    }
+    let half = lines / 2;
+    thread::scope(|scope| {
+        let below = scope.spawn(|| encode(half..lines));
+        let above = encode(0..half);
+        match below.join() {
+            Ok(below) => above.with(below),
+            Err(panic) => std::panic::resume_unwind(panic),
+        }
+    })
+}
+
+/// Tokens as the protocol counts them: each from the one before it, the first from the start of the text.
+#[derive(Debug, Default)]
+struct Encoded {
+    tokens: Vec<SemanticToken>,
+    /// Where the last one starts.
+    last: Position,
+}
+
+impl Encoded {
+    /// These tokens, and those behind them.
+    fn with(mut self, mut behind: Encoded) -> Encoded {
+        let Some(first) = behind.tokens.first_mut() else {
+            return self;
+        };
+        first.delta_line -= self.last.line;
+        if first.delta_line == 0 {
+            first.delta_start -= self.last.character;
+        }
+        self.tokens.append(&mut behind.tokens);
+        self.last = behind.last;
+        self
+    }
+}
+
+fn encoded(revision: &Revision, tokens: &[Token], several_lines: bool) -> Encoded {
     let (Some(first), Some(last)) = (tokens.first(), tokens.last()) else {
-        return Vec::new();
+        return Encoded::default();
     };
     let start = revision.range(first.range).start;
     let base = usize::from(revision.line_start(start.line));
     let text = revision.stretch(base..usize::from(last.range.end()));
     let mut sweep = Sweep::new(&text, revision.encoding(), start.line);
-    let mut before = crate::Position::default();
+    let mut before = Position::default();
     let mut out = Vec::with_capacity(tokens.len());
     for token in tokens {
         let (from, to) = (
@@ -223,7 +275,10 @@ fn encoded(revision: &Revision, tokens: &[ladder_ide::Token], several_lines: boo
             at += line.len();
         }
     }
-    out
+    Encoded {
+        tokens: out,
+        last: before,
+    }
 }
 
 /// The one stretch that differs, in numbers: five for each token.

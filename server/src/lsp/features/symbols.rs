@@ -36,8 +36,10 @@ pub(crate) async fn document_symbols(
         let found = outline(&asked.context);
         let positions = asked.revision.positions();
         if nested {
-            let symbols = Symbols(&found, &positions);
-            return serde_json::to_string(&symbols).ok();
+            // Two or three times as long as the program: not to be moved again and again while it grows.
+            let mut json = Vec::with_capacity(asked.revision.len() * 3);
+            serde_json::to_writer(&mut json, &Symbols(&found, &positions)).ok()?;
+            return String::from_utf8(json).ok();
         }
         let mut flat = Vec::new();
         let uri = convert::uri(&asked.revision.uri)?;

@@ -6,7 +6,7 @@
 //! `textDocument/publishDiagnostics` go the same way.
 
 use std::cell::Cell;
-use std::collections::HashMap;
+use std::collections::{HashMap, VecDeque};
 use std::future::Future;
 use std::io;
 use std::pin::Pin;
@@ -137,8 +137,9 @@ pub(crate) struct Outlet<O> {
     state: State,
     /// Of a message the header, and so much of its body that it shows whether it is a ticket.
     held: Vec<u8>,
-    /// What is to be written before all else, from `written` on.
-    ahead: Vec<u8>,
+    /// What is to be written before all else, of the first piece what is behind `written`. A text is a piece as it was
+    /// given: it may be large.
+    ahead: VecDeque<Vec<u8>>,
     written: usize,
 }
 
@@ -161,7 +162,7 @@ impl<O: AsyncWrite> Outlet<O> {
             prepared,
             state: State::Header,
             held: Vec::new(),
-            ahead: Vec::new(),
+            ahead: VecDeque::new(),
             written: 0,
         }
     }
@@ -199,7 +200,7 @@ impl<O: AsyncWrite> Outlet<O> {
                 rest => State::Rest(rest),
             };
         } else {
-            std::mem::swap(&mut self.ahead, &mut self.held);
+            self.ahead.push_back(std::mem::take(&mut self.held));
         }
         self.held.clear();
         taken
@@ -212,30 +213,28 @@ impl<O: AsyncWrite> Outlet<O> {
         match ticket.and_then(|ticket| Some((self.prepared.take(ticket.number)?, ticket))) {
             Some((Text { json: text, .. }, Ticket { start, end, .. })) => {
                 let length = length - (end - start) + text.len();
-                self.ahead = format!("Content-Length: {length}\r\n\r\n").into_bytes();
-                self.ahead.reserve(start + text.len() + body.len() - end);
-                self.ahead.extend_from_slice(&body[..start]);
-                self.ahead.extend_from_slice(text.as_bytes());
-                self.ahead.extend_from_slice(&body[end..]);
+                let mut before = format!("Content-Length: {length}\r\n\r\n").into_bytes();
+                before.extend_from_slice(&body[..start]);
+                let behind = body[end..].to_vec();
+                self.ahead.extend([before, text.into_bytes(), behind]);
             }
-            None => self.ahead.extend_from_slice(&self.held),
+            None => self.ahead.push_back(std::mem::take(&mut self.held)),
         }
     }
 
     fn poll_ahead(&mut self, cx: &mut Context<'_>) -> Poll<io::Result<()>> {
-        while self.written < self.ahead.len() {
-            let rest = &self.ahead[self.written..];
+        while let Some(piece) = self.ahead.front() {
+            let rest = &piece[self.written..];
+            if rest.is_empty() {
+                self.ahead.pop_front();
+                self.written = 0;
+                continue;
+            }
             match ready!(self.output.as_mut().poll_write(cx, rest))? {
                 0 => return Poll::Ready(Err(io::ErrorKind::WriteZero.into())),
                 written => self.written += written,
             }
         }
-        // A large text does not stay.
-        if self.ahead.capacity() > 1 << 16 {
-            self.ahead = Vec::new();
-        }
-        self.ahead.clear();
-        self.written = 0;
         Poll::Ready(Ok(()))
     }
 }

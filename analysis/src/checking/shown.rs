@@ -1,11 +1,11 @@
 //! Which of all findings are shown, and as what: without those that follow from others, with the severities that the
 //! settings ask for, without what comments switch off, in the order of their places.
 
-use super::Finding;
 use super::ledger::{Ledger, OfFile};
 use super::shelf::{Shelf, Source};
 use crate::context::Context;
 use crate::diagnostic::Diagnostic;
+use crate::findings::Finding;
 use crate::lint::{self, Allows};
 use crate::rule::{Rule, Severity};
 use crate::rule_settings::RuleSettings;

@@ -3,10 +3,9 @@
 //! Copies share what they have in common, so the findings of a text can be read while those of the next are put into their
 //! places. What is found anew with each edit is not here: see [`Shown`](super::shown::Shown).
 
-use super::Finding;
-use super::anchored::{Anchored, Home};
 use crate::chunked::Chunked;
 use crate::context::Context;
+use crate::findings::{Anchored, Finding, Home};
 use crate::lint;
 use crate::rule::{Rule, Severity};
 use crate::rule_settings::RuleSettings;
@@ -123,13 +122,8 @@ impl Item {
 
     /// As the rule says it, of a network that starts at `own`.
     fn finding(&self, context: &Context, own: TextSize) -> Finding {
-        Finding {
-            rule: self.rule,
-            severity: self.severity,
-            range: TextRange::at(self.start(context, own), self.range.len()),
-            own,
-            anchored: Arc::clone(&self.anchored),
-        }
+        let range = TextRange::at(self.start(context, own), self.range.len());
+        Finding::at(range, self.severity, (&self.anchored, own))
     }
 }
 
@@ -310,7 +304,7 @@ impl Shelf {
     pub(super) fn shown(&self, context: &Context, known: Known) -> impl Iterator<Item = Finding> {
         self.all(context, known).filter_map(|(_, found)| {
             let severity = lint::level(&self.settings, found.rule, found.severity)?;
-            Some(Finding { severity, ..found })
+            Some(found.counted_as(severity))
         })
     }
 
@@ -332,10 +326,7 @@ impl Shelf {
             let level = item.level?;
             let is_it =
                 !item.repeats && (level == Severity::Error) == errors && When::of(item.rule).holds(known);
-            is_it.then(|| Finding {
-                severity: level,
-                ..item.finding(context, own)
-            })
+            is_it.then(|| item.finding(context, own).counted_as(level))
         };
         let networks = &context.networks;
         let middle = networks.partition_point(|network| network.range.start() <= at);

@@ -1,8 +1,9 @@
 //! What is found at the places of tags, kept while no edit concerns the tag.
 
-use super::anchored::Anchored;
 use super::shelf::Shelf;
+use super::still_wanted::StillWanted;
 use crate::context::{Change, Context};
+use crate::findings::Anchored;
 use crate::rule::Severity;
 use crate::rules::{self, AroundTags};
 use crate::scope::TagFacts;
@@ -33,14 +34,14 @@ pub(super) struct AtTags {
 
 impl AtTags {
     /// Looks at the tags that a change concerns, and at all of them without one, or if what decides about all of them
-    /// changed. Gives how many that are.
+    /// changed. Gives how many that are; nothing if that is not wanted any longer.
     pub(super) fn follow(
         &mut self,
         context: &Context,
         change: Option<&Change>,
         around: AroundTags,
-        shelf: &mut Shelf,
-    ) -> usize {
+        (shelf, wanted): (&mut Shelf, &StillWanted<'_>),
+    ) -> Option<usize> {
         let same = self.around.as_ref() == Some(&around);
         // Of two declarations of one name only one is found by it.
         let looked_at = match change.filter(|_| same && context.declared_cleanly) {
@@ -54,6 +55,7 @@ impl AtTags {
                 }
                 let count = again.len();
                 for key in again {
+                    wanted.one_more()?;
                     self.look(context, key, &around, shelf);
                 }
                 count
@@ -63,6 +65,7 @@ impl AtTags {
                 shelf.remove_all_of_tags();
                 for (scope, facts) in context.scopes.iter().enumerate() {
                     for tag in facts.tags.iter().filter(|tag| tag.shared.is_none()) {
+                        wanted.one_more()?;
                         self.look_at(context, (scope, tag), &around, shelf);
                     }
                 }
@@ -70,7 +73,7 @@ impl AtTags {
             }
         };
         self.around = Some(around);
-        looked_at
+        Some(looked_at)
     }
 
     /// Looks at a tag again, which may be gone.

@@ -4,13 +4,14 @@
 //! only those are looked at again that the [`Change`] names, or whose surroundings changed in a
 //! way that matters; what the others own stays, and moves with them.
 
-use super::anchored::Anchored;
 use super::at_tags::{AtTags, find};
 use super::part_notes::PartNotes;
 use super::shelf::Shelf;
+use super::still_wanted::StillWanted;
 use crate::context::{Change, Context};
 use crate::control_flow::ControlFlow;
 use crate::diagnostic::Diagnostic;
+use crate::findings::Anchored;
 use crate::networks::NetworkAt;
 use crate::program::Role;
 use crate::resolve;
@@ -115,12 +116,14 @@ impl Ledger {
         }
     }
 
-    /// Looks for what is wrong in a file. `before` is what was found in an earlier text of it.
+    /// Looks for what is wrong in a file. `before` is what was found in an earlier text of it. None if that is not wanted any
+    /// longer.
     pub(super) fn look(
         before: Option<Ledger>,
         context: &Context,
         settings: &RuleSettings,
-    ) -> (Ledger, OfFile) {
+        wanted: &StillWanted<'_>,
+    ) -> Option<(Ledger, OfFile)> {
         let change = context.change.as_ref();
         let known = before.zip(change).filter(|(ledger, change)| {
             change.since == ledger.context && ledger.settings == *settings && ledger.full_from.is_none()
@@ -146,14 +149,14 @@ impl Ledger {
         ledger.control_flow.resize(numbers, ControlFlow::default());
         ledger.shelf.resize(numbers);
         ledger.notes.follow(context.parse.lines());
-        ledger.drawings_and_types(context, &networks);
+        ledger.drawings_and_types(context, &networks, wanted)?;
         let mut of_file = OfFile::default();
         rules::of_file(context, &mut of_file.names);
         let rungs = ledger.notes.rungs(context.parse.lines());
         of_file.names.extend(rungs.map(rules::commented_out_rung::found));
         let all = ledger.control_flow.iter();
         let any = all.fold(ControlFlow::default(), |all, flow| all.with(*flow));
-        ledger.of_tags(context, change, any);
+        ledger.of_tags(context, change, any, wanted)?;
         let toggled = ledger.find_unsound(context, &of_file.names);
         of_file.known.names = of_file
             .names
@@ -165,7 +168,7 @@ impl Ledger {
             && !context.found.iter().chain(&of_file.names).any(is_error)
             && ledger.tags.errors().next().is_none()
             && !has_syntax_errors(context);
-        ledger.blocks_and_power(context, &networks, toggled, any, &of_file);
+        ledger.blocks_and_power(context, (&networks, toggled), any, &of_file, wanted)?;
         ledger.put_on_shelf();
         let survey = ledger.survey(context, any, &of_file);
         let mut found = Vec::new();
@@ -175,7 +178,7 @@ impl Ledger {
         rules::set_and_reset::check(context, &survey, tags.latches(context), &mut found);
         rules::read_before_write::check(context, &survey, tags.read_above(context), &mut found);
         of_file.program = found;
-        (ledger, of_file)
+        Some((ledger, of_file))
     }
 
     /// Drops what networks own that are gone, and gives those to look at.
@@ -237,11 +240,17 @@ impl Ledger {
     }
 
     /// Looks at networks by themselves, and at the types of their operands.
-    fn drawings_and_types(&mut self, context: &Context, networks: &BTreeSet<usize>) {
+    fn drawings_and_types(
+        &mut self,
+        context: &Context,
+        networks: &BTreeSet<usize>,
+        wanted: &StillWanted<'_>,
+    ) -> Option<()> {
         for &index in networks {
+            wanted.one_more()?;
             if self.count >= MOST_FINDINGS {
                 self.full_from = Some(index);
-                return;
+                return Some(());
             }
             let network = context.networks.at(index);
             let id = context.networks.id(index);
@@ -266,17 +275,27 @@ impl Ledger {
             self.set(id, Pass::Types, types);
             self.set(id, Pass::Form, form);
         }
+        Some(())
     }
 
     /// Looks at the tags that a change concerns, and at all of them without one.
-    fn of_tags(&mut self, context: &Context, change: Option<&Change>, any: ControlFlow) {
+    fn of_tags(
+        &mut self,
+        context: &Context,
+        change: Option<&Change>,
+        any: ControlFlow,
+        wanted: &StillWanted<'_>,
+    ) -> Option<()> {
         let in_order = (0..context.networks.len()).map(|index| self.flow_at(context, index));
         let leaving = Leaving::of(any, in_order);
         let around = AroundTags {
             has_outputs: self.has_outputs(context),
             leaving,
         };
-        self.work.tags = self.tags.follow(context, change, around, &mut self.shelf);
+        self.work.tags = self
+            .tags
+            .follow(context, change, around, (&mut self.shelf, wanted))?;
+        Some(())
     }
 
     /// Whether the file has an output. One that was found is mostly there still.
@@ -336,11 +355,11 @@ impl Ledger {
     fn blocks_and_power(
         &mut self,
         context: &Context,
-        networks: &BTreeSet<usize>,
-        toggled: Vec<usize>,
+        (networks, toggled): (&BTreeSet<usize>, Vec<usize>),
         any: ControlFlow,
         of_file: &OfFile,
-    ) {
+        wanted: &StillWanted<'_>,
+    ) -> Option<()> {
         let rail_varies = any.has(ControlFlow::MCR);
         let mut again = networks.clone();
         self.work.networks += toggled.len();
@@ -352,6 +371,7 @@ impl Ledger {
         }
         let end = self.full_from.unwrap_or(usize::MAX);
         for index in again.into_iter().take_while(|&index| index < end) {
+            wanted.one_more()?;
             let network = context.networks.at(index);
             let id = context.networks.id(index);
             let stamp = self.networks[id as usize].stamp;
@@ -367,6 +387,7 @@ impl Ledger {
             self.set(id, Pass::Wiring, wiring);
             self.set(id, Pass::Power, power);
         }
+        Some(())
     }
 
     /// The networks whose blocks may leave something in doubt: with one that is not known, with a label, or with the

@@ -1,0 +1,104 @@
+//! Whether somebody waits for what is being looked for: what takes long is given up when a newer text is there.
+
+use std::cell::Cell;
+
+/// So many networks, or tags, are looked at between two questions. What an edit usually concerns is less, and is never given up.
+pub const BETWEEN: usize = 256;
+
+/// Asks again and again while something is being looked for.
+pub(crate) struct StillWanted<'a> {
+    ask: &'a dyn Fn() -> bool,
+    /// So many more are looked at before the next question.
+    left: Cell<usize>,
+}
+
+impl<'a> StillWanted<'a> {
+    pub(crate) fn new(ask: &'a dyn Fn() -> bool) -> StillWanted<'a> {
+        StillWanted {
+            ask,
+            left: Cell::new(BETWEEN),
+        }
+    }
+
+    /// A network or a tag is about to be looked at; none if nobody wants that any longer.
+    pub(super) fn one_more(&self) -> Option<()> {
+        let left = self.left.get();
+        if left > 0 {
+            self.left.set(left - 1);
+            return Some(());
+        }
+        self.left.set(BETWEEN);
+        (self.ask)().then_some(())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::BETWEEN;
+    use crate::context::{context, context_after};
+    use crate::{Others, RuleSettings, analyze_context, analyze_while};
+    use ladder_syntax::parse;
+    use std::cell::Cell;
+    use std::fmt::Write as _;
+    use std::sync::Arc;
+
+    /// All networks read one tag.
+    fn program(networks: usize, ty: &str) -> String {
+        let mut text = format!("VAR\n    enable : {ty};\nEND_VAR\n\n");
+        for n in 0..networks {
+            let _ = writeln!(text, "+--[ ]( enable )--( )( out_{n} )--+\n");
+        }
+        text
+    }
+
+    /// What is found, and how often it was asked whether that is wanted: so often the answer is yes.
+    fn asked(before: Option<&str>, text: &str, patience: usize) -> (Option<usize>, usize) {
+        let settings = RuleSettings::default();
+        let read = |text: &str| Arc::new(parse(text));
+        let others = Others::default();
+        let before = before.map(|before| {
+            let context = context(&read(before), "main.clad", &others);
+            analyze_context(None, Arc::new(context), &settings)
+        });
+        let known = before.as_ref().map(|before| &*before.context);
+        let parsed = match known {
+            Some(known) => Arc::new(known.parse.updated(&known.parse.to_string(), text)),
+            None => read(text),
+        };
+        let context = Arc::new(context_after(known, &parsed, "main.clad", &others));
+        let asked = Cell::new(0);
+        let wanted = || {
+            asked.set(asked.get() + 1);
+            asked.get() <= patience
+        };
+        let found = analyze_while(before.as_ref(), context, &settings, &wanted);
+        (found.map(|found| found.count()), asked.get())
+    }
+
+    #[test]
+    fn what_concerns_a_whole_file_is_given_up() {
+        let networks = 4 * BETWEEN;
+        let text = program(networks, "BOOL");
+        let (found, times) = asked(None, &text, usize::MAX);
+        assert!(found.is_some());
+        // Each network twice and each tag once.
+        assert_eq!(times, 3 * networks / (BETWEEN + 1));
+        assert_eq!(asked(None, &text, 0), (None, 1));
+        assert_eq!(asked(None, &text, 3), (None, 4));
+        let other_type = program(networks, "DINT");
+        let (found, times) = asked(Some(&text), &other_type, usize::MAX);
+        assert!(
+            found.is_some_and(|found| found >= networks) && times >= 4,
+            "{found:?} {times}"
+        );
+        assert_eq!(asked(Some(&text), &other_type, 1), (None, 2));
+    }
+
+    #[test]
+    fn what_concerns_a_network_never_is() {
+        let text = program(4 * BETWEEN, "BOOL");
+        let edited = text.replace("out_700 ", "out_700_a ");
+        let (found, times) = asked(Some(&text), &edited, 0);
+        assert_eq!((found.is_some(), times), (true, 0));
+    }
+}
