@@ -32,6 +32,7 @@ vim.api.nvim_create_autocmd('LspAttach', {
     local client = vim.lsp.get_client_by_id(event.data.client_id)
     if client and client.name == 'ladder' then
       require('ladder.version').check(client)
+      require('ladder.completion').follow(client)
     end
     if client and client.name == 'ladder' and vim.list_contains({ 'clad', 'laddertest' }, vim.bo[event.buf].filetype) then
       require('ladder.align').attach(client, event.buf)

@@ -78,6 +78,27 @@ return function(t)
     keys:close()
   end)
 
+  t.step('an answer that comes late does not take back what was chosen', function()
+    local keys = typing.open(t, { '' }, ways.autotrigger)
+    keys:press('i+--[')
+    keys:list()
+    keys:press('coun')
+    t.eventually('the counters', function()
+      return keys:lua([[local first = vim.fn.complete_info({ 'items' }).items[1]
+        return first and first.user_data.nvim.lsp.completion_item.filterText]]) == '[coun'
+    end)
+    vim.wait(200)
+    keys:press('<C-n>')
+    -- As for a key that was typed before the choice.
+    keys:lua('vim.lsp.completion.get()')
+    vim.wait(200)
+    keys:press('<C-y>')
+    t.eventually('the whole block', function()
+      return keys:lines()[1]:match('^%+%-%-%[CT%w+%]%( ')
+    end)
+    keys:close()
+  end)
+
   t.step('a long program keeps its colours at its end, and Neovim reads no tokens of all of it', function()
     local rungs = {}
     for number = 1, 4000 do

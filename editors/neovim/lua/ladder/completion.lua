@@ -3,6 +3,7 @@
 --- - A list inserts nothing before something is chosen: what Neovim puts in by itself would be a block more.
 --- - An edit of the client reaches to the cursor only. What it should replace behind the cursor, as the `]` of `[TO]`,
 ---   the server names with the command `ladder.completion.cut`.
+--- - An answer that comes after something was chosen opens no new list, which would leave the bare word in the text.
 --- - |i_CTRL-X_CTRL-O| inserts whole proposals also where `vim.lsp.completion` was not enabled.
 local M = {}
 
@@ -65,6 +66,39 @@ local function insert_whole(bufnr)
   end
   if item.command then
     client:exec_cmd(item.command, { bufnr = bufnr })
+  end
+end
+
+--- Whether the person has chosen one of the list that is open.
+local function is_chosen()
+  if vim.fn.pumvisible() == 0 then
+    return false
+  end
+  -- Where Neovim itself begins with the first one, that is no choice yet.
+  local first = vim.list_contains(vim.split(vim.bo.completeopt, ','), 'noselect') and 0 or 1
+  return vim.fn.complete_info({ 'selected' }).selected >= first
+end
+
+--- The clients whose requests are followed, by their numbers.
+local followed = {}
+
+--- Keeps a list in which something was chosen from answers to earlier keys.
+--- @param client vim.lsp.Client
+function M.follow(client)
+  if followed[client.id] then
+    return
+  end
+  followed[client.id] = true
+  local request = client.request
+  client.request = function(self, method, params, handler, bufnr)
+    if method ~= 'textDocument/completion' or not handler then
+      return request(self, method, params, handler, bufnr)
+    end
+    return request(self, method, params, function(...)
+      if not is_chosen() then
+        return handler(...)
+      end
+    end, bufnr)
   end
 end
 
