@@ -70,10 +70,11 @@ impl<W: Write> Adapter<W> {
 
     pub(super) fn data_breakpoint_info(&mut self, arguments: &DataBreakpointInfo) -> Result<Json, String> {
         let point = match arguments.variables_reference.filter(|&reference| reference > 0) {
-            Some(reference) => {
-                let container = self.handles.get(reference)?;
-                variables::point_in(self.target()?, &container, &arguments.name)
-            }
+            // A client asks before it opens a menu. Where the next stop has come meanwhile that is no error to tell a person.
+            Some(reference) => match self.handles.get(reference) {
+                Ok(container) => variables::point_in(self.target()?, &container, &arguments.name),
+                Err(problem) => Err(problem),
+            },
             None => self.target()?.scope(arguments.frame_id).resolve(&arguments.name),
         };
         Ok(match point {

@@ -1,7 +1,7 @@
 // The debugger in the page: F5 starts the program, a breakpoint stops it, tags are shown and held.
 import assert from 'node:assert/strict';
 
-import { open } from './palette.mjs';
+import { command, open } from './palette.mjs';
 
 /** The program that is debugged: its name in the project, and its text. */
 export const PROGRAM = 'press.clad';
@@ -24,13 +24,31 @@ END_VAR
 /** The row of the variables, or of the watched expressions, that begins with a text. */
 const row = (page, name) => page.locator('.debug-view-content .monaco-list-row', { hasText: name }).first();
 
-/** Opens a scope of the variables; the editor may have opened the first of them itself. */
+/** Opens a scope of the variables; the editor may have opened the first of them itself. A click that meets the drawing of a new state is lost. */
 async function expand(page, scope) {
     const found = row(page, scope);
     await found.waitFor({ timeout: 5000 });
-    if ((await found.getAttribute('aria-expanded')) !== 'true') {
+    const isOpen = async () => (await found.getAttribute('aria-expanded')) === 'true';
+    for (let tries = 0; tries < 5 && !(await isOpen()); tries += 1) {
         await found.click();
+        await page.waitForTimeout(500);
     }
+}
+
+/** Picks from the menu of a tag. A click that comes too soon behind the opening of a menu is none to the editor. */
+async function fromMenu(page, tag, title) {
+    await row(page, tag).click({ button: 'right' });
+    await page.locator('.action-label', { hasText: title }).first().hover({ timeout: 5000 });
+    await page.keyboard.press('Enter');
+}
+
+/** Holds the button down. */
+async function force(page) {
+    await fromMenu(page, 'button', 'Force Value...');
+    await page.locator('.quick-input-title', { hasText: 'Force button' }).waitFor({ timeout: 5000 });
+    await page.keyboard.type('TRUE');
+    await page.keyboard.press('Enter');
+    await row(page, 'button').getByText('TRUE (forced)').waitFor({ timeout: 5000 });
 }
 
 export async function debug(page, { step, screenshot }) {
@@ -48,14 +66,7 @@ export async function debug(page, { step, screenshot }) {
         await row(page, 'button').getByText('FALSE').waitFor({ timeout: 5000 });
     });
     await step('an input is held from the menu of the variables', async () => {
-        await row(page, 'button').click({ button: 'right' });
-        // A click that comes too soon behind the opening of a menu is none to the editor.
-        await page.locator('.action-label', { hasText: 'Force Value...' }).hover({ timeout: 5000 });
-        await page.keyboard.press('Enter');
-        await page.locator('.quick-input-title', { hasText: 'Force button' }).waitFor({ timeout: 5000 });
-        await page.keyboard.type('TRUE');
-        await page.keyboard.press('Enter');
-        await row(page, 'button').getByText('TRUE (forced)').waitFor({ timeout: 5000 });
+        await force(page);
     });
     await step('a breakpoint stops in front of its rung, and the tags are shown', async () => {
         await page.keyboard.press('F5');
@@ -70,6 +81,47 @@ export async function debug(page, { step, screenshot }) {
         await page.getByText('Ln 14, Col 50 (11 selected)').waitFor({ timeout: 5000 });
         await page.keyboard.press('Shift+F11');
         await stack.getByText('main, before scan 1').waitFor({ timeout: 5000 });
+    });
+    await step('a step back, and a run to the cursor', async () => {
+        await page.locator('.debug-toolbar .codicon-debug-step-back').first().click();
+        await stack.getByText('main, rung in line 14: Enough').waitFor({ timeout: 5000 });
+        await page.locator('.monaco-editor .view-line', { hasText: '[P]' }).click();
+        await command(page, 'Debug: Run to Cursor');
+        await stack.getByText('main, rung in line 11').waitFor({ timeout: 5000 });
+    });
+    await step('a run stops where a condition holds, and only there', async () => {
+        await page.locator('.monaco-editor .view-line', { hasText: '[GE]' }).click();
+        await page.keyboard.press('F9');
+        await command(page, 'Debug: Add Conditional Breakpoint...');
+        await page.locator('.breakpoint-widget .monaco-editor').click();
+        await page.keyboard.type('SYS.SCAN >= 7');
+        // A list of proposals would take the Enter.
+        await page.keyboard.press('Control+Enter');
+        await page.keyboard.press('Enter');
+        await page.locator('.codicon-debug-breakpoint-conditional').first().waitFor({ timeout: 5000 });
+        await page.keyboard.press('F5');
+        await stack.getByText('main, rung in line 14: Enough').waitFor({ timeout: 5000 });
+        await expand(page, 'System');
+        await row(page, 'SYS.SCAN').getByText('7', { exact: true }).waitFor({ timeout: 5000 });
+        await screenshot(page, 'debug-condition');
+        await page.locator('.monaco-editor .view-line', { hasText: '[GE]' }).click();
+        await page.keyboard.press('F9');
+    });
+    await step('a run stops where a tag changes', async () => {
+        await expand(page, 'Internal');
+        await fromMenu(page, 'presses', 'Break on Value Change');
+        // The button is let go for a scan, and pressed again.
+        await fromMenu(page, 'button', 'Release');
+        await page.keyboard.press('Shift+F11');
+        await stack.getByText('main, before scan 8').waitFor({ timeout: 5000 });
+        await page.keyboard.press('Shift+F11');
+        await stack.getByText('main, before scan 9').waitFor({ timeout: 5000 });
+        await row(page, 'SYS.SCAN').getByText('8', { exact: true }).waitFor({ timeout: 5000 });
+        await force(page);
+        await page.keyboard.press('F5');
+        await row(page, 'presses').getByText('2', { exact: true }).waitFor({ timeout: 5000 });
+        await screenshot(page, 'debug-data');
+        assert.match(await stack.textContent(), /rung in line 14/);
     });
     await step('the console takes expressions and assignments', async () => {
         await page.keyboard.press('Control+Shift+Y');

@@ -220,3 +220,16 @@ fn files_of_the_workspace_belong_to_the_program() {
     );
     assert_eq!(set["breakpoints"][0]["verified"], false);
 }
+
+/// An editor asks about a tag before it opens a menu: by then the program may have gone on.
+#[test]
+fn a_question_about_a_tag_of_a_stop_that_is_over_is_no_error() {
+    let mut client = Client::launched("VAR n : INT; END_VAR\n+--[ADD]( n, n, 1 )--+\n");
+    let scopes = client.body("scopes", json!({"frameId": 1}));
+    let scopes = scopes["scopes"].as_array().unwrap();
+    let internal = scopes.iter().find(|scope| scope["name"] == "Internal").unwrap();
+    let tag = json!({"variablesReference": internal["variablesReference"], "name": "n"});
+    assert_eq!(client.body("dataBreakpointInfo", tag.clone())["dataId"], "n");
+    client.body("next", json!({"threadId": 1}));
+    assert_eq!(client.body("dataBreakpointInfo", tag)["dataId"], Json::Null);
+}
