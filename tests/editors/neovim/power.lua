@@ -1,5 +1,5 @@
 -- How what has power and what has none is told apart, and what a key does with the tag under the cursor.
-return function(t)
+return function(t, messages)
   local ladder = require('ladder')
 
   t.step('a key toggles the contact under the cursor, wherever on it the cursor is', function()
@@ -33,6 +33,19 @@ return function(t)
     assert(ladder.wait(), 'no answer')
     t.equal('the line below', '|  |                |       ^1!', t.seen(bufnr)[3]:sub(1, 31))
     t.equal('the status', 'paused, scan 1, 10ms, 1 forced', vim.b[bufnr].ladder_status)
+    vim.cmd('Ladder stop')
+    vim.api.nvim_buf_set_lines(bufnr, 0, -1, false, {
+      'VAR CONSTANT  LIMIT : INT := 80;  END_VAR',
+      '+--[GT]( level, LIMIT )--( )( high )--+',
+    })
+    vim.cmd('Ladder start')
+    assert(ladder.wait(), 'no answer')
+    t.clear(messages)
+    vim.cmd('Ladder force LIMIT 3')
+    assert(ladder.wait(), 'no answer')
+    assert(messages[1] and messages[1]:find('LIMIT', 1, true), 'nothing was said of the constant')
+    t.equal('the status', 'paused, scan 0, 0ms', vim.b[bufnr].ladder_status)
+    vim.cmd('Ladder stop | bwipeout!')
   end)
 
   t.step('contacts that let power through, and contacts that do not, are two things', function()

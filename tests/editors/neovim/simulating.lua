@@ -289,6 +289,42 @@ return function(t, messages)
     vim.cmd('Ladder stop')
   end)
 
+  t.step('a change while the program runs takes effect, a mistake does not, and undo brings all back', function()
+    local bufnr = t.open('motor.clad')
+    for _, command in ipairs({ 'start', 'set start 1', 'run' }) do
+      vim.cmd('Ladder ' .. command)
+    end
+    local function run_is(value)
+      return function()
+        local state = ladder.state(bufnr)
+        return t.values(bufnr, { 'run' }) == 'run=' .. value and state.status == 'running' and state
+      end
+    end
+    local scan = t.eventually('the motor', run_is(1)).scan
+    local text = vim.api.nvim_buf_get_lines(bufnr, 0, -1, false)
+    -- The closed contact becomes an open one.
+    local at = text[2]:find('[/]( stop', 1, true)
+    vim.api.nvim_buf_set_text(bufnr, 1, at, 1, at + 1, { ' ' })
+    local changed = t.eventually('no power behind the contact', run_is(0))
+    assert(changed.scan > scan and not changed.stale, 'it began anew')
+    vim.cmd('silent undo')
+    t.equal('the text', text, vim.api.nvim_buf_get_lines(bufnr, 0, -1, false))
+    t.eventually('the motor again', run_is(1))
+    vim.api.nvim_buf_set_text(bufnr, 1, at, 1, at + 2, { '' })
+    scan = t.eventually('the mistake', function()
+      return ladder.state(bufnr).stale and ladder.state(bufnr)
+    end).scan
+    t.eventually('more scans of the last good program', function()
+      return ladder.state(bufnr).stale and ladder.state(bufnr).scan > scan + 5
+    end)
+    vim.cmd('silent undo')
+    t.eventually('the motor without a mistake', function()
+      local state = run_is(1)()
+      return state and not state.stale
+    end)
+    vim.cmd('Ladder stop | bwipeout!')
+  end)
+
   t.step('a fault is told at its place and in the bar, also while the program runs', function()
     local bufnr = t.open('motor.clad')
     vim.api.nvim_buf_set_lines(bufnr, 0, -1, false, {

@@ -17,7 +17,7 @@ require('language')(t)
 require('scenarios')(t, messages)
 require('conversion')(t, messages)
 require('simulating')(t, messages)
-require('power')(t)
+require('power')(t, messages)
 require('views')(t)
 require('click')(t, messages)
 
