@@ -83,7 +83,12 @@ export async function debug(page, { step, screenshot }) {
         await stack.getByText('main, before scan 1').waitFor({ timeout: 5000 });
     });
     await step('a step back, and a run to the cursor', async () => {
-        await page.locator('.debug-toolbar .codicon-debug-step-back').first().click();
+        const back = page.locator('.debug-toolbar .codicon-debug-step-back').first();
+        await back.click();
+        await stack.getByText('main, rung in line 14: Enough').waitFor({ timeout: 5000 });
+        await back.click();
+        await stack.getByText('main, before scan 0').waitFor({ timeout: 5000 });
+        await page.keyboard.press('F5');
         await stack.getByText('main, rung in line 14: Enough').waitFor({ timeout: 5000 });
         await page.locator('.monaco-editor .view-line', { hasText: '[P]' }).click();
         await command(page, 'Debug: Run to Cursor');
