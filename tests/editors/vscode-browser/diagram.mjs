@@ -1,7 +1,7 @@
 // The diagram beside the text, as somebody uses it: what is drawn, clicked and typed there.
 import assert from 'node:assert/strict';
 
-import { command, list, open } from './palette.mjs';
+import { command, cursorTo, open } from './palette.mjs';
 
 /** The page of the diagram that is in sight: a frame in a frame. */
 export async function diagramOf(page, until, seconds = 20) {
@@ -19,6 +19,17 @@ export async function diagramOf(page, until, seconds = 20) {
         return false;
     });
     return found;
+}
+
+/** The diagram that has this operand: the frame of the one before may be in sight for a while. */
+async function diagramWith(page, until, operand) {
+    let frame;
+    await until(`the diagram with ${operand}`, 20, async () => {
+        frame = await diagramOf(page, until);
+        const names = await frame.locator('g.element text').allTextContents().catch(() => []);
+        return names.includes(operand);
+    });
+    return frame;
 }
 
 /** The element whose operand this is, on the first rung that has it. */
@@ -40,13 +51,6 @@ async function openFirst(page, name) {
 async function lineOf(frame, operand) {
     const piece = frame.locator('.piece', { has: frame.locator('text', { hasText: new RegExp(`^${operand}$`) }) }).first();
     return Number(await piece.locator('.gutter').textContent());
-}
-
-async function cursorTo(page, line, column) {
-    const input = await list(page, 'Control+G');
-    await input.fill(`:${line}:${column}`);
-    await page.keyboard.press('Enter');
-    await page.getByText(`Ln ${line}, Col ${column}`).waitFor({ timeout: 10_000 });
 }
 
 /** Programs that the steps need besides. */
@@ -193,7 +197,7 @@ export async function diagram(page, { step, until, screenshot }) {
     await step('a number is set below the drawing', async () => {
         await openFirst(page, 'level.clad');
         await command(page, 'Ladder: Open Diagram to the Side');
-        frame = await diagramOf(page, until);
+        frame = await diagramWith(page, until, 'level');
         await frame.locator('button.start').click();
         await frame.locator('button.step').waitFor({ timeout: 10_000 });
         await frame.locator('g.element.contact .gate').click({ force: true });
@@ -212,12 +216,7 @@ export async function diagram(page, { step, until, screenshot }) {
         await openFirst(page, 'long.clad');
         await page.locator('.monaco-editor .view-line', { hasText: 'a0' }).first().click();
         await command(page, 'Ladder: Open Diagram to the Side');
-        // The frame of the diagram before may be in sight for a while.
-        await until('the diagram of the long program', 20, async () => {
-            frame = await diagramOf(page, until);
-            const names = await frame.locator('g.element text').allTextContents().catch(() => []);
-            return names.includes('a0');
-        });
+        frame = await diagramWith(page, until, 'a0');
         const drawn = () => frame.locator('.piece').count();
         assert.ok((await drawn()) < 60, `${await drawn()} networks are on the page`);
         await frame.evaluate(() => (document.querySelector('.view').scrollTop = 200_000));

@@ -1,7 +1,7 @@
 // A program that runs, in the text: what contacts do, and what a line of 100 columns shows.
 import assert from 'node:assert/strict';
 
-import { command, list, open } from './palette.mjs';
+import { command, cursorTo, open } from './palette.mjs';
 
 /** The program: its name in the project, and its text. */
 export const LIVE = 'plant.clad';
@@ -17,13 +17,6 @@ const RUNG = '+--[ ]( go )';
 
 const GREY = 'rgb(139, 139, 139)';
 const ORANGE = 'rgb(240, 180, 90)';
-
-async function cursorTo(page, line, column) {
-    const input = await list(page, 'Control+G');
-    await input.fill(`:${line}:${column}`);
-    await page.keyboard.press('Enter');
-    await page.getByText(`Ln ${line}, Col ${column}`).waitFor({ timeout: 10_000 });
-}
 
 export async function live(page, { step, until, weights, labels, operandBox, row }) {
     const rung = async () => (await weights(page, RUNG)).filter(({ text }) => text.trim() !== '');

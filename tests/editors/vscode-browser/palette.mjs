@@ -33,3 +33,12 @@ export async function open(page, name) {
 export async function command(page, title) {
     await pick(page, 'F1', `>${title}`, title);
 }
+
+/** Puts the cursor at a place of the text, and the focus there. */
+export async function cursorTo(page, line, column) {
+    await (await list(page, 'Control+G')).fill(`:${line}:${column}`);
+    await page.keyboard.press('Enter');
+    // A key that comes while the list closes is lost.
+    await page.locator('.quick-input-widget').waitFor({ state: 'hidden', timeout: 10_000 });
+    await page.getByText(`Ln ${line}, Col ${column}`).waitFor({ timeout: 10_000 });
+}

@@ -2,7 +2,7 @@
 // what becomes a test.
 import assert from 'node:assert/strict';
 
-import { command, list, open } from './palette.mjs';
+import { command, cursorTo, open } from './palette.mjs';
 
 /** The programs: their names in the project, and their texts. */
 export const PROGRAMS = {
@@ -27,11 +27,6 @@ export async function running(page, { step, until, weights, row, screenshot }) {
     const status = async () => (await page.locator('.statusbar-item', { hasText: 'Ladder: ' }).first().textContent()).trim();
     const scan = async () => Number(/scan (\d+)/.exec(await status())?.[1]);
     const line = (text) => page.locator('.editor-instance .view-line', { hasText: text }).first();
-    const cursorTo = async (row, column) => {
-        await (await list(page, 'Control+G')).fill(`:${row}:${column}`);
-        await page.keyboard.press('Enter');
-        await page.getByText(`Ln ${row}, Col ${column}`).waitFor({ timeout: 10_000 });
-    };
     /** Opens a program and starts it. */
     const start = async (name, text) => {
         await open(page, name);
@@ -41,7 +36,7 @@ export async function running(page, { step, until, weights, row, screenshot }) {
     };
     /** Types over what is at a place. */
     const overwrite = async (row, column, length, text) => {
-        await cursorTo(row, column);
+        await cursorTo(page, row, column);
         for (let times = 0; times < length; times += 1) {
             await page.keyboard.press('Shift+ArrowRight');
         }
@@ -51,7 +46,7 @@ export async function running(page, { step, until, weights, row, screenshot }) {
 
     await step('what stops the power is marked in the text, and its reason leads there', async () => {
         await start('running.clad', '( dark )');
-        await cursorTo(6, 40);
+        await cursorTo(page, 6, 40);
         await page.keyboard.press('F10');
         await page.getByText('Ladder: paused, scan 1,').waitFor({ timeout: 10_000 });
         await page.keyboard.press('Shift+F4');
@@ -66,7 +61,7 @@ export async function running(page, { step, until, weights, row, screenshot }) {
         await line('( dark )').click();
     });
     await step('a change while it runs takes effect, and what has run goes on', async () => {
-        await cursorTo(4, 9);
+        await cursorTo(page, 4, 9);
         await page.keyboard.press('F4');
         await page.keyboard.press('F5');
         await until('the timer to run', 10, async () => /since\.ET(?!0s?$|T#0)/.test(await row(page, 'since.ET').textContent()) && (await scan()) > 20);
@@ -132,7 +127,7 @@ export async function running(page, { step, until, weights, row, screenshot }) {
     await step('a fault is told at its place and in the status bar, also while the program runs', async () => {
         await start('fault.clad', 'DIV');
         assert.doesNotMatch(await status(), /fault/);
-        await cursorTo(3, 9);
+        await cursorTo(page, 3, 9);
         await page.keyboard.press('F4');
         await page.keyboard.press('F5');
         await page.getByText(/Ladder: running, .*, 2 faults/).waitFor({ timeout: 10_000 });
