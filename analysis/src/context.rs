@@ -11,7 +11,7 @@ use crate::infer;
 use crate::kept::Kept;
 use crate::known_blocks::KnownBlocks;
 use crate::network;
-use crate::networks::{NetworkAt, Networks};
+use crate::networks::{BlockAt, NetworkAt, Networks};
 use crate::others::{Import, Others};
 use crate::profile;
 use crate::program::Role;
@@ -52,12 +52,14 @@ pub struct Context {
     pub scopes: Vec<Scope>,
     /// Where the lines of declarations are.
     pub(crate) declarations: Arc<Declarations>,
-    /// Nothing is wrong with the declarations.
+    /// Nothing is wrong with the declarations but what the parser says, and no name is declared twice.
     pub(crate) declared_cleanly: bool,
     /// The line behind the last section, and behind the last first line of a block definition.
     pub(crate) declared_to: usize,
     /// An edit between the declarations and the end changes what it names, and nothing else; see [`edited`].
     pub(crate) settled: bool,
+    /// If it is settled: the tags whose declared type is open, by scope and name.
+    pub(crate) mistyped: Vec<(usize, Name)>,
     /// The places of each tag say by themselves what type it has.
     pub(crate) typed_by_places: bool,
     /// Without it no network calls a function.
@@ -75,8 +77,8 @@ pub struct Context {
     pub functions: Vec<FunctionFacts>,
     /// The labels in the order of the text.
     pub labels: Vec<LabelFacts>,
-    /// For each network the body it belongs to.
-    pub bodies: Vec<Body>,
+    /// For each network the body it belongs to. Texts before and behind an edit share the list while it stays.
+    pub bodies: Arc<Vec<Body>>,
     /// The other files of the workspace.
     pub others: Others,
     pub(crate) foreign_comments: OnceLock<ForeignComments>,
@@ -282,6 +284,14 @@ pub fn context_after(before: Option<&Context>, parse: &Arc<Parse>, name: &str, o
     shared::share(&mut context, &mut found);
     context.typed_by_places = infer::infer(&mut context, &mut found);
     context.settled = found.len() == of_declarations && edited::may_settle(&context);
+    if context.settled {
+        let scopes = context.scopes.iter().enumerate();
+        let tags = scopes.flat_map(|(number, scope)| scope.tags.iter().map(move |tag| (number, tag)));
+        let mistyped = tags.filter(|(_, tag)| tag.mistyped);
+        context.mistyped = mistyped
+            .map(|(scope, tag)| (scope, Name::new(&tag.name)))
+            .collect();
+    }
     context.found = found;
     context
 }
@@ -294,11 +304,12 @@ pub(crate) fn skeleton(parse: &Arc<Parse>, name: &str, others: &Others, before: 
     let before = before.filter(|before| before.profile == profile);
     let mut kept = before.map(|before| Kept::of(before, parse));
     let mut found = Vec::new();
+    let mut declared_once = true;
     let (scopes, declarations) = kept
         .as_ref()
         .and_then(|kept| kept.declared(structure))
-        .unwrap_or_else(|| declared(parse, &mut found));
-    let declared_cleanly = found.is_empty();
+        .unwrap_or_else(|| declared(parse, &mut found, &mut declared_once));
+    let declared_cleanly = found.is_empty() && declared_once;
     let user_blocks: Vec<UserBlockFacts> = structure
         .blocks
         .iter()
@@ -339,16 +350,17 @@ pub(crate) fn skeleton(parse: &Arc<Parse>, name: &str, others: &Others, before: 
         declared_cleanly,
         declared_to: declared_to(structure),
         settled: false,
+        mistyped: Vec::new(),
         typed_by_places: false,
         may_call,
-        is_framed: structure.is_framed(),
+        is_framed: parse.frame().is_whole(),
         user_blocks: known.into_list(),
         own_blocks,
         signatures,
         others: others.clone(),
         functions: Vec::new(),
         labels: Vec::new(),
-        bodies: Vec::new(),
+        bodies: Arc::default(),
         foreign_comments: OnceLock::new(),
         labels_by_name: HashMap::new(),
         functions_by_name: HashMap::new(),
@@ -365,7 +377,7 @@ pub(crate) fn declared_to(structure: &Structure) -> usize {
 }
 
 /// The scopes with their declared tags.
-fn declared(parse: &Parse, out: &mut Vec<Diagnostic>) -> (Vec<Scope>, Arc<Declarations>) {
+fn declared(parse: &Parse, out: &mut Vec<Diagnostic>, once: &mut bool) -> (Vec<Scope>, Arc<Declarations>) {
     let structure = parse.structure();
     let mut scopes = vec![Scope::default()];
     scopes.extend(structure.blocks.iter().enumerate().map(|(index, definition)| {
@@ -379,7 +391,7 @@ fn declared(parse: &Parse, out: &mut Vec<Diagnostic>) -> (Vec<Scope>, Arc<Declar
     let mut declarations = Declarations::default();
     for section in &structure.sections {
         let scope = section.block.map_or(0, |block| block + 1);
-        declare::section(parse, section, &mut declarations, &mut scopes[scope], out);
+        *once &= declare::section(parse, section, &mut declarations, &mut scopes[scope], out);
     }
     (scopes, Arc::new(declarations))
 }
@@ -435,28 +447,18 @@ fn bodies(context: &mut Context) {
     // In the definition of a block: the function that its body has come to.
     let mut inner: Option<(usize, usize)> = None;
     let mut in_file = Vec::new();
+    let mut bodies = Vec::with_capacity(context.networks.len());
     for network in &context.networks {
         let index = network.index;
         let definition = network.scope.checked_sub(1);
         inner = inner.filter(|(of, _)| Some(*of) == definition);
         let may_begin = definition.is_none_or(|block| context.user_blocks[block].shape == Shape::Function);
-        for block in network.blocks() {
-            let Some(op @ (Op::Fun | Op::Lbl)) = block.op() else {
+        context.labels.extend(labels_in(network));
+        for block in network.blocks().filter(|block| block.op() == Some(Op::Fun)) {
+            let Some((name, key, at)) = named(&block) else {
                 continue;
             };
-            let Some(NodeKind::Name(name)) = block.facts.operands.first().map(|o| &o.value.kind) else {
-                continue;
-            };
-            let at = block.absolute(block.facts.operands[0].value.range);
-            let (name, key) = (name.to_string(), Name::new(name));
-            if op == Op::Lbl {
-                context.labels.push(LabelFacts {
-                    name,
-                    key,
-                    network: index,
-                    at,
-                });
-            } else if may_begin && context.functions.last().is_none_or(|last| last.network != index) {
+            if may_begin && context.functions.last().is_none_or(|last| last.network != index) {
                 match definition {
                     Some(block) => inner = Some((block, context.functions.len())),
                     None => current = Body::Function(context.functions.len()),
@@ -469,7 +471,7 @@ fn bodies(context: &mut Context) {
                 });
             }
         }
-        context.bodies.push(match (definition, inner) {
+        bodies.push(match (definition, inner) {
             (None, _) => current,
             (Some(_), Some((_, function))) => {
                 // It runs with the tags of the file.
@@ -479,18 +481,48 @@ fn bodies(context: &mut Context) {
             (Some(block), None) => Body::Block(block),
         });
     }
+    context.bodies = Arc::new(bodies);
     for index in in_file {
         context.networks.set_scope(index, 0);
     }
-    for (index, label) in context.labels.iter().enumerate() {
-        let key = (context.bodies[label.network], label.key.clone());
-        context.labels_by_name.entry(key).or_default().push(index);
-    }
+    name_labels(context);
     for (index, function) in context.functions.iter().enumerate() {
         context
             .functions_by_name
             .entry(function.key.clone())
             .or_insert(index);
+    }
+}
+
+/// The labels of a network, in the order of its blocks.
+pub(crate) fn labels_in(network: NetworkAt<'_>) -> impl Iterator<Item = LabelFacts> {
+    let labels = network.blocks().filter(|block| block.op() == Some(Op::Lbl));
+    labels.filter_map(move |block| {
+        let (name, key, at) = named(&block)?;
+        Some(LabelFacts {
+            name,
+            key,
+            network: network.index,
+            at,
+        })
+    })
+}
+
+/// The name in the first operand of a label or function, as written and as it is compared, and where it is.
+fn named(block: &BlockAt<'_>) -> Option<(String, Name, TextRange)> {
+    let operand = &block.facts.operands.first()?.value;
+    let NodeKind::Name(name) = &operand.kind else {
+        return None;
+    };
+    Some((name.to_string(), Name::new(name), block.absolute(operand.range)))
+}
+
+/// Enters the labels of each body by their names.
+pub(crate) fn name_labels(context: &mut Context) {
+    context.labels_by_name.clear();
+    for (index, label) in context.labels.iter().enumerate() {
+        let key = (context.bodies[label.network], label.key.clone());
+        context.labels_by_name.entry(key).or_default().push(index);
     }
 }
 

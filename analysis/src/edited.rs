@@ -1,6 +1,6 @@
 //! The context of a text behind a small edit, from the one before it.
 //!
-//! An edit below the declarations that touches rungs, rails, comments and blank lines alone changes what a few networks
+//! An edit that touches rungs, rails, comments and blank lines alone changes what a few networks
 //! name, and with it the uses of a few tags. All else is taken over: networks and tags are shared with the context
 //! before, and only the plain numbers that say where networks are get copied. What comes out is what reading the whole
 //! text gives; where that is not certain there is no short way, and the whole text is read.
@@ -8,6 +8,7 @@
 use crate::context::{self, Body, Context, break_neighbours};
 use crate::control_flow::ControlFlow;
 use crate::edited_declarations;
+use crate::edited_lines::{Change, Lines, change, same_lines};
 use crate::infer;
 use crate::known_blocks::KnownBlocks;
 use crate::network::{self, NetworkFacts, UserBlocks};
@@ -17,8 +18,10 @@ use crate::program::Role;
 use crate::reading::Reading;
 use crate::scope::{Origin, Scope, SectionKind, TagFacts, UseRef};
 use crate::types::Type;
+use crate::user_block::UserBlockFacts;
 use crate::uses;
-use ladder_syntax::{LineKind, Mode, Name, Network, Parse, TextRange};
+use ladder_instructions::{Op, Shape};
+use ladder_syntax::{Line, LineKind, Name, Network, Parse, TextRange};
 use rustc_hash::{FxHashMap, FxHashSet};
 use std::ops::Range;
 use std::sync::{Arc, OnceLock};
@@ -31,7 +34,7 @@ pub(crate) fn may_settle(context: &Context) -> bool {
             tag.origin,
             Origin::Shared | Origin::Declared(SectionKind::Global | SectionKind::External)
         );
-        origin || tag.shared.is_some() || tag.foreign.is_some() || tag.mistyped
+        origin || tag.shared.is_some() || tag.foreign.is_some() || (tag.mistyped && !tag.is_declared())
     };
     let [file, bodies @ ..] = context.scopes.as_slice() else {
         return false;
@@ -44,24 +47,6 @@ pub(crate) fn may_settle(context: &Context) -> bool {
         && alone(file)
         && bodies.iter().all(alone)
         && (!context.others.have_files() || !context.networks.iter().any(|network| is_strange(&network)))
-}
-
-/// Where two texts differ, in lines and bytes.
-pub(crate) struct Lines {
-    /// The lines of the earlier text, and of the later one.
-    pub(crate) old: Range<usize>,
-    pub(crate) new: Range<usize>,
-    /// How many more lines and bytes the later one has.
-    pub(crate) added: isize,
-    pub(crate) added_bytes: i64,
-}
-
-/// What an edit has changed.
-enum Change {
-    /// Networks, and nothing but networks.
-    Networks(Lines),
-    /// Lines of declarations, for as many others.
-    Declarations(Lines),
 }
 
 /// The context of a text that came from another one's by edits; none if it takes more than a look at what they touch.
@@ -77,7 +62,10 @@ pub(crate) fn edited(before: &Context, parse: &Arc<Parse>, name: &str, others: &
     next.context.others = others.clone();
     next.places(before);
     let tags = match &change {
-        Change::Networks(_) => next.names()?,
+        Change::Networks(lines) => {
+            edited_declarations::move_declared(&mut next.context, before, lines)?;
+            next.names()?
+        }
         Change::Declarations(lines) => edited_declarations::enter(&mut next.context, before, lines)?,
     };
     let networks = next.looked_at(before);
@@ -111,41 +99,6 @@ impl EditedTags {
     }
 }
 
-/// Where the texts differ, if that can be followed.
-fn change(before: &Context, parse: &Parse) -> Option<Change> {
-    let (old, new) = (before.parse.lines(), parse.lines());
-    let (above, below) = new.shared_with(old);
-    let change = Lines {
-        old: above..old.len() - below,
-        new: above..new.len() - below,
-        added: new.len() as isize - old.len() as isize,
-        added_bytes: i64::from(u32::from(parse.text_len())) - i64::from(u32::from(before.parse.text_len())),
-    };
-    let drawn = |line: &ladder_syntax::Line| {
-        line.mode_after == Mode::Network
-            && (line.kind == LineKind::Rung || line.kind == LineKind::Stray || line.kind.is_decoration())
-    };
-    if before.parse.unclosed_comment().is_some() || parse.unclosed_comment().is_some() {
-        return None;
-    }
-    if above < before.declared_to {
-        let are_lines = edited_declarations::is_short(&change)
-            && edited_declarations::are_lines_of(
-                || old.range(change.old.clone()),
-                || new.range(change.new.clone()),
-            );
-        return are_lines.then_some(Change::Declarations(change));
-    }
-    // Comments before the first network may say what profile the file has.
-    let below_first = before.networks.first().is_some_and(|first| {
-        let last = first.wiring.line_offsets.last();
-        last.is_some_and(|last| first.first_line + last < above)
-    });
-    let plain =
-        below_first && old.range(change.old.clone()).all(drawn) && new.range(change.new.clone()).all(drawn);
-    plain.then_some(Change::Networks(change))
-}
-
 /// A context on its way from one text to the next.
 struct Edited {
     context: Context,
@@ -155,6 +108,8 @@ struct Edited {
     added: Vec<usize>,
     /// The networks in whose parts the edit lies.
     new: Range<usize>,
+    /// One of those that are new or not there any more has a label.
+    labelled: bool,
 }
 
 /// A network that is not there any more.
@@ -207,26 +162,22 @@ impl Edited {
                     });
                     continue;
                 }
-                // It belongs where the one before it does: no definition begins or ends between them.
                 let index = first + spliced.len();
-                let (scope, body, behind) = match spliced.last() {
-                    Some(last) => (last.scope, *bodies.last()?, last.first_line),
-                    None => {
-                        let last = first.checked_sub(1)?;
+                let above = match (spliced.last(), first.checked_sub(1)) {
+                    (Some(last), _) => Some((last.scope, *bodies.last()?, last.first_line)),
+                    (None, Some(last)) => {
                         let place = networks.at(last);
-                        (place.scope, before.bodies[last], place.first_line)
+                        Some((place.scope, before.bodies[last], place.first_line))
                     }
+                    (None, None) => None,
                 };
-                let mut between = new_lines.range(behind..drawn.start);
-                if between.any(|line| matches!(line.kind, LineKind::BlockEnd | LineKind::BlockHeader)) {
-                    return None;
-                }
+                let (scope, body) = around(before, parse, drawn.start, above)?;
                 let network = Network {
                     lines: drawn.clone(),
                     block: None,
                 };
                 let facts = network::network(parse, &network, &mut known, &mut reading);
-                if is_marked(&facts) || (is_strange(&facts) && before.others.have_files()) {
+                if is_strange(&facts) && before.others.have_files() {
                     return None;
                 }
                 may_call |= facts.control_flow.has(ControlFlow::CALL);
@@ -248,7 +199,16 @@ impl Edited {
             scope: networks.at(index).scope,
         });
         let removed: Vec<Removed> = removed.collect();
-        if removed.iter().any(|network| is_marked(&network.facts)) {
+        let new_facts = spliced.iter().filter(|network| network.id.is_none());
+        let touched = || {
+            let new = new_facts.clone().map(|network| &network.facts);
+            new.chain(removed.iter().map(|network| &network.facts))
+        };
+        let labelled = touched().any(|facts| is_marked(facts));
+        if labelled && !may_follow_labels(before, touched()) {
+            return None;
+        }
+        if networks.len() - (end - first) + spliced.len() == 0 {
             return None;
         }
         let new = first..first + spliced.len();
@@ -263,12 +223,15 @@ impl Edited {
         context
             .networks
             .splice(first..end, spliced, ids, change.added, change.added_bytes);
-        context.bodies.splice(first..end, bodies);
+        if context.bodies[first..end] != *bodies {
+            Arc::make_mut(&mut context.bodies).splice(first..end, bodies);
+        }
         Some(Edited {
             context,
             removed,
             added,
             new,
+            labelled,
         })
     }
 
@@ -282,11 +245,25 @@ impl Edited {
             *network = networks.index_of(before.networks.id(*network));
             *at = within + networks.at(*network).range.start();
         };
+        let is_gone = |network: usize| {
+            let id = before.networks.id(network);
+            self.removed.iter().any(|removed| removed.id == id)
+        };
+        context
+            .labels
+            .retain(|label| !self.labelled || !is_gone(label.network));
         for label in &mut context.labels {
             follow(&mut label.network, &mut label.at);
         }
         for function in &mut context.functions {
             follow(&mut function.network, &mut function.at);
+        }
+        if self.labelled {
+            let added = self.added.iter();
+            let new = added.flat_map(|&index| context::labels_in(networks.at(index)));
+            context.labels.extend(new);
+            context.labels.sort_by_key(|label| label.at.start());
+            context::name_labels(context);
         }
         let around = self.new.start.saturating_sub(1)..(self.new.end + 1).min(context.networks.len());
         for index in around.clone() {
@@ -296,7 +273,8 @@ impl Edited {
         break_neighbours(&context.parse, &mut context.networks, sources);
     }
 
-    /// The networks that are new, and those beside the edit of which another is to be thought now.
+    /// The networks that are new, those beside the edit of which another is to be thought now, and those that jump if labels
+    /// have come or gone.
     fn looked_at(&self, before: &Context) -> Vec<usize> {
         let networks = &self.context.networks;
         let around = self.new.start.saturating_sub(1)..(self.new.end + 1).min(networks.len());
@@ -306,7 +284,16 @@ impl Edited {
                 before.networks.at(old).broken != networks.at(index).broken
             }
         };
-        around.filter(is_other).collect()
+        let mut again: Vec<usize> = around.clone().filter(is_other).collect();
+        if self.labelled {
+            let jumps = networks
+                .iter()
+                .filter(|it| it.control_flow.has(ControlFlow::JUMP));
+            again.extend(jumps.map(|network| network.index));
+            again.sort_unstable();
+            again.dedup();
+        }
+        again
     }
 
     /// Enters what the new networks name, and takes out what the others did. Gives the tags that this concerns.
@@ -352,6 +339,10 @@ impl Edited {
         let mut edited = EditedTags::default();
         for ((scope, tag), places) in touched {
             let is_found = tag >= context.scopes[scope].declared;
+            // The places of one whose declaration says no type decide about that.
+            if context.scopes[scope].tags[tag].mistyped {
+                return None;
+            }
             let facts = &mut context.scopes[scope].tags[tag];
             edited.used.push((scope, Name::new(&facts.name)));
             let first = facts.uses.0.first().copied();
@@ -403,15 +394,32 @@ impl Edited {
     }
 }
 
-/// Where a network's lines are in the earlier text, if they are there.
-fn same_lines(drawn: &Range<usize>, change: &Lines) -> Option<usize> {
-    if drawn.end <= change.new.start {
-        Some(drawn.start)
-    } else if drawn.start >= change.new.end {
-        Some(drawn.start.wrapping_add_signed(-change.added))
-    } else {
-        None
+/// The scope and the body of a network on this line, which is the first behind the one of which scope, body and line are given.
+fn around(
+    before: &Context,
+    parse: &Parse,
+    line: usize,
+    above: Option<(usize, Body, usize)>,
+) -> Option<(usize, Body)> {
+    let is_frame = |line: &Line| matches!(line.kind, LineKind::BlockEnd | LineKind::BlockHeader);
+    if let Some((scope, body, first)) = above
+        && !parse.lines().range(first..line).any(is_frame)
+    {
+        return Some((scope, body));
     }
+    let mut blocks = parse.frame().blocks.iter();
+    match blocks.position(|block| block.lines.contains(&line)) {
+        Some(block) => Some((block + 1, Body::Block(block))),
+        // It may belong to a function that begins above a definition.
+        None => before.functions.is_empty().then_some((0, Body::Main)),
+    }
+}
+
+/// Whether labels that come and go are seen by jumps of the file alone, and no function begins or ends with them.
+fn may_follow_labels<'f>(before: &Context, mut touched: impl Iterator<Item = &'f Arc<NetworkFacts>>) -> bool {
+    let begins = |facts: &NetworkFacts| facts.blocks.iter().any(|block| block.op() == Some(Op::Fun));
+    let jumps_out = |block: &UserBlockFacts| block.shape == Shape::Function;
+    !touched.any(|facts| begins(facts)) && !before.user_blocks.iter().any(jumps_out)
 }
 
 /// Whether other networks may mean something else when this one comes or goes: it has a label or begins a function.

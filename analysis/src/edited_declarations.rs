@@ -1,95 +1,144 @@
-//! The tags of a text behind an edit of lines that declare some, where it adds and takes away no line and no name.
+//! The tags of a text behind an edit of lines that declare some.
 //!
-//! What a line declares takes the place of what it declared before, and every line below it is so many bytes further down.
-//! A name that is declared no more is one that is only used, and the other way round.
+//! What these lines declare takes the place of what they declared before, and every line below is so many bytes further
+//! down. A name that is declared no more is one that is only used, and the other way round.
 
 use crate::context::Context;
 use crate::declarations::Declarations;
-use crate::declare::{self, Around};
-use crate::edited::{EditedTags, Lines, sort_found, spelled_at, typed};
-use crate::scope::{Origin, Scope, SectionKind, TagFacts, Uses};
+use crate::declare;
+use crate::edited::{EditedTags, sort_found, spelled_at, typed};
+use crate::edited_lines::Lines;
+use crate::infer;
+use crate::scope::{Origin, Scope, SectionKind, TagFacts};
 use crate::uses;
-use ladder_syntax::{Line, LineKind, Mode, Name, TextSize, Trees};
+use ladder_syntax::{Line, LineKind, Mode, Name, TextRange, TextSize, Trees};
 use rustc_hash::{FxHashMap, FxHashSet};
 use std::ops::Range;
 use std::sync::Arc;
 
 /// An edit of more lines is not followed one by one.
-const MOST_LINES: usize = 16;
+const MOST_LINES: usize = 64;
 
-/// Whether an edit has exchanged some lines for as many others, few enough to be followed one by one.
-pub(crate) fn is_short(lines: &Lines) -> bool {
-    lines.old.len() == lines.new.len() && (1..=MOST_LINES).contains(&lines.old.len())
-}
-
-/// Whether lines of declarations took the place of others, all of them without mistakes.
-pub(crate) fn are_lines_of<'l, I: Iterator<Item = &'l Line>>(
-    old: impl Fn() -> I,
-    new: impl Fn() -> I,
-) -> bool {
-    // Nothing else is on the line behind it.
-    let is_whole = |line: &Line| {
-        line.kind == LineKind::Declaration
-            && line.mode_after == Mode::Section
-            && line.errors.is_empty()
-            && line.line_ends > 0
+/// Whether an edit has exchanged lines of declarations, and the blank and comment lines among them, few enough to be
+/// followed one by one.
+pub(crate) fn are_lines_of(before: &Context, lines: &Lines, new: &ladder_syntax::FileLines) -> bool {
+    let old = before.parse.lines();
+    let is_in_section = |line: &Line| {
+        line.mode_after == Mode::Section
+            && match line.kind {
+                LineKind::Blank | LineKind::Comment => true,
+                // Nothing else is on the line behind it.
+                LineKind::Declaration => line.line_ends > 0,
+                _ => false,
+            }
     };
-    let pairs = || old().zip(new());
-    pairs().all(|(old, new)| (is_whole(old) && is_whole(new)) || is_same_decoration(old, new))
-        && pairs().any(|(old, _)| is_whole(old))
-}
-
-/// Whether both are the same line without a declaration, that was only read again.
-fn is_same_decoration(old: &Line, new: &Line) -> bool {
-    matches!(old.kind, LineKind::Blank | LineKind::Comment)
-        && old.kind == new.kind
-        && old.mode_after == new.mode_after
-        && old.green() == new.green()
-}
-
-/// A line that declares something else than before.
-struct Declared {
-    /// Which of the file's tags are meant.
-    tags: Range<usize>,
-    /// What it declares now.
-    new: Vec<TagFacts>,
+    let above = lines.old.start.checked_sub(1).map(|above| &old[above]);
+    above.is_some_and(|above| above.mode_after == Mode::Section && above.line_ends > 0)
+        && lines.old.len().max(lines.new.len()) <= MOST_LINES
+        && old.range(lines.old.clone()).all(is_in_section)
+        && new.range(lines.new.clone()).all(is_in_section)
 }
 
 /// Enters what the lines of an edit declare now. Gives the tags that this concerns; none if it takes more than that.
 pub(crate) fn enter(context: &mut Context, before: &Context, lines: &Lines) -> Option<EditedTags> {
+    let parse = &*context.parse;
     let start = before.parse.line_start(lines.old.start);
-    let mut blocks = before.user_blocks[..before.own_blocks].iter();
-    if !before.declared_cleanly || !blocks.all(|block| block.at.end() <= start) {
+    if !before.declared_cleanly {
         return None;
     }
+    let mut sections = parse.frame().sections.iter().rev();
+    let section = sections.find(|section| section.lines.start < lines.new.start)?;
+    let around = declare::around(parse, section)?;
+    let is_plain_section = matches!(
+        around.kind,
+        SectionKind::Var | SectionKind::Input | SectionKind::Output
+    );
+    if !is_plain_section || around.constant || section.block.is_some() {
+        return None;
+    }
+    let numbers = lines.new.clone();
+    let declares = |line: &usize| parse.lines()[*line].kind == LineKind::Declaration;
+    let numbers: Vec<usize> = numbers.filter(declares).collect();
     let mut declarations = Declarations::clone(&before.declarations);
-    declarations.shift(before.parse.line_start(lines.old.end), lines.added_bytes);
-    let mut declared = Vec::new();
-    for (old, new) in lines.old.clone().zip(lines.new.clone()) {
-        if before.parse.lines()[old].kind == LineKind::Declaration {
-            let number = before.declarations.starting_at(before.parse.line_start(old))?;
-            let start = context.parse.line_start(new);
-            declarations.set(number, start);
-            let place = (number, start);
-            declared.push(line(
-                &before.scopes[0],
-                place,
-                &context.parse.lines()[new],
-                &declarations,
-            )?);
+    let end = before.parse.line_start(lines.old.end);
+    let old = declarations.count_before(start)..declarations.count_before(end);
+    let tags = tags_on(&before.scopes[0], &declarations, old.clone());
+    let starts = numbers.iter().map(|&line| parse.line_start(line).into());
+    declarations.exchange(old.clone(), starts.collect(), lines.added_bytes);
+    let mut now = Scope::default();
+    let mut found = Vec::new();
+    let mut trees = Trees::default();
+    for (index, &line) in (old.start..).zip(&numbers) {
+        let place = (declarations.number(index), parse.line_start(line));
+        let line = (&parse.lines()[line], &mut trees);
+        if !declare::line(line, place, around, (&declarations, &mut now), &mut found) {
+            return None;
         }
     }
+    let plain = |tag: &TagFacts| tag.address.is_none() && tag.shared.is_none();
+    let is_plain = found.is_empty()
+        && tags.clone().all(|tag| plain(&before.scopes[0].tags[tag]))
+        && now.tags.iter().all(plain);
+    if !is_plain {
+        return None;
+    }
     context.declarations = Arc::new(declarations);
-    exchange(context, declared)
+    context.declared_to = context.declared_to.wrapping_add_signed(lines.added);
+    move_blocks(context, before, lines);
+    exchange(context, tags, now.tags.iter().cloned().collect())
 }
 
-/// What a line of the file's own declarations declares now.
-fn line(scope: &Scope, place: (u32, TextSize), line: &Line, declarations: &Declarations) -> Option<Declared> {
-    let first_from = |number: u32| {
+/// Moves what is declared below an edit of networks. None if other lines of declarations than before are above all networks.
+pub(crate) fn move_declared(context: &mut Context, before: &Context, lines: &Lines) -> Option<()> {
+    if lines.old.end >= before.declared_to {
+        return Some(());
+    }
+    let mut declarations = Declarations::clone(&before.declarations);
+    let below = declarations.count_before(before.parse.line_start(lines.old.end));
+    declarations.exchange(below..below, Vec::new(), lines.added_bytes);
+    context.declarations = Arc::new(declarations);
+    context.declared_to = context.declared_to.wrapping_add_signed(lines.added);
+    move_blocks(context, before, lines);
+    let above_all = |context: &Context| {
+        let first = context.networks.first()?;
+        Some(context.declarations.count_before(first.range.start()))
+    };
+    (above_all(context) == above_all(before)).then_some(())
+}
+
+/// Moves the first lines of block definitions below an edit, and with them the tags that each block has unasked.
+fn move_blocks(context: &mut Context, before: &Context, lines: &Lines) {
+    let end = before.parse.line_start(lines.old.end);
+    let shift = |range: &mut TextRange| {
+        let to = |at: TextSize| TextSize::new(u32::from(at).wrapping_add_signed(lines.added_bytes as i32));
+        if range.start() >= end {
+            *range = TextRange::new(to(range.start()), to(range.end()));
+        }
+    };
+    for block in &mut context.user_blocks[..before.own_blocks] {
+        shift(&mut block.at);
+    }
+    for scope in &mut context.scopes[1..] {
+        let is_unasked = |tag: &TagFacts| tag.origin == Origin::Implicit;
+        for tag in 0..scope.tags.iter().take_while(|tag| is_unasked(tag)).count() {
+            if scope.tags[tag].declared_at.range.start() >= end {
+                shift(&mut scope.tags[tag].declared_at.range);
+            }
+        }
+    }
+}
+
+/// The tags that some lines of the file's own declarations declare.
+fn tags_on(scope: &Scope, declarations: &Declarations, lines: Range<usize>) -> Range<usize> {
+    let first_from = |first: usize| {
+        let is_above = |tag: usize| {
+            let line = scope.tags[tag].declared_at.line;
+            line.and_then(|line| declarations.index(line)) < Some(first)
+        };
         let (mut low, mut high) = (0, scope.declared);
         while low < high {
             let middle = low.midpoint(high);
-            if scope.tags[middle].declared_at.line < Some(number) {
+            if is_above(middle) {
                 low = middle + 1;
             } else {
                 high = middle;
@@ -97,98 +146,76 @@ fn line(scope: &Scope, place: (u32, TextSize), line: &Line, declarations: &Decla
         }
         low
     };
-    let tags = first_from(place.0)..first_from(place.0 + 1);
-    let first = scope.tags.get(tags.start).filter(|_| !tags.is_empty())?;
-    let Origin::Declared(kind @ (SectionKind::Var | SectionKind::Input | SectionKind::Output)) = first.origin
-    else {
-        return None;
-    };
-    let around = Around {
-        kind,
-        retain: first.retain,
-        constant: first.constant,
-        in_block: false,
-    };
-    let mut now = Scope::default();
-    let mut found = Vec::new();
-    declare::line(
-        (line, &mut Trees::default()),
-        place,
-        around,
-        (declarations, &mut now),
-        &mut found,
-    );
-    let plain = |tag: &TagFacts| tag.address.is_none() && tag.ty.is_some() && !tag.mistyped && !tag.constant;
-    let is_plain = found.is_empty()
-        && now.tags.len() == tags.len()
-        && tags.clone().all(|tag| plain(&scope.tags[tag]))
-        && now.tags.iter().all(plain);
-    is_plain.then(|| Declared {
-        tags,
-        new: now.tags.iter().cloned().collect(),
-    })
+    first_from(lines.start)..first_from(lines.end)
 }
 
 /// Puts the new tags in the place of the old ones.
-fn exchange(context: &mut Context, declared: Vec<Declared>) -> Option<EditedTags> {
+fn exchange(context: &mut Context, tags: Range<usize>, new: Vec<TagFacts>) -> Option<EditedTags> {
     let law = context.profile.law();
     let scope = &context.scopes[0];
     let mut edited = EditedTags::default();
-    // What the old ones are used for, as long as no new one has it.
-    let mut uses: FxHashMap<Name, Uses> = FxHashMap::default();
+    // The old ones, as long as no new one has their names.
+    let mut gone: FxHashMap<Name, TagFacts> = FxHashMap::default();
+    for tag in tags.clone() {
+        let old = &scope.tags[tag];
+        let name = Name::new(&old.name);
+        edited.used.push((0, name.clone()));
+        gone.insert(name, old.clone());
+    }
+    let old_names: Vec<Name> = gone.keys().cloned().collect();
+    let mut names: FxHashSet<Name> = FxHashSet::default();
+    let mut comes: Vec<(Name, Arc<TagFacts>)> = Vec::new();
+    let mut no_more_found: FxHashSet<Name> = FxHashSet::default();
     let mut is_other = false;
-    for line in &declared {
-        for (tag, new) in line.tags.clone().zip(&line.new) {
-            let old = &scope.tags[tag];
-            let name = Name::new(&old.name);
-            edited.used.push((0, name.clone()));
-            if (&old.name, old.ty, &old.initial) != (&new.name, new.ty, &new.initial) {
-                edited.retyped.push((0, name.clone()));
-                is_other |= old.ty != new.ty || name != Name::new(&new.name);
+    for mut new in new {
+        let name = Name::new(&new.name);
+        if !names.insert(name.clone()) {
+            return None;
+        }
+        let old = gone.remove(&name);
+        if let Some(old) = &old {
+            new.uses = old.uses.clone();
+        } else if let Some(found) = scope.find(&name) {
+            if found < scope.declared {
+                return None;
             }
-            uses.insert(name, old.uses.clone());
+            new.uses = scope.tags[found].uses.clone();
+            no_more_found.insert(name.clone());
+        }
+        if new.ty.is_none() {
+            new.ty = Some(infer::answer(context, &new, &mut Vec::new())?);
+        }
+        let says = |tag: &TagFacts| (tag.name.clone(), tag.ty, tag.mistyped, tag.initial.clone());
+        if old.as_ref().map(says) != Some(says(&new)) {
+            edited.touched(&name);
+            let type_before = old.as_ref().and_then(|old| old.ty);
+            is_other |= type_before != new.ty && !new.uses.is_empty();
+        }
+        comes.push((name, Arc::new(new)));
+    }
+    let mut found: Vec<Arc<TagFacts>> = Vec::new();
+    for (name, old) in gone {
+        edited.touched(&name);
+        if let Some(first) = old.uses.0.first() {
+            is_other = true;
+            let tag = uses::undeclared(spelled_at(context, *first), law);
+            let tag = TagFacts {
+                uses: old.uses.clone(),
+                ..tag
+            };
+            found.push(Arc::new(typed(context, &tag)?));
         }
     }
     // What a tag is compared with, or gets its value from, may have no type but from it.
     if is_other && !context.typed_by_places {
         return None;
     }
-    let mut names: FxHashSet<Name> = FxHashSet::default();
-    let mut comes: Vec<(usize, Name, TagFacts)> = Vec::new();
-    let mut no_more_found: FxHashSet<Name> = FxHashSet::default();
-    let gone: Vec<Name> = uses.keys().cloned().collect();
-    for line in declared {
-        for (tag, mut new) in line.tags.zip(line.new) {
-            let name = Name::new(&new.name);
-            if !names.insert(name.clone()) {
-                return None;
-            }
-            if let Some(uses) = uses.remove(&name) {
-                new.uses = uses;
-            } else if let Some(found) = scope.find(&name) {
-                if found < scope.declared {
-                    return None;
-                }
-                new.uses = scope.tags[found].uses.clone();
-                no_more_found.insert(name.clone());
-                edited.touched(&name);
-            } else {
-                edited.touched(&name);
-            }
-            comes.push((tag, name, new));
-        }
-    }
-    let found = uses.into_iter().filter(|(_, uses)| !uses.is_empty());
-    let found: Vec<Arc<TagFacts>> = found
-        .map(|(_, uses)| {
-            let name = spelled_at(context, uses.0[0]);
-            let tag = TagFacts {
-                uses,
-                ..uses::undeclared(name, law)
-            };
-            typed(context, &tag).map(Arc::new)
-        })
-        .collect::<Option<_>>()?;
+    context
+        .mistyped
+        .retain(|(scope, name)| *scope > 0 || !old_names.contains(name));
+    let mistyped = comes.iter().filter(|(_, tag)| tag.mistyped);
+    let mistyped = mistyped.map(|(name, _)| (0, name.clone()));
+    context.mistyped.extend(mistyped);
     let networks = &context.networks;
     let scope = &mut context.scopes[0];
     if !found.is_empty() || !no_more_found.is_empty() {
@@ -199,12 +226,13 @@ fn exchange(context: &mut Context, declared: Vec<Declared>) -> Option<EditedTags
             tags
         });
     }
-    for name in gone.into_iter().filter(|name| !names.contains(name)) {
+    let (comes, new): (Vec<Name>, Vec<Arc<TagFacts>>) = comes.into_iter().unzip();
+    scope.exchange_declared(tags.clone(), new);
+    for name in old_names.into_iter().filter(|name| !names.contains(name)) {
         scope.rename(name, None);
     }
-    for (index, name, tag) in comes {
-        scope.rename(name, Some(index));
-        scope.tags[index] = tag;
+    for (tag, name) in (tags.start..).zip(comes) {
+        scope.rename(name, Some(tag));
     }
     Some(edited)
 }

@@ -34,6 +34,7 @@ pub mod context;
 mod cplc_draft;
 mod edited;
 mod edited_declarations;
+mod edited_lines;
 mod findings;
 mod mistakes;
 mod names;
@@ -47,7 +48,7 @@ mod values;
 
 pub(crate) use findings::{article, excerpt, foreign_comment, lint, stamp, verdict};
 pub use findings::{diagnostic, fix, rule, rule_settings};
-pub(crate) use names::{declarations, declare, did_you_mean, infer, operand_value, shared, uses};
+pub(crate) use names::{declarations, declare, did_you_mean, infer, numbering, operand_value, shared, uses};
 pub use names::{scope, system_tag, tags};
 pub(crate) use networks::{
     chunked, control_flow, kept, known_blocks, order_table, outward_jumps, reading, unread_line,

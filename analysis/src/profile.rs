@@ -4,7 +4,7 @@
 use crate::asked::asked;
 use crate::literal::{Literal, literal};
 use ladder_instructions::Profile;
-use ladder_syntax::{Item, NodeOrToken, Parse};
+use ladder_syntax::{NodeOrToken, Parse};
 
 /// The profile of a file: what the first such comment before its first network selects, else `iec`.
 pub(crate) fn profile(parse: &Parse) -> Profile {
@@ -27,24 +27,26 @@ pub(crate) fn cycle_time(text: &str) -> Option<i64> {
 
 /// The first answer to a word that a comment before the first network gives.
 fn said<T>(parse: &Parse, word: &str, answer: impl Fn(&str) -> Option<T>) -> Option<T> {
-    let before = parse
-        .structure()
-        .items
-        .iter()
-        .take_while(|item| !matches!(item, Item::Network(_)));
-    for item in before {
-        let Item::Decoration(line) = *item else { continue };
-        let line = &parse.lines()[line];
-        if !line.text().contains('#') {
-            continue;
-        }
-        for child in line.tree().children() {
-            let NodeOrToken::Token(token) = child else {
+    let lines = parse.lines();
+    let end = lines.first_network().unwrap_or(lines.len());
+    let mut sections = parse.frame().sections.iter().map(|section| section.lines.clone());
+    let mut next = 0;
+    while next < end {
+        let section = sections.next().unwrap_or(end..end);
+        let outside = next..section.start.min(end);
+        next = section.end;
+        for line in lines.range(outside) {
+            if !line.kind.is_decoration() || !line.text().contains('#') {
                 continue;
-            };
-            let asked = asked(token.text()).filter(|asked| asked.word == word);
-            if let Some(found) = asked.and_then(|asked| answer(asked.behind)) {
-                return Some(found);
+            }
+            for child in line.tree().children() {
+                let NodeOrToken::Token(token) = child else {
+                    continue;
+                };
+                let asked = asked(token.text()).filter(|asked| asked.word == word);
+                if let Some(found) = asked.and_then(|asked| answer(asked.behind)) {
+                    return Some(found);
+                }
             }
         }
     }

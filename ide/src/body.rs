@@ -7,7 +7,7 @@ use ladder_syntax::{Line, LineKind, NodeOrToken, Parse, SyntaxKind, TextRange, T
 pub(crate) fn extent(context: &Context, body: Body) -> Option<TextRange> {
     let parse = &context.parse;
     if let Body::Block(block) = body {
-        let lines = &parse.structure().blocks.get(block)?.lines;
+        let lines = &parse.frame().blocks.get(block)?.lines;
         let range = TextRange::new(
             parse.line_start(lines.start),
             parse.line_range(lines.end - 1).end(),

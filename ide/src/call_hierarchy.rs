@@ -77,7 +77,7 @@ pub fn outgoing_calls(context: &Context, of: &Caller, workspace: &dyn Workspace)
         let Some(wanted) = body_of(context, of) else {
             return;
         };
-        for (network, body) in context.networks.iter().zip(&context.bodies) {
+        for (network, body) in context.networks.iter().zip(context.bodies.iter()) {
             if *body != wanted {
                 continue;
             }
@@ -196,12 +196,7 @@ fn caller(file: &Context, body: Body) -> Caller {
 
 fn network_at(context: &Context, offset: TextSize) -> Option<usize> {
     let line = context.parse.line_at(offset)?;
-    let networks = &context.parse.structure().networks;
-    let number = networks.partition_point(|network| network.lines.end <= line);
-    networks
-        .get(number)
-        .is_some_and(|it| it.lines.contains(&line))
-        .then_some(number)
+    context.networks.on_line(line).map(|network| network.index)
 }
 
 fn with_file(context: &Context, name: &str, workspace: &dyn Workspace, act: impl FnOnce(&Context)) {

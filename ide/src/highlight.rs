@@ -98,7 +98,7 @@ fn loops(context: &Context, op: Op, at: TextRange) -> Vec<Highlight> {
     let blocks = context
         .networks
         .iter()
-        .zip(&context.bodies)
+        .zip(context.bodies.iter())
         .flat_map(|(network, body)| {
             let blocks = network.blocks();
             blocks.map(move |block| (*body, block.op(), block.head_range()))
@@ -136,15 +136,15 @@ fn keywords(context: &Context, offset: TextSize) -> Option<Vec<TextRange>> {
         let token = tokens.find_map(|it| it.into_token().filter(|it| it.kind() == SyntaxKind::KEYWORD))?;
         Some(token.text_range() + start)
     };
-    let structure = parse.structure();
+    let frame = parse.frame();
     let lines = match parse.lines()[line].kind {
         LineKind::SectionHeader | LineKind::SectionEnd => {
-            let mut sections = structure.sections.iter();
+            let mut sections = frame.sections.iter();
             let section = sections.find(|it| it.lines.contains(&line) && it.closed)?;
             section.lines.clone()
         }
         LineKind::BlockHeader | LineKind::BlockEnd => {
-            let mut blocks = structure.blocks.iter();
+            let mut blocks = frame.blocks.iter();
             blocks
                 .find(|it| it.lines.contains(&line) && it.closed)?
                 .lines

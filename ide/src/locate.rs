@@ -26,12 +26,8 @@ pub(crate) struct OnRung<'c> {
 pub(crate) fn on_rung(context: &Context, offset: TextSize) -> Option<OnRung<'_>> {
     let parse = &context.parse;
     let line = parse.line_at(offset)?;
-    let number = parse
-        .structure()
-        .networks
-        .partition_point(|network| network.lines.end <= line);
-    let network = context.networks.get(number)?;
-    let below = line.checked_sub(network.first_line)?;
+    let network = context.networks.on_line(line)?;
+    let below = line - network.first_line;
     let rung = network.wiring.line_offsets.binary_search(&below).ok()?;
     let within = offset - parse.line_start(line);
     let parts = &network.facts().wiring.rungs[rung].parts;
@@ -48,7 +44,7 @@ pub(crate) fn on_rung(context: &Context, offset: TextSize) -> Option<OnRung<'_>>
         .blocks()
         .find(|block| block.facts.rung == rung && block.facts.part == index);
     Some(OnRung {
-        network: number,
+        network: network.index,
         rung,
         part: index,
         drawn,

@@ -137,14 +137,12 @@ fn path(node: &Node, offset: TextSize, add: &mut impl FnMut(TextRange)) {
 
 /// The network that a line belongs to, then with the comments above it.
 fn network(context: &Context, line: usize, grown: &mut Grown) {
-    let networks = &context.parse.structure().networks;
-    let number = networks.partition_point(|network| network.lines.end <= line);
-    let Some(network) = networks.get(number).filter(|it| it.lines.contains(&line)) else {
+    let Some(network) = context.networks.on_line(line) else {
         return;
     };
-    let range = without_line_end(context, context.networks.at(number).range);
+    let range = without_line_end(context, network.range);
     grown.add(range);
-    if let Some((first, _)) = comments::above(context, network.lines.start) {
+    if let Some((first, _)) = comments::above(context, network.first_line) {
         grown.add(TextRange::new(context.parse.line_start(first), range.end()));
     }
 }

@@ -166,7 +166,7 @@ pub(crate) fn pieces(
     let names = revision.names()?;
     Some(letters::pieces(
         names.context(),
-        names.text(),
+        &names.text(),
         stretch,
         rail,
         live,

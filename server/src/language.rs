@@ -13,27 +13,21 @@ use ladder_ide::{
 };
 use ladder_ide::{Inlay, Lens};
 use ladder_interchange::notation::offer_conversion;
-use ladder_syntax::{TextRange, TextSize, parse};
+use ladder_syntax::{Parse, TextRange, TextSize};
 
 /// What one text says: its names, networks and blocks. Enough for most that is asked while somebody types.
 #[derive(Debug, Clone)]
 pub(crate) struct Names {
     context: Arc<Context>,
-    text: Arc<String>,
 }
 
 impl Names {
     /// Reads a text of at most 24 MiB. Messages of a running program call the file by this name. What an earlier text of
     /// the document has in common with it is not looked at again.
-    pub(crate) fn of(text: String, before: Option<&Names>, name: &str, others: &Others) -> Self {
-        let parse = match before {
-            Some(before) => before.context.parse.updated(&before.text, &text),
-            None => parse(&text),
-        };
+    pub(crate) fn of(parse: &Arc<Parse>, before: Option<&Names>, name: &str, others: &Others) -> Self {
         let before = before.map(|before| &*before.context);
         Names {
-            context: Arc::new(context_after(before, &Arc::new(parse), name, others)),
-            text: Arc::new(text),
+            context: Arc::new(context_after(before, parse, name, others)),
         }
     }
 
@@ -42,9 +36,9 @@ impl Names {
         &self.context
     }
 
-    /// The text itself.
-    pub(crate) fn text(&self) -> &str {
-        &self.text
+    /// The text itself, put together from its lines.
+    pub(crate) fn text(&self) -> String {
+        self.context.parse.to_string()
     }
 
     /// What can be written at an offset.
@@ -92,7 +86,6 @@ impl Names {
 #[derive(Debug, Clone)]
 pub(crate) struct Analysis {
     whole: Arc<ladder_analysis::Analysis>,
-    text: Arc<String>,
 }
 
 impl Analysis {
@@ -107,11 +100,10 @@ impl Analysis {
         let before = before.map(|before| &*before.whole);
         let mut whole = analyze_while(before, Arc::clone(&names.context), rules, wanted)?;
         whole.change_finding(Rule::UnexpectedCharacter, says_cplc_draft, |found| {
-            offer_conversion(std::slice::from_mut(found), &names.text, &Options::default());
+            offer_conversion(std::slice::from_mut(found), &names.text(), &Options::default());
         });
         Some(Analysis {
             whole: Arc::new(whole),
-            text: Arc::clone(&names.text),
         })
     }
 
@@ -137,7 +129,7 @@ impl Analysis {
 
     /// The edits of an action, with the drawing around them put straight.
     pub(crate) fn aligned(&self, action: &Action, options: &Options) -> Vec<Edit> {
-        action.aligned(&self.whole, &self.text, options)
+        action.aligned(&self.whole, &self.whole.context.parse.to_string(), options)
     }
 
     /// What can be done, of the kinds that are wanted, with what a range selects.

@@ -6,12 +6,35 @@
 
 use crate::grammar::Entry;
 use crate::line::{Line, LineKind, Mode};
-use crate::line_tree::with_text;
+use crate::line_tree::{BEFORE, with_text};
 use crate::lines::{entry_behind, line_at};
 use crate::parse;
 use crate::parse::Parse;
 use crate::summary::Summary;
+use crate::unclosed_comment::unclosed_comment;
 use rowan::{TextRange, TextSize};
+use std::ops::Range;
+
+/// So many lines behind an edit are looked at first.
+const FEW_LINES: usize = 8;
+
+/// Some of a text's lines: from the first that an edit touches to one behind it.
+struct Window {
+    /// Behind a line end, unless it is the beginning of the text.
+    text: String,
+    /// Where the first of the lines begins in it.
+    start: usize,
+    /// Where the edit ends in it.
+    edit_end: usize,
+    /// It ends in front of this line of the text before the edit.
+    last: usize,
+}
+
+/// The lines that are new, and which line of the text before the edit follows them.
+struct ReadAgain {
+    lines: Vec<Line<()>>,
+    resume: usize,
+}
 
 impl Parse {
     /// The parse of a text that came from this one's by one edit: `old_range` of the old text was replaced by
@@ -20,35 +43,95 @@ impl Parse {
     /// If the lengths do not agree, the text is parsed anew.
     #[must_use]
     pub fn edited(&self, text: &str, old_range: TextRange, new_len: TextSize) -> Parse {
+        self.edited_in(text.len(), |range| text[range].to_owned(), old_range, new_len)
+    }
+
+    /// As [`Parse::edited`], for a text of `len` bytes of which `stretch` gives any range: nothing is asked for but the
+    /// lines around the edit, as long as it opens no comment.
+    #[must_use]
+    pub fn edited_in(
+        &self,
+        len: usize,
+        stretch: impl Fn(Range<usize>) -> String,
+        old_range: TextRange,
+        new_len: TextSize,
+    ) -> Parse {
         let old_len = u32::from(self.text_len()) as usize;
-        let edit = std::ops::Range::<usize>::from(old_range);
+        let edit = Range::<usize>::from(old_range);
         let new_end = edit.start + usize::from(new_len);
-        if edit.end > old_len
-            || text.len() != old_len - edit.len() + usize::from(new_len)
-            || self.lines().is_empty()
+        if edit.end > old_len || len != old_len - edit.len() + usize::from(new_len) || self.lines().is_empty()
         {
-            return parse(text);
+            return parse(&stretch(0..len));
         }
         let first = self.first_touched(edit.start);
-        let mut new_lines = Vec::new();
         let (start, begin) = (self.lines.line_start(first) as usize, self.entry(first));
-        let (mut at, mut entry) = (start, begin);
-        let mut resume = self.lines().len();
+        let mut last = self.lines.count_before(edit.end as u32) + FEW_LINES;
+        let mut asked_for = 0;
+        let (window, again) = loop {
+            last = self.end_of_physical_line(last);
+            let end = self.lines.line_start(last) as usize - edit.end + new_end;
+            asked_for += end - start;
+            let before = if start == 0 { "" } else { BEFORE };
+            let window = Window {
+                text: [before, &stretch(start..end)].concat(),
+                start: before.len(),
+                edit_end: before.len() + new_end - start,
+                last,
+            };
+            match self.read_again(&window, begin, edit.end) {
+                Some(again) => break (window, again),
+                None => last += 2 * (last - first),
+            }
+        };
+        let new_lines = with_text(&window.text, window.start, begin, again.lines);
+        let lines = self.lines.spliced(first..again.resume, new_lines);
+        let whole = || {
+            asked_for += len;
+            stretch(0..len)
+        };
+        let unclosed_comment = unclosed_comment(whole, &lines);
+        Parse::new(lines, unclosed_comment, asked_for)
+    }
+
+    /// Reads a window's lines until one begins where a line of the text before the edit does, in the same state. None if
+    /// what is behind the window may have a say in how they are read.
+    fn read_again(&self, window: &Window, begin: Entry, old_end: usize) -> Option<ReadAgain> {
+        let text = &*window.text;
+        let whole = window.last == self.lines.len();
+        let mut lines = Vec::new();
+        let (mut at, mut entry) = (window.start, begin);
+        let mut resume = None;
         while at < text.len() {
             let line = line_at(text, at, entry, &mut Summary);
             at += line.len as usize;
             entry = entry_behind(&line);
-            new_lines.push(line);
-            if at >= new_end
-                && let Some(old) = self.line_that_starts(at - new_end + edit.end)
+            lines.push(line);
+            if at >= window.edit_end
+                && let Some(old) = self.line_that_starts(at - window.edit_end + old_end)
                 && self.entry(old) == entry
             {
-                resume = old;
+                resume = Some(old);
                 break;
             }
         }
-        let new_lines = with_text(text, start, begin, new_lines);
-        Parse::new(text, self.lines.spliced(first..resume, new_lines))
+        if whole {
+            let resume = resume.unwrap_or(window.last);
+            return Some(ReadAgain { lines, resume });
+        }
+        // Comments end at a `#`, declarations look past blanks and comments, and all else ends with its physical line.
+        let resume = resume?;
+        let mut behind = self.lines.range(resume..window.last);
+        let is_stop = |line: &Line| !matches!(line.kind, LineKind::Blank | LineKind::Comment);
+        behind.any(is_stop).then_some(ReadAgain { lines, resume })
+    }
+
+    /// The first line from this one on that begins a physical line; at most the number of lines.
+    fn end_of_physical_line(&self, line: usize) -> usize {
+        let mut line = line.min(self.lines.len());
+        while line < self.lines.len() && self.entry(line).mid_line {
+            line += 1;
+        }
+        line
     }
 
     /// The parse of a text that came from this one's, `old`, in whatever way: what lies between the beginning and the

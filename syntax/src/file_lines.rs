@@ -155,6 +155,12 @@ impl FileLines {
         (above..above + new.len() - below, above..above + old.len() - below)
     }
 
+    /// The first line of the first network.
+    pub fn first_network(&self) -> Option<usize> {
+        let mut parts = self.parts.iter().zip(&self.lines_before);
+        parts.find_map(|(part, &before)| Some(before as usize + part.first_network()?))
+    }
+
     /// How many physical lines end above a line.
     pub fn line_ends_above(&self, line: usize) -> u32 {
         let part = self.part_of(line);
@@ -247,5 +253,13 @@ impl LineList for FileLines {
 
     fn start(&self, line: usize) -> u32 {
         self.line_start(line)
+    }
+
+    fn declarations_from(&self, line: usize) -> Option<(usize, Option<usize>)> {
+        let part = self.part_of(line);
+        let first = self.first_line(part);
+        let last = self.parts.get(part)?.declares_to.filter(|_| line == first)? as usize;
+        let behind = self.lines_before[part + 1] as usize;
+        Some((behind, (last > 0).then_some(first + last)))
     }
 }

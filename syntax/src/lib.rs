@@ -60,6 +60,6 @@ pub use lines::{LineList, LineReader, Lines, read_lines};
 pub use name::{Name, is_identifier, is_reserved};
 pub use parse::{MAX_FILE_BYTES, MAX_OPEN_BYTES, MAX_OPEN_LINES, Parse, parse, tree};
 pub use part::Part;
-pub use structure::{BlockDefinition, Item, Network, Section, Structure};
+pub use structure::{BlockDefinition, Frame, Item, Network, Section, Structure};
 
 pub use rowan::{self, NodeOrToken, TextRange, TextSize};

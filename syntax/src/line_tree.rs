@@ -26,7 +26,7 @@ pub struct LineTree {
 const SHARED: usize = 16 << 10;
 
 /// Stands before a text that is not the beginning of a file, where alone a byte order mark may be.
-const BEFORE: &str = "\n";
+pub(crate) const BEFORE: &str = "\n";
 
 /// Gives lines the text that they were read from. The first one begins at `at`, in the state `entry`.
 pub(crate) fn with_text(text: &str, at: usize, entry: Entry, lines: Vec<Line<()>>) -> Vec<Line> {

@@ -20,6 +20,13 @@ pub trait LineList {
 
     /// Where it starts, in bytes from the start of the text.
     fn start(&self, line: usize) -> u32;
+
+    /// If it is known without a look at each line that nothing but declarations, comments and blank lines is from a line on
+    /// to another: that other one, and the one behind the last declaration.
+    fn declarations_from(&self, line: usize) -> Option<(usize, Option<usize>)> {
+        let _ = line;
+        None
+    }
 }
 
 impl<N> LineList for Lines<N> {
@@ -167,7 +174,7 @@ impl<N> Lines<N> {
 
     fn regroup(&mut self, text: &str) {
         self.structure = structure::structure(self);
-        self.unclosed_comment = unclosed_comment(text, self);
+        self.unclosed_comment = unclosed_comment(|| text, self);
     }
 
     /// The logical lines.

@@ -5,7 +5,7 @@ use crate::grammar::Entry;
 use crate::line_tree::with_text;
 use crate::lines::read_all;
 use crate::part::Part;
-use crate::structure::{Structure, structure_of_parts};
+use crate::structure::{Frame, Structure, frame_of_parts, structure_of_parts};
 use crate::summary::Summary;
 use crate::tree_builder::TreeBuilder;
 use crate::unclosed_comment::unclosed_comment;
@@ -28,15 +28,20 @@ pub const MAX_OPEN_LINES: usize = 400_000;
 pub struct Parse {
     pub(crate) lines: FileLines,
     unclosed_comment: Option<TextRange>,
+    /// How many bytes of the text were read for it.
+    bytes_read: usize,
     /// Made when it is asked for.
     root: OnceLock<GreenNode>,
     structure: OnceLock<Structure>,
+    frame: OnceLock<Frame>,
 }
 
 /// Parses a text. Every text has a tree that gives it back; mistakes are in [`Parse::errors`].
 pub fn parse(text: &str) -> Parse {
     let lines = read_all(text, &mut Summary);
-    Parse::new(text, FileLines::new(with_text(text, 0, Entry::START, lines)))
+    let lines = FileLines::new(with_text(text, 0, Entry::START, lines));
+    let unclosed_comment = unclosed_comment(|| text, &lines);
+    Parse::new(lines, unclosed_comment, text.len())
 }
 
 /// The tree of a text, by itself: `SOURCE_FILE`, in it the logical lines.
@@ -47,12 +52,14 @@ pub fn tree(text: &str) -> GreenNode {
 }
 
 impl Parse {
-    pub(crate) fn new(text: &str, lines: FileLines) -> Parse {
+    pub(crate) fn new(lines: FileLines, unclosed_comment: Option<TextRange>, bytes_read: usize) -> Parse {
         Parse {
-            unclosed_comment: unclosed_comment(text, &lines),
+            unclosed_comment,
             lines,
+            bytes_read,
             root: OnceLock::new(),
             structure: OnceLock::new(),
+            frame: OnceLock::new(),
         }
     }
 
@@ -93,9 +100,19 @@ impl Parse {
         self.structure.get_or_init(|| structure_of_parts(&self.lines))
     }
 
+    /// Sections and block definitions. Who needs no more than these asks here: it takes no look at the networks.
+    pub fn frame(&self) -> &Frame {
+        self.frame.get_or_init(|| frame_of_parts(&self.lines))
+    }
+
     /// The length of the text in bytes.
     pub fn text_len(&self) -> TextSize {
         TextSize::new(self.lines.text_len())
+    }
+
+    /// How many bytes of the text were read for it: of one that came from another by an edit, those around the edit.
+    pub fn bytes_read(&self) -> usize {
+        self.bytes_read
     }
 
     /// Where a comment that is never closed is reported: the `#` of the first comment that holds a line of a
@@ -118,11 +135,8 @@ impl Parse {
             .collect();
         // An end that was not found may be in a comment that is never closed.
         let reported = |kind: SyntaxErrorKind| self.unclosed_comment().is_none() || !kind.lacks_end();
-        let problems = self
-            .structure()
-            .problems
-            .iter()
-            .filter(|(_, kind)| reported(*kind));
+        let problems = self.frame().problems.iter();
+        let problems = problems.filter(|(_, kind)| reported(*kind));
         errors.extend(problems.map(|&(line, kind)| {
             // The line without its white space and line end.
             let text = self.lines()[line].text();

@@ -20,6 +20,12 @@ pub struct Part {
     pub(crate) starts: Vec<u32>,
     /// Its networks, and the lines between them.
     pub(crate) items: Vec<PartItem>,
+    /// The lines at which sections and block definitions begin, and at which the latter end.
+    pub(crate) frame: Box<[u32]>,
+    /// If it holds nothing but declarations, comments and blank lines: the line behind the last declaration, or 0.
+    pub(crate) declares_to: Option<u32>,
+    /// The first line of its first network.
+    first_network: Option<u32>,
     /// How many physical lines end in it.
     line_ends: u32,
     /// Whether a line has a mistake.
@@ -37,9 +43,34 @@ impl Part {
             at += line.len;
         }
         starts.push(at);
+        let items = group(&lines);
+        let numbers = || (0..).zip(&lines);
+        let is_frame = |line: &Line| {
+            matches!(
+                line.kind,
+                LineKind::SectionHeader | LineKind::BlockHeader | LineKind::BlockEnd
+            )
+        };
+        let frame = numbers().filter(|(_, line)| is_frame(line));
+        let is_in_section = |line: &Line| {
+            matches!(
+                line.kind,
+                LineKind::Declaration | LineKind::Comment | LineKind::Blank
+            )
+        };
+        let declarations = || numbers().filter(|(_, line)| line.kind == LineKind::Declaration);
         Part {
             starts,
-            items: group(&lines),
+            frame: frame.map(|(number, _)| number).collect(),
+            declares_to: lines
+                .iter()
+                .all(is_in_section)
+                .then(|| declarations().last().map_or(0, |(number, _)| number + 1)),
+            first_network: items.iter().find_map(|item| match *item {
+                PartItem::Network(first, _) => Some(first),
+                PartItem::Line(_) => None,
+            }),
+            items,
             line_ends: lines.iter().map(|line| line.line_ends).sum(),
             faulty: lines
                 .iter()
@@ -75,6 +106,11 @@ impl Part {
             PartItem::Network(first, end) => Some(first as usize..end as usize),
             PartItem::Line(_) => None,
         })
+    }
+
+    /// The first line of its first network, counted from its first line.
+    pub fn first_network(&self) -> Option<usize> {
+        self.first_network.map(|line| line as usize)
     }
 
     /// How many physical lines end in it.

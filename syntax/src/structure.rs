@@ -24,9 +24,20 @@ pub struct Structure {
     pub(crate) problems: Vec<(usize, SyntaxErrorKind)>,
 }
 
-impl Structure {
+/// The sections and block definitions of a file: what of its [`Structure`] can be told without going through its networks.
+#[derive(Debug, Clone, Default, PartialEq, Eq)]
+pub struct Frame {
+    /// As [`Structure::sections`].
+    pub sections: Vec<Section>,
+    /// As [`Structure::blocks`].
+    pub blocks: Vec<BlockDefinition>,
+    /// As [`Structure::problems`].
+    pub(crate) problems: Vec<(usize, SyntaxErrorKind)>,
+}
+
+impl Frame {
     /// Whether sections and block definitions begin and end where they should.
-    pub fn is_framed(&self) -> bool {
+    pub fn is_whole(&self) -> bool {
         self.problems.is_empty()
     }
 }
@@ -255,6 +266,28 @@ pub(crate) fn structure_of_parts(lines: &FileLines) -> Structure {
     grouping.finish()
 }
 
+/// The sections and block definitions of a file.
+pub(crate) fn frame_of_parts(lines: &FileLines) -> Frame {
+    let mut grouping = Grouping::default();
+    for (number, part) in lines.parts().iter().enumerate() {
+        let first = lines.first_line(number);
+        for &line in &part.frame {
+            grouping.line(lines, first + line as usize);
+        }
+    }
+    let Structure {
+        sections,
+        blocks,
+        problems,
+        ..
+    } = grouping.finish();
+    Frame {
+        sections,
+        blocks,
+        problems,
+    }
+}
+
 fn bad(problem: DeclarationProblem) -> SyntaxErrorKind {
     SyntaxErrorKind::BadDeclaration(problem)
 }
@@ -263,7 +296,14 @@ fn bad(problem: DeclarationProblem) -> SyntaxErrorKind {
 /// reaches to its last declaration: blank and comment lines behind that may belong to what follows.
 fn section_end<L: LineList + ?Sized>(lines: &L, header: usize) -> (usize, bool) {
     let mut end = header + 1;
-    for index in header + 1..lines.count() {
+    let mut index = header;
+    while index + 1 < lines.count() {
+        index += 1;
+        if let Some((behind, last)) = lines.declarations_from(index) {
+            end = last.unwrap_or(end);
+            index = behind - 1;
+            continue;
+        }
         match lines.line(index).kind {
             LineKind::SectionEnd => return (index + 1, true),
             LineKind::Declaration => end = index + 1,

@@ -10,8 +10,11 @@ use crate::{SyntaxErrorKind, SyntaxKind};
 use rowan::{TextRange, TextSize};
 use std::ops::Range;
 
-/// The `#` to show, if the last comment is not closed.
-pub(crate) fn unclosed_comment<L: LineList>(text: &str, lines: &L) -> Option<TextRange> {
+/// The `#` to show, if the last comment is not closed. The text is asked for in that case only.
+pub(crate) fn unclosed_comment<T: AsRef<str>, L: LineList>(
+    text: impl FnOnce() -> T,
+    lines: &L,
+) -> Option<TextRange> {
     let last = lines.count().checked_sub(1)?;
     let start = TextSize::new(lines.start(last));
     let open = lines
@@ -19,7 +22,8 @@ pub(crate) fn unclosed_comment<L: LineList>(text: &str, lines: &L) -> Option<Tex
         .errors
         .iter()
         .find(|error| error.kind == SyntaxErrorKind::UnclosedComment)?;
-    let first = (0..lines.count()).find_map(|line| comment_with_drawing(text, lines, line));
+    let text = text();
+    let first = (0..lines.count()).find_map(|line| comment_with_drawing(text.as_ref(), lines, line));
     Some(first.unwrap_or(open.range + start))
 }
 

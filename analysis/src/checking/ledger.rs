@@ -147,7 +147,7 @@ impl Ledger {
         let numbers = context.networks.numbers();
         ledger.networks.resize_with(numbers, OfNetwork::default);
         ledger.control_flow.resize(numbers, ControlFlow::default());
-        ledger.shelf.resize(numbers);
+        ledger.shelf.resize(numbers, context.declarations.numbers());
         ledger.notes.follow(context.parse.lines());
         ledger.drawings_and_types(context, &networks, wanted)?;
         let mut of_file = OfFile::default();
@@ -236,7 +236,6 @@ impl Ledger {
             let found = found.flat_map(|found| found.iter().flatten());
             self.shelf.set_network(id, found);
         }
-        self.shelf.settle();
     }
 
     /// Looks at networks by themselves, and at the types of their operands.

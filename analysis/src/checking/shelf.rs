@@ -11,7 +11,6 @@ use crate::rule::{Rule, Severity};
 use crate::rule_settings::RuleSettings;
 use crate::rules::tag_summary::{Known, When};
 use ladder_syntax::{TextRange, TextSize};
-use rustc_hash::FxHashSet;
 use std::ops::AddAssign;
 use std::sync::Arc;
 
@@ -32,21 +31,19 @@ pub(super) enum Source {
 pub(crate) struct Shelf {
     settings: Arc<RuleSettings>,
     /// By the numbers of the networks.
-    networks: Chunked<Option<Arc<Vec<Item>>>>,
-    /// On lines of declarations, in the order of their places.
-    declared: Arc<Vec<Item>>,
+    networks: Chunked<Items>,
+    /// By the numbers of the lines of declarations.
+    declared: Chunked<Items>,
     counts: [Count; When::ALL.len()],
-    /// What is not yet put into its place among the declarations, and what is not yet taken away there, by its address.
-    coming: Vec<Item>,
-    going: FxHashSet<usize>,
 }
+
+/// The findings of one network or line of declarations, in the order of their places.
+type Items = Option<Arc<Vec<Item>>>;
 
 /// One finding.
 #[derive(Debug, Clone)]
 struct Item {
-    /// The line of declarations on which it is.
-    line: Option<u32>,
-    /// From the start of this line, or of its network.
+    /// From the start of its network or line of declarations.
     range: TextRange,
     rule: Rule,
     source: Source,
@@ -84,12 +81,7 @@ impl AddAssign for Count {
 impl Item {
     fn new(anchored: &Arc<Anchored>, source: Source, settings: &RuleSettings) -> Item {
         let (rule, severity) = (anchored.rule(), anchored.severity());
-        let line = match anchored.home() {
-            Some(Home::Declaration(line)) => Some(line),
-            _ => None,
-        };
         Item {
-            line,
             range: anchored.anchored_range(),
             rule,
             source,
@@ -114,22 +106,15 @@ impl Item {
         }
     }
 
-    /// Where it starts, of a network that starts at `own`.
-    fn start(&self, context: &Context, own: TextSize) -> TextSize {
-        let line = self.line.map(|line| context.declarations.start_of(line));
-        self.range.start() + line.unwrap_or(own)
-    }
-
-    /// As the rule says it, of a network that starts at `own`.
-    fn finding(&self, context: &Context, own: TextSize) -> Finding {
-        let range = TextRange::at(self.start(context, own), self.range.len());
-        Finding::at(range, self.severity, (&self.anchored, own))
+    /// As the rule says it, of a network or line that starts at `own`.
+    fn finding(&self, own: TextSize) -> Finding {
+        Finding::at(self.range + own, self.severity, (&self.anchored, own))
     }
 }
 
 /// Puts findings into their order.
 fn arrange(items: &mut [Item]) {
-    let place = |item: &Item| (item.line, item.range.start(), item.range.end(), item.rule);
+    let place = |item: &Item| (item.range.start(), item.range.end(), item.rule);
     items.sort_by_key(|item| (place(item), item.source));
     let mut before = None;
     for item in items {
@@ -143,17 +128,18 @@ impl Shelf {
         Shelf {
             settings: Arc::new(settings.clone()),
             networks: Chunked::default(),
-            declared: Arc::default(),
+            declared: Chunked::default(),
             counts: Default::default(),
-            coming: Vec::new(),
-            going: FxHashSet::default(),
         }
     }
 
-    /// There are so many numbers of networks.
-    pub(super) fn resize(&mut self, numbers: usize) {
-        while self.networks.len() < numbers {
+    /// There are so many numbers of networks, and of lines of declarations.
+    pub(super) fn resize(&mut self, networks: usize, lines: usize) {
+        while self.networks.len() < networks {
             self.networks.push(None);
+        }
+        while self.declared.len() < lines {
+            self.declared.push(None);
         }
     }
 
@@ -166,77 +152,56 @@ impl Shelf {
             .map(|found| Item::new(found, Source::Network, &self.settings))
             .collect();
         items.extend(kept);
-        self.put(id, items);
+        self.put(Home::Network(id), items);
     }
 
-    /// Adds a finding that a tag owns. To be followed by [`Shelf::settle`].
+    /// Adds a finding that a tag owns.
     pub(super) fn add_of_tag(&mut self, found: &Arc<Anchored>) {
         if found.is_volatile() {
             return;
         }
-        let item = Item::new(found, Source::Tag, &self.settings);
-        let Some(Home::Network(id)) = found.home() else {
-            self.coming.push(item);
-            return;
-        };
-        let mut items = self.items_of(id);
-        items.push(item);
-        self.put(id, items);
+        let Some(home) = found.home() else { return };
+        let mut items = self.items_of(home);
+        items.push(Item::new(found, Source::Tag, &self.settings));
+        self.put(home, items);
     }
 
-    /// Takes away a finding that a tag owns. To be followed by [`Shelf::settle`].
+    /// Takes away a finding that a tag owns.
     pub(super) fn remove_of_tag(&mut self, found: &Arc<Anchored>) {
         if found.is_volatile() {
             return;
         }
-        let Some(Home::Network(id)) = found.home() else {
-            self.going.insert(Arc::as_ptr(found).addr());
-            return;
-        };
-        let mut items = self.items_of(id);
+        let Some(home) = found.home() else { return };
+        let mut items = self.items_of(home);
         items.retain(|item| !Arc::ptr_eq(&item.anchored, found));
-        self.put(id, items);
+        self.put(home, items);
     }
 
     /// Takes away all that tags own.
     pub(super) fn remove_all_of_tags(&mut self) {
-        for id in 0..self.networks.len() as u32 {
-            let mut items = self.items_of(id);
+        let networks = (0..self.networks.len() as u32).map(Home::Network);
+        let lines = (0..self.declared.len() as u32).map(Home::Declaration);
+        for home in networks.chain(lines) {
+            let mut items = self.items_of(home);
             items.retain(|item| item.source != Source::Tag);
-            self.put(id, items);
-        }
-        self.coming.clear();
-        self.going = self
-            .declared
-            .iter()
-            .map(|item| Arc::as_ptr(&item.anchored).addr())
-            .collect();
-    }
-
-    /// Puts what has come and gone on lines of declarations into its place.
-    pub(super) fn settle(&mut self) {
-        if self.coming.is_empty() && self.going.is_empty() {
-            return;
-        }
-        for item in self.declared.iter() {
-            count(&mut self.counts, item, false);
-        }
-        let declared = Arc::make_mut(&mut self.declared);
-        let going = std::mem::take(&mut self.going);
-        declared.retain(|item| !going.contains(&Arc::as_ptr(&item.anchored).addr()));
-        declared.append(&mut self.coming);
-        arrange(declared);
-        for item in self.declared.iter() {
-            count(&mut self.counts, item, true);
+            self.put(home, items);
         }
     }
 
-    fn items_of(&self, id: u32) -> Vec<Item> {
-        self.networks[id as usize].as_deref().cloned().unwrap_or_default()
+    fn items_of(&self, home: Home) -> Vec<Item> {
+        let items = match home {
+            Home::Network(id) => &self.networks[id as usize],
+            Home::Declaration(line) => &self.declared[line as usize],
+        };
+        items.as_deref().cloned().unwrap_or_default()
     }
 
-    fn put(&mut self, id: u32, mut items: Vec<Item>) {
-        let before = self.networks[id as usize].clone();
+    fn put(&mut self, home: Home, mut items: Vec<Item>) {
+        let (all, number) = match home {
+            Home::Network(id) => (&mut self.networks, id as usize),
+            Home::Declaration(line) => (&mut self.declared, line as usize),
+        };
+        let before = all[number].clone();
         if items.is_empty() && before.is_none() {
             return;
         }
@@ -247,7 +212,7 @@ impl Shelf {
         for item in &items {
             count(&mut self.counts, item, true);
         }
-        *self.networks.get_mut(id as usize) = (!items.is_empty()).then(|| Arc::new(items));
+        *all.get_mut(number) = (!items.is_empty()).then(|| Arc::new(items));
     }
 
     /// How many findings there are of those that hold.
@@ -266,9 +231,12 @@ impl Shelf {
         let behind = networks.partition_point(|network| network.range.start() <= at);
         let (items, own) = match behind.checked_sub(1) {
             Some(index) => self.of_network(context, index),
-            None => (self.declared.as_slice(), TextSize::default()),
+            None => match context.declarations.last_before(at) {
+                Some(line) => self.of_line(context, line),
+                None => return None,
+            },
         };
-        let start = |item: &Item| item.start(context, own);
+        let start = |item: &Item| item.range.start() + own;
         let first = items.partition_point(|item| start(item) < at);
         let mut there = items[first..].iter().take_while(|item| start(item) == at);
         let same = |item: &&Item| {
@@ -288,16 +256,22 @@ impl Shelf {
         }
     }
 
+    fn of_line(&self, context: &Context, index: usize) -> (&[Item], TextSize) {
+        let lines = &context.declarations;
+        match self.declared.get(lines.number(index) as usize) {
+            Some(Some(items)) => (items, lines.start(index)),
+            _ => (&[], TextSize::default()),
+        }
+    }
+
     /// All findings that hold, as the rules say them, in the order of their places.
     pub(super) fn all(&self, context: &Context, known: Known) -> impl Iterator<Item = (Source, Finding)> {
-        let declared = self.declared.iter().map(|item| (item, TextSize::default()));
-        let of_networks = (0..context.networks.len()).flat_map(move |index| {
-            let (items, own) = self.of_network(context, index);
-            items.iter().map(move |item| (item, own))
-        });
-        let all = declared.chain(of_networks);
+        let lines = (0..context.declarations.len()).map(|index| self.of_line(context, index));
+        let networks = (0..context.networks.len()).map(|index| self.of_network(context, index));
+        let all = lines.chain(networks);
+        let all = all.flat_map(|(items, own)| items.iter().map(move |item| (item, own)));
         let all = all.filter(move |(item, _)| !item.repeats && When::of(item.rule).holds(known));
-        all.map(|(item, own)| (item.source, item.finding(context, own)))
+        all.map(|(item, own)| (item.source, item.finding(own)))
     }
 
     /// All findings that hold and are shown, as they are shown, in the order of their places.
@@ -326,41 +300,36 @@ impl Shelf {
             let level = item.level?;
             let is_it =
                 !item.repeats && (level == Severity::Error) == errors && When::of(item.rule).holds(known);
-            is_it.then(|| item.finding(context, own).counted_as(level))
+            is_it.then(|| item.finding(own).counted_as(level))
         };
         let networks = &context.networks;
-        let middle = networks.partition_point(|network| network.range.start() <= at);
-        let file = TextSize::default();
-        let above = self
-            .declared
-            .partition_point(|item| item.start(context, file) < at);
+        let of_network = |index| self.of_network(context, index);
+        let of_line = |index| self.of_line(context, index);
+        let network = networks.partition_point(|network| network.range.start() <= at);
+        let line = context.declarations.last_before(at).map_or(0, |line| line + 1);
+        // Findings on lines of declarations are above all networks.
+        let higher = (0..network).rev().map(of_network);
+        let higher = higher.chain((0..line).rev().map(of_line));
         let mut before = Vec::new();
-        // What is behind the place in the network around it does not count.
+        // What is behind the place in the network or on the line around it does not count.
         let mut left = most;
-        for index in (0..middle).rev() {
+        for (items, own) in higher {
             if left == 0 || before.len() >= there {
                 break;
             }
-            let (items, own) = self.of_network(context, index);
             for found in items.iter().rev().filter_map(|item| wanted(item, own)) {
                 left = left.saturating_sub(usize::from(found.range.start() < at));
                 before.push(found);
             }
         }
-        let higher = self.declared[..above].iter().rev();
-        before.extend(higher.filter_map(|item| wanted(item, file)).take(left));
         before.reverse();
         let mut all = before;
         let most = (all.len() + most).min(there);
-        let lower = self.declared[above..]
-            .iter()
-            .filter_map(|item| wanted(item, file));
-        all.extend(lower.take(most - all.len().min(most)));
-        for index in middle..networks.len() {
+        let lower = (line..context.declarations.len()).map(of_line);
+        for (items, own) in lower.chain((network..networks.len()).map(of_network)) {
             if all.len() >= most {
                 break;
             }
-            let (items, own) = self.of_network(context, index);
             all.extend(items.iter().filter_map(|item| wanted(item, own)));
         }
         all

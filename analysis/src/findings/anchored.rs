@@ -118,7 +118,7 @@ impl Anchored {
         self.found.range
     }
 
-    /// What its place counts from, of one that a tag owns; none if its places are true for one text only.
+    /// What its own place counts from, of one that a tag owns; none if its places are true for one text only.
     pub(crate) fn home(&self) -> Option<Home> {
         match &self.anchors {
             Anchors::Each(homes) => homes.first().copied(),
@@ -175,8 +175,9 @@ fn on_declaration(context: &Context, place: TextRange) -> Option<u32> {
     let line = context.declarations.last_before(place.start())?;
     let around = context.parse.line_at(place.start())?;
     let range = context.parse.line_range(around);
-    let is_it = range.start() == context.declarations.start_of(line) && range.contains_range(place);
-    (is_it && first.is_none_or(|first| place.end() <= first)).then_some(line)
+    let is_it = range.start() == context.declarations.start(line) && range.contains_range(place);
+    let is_above = first.is_none_or(|first| place.end() <= first);
+    (is_it && is_above).then(|| context.declarations.number(line))
 }
 
 /// All places of this file that a finding names: its own first.

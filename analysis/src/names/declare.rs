@@ -7,6 +7,7 @@ use crate::did_you_mean;
 use crate::facts;
 use crate::mistakes::{bad_declaration, duplicate_declaration};
 use crate::program::Role;
+use crate::rule::Rule;
 use crate::scope::{Origin, Scope, SectionKind, TagFacts, Uses, type_by_form};
 use crate::types::{Scalar, Type};
 use ladder_instructions::StateType;
@@ -20,69 +21,76 @@ const MAX_ELEMENTS: i128 = 1_000_000;
 /// The longest STRING.
 const MAX_STRING: i128 = 32_767;
 
-/// Adds the tags of a section to its scope.
+/// What a section's first line says of the declarations in it; none if it cannot be read.
+pub(crate) fn around(parse: &Parse, section: &Section) -> Option<Around> {
+    let header = parse.lines()[section.lines.start].tree();
+    let header = SectionHeader::cast(NodeView::root(&header))?;
+    let kind = SectionKind::from_keyword(header.section()?.text())?;
+    let has = |word: &str| {
+        header
+            .qualifiers()
+            .any(|token| token.text().eq_ignore_ascii_case(word))
+    };
+    Some(Around {
+        kind,
+        retain: has("RETAIN"),
+        constant: has("CONSTANT"),
+        in_block: section.block.is_some(),
+    })
+}
+
+/// Adds the tags of a section to its scope. Gives whether each name that is declared is that of a tag of its own.
 pub(crate) fn section(
     parse: &Parse,
     section: &Section,
     declarations: &mut Declarations,
     scope: &mut Scope,
     out: &mut Vec<Diagnostic>,
-) {
-    let header_line = section.lines.start;
+) -> bool {
     let mut trees = Trees::default();
-    let header = trees.of(&parse.lines()[header_line]);
-    let Some(header) = SectionHeader::cast(NodeView::root(&header)) else {
-        return;
+    let Some(around) = around(parse, section) else {
+        return true;
     };
-    let Some(kind) = header
-        .section()
-        .and_then(|token| SectionKind::from_keyword(token.text()))
-    else {
-        return;
-    };
-    let has = |word: &str| {
-        header
-            .qualifiers()
-            .any(|token| token.text().eq_ignore_ascii_case(word))
-    };
-    let section_of = Around {
-        kind,
-        retain: has("RETAIN"),
-        constant: has("CONSTANT"),
-        in_block: scope.block.is_some(),
-    };
+    let mut once = true;
     for number in section.lines.clone() {
         if parse.lines()[number].kind == LineKind::Declaration {
             let start = parse.line_start(number);
             let place = (declarations.push(start), start);
-            line(
+            once &= line(
                 (&parse.lines()[number], &mut trees),
                 place,
-                section_of,
+                around,
                 (declarations, scope),
                 out,
             );
         }
     }
+    once
 }
 
 /// Adds the tags of a line with a declaration to its scope: `place` is its number among those lines and where it starts.
+/// Gives whether each of its names is that of a tag of its own, which may be not so without a word of it where the parser
+/// has something to say about the line.
 pub(crate) fn line(
     (line, trees): (&Line, &mut Trees),
     place: (u32, TextSize),
     around: Around,
     (declarations, scope): (&Declarations, &mut Scope),
     out: &mut Vec<Diagnostic>,
-) {
+) -> bool {
     let tree = trees.of(line);
+    let mut once = true;
     if let Some(node) = Declaration::cast(NodeView::root(&tree)) {
         let before = out.len();
         declaration(&node, place, around, (declarations, scope), out);
+        let is_twice = |found: &Diagnostic| found.rule == Rule::DuplicateDeclaration;
+        once = !out[before..].iter().any(is_twice);
         if !line.errors.is_empty() {
             // What the parser has to say about the line is enough.
             out.truncate(before);
         }
     }
+    once
 }
 
 /// What the section says of a declaration.

@@ -3,6 +3,7 @@
 use crate::context::Context;
 use crate::declarations::DeclaredAt;
 use crate::network::BoundBlock;
+use crate::numbering::Numbering;
 use crate::program::Role;
 use crate::tags::Tags;
 use crate::types::{Scalar, Type};
@@ -11,6 +12,7 @@ use ladder_syntax::{Name, TextRange};
 use rustc_hash::FxHashMap;
 use smallvec::SmallVec;
 use smol_str::SmolStr;
+use std::ops::Range;
 use std::sync::Arc;
 
 /// The section that a tag is declared in.
@@ -220,10 +222,12 @@ pub struct Scope {
     /// In the order of declaration, then of first use.
     pub tags: Tags,
     /// The tags that were there before any use was looked at, by name, and by the address at which they are declared.
-    declared_names: Arc<FxHashMap<Name, usize>>,
+    declared_names: Arc<FxHashMap<Name, u32>>,
     /// What has changed of these names since: few, for edits of declarations.
-    renamed: Vec<(Name, Option<usize>)>,
-    /// Those that a use has brought in.
+    renamed: Vec<(Name, Option<u32>)>,
+    /// By which numbers those names lead to the tags.
+    numbering: Arc<Numbering>,
+    /// Those that a use has brought in, counted from the first of them.
     found_names: Arc<FxHashMap<Name, usize>>,
     /// So many of the tags were there before any use was looked at.
     pub(crate) declared: usize,
@@ -234,11 +238,15 @@ pub struct Scope {
 impl Scope {
     /// The tag of a name.
     pub fn find(&self, name: &Name) -> Option<usize> {
-        let found = || self.found_names.get(name).copied();
+        let found = || Some(self.declared + self.found_names.get(name)?);
         self.find_declared(name).or_else(found)
     }
 
     fn find_declared(&self, name: &Name) -> Option<usize> {
+        self.numbering.index(self.number_of(name)?)
+    }
+
+    fn number_of(&self, name: &Name) -> Option<u32> {
         let renamed = self.renamed.iter().find(|(changed, _)| changed == name);
         match renamed {
             Some((_, tag)) => *tag,
@@ -246,9 +254,19 @@ impl Scope {
         }
     }
 
+    /// Puts other declared tags in the place of some. Their names are for [`Scope::rename`] to say.
+    pub(crate) fn exchange_declared(&mut self, old: Range<usize>, new: Vec<Arc<TagFacts>>) {
+        if old.len() != new.len() {
+            Arc::make_mut(&mut self.numbering).exchange(old.clone(), new.len());
+            self.declared = self.declared - old.len() + new.len();
+        }
+        self.tags.splice(old, new);
+    }
+
     /// A declared tag is found by a name, or none any longer.
     pub(crate) fn rename(&mut self, name: Name, tag: Option<usize>) {
-        if self.find_declared(&name) == tag {
+        let tag = tag.map(|tag| self.numbering.number(tag));
+        if self.number_of(&name) == tag {
             return;
         }
         self.renamed.retain(|(changed, _)| *changed != name);
@@ -290,6 +308,7 @@ impl Scope {
             tags,
             declared_names: Arc::clone(&self.declared_names),
             renamed: self.renamed.clone(),
+            numbering: Arc::clone(&self.numbering),
             found_names: Arc::default(),
             declared: self.declared,
             block: self.block,
@@ -298,8 +317,9 @@ impl Scope {
 
     /// Adds a tag before any use is looked at; the first one of a name is found by it.
     pub(crate) fn declare(&mut self, tag: TagFacts) -> usize {
+        let number = Arc::make_mut(&mut self.numbering).push();
         let names = Arc::make_mut(&mut self.declared_names);
-        names.entry(Name::new(&tag.name)).or_insert(self.tags.len());
+        names.entry(Name::new(&tag.name)).or_insert(number);
         self.tags.push(tag);
         self.declared = self.tags.len();
         self.declared - 1
@@ -309,7 +329,7 @@ impl Scope {
     pub(crate) fn add(&mut self, tag: TagFacts) -> usize {
         let index = self.tags.len();
         let names = Arc::make_mut(&mut self.found_names);
-        names.entry(Name::new(&tag.name)).or_insert(index);
+        names.entry(Name::new(&tag.name)).or_insert(index - self.declared);
         self.tags.push(tag);
         index
     }
@@ -317,16 +337,17 @@ impl Scope {
     /// Exchanges the tags that uses have brought in.
     pub(crate) fn replace_found(&mut self, change: impl FnOnce(Vec<Arc<TagFacts>>) -> Vec<Arc<TagFacts>>) {
         let found = change(self.tags.split_off(self.declared));
-        let names = (self.declared..).zip(&found);
+        let names = (0..).zip(&found);
         self.found_names = Arc::new(names.map(|(index, tag)| (Name::new(&tag.name), index)).collect());
         self.tags.extend(found);
     }
 
     /// Lets a tag be found by its direct address too; the first one at an address is.
     pub(crate) fn find_by_address(&mut self, address: &str, index: usize) {
+        let number = self.numbering.number(index);
         Arc::make_mut(&mut self.declared_names)
             .entry(Name::new(address))
-            .or_insert(index);
+            .or_insert(number);
     }
 
     /// Whether the scope has at least one declaration.

@@ -2,7 +2,7 @@
 
 use crate::chunked::Chunked;
 use crate::scope::TagFacts;
-use std::ops::{Index, IndexMut};
+use std::ops::{Index, IndexMut, Range};
 use std::sync::Arc;
 
 /// The tags of a scope: in the order of declaration, then of first use.
@@ -43,6 +43,24 @@ impl Tags {
 
     pub(crate) fn push(&mut self, tag: TagFacts) {
         self.0.push(Arc::new(tag));
+    }
+
+    /// Puts others in the place of some.
+    pub(crate) fn splice(&mut self, old: Range<usize>, new: impl IntoIterator<Item = Arc<TagFacts>>) {
+        if old.is_empty() {
+            self.0.splice(old, new);
+            return;
+        }
+        // Where there are as many, all others stay where they are.
+        let (mut old, mut new) = (old, new.into_iter());
+        while let Some(tag) = old.clone().next().and_then(|_| new.next()) {
+            *self.0.get_mut(old.start) = tag;
+            old.start += 1;
+        }
+        let rest: Vec<Arc<TagFacts>> = new.collect();
+        if !old.is_empty() || !rest.is_empty() {
+            self.0.splice(old, rest);
+        }
     }
 
     /// Leaves the first so many, and gives the others.

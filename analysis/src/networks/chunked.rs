@@ -1,6 +1,6 @@
 //! A list whose copies share what they have in common: a change copies one chunk of it.
 
-use std::ops::Index;
+use std::ops::{Index, Range};
 use std::sync::Arc;
 
 /// How many values a chunk holds.
@@ -50,6 +50,15 @@ impl<T: Clone> Chunked<T> {
     /// A value to change. Panics where there are not so many.
     pub(crate) fn get_mut(&mut self, index: usize) -> &mut T {
         &mut Arc::make_mut(&mut self.chunks[index / CHUNK])[index % CHUNK]
+    }
+
+    /// Puts others in the place of some.
+    pub(crate) fn splice(&mut self, old: Range<usize>, new: impl IntoIterator<Item = T>) {
+        let mut below = self.split_off(old.start);
+        below.splice(..old.len(), new);
+        for value in below {
+            self.push(value);
+        }
     }
 
     /// Leaves the first so many values, and gives the others.

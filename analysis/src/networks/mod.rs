@@ -32,8 +32,8 @@ pub struct Networks {
     /// By their numbers.
     facts: Chunked<Arc<NetworkFacts>>,
     places: Vec<NetworkPlace>,
-    /// For each number which network it is.
-    index_of: Vec<u32>,
+    /// For each number which network it is. An edit that leaves as many networks shares the list.
+    index_of: Arc<Vec<u32>>,
     /// Numbers that no network has.
     free: Vec<u32>,
 }
@@ -72,7 +72,7 @@ impl Networks {
         scope: usize,
     ) {
         let id = self.places.len() as u32;
-        self.index_of.push(id);
+        Arc::make_mut(&mut self.index_of).push(id);
         self.places.push(NetworkPlace {
             id,
             first_line: first_line as u32,
@@ -114,8 +114,13 @@ impl Networks {
         let end = first + places.len();
         self.places.splice(old, places);
         let moved = if same_count { end } else { self.places.len() };
-        for index in first..moved {
-            self.index_of[self.places[index].id as usize] = index as u32;
+        let of = |place: &NetworkPlace| place.id as usize;
+        let mut indexed = (first..).zip(&self.places[first..moved]);
+        if indexed.any(|(index, place)| self.index_of[of(place)] != index as u32) {
+            let index_of = Arc::make_mut(&mut self.index_of);
+            for (index, place) in (first..).zip(&self.places[first..moved]) {
+                index_of[of(place)] = index as u32;
+            }
         }
     }
 
@@ -127,7 +132,7 @@ impl Networks {
         }
         let id = self.facts.len() as u32;
         self.facts.push(Arc::clone(facts));
-        self.index_of.push(0);
+        Arc::make_mut(&mut self.index_of).push(0);
         id
     }
 
@@ -196,6 +201,12 @@ impl Networks {
             }
         }
         low
+    }
+
+    /// The network in whose lines one lies.
+    pub fn on_line(&self, line: usize) -> Option<NetworkAt<'_>> {
+        let number = self.partition_point(|network| network.lines().end <= line);
+        self.get(number).filter(|network| network.lines().contains(&line))
     }
 
     /// The network of a number.
@@ -319,6 +330,11 @@ impl<'c> NetworkAt<'c> {
             bound,
             base: self.range.start() + bound.base,
         }
+    }
+
+    /// Its lines, as in the parse: from the first rung to the last.
+    pub fn lines(self) -> Range<usize> {
+        self.first_line..self.first_line + self.facts.line_count()
     }
 
     /// The line of a rung, as in the parse.

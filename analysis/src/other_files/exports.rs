@@ -167,7 +167,7 @@ fn blocks(context: &Context) -> Vec<ExportedBlock> {
     if blocks.is_empty() {
         return blocks;
     }
-    for (network, body) in context.networks.iter().zip(&context.bodies) {
+    for (network, body) in context.networks.iter().zip(context.bodies.iter()) {
         let Body::Block(block) = *body else { continue };
         for bound in network.blocks() {
             if let Some(name) = bound.user_name() {

@@ -131,7 +131,7 @@ impl Reached {
 /// What each body of a file uses.
 fn targets(context: &Context) -> FxHashMap<Body, Vec<Target>> {
     let mut targets: FxHashMap<Body, Vec<Target>> = FxHashMap::default();
-    for (network, &body) in context.networks.iter().zip(&context.bodies) {
+    for (network, &body) in context.networks.iter().zip(context.bodies.iter()) {
         for bound in network.blocks() {
             let target = match bound.meaning {
                 Meaning::User(index) => match &context.user_blocks[index].import {

@@ -50,7 +50,7 @@ impl Places {
         let line_end = line_end(parse);
         let sections = || {
             parse
-                .structure()
+                .frame()
                 .sections
                 .iter()
                 .filter(|section| section.block == block)
@@ -164,7 +164,7 @@ fn begins_line(parse: &Parse, line: usize) -> bool {
 /// block's header.
 fn first_place(parse: &Parse, block: Option<usize>) -> TextSize {
     if let Some(block) = block {
-        let header = parse.structure().blocks[block].lines.start;
+        let header = parse.frame().blocks[block].lines.start;
         return parse.line_range(header).end();
     }
     let lines = parse.lines();

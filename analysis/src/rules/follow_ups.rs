@@ -12,6 +12,7 @@ use crate::facts::{Node, NodeKind};
 use crate::network::{Meaning, breaks_drawing};
 use crate::networks::{BlockAt, NetworkAt};
 use crate::rule::Rule;
+use crate::scope::TagFacts;
 use crate::unread_line::{identifiers, looks_like_declaration};
 use ladder_instructions::Op;
 use ladder_syntax::{LineKind, Name, Parse, SyntaxErrorKind, TextRange};
@@ -99,11 +100,19 @@ impl Doubt {
         marked
             .flat_map(NetworkAt::blocks)
             .for_each(|bound| doubt.block(bound));
-        if !context.settled {
-            doubt.mistyped = mistyped(context);
-        }
+        doubt.mistyped = if context.settled {
+            let tags = context.mistyped.iter();
+            let found = tags.filter_map(|(scope, name)| {
+                let scope = &context.scopes[*scope];
+                scope.find(name).map(|tag| &scope.tags[tag])
+            });
+            blocks_that_name(context, found)
+        } else {
+            let tags = context.scopes.iter().flat_map(|scope| &scope.tags);
+            blocks_that_name(context, tags.filter(|tag| tag.mistyped))
+        };
         if !context.is_framed {
-            let definitions = parse.structure().blocks.iter();
+            let definitions = parse.frame().blocks.iter();
             let open = definitions.filter(|block| !block.closed);
             let lines = |block: &ladder_syntax::BlockDefinition| {
                 let last = parse.line_range(block.lines.end - 1);
@@ -188,10 +197,9 @@ fn contains(places: &[TextRange], range: TextRange) -> bool {
         .is_some_and(|place| places[place].contains_inclusive(range.start()))
 }
 
-/// The blocks that name a tag whose type is open.
-fn mistyped(context: &Context) -> Vec<TextRange> {
-    let tags = context.scopes.iter().flat_map(|scope| &scope.tags);
-    let uses = tags.filter(|tag| tag.mistyped).flat_map(|tag| context.uses(tag));
+/// The blocks that name one of some tags.
+fn blocks_that_name<'c>(context: &Context, tags: impl Iterator<Item = &'c TagFacts>) -> Vec<TextRange> {
+    let uses = tags.flat_map(|tag| context.uses(tag));
     let mut blocks: Vec<TextRange> = uses
         .map(|place| context.networks.at(place.network).block(place.block).range())
         .collect();
@@ -232,12 +240,7 @@ fn has_lost_header(parse: &Parse) -> bool {
         .iter()
         .filter(|line| line.kind == LineKind::BlockEnd)
         .count();
-    let closed = parse
-        .structure()
-        .blocks
-        .iter()
-        .filter(|block| block.closed)
-        .count();
+    let closed = parse.frame().blocks.iter().filter(|block| block.closed).count();
     ends > closed
         && parse
             .errors()

@@ -38,7 +38,7 @@ impl Graph {
         };
         let mut foreign: FxHashMap<(Arc<str>, usize), usize> = FxHashMap::default();
         let mut open: Vec<(usize, Arc<str>, &ExportedBlock)> = Vec::new();
-        for (network, body) in context.networks.iter().zip(&context.bodies) {
+        for (network, body) in context.networks.iter().zip(context.bodies.iter()) {
             let Body::Block(user) = *body else { continue };
             for bound in network.blocks() {
                 let Meaning::User(used) = bound.meaning else {

@@ -40,7 +40,7 @@ fn missing_labels(typing: &Typing<'_>, out: &mut Proposals<'_>) {
     for (network, _) in context
         .networks
         .iter()
-        .zip(&context.bodies)
+        .zip(context.bodies.iter())
         .filter(|(_, of)| **of == body)
     {
         for (name, key, at) in crate::jumps::jumps(network) {

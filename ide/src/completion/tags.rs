@@ -32,8 +32,14 @@ pub(super) fn propose(typing: &Typing<'_>, operand: &Operand, wanted: &Wanted, o
     };
     let scope = &typing.context.scopes[typing.scope];
     let law = typing.context.profile.law();
-    let prefix = typing.prefix().to_lowercase();
-    let begins = |tag: &TagFacts| prefix.is_empty() || tag.name.to_lowercase().starts_with(&prefix);
+    let prefix = typing.prefix();
+    let lower = prefix.to_lowercase();
+    let begins = |tag: &TagFacts| match tag.name.as_bytes().split_at_checked(prefix.len()) {
+        Some((first, _)) if tag.name.is_ascii() && prefix.is_ascii() => {
+            first.eq_ignore_ascii_case(prefix.as_bytes())
+        }
+        _ => tag.name.to_lowercase().starts_with(&lower),
+    };
     let mut tags: Vec<Ranked<'_>> = scope
         .tags
         .iter()

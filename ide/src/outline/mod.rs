@@ -163,7 +163,7 @@ impl Outline<'_> {
 
 fn section_item(context: &Context, section: usize) -> Outlined {
     let parse = &context.parse;
-    let facts = &parse.structure().sections[section];
+    let facts = &parse.frame().sections[section];
     let header = line_words(parse, facts.lines.start);
     let constant = header.to_ascii_uppercase().contains("CONSTANT");
     let lines = TextRange::new(
@@ -205,7 +205,7 @@ fn section_item(context: &Context, section: usize) -> Outlined {
 
 fn block_item(context: &Context, block: usize) -> Outlined {
     let parse = &context.parse;
-    let lines = &parse.structure().blocks[block].lines;
+    let lines = &parse.frame().blocks[block].lines;
     let facts = &context.user_blocks[block];
     let range = TextRange::new(
         parse.line_start(lines.start),

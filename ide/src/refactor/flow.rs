@@ -22,7 +22,7 @@ pub(crate) fn is_flow(block: &BoundBlock) -> bool {
 
 /// Whether an `<MCR>` in a body may take the power from its left rails.
 pub(crate) fn has_mcr(context: &Context, body: Body) -> bool {
-    let networks = context.networks.iter().zip(&context.bodies);
+    let networks = context.networks.iter().zip(context.bodies.iter());
     networks
         .filter(|(_, of)| **of == body)
         .any(|(network, _)| network.blocks().any(|block| block.op() == Some(Op::Mcr)))

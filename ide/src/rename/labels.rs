@@ -121,7 +121,7 @@ fn blocks_in(file: &Context, body: Body) -> Vec<FileBody> {
     {
         return places;
     }
-    for (network, of) in context.networks.iter().zip(&context.bodies) {
+    for (network, of) in context.networks.iter().zip(context.bodies.iter()) {
         for block in network.blocks().filter(|_| *of == body) {
             let Meaning::User(user) = block.meaning else {
                 continue;
@@ -143,7 +143,7 @@ fn blocks_in(file: &Context, body: Body) -> Vec<FileBody> {
 }
 
 fn bodies(context: &Context) -> Vec<Body> {
-    let mut bodies = context.bodies.clone();
+    let mut bodies = context.bodies.to_vec();
     bodies.sort_unstable();
     bodies.dedup();
     bodies

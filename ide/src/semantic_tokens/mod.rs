@@ -63,7 +63,7 @@ pub fn semantic_tokens_of(context: &Context, lines: Range<usize>) -> Vec<Token> 
     });
     let mut trees = Trees::default();
     let mut block = 0;
-    let blocks = &parse.structure().blocks;
+    let blocks = &parse.frame().blocks;
     let mut definition = blocks.partition_point(|definition| definition.lines.end <= first);
     for line in first..last {
         let start = parse.line_start(line);
@@ -302,12 +302,7 @@ impl Walk<'_> {
             S::MNEMONIC if inside.flow => Some((TokenKind::Keyword, none)),
             S::MNEMONIC => Some((TokenKind::Function, of_language.and(inside.shape))),
             S::BLOCK_NAME => {
-                let header = self
-                    .context
-                    .parse
-                    .structure()
-                    .blocks
-                    .get(self.scope.wrapping_sub(1));
+                let header = self.context.parse.frame().blocks.get(self.scope.wrapping_sub(1));
                 let here = |line| self.context.parse.line_range(line).contains(self.at);
                 let declared = header.is_some_and(|header| here(header.lines.start));
                 Some((

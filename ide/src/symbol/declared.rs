@@ -22,14 +22,14 @@ pub(crate) struct DeclaredName {
 
 /// All of them in the order of the text.
 pub(crate) fn declared_names(context: &Context) -> impl Iterator<Item = DeclaredName> + '_ {
-    let sections = 0..context.parse.structure().sections.len();
+    let sections = 0..context.parse.frame().sections.len();
     sections.flat_map(move |section| names_of(context, section))
 }
 
 /// Those of one section of the structure.
 pub(crate) fn names_of(context: &Context, section: usize) -> Vec<DeclaredName> {
     let parse = &context.parse;
-    let section = &parse.structure().sections[section];
+    let section = &parse.frame().sections[section];
     let mut trees = Trees::default();
     let header = trees.of(&parse.lines()[section.lines.start]);
     let header = SectionHeader::cast(NodeView::root(&header));

@@ -32,7 +32,7 @@ pub(crate) fn find(file: &Context, offset: TextSize) -> Option<Found> {
         }
         LineKind::BlockHeader => {
             let blocks = file.user_blocks[..file.own_blocks].iter();
-            let definitions = file.parse.structure().blocks.iter();
+            let definitions = file.parse.frame().blocks.iter();
             let (block, _) = blocks.zip(definitions).find(|(_, it)| it.lines.start == line)?;
             let range = block_name(file, block.at)?;
             let symbol = Symbol::Block {
@@ -181,7 +181,7 @@ fn declared_at(file: &Context, line: usize, offset: TextSize) -> Option<Found> {
 }
 
 fn section_names(context: &Context, line: usize) -> Vec<DeclaredName> {
-    let sections = &context.parse.structure().sections;
+    let sections = &context.parse.frame().sections;
     let section = sections.partition_point(|section| section.lines.end <= line);
     match sections.get(section) {
         Some(it) if it.lines.contains(&line) => declared::names_of(context, section),

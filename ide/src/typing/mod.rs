@@ -187,7 +187,7 @@ impl Typing<'_> {
 
 /// The scope of the tags on a line outside of networks.
 fn scope_of(context: &Context, line: usize) -> usize {
-    let blocks = &context.parse.structure().blocks;
+    let blocks = &context.parse.frame().blocks;
     blocks
         .iter()
         .position(|block| block.lines.contains(&line) || (!block.closed && line >= block.lines.start))

@@ -2,6 +2,7 @@
 
 use ropey::Rope;
 
+use super::byte_edit::ByteEdit;
 use super::position::{Encoding, Range, char_index};
 
 /// One change of a `textDocument/didChange`.
@@ -19,13 +20,13 @@ pub(crate) enum Change {
 }
 
 /// Applies one change. Places outside of the text are clamped, and a range whose ends are swapped is turned
-/// round: an editor that is wrong about a position must not bring the server down. Gives where the change begins, in
-/// bytes.
-pub(crate) fn apply(text: &mut Rope, encoding: Encoding, change: &Change) -> usize {
+/// round: an editor that is wrong about a position must not bring the server down. Gives what was replaced; none if
+/// that is all of it.
+pub(crate) fn apply(text: &mut Rope, encoding: Encoding, change: &Change) -> Option<ByteEdit> {
     match change {
         Change::Whole(new) => {
             *text = Rope::from_str(new);
-            0
+            None
         }
         Change::Part { range, text: new } => {
             let (a, b) = (
@@ -33,9 +34,13 @@ pub(crate) fn apply(text: &mut Rope, encoding: Encoding, change: &Change) -> usi
                 char_index(text, encoding, range.end),
             );
             let (start, end) = (a.min(b), a.max(b));
+            let old = text.char_to_byte(start)..text.char_to_byte(end);
             text.remove(start..end);
             text.insert(start, new);
-            text.char_to_byte(start)
+            Some(ByteEdit {
+                old,
+                new_len: new.len(),
+            })
         }
     }
 }

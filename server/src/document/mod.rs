@@ -6,6 +6,7 @@
 
 pub(crate) mod address;
 mod beside;
+mod byte_edit;
 pub(crate) mod edit;
 pub(crate) mod elsewhere;
 mod kind;

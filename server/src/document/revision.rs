@@ -9,9 +9,10 @@ use ladder_analysis::program::Program;
 use ladder_analysis::{NotWhole, Others, RuleSettings, analyze, analyze_with, link};
 use ladder_format::{Edit, Options};
 use ladder_interchange::notation::ReadError;
-use ladder_syntax::{MAX_OPEN_BYTES, MAX_OPEN_LINES, TextRange, TextSize};
+use ladder_syntax::{MAX_OPEN_BYTES, MAX_OPEN_LINES, Parse, TextRange, TextSize, parse};
 use ropey::Rope;
 
+use super::byte_edit::{ByteEdit, EditLog, Since};
 use super::kind::Kind;
 use super::neighbours::{Membership, News};
 use super::position::{self, Encoding, Position, Range};
@@ -22,13 +23,18 @@ use crate::notation::Opened;
 /// What was made of a text.
 #[derive(Debug, Default)]
 struct Made {
-    names: Option<Names>,
+    /// With the serial number of the revision.
+    names: Option<(u64, Names)>,
     analysis: Option<Analysis>,
+    /// What has changed since the names were made.
+    since: EditLog,
 }
 
 /// What changes have done to a text.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone)]
 pub(super) struct Edited {
+    /// The stretches that were replaced, one after the other; none if the whole text was.
+    pub(super) edits: Option<Vec<ByteEdit>>,
     /// Where the last of them begins, in bytes.
     pub(super) at: usize,
     /// Each of them has left as many lines as there were.
@@ -114,6 +120,7 @@ impl Revision {
             place,
         );
         let kept = edited.keeps_line_breaks.then_some(self.line_breaks);
+        self.latest().since.push(next.serial, edited.edits);
         Revision {
             edited: edited.at,
             line_breaks: kept.unwrap_or(next.line_breaks),
@@ -140,19 +147,53 @@ impl Revision {
         // Offsets of the inner crates are 32 bits wide; they read slices, not ropes.
         self.fits().then(|| {
             self.names.get_or_init(|| {
-                let text = self.rope.to_string();
-                let before = self.latest().names.clone();
+                let (before, since) = {
+                    let latest = self.latest();
+                    (latest.names.clone(), latest.since.until(self.serial))
+                };
+                let since = match &before {
+                    Some((serial, _)) if *serial <= self.serial => since,
+                    _ => Since::Unknown,
+                };
+                let known = before.as_ref().map(|(_, names)| names);
+                let parse = self.parse(known, since);
                 let names = match &self.place {
                     Some(place) => {
                         let (name, others) = place.view();
-                        Names::of(text, before.as_ref(), &name, &others)
+                        Names::of(&parse, known, &name, &others)
                     }
-                    None => Names::of(text, before.as_ref(), self.name(), &Others::default()),
+                    None => Names::of(&parse, known, self.name(), &Others::default()),
                 };
-                self.latest().names = Some(names.clone());
+                let mut latest = self.latest();
+                if latest
+                    .names
+                    .as_ref()
+                    .is_none_or(|(serial, _)| *serial <= self.serial)
+                {
+                    latest.names = Some((self.serial, names.clone()));
+                    latest.since.begin_at(self.serial);
+                }
+                drop(latest);
                 self.superseded().names = before;
                 names
             })
+        })
+    }
+
+    /// The lines of the text. What an earlier text has in common with it is taken over: `since` is what leads from there to
+    /// here.
+    fn parse(&self, before: Option<&Names>, since: Since) -> Arc<Parse> {
+        let before = before.map(|names| &names.context().parse);
+        Arc::new(match (before, since) {
+            (Some(before), Since::Same) => return Arc::clone(before),
+            (Some(before), Since::Edited(edit)) => {
+                let size = |bytes: usize| TextSize::new(bytes as u32);
+                let old = TextRange::new(size(edit.old.start), size(edit.old.end));
+                let stretch = |range| self.stretch(range);
+                before.edited_in(self.len(), stretch, old, size(edit.new_len))
+            }
+            (Some(before), Since::Unknown) => before.updated(&before.to_string(), &self.text()),
+            (None, _) => parse(&self.text()),
         })
     }
 
@@ -366,6 +407,12 @@ impl Revision {
     /// Whether both are the same state of the same document.
     pub(crate) fn is(&self, other: &Revision) -> bool {
         self.serial == other.serial
+    }
+
+    /// What is behind an offset on its line.
+    pub(crate) fn rest_of_line(&self, offset: TextSize) -> String {
+        let rest = self.rope.byte_slice(usize::from(offset).min(self.len())..);
+        rest.chars().take_while(|it| !matches!(it, '\n' | '\r')).collect()
     }
 
     /// A stretch of the text.

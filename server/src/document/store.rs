@@ -126,11 +126,17 @@ impl Documents {
         let mut edited = Edited {
             at: old.edited().into(),
             keeps_line_breaks: true,
+            edits: Some(Vec::new()),
         };
         for change in changes {
             let lines = rope.len_lines();
-            edited.at = apply(&mut rope, old.encoding(), change);
-            edited.keeps_line_breaks &= matches!(change, Change::Part { .. }) && rope.len_lines() == lines;
+            let edit = apply(&mut rope, old.encoding(), change);
+            edited.at = edit.as_ref().map_or(0, |edit| edit.old.start);
+            edited.keeps_line_breaks &= edit.is_some() && rope.len_lines() == lines;
+            edited.edits = edited.edits.zip(edit).map(|(mut edits, edit)| {
+                edits.push(edit);
+                edits
+            });
         }
         document.revision = Arc::new(old.followed_by(version, rope, edited));
         Ok(document.revision.clone())
@@ -146,6 +152,7 @@ impl Documents {
         let edited = Edited {
             at: old.edited().into(),
             keeps_line_breaks: true,
+            edits: Some(Vec::new()),
         };
         document.revision = Arc::new(old.followed_by(old.version, old.rope().clone(), edited));
         true

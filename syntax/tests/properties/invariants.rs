@@ -29,6 +29,11 @@ pub(crate) fn check_same(edited: &Parse, text: &str) {
     lines(text, edited);
     assert_eq!(dump(edited), dump(&fresh), "{text:?}");
     assert_eq!(edited.structure(), fresh.structure(), "{text:?}");
+    let structure = edited.structure();
+    assert_eq!(edited.frame().sections, structure.sections, "{text:?}");
+    assert_eq!(edited.frame().blocks, structure.blocks, "{text:?}");
+    let first = structure.networks.first().map(|first| first.lines.start);
+    assert_eq!(edited.lines().first_network(), first, "{text:?}");
     assert_eq!(edited.unclosed_comment(), fresh.unclosed_comment(), "{text:?}");
     assert_eq!(edited.lines().len(), fresh.lines().len(), "{text:?}");
     for (index, (a, b)) in edited.lines().iter().zip(fresh.lines()).enumerate() {

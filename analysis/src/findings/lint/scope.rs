@@ -90,9 +90,9 @@ fn covered(context: &Context, item: Item) -> Option<TextRange> {
     };
     match item {
         Item::Network(network) => Some(context.networks.at(network).range),
-        Item::Section(section) => Some(lines(parse.structure().sections[section].lines.clone())),
+        Item::Section(section) => Some(lines(parse.frame().sections[section].lines.clone())),
         Item::BlockHeader(block) => {
-            let first = parse.structure().blocks[block].lines.start;
+            let first = parse.frame().blocks[block].lines.start;
             Some(lines(first..first + 1))
         }
         Item::Stray(line) => Some(parse.line_range(line)),

@@ -71,7 +71,7 @@ pub(crate) async fn completion(
                 .flatten();
             CompletionItem {
                 documentation,
-                ..proposal(agreed, (&revision, names.text()), offset, index, item)
+                ..proposal(agreed, &revision, offset, index, item)
             }
         });
         serde_json::to_string(&CompletionList {
@@ -113,7 +113,7 @@ async fn in_scenarios(
             CompletionItem {
                 documentation,
                 data: None,
-                ..proposal(agreed, (&asked.revision, asked.text()), offset, index, item)
+                ..proposal(agreed, &asked.revision, offset, index, item)
             }
         });
         Some(CompletionResponse::List(CompletionList {
@@ -140,7 +140,7 @@ fn programs_beside(revision: &Revision) -> Vec<String> {
 
 fn proposal(
     agreed: Agreed,
-    (revision, text): (&Revision, &str),
+    revision: &Revision,
     cursor: TextSize,
     index: usize,
     item: Completion,
@@ -163,7 +163,7 @@ fn proposal(
         command: cut.then(|| Command {
             title: "Take the place of what is behind".to_owned(),
             command: CUT.to_owned(),
-            arguments: Some(vec![what_to_cut(text, behind)]),
+            arguments: Some(vec![what_to_cut(revision, behind)]),
         }),
         kind: Some(kind(item.kind)),
         detail: Some(item.detail).filter(|detail| !detail.is_empty()),
@@ -182,10 +182,9 @@ fn proposal(
 }
 
 /// A stretch of a line, and what is behind it.
-fn what_to_cut(text: &str, range: TextRange) -> Value {
-    let behind = &text[range.end().into()..];
-    let line_end = behind.find(['\n', '\r']).unwrap_or(behind.len());
-    json!({ "cut": &text[range], "before": &behind[..line_end] })
+fn what_to_cut(revision: &Revision, range: TextRange) -> Value {
+    let behind = revision.rest_of_line(range.end());
+    json!({ "cut": revision.stretch(range.into()), "before": behind })
 }
 
 const fn kind(kind: CompletionKind) -> CompletionItemKind {

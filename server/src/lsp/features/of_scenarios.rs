@@ -47,11 +47,6 @@ impl AskedScenarios {
             },
         }
     }
-
-    /// The text.
-    pub(crate) fn text(&self) -> &str {
-        &self.text
-    }
 }
 
 /// The open scenario file of this address, if it is one.
