@@ -135,6 +135,50 @@ impl Program {
         Spot { letter: "(", ..spot }
     }
 
+    /// In the name of an operand of the first network.
+    pub fn in_the_first_network(&self) -> Spot {
+        let lines = self.text.lines().enumerate();
+        let ends = lines.filter(|(_, line)| *line == "END_VAR");
+        let drawn = ends.last().map_or(0, |(line, _)| line);
+        let mut below = self.text.lines().enumerate().skip(drawn);
+        let (line, row) = below
+            .find(|(_, line)| line.contains("( start"))
+            .expect("a network is below the declarations");
+        let column = row.find("( start").map_or(0, |at| at + "( start".len());
+        Spot {
+            line,
+            column,
+            letter: "5",
+        }
+    }
+
+    /// A network with a label, between two networks.
+    pub fn with_a_label(&self) -> Spot {
+        let spot = self.behind("", str::is_empty);
+        Spot {
+            letter: "+--<LBL>( here )--[ ]( start_0 )--( )( run_1 )--+\n\n",
+            ..spot
+        }
+    }
+
+    /// A line of declarations.
+    pub fn with_a_declaration(&self) -> Spot {
+        let spot = self.behind("", |line| line.starts_with("    start"));
+        Spot {
+            letter: "    fresh : BOOL;\n",
+            ..spot
+        }
+    }
+
+    /// The beginning of a line of declarations.
+    pub fn with_a_half_typed_declaration(&self) -> Spot {
+        let spot = self.with_a_declaration();
+        Spot {
+            letter: "    fresh\n",
+            ..spot
+        }
+    }
+
     /// In the name of a declaration.
     pub fn in_a_declaration(&self) -> Spot {
         self.behind("    start", |line| line.starts_with("    start"))

@@ -2,7 +2,7 @@
 //! program and real pipes.
 //!
 //! Five kinds of programs are opened in `ladder lsp`. A letter is typed in the middle again and again, in a number, in the
-//! name of an operand and in a declaration; each time until the diagnostics of that very version arrive. Then everything
+//! name of an operand and in a declaration, and lines of declarations and networks come and go; each time until the diagnostics of that very version arrive. Then everything
 //! else is asked, some of it at once behind the edit, as an editor does, some once the diagnostics are there. Beside it
 //! is the bare limit: the round trip of a request that the server does not know, which has the same framing, pipes and
 //! scheduling, and no work.
@@ -30,17 +30,19 @@ impl Typing {
     /// A letter in, a letter out.
     fn type_on(&mut self) {
         let Spot { line, column, letter } = self.spot;
-        let (end, new) = if self.version % 2 == 1 {
-            (column, letter)
-        } else {
-            (column + 1, "")
+        let breaks = letter.matches('\n').count();
+        let (end, new) = match (self.version % 2 == 1, breaks) {
+            (true, _) => ((line, column), letter),
+            (false, 0) => ((line, column + letter.len()), ""),
+            // Whole lines.
+            (false, _) => ((line + breaks, 0), ""),
         };
         self.version += 1;
-        let place = |character| json!({ "line": line, "character": character });
+        let place = |(line, character): (usize, usize)| json!({ "line": line, "character": character });
         self.server.send(
             &json!({ "jsonrpc": "2.0", "method": "textDocument/didChange", "params": {
             "textDocument": { "uri": self.uri, "version": self.version },
-            "contentChanges": [{ "range": { "start": place(column), "end": place(end) }, "text": new }] } }),
+            "contentChanges": [{ "range": { "start": place((line, column)), "end": place(end) }, "text": new }] } }),
         );
     }
 
@@ -118,12 +120,19 @@ fn measure(name: &str, kind: Kind, rungs: usize) {
         version: 1,
         uri,
     };
-    let count = (2_000_000 / rungs).clamp(40, 400);
+    let count = (2_000_000 / rungs).clamp(100, 400);
     for (what, spot) in [
         ("edit of a number", program.in_a_number()),
         ("edit of a name", program.in_a_name()),
         ("edit of a half-typed rung", program.half_typed()),
         ("edit of a declaration", program.in_a_declaration()),
+        ("a line of declarations", program.with_a_declaration()),
+        (
+            "a half-typed declaration",
+            program.with_a_half_typed_declaration(),
+        ),
+        ("edit of the first network", program.in_the_first_network()),
+        ("a network with a label", program.with_a_label()),
     ] {
         typing.spot = spot;
         let before = typing.server.processor_time();
@@ -163,7 +172,7 @@ fn requests(typing: &mut Typing, spot: Spot, rungs: usize) {
     let mut rename = at.clone();
     rename["newName"] = json!("renamed_here");
     let nothing = json!({});
-    let count = if rungs > 2_000 { 20 } else { 100 };
+    let count = if rungs > 2_000 { 40 } else { 100 };
     for (what, method, params, settled) in [
         ("completion, right behind an edit", "completion", &at, false),
         ("hover, right behind an edit", "hover", &at, false),

@@ -6,7 +6,7 @@ use ladder_analysis::{
     Analysis, Diagnostic, Exports, Level, Others, Rule, RuleSettings, Severity, analyze_after, analyze_with,
     exports,
 };
-use ladder_syntax::{Parse, TextRange, parse};
+use ladder_syntax::{Parse, TextRange, TextSize, parse};
 use ladder_tests::generator::{Dice, Mode, program};
 use std::sync::Arc;
 
@@ -113,6 +113,9 @@ impl Document {
             "after an edit from\n{}\nto\n{text}",
             self.text
         );
+        for place in [0, text.len() / 2, text.len()] {
+            assert_eq!(near(&analysis, place), near(&fresh, place), "{text}");
+        }
         let shown = Exports::of(&analysis.context, "main");
         assert!(
             shown.says_the_same(&exports(&parsed, "main")),
@@ -120,6 +123,13 @@ impl Document {
         );
         (self.text, self.parse, self.analysis) = (text, parsed, analysis);
     }
+}
+
+/// The findings that are shown where there is room for few, and how many there are.
+fn near(analysis: &Analysis, place: usize) -> (usize, Vec<(Rule, TextRange)>) {
+    let found = analysis.findings_near(3, TextSize::new(place as u32));
+    let found = found.iter().map(|found| (found.rule, found.range));
+    (analysis.count(), found.collect())
 }
 
 /// All that an analysis says. Where things are in other files is not kept up to date.
@@ -266,6 +276,8 @@ fn typing_in_long_programs() {
             "+--[GT]( n, 5 )--[MOV]( 3, n )--+\n",
             "+--[P]( g )--<LBL>( here )--( )( h )--+\n",
             "+--[ ]( i )--<JMP>( here )--+\n\n",
+            "+--[ ]( i )--<JMP>( there )--+\n\n",
+            "+--<LBL>( there )--[ ]( a )--( )( j )--+\n\n",
             "+--[$F]( a )--( )( j )--+\n",
         ];
         // Few kinds of rungs in one program: there are programs without a jump, and without a mistake.
@@ -281,9 +293,24 @@ fn typing_in_long_programs() {
             "FUNCTION_BLOCK [$F]\nVAR_INPUT\n    x : BOOL;\nEND_VAR\n+--[ ]( x )--( )( ENO )--+\nEND_FUNCTION_BLOCK\n\n",
         ]);
         let declared = format!("{declared}+--[ ]( a )--( )( b )--+\n\n");
-        let mut document = Document::with(format!("{declared}{body}"), settings(&mut dice));
+        // Some programs have their definitions at the end, and more declarations with them.
+        let behind = dice.of(&[
+            "",
+            "\nFUNCTION_BLOCK [$G]\nVAR_INPUT\n    x : BOOL;\nEND_VAR\nVAR\n    unused : INT;\nEND_VAR\n\
+             +--[ ]( x )--( )( ENO )--+\nEND_FUNCTION_BLOCK\n",
+            "\nVAR\n    late, d : BOOL;\nEND_VAR\n\n+--[ ]( late )--( )( b )--+\n",
+        ]);
+        let mut document = Document::with(format!("{declared}{body}{behind}"), settings(&mut dice));
         for _ in 0..6 {
-            let mut at = somewhere(&document.text, &mut dice);
+            let mut at = match dice.below(4) {
+                // Around the first network.
+                0 => declared.len() - declared.len().min(dice.below(30)),
+                _ => somewhere(&document.text, &mut dice),
+            };
+            while !document.text.is_char_boundary(at.min(document.text.len())) {
+                at -= 1;
+            }
+            at = at.min(document.text.len());
             for letter in dice
                 .of(&[
                     "--[ ]( new_one )--",
@@ -295,6 +322,8 @@ fn typing_in_long_programs() {
                     "\\",
                     "(S)( A )",
                     "+--( )( c )--+\n",
+                    "+--<LBL>( there )--( )( c )--+\n\n",
+                    "--<JMP>( here )",
                 ])
                 .chars()
             {

@@ -150,6 +150,118 @@ fn typing_in_declarations() {
     }
 }
 
+/// Whole declarations, and the lines between them.
+const LINES: [&str; 9] = [
+    "    fresh : BOOL;\n",
+    "    y1x, a1, nn : BOOL;\n",
+    "    ab : INT := 7; # begins #\n",
+    "    startx : TON;\n    stop : STRING;\n",
+    "    z AT %IX0.1 : BOOL;\n",
+    "\n",
+    "    # ladder: allow(never-read) #\n",
+    "    a : BOOL;\n",
+    "    é\n",
+];
+
+/// Declarations that are typed letter by letter on lines of their own, and lines that come and go.
+#[test]
+fn lines_of_declarations_that_come_and_go() {
+    for seed in 0..asked(40) {
+        let mut dice = Dice::new(seed);
+        let declared = dice.of(&DECLARED);
+        let drawn: String = (0..3 + dice.below(9)).map(|_| dice.of(&RUNGS)).collect();
+        let mut document = Document::with(format!("{declared}\n{drawn}"), settings(&mut dice));
+        for _ in 0..6 {
+            let count = declared.lines().count();
+            let lines: Vec<&str> = document.text.split_inclusive('\n').collect();
+            let at = dice.below(count.min(lines.len()));
+            let start: usize = lines[..at].iter().map(|line| line.len()).sum();
+            if dice.one_in(3) {
+                let gone = (at..lines.len()).take(1 + dice.below(3));
+                let end = start + gone.map(|line| lines[line].len()).sum::<usize>();
+                let mut next = document.text.clone();
+                next.replace_range(start..end, "");
+                document.becomes(next);
+                continue;
+            }
+            let line = dice.of(&LINES);
+            if dice.one_in(2) {
+                let mut next = document.text.clone();
+                next.insert_str(start, line);
+                document.becomes(next);
+                continue;
+            }
+            let mut next = document.text.clone();
+            next.insert(start, '\n');
+            document.becomes(next);
+            for (letter, what) in line.trim_end().char_indices() {
+                let mut next = document.text.clone();
+                next.insert(start + letter, what);
+                document.becomes(next);
+                if dice.one_in(6) {
+                    // A letter in a network meanwhile.
+                    let mut next = document.text.clone();
+                    let end = next.rfind(" )").unwrap_or(next.len());
+                    next.insert(end, '1');
+                    document.becomes(next);
+                }
+            }
+        }
+    }
+}
+
+/// Half a declaration says no type, so that the places of its tag do; and of a name that is declared twice nobody knows which
+/// is meant.
+#[test]
+fn what_half_a_declaration_leaves_open() {
+    let program = |declared: &str, drawn: &str| {
+        format!(
+            "VAR\n    a, b : BOOL;\n{declared}    c : INT;\nEND_VAR\n\n+--[ ]( a )--( )( b )--+\n\n{drawn}\n"
+        )
+    };
+    let timed = "+--[ ]( b )--[TON]( z, T#1s )--( )( a )--+";
+    let moved = "+--[ ]( b )--[MOV]( 300, z )--+\n\n+--[ ]( z )--( )( a )--+";
+    let half = "    z;\n";
+    for texts in [
+        vec![
+            program(half, ""),
+            program(half, timed),
+            program(half, moved),
+            program("    z : INT;\n", moved),
+        ],
+        vec![
+            program("", moved),
+            program("    z;\n    z;\n", moved),
+            program("    z : BOOL;\n    z;\n", moved),
+            program("    z : BOOL;\n", moved),
+        ],
+        vec![
+            program("", "+--[MOV]( 300, c )--[ ]( c )--+"),
+            program("    c;\n", "+--[MOV]( 300, c )--[ ]( c )--+"),
+            program("    cc;\n", "+--[MOV]( 300, c )--[ ]( c )--+"),
+        ],
+    ] {
+        let mut document = Document::new(String::new());
+        for text in texts {
+            document.becomes(text);
+        }
+    }
+}
+
+/// A network that is put between two sections is above what the second declares.
+#[test]
+fn networks_between_sections() {
+    let section = |name: &str| format!("VAR\n    {name} : BOOL;\nEND_VAR\n\n");
+    let drawn = "+--[ ]( a )--( )( b )--+\n\n";
+    for declared in ["a", "never_used", "b"] {
+        let (first, second) = (section("a"), section(declared));
+        let mut document = Document::new(format!("{first}{second}{drawn}"));
+        document.becomes(format!("{first}+--[ ]( c )--( )( c )--+\n\n{second}{drawn}"));
+        document.becomes(format!("{first}+--[ ]( cc )--( )( c )--+\n\n{second}{drawn}"));
+        document.becomes(format!("{first}{second}{drawn}"));
+    }
+}
+
 /// Names that are exchanged, letter by letter and on several lines at once.
 #[test]
 fn names_that_take_the_place_of_others() {

@@ -8,8 +8,8 @@ use std::sync::Arc;
 /// Where in a program a letter comes and goes.
 type Place = fn(&Program) -> Spot;
 
-/// What is looked at when a letter comes, and when it goes again.
-fn work(kind: Kind, rungs: usize, spot: Place) -> [Work; 2] {
+/// What is looked at when a letter comes, and when it goes again, and how many bytes of the text are read.
+fn work(kind: Kind, rungs: usize, spot: Place) -> [(Work, usize); 2] {
     let program = Program::new(kind, rungs);
     let spot = spot(&program);
     let line: usize = program
@@ -29,26 +29,44 @@ fn work(kind: Kind, rungs: usize, spot: Place) -> [Work; 2] {
         (parsed, analysis)
     };
     let (with, second) = next(&first, &parsed, &program.text, &typed);
-    let (_, third) = next(&second, &with, &typed, &program.text);
-    [second.work, third.work]
+    let (without, third) = next(&second, &with, &typed, &program.text);
+    [
+        (second.work, with.bytes_read()),
+        (third.work, without.bytes_read()),
+    ]
 }
 
 #[test]
 fn does_not_grow_with_the_file() {
-    let spots: [(&str, Place); 4] = [
+    let spots: [(&str, Place); 8] = [
         ("a number", Program::in_a_number),
         ("a name", Program::in_a_name),
         ("a half-typed rung", Program::half_typed),
         ("a declaration", Program::in_a_declaration),
+        ("a line of declarations", Program::with_a_declaration),
+        ("a half-typed declaration", Program::with_a_half_typed_declaration),
+        ("the first network", Program::in_the_first_network),
+        ("a label", Program::with_a_label),
     ];
     for (name, kind) in KINDS {
         for (what, spot) in spots {
             let (small, large) = (work(kind, 200, spot), work(kind, 2_000, spot));
-            assert_eq!(small, large, "{what} in a program of the kind {name}");
-            let most = small.iter().map(|work| work.networks.max(work.tags)).max();
+            let looked_at = |all: [(Work, usize); 2]| all.map(|(work, _)| work);
+            assert_eq!(
+                looked_at(small),
+                looked_at(large),
+                "{what} in a program of the kind {name}"
+            );
+            let most = small.iter().map(|(work, _)| work.networks.max(work.tags)).max();
             assert!(
                 most < Some(20),
                 "{what} in a program of the kind {name}: {small:?}"
+            );
+            // Longer numbers in the names make longer lines.
+            let read = |all: [(Work, usize); 2]| all.iter().map(|(_, bytes)| *bytes).max();
+            assert!(
+                read(large) < Some(2_000),
+                "{what} in a program of the kind {name}: {large:?}"
             );
         }
     }
