@@ -47,6 +47,7 @@ export async function live(page, { step, until, weights, labels, operandBox, row
     await step('a contact that holds up the power is neither as one that lets it through nor as one without', async () => {
         await cursorTo(page, 5, 16);
         await page.keyboard.press('F4');
+        await row(page, 'hold').getByText('1', { exact: true }).waitFor({ timeout: 10_000 });
         await page.keyboard.press('F10');
         await until('no power behind the contact', 10, async () => (await bold()) === '+--[](go)--');
         const parts = (await rung()).map(({ text, bold, line, color }) => {

@@ -38,7 +38,8 @@ export async function command(page, title) {
 export async function cursorTo(page, line, column) {
     await (await list(page, 'Control+G')).fill(`:${line}:${column}`);
     await page.keyboard.press('Enter');
-    // A key that comes while the list closes is lost.
+    // A key that comes while the list closes is lost, and one that comes before the text has the focus again.
     await page.locator('.quick-input-widget').waitFor({ state: 'hidden', timeout: 10_000 });
+    await page.locator('.editor-group-container.active .monaco-editor.focused').first().waitFor({ timeout: 10_000 });
     await page.getByText(`Ln ${line}, Col ${column}`).waitFor({ timeout: 10_000 });
 }

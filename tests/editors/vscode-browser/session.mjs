@@ -27,6 +27,7 @@ const settings = {
 function prepare() {
     writeFileSync(report, '');
     cpSync(LADDER_FIXTURES, join(scratch, 'project'), { recursive: true });
+    cpSync(join(import.meta.dirname, 'probe/tally.clad'), join(scratch, 'project/tally.clad'));
     writeFileSync(join(scratch, 'project/ladder.toml'), '');
     writeFileSync(join(scratch, 'project', PROGRAM), TEXT);
     writeFileSync(join(scratch, 'project', LIVE), LIVE_TEXT);

@@ -4,6 +4,9 @@ const { appendFileSync, readFileSync } = require('node:fs');
 
 const vscode = require('vscode');
 
+const { debugging } = require('./debugging.cjs');
+const { fixes } = require('./fixes.cjs');
+
 const report = process.env.LADDER_REPORT;
 
 function tell(result) {
@@ -97,6 +100,17 @@ async function session() {
         assert.equal(help.signatures[0].activeParameter ?? help.activeParameter, 1);
     });
 
+    await step('a snippet draws a whole network, without a mistake', async () => {
+        const document = await vscode.workspace.openTextDocument({ language: 'clad', content: '' });
+        await vscode.window.showTextDocument(document);
+        await vscode.commands.executeCommand('editor.action.insertSnippet', { langId: 'clad', name: 'Seal-in' });
+        assert.match(document.getText(), /^\+--\\--\[ \]\( start \)--\\--\[\/\]\( stop \)-+\( \)\( run \)--\+\n\|  \/--\[ \]\( run \)-+\/ +\|$/);
+        const symbols = () => vscode.commands.executeCommand('vscode.executeDocumentSymbolProvider', document.uri);
+        await eventually('the network in the outline', async () => ((await symbols()) ?? []).length > 0);
+        assert.deepEqual(vscode.languages.getDiagnostics(document.uri).filter(({ severity }) => severity === vscode.DiagnosticSeverity.Error), []);
+        await vscode.commands.executeCommand('workbench.action.revertAndCloseActiveEditor');
+    });
+
     await step('a tag is found at all its places, and renamed with the drawing laid out', async () => {
         const document = await open('motor.clad');
         const place = document.positionAt(document.getText().indexOf('start'));
@@ -162,6 +176,9 @@ async function session() {
         await vscode.commands.executeCommand('workbench.action.closeEditorsInOtherGroups');
         await shut();
     });
+
+    await fixes({ step, eventually });
+    await debugging({ step, open, eventually });
 
     await step('of a long program only what the editor shows is sent', async () => {
         const rung = (number) => `+--[ ]( a${number} )--[/]( b${number} )--( )( c${number} )--+\n`;

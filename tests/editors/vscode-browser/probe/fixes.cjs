@@ -1,0 +1,41 @@
+// What is offered for drawings as other tools have them.
+const assert = require('node:assert/strict');
+
+const vscode = require('vscode');
+
+const OFFERED = [
+    {
+        what: 'three branches between two rails',
+        drawn: '+--\\--[ ]( a )--\\--( )( y )--+\n|  |--[ ]( b )--|            |\n|  /--[ ]( c )--/            |\n',
+        title: /^Draw it with `\/--\\`/,
+        becomes: '+--\\--[ ]( a )--------\\------( )( y )--+\n|  /--\\--[ ]( b )--\\--/                |\n|     /--[ ]( c )--/                   |\n',
+    },
+    {
+        what: 'characters that draw boxes',
+        drawn: '├──[ ]( a )──( )( y )──┤\n',
+        title: /^Draw it with - \+/,
+        becomes: '+--[ ]( a )------------------( )( y )--+\n',
+    },
+];
+
+async function fixes({ step, eventually }) {
+    for (const { what, drawn, title, becomes } of OFFERED) {
+        await step(`${what}: the drawing of this language is offered`, async () => {
+            const document = await vscode.workspace.openTextDocument({ language: 'clad', content: drawn });
+            await vscode.window.showTextDocument(document);
+            const [found] = await eventually('the mistake', () => {
+                const all = vscode.languages.getDiagnostics(document.uri);
+                return all.length > 0 && all;
+            });
+            const actions = await vscode.commands.executeCommand('vscode.executeCodeActionProvider', document.uri, found.range, 'quickfix', 20);
+            const fix = actions.find((action) => title.test(action.title));
+            assert.ok(fix, actions.map((action) => action.title).join('; '));
+            await vscode.workspace.applyEdit(fix.edit);
+            assert.equal(document.getText(), becomes);
+            await eventually('no mistake', () => vscode.languages.getDiagnostics(document.uri).every(({ severity }) => severity > vscode.DiagnosticSeverity.Error));
+            await vscode.commands.executeCommand('workbench.action.revertAndCloseActiveEditor');
+        });
+    }
+}
+
+module.exports = { fixes };
