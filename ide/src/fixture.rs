@@ -1,6 +1,6 @@
 //! Texts of tests: several files, a cursor, and how places are shown.
 
-use crate::{ScenarioFile, Which, Workspace, mentions};
+use crate::{ScenarioFile, Which, Workspace};
 use ladder_analysis::context::Context;
 use ladder_analysis::{Analysis, Exported, analyze_in, exports};
 use ladder_syntax::{TextRange, TextSize, parse};
@@ -116,13 +116,9 @@ impl Workspace for Others<'_> {
     }
 
     fn show(&self, which: Which<'_>, look: &(dyn Fn(usize, &Arc<Context>) + Sync)) {
-        let wanted = |text: &str| match which {
-            Which::All => true,
-            Which::Mentioning(names) => names.iter().any(|name| mentions(text, name)),
-        };
         // Nobody relies on their order.
         for (index, (analysis, text)) in self.fixture.files.iter().enumerate().rev() {
-            if index != self.own && wanted(text) {
+            if index != self.own && which.takes(|| text.into()) {
                 look(index, &analysis.context);
             }
         }

@@ -3,6 +3,7 @@
 use ladder_analysis::context::Context;
 use ladder_simulator::scenario::Suite;
 use ladder_syntax::Name;
+use std::borrow::Cow;
 use std::sync::{Arc, Mutex, PoisonError};
 
 /// Where a feature finds the other files of the workspace. It never gives the file that is asked about itself.
@@ -23,10 +24,23 @@ pub trait Workspace {
 /// Which files of a workspace are wanted.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Which<'n> {
-    /// At least all whose text [`mentions`] one of these names.
+    /// At least all whose text has one of these names somewhere.
     Mentioning(&'n [Name]),
     /// All of them.
     All,
+}
+
+impl Which<'_> {
+    /// Whether a file is among them, whose text is only put together where it is asked for.
+    pub fn takes<'t>(self, text: impl FnOnce() -> Cow<'t, str>) -> bool {
+        match self {
+            Which::All => true,
+            Which::Mentioning(names) => {
+                let text = text();
+                names.iter().any(|name| mentions(&text, name))
+            }
+        }
+    }
 }
 
 /// What is found in files of a workspace, in its order.
@@ -92,7 +106,7 @@ impl Workspace for Alone {
 }
 
 /// Whether a name is somewhere in a text, in whatever case, if only as a part of another one.
-pub fn mentions(text: &str, name: &Name) -> bool {
+fn mentions(text: &str, name: &Name) -> bool {
     if text.is_ascii() {
         return name.as_str().is_ascii() && contains_in_any_case(text.as_bytes(), name.as_str().as_bytes());
     }

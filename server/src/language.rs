@@ -127,9 +127,9 @@ impl Analysis {
         &self.whole
     }
 
-    /// The edits of an action, with the drawing around them put straight.
-    pub(crate) fn aligned(&self, action: &Action, options: &Options) -> Vec<Edit> {
-        action.aligned(&self.whole, &self.whole.context.parse.to_string(), options)
+    /// The edits of an action, with the drawing around them put straight. `text` is the text that was looked at.
+    pub(crate) fn aligned(&self, action: &Action, text: &str, options: &Options) -> Vec<Edit> {
+        action.aligned(&self.whole, text, options)
     }
 
     /// What can be done, of the kinds that are wanted, with what a range selects.

@@ -3,7 +3,6 @@
 //! An open file counts with the text that its editor shows, any other with the one on disk. Everything here may
 //! read the disk and analyse texts: for a blocking thread.
 
-use std::borrow::Cow;
 use std::cell::{Cell, OnceCell};
 use std::collections::{HashMap, HashSet};
 use std::path::PathBuf;
@@ -11,7 +10,7 @@ use std::sync::{Arc, OnceLock};
 
 use ladder_analysis::Exported;
 use ladder_analysis::context::Context;
-use ladder_ide::{ScenarioFile, Which, Workspace, mentions};
+use ladder_ide::{ScenarioFile, Which, Workspace};
 use ladder_syntax::TextRange;
 use ladder_workspace::Named;
 use ropey::Rope;
@@ -275,20 +274,17 @@ impl Workspace for Elsewhere {
 
     fn show(&self, which: Which<'_>, look: &(dyn Fn(usize, &Arc<Context>) + Sync)) {
         let files = self.files();
-        let is_wanted = |text: &str| match which {
-            _ if self.cancel.is_cancelled() => false,
-            Which::All => true,
-            Which::Mentioning(names) => names.iter().any(|name| mentions(text, name)),
-        };
         for (number, (_, revision)) in files.open.iter().enumerate() {
-            if is_wanted(&Cow::from(revision.rope()))
+            if !self.cancel.is_cancelled()
+                && which.takes(|| revision.rope().into())
                 && let Some(names) = revision.names()
             {
                 look(number, names.context());
             }
         }
         together::each(&files.closed, |number, (_, file)| {
-            if is_wanted(&file.text)
+            if !self.cancel.is_cancelled()
+                && which.takes(|| (&*file.text).into())
                 && let Some(context) = files.context(file)
             {
                 look(files.open.len() + number, &context);

@@ -54,10 +54,12 @@ pub(crate) async fn code_action(
         let (start, end) = (revision.offset(range.start), revision.offset(range.end));
         let range = TextRange::new(start.min(end), end.max(start));
         let offered = analysis.actions(range, |kind| wanted(&params.context, &name(kind)));
+        // Put together once for all of them; a client that asks for edits later asks for one.
+        let text = (!agreed.resolves_edits).then(|| revision.text());
         let shown = offered
             .iter()
             .filter(|action| action.disabled.is_none() || agreed.disabled_actions)
-            .map(|action| offer(agreed, &revision, analysis, range, action));
+            .map(|action| offer(agreed, &revision, analysis, range, action, text.as_deref()));
         Some(shown.collect())
     })
     .await
@@ -82,7 +84,7 @@ pub(crate) async fn resolve(shared: &Arc<Shared>, mut action: CodeAction) -> Res
         if let Some(analysis) = revision.analysis() {
             let offered = analysis.actions(range, |kind| Some(name(kind)) == action.kind);
             let same = offered.into_iter().find(|offered| offered.title == action.title);
-            action.edit = same.and_then(|same| edit(agreed, &revision, analysis, &same));
+            action.edit = same.and_then(|same| edit(agreed, &revision, analysis, &same, &revision.text()));
         }
         action
     })
@@ -111,14 +113,16 @@ fn wanted(context: &CodeActionContext, kind: &CodeActionKind) -> bool {
     })
 }
 
+/// An action, with its edits if there is a `text` to make them of; without one the client asks for them later.
 fn offer(
     agreed: Agreed,
     revision: &Revision,
     analysis: &Analysis,
     range: TextRange,
     action: &Action,
+    text: Option<&str>,
 ) -> CodeActionOrCommand {
-    let later = agreed.resolves_edits && action.disabled.is_none();
+    let later = text.is_none() && action.disabled.is_none();
     let data = later.then(|| {
         serde_json::to_value(Data {
             uri: revision.uri.to_string(),
@@ -127,7 +131,7 @@ fn offer(
             end: range.end().into(),
         })
     });
-    let now = !later && action.disabled.is_none();
+    let now = text.filter(|_| action.disabled.is_none());
     let finding = action
         .finding
         .and_then(|finding| analysis.findings().get(finding));
@@ -136,7 +140,7 @@ fn offer(
         kind: Some(name(action.kind)),
         diagnostics: finding
             .map(|finding| convert::diagnostics(agreed, revision, [&analysis.diagnostic(finding)])),
-        edit: now.then(|| edit(agreed, revision, analysis, action)).flatten(),
+        edit: now.and_then(|text| edit(agreed, revision, analysis, action, text)),
         is_preferred: finding.map(|_| action.preferred),
         disabled: action
             .disabled
@@ -152,8 +156,9 @@ fn edit(
     revision: &Revision,
     analysis: &Analysis,
     action: &Action,
+    text: &str,
 ) -> Option<tower_lsp::ls_types::WorkspaceEdit> {
-    let edits = analysis.aligned(action, &revision.format_options());
+    let edits = analysis.aligned(action, text, &revision.format_options());
     convert::workspace_edit(agreed, revision, &edits)
 }
 

@@ -48,10 +48,10 @@ pub(crate) async fn execute(shared: &Arc<Shared>, params: ExecuteCommandParams) 
         let (start, end) = (revision.offset(range.start), revision.offset(range.end));
         let range = TextRange::new(start.min(end), end.max(start));
         let options = revision.format_options();
-        let done =
-            redraw(analysis.whole(), &names.text(), range, redraw_of(edit), &options).map_err(failed)?;
+        let text = names.text();
+        let done = redraw(analysis.whole(), &text, range, redraw_of(edit), &options).map_err(failed)?;
         let cursor = done.cursor.map(|at| {
-            let new = Rope::from(ladder_format::apply(&names.text(), &done.edits));
+            let new = Rope::from(ladder_format::apply(&text, &done.edits));
             position::position(&new, revision.encoding(), at.into())
         });
         let replacement = |edit: &ladder_format::Edit| Replacement {
