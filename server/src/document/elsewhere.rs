@@ -15,7 +15,7 @@ use ladder_syntax::TextRange;
 use ladder_workspace::Named;
 use ropey::Rope;
 
-use super::neighbours::OnDisk;
+use super::on_disk::OnDisk;
 use super::position::{self, Range};
 use super::positions::Positions;
 use super::{Documents, Kind, Revision, address, together};
@@ -301,7 +301,8 @@ impl Workspace for Elsewhere {
 mod tests {
     use std::sync::atomic::{AtomicUsize, Ordering};
 
-    use super::super::neighbours::{Membership, Neighbours};
+    use super::super::membership::Membership;
+    use super::super::neighbours::Neighbours;
     use super::super::position::Encoding;
     use super::*;
 

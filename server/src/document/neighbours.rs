@@ -5,20 +5,17 @@
 //!
 //! Everything here may read the disk: for a blocking thread.
 
-use std::collections::{BTreeMap, HashMap};
+use std::collections::HashMap;
 use std::path::{Path, PathBuf};
-use std::sync::{Arc, Mutex, MutexGuard, OnceLock, PoisonError};
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
-use ladder_analysis::context::{Context, context};
 use ladder_analysis::program::Program;
-use ladder_analysis::{
-    Analysis, Exported, Exports, NotWhole, Others, RuleSettings, analyze_with, exports, link,
-};
-use ladder_syntax::Parse;
-use ladder_workspace::{FileError, Root, SETTINGS_FILE, Settings, Simulate, Stamp};
+use ladder_analysis::{Analysis, Exported, Exports, NotWhole, Others, RuleSettings, analyze_with, link};
+use ladder_workspace::{FileError, Root, SETTINGS_FILE, Settings, Simulate};
 
-use super::seen::{Seen, SettingsFile};
-use super::together;
+use super::folder::{Folder, Open, same};
+use super::on_disk::{FilesOnDisk, OnDisk, name_in};
+use super::seen::SettingsFile;
 
 /// All workspaces, by their folders.
 #[derive(Debug, Default)]
@@ -34,19 +31,6 @@ struct State {
     folders: HashMap<PathBuf, Folder>,
 }
 
-/// One workspace.
-#[derive(Debug)]
-struct Folder {
-    settings: Settings,
-    /// Where they come from, if there is a file.
-    settings_file: Option<Arc<SettingsFile>>,
-    disk: BTreeMap<PathBuf, Arc<OnDisk>>,
-    open: HashMap<PathBuf, Open>,
-    exported: Option<Arc<Exported>>,
-    /// How often what an open file shows has become something else.
-    changes: u64,
-}
-
 /// Which files see something else once what a file exports has changed.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub(crate) struct News {
@@ -55,87 +39,6 @@ pub(crate) struct News {
     /// The file itself: others have changed since it was read, when they could not know that it concerns it.
     pub(crate) for_itself: bool,
 }
-
-/// The names of files that no editor shows are kept in workspaces with so many bytes of text; in larger ones they are read
-/// again when somebody asks.
-const MOST_KEPT: usize = 2 << 20;
-
-/// A file that no editor shows.
-#[derive(Debug)]
-pub(crate) struct OnDisk {
-    pub(crate) name: Arc<str>,
-    stamp: Stamp,
-    /// Its text. All else that is known of it is read again when somebody asks.
-    pub(crate) text: String,
-    exports: Arc<Exports>,
-    /// Its names, as they are among these other files.
-    names: Mutex<Option<(Arc<Exported>, Arc<Context>)>>,
-}
-
-impl OnDisk {
-    /// Reads a program.
-    fn read(root: &Path, path: &Path) -> Option<OnDisk> {
-        let stamp = Stamp::of(path);
-        let text = ladder_workspace::read_own(path).ok()?;
-        let name = name_in(root, path);
-        let exports = Arc::new(exports(&Arc::new(ladder_syntax::parse(&text)), &name));
-        Some(OnDisk {
-            name,
-            stamp,
-            text,
-            exports,
-            names: Mutex::default(),
-        })
-    }
-
-    fn parse(&self) -> Arc<Parse> {
-        Arc::new(ladder_syntax::parse(&self.text))
-    }
-
-    /// Its names. `exported` is what the files of its workspace show to each other.
-    pub(crate) fn context(&self, exported: &Arc<Exported>, are_few: bool) -> Arc<Context> {
-        if !are_few {
-            return Arc::new(self.read_context(exported));
-        }
-        let mut names = self.names.lock().unwrap_or_else(PoisonError::into_inner);
-        if let Some((of, context)) = &*names
-            && Arc::ptr_eq(of, exported)
-        {
-            return Arc::clone(context);
-        }
-        let context = Arc::new(self.read_context(exported));
-        *names = Some((Arc::clone(exported), Arc::clone(&context)));
-        context
-    }
-
-    fn read_context(&self, exported: &Arc<Exported>) -> Context {
-        let others = exported.others_of(&self.name);
-        context(&self.parse(), &self.name, &others)
-    }
-}
-
-/// The files of a workspace as they are on disk.
-pub(crate) struct FilesOnDisk {
-    pub(crate) files: Vec<(PathBuf, Arc<OnDisk>)>,
-    /// What all files of the workspace, open or not, show to each other.
-    pub(crate) exported: Arc<Exported>,
-}
-
-impl FilesOnDisk {
-    /// Whether what is known of all of them may be kept. It takes some twenty times the memory of the texts.
-    pub(crate) fn are_few(&self) -> bool {
-        let bytes: usize = self.files.iter().map(|(_, file)| file.text.len()).sum();
-        bytes <= MOST_KEPT
-    }
-}
-
-/// A file that an editor shows.
-#[derive(Debug)]
-struct Open {
-    exports: Arc<Exports>,
-    analysis: Arc<Analysis>,
-}
-
 impl Neighbours {
     /// What a file is called in messages, and what it sees of the others.
     pub(crate) fn view(&self, path: &Path) -> (Arc<str>, Others) {
@@ -144,7 +47,7 @@ impl Neighbours {
     }
 
     /// As [`Neighbours::view`], with the number of changes that it has in it.
-    fn view_now(&self, path: &Path) -> (Arc<str>, Others, u64) {
+    pub(super) fn view_now(&self, path: &Path) -> (Arc<str>, Others, u64) {
         let mut state = self.lock();
         let (root, folder) = state.folder(path);
         let name = name_in(&root, path);
@@ -153,7 +56,7 @@ impl Neighbours {
     }
 
     /// Enters the analysis of an open file, which was read when there had been so many changes.
-    fn analysed(&self, path: &Path, analysis: &Arc<Analysis>, read_at: Option<u64>) -> News {
+    pub(super) fn analysed(&self, path: &Path, analysis: &Arc<Analysis>, read_at: Option<u64>) -> News {
         let exports = Arc::new(Exports::of(&analysis.context, &analysis.context.name));
         let mut state = self.lock();
         let (_, folder) = state.folder(path);
@@ -439,157 +342,5 @@ impl State {
             .entry(root.clone())
             .or_insert_with(|| Folder::load(path, &root, defaults));
         (root, folder)
-    }
-}
-
-impl Folder {
-    fn load(path: &Path, root: &Path, defaults: &Settings) -> Folder {
-        let mut folder = Folder {
-            settings: Settings::default(),
-            settings_file: None,
-            disk: BTreeMap::new(),
-            open: HashMap::new(),
-            exported: None,
-            changes: 0,
-        };
-        let Ok(found) = Root::of(path) else {
-            return folder;
-        };
-        match found.settings_file() {
-            Some(file) => {
-                let (settings, file) = SettingsFile::read(file);
-                folder.settings = settings;
-                folder.settings_file = Some(Arc::new(file));
-            }
-            None => folder.settings = defaults.clone(),
-        }
-        let mut programs = found.programs(&folder.settings.files);
-        programs.retain(|path| folder.settings.files.contain(path));
-        folder.disk = together::map(&programs, |path| {
-            Some((path.clone(), Arc::new(OnDisk::read(root, path)?)))
-        })
-        .into_iter()
-        .collect();
-        folder
-    }
-
-    /// How its files were when they were read.
-    fn seen(&self) -> Seen {
-        let programs = self.disk.iter();
-        Seen {
-            settings_file: self.settings_file.as_ref().map(|file| file.stamp),
-            files: self.settings.files.clone(),
-            programs: programs.map(|(path, file)| (path.clone(), file.stamp)).collect(),
-        }
-    }
-
-    /// What the others see of a file.
-    fn shown(&self, path: &Path) -> Option<&Arc<Exports>> {
-        let open = self.open.get(path).map(|open| &open.exports);
-        open.or_else(|| self.disk.get(path).map(|file| &file.exports))
-    }
-
-    /// Takes a file as it is on disk now.
-    fn reread(&mut self, root: &Path, path: &Path) {
-        let belongs = self.settings.files.contain(path);
-        match belongs.then(|| OnDisk::read(root, path)).flatten() {
-            Some(file) => self.disk.insert(path.to_owned(), Arc::new(file)),
-            None => self.disk.remove(path),
-        };
-    }
-
-    fn exported(&mut self) -> &Arc<Exported> {
-        let (disk, open) = (&self.disk, &self.open);
-        self.exported.get_or_insert_with(|| {
-            let mut all: BTreeMap<&Path, &Arc<Exports>> =
-                disk.iter().map(|(path, file)| (&**path, &file.exports)).collect();
-            all.extend(open.iter().map(|(path, open)| (&**path, &open.exports)));
-            Arc::new(Exported::new(all.into_values().cloned().collect()))
-        })
-    }
-}
-
-fn same(a: Option<&Exports>, b: Option<&Exports>) -> bool {
-    match (a, b) {
-        (Some(a), Some(b)) => a.says_the_same(b),
-        (None, None) => true,
-        _ => false,
-    }
-}
-
-/// The path from the workspace's folder on: no two files have one name.
-fn name_in(root: &Path, path: &Path) -> Arc<str> {
-    let name = path.strip_prefix(root).unwrap_or(path);
-    Arc::from(name.to_string_lossy().replace('\\', "/"))
-}
-
-/// A document's place among the files of its workspace.
-#[derive(Debug, Clone)]
-pub(crate) struct Membership {
-    /// The file.
-    pub(crate) path: PathBuf,
-    /// The workspaces.
-    pub(crate) neighbours: Arc<Neighbours>,
-    /// Whether what the file exports was passed on to the others.
-    passed_on: Arc<OnceLock<()>>,
-    /// How many changes there had been when it was read.
-    read_at: Arc<OnceLock<u64>>,
-}
-
-impl Membership {
-    pub(crate) fn new(path: PathBuf, neighbours: &Arc<Neighbours>) -> Membership {
-        Membership {
-            path,
-            neighbours: Arc::clone(neighbours),
-            passed_on: Arc::default(),
-            read_at: Arc::default(),
-        }
-    }
-
-    /// As [`Neighbours::view`], for the text that is to be passed on.
-    pub(super) fn view(&self) -> (Arc<str>, Others) {
-        let (name, others, changes) = self.neighbours.view_now(&self.path);
-        let _ = self.read_at.set(changes);
-        (name, others)
-    }
-
-    /// The same file, with a text that was not passed on yet.
-    pub(super) fn anew(&self) -> Membership {
-        Membership::new(self.path.clone(), &self.neighbours)
-    }
-
-    /// Tells the others what the file says now. Gives, once, who sees something else than before.
-    pub(super) fn tell(&self, analysis: &Arc<Analysis>) -> News {
-        if self.passed_on.set(()).is_err() {
-            return News::default();
-        }
-        let read_at = self.read_at.get().copied();
-        self.neighbours.analysed(&self.path, analysis, read_at)
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::document::position::Encoding;
-    use crate::document::revision::Revision;
-
-    #[test]
-    fn a_new_file_is_looked_at_again_if_another_has_changed_meanwhile() {
-        let folder = tempfile::tempdir().unwrap();
-        std::fs::write(folder.path().join("ladder.toml"), "").unwrap();
-        let neighbours = Arc::<Neighbours>::default();
-        let open = |name: &str, text: &str| {
-            let place = Membership::new(folder.path().join(name), &neighbours);
-            Revision::on_disk(name, Encoding::Utf8, text, place)
-        };
-        let caller = open("caller.clad", "+--( )( z )--<CALL>( count )--+\n");
-        let called = open("called.clad", "+--( )( y )--+\n+--<FUN>( count )--( )( y )--+\n");
-        assert!(called.analysis().is_some());
-        // Nobody knows of the function yet: the call concerns no other file.
-        caller.tell_neighbours();
-        let news = called.tell_neighbours();
-        assert!(news.for_others && news.for_itself, "{news:?}");
-        assert_eq!(called.tell_neighbours(), News::default());
     }
 }

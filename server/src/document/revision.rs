@@ -14,7 +14,8 @@ use ropey::Rope;
 
 use super::byte_edit::{ByteEdit, EditLog, Since};
 use super::kind::Kind;
-use super::neighbours::{Membership, News};
+use super::membership::Membership;
+use super::neighbours::News;
 use super::position::{self, Encoding, Position, Range};
 use super::positions::Positions;
 use crate::language::{Analysis, Names};

@@ -11,7 +11,7 @@ use ropey::Rope;
 
 use super::edit::{Change, apply};
 use super::kind::Kind;
-use super::neighbours::Membership;
+use super::membership::Membership;
 use super::position::Encoding;
 use super::revision::{Edited, Revision};
 

@@ -1,6 +1,7 @@
 //! The flat code that a program becomes: instructions in their order of evaluation, and the tables that lead
 //! from a place in the code back to the drawing.
 
+mod effects;
 mod instr;
 
 pub(crate) use instr::{Instr, NOTHING_SAVED};

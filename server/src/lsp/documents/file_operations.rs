@@ -19,7 +19,7 @@ use tower_lsp::ls_types::{
 use super::{diagnostics, folders};
 use crate::document::Revision;
 use crate::document::address::{path_of, uri_of};
-use crate::document::neighbours::Membership;
+use crate::document::membership::Membership;
 use crate::lsp::transport::blocking::blocking;
 use crate::lsp::{convert, shared::Shared};
 

@@ -25,7 +25,8 @@ use tower_lsp::ls_types::{
 use super::{companions, diagnostics, folders, settings_file, watch};
 use crate::document::Revision;
 use crate::document::address::{path_of, uri_of};
-use crate::document::neighbours::{Membership, OnDisk};
+use crate::document::membership::Membership;
+use crate::document::on_disk::OnDisk;
 use crate::lsp::transport::{blocking::blocking, progress::Progress};
 use crate::lsp::{convert, shared::Shared};
 

@@ -16,7 +16,7 @@ use tower_lsp::ls_types::{
 
 use super::{companions, diagnostics, typed, watch};
 use crate::document::edit::Change;
-use crate::document::neighbours::Membership;
+use crate::document::membership::Membership;
 use crate::document::{ChangeRefused, Kind, address};
 use crate::lsp::{convert::our_range, shared::Shared};
 

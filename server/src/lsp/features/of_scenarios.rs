@@ -10,7 +10,7 @@ use tower_lsp::ls_types::{Position, Uri};
 use super::asked::Asked;
 use crate::cancel::Cancel;
 use crate::document::elsewhere::Elsewhere;
-use crate::document::neighbours::Membership;
+use crate::document::membership::Membership;
 use crate::document::{Kind, Revision, address};
 use crate::lsp::transport::blocking::blocking;
 use crate::lsp::{convert, shared::Shared};

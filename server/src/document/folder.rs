@@ -1,0 +1,111 @@
+//! One workspace: its settings, its files on disk, and those of them that an editor shows.
+
+use std::collections::{BTreeMap, HashMap};
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+
+use ladder_analysis::{Analysis, Exported, Exports};
+use ladder_workspace::{Root, Settings};
+
+use super::on_disk::OnDisk;
+use super::seen::{Seen, SettingsFile};
+use super::together;
+
+/// One workspace.
+#[derive(Debug)]
+pub(super) struct Folder {
+    pub(super) settings: Settings,
+    /// Where they come from, if there is a file.
+    pub(super) settings_file: Option<Arc<SettingsFile>>,
+    pub(super) disk: BTreeMap<PathBuf, Arc<OnDisk>>,
+    pub(super) open: HashMap<PathBuf, Open>,
+    /// What its files show to each other. Nothing if that has changed since somebody asked.
+    pub(super) exported: Option<Arc<Exported>>,
+    /// How often what an open file shows has become something else.
+    pub(super) changes: u64,
+}
+
+/// A file that an editor shows.
+#[derive(Debug)]
+pub(super) struct Open {
+    pub(super) exports: Arc<Exports>,
+    pub(super) analysis: Arc<Analysis>,
+}
+
+impl Folder {
+    /// Reads a workspace, of which `path` is a file. `defaults` hold where it has no settings file.
+    pub(super) fn load(path: &Path, root: &Path, defaults: &Settings) -> Folder {
+        let mut folder = Folder {
+            settings: Settings::default(),
+            settings_file: None,
+            disk: BTreeMap::new(),
+            open: HashMap::new(),
+            exported: None,
+            changes: 0,
+        };
+        let Ok(found) = Root::of(path) else {
+            return folder;
+        };
+        match found.settings_file() {
+            Some(file) => {
+                let (settings, file) = SettingsFile::read(file);
+                folder.settings = settings;
+                folder.settings_file = Some(Arc::new(file));
+            }
+            None => folder.settings = defaults.clone(),
+        }
+        let mut programs = found.programs(&folder.settings.files);
+        programs.retain(|path| folder.settings.files.contain(path));
+        folder.disk = together::map(&programs, |path| {
+            Some((path.clone(), Arc::new(OnDisk::read(root, path)?)))
+        })
+        .into_iter()
+        .collect();
+        folder
+    }
+
+    /// How its files were when they were read.
+    pub(super) fn seen(&self) -> Seen {
+        let programs = self.disk.iter();
+        Seen {
+            settings_file: self.settings_file.as_ref().map(|file| file.stamp),
+            files: self.settings.files.clone(),
+            programs: programs.map(|(path, file)| (path.clone(), file.stamp)).collect(),
+        }
+    }
+
+    /// What the others see of a file.
+    pub(super) fn shown(&self, path: &Path) -> Option<&Arc<Exports>> {
+        let open = self.open.get(path).map(|open| &open.exports);
+        open.or_else(|| self.disk.get(path).map(|file| &file.exports))
+    }
+
+    /// Takes a file as it is on disk now.
+    pub(super) fn reread(&mut self, root: &Path, path: &Path) {
+        let belongs = self.settings.files.contain(path);
+        match belongs.then(|| OnDisk::read(root, path)).flatten() {
+            Some(file) => self.disk.insert(path.to_owned(), Arc::new(file)),
+            None => self.disk.remove(path),
+        };
+    }
+
+    /// What its files show to each other.
+    pub(super) fn exported(&mut self) -> &Arc<Exported> {
+        let (disk, open) = (&self.disk, &self.open);
+        self.exported.get_or_insert_with(|| {
+            let mut all: BTreeMap<&Path, &Arc<Exports>> =
+                disk.iter().map(|(path, file)| (&**path, &file.exports)).collect();
+            all.extend(open.iter().map(|(path, open)| (&**path, &open.exports)));
+            Arc::new(Exported::new(all.into_values().cloned().collect()))
+        })
+    }
+}
+
+/// Whether the others see the same of a file before and behind a change.
+pub(super) fn same(a: Option<&Exports>, b: Option<&Exports>) -> bool {
+    match (a, b) {
+        (Some(a), Some(b)) => a.says_the_same(b),
+        (None, None) => true,
+        _ => false,
+    }
+}

@@ -1,0 +1,79 @@
+//! A document's place among the files of its workspace.
+
+use std::path::PathBuf;
+use std::sync::{Arc, OnceLock};
+
+use ladder_analysis::{Analysis, Others};
+
+use super::neighbours::{Neighbours, News};
+
+/// A document's place among the files of its workspace.
+#[derive(Debug, Clone)]
+pub(crate) struct Membership {
+    /// The file.
+    pub(crate) path: PathBuf,
+    /// The workspaces.
+    pub(crate) neighbours: Arc<Neighbours>,
+    /// Whether what the file exports was passed on to the others.
+    passed_on: Arc<OnceLock<()>>,
+    /// How many changes there had been when it was read.
+    read_at: Arc<OnceLock<u64>>,
+}
+
+impl Membership {
+    pub(crate) fn new(path: PathBuf, neighbours: &Arc<Neighbours>) -> Membership {
+        Membership {
+            path,
+            neighbours: Arc::clone(neighbours),
+            passed_on: Arc::default(),
+            read_at: Arc::default(),
+        }
+    }
+
+    /// As [`Neighbours::view`], for the text that is to be passed on.
+    pub(super) fn view(&self) -> (Arc<str>, Others) {
+        let (name, others, changes) = self.neighbours.view_now(&self.path);
+        let _ = self.read_at.set(changes);
+        (name, others)
+    }
+
+    /// The same file, with a text that was not passed on yet.
+    pub(super) fn anew(&self) -> Membership {
+        Membership::new(self.path.clone(), &self.neighbours)
+    }
+
+    /// Tells the others what the file says now. Gives, once, who sees something else than before.
+    pub(super) fn tell(&self, analysis: &Arc<Analysis>) -> News {
+        if self.passed_on.set(()).is_err() {
+            return News::default();
+        }
+        let read_at = self.read_at.get().copied();
+        self.neighbours.analysed(&self.path, analysis, read_at)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::document::position::Encoding;
+    use crate::document::revision::Revision;
+
+    #[test]
+    fn a_new_file_is_looked_at_again_if_another_has_changed_meanwhile() {
+        let folder = tempfile::tempdir().unwrap();
+        std::fs::write(folder.path().join("ladder.toml"), "").unwrap();
+        let neighbours = Arc::<Neighbours>::default();
+        let open = |name: &str, text: &str| {
+            let place = Membership::new(folder.path().join(name), &neighbours);
+            Revision::on_disk(name, Encoding::Utf8, text, place)
+        };
+        let caller = open("caller.clad", "+--( )( z )--<CALL>( count )--+\n");
+        let called = open("called.clad", "+--( )( y )--+\n+--<FUN>( count )--( )( y )--+\n");
+        assert!(called.analysis().is_some());
+        // Nobody knows of the function yet: the call concerns no other file.
+        caller.tell_neighbours();
+        let news = called.tell_neighbours();
+        assert!(news.for_others && news.for_itself, "{news:?}");
+        assert_eq!(called.tell_neighbours(), News::default());
+    }
+}
