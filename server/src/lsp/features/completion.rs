@@ -11,7 +11,7 @@ use tower_lsp::jsonrpc::Result;
 use tower_lsp::ls_types::{
     ClientCapabilities, Command, CompletionItem, CompletionItemKind, CompletionList, CompletionOptions,
     CompletionParams, CompletionResponse, CompletionTextEdit, Documentation, InsertTextFormat,
-    InsertTextMode, Position, TextEdit,
+    InsertTextMode, Position, Range, TextEdit,
 };
 
 use super::code_lens::names_command;
@@ -63,15 +63,15 @@ pub(crate) async fn completion(
         let names = revision.names()?;
         let offset = revision.offset(convert::our_position(place.position));
         let found = names.completions(offset, trigger);
-        let items = found.items.into_iter().enumerate();
-        let items = items.map(|(index, item)| {
+        let mut proposed = Proposed::new(agreed, &revision, offset);
+        let items = found.items.into_iter().map(|item| {
             let documentation = agreed
                 .documented_at_once
                 .then(|| card(agreed, &revision, names, &item.topic))
                 .flatten();
             CompletionItem {
                 documentation,
-                ..proposal(agreed, &revision, offset, index, item)
+                ..proposed.item(item)
             }
         });
         serde_json::to_string(&CompletionList {
@@ -98,7 +98,8 @@ async fn in_scenarios(
         let offset = asked.offset(position);
         let programs = programs_beside(&asked.revision);
         let found = ladder_ide::scenario_completions(&asked.read(), offset, &programs, trigger);
-        let items = found.items.into_iter().enumerate().map(|(index, item)| {
+        let mut proposed = Proposed::new(agreed, &asked.revision, offset);
+        let items = found.items.into_iter().map(|item| {
             let documentation = match (&item.topic, &asked.program) {
                 (Topic::Words(words), _) => Some(markup::documentation(
                     agreed.completion_markdown,
@@ -113,7 +114,7 @@ async fn in_scenarios(
             CompletionItem {
                 documentation,
                 data: None,
-                ..proposal(agreed, &asked.revision, offset, index, item)
+                ..proposed.item(item)
             }
         });
         Some(CompletionResponse::List(CompletionList {
@@ -138,46 +139,82 @@ fn programs_beside(revision: &Revision) -> Vec<String> {
     programs
 }
 
-fn proposal(
+/// Proposals on their way to the protocol.
+struct Proposed<'r> {
     agreed: Agreed,
-    revision: &Revision,
+    revision: &'r Revision,
     cursor: TextSize,
-    index: usize,
-    item: Completion,
-) -> CompletionItem {
-    let as_snippet = agreed.snippets && !item.text.is_word();
-    let new_text = if as_snippet {
-        item.text.snippet()
-    } else {
-        item.text.plain()
-    };
-    let several_lines = new_text.contains('\n');
-    let behind = TextRange::new(cursor, item.range.end());
-    let cut = agreed.cuts_behind && !behind.is_empty();
-    let range = if cut {
-        TextRange::new(item.range.start(), cursor)
-    } else {
-        item.range
-    };
-    CompletionItem {
-        command: cut.then(|| Command {
-            title: "Take the place of what is behind".to_owned(),
-            command: CUT.to_owned(),
-            arguments: Some(vec![what_to_cut(revision, behind)]),
-        }),
-        kind: Some(kind(item.kind)),
-        detail: Some(item.detail).filter(|detail| !detail.is_empty()),
-        sort_text: Some(format!("{index:03}")),
-        filter_text: Some(item.filter),
-        insert_text_format: as_snippet.then_some(InsertTextFormat::SNIPPET),
-        insert_text_mode: several_lines.then_some(InsertTextMode::AS_IS),
-        text_edit: Some(CompletionTextEdit::Edit(TextEdit {
-            range: convert::range_in(revision, range),
-            new_text,
-        })),
-        data: data(revision, &item.topic),
-        label: item.label,
-        ..CompletionItem::default()
+    count: usize,
+    /// The last range, and the same in the protocol's terms: nearly all proposals replace the same one.
+    last_range: Option<(TextRange, Range)>,
+}
+
+impl Proposed<'_> {
+    fn new(agreed: Agreed, revision: &Revision, cursor: TextSize) -> Proposed<'_> {
+        Proposed {
+            agreed,
+            revision,
+            cursor,
+            count: 0,
+            last_range: None,
+        }
+    }
+
+    fn range(&mut self, range: TextRange) -> Range {
+        if let Some((last, converted)) = self.last_range
+            && last == range
+        {
+            return converted;
+        }
+        let converted = convert::range_in(self.revision, range);
+        self.last_range = Some((range, converted));
+        converted
+    }
+
+    /// The next one in the list.
+    fn item(&mut self, item: Completion) -> CompletionItem {
+        let Proposed {
+            agreed,
+            revision,
+            cursor,
+            ..
+        } = *self;
+        let as_snippet = agreed.snippets && !item.text.is_word();
+        let new_text = if as_snippet {
+            item.text.snippet()
+        } else {
+            item.text.plain()
+        };
+        let several_lines = new_text.contains('\n');
+        let behind = TextRange::new(cursor, item.range.end());
+        let cut = agreed.cuts_behind && !behind.is_empty();
+        let range = if cut {
+            TextRange::new(item.range.start(), cursor)
+        } else {
+            item.range
+        };
+        let index = self.count;
+        self.count += 1;
+        CompletionItem {
+            command: cut.then(|| Command {
+                title: "Take the place of what is behind".to_owned(),
+                command: CUT.to_owned(),
+                arguments: Some(vec![what_to_cut(revision, behind)]),
+            }),
+            kind: Some(kind(item.kind)),
+            detail: Some(item.detail).filter(|detail| !detail.is_empty()),
+            sort_text: Some(format!("{index:03}")),
+            filter_text: Some(item.filter),
+            insert_text_format: as_snippet.then_some(InsertTextFormat::SNIPPET),
+            insert_text_mode: several_lines.then_some(InsertTextMode::AS_IS),
+            text_edit: Some(CompletionTextEdit::Edit(TextEdit {
+                range: self.range(range),
+                new_text,
+            })),
+            data: data(revision, &item.topic),
+            label: item.label,
+            ..CompletionItem::default()
+        }
     }
 }
 
