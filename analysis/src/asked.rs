@@ -8,9 +8,17 @@ pub(crate) struct Asked<'c> {
     pub(crate) behind: &'c str,
 }
 
+/// What is before the word.
+const SALUTATION: &str = "ladder:";
+
+/// Whether a text may hold a comment that speaks to the tools.
+pub(crate) fn may_ask(text: &str) -> bool {
+    text.contains(SALUTATION)
+}
+
 /// Reads a comment with its signs. None: it does not speak to the tools.
 pub(crate) fn asked(comment: &str) -> Option<Asked<'_>> {
-    let words = comment.trim_matches('#').trim().strip_prefix("ladder:")?.trim();
+    let words = comment.trim_matches('#').trim().strip_prefix(SALUTATION)?.trim();
     let end = words.find(|c: char| !is_word(c)).unwrap_or(words.len());
     let (word, behind) = words.split_at(end);
     Some(Asked {

@@ -8,6 +8,7 @@ use crate::edited;
 use crate::facts::NodeKind;
 use crate::foreign_comment::ForeignComments;
 use crate::infer;
+use crate::joined::Joined;
 use crate::kept::Kept;
 use crate::known_blocks::KnownBlocks;
 use crate::network;
@@ -82,6 +83,8 @@ pub struct Context {
     /// The other files of the workspace.
     pub others: Others,
     pub(crate) foreign_comments: OnceLock<ForeignComments>,
+    /// What the names of its networks mean, if they were joined for the whole file and no edit has come since.
+    pub(crate) joined: Option<Arc<Joined>>,
     /// The labels of each body by name, in the order of the text.
     pub(crate) labels_by_name: HashMap<(Body, Name), Vec<usize>>,
     pub(crate) functions_by_name: HashMap<Name, usize>,
@@ -362,6 +365,7 @@ pub(crate) fn skeleton(parse: &Arc<Parse>, name: &str, others: &Others, before: 
         labels: Vec::new(),
         bodies: Arc::default(),
         foreign_comments: OnceLock::new(),
+        joined: None,
         labels_by_name: HashMap::new(),
         functions_by_name: HashMap::new(),
     };
@@ -384,7 +388,8 @@ fn declared(parse: &Parse, out: &mut Vec<Diagnostic>, once: &mut bool) -> (Vec<S
         let mut scope = Scope::default();
         scope.block = Some(index);
         for name in ["EN", "ENO"] {
-            scope.declare(implicit(name, parse.line_range(definition.lines.start)));
+            let at = parse.line_range(definition.lines.start);
+            scope.declare(Name::new(name), implicit(name, at));
         }
         scope
     }));

@@ -218,6 +218,7 @@ impl Edited {
             serial: context::next_serial(),
             may_call,
             foreign_comments: OnceLock::new(),
+            joined: None,
             ..before.clone()
         };
         context

@@ -48,7 +48,9 @@ mod values;
 
 pub(crate) use findings::{article, excerpt, foreign_comment, lint, stamp, verdict};
 pub use findings::{diagnostic, fix, rule, rule_settings};
-pub(crate) use names::{declarations, declare, did_you_mean, infer, numbering, operand_value, shared, uses};
+pub(crate) use names::{
+    declarations, declare, did_you_mean, infer, joined, numbering, operand_value, shared, uses,
+};
 pub use names::{scope, system_tag, tags};
 pub(crate) use networks::{
     chunked, control_flow, kept, known_blocks, order_table, outward_jumps, reading, unread_line,

@@ -176,10 +176,20 @@ impl FileLines {
 
     /// The part that holds a line; the last one behind the end.
     pub fn part_of(&self, line: usize) -> usize {
-        let starts = &self.lines_before[..self.parts.len()];
-        starts
-            .partition_point(|&first| first as usize <= line)
-            .saturating_sub(1)
+        let parts = self.parts.len();
+        // Parts are of about one length, so it is mostly near to where its share of the lines leads.
+        let near = (line as u64 * parts as u64)
+            .checked_div(self.len() as u64)
+            .unwrap_or_default() as usize;
+        let first = near.saturating_sub(1).min(parts);
+        let end = (near + 2).min(parts);
+        let is_before = |&start: &u32| start as usize <= line;
+        let is_behind_first = self.lines_before[first..end].first().is_some_and(is_before);
+        if is_behind_first && !is_before(&self.lines_before[end]) {
+            return first + self.lines_before[first..end].partition_point(is_before) - 1;
+        }
+        let starts = &self.lines_before[..parts];
+        starts.partition_point(is_before).saturating_sub(1)
     }
 
     /// The first line of a part.

@@ -60,10 +60,13 @@ const RESERVED: [&str; 11] = [
     "TRUE", "FALSE", "SYS", "AND", "OR", "XOR", "NOT", "MOD", "SHL", "SHR", "PI",
 ];
 
+/// As long as `FALSE`.
+const LONGEST_RESERVED: usize = 5;
+
 /// Whether the word may not name a tag anywhere (LANGUAGE §1). `EN` and `ENO` in a block's body, and type
 /// keywords in declarations, are the analysis' business.
 pub fn is_reserved(word: &str) -> bool {
-    RESERVED.iter().any(|r| r.eq_ignore_ascii_case(word))
+    word.len() <= LONGEST_RESERVED && RESERVED.iter().any(|r| r.eq_ignore_ascii_case(word))
 }
 
 /// Whether the text is one identifier.

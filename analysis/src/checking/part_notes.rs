@@ -1,6 +1,6 @@
 //! What the comments of a file's parts say that rules ask for: looked for once in each part, and kept while it stays.
 
-use crate::asked::asked;
+use crate::asked::{asked, may_ask};
 use crate::rules::commented_out_rung;
 use ladder_syntax::{FileLines, LineKind, NodeOrToken, Part, TextRange, TextSize, Trees};
 use rustc_hash::FxHashMap;
@@ -59,7 +59,9 @@ impl Note {
         for (number, line) in part.lines().iter().enumerate() {
             let mut at = TextSize::new(part.line_start(number));
             let may_be_rung = matches!(line.kind, LineKind::Comment | LineKind::Rail);
-            if !line.text().contains('#') {
+            // A tree is dear, and many a rung has a `#` in a number like T#5s.
+            let text = line.text();
+            if !text.contains('#') || !may_be_rung && !may_ask(text) {
                 continue;
             }
             for child in trees.of(line).children() {

@@ -2,6 +2,7 @@
 //! same, and the lines are, so are the findings.
 
 use crate::context::Context;
+use crate::joined::NamedTags;
 use crate::networks::NetworkAt;
 use crate::scope::{Origin, TagFacts};
 use crate::value::Value;
@@ -12,8 +13,8 @@ use std::hash::{Hash, Hasher};
 pub(crate) fn of_network(context: &Context, network: NetworkAt<'_>) -> u64 {
     let mut sum = hash((context.profile, context.signatures, network.scope));
     let scope = &context.scopes[network.scope];
-    for (number, named) in (0u32..).zip(network.named.iter()) {
-        let Some(tag) = scope.find(&named.key) else {
+    for (number, (_, tag)) in (0u32..).zip(NamedTags::of(context, network).iter()) {
+        let Some(tag) = tag else {
             continue;
         };
         let mut facts = &scope.tags[tag];

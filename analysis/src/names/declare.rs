@@ -156,7 +156,8 @@ fn declaration(
             out.push(bad_declaration::wrong(range, message));
             continue;
         }
-        if let Some(first) = scope.find(&Name::new(name.text())) {
+        let key = Name::new(name.text());
+        if let Some(first) = scope.find(&key) {
             let first = &mut scope.tags[first];
             let first_at = declarations.range(first.declared_at);
             out.push(duplicate_declaration::twice(name, range, (first, first_at)));
@@ -165,7 +166,7 @@ fn declaration(
             first.mistyped |= !alike || first.origin != Origin::Declared(context.kind);
             continue;
         }
-        let index = scope.declare(TagFacts {
+        let tag = TagFacts {
             name: name.text().into(),
             ty,
             mistyped: ty.is_none(),
@@ -182,7 +183,8 @@ fn declaration(
             uses: Uses::default(),
             shared: None,
             foreign: None,
-        });
+        };
+        let index = scope.declare(key, tag);
         // An address is one tag of the file; what a body declares belongs to each place of the block.
         if let Some(token) = address.as_ref().filter(|_| !context.in_block) {
             scope.find_by_address(token.text(), index);

@@ -12,6 +12,7 @@ pub(crate) mod did_you_mean;
 pub(crate) mod infer;
 #[cfg(test)]
 mod infer_tests;
+pub(crate) mod joined;
 pub(crate) mod numbering;
 pub(crate) mod operand_value;
 pub mod scope;

@@ -315,11 +315,11 @@ impl Scope {
         })
     }
 
-    /// Adds a tag before any use is looked at; the first one of a name is found by it.
-    pub(crate) fn declare(&mut self, tag: TagFacts) -> usize {
+    /// Adds a tag before any use is looked at, by its name; the first one of a name is found by it.
+    pub(crate) fn declare(&mut self, name: Name, tag: TagFacts) -> usize {
         let number = Arc::make_mut(&mut self.numbering).push();
         let names = Arc::make_mut(&mut self.declared_names);
-        names.entry(Name::new(&tag.name)).or_insert(number);
+        names.entry(name).or_insert(number);
         self.tags.push(tag);
         self.declared = self.tags.len();
         self.declared - 1

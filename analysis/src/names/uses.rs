@@ -4,6 +4,7 @@
 use crate::context::Context;
 use crate::declarations::DeclaredAt;
 use crate::facts::{Node, NodeKind};
+use crate::joined::Joined;
 use crate::network::{BoundBlock, Formal, NetworkFacts};
 use crate::networks::{NetworkAt, Networks};
 use crate::program::{ParameterKind, Role};
@@ -12,14 +13,17 @@ use crate::types::{Scalar, Type};
 use crate::user_block::UserBlockFacts;
 use ladder_instructions::{Accepts, Direction, Law};
 use ladder_syntax::{Name, TextRange, TextSize};
+use std::sync::Arc;
 
 /// Enters every use of every tag into its scope.
 pub(crate) fn collect(context: &mut Context) {
     let law = context.profile.law();
+    let mut joined = Joined::with_networks(context.networks.len());
     for network in &context.networks {
         let id = context.networks.id(network.index);
-        enter(network, id, law, &mut context.scopes[network.scope]);
+        enter(network, id, law, &mut context.scopes[network.scope], &mut joined);
     }
+    context.joined = Some(Arc::new(joined));
     roles(&mut context.scopes[0], &context.networks);
 }
 
@@ -62,6 +66,11 @@ pub(crate) struct Named {
 }
 
 impl Named {
+    /// Whether it is at this place of its block's line.
+    pub(crate) fn is_at(&self, range: TextRange) -> bool {
+        self.range == range
+    }
+
     /// The use that it is, in this network, on a line that starts here.
     pub(crate) fn at(&self, network: usize, line: TextSize) -> Use {
         Use {
@@ -176,7 +185,7 @@ impl Extent {
 }
 
 /// Enters the uses of a network's tags.
-fn enter(network: NetworkAt<'_>, id: u32, law: &Law, scope: &mut Scope) {
+fn enter(network: NetworkAt<'_>, id: u32, law: &Law, scope: &mut Scope, joined: &mut Joined) {
     for (number, named) in (0..).zip(network.named.iter()) {
         let index = scope
             .find(&named.key)
@@ -185,7 +194,9 @@ fn enter(network: NetworkAt<'_>, id: u32, law: &Law, scope: &mut Scope) {
             .uses
             .0
             .push(UseRef::new(id, number, named.access));
+        joined.push(index);
     }
+    joined.end_network();
 }
 
 /// A tag that is first met in an operand.

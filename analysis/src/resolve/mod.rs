@@ -23,6 +23,7 @@ pub(crate) use unchanged::check_network;
 
 use crate::context::{Body, Callee, Context};
 use crate::diagnostic::Diagnostic;
+use crate::joined::NamedTags;
 use crate::network::Meaning;
 use crate::networks::{BlockAt, NetworkAt};
 use crate::program::{Block, BlockKind, Element, Function, Location, Network, Program, TagId, UserBlock};
@@ -37,6 +38,8 @@ use std::ops::Range;
 pub(crate) struct Resolver<'c, 'o> {
     context: &'c Context,
     scope: &'c Scope,
+    /// The block's names.
+    names: NamedTags<'c>,
     /// None while a file is only checked: then the numbers in what comes out mean nothing.
     lowering: Option<Lowering<'c>>,
     /// Where the block's line starts.
@@ -69,10 +72,12 @@ pub(crate) struct Resolved {
 fn check(context: &Context, network: usize, out: &mut Vec<Diagnostic>) -> Option<TextRange> {
     let facts = context.networks.at(network);
     let mut unresolved = None;
-    for bound in facts.blocks() {
+    let mut names = NamedTags::of(context, facts);
+    for (block, bound) in facts.blocks().enumerate() {
         let mut resolver = Resolver {
             context,
             scope: &context.scopes[facts.scope],
+            names: names.next_block(block),
             lowering: None,
             base: bound.base,
             network,
@@ -125,10 +130,12 @@ fn networks(
             continue;
         };
         let mut blocks = Vec::with_capacity(facts.blocks.len());
-        for bound in facts.blocks() {
+        let mut names = NamedTags::of(context, facts);
+        for (block, bound) in facts.blocks().enumerate() {
             let mut resolver = Resolver {
                 context,
                 scope: &context.scopes[facts.scope],
+                names: names.next_block(block),
                 lowering: Some(Lowering {
                     ids: &ids[facts.scope],
                     numbers,

@@ -16,7 +16,10 @@ impl Resolver<'_, '_> {
     /// The scope's tag that a node names as a whole.
     pub(super) fn named_tag(&self, node: &Node) -> Option<usize> {
         match &node.kind {
-            NodeKind::Name(name) | NodeKind::Address(name) => self.scope.find(&Name::new(name)),
+            NodeKind::Name(name) | NodeKind::Address(name) => {
+                let by_name = || self.scope.find(&Name::new(name));
+                self.names.at(node.range).or_else(by_name)
+            }
             NodeKind::Paren(inner) => self.named_tag(inner),
             _ => None,
         }

@@ -8,6 +8,7 @@ use crate::context::Context;
 use crate::control_flow::ControlFlow;
 use crate::diagnostic::Diagnostic;
 use crate::findings::Anchored;
+use crate::joined::NamedTags;
 use crate::networks::{BlockAt, NetworkAt};
 use crate::operand_value::{Number, number, scalar};
 use crate::program::Step;
@@ -18,6 +19,7 @@ use crate::uses::Named;
 use crate::verdict::{self, InNetwork, Pass};
 use ladder_instructions::{Op, Power, Role};
 use rustc_hash::FxHasher;
+use smallvec::SmallVec;
 use std::hash::{Hash, Hasher};
 use std::sync::Arc;
 
@@ -154,14 +156,10 @@ fn is_worth_it(context: &Context, network: NetworkAt<'_>) -> bool {
         return true;
     }
     let scope = &context.scopes[network.scope];
-    let tag_of = |named: &Named| {
-        let tag = scope.find(&named.key)?;
-        Some(scope.tags[tag].shared.unwrap_or((network.scope, tag)))
-    };
-    let mut uses: Vec<((usize, usize), &Named)> = network
-        .named
+    let shared = |tag: usize| scope.tags[tag].shared.unwrap_or((network.scope, tag));
+    let mut uses: SmallVec<[((usize, usize), &Named); 16]> = NamedTags::of(context, network)
         .iter()
-        .filter_map(|named| Some((tag_of(named)?, named)))
+        .filter_map(|(named, tag)| Some((shared(tag?), named)))
         .collect();
     uses.sort_by_key(|(tag, _)| *tag);
     uses.chunk_by(|(a, _), (b, _)| a == b)

@@ -32,12 +32,19 @@ const TYPES: [&str; 29] = [
 ];
 const MORE_TYPES: [&str; 4] = ["SR", "RS", "TIME_OF_DAY", "DATE_AND_TIME"];
 
+/// As long as `END_FUNCTION_BLOCK`.
+const LONGEST_KEYWORD: usize = 18;
+
 fn is_one_of(word: &str, words: &[&str]) -> bool {
     words.iter().any(|w| w.eq_ignore_ascii_case(word))
 }
 
 /// Whether a word is a keyword inside declarations, so that it can name no tag.
 pub fn is_declaration_keyword(word: &str) -> bool {
+    // Most names have a digit or another sign that no keyword has.
+    if word.len() > LONGEST_KEYWORD || word.bytes().any(|b| !b.is_ascii_alphabetic() && b != b'_') {
+        return false;
+    }
     is_one_of(word, &SECTIONS)
         || is_one_of(word, &TYPES)
         || is_one_of(word, &MORE_TYPES)
