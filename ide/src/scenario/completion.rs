@@ -2,22 +2,21 @@
 
 use super::Scenarios;
 use super::hover::keyword;
+use super::named_by_rows::tags_of;
 use super::place::line;
-use super::row::value_type;
+use super::row::{stem_of, value_type};
+use super::used::used_files;
 use crate::completion::{Completion, CompletionKind, Completions, Snippet, Topic};
-use ladder_analysis::context::Context;
-use ladder_analysis::program::{Role, SystemTag};
-use ladder_analysis::scope::TagFacts;
-use ladder_analysis::types::{Scalar, Type};
-use ladder_simulator::members_of;
+use ladder_analysis::program::SystemTag;
+use ladder_analysis::types::Scalar;
 use ladder_simulator::scenario::{Direction, HEADINGS, Scenario, TextLine};
 use ladder_syntax::{Name, TextRange, TextSize};
 
 /// So many are proposed at once.
 const MOST: usize = 128;
 
-/// So many elements of an array are proposed.
-const ELEMENTS: i64 = 16;
+/// Tags of other files are behind those of the program.
+const BEHIND_ALL_OWN: u8 = 8;
 
 /// What can be written at an offset. `programs` are those beside the file, as it would name them; `trigger` is the character
 /// that was just typed, if that is why it is asked.
@@ -161,9 +160,6 @@ fn tags(
     out: &mut Proposals,
 ) {
     let Some(program) = scenarios.program else { return };
-    let Some(scope) = program.scopes.first() else {
-        return;
-    };
     let has_row = |name: &str, direction: Direction| {
         let mut rows = scenario.rows.iter();
         rows.any(|row| {
@@ -172,22 +168,18 @@ fn tags(
                 && !row.range.contains_inclusive(offset)
         })
     };
-    let mut found: Vec<(u8, String, Scalar, &TagFacts, Direction)> = Vec::new();
-    for tag in &scope.tags {
-        let tag = program.shared(tag);
-        let Some(ty) = tag.ty else { continue };
-        let (order, direction) = match tag.role {
-            Role::Input => (0, Direction::Given),
-            Role::Output => (1, Direction::Expected),
-            Role::Internal => (2, Direction::Expected),
-        };
-        if tag.constant {
-            continue;
+    let used = used_files(program, scenarios.workspace);
+    let mut found = Vec::new();
+    for own in tags_of(program, "") {
+        if !has_row(&own.name, own.direction) {
+            found.push(own);
         }
-        for (name, ty) in values_of(program, tag, ty) {
-            if !has_row(&name, direction) {
-                let order = order + u8::from(name != *tag.name) * 2;
-                found.push((order, name, ty, tag, direction));
+    }
+    for file in &used {
+        for mut other in tags_of(file, stem_of(&file.name)) {
+            if !has_row(&other.name, other.direction) {
+                other.order += BEHIND_ALL_OWN;
+                found.push(other);
             }
         }
     }
@@ -205,41 +197,10 @@ fn tags(
         }
     }
     let begins = |name: &str| Name::new(name).as_str().starts_with(Name::new(written).as_str());
-    found.sort_by_key(|(order, name, ..)| (!begins(name), *order));
-    for (_, name, ty, tag, direction) in found {
-        let role = match tag.role {
-            Role::Input => "input",
-            Role::Output => "output",
-            Role::Internal => "internal",
-        };
-        let text = row_text(&name, direction, out);
-        let kind = if name == *tag.name {
-            CompletionKind::Tag
-        } else {
-            CompletionKind::Member
-        };
-        let topic = Topic::Tag(0, tag.name.to_string());
-        out.add(kind, &name, &format!("{}, {role}", ty.name()), text, topic);
-    }
-}
-
-/// A tag, or what it has that is a value, with the types.
-fn values_of(program: &Context, tag: &TagFacts, ty: Type) -> Vec<(String, Scalar)> {
-    match ty {
-        Type::Scalar(ty) => vec![(tag.name.to_string(), ty)],
-        Type::State(state) => {
-            let law = program.profile.law();
-            let member = |name: &str| {
-                Some((
-                    format!("{}.{name}", tag.name),
-                    ladder_analysis::state_member(state, name)?.ty(law),
-                ))
-            };
-            members_of(state).filter_map(member).collect()
-        }
-        Type::Array { first, last, element } => (first..=last.min(first.saturating_add(ELEMENTS - 1)))
-            .map(|index| (format!("{}[{index}]", tag.name), element))
-            .collect(),
+    found.sort_by_key(|it| (!begins(&it.name), it.order));
+    for it in found {
+        let text = row_text(&it.name, it.direction, out);
+        out.add(it.kind, &it.name, &it.detail, text, it.topic);
     }
 }
 

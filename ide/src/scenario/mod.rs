@@ -7,10 +7,12 @@
 mod completion;
 mod edits;
 mod hover;
+mod named_by_rows;
 mod navigate;
 mod outline;
 mod place;
 mod row;
+mod used;
 
 pub use completion::completions as scenario_completions;
 pub use edits::{TRIGGERS as SCENARIO_TRIGGERS, layout as scenario_layout, on_type as scenario_on_type};

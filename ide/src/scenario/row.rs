@@ -90,7 +90,7 @@ pub(super) fn named<'c>(scenarios: &Scenarios<'c>, name: &str) -> Option<Named<'
 }
 
 /// What a program calls a file that it uses: its name without folders and ending.
-fn stem_of(file: &str) -> &str {
+pub(super) fn stem_of(file: &str) -> &str {
     let name = file.rsplit('/').next().unwrap_or(file);
     name.rsplit_once('.').map_or(name, |(stem, _)| stem)
 }

@@ -53,6 +53,29 @@ return function(t)
     vim.cmd('bwipeout!')
   end)
 
+  t.step('in a row the tags of a file that the program uses are proposed behind its name', function()
+    local keys = require('typing').open(t, { '+--<CALL>( count )--( )( run )--+' }, {}, {
+      ['lib.clad'] = {
+        'VAR',
+        '    total : DINT;  warm : TON;  spare : INT;',
+        'END_VAR',
+        '+--<FUN>( count )--[INC]( total )--[TON]( warm, 5s )--<RET>--+',
+      },
+      ['typed.ladder-test'] = { 'program typed.clad', 'scenario "it counts"', '' },
+    })
+    keys:press(':edit ' .. vim.fs.dirname(keys.file) .. '/typed.ladder-test<CR>')
+    t.eventually('the server', function()
+      return keys:lua([[return #vim.lsp.get_clients({ bufnr = 0, name = 'ladder' }) == 1 and vim.bo.filetype == 'laddertest']])
+    end)
+    keys:press('Golib.w<C-x><C-o>')
+    keys:choose('lib.warm.ET')
+    keys:expect('the row', { 'program typed.clad', 'scenario "it counts"', '', 'lib.warm.ET => ' })
+    keys:press('<C-x><C-o>')
+    keys:choose('100ms')
+    keys:expect('the row', { 'program typed.clad', 'scenario "it counts"', '', 'lib.warm.ET => 100ms' })
+    keys:close()
+  end)
+
   t.step('a name follows from a scenario into the program', function()
     local folder = open()
     vim.api.nvim_win_set_cursor(0, { 6, 0 })
