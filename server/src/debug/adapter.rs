@@ -201,7 +201,7 @@ impl<W: Write> Adapter<W> {
             "configurationDone" => self.configuration_done(),
             "restart" => self.restart(request),
             "terminate" => {
-                self.end(0);
+                self.end_early();
                 Ok(Json::Null)
             }
             "threads" => Ok(json!({"threads": [{"id": THREAD, "name": "Scan"}]})),

@@ -151,6 +151,21 @@ impl<W: Write> Adapter<W> {
 
     /// The program is over.
     pub(super) fn end(&mut self, status: i64) {
+        self.end_with(Some(status));
+    }
+
+    /// Somebody ends it. A scenario that did not come to its end has not passed: unless it has failed by then it has no
+    /// status.
+    pub(super) fn end_early(&mut self) {
+        let play = self.target.as_ref().and_then(|target| target.play.as_ref());
+        let status = match play {
+            Some(play) => play.has_failed.then_some(1),
+            None => Some(0),
+        };
+        self.end_with(status);
+    }
+
+    fn end_with(&mut self, status: Option<i64>) {
         if self.phase == Phase::Over {
             return;
         }
@@ -159,7 +174,9 @@ impl<W: Write> Adapter<W> {
         if let Some(problem) = self.target.as_mut().and_then(super::target::Target::save) {
             self.write("stderr", &format!("{problem}\n"), None);
         }
-        self.event("exited", json!({"exitCode": status}));
+        if let Some(status) = status {
+            self.event("exited", json!({"exitCode": status}));
+        }
         self.event("terminated", Json::Null);
     }
 

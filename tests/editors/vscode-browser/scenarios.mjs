@@ -1,11 +1,18 @@
 // The Test Explorer in the page: scenarios are run and debugged, and what they exercise is drawn beside the program.
 import assert from 'node:assert/strict';
 
-import { command, open } from './palette.mjs';
+import { command, cursorTo, open } from './palette.mjs';
 
 const FILE = 'motor.ladder-test';
 
-export async function scenarios(page, { step, screenshot }) {
+/** Files besides: a program that calls another, and its scenarios. */
+export const files = {
+    'counted.clad': '+--<CALL>( count_up )--+\n',
+    'library.clad': 'VAR\n    total : DINT;\n    warm : TON;\nEND_VAR\n+--<FUN>( count_up )--[INC]( total )--[TON]( warm, 5s )--<RET>--+\n',
+    'counted.ladder-test': 'program counted.clad\n\nscenario "it counts"\n',
+};
+
+export async function scenarios(page, { step, until, screenshot }) {
     const editor = page.locator('.editor-group-container .monaco-editor').first();
     await step('the scenarios of a file are tests, with marks beside them', async () => {
         await open(page, FILE);
@@ -43,5 +50,39 @@ export async function scenarios(page, { step, screenshot }) {
         await screenshot(page, 'debug-scenario');
         await page.keyboard.press('Shift+F5');
         await page.locator('.debug-toolbar').waitFor({ state: 'hidden', timeout: 5000 });
+        // Ended by hand it has not passed.
+        await open(page, FILE);
+        await editor.locator('.codicon-testing-failed-icon').first().waitFor({ timeout: 5000 });
+    });
+    await step('with continuous run the result changes with the program that is saved', async () => {
+        await command(page, 'View: Show Testing');
+        await page.getByRole('button', { name: 'Start Continuous Run' }).first().click();
+        const profiles = page.locator('.quick-input-widget');
+        await profiles.getByRole('checkbox', { name: /^Run/ }).first().click();
+        await profiles.getByRole('button', { name: 'OK' }).click();
+        const tree = page.locator('.test-explorer-tree');
+        const file = (result) => tree.locator('.monaco-list-row', { hasText: FILE }).locator(`.codicon-testing-${result}-icon`);
+        await open(page, 'motor.clad');
+        // A motor that nothing stops is what the second scenario wants: its coil becomes one that sets.
+        await cursorTo(page, 2, 49);
+        await page.keyboard.press('Shift+ArrowRight');
+        await page.keyboard.type('S');
+        await page.keyboard.press('Control+S');
+        await file('passed').waitFor({ timeout: 15000 });
+        await page.keyboard.press('Control+Z');
+        await page.keyboard.press('Control+S');
+        await file('failed').waitFor({ timeout: 15000 });
+        await screenshot(page, 'continuous');
+        await page.getByRole('button', { name: 'Stop Continuous Run' }).first().click();
+    });
+    await step('in a row the tags of a called file are proposed', async () => {
+        await open(page, 'counted.ladder-test');
+        await cursorTo(page, 4, 1);
+        await page.keyboard.type('library.w', { delay: 40 });
+        await page.locator('.suggest-widget .monaco-list-row', { hasText: 'library.warm.ET' }).first().click();
+        const written = page.locator('.editor-group-container.active .view-line').nth(3);
+        await until('the row', 5, async () => /^library.warm.ET => ?$/.test((await written.textContent()).replace(/\u00a0/g, ' ')));
+        await page.keyboard.type('100ms');
+        await page.keyboard.press('Control+S');
     });
 }

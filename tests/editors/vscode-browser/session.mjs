@@ -8,14 +8,15 @@ import { openBrowser, removeScratch, scratchFolder, serve, until } from './codeS
 import { book, emptyFiles } from './book.mjs';
 import { debug, PROGRAM, TEXT } from './debug.mjs';
 import { diagram, programs } from './diagram.mjs';
+import { drawing, NAME as DRAWN, TEXT as DRAWN_TEXT } from './drawing.mjs';
 import { live, LIVE, LIVE_TEXT } from './live.mjs';
 import { command, open } from './palette.mjs';
 import { PROGRAMS, running } from './running.mjs';
-import { scenarios } from './scenarios.mjs';
+import { files as SCENARIOS, scenarios } from './scenarios.mjs';
 import { failures, step, tell } from './steps.mjs';
 import { NAME, RUNG, typing } from './typing.mjs';
 
-const { LADDER_BIN, LADDER_FIXTURES, LADDER_PACKAGES, LADDER_SCREENSHOTS } = process.env;
+const { LADDER_BIN, LADDER_FIXTURES, LADDER_PACKAGES, LADDER_PARTS, LADDER_SCREENSHOTS } = process.env;
 const scratch = scratchFolder();
 const report = join(scratch, 'report');
 
@@ -33,8 +34,9 @@ function prepare() {
     writeFileSync(join(scratch, 'project', LIVE), LIVE_TEXT);
     writeFileSync(join(scratch, 'project', NAME), `${RUNG}\n`);
     writeFileSync(join(scratch, 'project/watch.clad'), '+--[TON]( clock, T#1h )--( )( late )--+\n');
+    writeFileSync(join(scratch, 'project', DRAWN), DRAWN_TEXT);
     emptyFiles(join(scratch, 'project'));
-    for (const [name, text] of Object.entries({ ...programs, ...PROGRAMS })) {
+    for (const [name, text] of Object.entries({ ...programs, ...PROGRAMS, ...SCENARIOS })) {
         writeFileSync(join(scratch, 'project', name), text);
     }
 }
@@ -309,6 +311,26 @@ async function screenshot(page, name) {
     }
 }
 
+/** What is tried, in this order. */
+const parts = (page) => ({
+    simulation: async () => {
+        await look(page);
+        await screenshot(page, 'power');
+        await operate(page);
+        await traceTags(page);
+        await edit(page);
+    },
+    live: () => live(page, { step, until, weights, labels, operandBox, row }),
+    running: () => running(page, { step, until, weights, row, screenshot }),
+    typing: () => typing(page, { step, until, screenshot }),
+    drawing: () => drawing(page, { step, until }),
+    book: () => book(page, { step, until, project: join(scratch, 'project') }),
+    debug: () => debug(page, { step, screenshot }),
+    scenarios: () => scenarios(page, { step, until, screenshot }),
+    // Its last step loads the page again.
+    diagram: () => diagram(page, { step, until, screenshot }),
+});
+
 async function main() {
     prepare();
     const extensions = ['ladder.vsix', 'probe.vsix'].map((name) => join(LADDER_PACKAGES, name));
@@ -326,19 +348,11 @@ async function main() {
             }
             return lines.at(-1)?.done;
         });
-        await look(page);
-        await screenshot(page, 'power');
-        await operate(page);
-        await traceTags(page);
-        await edit(page);
-        await live(page, { step, until, weights, labels, operandBox, row });
-        await running(page, { step, until, weights, row, screenshot });
-        await typing(page, { step, until, screenshot });
-        await book(page, { step, until, project: join(scratch, 'project') });
-        await debug(page, { step, screenshot });
-        await scenarios(page, { step, screenshot });
-        // Its last step loads the page again.
-        await diagram(page, { step, until, screenshot });
+        for (const [name, part] of Object.entries(parts(page))) {
+            if (!LADDER_PARTS || LADDER_PARTS.split(' ').includes(name)) {
+                await part();
+            }
+        }
     } finally {
         await screenshot(page, 'end');
         await browser.close();

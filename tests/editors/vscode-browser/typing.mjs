@@ -8,7 +8,7 @@ export const NAME = 'typed.clad';
 export const RUNG = '+--[ ]( first )--[/]( second )--( )( third )--+';
 
 /** The lines of the editor that is active, as the page shows them. */
-function lines(page) {
+export function lines(page) {
     return page.evaluate(() => {
         const shown = [...document.querySelectorAll('.editor-group-container.active .monaco-editor .view-line')];
         const placed = shown.map((line) => ({ top: parseFloat(line.style.top), text: line.textContent.replace(/\u00a0/g, ' ') }));

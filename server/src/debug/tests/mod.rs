@@ -158,6 +158,28 @@ fn a_program_that_ends_itself_is_shown_once_more() {
     assert_eq!(said[1]["body"]["exitCode"], 0);
 }
 
+/// Nobody takes a scenario for passed that was only looked at.
+#[test]
+fn a_scenario_that_is_ended_by_hand_has_not_passed() {
+    let scenarios = "program own.clad\nscenario \"two steps\"\na => 0 0\nscenario \"wrong\"\na => 1 0\n";
+    for (name, status) in [("two steps", None), ("wrong", Some(1))] {
+        let mut client = Client::new("VAR a : INT; END_VAR\n+--[MOV]( a, 0 )--+\n");
+        let file = client.folder.path().join("own.ladder-test");
+        std::fs::write(&file, scenarios).unwrap();
+        client.body("initialize", json!({}));
+        let launch = json!({"scenarioFile": file, "scenario": name, "stopOnEntry": status.is_none()});
+        client.body("launch", launch);
+        let body = json!({"filters": ["expectations"]});
+        client.body("setExceptionBreakpoints", body);
+        client.body("configurationDone", Json::Null);
+        let said = client.ask("terminate", json!({}));
+        let exited = said.iter().find(|message| message["event"] == "exited");
+        let exit_code = exited.map(|message| message["body"]["exitCode"].as_i64().unwrap());
+        assert_eq!(exit_code, status, "{name}");
+        assert!(said.iter().any(|message| message["event"] == "terminated"));
+    }
+}
+
 /// Back and forth gives the same places.
 #[test]
 fn every_place_of_a_scan_is_found_again_on_the_way_back() {
