@@ -127,6 +127,50 @@ fn what_is_not_kept_is_not_known() {
 }
 
 #[test]
+fn of_a_long_run_what_changed_before_the_kept_scans_and_what_among_them() {
+    let text =
+        "+--[ ]( early )--( )( a )--+\n\n+--[ ]( late )--( )( b )--+\n\n+--[ ]( never )--( )( c )--+\n";
+    let mut session = Session::of(simulation(text), HistoryLimits::of_scans(400));
+    for scan in 0..1000 {
+        match scan {
+            10 => set(&mut session, "early", "1"),
+            // The first scan that is kept at the end, and the last one that is not.
+            600 => set(&mut session, "late", "1"),
+            599 => set(&mut session, "early", "0"),
+            _ => {}
+        }
+        session.scan();
+    }
+    expect![[r#"
+        a is 0 since before the scans that are kept: line 1, ( )( a ) wrote it; blocked by [ ]( early ) (line 1, column 4): early is 0
+          early is 0 since before the scans that are kept: it was given from outside
+        b is 1 since scan 600 (6000 ms): line 3, ( )( b ) wrote it; power came through [ ]( late ) (line 3, column 4): late is 1
+          late is 1 since scan 600 (6000 ms): it was given from outside
+        c is 0 since the start: line 5, ( )( c ) wrote it; blocked by [ ]( never ) (line 5, column 4): never is 0
+          never is 0 since the start: nothing else was given
+        early is 0 since before the scans that are kept: it was given from outside
+        late is 1 since scan 600 (6000 ms): it was given from outside
+        never is 0 since the start: nothing else was given
+    "#]].assert_eq(&ask(&mut session, text, "a b c early late never"));
+    assert_eq!(session.step_back(300), 300);
+    expect![[r#"
+        a is 0 since before the scans that are kept: line 1, ( )( a ) wrote it; blocked by [ ]( early ) (line 1, column 4): early is 0
+          early is 0 since before the scans that are kept: it was given from outside
+        b is 1 since scan 600 (6000 ms): line 3, ( )( b ) wrote it; power came through [ ]( late ) (line 3, column 4): late is 1
+          late is 1 since scan 600 (6000 ms): it was given from outside
+    "#]].assert_eq(&ask(&mut session, text, "a b"));
+    // Another way on: what is done now counts, whatever lay ahead.
+    set(&mut session, "early", "1");
+    session.scan();
+    expect![[r#"
+        a is 1 since scan 700 (7000 ms): line 1, ( )( a ) wrote it; power came through [ ]( early ) (line 1, column 4): early is 1
+          early is 1 since scan 700 (7000 ms): it was given from outside
+        b is 1 since scan 600 (6000 ms): line 3, ( )( b ) wrote it; power came through [ ]( late ) (line 3, column 4): late is 1
+          late is 1 since scan 600 (6000 ms): it was given from outside
+    "#]].assert_eq(&ask(&mut session, text, "a b"));
+}
+
+#[test]
 fn every_way_in_which_power_could_come() {
     // Two in a row, beside one; a bridge; an input that is on already.
     check(

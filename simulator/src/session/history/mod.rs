@@ -43,7 +43,7 @@ pub(super) struct History {
     waiting: Given,
     serial: SerialLog,
     scratch: Vec<u8>,
-    /// What has changed since this began, in scans that are no longer kept too.
+    /// What has changed since this began, in scans that are no longer kept too, and roughly when.
     pub(super) touched: Touched,
     /// It began before the first scan.
     pub(super) is_from_the_start: bool,
@@ -175,6 +175,7 @@ impl History {
             forces: None,
         };
         given.bytes.clear();
+        self.touched.is_at(simulation.machine.scan);
         self.banks
             .follow(&simulation.machine, &mut self.touched, &mut given.bytes);
         if self.forces != simulation.forces {
@@ -192,6 +193,7 @@ impl History {
         }
         let mut ran = std::mem::take(&mut self.scratch);
         ran.clear();
+        self.touched.is_at(simulation.machine.scan);
         self.banks
             .follow(&simulation.machine, &mut self.touched, &mut ran);
         self.bytes.extend(&self.given.bytes);

@@ -142,6 +142,12 @@ impl Inquiry<'_> {
         }
     }
 
+    /// Whether a kept scan can have changed what a question is about: if none has there is nothing to go back for.
+    fn has_changed_since_base(&self, question: usize) -> bool {
+        let point = &self.questions[question].point;
+        self.history.touched.holds_since(point, self.history.base.scan)
+    }
+
     fn simulation_was_open(&self, question: &Question) -> bool {
         question.when.is_some_and(|when| when.entry == self.history.here)
     }
@@ -158,9 +164,10 @@ impl Inquiry<'_> {
                 if this.takes_a_cause() {
                     this.cause = Found::Plain(Cause::Given);
                 }
-            } else if self.history.is_on() && !self.history.touched.holds(&this.point) {
+            } else if self.history.is_on() && !self.has_changed_since_base(question) {
                 self.open.swap_remove(at);
-                let change = if self.history.is_from_the_start {
+                let has_changed = self.history.touched.holds(&self.questions[question].point);
+                let change = if self.history.is_from_the_start && !has_changed {
                     Change::Never
                 } else {
                     Change::NotKept
