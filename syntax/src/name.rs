@@ -60,8 +60,19 @@ const RESERVED: [&str; 11] = [
     "TRUE", "FALSE", "SYS", "AND", "OR", "XOR", "NOT", "MOD", "SHL", "SHR", "PI",
 ];
 
-/// As long as `FALSE`.
-const LONGEST_RESERVED: usize = 5;
+const LONGEST_RESERVED: usize = longest(&RESERVED);
+
+/// The length of the longest word, in bytes.
+pub(crate) const fn longest(words: &[&str]) -> usize {
+    let (mut longest, mut word) = (0, 0);
+    while word < words.len() {
+        if words[word].len() > longest {
+            longest = words[word].len();
+        }
+        word += 1;
+    }
+    longest
+}
 
 /// Whether the word may not name a tag anywhere (LANGUAGE §1). `EN` and `ENO` in a block's body, and type
 /// keywords in declarations, are the analysis' business.

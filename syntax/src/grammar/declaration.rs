@@ -4,6 +4,7 @@ use super::{Parser, block, expression};
 use crate::builder::Builder;
 use crate::lexer;
 use crate::line::{LineKind, Mode};
+use crate::name::longest;
 use crate::{DeclarationProblem, SyntaxErrorKind, SyntaxKind};
 
 /// The keyword that a line begins with.
@@ -32,8 +33,21 @@ const TYPES: [&str; 29] = [
 ];
 const MORE_TYPES: [&str; 4] = ["SR", "RS", "TIME_OF_DAY", "DATE_AND_TIME"];
 
-/// As long as `END_FUNCTION_BLOCK`.
-const LONGEST_KEYWORD: usize = 18;
+const KEYWORDS: [&str; 8] = [
+    "END_VAR",
+    "RETAIN",
+    "CONSTANT",
+    "AT",
+    "ARRAY",
+    "OF",
+    "FUNCTION_BLOCK",
+    "END_FUNCTION_BLOCK",
+];
+
+/// No word of these lists is longer.
+const LONGEST_KEYWORD: usize = longest(&KEYWORDS);
+const _: () = assert!(longest(&SECTIONS) <= LONGEST_KEYWORD && longest(&TYPES) <= LONGEST_KEYWORD);
+const _: () = assert!(longest(&MORE_TYPES) <= LONGEST_KEYWORD);
 
 fn is_one_of(word: &str, words: &[&str]) -> bool {
     words.iter().any(|w| w.eq_ignore_ascii_case(word))
@@ -48,19 +62,7 @@ pub fn is_declaration_keyword(word: &str) -> bool {
     is_one_of(word, &SECTIONS)
         || is_one_of(word, &TYPES)
         || is_one_of(word, &MORE_TYPES)
-        || is_one_of(
-            word,
-            &[
-                "END_VAR",
-                "RETAIN",
-                "CONSTANT",
-                "AT",
-                "ARRAY",
-                "OF",
-                "FUNCTION_BLOCK",
-                "END_FUNCTION_BLOCK",
-            ],
-        )
+        || is_one_of(word, &KEYWORDS)
 }
 
 fn keyword(word: &str) -> Option<KeywordLine> {
