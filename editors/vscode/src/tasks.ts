@@ -41,7 +41,7 @@ class Tasks implements vscode.TaskProvider {
         const args = taskArguments(definition.command, folder.uri.fsPath, definition.path);
         // The shell is passed by, and the program is not started where others may have put libraries.
         const execution = new vscode.ProcessExecution(program, args, { cwd: homedir() });
-        const matchers = { check: '$ladder', test: '$ladder-test', format: [] }[definition.command];
+        const matchers = { check: '$ladder', test: ['$ladder-test', '$ladder-mistake'], format: [] }[definition.command];
         const task = new vscode.Task(definition, folder, TITLES[definition.command], TYPE, execution, matchers);
         if (definition.command === 'test') {
             task.group = vscode.TaskGroup.Test;

@@ -76,6 +76,23 @@ export async function debug(page, { step, screenshot }) {
         await row(page, 'presses').getByText('1').waitFor({ timeout: 5000 });
         await screenshot(page, 'debug');
     });
+    await step('an expression of several tags is watched, and follows the program', async () => {
+        const pane = page.locator('.debug-pane, .pane', { has: page.locator('.pane-header', { hasText: 'Watch' }) }).last();
+        await pane.locator('.pane-header').hover();
+        await pane.getByRole('button', { name: 'Add Expression' }).click();
+        await pane.locator('.monaco-inputbox input').fill('presses * 2 + 1 > 2 AND button');
+        await page.keyboard.press('Enter');
+        const watched = row(page, 'presses * 2');
+        await watched.getByText('TRUE').waitFor({ timeout: 5000 });
+        await screenshot(page, 'debug-watch');
+        await page.locator('.debug-toolbar .codicon-debug-step-back').first().click();
+        await stack.getByText('main, before scan 0').waitFor({ timeout: 5000 });
+        await watched.getByText('FALSE').waitFor({ timeout: 5000 });
+        await page.locator('.monaco-editor .view-line', { hasText: '[GE]' }).click();
+        await page.keyboard.press('F5');
+        await stack.getByText('main, rung in line 14: Enough').waitFor({ timeout: 5000 });
+        await watched.getByText('TRUE').waitFor({ timeout: 5000 });
+    });
     await step('F11 goes to the next block, Shift+F11 to the end of the scan', async () => {
         await page.keyboard.press('F11');
         await page.getByText('Ln 14, Col 50 (11 selected)').waitFor({ timeout: 5000 });
