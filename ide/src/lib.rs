@@ -47,7 +47,7 @@ pub use inlay::{Inlay, inlays};
 pub use ladder_instructions::Profile;
 pub use lens::{Lens, LensKind, lenses};
 pub use links::{Link, LinkTarget, links};
-pub use neighbour::{Alone, ScenarioFile, Which, Workspace};
+pub use neighbour::{Alone, ScenarioFile, Which, Workspace, gathered};
 pub use on_type::{TRIGGERS, on_type};
 pub use outline::{OutlineKind, Outlined, outline};
 pub use refactor::{Action, ActionKind, fix_all, quick_fixes, refactorings};

@@ -49,15 +49,19 @@ pub(crate) fn in_each<T: Send>(
     which: Which<'_>,
     look: impl Fn(&Context) -> T + Sync,
 ) -> Vec<T> {
+    gathered(|take| workspace.show(which, &|number, file| take(number, look(file))))
+}
+
+/// What several threads find, in the order of the numbers that they give with it.
+pub fn gathered<T: Send>(find: impl FnOnce(&(dyn Fn(usize, T) + Sync))) -> Vec<T> {
     let found = Mutex::new(Vec::new());
-    workspace.show(which, &|number, file| {
-        let in_file = look(file);
+    find(&|number, one| {
         let mut found = found.lock().unwrap_or_else(PoisonError::into_inner);
-        found.push((number, in_file));
+        found.push((number, one));
     });
     let mut found = found.into_inner().unwrap_or_else(PoisonError::into_inner);
     found.sort_unstable_by_key(|(number, _)| *number);
-    found.into_iter().map(|(_, in_file)| in_file).collect()
+    found.into_iter().map(|(_, one)| one).collect()
 }
 
 /// The first of the files, in the order of the workspace, that is the wanted one.

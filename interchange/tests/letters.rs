@@ -14,7 +14,7 @@ fn analysis(text: &str) -> Analysis {
 
 fn drawn(text: &str, rail: u32, live: Option<&Live>) -> Vec<Piece> {
     let all = TextRange::up_to(TextSize::of(text));
-    pieces(&analysis(text).context, text, all, rail, live)
+    pieces(&analysis(text).context, all, rail, live)
 }
 
 fn shown(pieces: &[Piece]) -> String {
@@ -203,7 +203,7 @@ fn a_part_of_a_program() {
     }
     let at = |name: &str| TextSize::from(text.find(name).unwrap() as u32);
     let stretch = TextRange::new(at("a20 "), at("a22 "));
-    let found = pieces(&analysis(&text).context, &text, stretch, 30, None);
+    let found = pieces(&analysis(&text).context, stretch, 30, None);
     assert_eq!(found.len(), 3);
     assert!(shown(&found).contains("a21"), "{}", shown(&found));
 }

@@ -22,7 +22,7 @@ fn drawn_in(text: &str, stretch: TextRange, rail: u32) -> Vec<(Kind, usize, Stri
         let svg = piece.svg(&analysis.context, &place);
         (piece.kind(&analysis.context), first, svg)
     };
-    let found = pieces(&analysis.context, text, stretch, rail);
+    let found = pieces(&analysis.context, stretch, rail);
     found.iter().map(drawn).collect()
 }
 

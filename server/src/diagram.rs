@@ -98,7 +98,7 @@ pub(crate) fn draw(revision: &Revision, asked: &Diagram) -> Option<Drawn> {
     let stretch = TextRange::new(start, revision.line_start(last + 1).max(start));
     let rail = asked.rail.unwrap_or(RAIL).clamp(*RAILS.start(), *RAILS.end());
     let mut lines = Lines { first, last };
-    let pieces = live::pieces(context, &names.text(), stretch, rail);
+    let pieces = live::pieces(context, stretch, rail);
     let pieces = pieces.iter().map(|piece| {
         let own = lines_of(revision, piece);
         lines.first = lines.first.min(own.first);

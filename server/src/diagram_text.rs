@@ -164,13 +164,7 @@ pub(crate) fn pieces(
     live: Option<&Live>,
 ) -> Option<Vec<Piece>> {
     let names = revision.names()?;
-    Some(letters::pieces(
-        names.context(),
-        &names.text(),
-        stretch,
-        rail,
-        live,
-    ))
+    Some(letters::pieces(names.context(), stretch, rail, live))
 }
 
 /// A diagram that is put together from pieces.

@@ -11,6 +11,7 @@ use crate::tree_builder::TreeBuilder;
 use crate::unclosed_comment::unclosed_comment;
 use crate::{SyntaxError, SyntaxErrorKind, SyntaxKind, SyntaxNode};
 use rowan::{GreenNode, NodeOrToken, TextRange, TextSize};
+use std::borrow::Cow;
 use std::sync::OnceLock;
 
 /// The largest file that the tools read: 64 MiB. Offsets are 32 bit; larger texts are refused where they enter.
@@ -89,6 +90,28 @@ impl Parse {
         TextRange::at(start, TextSize::new(self.lines[line].len))
     }
 
+    /// What is written in a range. It is copied only where the range reaches over several logical lines. Empty for a range
+    /// that is not in the text.
+    pub fn text_in(&self, range: TextRange) -> Cow<'_, str> {
+        if range.end() > self.text_len() || range.is_empty() {
+            return Cow::Borrowed("");
+        }
+        let first = self.line_at(range.start()).unwrap_or_default();
+        let start = self.line_start(first);
+        let within = std::ops::Range::<usize>::from(range - start);
+        if let Some(text) = self.lines[first].text().get(within.clone()) {
+            return Cow::Borrowed(text);
+        }
+        let mut text = String::new();
+        for line in self.lines.from(first) {
+            if text.len() >= within.end {
+                break;
+            }
+            text.push_str(line.text());
+        }
+        Cow::Owned(text.get(within).unwrap_or_default().to_owned())
+    }
+
     /// The line that holds an offset; the last one for the end of the text. None for an empty text.
     pub fn line_at(&self, offset: TextSize) -> Option<usize> {
         let behind = u32::from(offset).saturating_add(1);
@@ -157,5 +180,27 @@ impl std::fmt::Display for Parse {
     /// The text, to the letter.
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         self.lines.iter().try_for_each(|line| f.write_str(line.text()))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::parse;
+    use rowan::TextRange;
+
+    #[test]
+    fn any_range_has_its_text() {
+        let text = "VAR a : BOOL; b : BOOL; END_VAR\r\n# é\nü #\n\n+--[ ]( a )--( )( b )--+\n";
+        let parsed = parse(text);
+        for start in 0..text.len() {
+            for end in start..text.len() + 2 {
+                let range = TextRange::new((start as u32).into(), (end as u32).into());
+                assert_eq!(
+                    parsed.text_in(range),
+                    text.get(start..end).unwrap_or_default(),
+                    "{range:?}"
+                );
+            }
+        }
     }
 }

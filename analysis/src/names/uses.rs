@@ -60,7 +60,8 @@ pub(crate) struct Named {
     /// Where it is, from the start of the block's line.
     range: TextRange,
     pub(crate) block: u32,
-    pub(crate) operand: u32,
+    /// A block has far fewer than 2^16 of them.
+    pub(crate) operand: u16,
     pub(crate) access: Access,
     part: Extent,
 }
@@ -97,7 +98,7 @@ pub(crate) fn named(blocks: &[BoundBlock], user_blocks: &[UserBlockFacts]) -> Ve
         for (operand, (written, formal)) in bound.facts.operands.iter().zip(bound.formals.iter()).enumerate()
         {
             if let Some(access) = access(bound, *formal, user_blocks) {
-                names.operand = operand as u32;
+                names.operand = operand as u16;
                 names.walk(&written.value, access, true);
             }
         }
@@ -108,7 +109,7 @@ pub(crate) fn named(blocks: &[BoundBlock], user_blocks: &[UserBlockFacts]) -> Ve
 /// Names that are being gathered, and where.
 struct Names {
     block: u32,
-    operand: u32,
+    operand: u16,
     found: Vec<Named>,
 }
 

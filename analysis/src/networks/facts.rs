@@ -36,15 +36,16 @@ pub struct BlockFacts {
 pub enum Head {
     /// Nothing, or a mnemonic as it is written.
     Mnemonic(SmolStr),
-    /// A user-defined block, with its `$`.
-    User(SmolStr),
+    /// A user-defined block, with its `$`. Boxed, so that the usual mnemonic takes no word more than its text.
+    User(Box<SmolStr>),
 }
 
 impl Head {
     /// As it is written, without brackets.
     pub fn text(&self) -> &str {
         match self {
-            Head::Mnemonic(text) | Head::User(text) => text,
+            Head::Mnemonic(text) => text,
+            Head::User(text) => text,
         }
     }
 }
@@ -207,7 +208,7 @@ fn block_facts(block: &Block<'_>, rung: usize, part: usize) -> Option<BlockFacts
     let name = match head.name() {
         HeadName::Blank => Head::Mnemonic(SmolStr::default()),
         HeadName::Mnemonic(token) => Head::Mnemonic(token.text().into()),
-        HeadName::User(token) => Head::User(token.text().into()),
+        HeadName::User(token) => Head::User(Box::new(token.text().into())),
     };
     Some(BlockFacts {
         rung,

@@ -337,3 +337,16 @@ fn bind(facts: BlockFacts, base: TextSize, known: &mut KnownBlocks<'_>, faulty: 
         faulty,
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::{BoundBlock, Named};
+
+    /// A program of ten thousand rungs has thirty thousand of each: a word more, and the allocator takes the next larger
+    /// size for them.
+    #[test]
+    fn what_there_are_many_of_is_small() {
+        assert!(size_of::<BoundBlock>() <= 128, "{}", size_of::<BoundBlock>());
+        assert!(size_of::<Named>() <= 40, "{}", size_of::<Named>());
+    }
+}

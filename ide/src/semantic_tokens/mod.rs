@@ -12,7 +12,7 @@ pub use legend::{Modifiers, TokenKind};
 
 use ladder_analysis::context::Context;
 use ladder_analysis::network::{Formal, Meaning};
-use ladder_analysis::networks::BlockAt;
+use ladder_analysis::networks::{BlockAt, NetworkAt};
 use ladder_analysis::program::{ParameterKind, Role};
 use ladder_analysis::scope::{Origin, SectionKind};
 use ladder_instructions::{Accepts, Direction, Op};
@@ -62,6 +62,9 @@ pub fn semantic_tokens_of(context: &Context, lines: Range<usize>) -> Vec<Token> 
             && network.range.end() <= parse.line_start(first.min(last.saturating_sub(1)))
     });
     let mut trees = Trees::default();
+    // The blocks of a network, and the next one of them.
+    let mut bound = Vec::new();
+    let mut bound_of = None;
     let mut block = 0;
     let blocks = &parse.frame().blocks;
     let mut definition = blocks.partition_point(|definition| definition.lines.end <= first);
@@ -91,13 +94,14 @@ pub fn semantic_tokens_of(context: &Context, lines: Range<usize>) -> Vec<Token> 
             network += 1;
             block = 0;
         }
-        let bound = context
-            .networks
-            .get(network)
-            .map(|network| network.blocks().collect::<Vec<_>>())
-            .unwrap_or_default();
-        if let Some(network) = context.networks.get(network) {
-            walk.scope = network.scope;
+        let here = context.networks.get(network);
+        if bound_of != Some(network) {
+            bound_of = Some(network);
+            bound.clear();
+            bound.extend(here.into_iter().flat_map(NetworkAt::blocks));
+        }
+        if let Some(here) = here {
+            walk.scope = here.scope;
         }
         while bound.get(block).is_some_and(|block| block.base < start) {
             block += 1;

@@ -129,7 +129,7 @@ impl Figure {
                 }
                 PartKind::Comment => {
                     let text = words.text_of(network.part_range(&words.context.parse, number, index));
-                    let text = comment::on_one_line(text);
+                    let text = comment::on_one_line(&text);
                     if part.segment.is_none() && Some(index) > last {
                         behind.push(text);
                         continue;

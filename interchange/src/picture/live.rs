@@ -55,13 +55,12 @@ pub enum Kind {
 }
 
 /// Draws what has something in a stretch of a text, with the right rail in this column where a network is no wider.
-/// `text` is that of the context.
-pub fn pieces(context: &Context, text: &str, stretch: TextRange, rail: u32) -> Vec<Piece> {
+pub fn pieces(context: &Context, stretch: TextRange, rail: u32) -> Vec<Piece> {
     let options = Options {
         live: true,
         ..Options::default()
     };
-    let words = Words::of(context, text, &options);
+    let words = Words::of(context, &options);
     let structure = context.parse.structure();
     let is_comment = |item: &Item| page::is_comment(context, *item);
     let items = items_in(context, structure, stretch, &is_comment);

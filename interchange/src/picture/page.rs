@@ -32,8 +32,7 @@ pub(super) enum PageItem {
 
 /// Draws the page.
 pub(super) fn draw(context: &Context, options: &Options<'_>) -> Scene {
-    let text = context.parse.to_string();
-    let words = Words::of(context, &text, options);
+    let words = Words::of(context, options);
     let mut items = items(&context.parse.structure().items, &words);
     // As in the text: one right rail for all networks but those that are wider than a page.
     let least_rails = items.iter().filter_map(|item| match item {
@@ -162,7 +161,8 @@ impl PageItem {
         Some(match item {
             Item::Network(index) if context.networks.at(index).broken => {
                 let range = context.networks.at(index).range;
-                let lines = words.text_of(range).lines().map(str::to_owned);
+                let text = words.text_of(range);
+                let lines = text.lines().map(str::to_owned);
                 PageItem::Text(index, lines.collect())
             }
             Item::Network(index) => {

@@ -12,6 +12,7 @@ use ladder_analysis::network::{Formal, Meaning};
 use ladder_analysis::networks::BlockAt;
 use ladder_instructions::{Direction, Group, Instruction, Op, Shape};
 use ladder_syntax::TextRange;
+use std::borrow::Cow;
 
 /// A text and the value that it has while a program runs.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
@@ -166,27 +167,23 @@ pub(super) fn width(text: &str) -> i32 {
 #[derive(Clone, Copy)]
 pub(super) struct Words<'c> {
     pub(super) context: &'c Context,
-    pub(super) text: &'c str,
     pub(super) value: Option<&'c Values<'c>>,
     /// There is room for values that somebody will write.
     pub(super) room: bool,
 }
 
 impl<'c> Words<'c> {
-    pub(super) fn of(context: &'c Context, text: &'c str, options: &Options<'c>) -> Words<'c> {
+    pub(super) fn of(context: &'c Context, options: &Options<'c>) -> Words<'c> {
         Words {
             context,
-            text,
             value: options.value,
             room: options.live,
         }
     }
 
     /// A place's text.
-    pub(super) fn text_of(&self, range: TextRange) -> &'c str {
-        self.text
-            .get(usize::from(range.start())..usize::from(range.end()))
-            .unwrap_or_default()
+    pub(super) fn text_of(&self, range: TextRange) -> Cow<'c, str> {
+        self.context.parse.text_in(range)
     }
 
     /// The lines of the comments on a line that is no rung, but for those that speak to the tools.

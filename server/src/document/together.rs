@@ -1,9 +1,10 @@
-//! The same work for each of many files, on all processors.
+//! The same work for each of many files, or stretches of one, on all processors.
 
 use std::num::NonZero;
 use std::sync::atomic::{AtomicUsize, Ordering};
-use std::sync::{Mutex, PoisonError};
 use std::thread;
+
+use ladder_ide::gathered;
 
 /// So many items a thread takes at once: for fewer it would take longer to begin.
 const BATCH: usize = 8;
@@ -35,16 +36,13 @@ pub(crate) fn each<T: Sync>(items: &[T], work: impl Fn(usize, &T) + Sync) {
 
 /// What `work` gives for each item, in the order of the items. `None` where it gives nothing.
 pub(crate) fn map<T: Sync, U: Send>(items: &[T], work: impl Fn(&T) -> Option<U> + Sync) -> Vec<U> {
-    let found = Mutex::new(Vec::new());
-    each(items, |number, item| {
-        if let Some(one) = work(item) {
-            let mut found = found.lock().unwrap_or_else(PoisonError::into_inner);
-            found.push((number, one));
-        }
-    });
-    let mut found = found.into_inner().unwrap_or_else(PoisonError::into_inner);
-    found.sort_unstable_by_key(|(number, _)| *number);
-    found.into_iter().map(|(_, one)| one).collect()
+    gathered(|take| {
+        each(items, |number, item| {
+            if let Some(one) = work(item) {
+                take(number, one);
+            }
+        });
+    })
 }
 
 #[cfg(test)]

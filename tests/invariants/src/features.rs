@@ -100,7 +100,7 @@ pub const FEATURES: [(&str, Ask); 20] = [
     ("the diagram from there on", |it, at, end| {
         let text = it.context.parse.to_string();
         let mut behind = TextSize::new(0);
-        for piece in pieces(&it.context, &text, TextRange::new(at, end), 60) {
+        for piece in pieces(&it.context, TextRange::new(at, end), 60) {
             assert!(
                 piece.range.start() >= behind && piece.range.end() <= end,
                 "{:?} behind {behind:?} in {text:?}",

@@ -6,7 +6,7 @@ use ladder_analysis::value::Value;
 use ladder_instructions::Op;
 use ladder_interchange::picture::letters::{self, Gate, Live, Shown};
 use ladder_simulator::Simulation;
-use ladder_syntax::{TextRange, TextSize};
+use ladder_syntax::TextRange;
 
 /// The column of the right rail: what a terminal of 80 columns shows.
 const RAIL: u32 = 78;
@@ -15,9 +15,8 @@ const RAIL: u32 = 78;
 pub(super) fn drawn(source: &Source, simulation: Option<&Simulation>) -> String {
     let context = &source.analyze().context;
     let live = simulation.map(|simulation| live(source, simulation));
-    let text = &source.text;
-    let all = TextRange::up_to(TextSize::of(text.as_str()));
-    let pieces = letters::pieces(context, text, all, RAIL, live.as_ref());
+    let all = TextRange::up_to(context.parse.text_len());
+    let pieces = letters::pieces(context, all, RAIL, live.as_ref());
     let drawn = pieces.iter().map(|piece| {
         let lines = piece.lines.iter().map(|line| format!("{}\n", line.text));
         lines.collect::<String>()

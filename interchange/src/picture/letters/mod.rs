@@ -133,19 +133,13 @@ pub struct Piece {
 }
 
 /// Draws what has something in a stretch of a text, with the right rail in this column where a network is no wider.
-/// `text` is that of the context; `live` is how its parts are, if it runs.
-pub fn pieces(
-    context: &Context,
-    text: &str,
-    stretch: TextRange,
-    rail: u32,
-    live: Option<&Live>,
-) -> Vec<Piece> {
+/// `live` is how its parts are, if it runs.
+pub fn pieces(context: &Context, stretch: TextRange, rail: u32, live: Option<&Live>) -> Vec<Piece> {
     let options = Options {
         live: live.is_some(),
         ..Options::default()
     };
-    let words = Words::of(context, text, &options);
+    let words = Words::of(context, &options);
     let structure = context.parse.structure();
     let is_comment = |item: &Item| page::is_comment(context, *item);
     let items = items_in(context, structure, stretch, &is_comment);

@@ -1,9 +1,7 @@
 //! `textDocument/semanticTokens/full`, `/full/delta` and `/range`.
 
 use std::collections::HashMap;
-use std::ops::Range;
 use std::sync::{Arc, Mutex, PoisonError};
-use std::thread;
 
 use ladder_ide::{Modifiers, Token, TokenKind};
 use ladder_syntax::TextRange;
@@ -20,6 +18,8 @@ use tower_lsp::ls_types::{
 use crate::Position;
 use crate::document::Revision;
 use crate::document::sweep::Sweep;
+use crate::document::together;
+use crate::lsp::features::packed_tokens::Packed;
 use crate::lsp::transport::blocking::blocking;
 use crate::lsp::transport::prepared;
 use crate::lsp::{convert, shared::Shared};
@@ -33,12 +33,12 @@ pub(crate) struct TokensSent {
 #[derive(Debug)]
 struct Last {
     id: u64,
-    tokens: Arc<[SemanticToken]>,
+    tokens: Arc<Packed>,
 }
 
 impl TokensSent {
     /// Keeps what is sent now, and gives it a name.
-    fn keep(&self, uri: &str, tokens: Arc<[SemanticToken]>) -> String {
+    fn keep(&self, uri: &str, tokens: Arc<Packed>) -> String {
         let mut sent = self.by_uri.lock().unwrap_or_else(PoisonError::into_inner);
         let id = sent.get(uri).map_or(1, |last| last.id + 1);
         sent.insert(uri.to_owned(), Last { id, tokens });
@@ -46,7 +46,7 @@ impl TokensSent {
     }
 
     /// What was sent by this name, if it was the last.
-    fn last(&self, uri: &str, id: &str) -> Option<Arc<[SemanticToken]>> {
+    fn last(&self, uri: &str, id: &str) -> Option<Arc<Packed>> {
         let sent = self.by_uri.lock().unwrap_or_else(PoisonError::into_inner);
         let last = sent.get(uri).filter(|last| last.id.to_string() == id)?;
         Some(last.tokens.clone())
@@ -98,20 +98,11 @@ struct All<'t> {
 }
 
 /// Five numbers for each token.
-struct Numbers<'t>(&'t [SemanticToken]);
+struct Numbers<'t>(&'t Packed);
 
 impl Serialize for Numbers<'_> {
     fn serialize<S: Serializer>(&self, serializer: S) -> std::result::Result<S::Ok, S::Error> {
-        let numbers = |token: &SemanticToken| {
-            [
-                token.delta_line,
-                token.delta_start,
-                token.length,
-                token.token_type,
-                token.token_modifiers_bitset,
-            ]
-        };
-        serializer.collect_seq(self.0.iter().flat_map(numbers))
+        serializer.collect_seq(self.0.numbers())
     }
 }
 
@@ -119,7 +110,7 @@ impl Serialize for Numbers<'_> {
 const BYTES_EACH: usize = 14;
 
 /// Answers with all of these tokens.
-fn all<T: DeserializeOwned>(result_id: Option<String>, tokens: &[SemanticToken]) -> Result<Option<T>> {
+fn all<T: DeserializeOwned>(result_id: Option<String>, tokens: &Packed) -> Result<Option<T>> {
     let all = All {
         result_id,
         data: Numbers(tokens),
@@ -162,11 +153,7 @@ pub(crate) async fn range(
     }
 }
 
-async fn tokens(
-    shared: &Arc<Shared>,
-    uri: &str,
-    range: Option<crate::Range>,
-) -> Result<Option<Arc<[SemanticToken]>>> {
+async fn tokens(shared: &Arc<Shared>, uri: &str, range: Option<crate::Range>) -> Result<Option<Arc<Packed>>> {
     let Some(revision) = shared.documents.get(uri) else {
         return Ok(None);
     };
@@ -176,32 +163,44 @@ async fn tokens(
         let encode = |tokens: &[Token]| encoded(&revision, tokens, several_lines);
         let Some(range) = range else {
             let lines = names.context().parse.lines().len();
-            let encode_lines = |lines| encode(&names.semantic_tokens_of(lines));
-            return Some(in_halves(lines, &encode_lines).tokens.into());
+            let firsts: Vec<usize> = (0..lines).step_by(STRETCH).collect();
+            let stretches = together::map(&firsts, |&first| {
+                Some(encode(
+                    &names.semantic_tokens_of(first..lines.min(first + STRETCH)),
+                ))
+            });
+            return Some(joined(stretches));
         };
         let (start, end) = (revision.offset(range.start), revision.offset(range.end));
         let tokens = names.semantic_tokens(TextRange::new(start.min(end), start.max(end)));
-        Some(encode(&tokens).tokens.into())
+        Some(joined(vec![encode(&tokens)]))
     })
     .await
 }
 
-/// A text of so many lines is gone through by two threads.
-const MANY_LINES: usize = 2_000;
+/// So many lines are gone through at once. Those of a short program are too few for a second thread.
+const STRETCH: usize = 256;
 
-fn in_halves(lines: usize, encode: &(impl Fn(Range<usize>) -> Encoded + Sync)) -> Encoded {
-    if lines < MANY_LINES {
-        return encode(0..lines);
-    }
-    let half = lines / 2;
-    thread::scope(|scope| {
-        let below = scope.spawn(|| encode(half..lines));
-        let above = encode(0..half);
-        match below.join() {
-            Ok(below) => above.with(below),
-            Err(panic) => std::panic::resume_unwind(panic),
+/// The tokens of stretches, each behind the one before it.
+fn joined(stretches: Vec<Encoded>) -> Arc<Packed> {
+    let mut all = Packed::default();
+    let mut last = Position::default();
+    for stretch in stretches {
+        let Some(first) = stretch.tokens.first() else {
+            continue;
+        };
+        let same_line = first.delta_line == last.line;
+        all.push(&SemanticToken {
+            delta_line: first.delta_line - last.line,
+            delta_start: first.delta_start - if same_line { last.character } else { 0 },
+            ..*first
+        });
+        for token in &stretch.tokens[1..] {
+            all.push(token);
         }
-    })
+        last = stretch.last;
+    }
+    Arc::new(all)
 }
 
 /// Tokens as the protocol counts them: each from the one before it, the first from the start of the text.
@@ -210,22 +209,6 @@ struct Encoded {
     tokens: Vec<SemanticToken>,
     /// Where the last one starts.
     last: Position,
-}
-
-impl Encoded {
-    /// These tokens, and those behind them.
-    fn with(mut self, mut behind: Encoded) -> Encoded {
-        let Some(first) = behind.tokens.first_mut() else {
-            return self;
-        };
-        first.delta_line -= self.last.line;
-        if first.delta_line == 0 {
-            first.delta_start -= self.last.character;
-        }
-        self.tokens.append(&mut behind.tokens);
-        self.last = behind.last;
-        self
-    }
 }
 
 fn encoded(revision: &Revision, tokens: &[Token], several_lines: bool) -> Encoded {
@@ -282,9 +265,10 @@ fn encoded(revision: &Revision, tokens: &[Token], several_lines: bool) -> Encode
 }
 
 /// The one stretch that differs, in numbers: five for each token.
-fn difference(old: &[SemanticToken], new: &[SemanticToken]) -> Option<SemanticTokensEdit> {
-    let before = old.iter().zip(new).take_while(|(a, b)| a == b).count();
-    let (old, new) = (&old[before..], &new[before..]);
+fn difference(old: &Packed, new: &Packed) -> Option<SemanticTokensEdit> {
+    let before = old.iter().zip(new.iter()).take_while(|(a, b)| a == b).count();
+    let rest = |tokens: &Packed| -> Vec<SemanticToken> { tokens.iter().skip(before).collect() };
+    let (old, new) = (rest(old), rest(new));
     let behind = old
         .iter()
         .rev()
@@ -312,8 +296,15 @@ mod tests {
             };
             numbers.iter().map(token).collect()
         };
+        let packed = |numbers: &[u32]| {
+            let mut all = Packed::default();
+            for token in &tokens(numbers) {
+                all.push(token);
+            }
+            all
+        };
         let check = |old: &[u32], new: &[u32], expected: Option<(u32, u32, &[u32])>| {
-            let found = difference(&tokens(old), &tokens(new));
+            let found = difference(&packed(old), &packed(new));
             let expected = expected.map(|(start, delete_count, data)| SemanticTokensEdit {
                 start,
                 delete_count,
