@@ -3,6 +3,7 @@ package.path = vim.env.LADDER_ROOT .. '/tests/editors/neovim/?.lua;' .. package.
 local t = require('harness')
 
 require('units')(t)
+require('readable')(t)
 require('typed')(t)
 require('debugging')(t)
 require('missing')(t)

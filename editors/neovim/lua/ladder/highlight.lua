@@ -1,19 +1,34 @@
 --- The highlight groups. All are defaults: a colour scheme or a user's own `:highlight` goes first.
+local contrast = require('ladder.contrast')
+
 local M = {}
 
---- The scheme's own colour for "all is well", and the one for what a person should look at.
-local function colour(name, cterm)
+--- Colours that can be read, for the grounds that Neovim tells apart; with their numbers on terminals of 256 colours.
+local readable = {
+  dark = { DiagnosticOk = { 0xb3f6c0, 10 }, DiagnosticWarn = { 0xfce094, 11 }, DiagnosticError = { 0xffc0b9, 9 }, Comment = { 0x9b9ea4, 248 } },
+  light = { DiagnosticOk = { 0x005523, 22 }, DiagnosticWarn = { 0x6b5300, 94 }, DiagnosticError = { 0x590008, 88 }, Comment = { 0x4f5258, 240 } },
+}
+
+--- The scheme's own colour for "all is well", or for what a person should look at. Schemes that do not name them have those
+--- for a dark ground from Neovim, also on a light one, where nobody can read them.
+local function colour(name)
   local found = vim.api.nvim_get_hl(0, { name = name, link = false })
-  return { fg = found.fg, ctermfg = found.ctermfg or cterm, default = true }
+  local own, own_cterm = unpack(readable[vim.o.background][name])
+  local ground = contrast.ground()
+  local is_readable = not found.fg or contrast.between(found.fg, ground) >= contrast.READABLE
+  if is_readable or contrast.between(found.fg, ground) >= contrast.between(own, ground) then
+    return { fg = found.fg, ctermfg = found.ctermfg or own_cterm, default = true }
+  end
+  return { fg = own, ctermfg = own_cterm, default = true }
 end
 
 --- Each is marked by weight or line besides its colour, so that it is seen without colours too; a link could not add that:
 --- what has power is bold, a contact that lets it through is underlined, one that does not is neither.
 local function attributes()
-  local good = colour('DiagnosticOk', 10)
-  -- Comments are quiet and must be readable, in any scheme. Without a colour the syntax colours would be: then it is
-  -- a grey that can be read.
-  local quiet = colour('Comment', vim.o.background == 'dark' and 248 or 240)
+  local good = colour('DiagnosticOk')
+  -- Comments are quiet.
+  local quiet = colour('Comment')
+  local value = vim.api.nvim_get_hl(0, { name = 'Identifier', link = false })
   local with = function(base, more)
     -- The syntax makes coils bold, which means power here.
     return vim.tbl_extend('force', base, { nocombine = true }, more)
@@ -23,10 +38,11 @@ local function attributes()
     LadderPowerOff = with(quiet, {}),
     LadderClosedOn = with(good, { bold = true, underline = true }),
     LadderClosed = with(good, { underline = true }),
-    LadderBlocks = with(colour('DiagnosticWarn', 11), {}),
-    LadderStops = with(colour('DiagnosticWarn', 11), { reverse = true }),
-    LadderForced = with(colour('DiagnosticWarn', 11), { bold = true }),
-    LadderValue = colour('Identifier', 14),
+    LadderBlocks = with(colour('DiagnosticWarn'), {}),
+    LadderStops = with(colour('DiagnosticWarn'), { reverse = true }),
+    LadderForced = with(colour('DiagnosticWarn'), { bold = true }),
+    LadderBreakpoint = colour('DiagnosticError'),
+    LadderValue = { fg = value.fg, ctermfg = value.ctermfg or 14, default = true },
     -- It must be seen on any scheme, and over any of the colours above.
     LadderNext = { reverse = true, default = true },
   }
@@ -34,7 +50,6 @@ end
 
 local links = {
   LadderValueOn = 'LadderPowerOn',
-  LadderBreakpoint = 'DiagnosticError',
   LadderTagName = 'Identifier',
   LadderTagType = 'Type',
   LadderBlockName = 'Function',
