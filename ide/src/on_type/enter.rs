@@ -37,7 +37,12 @@ pub(super) fn enter(context: &Context, offset: TextSize, options: &Options) -> V
         return edits;
     }
     if line.kind == LineKind::SectionEnd {
-        return outdented(context, above);
+        let mut edits = outdented(context, above);
+        // Behind the declarations nothing is further in, whatever the editor has begun the line with.
+        if !new_line.is_empty() {
+            edits.extend(replace(context, new_line, ""));
+        }
+        return edits;
     }
     if !matches!(line.kind, LineKind::Rung | LineKind::Rail) {
         return Vec::new();

@@ -456,6 +456,18 @@ fn what_enter_has_begun_is_typed_once_more() {
 
     "#]],
     );
+    // The editor has taken the indent of the line above along.
+    check(
+        &format!("VAR\n    a : BOOL;\n    END_VAR\n    $0\n{RUNG}"),
+        expect![[r#"
+            VAR
+                a : BOOL;
+            END_VAR
+
+            +--[ ]( a )------------------( )( y )--+
+
+        "#]],
+    );
     check(
         &format!("  VAR\n$0\n{RUNG}"),
         expect![[r#"

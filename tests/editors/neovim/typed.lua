@@ -78,6 +78,21 @@ return function(t)
     keys:close()
   end)
 
+  t.step('a list that is open stays open on the way to what it is for', function()
+    local keys = typing.open(t, { '' }, ways.autotrigger)
+    keys:press('i+--[')
+    keys:list()
+    for letter in ('timer'):gmatch('.') do
+      keys:press(letter)
+      -- Neovim asks for each key, and closes a list that has become empty for good.
+      vim.wait(150)
+      t.equal('the list behind ' .. letter, 1, keys:lua('return vim.fn.pumvisible()'))
+    end
+    keys:choose('[TON]')
+    keys:expect('the block', { '+--[TON]( t, T#1s )--' })
+    keys:close()
+  end)
+
   t.step('an answer that comes late does not take back what was chosen', function()
     local keys = typing.open(t, { '' }, ways.autotrigger)
     keys:press('i+--[')
@@ -142,6 +157,19 @@ return function(t)
     t.equal('the cursor', { 5, 0 }, keys:cursor())
     keys:write({ rung }, 1, 0)
     typed(keys, { { 'o', { rung, '+--' } }, { '<Esc>', { rung, '' } } })
+    keys:close()
+  end)
+
+  t.step('behind the declarations a rung begins at the left', function()
+    local keys = typing.open(t, { '' })
+    local declared = { 'VAR', '    a : BOOL;', 'END_VAR' }
+    typed(keys, {
+      { 'iVAR<CR>', { 'VAR', '    ' } },
+      { 'a : BOOL;<CR>', { 'VAR', '    a : BOOL;', '    ' } },
+      { 'END_VAR<CR>', vim.list_extend(vim.deepcopy(declared), { '' }) },
+      { '<CR>', vim.list_extend(vim.deepcopy(declared), { '', '' }) },
+      { '+--', vim.list_extend(vim.deepcopy(declared), { '', '+--' }) },
+    })
     keys:close()
   end)
 
