@@ -3,6 +3,7 @@
 use crate::control_flow::ControlFlow;
 use crate::declarations::{Declarations, DeclaredAt};
 use crate::declare;
+use crate::declaring::PlacesOfScopes;
 use crate::diagnostic::Diagnostic;
 use crate::edited;
 use crate::facts::NodeKind;
@@ -85,6 +86,8 @@ pub struct Context {
     pub(crate) foreign_comments: OnceLock<ForeignComments>,
     /// What the names of its networks mean, if they were joined for the whole file and no edit has come since.
     pub(crate) joined: Option<Arc<Joined>>,
+    /// Where declarations go that fixes add.
+    pub(crate) places: PlacesOfScopes,
     /// The labels of each body by name, in the order of the text.
     pub(crate) labels_by_name: HashMap<(Body, Name), Vec<usize>>,
     pub(crate) functions_by_name: HashMap<Name, usize>,
@@ -366,6 +369,7 @@ pub(crate) fn skeleton(parse: &Arc<Parse>, name: &str, others: &Others, before: 
         bodies: Arc::default(),
         foreign_comments: OnceLock::new(),
         joined: None,
+        places: PlacesOfScopes::default(),
         labels_by_name: HashMap::new(),
         functions_by_name: HashMap::new(),
     };

@@ -7,6 +7,7 @@
 
 use crate::context::{self, Body, Context, break_neighbours};
 use crate::control_flow::ControlFlow;
+use crate::declaring::PlacesOfScopes;
 use crate::edited_declarations;
 use crate::edited_lines::{Change, Lines, change, same_lines};
 use crate::infer;
@@ -219,6 +220,7 @@ impl Edited {
             may_call,
             foreign_comments: OnceLock::new(),
             joined: None,
+            places: PlacesOfScopes::default(),
             ..before.clone()
         };
         context

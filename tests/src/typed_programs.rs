@@ -15,15 +15,18 @@ pub enum Kind {
     NamedTwice,
     /// Every network holds a user-defined block.
     UserBlocks,
+    /// Every network names a tag that is not declared.
+    Undeclared,
 }
 
 /// All of them, by the names that people give.
-pub const KINDS: [(&str, Kind); 5] = [
+pub const KINDS: [(&str, Kind); 6] = [
     ("clean", Kind::Clean),
     ("warned", Kind::Warned),
     ("shared", Kind::Shared),
     ("twice", Kind::NamedTwice),
     ("blocks", Kind::UserBlocks),
+    ("undeclared", Kind::Undeclared),
 ];
 
 /// A program.
@@ -86,6 +89,11 @@ impl Program {
                     drawn,
                     "+--[ ]( start_{n} )--[$LATCH]( stop_{n}, run_{n} )--+\n\n\
                      +--[ ]( run_{n} )--[TON]( timer_{n}, T#5s )--( )( ready_{n} )--+\n"
+                ),
+                Kind::Undeclared => writeln!(
+                    drawn,
+                    "+--[ ]( start_{n} )--[/]( stop_{n} )--[TON]( timer_{n}, T#5s )--( )( drive_{n} )--+\n\n\
+                     +--[ ]( gate_{n} )--( )( run_{n} )--( )( ready_{n} )--+\n"
                 ),
             };
         }

@@ -2,9 +2,10 @@
 
 use super::shelf::Shelf;
 use super::still_wanted::StillWanted;
+use super::undeclared::UndeclaredTags;
 use crate::context::{Change, Context};
 use crate::findings::Anchored;
-use crate::rule::Severity;
+use crate::rule::{Rule, Severity};
 use crate::rules::{self, AroundTags};
 use crate::scope::TagFacts;
 use ladder_syntax::Name;
@@ -13,7 +14,7 @@ use std::collections::BTreeSet;
 use std::sync::Arc;
 
 /// A tag, by its scope and name.
-type TagKey = (usize, Name);
+pub(super) type TagKey = (usize, Name);
 
 /// What is found at the places of tags.
 #[derive(Debug, Default)]
@@ -29,7 +30,16 @@ pub(super) struct AtTags {
     latches: FxHashSet<TagKey>,
     /// Those that are read above the rung that writes them.
     read_above: FxHashSet<TagKey>,
+    undeclared: UndeclaredTags,
     around: Option<AroundTags>,
+    exchanged: Exchanged,
+}
+
+/// What a look at tags exchanges.
+#[derive(Debug, Default)]
+pub(super) struct Exchanged {
+    pub(super) gone: Vec<Arc<Anchored>>,
+    pub(super) new: Vec<Arc<Anchored>>,
 }
 
 impl AtTags {
@@ -45,43 +55,65 @@ impl AtTags {
         let same = self.around.as_ref() == Some(&around);
         // Of two declarations of one name only one is found by it.
         let looked_at = match change.filter(|_| same && context.declared_cleanly) {
-            Some(change) => {
-                let mut again: FxHashSet<TagKey> =
-                    change.tags.iter().chain(&self.volatile).cloned().collect();
-                for &index in &change.networks {
-                    let network = context.networks.at(index);
-                    let named = network.facts().named.iter();
-                    again.extend(named.map(|named| (network.scope, named.key.clone())));
-                }
-                let count = again.len();
-                for key in again {
-                    wanted.one_more()?;
-                    self.look(context, key, &around, shelf);
-                }
-                count
-            }
+            Some(change) => self.look_at_changed(context, change, &around, wanted)?,
             None => {
                 *self = AtTags::default();
                 shelf.remove_all_of_tags();
-                for (scope, facts) in context.scopes.iter().enumerate() {
-                    for tag in facts.tags.iter().filter(|tag| tag.shared.is_none()) {
-                        wanted.one_more()?;
-                        self.look_at(context, (scope, tag), &around, shelf);
-                    }
-                }
-                context.scopes.iter().map(|scope| scope.tags.len()).sum()
+                self.look_at_all(context, &around, wanted)?
             }
         };
         self.around = Some(around);
+        shelf.exchange_of_tags(std::mem::take(&mut self.exchanged));
         Some(looked_at)
     }
 
-    /// Looks at a tag again, which may be gone.
-    fn look(&mut self, context: &Context, key: TagKey, around: &AroundTags, shelf: &mut Shelf) {
-        let gone = self.found.remove(&key);
-        for found in gone.iter().flatten() {
-            shelf.remove_of_tag(found);
+    fn look_at_changed(
+        &mut self,
+        context: &Context,
+        change: &Change,
+        around: &AroundTags,
+        wanted: &StillWanted<'_>,
+    ) -> Option<usize> {
+        let mut again: FxHashSet<TagKey> = change.tags.iter().chain(&self.volatile).cloned().collect();
+        for &index in &change.networks {
+            let network = context.networks.at(index);
+            let named = network.facts().named.iter();
+            again.extend(named.map(|named| (network.scope, named.key.clone())));
         }
+        self.undeclared.follow(context, change, &mut again);
+        let mut count = again.len();
+        for key in again {
+            wanted.one_more()?;
+            self.look(context, key, around);
+        }
+        let again = self.undeclared.choose_suggested(context);
+        count += again.len();
+        for key in again {
+            self.look(context, key, around);
+        }
+        Some(count)
+    }
+
+    fn look_at_all(
+        &mut self,
+        context: &Context,
+        around: &AroundTags,
+        wanted: &StillWanted<'_>,
+    ) -> Option<usize> {
+        self.undeclared = UndeclaredTags::of(context, around.declares);
+        for (scope, facts) in context.scopes.iter().enumerate() {
+            for tag in facts.tags.iter().filter(|tag| tag.shared.is_none()) {
+                wanted.one_more()?;
+                self.look_at(context, (scope, tag), around);
+            }
+        }
+        Some(context.scopes.iter().map(|scope| scope.tags.len()).sum())
+    }
+
+    /// Looks at a tag again, which may be gone.
+    fn look(&mut self, context: &Context, key: TagKey, around: &AroundTags) {
+        let gone = self.found.remove(&key);
+        self.exchanged.gone.extend(gone.into_iter().flatten());
         let lists = [
             &mut self.volatile,
             &mut self.faulty,
@@ -92,20 +124,16 @@ impl AtTags {
         for tags in lists {
             tags.remove(&key);
         }
+        self.undeclared.forget(&key);
         if let Some(tag) = find(context, &key).filter(|tag| tag.shared.is_none()) {
-            self.look_at(context, (key.0, tag), around, shelf);
+            self.look_at(context, (key.0, tag), around);
         }
     }
 
-    fn look_at(
-        &mut self,
-        context: &Context,
-        (scope, tag): (usize, &TagFacts),
-        around: &AroundTags,
-        shelf: &mut Shelf,
-    ) {
+    fn look_at(&mut self, context: &Context, (scope, tag): (usize, &TagFacts), around: &AroundTags) {
         let mut found = Vec::new();
-        rules::of_tag(context, scope, tag, around, &mut found);
+        let undeclaring = self.undeclared.undeclaring((scope, tag));
+        rules::of_tag(context, scope, tag, (around, &undeclaring), &mut found);
         let latch = rules::set_and_reset::is_latch(context, tag);
         let read_above = rules::read_before_write::is_read_above(context, tag);
         let addressed = tag.address.is_some();
@@ -113,13 +141,14 @@ impl AtTags {
             return;
         }
         let key = (scope, Name::new(&tag.name));
+        if found.iter().any(|found| found.rule == Rule::UndeclaredTag) {
+            self.undeclared.note(&key);
+        }
         let found: Vec<Arc<Anchored>> = found
             .into_iter()
             .map(|found| Arc::new(Anchored::at_uses(found, &tag.uses, context)))
             .collect();
-        for found in &found {
-            shelf.add_of_tag(found);
-        }
+        self.exchanged.new.extend(found.iter().cloned());
         if found.iter().any(|found| found.is_volatile()) {
             self.volatile.insert(key.clone());
         }
@@ -138,6 +167,11 @@ impl AtTags {
         if !found.is_empty() {
             self.found.entry(key).or_default().extend(found);
         }
+    }
+
+    /// Whether a tag is undeclared that should not be.
+    pub(super) fn any_undeclared(&self) -> bool {
+        self.undeclared.any()
     }
 
     /// The errors among what is found.

@@ -15,7 +15,7 @@ use crate::findings::Anchored;
 use crate::networks::NetworkAt;
 use crate::program::Role;
 use crate::resolve;
-use crate::rule::{Rule, Severity};
+use crate::rule::Severity;
 use crate::rule_settings::RuleSettings;
 use crate::rules::double_coil::Leaving;
 use crate::rules::survey::{self, Survey};
@@ -158,10 +158,7 @@ impl Ledger {
         let any = all.fold(ControlFlow::default(), |all, flow| all.with(*flow));
         ledger.of_tags(context, change, any, wanted)?;
         let toggled = ledger.find_unsound(context, &of_file.names);
-        of_file.known.names = of_file
-            .names
-            .iter()
-            .all(|found| found.rule != Rule::UndeclaredTag);
+        of_file.known.names = !ledger.tags.any_undeclared();
         let is_error = |found: &Diagnostic| found.severity == Severity::Error;
         of_file.known.whole = ledger.unsound.is_empty()
             && ledger.unclear.is_empty()
@@ -290,6 +287,7 @@ impl Ledger {
         let around = AroundTags {
             has_outputs: self.has_outputs(context),
             leaving,
+            declares: context.scopes[0].declares(),
         };
         self.work.tags = self
             .tags

@@ -11,6 +11,7 @@ mod part_notes;
 mod shelf;
 mod shown;
 mod still_wanted;
+mod undeclared;
 
 pub(crate) use ledger::Ledger;
 pub use ledger::Work;

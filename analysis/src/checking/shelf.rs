@@ -3,6 +3,7 @@
 //! Copies share what they have in common, so the findings of a text can be read while those of the next are put into their
 //! places. What is found anew with each edit is not here: see [`Shown`](super::shown::Shown).
 
+use super::at_tags::Exchanged;
 use crate::chunked::Chunked;
 use crate::context::Context;
 use crate::findings::{Anchored, Finding, Home};
@@ -11,6 +12,7 @@ use crate::rule::{Rule, Severity};
 use crate::rule_settings::RuleSettings;
 use crate::rules::tag_summary::{Known, When};
 use ladder_syntax::{TextRange, TextSize};
+use rustc_hash::{FxHashMap, FxHashSet};
 use std::ops::AddAssign;
 use std::sync::Arc;
 
@@ -155,26 +157,29 @@ impl Shelf {
         self.put(Home::Network(id), items);
     }
 
-    /// Adds a finding that a tag owns.
-    pub(super) fn add_of_tag(&mut self, found: &Arc<Anchored>) {
-        if found.is_volatile() {
-            return;
+    /// Exchanges what tags own.
+    pub(super) fn exchange_of_tags(&mut self, exchanged: Exchanged) {
+        let Exchanged { gone, new } = exchanged;
+        let mut homes: FxHashMap<Home, Vec<Item>> = FxHashMap::default();
+        let homes_of = |found: &Arc<Anchored>| found.home().filter(|_| !found.is_volatile());
+        for found in &gone {
+            if let Some(home) = homes_of(found) {
+                homes.entry(home).or_default();
+            }
         }
-        let Some(home) = found.home() else { return };
-        let mut items = self.items_of(home);
-        items.push(Item::new(found, Source::Tag, &self.settings));
-        self.put(home, items);
-    }
-
-    /// Takes away a finding that a tag owns.
-    pub(super) fn remove_of_tag(&mut self, found: &Arc<Anchored>) {
-        if found.is_volatile() {
-            return;
+        for found in &new {
+            if let Some(home) = homes_of(found) {
+                let item = Item::new(found, Source::Tag, &self.settings);
+                homes.entry(home).or_default().push(item);
+            }
         }
-        let Some(home) = found.home() else { return };
-        let mut items = self.items_of(home);
-        items.retain(|item| !Arc::ptr_eq(&item.anchored, found));
-        self.put(home, items);
+        let gone: FxHashSet<*const Anchored> = gone.iter().map(Arc::as_ptr).collect();
+        for (home, new) in homes {
+            let mut items = self.items_of(home);
+            items.extend(new);
+            items.retain(|item| !gone.contains(&Arc::as_ptr(&item.anchored)));
+            self.put(home, items);
+        }
     }
 
     /// Takes away all that tags own.

@@ -26,7 +26,7 @@ enum Anchors {
 }
 
 /// What a place counts from.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub(crate) enum Home {
     /// The start of a network, by its number.
     Network(u32),
@@ -164,6 +164,14 @@ impl Anchored {
                 }
             }
         }
+        found.fixes.retain_mut(|fix| {
+            let Some(declares) = fix.declares.take() else {
+                return true;
+            };
+            let edits = declares.edits(context);
+            fix.edits = edits.unwrap_or_default();
+            !fix.edits.is_empty()
+        });
         found
     }
 }

@@ -1,5 +1,6 @@
 //! A finding: what is wrong, where, what to do.
 
+use crate::declaring::Declares;
 use crate::rule::{Rule, Severity};
 use ladder_format::Edit;
 use ladder_syntax::TextRange;
@@ -49,6 +50,8 @@ pub struct Fix {
     pub edits: Vec<Edit>,
     /// Whether it may be made unasked.
     pub applicability: Applicability,
+    /// What it declares, of one whose edits are found when somebody asks for the finding.
+    pub(crate) declares: Option<Box<Declares>>,
 }
 
 /// Whether a fix may be made unasked. Of every fix a rule decides it by one question: can the drawing mean something
@@ -78,6 +81,7 @@ impl Fix {
             title: title.into(),
             edits,
             applicability,
+            declares: None,
         }
     }
 

@@ -8,6 +8,7 @@
 
 pub(crate) mod declarations;
 pub(crate) mod declare;
+pub(crate) mod declaring;
 pub(crate) mod did_you_mean;
 pub(crate) mod infer;
 #[cfg(test)]

@@ -352,7 +352,7 @@ impl Scope {
 
     /// Whether the scope has at least one declaration.
     pub fn declares(&self) -> bool {
-        self.tags.iter().any(TagFacts::is_declared)
+        self.tags.iter().take(self.declared).any(TagFacts::is_declared)
     }
 }
 

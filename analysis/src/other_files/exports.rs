@@ -12,6 +12,7 @@ use crate::program::Role;
 use crate::scope::{Origin, SectionKind, UseRef};
 use crate::types::Type;
 use crate::user_block::UserBlockFacts;
+use crate::uses;
 use crate::value::Value;
 use ladder_instructions::Accepts;
 use ladder_syntax::{Name, Parse, TextRange};
@@ -242,14 +243,17 @@ fn states(context: &Context) -> Vec<(Name, TextRange)> {
                     continue;
                 }
                 let key = Name::new(name);
-                let shared = scope.find(&key).is_none_or(|tag| {
-                    matches!(
-                        scope.tags[tag].origin,
-                        Origin::Declared(SectionKind::Global | SectionKind::External)
-                            | Origin::Undeclared
-                            | Origin::Shared
-                    )
-                });
+                let origin = match scope.find(&key) {
+                    Some(tag) => scope.tags[tag].origin,
+                    // Before uses are looked at.
+                    None => uses::undeclared(name, context.profile.law()).origin,
+                };
+                let shared = matches!(
+                    origin,
+                    Origin::Declared(SectionKind::Global | SectionKind::External)
+                        | Origin::Undeclared
+                        | Origin::Shared
+                );
                 if shared {
                     states.push((key, bound.absolute(operand.value.range)));
                 }

@@ -34,7 +34,7 @@ mod latched_power;
 mod misleading_alignment;
 mod misplaced_rail;
 pub(crate) mod missing_wire;
-mod near_names;
+pub(crate) mod near_names;
 mod never_read;
 mod never_written;
 mod no_output;
@@ -105,7 +105,6 @@ type FileCheck = fn(&Context, &mut Vec<Diagnostic>);
 
 /// Rules that look at the names and definitions of a file.
 const OF_FILE: &[FileCheck] = &[
-    undeclared_tag::check,
     duplicate_label::check,
     duplicate_function::check,
     unknown_label::check,
@@ -178,6 +177,8 @@ pub(crate) struct AroundTags {
     /// The file has outputs. In one that has none, its internal tags are what people look at.
     pub(crate) has_outputs: bool,
     pub(crate) leaving: double_coil::Leaving,
+    /// The file declares tags.
+    pub(crate) declares: bool,
 }
 
 /// Looks at the places of one tag.
@@ -185,9 +186,10 @@ pub(crate) fn of_tag(
     context: &Context,
     scope: usize,
     tag: &TagFacts,
-    around: &AroundTags,
+    (around, undeclaring): (&AroundTags, &undeclared_tag::Undeclaring<'_>),
     out: &mut Vec<Diagnostic>,
 ) {
+    undeclared_tag::check(context, scope, tag, undeclaring, out);
     duplicate_timer::check(context, tag, out);
     double_coil::check(context, tag, &around.leaving, out);
     tag_summary::check(context, scope, tag, around.has_outputs, out);

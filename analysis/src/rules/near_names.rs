@@ -5,6 +5,7 @@
 
 use ladder_syntax::Name;
 use rustc_hash::FxHashMap;
+use std::collections::BTreeSet;
 
 /// Shorter names are alike too easily: `a` and `b` differ by one letter.
 const SHORTEST: usize = 3;
@@ -13,61 +14,107 @@ const LONGEST: usize = 100;
 /// Any large odd number spreads the letters over the hash.
 const BASE: u64 = 0x9E37_79B9_7F4A_7C15;
 
-/// Names that can be asked for.
-pub(super) struct NearNames<'n> {
-    names: Vec<(&'n str, Vec<char>)>,
-    /// The hash of a name with one letter taken out, and the first name that it comes from: where several do,
-    /// they differ in that letter alone, and one is as near as the other.
-    shortened: FxHashMap<u64, u32>,
+/// Names that can be asked for. Names come and go.
+#[derive(Debug, Default)]
+pub(crate) struct NearNames {
+    /// The names by their numbers; none for a number that is free.
+    names: Vec<Option<Name>>,
+    numbers: FxHashMap<Name, u32>,
+    free: Vec<u32>,
+    /// The hash of a name with one letter taken out, and the number of the name.
+    shortened: BTreeSet<(u32, u32)>,
 }
 
-impl<'n> NearNames<'n> {
-    pub(super) fn new(names: impl Iterator<Item = &'n str>) -> NearNames<'n> {
-        let mut near = NearNames {
-            names: Vec::new(),
-            shortened: FxHashMap::default(),
-        };
+impl NearNames {
+    /// Names of which none is there twice.
+    pub(crate) fn new(names: impl Iterator<Item = Name>) -> NearNames {
+        let mut near = NearNames::default();
+        let mut shortened: Vec<(u32, u32)> = Vec::new();
         for name in names {
-            let letters = letters(name);
-            if !(SHORTEST..=LONGEST).contains(&letters.len()) {
-                continue;
+            let letters = letters(&name);
+            if is_long_enough(&letters) {
+                let number = near.number(name);
+                each_shortened(&letters, |hash| shortened.push((hash, number)));
             }
-            let index = near.names.len() as u32;
-            each_shortened(&letters, |hash| {
-                near.shortened.entry(hash).or_insert(index);
-            });
-            near.names.push((name, letters));
         }
+        // A tree of what is in order already is put together at once.
+        shortened.sort_unstable();
+        near.shortened = shortened.into_iter().collect();
         near
     }
 
-    /// A name that differs by one letter. Another digit is another tag, not a slip.
-    pub(super) fn one_letter_from(&self, name: &str) -> Option<&'n str> {
-        let wanted = letters(name);
-        if self.names.is_empty() || !(SHORTEST..=LONGEST).contains(&wanted.len()) {
-            return None;
+    /// Whether a name can be asked for.
+    pub(crate) fn has(&self, name: &Name) -> bool {
+        self.numbers.contains_key(name)
+    }
+
+    /// Adds a name that is not there.
+    pub(crate) fn insert(&mut self, name: &Name) {
+        let letters = letters(name);
+        if is_long_enough(&letters) {
+            let number = self.number(name.clone());
+            each_shortened(&letters, |hash| {
+                self.shortened.insert((hash, number));
+            });
         }
-        let mut found: Option<u32> = None;
-        each_shortened(&wanted, |hash| {
-            let near = self.shortened.get(&hash).copied();
-            // The first of the file, whichever letter led to it.
-            if let Some(near) = near.filter(|&near| found.is_none_or(|found| near < found))
-                && differ_by_a_letter(&wanted, &self.names[near as usize].1)
-            {
-                found = Some(near);
-            }
+    }
+
+    /// Takes a name away.
+    pub(crate) fn remove(&mut self, name: &Name) {
+        let Some(number) = self.numbers.remove(name) else {
+            return;
+        };
+        each_shortened(&letters(name), |hash| {
+            self.shortened.remove(&(hash, number));
         });
-        found.map(|index| self.names[index as usize].0)
+        self.names[number as usize] = None;
+        self.free.push(number);
+    }
+
+    fn number(&mut self, name: Name) -> u32 {
+        let number = self.free.pop().unwrap_or_else(|| {
+            self.names.push(None);
+            self.names.len() as u32 - 1
+        });
+        self.names[number as usize] = Some(name.clone());
+        self.numbers.insert(name, number);
+        number
+    }
+
+    /// The names that differ by one letter, in no order. Another digit is another tag, not a slip.
+    pub(crate) fn one_letter_from(&self, name: &Name) -> Vec<&Name> {
+        let wanted = letters(name);
+        if self.numbers.is_empty() || !is_long_enough(&wanted) {
+            return Vec::new();
+        }
+        let mut numbers: Vec<u32> = Vec::new();
+        each_shortened(&wanted, |hash| {
+            let near = self.shortened.range((hash, 0)..=(hash, u32::MAX));
+            numbers.extend(near.map(|(_, number)| *number));
+        });
+        numbers.sort_unstable();
+        numbers.dedup();
+        let names = numbers
+            .into_iter()
+            .filter_map(|number| self.names[number as usize].as_ref());
+        names
+            .filter(|near| differ_by_a_letter(&wanted, &letters(near)))
+            .collect()
     }
 }
 
-fn letters(name: &str) -> Vec<char> {
-    Name::new(name).as_str().chars().collect()
+fn is_long_enough(letters: &[char]) -> bool {
+    (SHORTEST..=LONGEST).contains(&letters.len())
+}
+
+fn letters(name: &Name) -> Vec<char> {
+    name.as_str().chars().collect()
 }
 
 /// Hashes of the name itself, and of the name without each of its letters. A name's hash is a polynomial in its
 /// letters, so that each of the shorter names costs one step.
-fn each_shortened(letters: &[char], mut give: impl FnMut(u64)) {
+fn each_shortened(letters: &[char], mut give: impl FnMut(u32)) {
+    let mut give = |hash: u64| give((hash >> 32) as u32 ^ hash as u32);
     let step = |hash: u64, letter: char| hash.wrapping_mul(BASE).wrapping_add(u64::from(letter) + 1);
     let whole = letters.iter().fold(0, |hash, &letter| step(hash, letter));
     give(whole);
@@ -125,7 +172,7 @@ mod tests {
     fn shorter_names_have_the_hash_that_they_have_by_themselves() {
         let hashes = |name: &str| {
             let mut hashes = Vec::new();
-            each_shortened(&letters(name), |hash| hashes.push(hash));
+            each_shortened(&letters(&Name::new(name)), |hash| hashes.push(hash));
             hashes
         };
         let shortened = hashes("lamp_1");
@@ -137,7 +184,8 @@ mod tests {
 
     #[test]
     fn one_letter() {
-        let near = NearNames::new(["start", "motor_run", "lamp1", "ab", "vor_ort"].into_iter());
+        let names = ["start", "motor_run", "lamp1", "ab", "vor_ort"].map(Name::new);
+        let near = NearNames::new(names.into_iter());
         for (wanted, expected) in [
             ("strat", Some("start")),
             ("stat", Some("start")),
@@ -154,7 +202,25 @@ mod tests {
             ("ac", None),
             ("vorort", Some("vor_ort")),
         ] {
-            assert_eq!(near.one_letter_from(wanted), expected, "{wanted}");
+            let expected: Vec<Name> = expected.map(Name::new).into_iter().collect();
+            let found = near.one_letter_from(&Name::new(wanted));
+            assert_eq!(found, expected.iter().collect::<Vec<_>>(), "{wanted}");
         }
+    }
+
+    #[test]
+    fn names_come_and_go() {
+        let [lamp, lump, limp] = ["lamp", "lump", "limp"].map(Name::new);
+        let mut near = NearNames::new([lamp.clone()].into_iter());
+        near.insert(&lump);
+        let mut both = near.one_letter_from(&limp);
+        both.sort();
+        assert_eq!(both, [&lamp, &lump]);
+        near.remove(&lamp);
+        near.remove(&lamp);
+        assert_eq!(near.one_letter_from(&limp), [&lump]);
+        assert!(near.has(&lump) && !near.has(&lamp));
+        near.insert(&limp);
+        assert_eq!(near.one_letter_from(&lump), [&limp]);
     }
 }

@@ -6,49 +6,61 @@
 
 use super::near_names::NearNames;
 use crate::context::Context;
-use crate::declaration_fix::{Places, Undeclared};
+use crate::declaration_fix::Undeclared;
+use crate::declaring::Declares;
 use crate::diagnostic::{Applicability, Diagnostic, Fix};
-use crate::did_you_mean;
+use crate::did_you_mean::Compared;
 use crate::facts::NodeKind;
 use crate::network::Formal;
 use crate::program::Role;
 use crate::rule::{Rule, Severity};
 use crate::scope::{Origin, SectionKind, TagFacts, Use};
-use crate::tags::Tags;
 use crate::types::{Scalar, Type};
 use ladder_instructions::Accepts;
 use ladder_syntax::{Name, TextRange};
+use std::cell::OnceCell;
 
 /// For how many tags of a file a near name is looked for among all declared ones.
-const MOST_SUGGESTIONS: usize = 20;
+pub(crate) const MOST_SUGGESTIONS: usize = 20;
 
-pub(crate) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
-    for (scope, facts) in context.scopes.iter().enumerate() {
-        let declares = facts.declares();
-        let mut suggestions = MOST_SUGGESTIONS;
-        let mut places = None;
-        let found = || facts.tags.from(facts.declared);
-        let undeclared = || found().filter(|tag| is_undeclared(tag, scope));
-        for tag in undeclared() {
-            let mut uses = context.uses(tag).filter(|place| is_clear(context, tag, place));
-            let Some(first) = uses.clone().next() else {
-                continue;
-            };
-            let places = &*places.get_or_insert_with(|| Places::new(context, scope));
-            if let Some(index) = uses.find(|place| place.indexed) {
-                out.push(array(context, places, tag, index.range));
-            } else if scope > 0 {
-                out.push(in_body(context, scope, places, tag, first.range));
-            } else if declares {
-                let look = suggestions > 0;
-                suggestions = suggestions.saturating_sub(1);
-                out.push(forgotten(context, places, tag, first.range, look));
-            }
-        }
-        if scope == 0 && !declares {
-            slips(context, &facts.tags, out);
+/// What decides about the tags of a file that no declaration names.
+pub(crate) enum Undeclaring<'n> {
+    /// The file declares tags: a near name is looked for among these, if at all.
+    Forgotten(Option<&'n OnceCell<Compared>>),
+    /// It declares none, and these are its names.
+    Usual(&'n NearNames),
+}
+
+/// Looks at one tag.
+pub(super) fn check(
+    context: &Context,
+    scope: usize,
+    tag: &TagFacts,
+    undeclaring: &Undeclaring<'_>,
+    out: &mut Vec<Diagnostic>,
+) {
+    if !is_undeclared(tag, scope) {
+        return;
+    }
+    let mut uses = context.uses(tag).filter(|place| is_clear(context, tag, place));
+    let Some(first) = uses.clone().next() else {
+        return;
+    };
+    if let Some(index) = uses.find(|place| place.indexed) {
+        out.push(array(context, scope, tag, index.range));
+    } else if scope > 0 {
+        out.push(in_body(context, scope, tag, first.range));
+    } else {
+        match undeclaring {
+            Undeclaring::Forgotten(compared) => out.push(forgotten(context, tag, first.range, *compared)),
+            Undeclaring::Usual(near) => out.extend(slip(context, tag, near)),
         }
     }
+}
+
+/// Whether a name that is only used counts among those to which a slip is near.
+pub(crate) fn is_usual(tag: &TagFacts) -> bool {
+    tag.origin == Origin::Undeclared
 }
 
 /// Whether the place says that a tag is meant: the block is known and could be read, and no other rule speaks of
@@ -90,7 +102,7 @@ fn found(severity: Severity, range: TextRange, message: String) -> Diagnostic {
 }
 
 /// An array must be declared: its bounds are nowhere else.
-fn array(context: &Context, places: &Places, tag: &TagFacts, range: TextRange) -> Diagnostic {
+fn array(context: &Context, scope: usize, tag: &TagFacts, range: TextRange) -> Diagnostic {
     let name = &tag.name;
     let (last, element) = extent(context, tag);
     let ty = format!("ARRAY[1..{last}] OF {element}");
@@ -100,7 +112,7 @@ fn array(context: &Context, places: &Places, tag: &TagFacts, range: TextRange) -
         format!("the array `{name}` is not declared"),
     )
     .help(format!("declare it with its bounds: {name} : {ty};"))
-    .with(places.declare(SectionKind::Var, name, &ty))
+    .with(Some(declaring(scope, SectionKind::Var, name, ty)))
 }
 
 /// The highest index that is written out, and the type of the elements, as far as the places say.
@@ -129,7 +141,7 @@ fn extent(context: &Context, tag: &TagFacts) -> (i64, Scalar) {
 }
 
 /// In a block's body.
-fn in_body(context: &Context, scope: usize, places: &Places, tag: &TagFacts, range: TextRange) -> Diagnostic {
+fn in_body(context: &Context, scope: usize, tag: &TagFacts, range: TextRange) -> Diagnostic {
     let (name, block) = (&tag.name, &context.user_blocks[scope - 1]);
     let mut found = found(
         Severity::Error,
@@ -146,18 +158,22 @@ fn in_body(context: &Context, scope: usize, places: &Places, tag: &TagFacts, ran
             );
         }
     }
-    found.with(declare(places, Role::Internal, tag))
+    found.with(Some(declare(scope, Role::Internal, tag)))
 }
 
 /// In a file that declares tags.
-fn forgotten(context: &Context, places: &Places, tag: &TagFacts, range: TextRange, look: bool) -> Diagnostic {
+fn forgotten(
+    context: &Context,
+    tag: &TagFacts,
+    range: TextRange,
+    compared: Option<&OnceCell<Compared>>,
+) -> Diagnostic {
     let name = &tag.name;
     let found = found(Severity::Warning, range, format!("`{name}` is not declared"));
-    let declared = context.scopes[0].tags.iter().filter(|tag| tag.is_declared());
-    let names = declared.map(|tag| tag.name.as_str());
-    let near = look.then(|| did_you_mean::closest(name, names)).flatten();
+    let compared = compared.filter(|_| tag.uses.len() == 1);
+    let near = compared.and_then(|it| it.get_or_init(|| Compared::of(context)).closest(name));
     let found = match near {
-        Some(near) if tag.uses.len() == 1 => found.help(format!("did you mean `{near}`?")).fix(
+        Some(near) => found.help(format!("did you mean `{near}`?")).fix(
             Applicability::Unsafe,
             format!("Replace with `{near}`"),
             range,
@@ -165,7 +181,7 @@ fn forgotten(context: &Context, places: &Places, tag: &TagFacts, range: TextRang
         ),
         _ => found.help("declare it, so that a typing mistake cannot make a new tag"),
     };
-    found.with(declare(places, tag.role, tag))
+    found.with(Some(declare(0, tag.role, tag)))
 }
 
 /// Whether a tag needs a declaration, and its places say enough to make one.
@@ -205,41 +221,40 @@ const fn section_of(role: Role) -> SectionKind {
     }
 }
 
-fn declare(places: &Places, role: Role, tag: &TagFacts) -> Option<Fix> {
-    let section = section_of(role);
+fn declare(scope: usize, role: Role, tag: &TagFacts) -> Fix {
     let ty = tag.ty.unwrap_or(Type::Scalar(Scalar::Dint)).to_string();
-    places.declare(section, &tag.name, &ty)
+    declaring(scope, section_of(role), &tag.name, ty)
+}
+
+fn declaring(scope: usize, section: SectionKind, name: &str, ty: String) -> Fix {
+    let name = name.to_owned();
+    let declares = Declares {
+        scope,
+        section,
+        name,
+        ty,
+    };
+    declares.fix()
 }
 
 /// In a file without declarations: used once, and one letter away from a tag that is used more often.
-fn slips(context: &Context, tags: &Tags, out: &mut Vec<Diagnostic>) {
-    let undeclared = || tags.iter().filter(|tag| tag.origin == Origin::Undeclared);
-    if undeclared().all(|tag| tag.uses.len() != 1) {
-        return;
+fn slip(context: &Context, tag: &TagFacts, near: &NearNames) -> Option<Diagnostic> {
+    if tag.uses.len() != 1 {
+        return None;
     }
-    let often = undeclared()
-        .filter(|tag| tag.uses.len() > 1)
-        .map(|tag| tag.name.as_str());
-    let near = NearNames::new(often);
-    for tag in undeclared()
-        .filter(|tag| tag.uses.len() == 1 && context.uses(tag).all(|place| is_clear(context, tag, &place)))
-    {
-        let Some(other) = near.one_letter_from(&tag.name) else {
-            continue;
-        };
-        out.push(
-            found(
-                Severity::Info,
-                context.place_of(tag),
-                format!("`{}` is here only, and looks like `{other}`", tag.name),
-            )
-            .help("a typing mistake makes a new tag: correct it, or declare the tags of the file")
-            .fix(
-                Applicability::Unsafe,
-                format!("Replace with `{other}`"),
-                context.place_of(tag),
-                other,
-            ),
-        );
-    }
+    let scope = &context.scopes[0];
+    let near = near.one_letter_from(&Name::new(&tag.name)).into_iter();
+    let near = near.filter_map(|name| scope.find(name));
+    let often = near.filter(|&other| scope.tags[other].uses.len() > 1);
+    // The first of the file.
+    let other = &scope.tags[often.min()?].name;
+    let place = context.place_of(tag);
+    let found = found(
+        Severity::Info,
+        place,
+        format!("`{}` is here only, and looks like `{other}`", tag.name),
+    )
+    .help("a typing mistake makes a new tag: correct it, or declare the tags of the file");
+    let title = format!("Replace with `{other}`");
+    Some(found.fix(Applicability::Unsafe, title, place, other.as_str()))
 }

@@ -1,0 +1,234 @@
+//! The places where declarations of a file go, and the text that puts them there.
+//!
+//! A fix that declares a tag is put into place when somebody asks for it: where the sections end is another matter with
+//! each edit of a declaration, and the finding stays the same.
+
+use crate::context::Context;
+use crate::diagnostic::{Applicability, Fix};
+use crate::scope::SectionKind;
+use ladder_format::Edit;
+use ladder_syntax::ast::{AstNode, SectionHeader};
+use ladder_syntax::{LineKind, Parse, Section, TextRange, TextSize};
+use std::collections::HashMap;
+use std::sync::OnceLock;
+
+/// A declaration that a fix adds.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub(crate) struct Declares {
+    /// The scope of the tag: 0 the file's, else that of block definition `scope - 1`.
+    pub(crate) scope: usize,
+    /// The section that its uses ask for.
+    pub(crate) section: SectionKind,
+    /// As first written.
+    pub(crate) name: String,
+    /// Its type.
+    pub(crate) ty: String,
+}
+
+impl Declares {
+    /// The fix that adds it, without the place.
+    pub(crate) fn fix(self) -> Fix {
+        // A typing mistake must not make a tag.
+        let mut fix = Fix::new(
+            Applicability::Unsafe,
+            title(self.section, &self.name, &self.ty),
+            Vec::new(),
+        );
+        fix.declares = Some(Box::new(self));
+        fix
+    }
+
+    /// The edits that add it to a text.
+    pub(crate) fn edits(&self, context: &Context) -> Option<Vec<Edit>> {
+        let places = context.places.of(context, self.scope);
+        places.declare_all(&[(self.section, self.name.clone(), self.ty.clone())])
+    }
+}
+
+/// The places of all scopes, each found when it is first asked for.
+#[derive(Debug, Clone, Default)]
+pub(crate) struct PlacesOfScopes(OnceLock<Box<[OnceLock<Places>]>>);
+
+impl PlacesOfScopes {
+    fn of(&self, context: &Context, scope: usize) -> &Places {
+        let scopes = self
+            .0
+            .get_or_init(|| context.scopes.iter().map(|_| OnceLock::new()).collect());
+        scopes[scope].get_or_init(|| Places::new(context, scope))
+    }
+}
+
+fn title(section: SectionKind, name: &str, ty: &str) -> String {
+    format!("Declare `{name} : {ty}` in {}", section.keyword())
+}
+
+/// Where declarations of a scope go.
+#[derive(Debug, Clone)]
+pub struct Places {
+    /// The last section of each kind that takes them: the place, and whether it begins a line.
+    sections: HashMap<SectionKind, (TextSize, bool)>,
+    /// Where a new section goes, what must be before it, and whether a blank line follows it.
+    new: TextSize,
+    before_new: &'static str,
+    blank_behind: bool,
+    line_end: &'static str,
+    /// A section is not closed: nobody knows where it ends.
+    open: bool,
+}
+
+impl Places {
+    /// The places of scope 0, the file's, or of block definition `scope - 1`.
+    pub fn new(context: &Context, scope: usize) -> Places {
+        let parse = &*context.parse;
+        let block = scope.checked_sub(1);
+        let line_end = line_end(parse);
+        let sections = || {
+            parse
+                .frame()
+                .sections
+                .iter()
+                .filter(|section| section.block == block)
+        };
+        let (new, before_new, blank_behind) = match sections().next_back() {
+            Some(last) => {
+                let behind = last.lines.end;
+                let at = parse.line_range(behind - 1).end();
+                // END_VAR on the last line of the text, or with something behind it.
+                let before = if begins_line(parse, behind) { "" } else { line_end };
+                (at, before, false)
+            }
+            None => (first_place(parse, block), "", true),
+        };
+        Places {
+            sections: sections()
+                .filter_map(|section| {
+                    let end = section.lines.end - 1;
+                    Some((
+                        plain_kind(parse, section)?,
+                        (parse.line_start(end), begins_line(parse, end)),
+                    ))
+                })
+                .collect(),
+            new,
+            before_new,
+            blank_behind,
+            line_end,
+            open: sections().any(|section| !section.closed),
+        }
+    }
+
+    /// The fix that declares a tag: in the last section of its kind, else in a new one. None if a section that is
+    /// not closed leaves no place for it.
+    pub fn declare(&self, section: SectionKind, name: &str, ty: &str) -> Option<Fix> {
+        let edits = self.declare_all(&[(section, name.to_owned(), ty.to_owned())])?;
+        // A typing mistake must not make a tag.
+        Some(Fix::new(Applicability::Unsafe, title(section, name, ty), edits))
+    }
+
+    /// The edits that declare some tags, each with its section, name and type: those of one section together, in the
+    /// order given; new sections in the order of inputs, outputs and others.
+    pub fn declare_all(&self, tags: &[(SectionKind, String, String)]) -> Option<Vec<Edit>> {
+        if self.open {
+            return None;
+        }
+        let line_end = self.line_end;
+        let mut edits = Vec::new();
+        let mut new = String::new();
+        for section in [
+            SectionKind::Input,
+            SectionKind::Output,
+            SectionKind::InOut,
+            SectionKind::Var,
+            SectionKind::Global,
+            SectionKind::External,
+        ] {
+            let own = tags.iter().filter(|(of, ..)| *of == section);
+            let place = self.sections.get(&section);
+            let declarations: String = own
+                .map(|(_, name, ty)| match place {
+                    Some((_, false)) => format!(" {name} : {ty}; "),
+                    _ => format!("    {name} : {ty};{line_end}"),
+                })
+                .collect();
+            match place {
+                _ if declarations.is_empty() => {}
+                Some((at, _)) => edits.push(Edit {
+                    range: TextRange::empty(*at),
+                    text: declarations,
+                }),
+                None => {
+                    let keyword = section.keyword();
+                    let section = [keyword, line_end, &declarations, "END_VAR", line_end];
+                    new.extend(section);
+                }
+            }
+        }
+        if !new.is_empty() {
+            let blank = if self.blank_behind { line_end } else { "" };
+            edits.push(Edit {
+                range: TextRange::empty(self.new),
+                text: format!("{}{new}{blank}", self.before_new),
+            });
+        }
+        edits.sort_by_key(|edit| edit.range.start());
+        Some(edits)
+    }
+}
+
+/// The kind of a section that is neither RETAIN nor CONSTANT.
+fn plain_kind(parse: &Parse, section: &Section) -> Option<SectionKind> {
+    let header = SectionHeader::cast(parse.lines()[section.lines.start].view())?;
+    if header.qualifiers().next().is_some() {
+        return None;
+    }
+    SectionKind::from_keyword(header.section()?.text())
+}
+
+/// Whether a logical line, or the end of the text, begins a physical one.
+fn begins_line(parse: &Parse, line: usize) -> bool {
+    line.checked_sub(1).is_none_or(|before| {
+        let text = parse.lines()[before].text().to_owned();
+        text.ends_with(['\n', '\r'])
+    })
+}
+
+/// Where the first section goes: before the first rung with the comments right above it; in a body behind the
+/// block's header.
+fn first_place(parse: &Parse, block: Option<usize>) -> TextSize {
+    if let Some(block) = block {
+        let header = parse.frame().blocks[block].lines.start;
+        return parse.line_range(header).end();
+    }
+    let lines = parse.lines();
+    let behind_mark = |offset: TextSize| {
+        let marked = parse.text_len() > TextSize::new(0) && parse.lines()[0].text().contains('\u{feff}');
+        if marked {
+            offset.max(TextSize::of('\u{feff}'))
+        } else {
+            offset
+        }
+    };
+    let first = lines
+        .iter()
+        .position(|line| !line.kind.is_decoration())
+        .unwrap_or(lines.len());
+    let above = (0..first)
+        .rev()
+        .take_while(|&line| lines[line].kind == LineKind::Comment)
+        .count();
+    if above == first {
+        // Nothing parts the comments at the head of the file from those of the rung.
+        return behind_mark(parse.line_start(first));
+    }
+    behind_mark(parse.line_start(first - above))
+}
+
+/// The line end that the text uses.
+fn line_end(parse: &Parse) -> &'static str {
+    let first = parse.lines().first().map(|line| line.text().to_owned());
+    match first {
+        Some(line) if line.ends_with("\r\n") => "\r\n",
+        Some(line) if line.ends_with('\r') => "\r",
+        _ => "\n",
+    }
+}
