@@ -27,7 +27,7 @@ use crate::uses;
 use ladder_instructions::{Op, Profile, Shape};
 use ladder_syntax::wiring::PartKind;
 use ladder_syntax::{LineIndex, LineKind, Name, Parse, Structure, TextRange, TextSize};
-use std::collections::HashMap;
+use std::collections::{BTreeSet, HashMap};
 use std::sync::atomic::{AtomicU64, Ordering};
 use std::sync::{Arc, OnceLock};
 
@@ -62,6 +62,8 @@ pub struct Context {
     pub(crate) settled: bool,
     /// If it is settled: the tags whose declared type is open, by scope and name.
     pub(crate) mistyped: Vec<(usize, Name)>,
+    /// If it is settled: the tags that no declaration names and on which a block keeps its state.
+    pub(crate) undeclared_states: BTreeSet<Name>,
     /// The places of each tag say by themselves what type it has.
     pub(crate) typed_by_places: bool,
     /// Without it no network calls a function.
@@ -297,9 +299,20 @@ pub fn context_after(before: Option<&Context>, parse: &Arc<Parse>, name: &str, o
         context.mistyped = mistyped
             .map(|(scope, tag)| (scope, Name::new(&tag.name)))
             .collect();
+        let found = context
+            .scopes
+            .iter()
+            .flat_map(|scope| scope.tags.from(scope.declared));
+        let states = found.filter(|tag| keeps_state(tag));
+        context.undeclared_states = states.map(|tag| Name::new(&tag.name)).collect();
     }
     context.found = found;
     context
+}
+
+/// Whether a block keeps its state on a tag.
+pub(crate) const fn keeps_state(tag: &TagFacts) -> bool {
+    matches!(tag.ty, Some(Type::State(_)))
 }
 
 /// The context before any use of a tag is looked at: declarations, blocks, networks, functions and labels.
@@ -357,6 +370,7 @@ pub(crate) fn skeleton(parse: &Arc<Parse>, name: &str, others: &Others, before: 
         declared_to: declared_to(structure),
         settled: false,
         mistyped: Vec::new(),
+        undeclared_states: BTreeSet::new(),
         typed_by_places: false,
         may_call,
         is_framed: parse.frame().is_whole(),

@@ -17,7 +17,7 @@ use crate::networks::{Networks, Spliced};
 use crate::others::Others;
 use crate::program::Role;
 use crate::reading::Reading;
-use crate::scope::{Origin, Scope, SectionKind, TagFacts, UseRef};
+use crate::scope::{MOST_EXCHANGED, Origin, Scope, SectionKind, TagFacts, UseRef};
 use crate::types::Type;
 use crate::user_block::UserBlockFacts;
 use crate::uses;
@@ -69,6 +69,7 @@ pub(crate) fn edited(before: &Context, parse: &Arc<Parse>, name: &str, others: &
         }
         Change::Declarations(lines) => edited_declarations::enter(&mut next.context, before, lines)?,
     };
+    next.note_states(&tags);
     let networks = next.looked_at(before);
     let Edited {
         mut context, removed, ..
@@ -299,6 +300,20 @@ impl Edited {
         again
     }
 
+    /// Notes on which undeclared tags a block keeps its state.
+    fn note_states(&mut self, tags: &EditedTags) {
+        let context = &mut self.context;
+        for (scope, name) in &tags.used {
+            let facts = &context.scopes[*scope];
+            let found = facts.find(name).filter(|tag| *tag >= facts.declared);
+            if found.is_some_and(|tag| context::keeps_state(&facts.tags[tag])) {
+                context.undeclared_states.insert(name.clone());
+            } else {
+                context.undeclared_states.remove(name);
+            }
+        }
+    }
+
     /// Enters what the new networks name, and takes out what the others did. Gives the tags that this concerns.
     fn names(&mut self) -> Option<EditedTags> {
         let law = self.context.profile.law();
@@ -336,7 +351,6 @@ impl Edited {
         if !new.is_empty() && !self.context.typed_by_places {
             return None;
         }
-        let mut found_changed = !new.is_empty();
         let context = &mut self.context;
         let mut found: Vec<(usize, usize)> = Vec::new();
         let mut edited = EditedTags::default();
@@ -348,7 +362,6 @@ impl Edited {
             }
             let facts = &mut context.scopes[scope].tags[tag];
             edited.used.push((scope, Name::new(&facts.name)));
-            let first = facts.uses.0.first().copied();
             facts.uses.0.retain(|place| !gone.contains(&place.network));
             if !places.is_empty() {
                 facts.uses.0.extend(places);
@@ -357,13 +370,10 @@ impl Edited {
                 facts.uses.0.sort_by_key(in_order);
             }
             if is_found {
-                let now = facts.uses.0.first().copied();
-                // Another first use may mean another place among the tags, and another spelling.
-                found_changed |= first != now || first.is_some_and(|first| gone.contains(&first.network));
                 found.push((scope, tag));
             }
         }
-        for (scope, tag) in found {
+        for &(scope, tag) in &found {
             let spelled = context.scopes[scope].tags[tag].name.clone();
             let before = context.scopes[scope].tags[tag].ty;
             let after = if context.scopes[scope].tags[tag].uses.is_empty() {
@@ -384,15 +394,10 @@ impl Edited {
         edited.used.extend(new_names.into_keys().map(|name| (0, name)));
         let new = new.iter().map(|tag| typed(context, tag).map(Arc::new));
         let new: Vec<Arc<TagFacts>> = new.collect::<Option<_>>()?;
-        if found_changed {
-            let networks = &context.networks;
-            context.scopes[0].replace_found(|mut tags| {
-                tags.retain(|tag| !tag.uses.is_empty());
-                tags.extend(new);
-                sort_found(&mut tags, networks);
-                tags
-            });
-        }
+        // Another first use may mean another place among the tags.
+        let in_file = found.iter().filter(|(scope, _)| *scope == 0);
+        let found = in_file.map(|(_, tag)| *tag).collect();
+        place_found(&mut context.scopes[0], found, new, &context.networks);
         Some(edited)
     }
 }
@@ -435,12 +440,43 @@ fn is_strange(facts: &NetworkFacts) -> bool {
     facts.user_blocks == UserBlocks::Others
 }
 
-/// Sorts tags that are only used by their first places.
-pub(crate) fn sort_found(tags: &mut [Arc<TagFacts>], networks: &Networks) {
-    tags.sort_by_cached_key(|tag| {
-        let place = tag.uses.0[0];
-        (networks.index_of(place.network), place.named())
-    });
+/// Puts tags that are only used to their places, by their first uses: some that are there, which may be used no more, and
+/// new ones.
+pub(crate) fn place_found(
+    scope: &mut Scope,
+    mut touched: Vec<usize>,
+    new: Vec<Arc<TagFacts>>,
+    networks: &Networks,
+) {
+    let first_use = |tag: &TagFacts| {
+        let place = tag.uses.0.first()?;
+        Some((networks.index_of(place.network), place.named()))
+    };
+    if touched.len() > MOST_EXCHANGED {
+        scope.exchange_found(&touched, new, first_use);
+        return;
+    }
+    touched.sort_unstable();
+    let is_touched = |tag: &usize| touched.binary_search(tag).is_ok();
+    let key = |tag: usize| first_use(&scope.tags[tag]);
+    // Between those that nothing has happened to.
+    let is_in_place = |tag: usize| {
+        let mut above = (scope.declared..tag).rev().filter(|tag| !is_touched(tag));
+        let mut below = (tag + 1..scope.tags.len()).filter(|tag| !is_touched(tag));
+        let own = key(tag);
+        own.is_some()
+            && above.next().is_none_or(|above| key(above) < own)
+            && below.next().is_none_or(|below| own < key(below))
+    };
+    let (stay, mut moved): (Vec<usize>, Vec<usize>) = touched.iter().partition(|tag| is_in_place(**tag));
+    if !stay.is_sorted_by_key(|tag| key(*tag)) {
+        moved.extend(stay);
+        moved.sort_unstable();
+    }
+    if moved.is_empty() && new.is_empty() {
+        return;
+    }
+    scope.exchange_found(&moved, new, first_use);
 }
 
 /// How a tag is spelled at a place.

@@ -6,7 +6,7 @@
 use crate::context::Context;
 use crate::declarations::Declarations;
 use crate::declare;
-use crate::edited::{EditedTags, sort_found, spelled_at, typed};
+use crate::edited::{EditedTags, place_found, spelled_at, typed};
 use crate::edited_lines::Lines;
 use crate::infer;
 use crate::scope::{Origin, Scope, SectionKind, TagFacts};
@@ -219,12 +219,11 @@ fn exchange(context: &mut Context, tags: Range<usize>, new: Vec<TagFacts>) -> Op
     let networks = &context.networks;
     let scope = &mut context.scopes[0];
     if !found.is_empty() || !no_more_found.is_empty() {
-        scope.replace_found(|mut tags| {
-            tags.retain(|tag| !no_more_found.contains(&Name::new(&tag.name)));
-            tags.extend(found);
-            sort_found(&mut tags, networks);
-            tags
-        });
+        let gone: Vec<usize> = no_more_found.iter().filter_map(|name| scope.find(name)).collect();
+        for tag in &gone {
+            scope.tags[*tag].uses.0.clear();
+        }
+        place_found(scope, gone, found, networks);
     }
     let (comes, new): (Vec<Name>, Vec<Arc<TagFacts>>) = comes.into_iter().unzip();
     scope.exchange_declared(tags.clone(), new);

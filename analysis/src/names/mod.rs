@@ -16,6 +16,7 @@ mod infer_tests;
 pub(crate) mod joined;
 pub(crate) mod numbering;
 pub(crate) mod operand_value;
+pub(crate) mod renamed;
 pub mod scope;
 pub(crate) mod shared;
 pub mod system_tag;

@@ -5,11 +5,11 @@ use crate::declarations::DeclaredAt;
 use crate::network::BoundBlock;
 use crate::numbering::Numbering;
 use crate::program::Role;
+use crate::renamed::Renamed;
 use crate::tags::Tags;
 use crate::types::{Scalar, Type};
 use crate::value::Value;
 use ladder_syntax::{Name, TextRange};
-use rustc_hash::FxHashMap;
 use smallvec::SmallVec;
 use smol_str::SmolStr;
 use std::ops::Range;
@@ -213,8 +213,8 @@ impl TagFacts {
     }
 }
 
-/// So many names are looked through one by one before all of them are put together anew.
-const MOST_RENAMED: usize = 32;
+/// More tags that uses have brought in are not exchanged one by one.
+pub(crate) const MOST_EXCHANGED: usize = 16;
 
 /// The tags of a file or of a block's body.
 #[derive(Debug, Clone, Default)]
@@ -222,13 +222,13 @@ pub struct Scope {
     /// In the order of declaration, then of first use.
     pub tags: Tags,
     /// The tags that were there before any use was looked at, by name, and by the address at which they are declared.
-    declared_names: Arc<FxHashMap<Name, u32>>,
-    /// What has changed of these names since: few, for edits of declarations.
-    renamed: Vec<(Name, Option<u32>)>,
+    declared_names: Renamed,
     /// By which numbers those names lead to the tags.
     numbering: Arc<Numbering>,
-    /// Those that a use has brought in, counted from the first of them.
-    found_names: Arc<FxHashMap<Name, usize>>,
+    /// Those that a use has brought in, by name.
+    found_names: Renamed,
+    /// By which numbers those names lead to the tags, counted from the first of them.
+    found_numbering: Arc<Numbering>,
     /// So many of the tags were there before any use was looked at.
     pub(crate) declared: usize,
     /// The block definition whose body it is.
@@ -238,20 +238,13 @@ pub struct Scope {
 impl Scope {
     /// The tag of a name.
     pub fn find(&self, name: &Name) -> Option<usize> {
-        let found = || Some(self.declared + self.found_names.get(name)?);
+        let number = || self.found_names.get(name);
+        let found = || Some(self.declared + self.found_numbering.index(number()?)?);
         self.find_declared(name).or_else(found)
     }
 
     fn find_declared(&self, name: &Name) -> Option<usize> {
-        self.numbering.index(self.number_of(name)?)
-    }
-
-    fn number_of(&self, name: &Name) -> Option<u32> {
-        let renamed = self.renamed.iter().find(|(changed, _)| changed == name);
-        match renamed {
-            Some((_, tag)) => *tag,
-            None => self.declared_names.get(name).copied(),
-        }
+        self.numbering.index(self.declared_names.get(name)?)
     }
 
     /// Puts other declared tags in the place of some. Their names are for [`Scope::rename`] to say.
@@ -266,21 +259,7 @@ impl Scope {
     /// A declared tag is found by a name, or none any longer.
     pub(crate) fn rename(&mut self, name: Name, tag: Option<usize>) {
         let tag = tag.map(|tag| self.numbering.number(tag));
-        if self.number_of(&name) == tag {
-            return;
-        }
-        self.renamed.retain(|(changed, _)| *changed != name);
-        self.renamed.push((name, tag));
-        if self.renamed.len() <= MOST_RENAMED {
-            return;
-        }
-        let names = Arc::make_mut(&mut self.declared_names);
-        for (name, tag) in self.renamed.drain(..) {
-            match tag {
-                Some(tag) => names.insert(name, tag),
-                None => names.remove(&name),
-            };
-        }
+        self.declared_names.set(name, tag);
     }
 
     /// The scope as it was before any use was looked at. None if what was found since has changed a declared tag.
@@ -306,10 +285,10 @@ impl Scope {
         declared.for_each(|tag| tags.push(tag));
         Some(Scope {
             tags,
-            declared_names: Arc::clone(&self.declared_names),
-            renamed: self.renamed.clone(),
+            declared_names: self.declared_names.clone(),
             numbering: Arc::clone(&self.numbering),
-            found_names: Arc::default(),
+            found_names: Renamed::default(),
+            found_numbering: Arc::default(),
             declared: self.declared,
             block: self.block,
         })
@@ -318,8 +297,7 @@ impl Scope {
     /// Adds a tag before any use is looked at, by its name; the first one of a name is found by it.
     pub(crate) fn declare(&mut self, name: Name, tag: TagFacts) -> usize {
         let number = Arc::make_mut(&mut self.numbering).push();
-        let names = Arc::make_mut(&mut self.declared_names);
-        names.entry(name).or_insert(number);
+        self.declared_names.add(name, number);
         self.tags.push(tag);
         self.declared = self.tags.len();
         self.declared - 1
@@ -327,27 +305,73 @@ impl Scope {
 
     /// Adds a tag that a use brings in.
     pub(crate) fn add(&mut self, tag: TagFacts) -> usize {
+        self.add_found(Arc::new(tag))
+    }
+
+    fn add_found(&mut self, tag: Arc<TagFacts>) -> usize {
         let index = self.tags.len();
-        let names = Arc::make_mut(&mut self.found_names);
-        names.entry(Name::new(&tag.name)).or_insert(index - self.declared);
-        self.tags.push(tag);
+        let number = Arc::make_mut(&mut self.found_numbering).push();
+        self.found_names.add(Name::new(&tag.name), number);
+        self.tags.extend([tag]);
         index
     }
 
-    /// Exchanges the tags that uses have brought in.
-    pub(crate) fn replace_found(&mut self, change: impl FnOnce(Vec<Arc<TagFacts>>) -> Vec<Arc<TagFacts>>) {
-        let found = change(self.tags.split_off(self.declared));
-        let names = (0..).zip(&found);
-        self.found_names = Arc::new(names.map(|(index, tag)| (Name::new(&tag.name), index)).collect());
-        self.tags.extend(found);
+    /// Takes some of the tags that uses have brought in out of their places, and puts those that are still used and new ones
+    /// to the places that a key says: all others are in the order of the key.
+    pub(crate) fn exchange_found<K: Ord>(
+        &mut self,
+        touched: &[usize],
+        mut new: Vec<Arc<TagFacts>>,
+        key: impl Fn(&TagFacts) -> Option<K>,
+    ) {
+        if touched.len() + new.len() > MOST_EXCHANGED {
+            let mut all = self.tags.split_off(self.declared);
+            all.extend(new);
+            all.retain(|tag| !tag.uses.is_empty());
+            all.sort_by_cached_key(|tag| key(tag));
+            self.found_names = Renamed::default();
+            self.found_numbering = Arc::default();
+            for tag in all {
+                self.add_found(tag);
+            }
+            return;
+        }
+        for &tag in touched.iter().rev() {
+            let gone = self.tags.take(tag);
+            self.exchange_found_names(tag, 1, 0);
+            let name = Name::new(&gone.name);
+            self.found_names.set(name, None);
+            if !gone.uses.is_empty() {
+                new.push(gone);
+            }
+        }
+        for tag in new {
+            let own = key(&tag);
+            let (mut low, mut high) = (self.declared, self.tags.len());
+            while low < high {
+                let middle = low.midpoint(high);
+                if key(&self.tags[middle]) < own {
+                    low = middle + 1;
+                } else {
+                    high = middle;
+                }
+            }
+            self.exchange_found_names(low, 0, 1);
+            let number = self.found_numbering.number(low - self.declared);
+            self.found_names.set(Name::new(&tag.name), Some(number));
+            self.tags.splice(low..low, [tag]);
+        }
+    }
+
+    fn exchange_found_names(&mut self, at: usize, old: usize, new: usize) {
+        let at = at - self.declared;
+        Arc::make_mut(&mut self.found_numbering).exchange(at..at + old, new);
     }
 
     /// Lets a tag be found by its direct address too; the first one at an address is.
     pub(crate) fn find_by_address(&mut self, address: &str, index: usize) {
         let number = self.numbering.number(index);
-        Arc::make_mut(&mut self.declared_names)
-            .entry(Name::new(address))
-            .or_insert(number);
+        self.declared_names.add(Name::new(address), number);
     }
 
     /// Whether the scope has at least one declaration.

@@ -63,6 +63,13 @@ impl Tags {
         }
     }
 
+    /// Takes one out.
+    pub(crate) fn take(&mut self, tag: usize) -> Arc<TagFacts> {
+        let gone = Arc::clone(&self.0[tag]);
+        self.0.splice(tag..tag + 1, []);
+        gone
+    }
+
     /// Leaves the first so many, and gives the others.
     pub(crate) fn split_off(&mut self, first: usize) -> Vec<Arc<TagFacts>> {
         self.0.split_off(first)

@@ -9,7 +9,7 @@ use crate::others::Others;
 use crate::outward::Outward;
 use crate::outward_jumps::outward_jumps;
 use crate::program::Role;
-use crate::scope::{Origin, SectionKind, UseRef};
+use crate::scope::{Origin, SectionKind};
 use crate::types::Type;
 use crate::user_block::UserBlockFacts;
 use crate::uses;
@@ -32,7 +32,7 @@ pub struct Exports {
     /// Tags that it does not declare for itself and on which a block keeps its state.
     pub states: Vec<(Name, TextRange)>,
     /// What it does with names that it does not hold.
-    pub outward: Outward,
+    pub outward: Arc<Outward>,
 }
 
 /// A function as other files see it.
@@ -100,19 +100,33 @@ pub fn exports(parse: &Arc<Parse>, file: &str) -> Exports {
 impl Exports {
     /// The same, of a file that is analysed already.
     pub fn of(context: &Context, file: &str) -> Exports {
+        Exports::with(context, file, Outward::of(context))
+    }
+
+    /// The same, of a file in which somebody types: what takes long is found when somebody asks for it.
+    pub fn of_edited(context: &Arc<Context>, file: &str) -> Exports {
+        Exports::with(context, file, Outward::later_of(context))
+    }
+
+    fn with(context: &Context, file: &str, outward: Outward) -> Exports {
         Exports {
             file: Arc::from(file),
             functions: functions(context),
             blocks: blocks(context),
             globals: globals(context),
             states: states(context),
-            outward: Outward::of(context),
+            outward: Arc::new(outward),
         }
     }
 
     /// Whether other files see the same; places do not count.
     pub fn says_the_same(&self, other: &Exports) -> bool {
         self.offers_the_same(other) && self.outward == other.outward
+    }
+
+    /// The same, said at once: of two texts that say the same it may be denied.
+    pub fn surely_says_the_same(&self, other: &Exports) -> bool {
+        self.offers_the_same(other) && self.outward.is_surely(&other.outward)
     }
 
     /// Whether the same functions, blocks, tags and states are seen, whatever the file does with those of others.
@@ -221,15 +235,7 @@ fn globals(context: &Context) -> Vec<Global> {
 fn states(context: &Context) -> Vec<(Name, TextRange)> {
     let mut states = Vec::new();
     // Then every tag is the file's own but those that uses have brought in: nearly always none of these keeps a state.
-    let mut found = context
-        .scopes
-        .iter()
-        .flat_map(|scope| scope.tags.from(scope.declared));
-    let keeps = |place: &UseRef| {
-        let formal = context.networks.formal_of(*place);
-        matches!(formal, Formal::Operand(row) if matches!(row.accepts, Accepts::State(_)))
-    };
-    if context.settled && !found.any(|tag| tag.uses.0.iter().any(keeps)) {
+    if context.settled && context.undeclared_states.is_empty() {
         return states;
     }
     for network in context.networks.iter().filter(|network| network.keeps_state) {

@@ -53,7 +53,7 @@ impl Exported {
             }
         }
         for (file, exports) in files.iter().enumerate() {
-            for (name, &used) in &exports.outward.tags {
+            for (name, &used) in exports.outward.tags() {
                 if exported.globals.contains_key(name) {
                     let uses = exported.uses.entry(name.clone()).or_default();
                     uses.push((file as u32, used));
@@ -71,8 +71,12 @@ impl Exported {
 
     /// Whether it matters to other files that one of them says something else now.
     pub fn concerns(&self, before: &Exports, after: &Exports) -> bool {
-        let is_shared = |name: &Name| self.globals.contains_key(name) || self.functions.contains_key(name);
-        !before.offers_the_same(after) || before.outward.differing(&after.outward).any(is_shared)
+        let (old, new) = (&before.outward, &after.outward);
+        let is_called = |name: &Name| self.functions.contains_key(name);
+        let is_used_otherwise = |name: &Name| old.tags().get(name) != new.tags().get(name);
+        !before.offers_the_same(after)
+            || old.differing_calls(new).any(is_called)
+            || self.globals.keys().any(is_used_otherwise)
     }
 
     /// The files.

@@ -15,6 +15,7 @@ use crate::uses::Named;
 use ladder_instructions::Op;
 use ladder_syntax::{LineKind, Name, Part};
 use rustc_hash::{FxHashMap, FxHashSet};
+use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 
 /// How a tag is used.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
@@ -47,41 +48,110 @@ impl TagUse {
 }
 
 /// What a file does with what other files may hold.
-#[derive(Debug, Clone, Default, PartialEq, Eq)]
+#[derive(Debug, Default)]
 pub struct Outward {
-    /// Tags that it does not declare for itself.
-    pub tags: FxHashMap<Name, TagUse>,
+    /// Tags that it does not declare for itself, once somebody asks.
+    tags: OnceLock<FxHashMap<Name, TagUse>>,
+    /// What says which they are, until then.
+    context: Mutex<Option<Arc<Context>>>,
     /// Functions that it calls and does not hold.
     pub calls: FxHashSet<Name>,
 }
 
 impl Outward {
     pub(crate) fn of(context: &Context) -> Outward {
-        let mut outward = Outward::default();
+        let (tags, calls) = all(context);
+        Outward {
+            tags: OnceLock::from(tags),
+            context: Mutex::default(),
+            calls,
+        }
+    }
+
+    /// The same, of a file in which somebody types: as long as no file has VAR_GLOBAL tags nobody asks for its tags.
+    pub(crate) fn later_of(context: &Arc<Context>) -> Outward {
+        if !context.settled {
+            return Outward::of(context);
+        }
+        let mut found = Found::default();
+        found.calls(context);
+        found.unread_words(context);
+        Outward {
+            tags: OnceLock::new(),
+            context: Mutex::new(Some(Arc::clone(context))),
+            calls: found.calls,
+        }
+    }
+
+    /// Tags that the file does not declare for itself.
+    pub fn tags(&self) -> &FxHashMap<Name, TagUse> {
+        self.tags.get_or_init(|| {
+            let context = self.context.lock().unwrap_or_else(PoisonError::into_inner).take();
+            context.map(|context| all(&context).0).unwrap_or_default()
+        })
+    }
+
+    /// Whether two texts of a file surely use all names alike: said without a look at tags that nobody has asked for.
+    pub(crate) fn is_surely(&self, other: &Outward) -> bool {
+        let tags = self.tags.get().zip(other.tags.get());
+        self.calls == other.calls && tags.is_some_and(|(tags, others)| tags == others)
+    }
+
+    /// The functions that two texts of a file do not call alike.
+    pub(crate) fn differing_calls<'o>(&'o self, other: &'o Outward) -> impl Iterator<Item = &'o Name> {
+        self.calls.symmetric_difference(&other.calls)
+    }
+}
+
+impl PartialEq for Outward {
+    fn eq(&self, other: &Outward) -> bool {
+        self.calls == other.calls && self.tags() == other.tags()
+    }
+}
+
+/// The tags and the functions.
+fn all(context: &Context) -> (FxHashMap<Name, TagUse>, FxHashSet<Name>) {
+    let mut found = Found::default();
+    found.calls(context);
+    if context.settled {
+        found.found(context);
+    } else {
+        for network in &context.networks {
+            found.names(context, network, &network.named);
+        }
+    }
+    found.unread_words(context);
+    (found.tags, found.calls)
+}
+
+/// What is being gathered.
+#[derive(Default)]
+struct Found {
+    tags: FxHashMap<Name, TagUse>,
+    calls: FxHashSet<Name>,
+}
+
+impl Found {
+    fn calls(&mut self, context: &Context) {
         let calls = |network: &NetworkAt<'_>| network.control_flow.has(ControlFlow::CALL);
         if context.may_call {
             for network in context.networks.iter().filter(calls) {
-                outward.blocks(context, network);
+                self.blocks(context, network);
             }
         }
-        if context.settled {
-            outward.found(context);
-        } else {
-            for network in &context.networks {
-                outward.names(context, network, &network.named);
-            }
-        }
+    }
+
+    fn unread_words(&mut self, context: &Context) {
         let unread = |line: &&ladder_syntax::Line| !line.errors.is_empty() || line.kind == LineKind::Stray;
         let faulty = context.parse.lines().of_parts_that(Part::is_faulty);
         for line in faulty.map(|(_, line)| line).filter(unread) {
             for word in identifiers(line.text()) {
-                outward.anything(Name::new(word));
+                self.anything(Name::new(word));
             }
         }
-        outward
     }
 
-    /// As [`Outward::names`] of all networks, where every tag is the file's own but those that uses have brought in.
+    /// As [`Found::names`] of all networks, where every tag is the file's own but those that uses have brought in.
     fn found(&mut self, context: &Context) {
         let found = context
             .scopes
@@ -151,18 +221,5 @@ impl Outward {
     fn anything(&mut self, word: Name) {
         self.tags.insert(word.clone(), TagUse::BOTH);
         self.calls.insert(word);
-    }
-
-    /// The names that two texts of a file do not use alike.
-    pub(crate) fn differing<'o>(&'o self, other: &'o Outward) -> impl Iterator<Item = &'o Name> {
-        let one_way = |a: &'o Outward, b: &'o Outward| {
-            let tags = a
-                .tags
-                .iter()
-                .filter(|(name, used)| b.tags.get(*name) != Some(*used));
-            let calls = a.calls.iter().filter(|name| !b.calls.contains(*name));
-            tags.map(|(name, _)| name).chain(calls)
-        };
-        one_way(self, other).chain(one_way(other, self))
     }
 }

@@ -116,7 +116,7 @@ impl Document {
         for place in [0, text.len() / 2, text.len()] {
             assert_eq!(near(&analysis, place), near(&fresh, place), "{text}");
         }
-        let shown = Exports::of(&analysis.context, "main");
+        let shown = Exports::of_edited(&analysis.context, "main");
         assert!(
             shown.says_the_same(&exports(&parsed, "main")),
             "{shown:#?}\n{text}"

@@ -36,7 +36,7 @@ impl Files {
         });
         let known = before.as_ref().map(|before| &before.analysis);
         let analysis = analyze_after(known, &parsed, name, &others, &RuleSettings::default());
-        let shown = Arc::new(Exports::of(&analysis.context, name));
+        let shown = Arc::new(Exports::of_edited(&analysis.context, name));
         let concerned = before.is_none_or(|before| self.exported.concerns(&before.exports, &shown));
         let open = Open {
             text,
@@ -217,6 +217,70 @@ fn typing_in_a_file_that_sees_another() {
                 files.becomes(name, text);
             }
             files.becomes(name, original.to_owned());
+        }
+    }
+}
+
+/// Files without a mistake, so that what one of them does with the tags, functions and blocks of another decides about
+/// findings there: what begins each, and rungs and definitions that come and go.
+const PIECES: [(&str, &str, &[&str]); 3] = [
+    (
+        "blocks",
+        "VAR_INPUT key : BOOL; END_VAR\nVAR_OUTPUT horn : BOOL; END_VAR\n\n+--[ ]( key )--( )( horn )--+\n\n",
+        &[
+            "FUNCTION_BLOCK [$Hold]\nVAR_INPUT a : BOOL; END_VAR\nVAR_OUTPUT q : BOOL; END_VAR\n+--[ ]( a )--( )( q )--+\nEND_FUNCTION_BLOCK\n\n",
+            "FUNCTION_BLOCK [$Twice]\nVAR_IN_OUT a : BOOL; END_VAR\n+--[/]( a )--(S)( a )--+\nEND_FUNCTION_BLOCK\n\n",
+            "+--[ ]( key )--<CALL>( count )--+\n\n",
+        ],
+    ),
+    (
+        "library",
+        "VAR_GLOBAL ready, done : BOOL; total : DINT; END_VAR\n\n",
+        &[
+            "+--[ ]( ready )--( )( done )--+\n\n",
+            "+--[$Hold]( ready, done )--+\n\n",
+            "+--[GT]( total, 3 )--( )( done )--+\n\n",
+            "+--<FUN>( count )--[ADD]( total, 1, total )--+\n\n",
+        ],
+    ),
+    (
+        "main",
+        "VAR_INPUT go, off : BOOL; END_VAR\nVAR_OUTPUT lamp, beep : BOOL; END_VAR\n\n+--[ ]( go )--( )( beep )--+\n\n",
+        &[
+            "+--[ ]( go )--( )( ready )--+\n\n",
+            "+--[ ]( done )--( )( lamp )--+\n\n",
+            "+--[ ]( off )--<CALL>( count )--+\n\n",
+            "+--[$Hold]( go, lamp )--+\n\n",
+            "+--[$Twice]( lamp )--[ ]( off )--+\n\n",
+            "+--[$Hold]( off, ready )--[MOV]( 0, total )--+\n\n",
+        ],
+    ),
+];
+
+#[test]
+fn what_others_use_comes_and_goes() {
+    for seed in 0..asked(40) / 2 {
+        let mut dice = Dice::new(seed);
+        let mut files = Files::default();
+        let mut there: BTreeMap<(&str, usize), bool> = BTreeMap::new();
+        for _ in 0..20 {
+            let (name, head, pieces) = dice.of(&PIECES);
+            if dice.one_in(10) && files.open.contains_key(name) {
+                files.close(name);
+                continue;
+            }
+            let piece = dice.below(pieces.len());
+            let is_there = there.entry((name, piece)).or_default();
+            *is_there = !*is_there;
+            let chosen = (0..pieces.len()).filter(|piece| there.get(&(name, *piece)) == Some(&true));
+            // Where no file has tags for all, an edit of one is followed without a look at its whole text.
+            let head = if seed % 2 == 0 {
+                head.to_owned()
+            } else {
+                head.replace("VAR_GLOBAL", "VAR")
+            };
+            let text = chosen.fold(head, |text, piece| text + pieces[piece]);
+            files.becomes(name, text);
         }
     }
 }
