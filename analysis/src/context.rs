@@ -68,6 +68,8 @@ pub struct Context {
     pub(crate) typed_by_places: bool,
     /// Without it no network calls a function.
     pub(crate) may_call: bool,
+    /// Without it no network jumps.
+    pub(crate) may_jump: bool,
     /// Sections and block definitions begin and end where they should.
     pub(crate) is_framed: bool,
     /// The definitions of user-defined blocks: the file's own as in the structure, then those of other files that
@@ -355,6 +357,8 @@ pub(crate) fn skeleton(parse: &Arc<Parse>, name: &str, others: &Others, before: 
     break_neighbours(parse, &mut networks, all);
     let calls = |network: NetworkAt<'_>| network.control_flow.has(ControlFlow::CALL);
     let may_call = networks.iter().any(calls);
+    let jumps = |network: NetworkAt<'_>| network.control_flow.has(ControlFlow::JUMP);
+    let may_jump = networks.iter().any(jumps);
     let mut context = Context {
         parse: Arc::clone(parse),
         name: Arc::from(name),
@@ -373,6 +377,7 @@ pub(crate) fn skeleton(parse: &Arc<Parse>, name: &str, others: &Others, before: 
         undeclared_states: BTreeSet::new(),
         typed_by_places: false,
         may_call,
+        may_jump,
         is_framed: parse.frame().is_whole(),
         user_blocks: known.into_list(),
         own_blocks,

@@ -138,6 +138,7 @@ impl Edited {
         let mut bodies: Vec<Body> = Vec::new();
         let mut added = Vec::new();
         let mut may_call = before.may_call;
+        let mut may_jump = before.may_jump;
         let mut next_old = first;
         for part in new_parts {
             let base = new_lines.first_line(part);
@@ -183,6 +184,7 @@ impl Edited {
                     return None;
                 }
                 may_call |= facts.control_flow.has(ControlFlow::CALL);
+                may_jump |= facts.control_flow.has(ControlFlow::JUMP);
                 added.push(index);
                 bodies.push(body);
                 spliced.push(Spliced {
@@ -219,6 +221,7 @@ impl Edited {
             parse: Arc::clone(parse),
             serial: context::next_serial(),
             may_call,
+            may_jump,
             foreign_comments: OnceLock::new(),
             joined: None,
             places: PlacesOfScopes::default(),
@@ -289,7 +292,7 @@ impl Edited {
             }
         };
         let mut again: Vec<usize> = around.clone().filter(is_other).collect();
-        if self.labelled {
+        if self.labelled && self.context.may_jump {
             let jumps = networks
                 .iter()
                 .filter(|it| it.control_flow.has(ControlFlow::JUMP));

@@ -42,6 +42,8 @@ pub(crate) struct Ledger {
     networks: Vec<OfNetwork>,
     /// What each network has of program flow, by its number.
     control_flow: Vec<ControlFlow>,
+    /// What they have together.
+    any: ControlFlow,
     /// The numbers of networks whose drawing or types have an error.
     faulty: FxHashSet<u32>,
     /// The numbers of networks in which there is any error.
@@ -101,6 +103,7 @@ impl Ledger {
             unshelved: FxHashSet::default(),
             networks: Vec::new(),
             control_flow: Vec::new(),
+            any: ControlFlow::default(),
             faulty: FxHashSet::default(),
             unsound: FxHashSet::default(),
             unclear: FxHashSet::default(),
@@ -156,6 +159,7 @@ impl Ledger {
         of_file.names.extend(rungs.map(rules::commented_out_rung::found));
         let all = ledger.control_flow.iter();
         let any = all.fold(ControlFlow::default(), |all, flow| all.with(*flow));
+        ledger.any = any;
         ledger.of_tags(context, change, any, wanted)?;
         let toggled = ledger.find_unsound(context, &of_file.names);
         of_file.known.names = !ledger.tags.any_undeclared();
@@ -282,8 +286,13 @@ impl Ledger {
         any: ControlFlow,
         wanted: &StillWanted<'_>,
     ) -> Option<()> {
-        let in_order = (0..context.networks.len()).map(|index| self.flow_at(context, index));
-        let leaving = Leaving::of(any, in_order);
+        let leaving = Leaving::of(any, || {
+            let leaves = |index: &usize| self.flow_at(context, *index).has(Leaving::WAYS);
+            (0..context.networks.len())
+                .filter(leaves)
+                .map(|index| context.networks.id(index))
+                .collect()
+        });
         let around = AroundTags {
             has_outputs: self.has_outputs(context),
             leaving,
@@ -390,7 +399,12 @@ impl Ledger {
     /// The networks whose blocks may leave something in doubt: with one that is not known, with a label, or with the
     /// beginning of a function.
     pub(super) fn marked<'c>(&'c self, context: &'c Context) -> impl Iterator<Item = NetworkAt<'c>> {
-        let marks = self.control_flow.iter().enumerate();
+        let count = if self.any.has(ControlFlow::MARK) {
+            self.control_flow.len()
+        } else {
+            0
+        };
+        let marks = self.control_flow[..count].iter().enumerate();
         let marks = marks.filter(|(_, flow)| flow.has(ControlFlow::MARK));
         let marks = marks.map(|(id, _)| id as u32);
         let ids: BTreeSet<u32> = marks.chain(self.unclear.iter().copied()).collect();

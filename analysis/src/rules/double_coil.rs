@@ -87,29 +87,28 @@ fn part(kind: &NodeKind) -> Option<String> {
     }
 }
 
-/// For each network, and for the end, how many networks before hold a block that may leave the straight way down: what is behind
-/// such a block may be the other case of what is before. Empty: none does.
+/// The numbers of the networks with a block that may leave the straight way down, from top to bottom: what is behind such a
+/// block may be the other case of what is before. It is the same as long as no such network comes or goes.
 #[derive(Debug, Default, PartialEq, Eq)]
 pub(crate) struct Leaving(Vec<u32>);
 
 impl Leaving {
-    /// What the networks have of program flow, all together and one by one.
-    pub(crate) fn of(any: ControlFlow, networks: impl Iterator<Item = ControlFlow>) -> Leaving {
-        let leaves = ControlFlow::LEAVES.with(ControlFlow::FOR);
-        if !any.has(leaves) {
-            return Leaving::default();
-        }
-        let mut count = 0;
-        let mut before = vec![count];
-        before.extend(networks.map(|network| {
-            count += u32::from(network.has(leaves));
-            count
-        }));
-        Leaving(before)
+    /// The blocks that may leave it.
+    pub(crate) const WAYS: ControlFlow = ControlFlow::LEAVES.with(ControlFlow::FOR);
+
+    /// Of networks that have this of program flow together.
+    pub(crate) fn of(any: ControlFlow, networks: impl FnOnce() -> Vec<u32>) -> Leaving {
+        Leaving(if any.has(Leaving::WAYS) {
+            networks()
+        } else {
+            Vec::new()
+        })
     }
 
-    fn before(&self, network: usize) -> u32 {
-        self.0.get(network).copied().unwrap_or_default()
+    /// How many are above a network.
+    fn above(&self, context: &Context, network: usize) -> usize {
+        self.0
+            .partition_point(|&id| context.networks.index_of(id) < network)
     }
 }
 
@@ -118,5 +117,6 @@ impl Leaving {
 fn both_run(context: &Context, leaving: &Leaving, a: &Use, b: &Use) -> bool {
     // Within one network the block that leaves it may be between them.
     let end = b.network.max(a.network + 1);
-    context.bodies[a.network] == context.bodies[b.network] && leaving.before(end) == leaving.before(a.network)
+    context.bodies[a.network] == context.bodies[b.network]
+        && leaving.above(context, end) == leaving.above(context, a.network)
 }

@@ -38,9 +38,9 @@ impl Graph {
         };
         let mut foreign: FxHashMap<(Arc<str>, usize), usize> = FxHashMap::default();
         let mut open: Vec<(usize, Arc<str>, &ExportedBlock)> = Vec::new();
-        for (network, body) in context.networks.iter().zip(context.bodies.iter()) {
+        for (network, body) in context.bodies.iter().enumerate() {
             let Body::Block(user) = *body else { continue };
-            for bound in network.blocks() {
+            for bound in context.networks.at(network).blocks() {
                 let Meaning::User(used) = bound.meaning else {
                     continue;
                 };

@@ -19,13 +19,13 @@ pub(super) fn check(context: &Context, survey: &Survey<'_>, out: &mut Vec<Diagno
     // Functions first, then blocks: a function may call itself through a block that it uses.
     let functions = context.functions.len();
     let mut uses: Vec<Vec<Use>> = vec![Vec::new(); functions + context.own_blocks];
-    for (index, network) in context.networks.iter().enumerate() {
-        let user = match context.bodies[index] {
+    for (network, body) in context.bodies.iter().enumerate() {
+        let user = match *body {
             Body::Main => continue,
             Body::Function(function) => function,
             Body::Block(block) => functions + block,
         };
-        for bound in network.blocks() {
+        for bound in context.networks.at(network).blocks() {
             match bound.meaning {
                 // Blocks of other files call functions of theirs.
                 Meaning::User(block) if block >= context.own_blocks => {}

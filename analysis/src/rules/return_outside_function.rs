@@ -8,14 +8,8 @@ use crate::rule::Rule;
 use ladder_instructions::Op;
 
 pub(super) fn check(context: &Context, survey: &Survey<'_>, out: &mut Vec<Diagnostic>) {
-    if !survey.any.has(ControlFlow::RETURN) {
-        return;
-    }
-    for (index, network) in context.networks.iter().enumerate() {
-        if context.bodies[index] != Body::Main
-            || !survey.is_sound(network)
-            || !survey.control_flow(index).has(ControlFlow::RETURN)
-        {
+    for network in survey.networks_with(ControlFlow::RETURN) {
+        if context.bodies[network.index] != Body::Main || !survey.is_sound(network) {
             continue;
         }
         for bound in network.blocks().filter(|bound| bound.op() == Some(Op::Ret)) {

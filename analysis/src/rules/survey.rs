@@ -36,6 +36,17 @@ impl Survey<'_> {
         self.control_flow[self.networks.id(network) as usize]
     }
 
+    /// The networks that have something of program flow. Without any nothing is looked through.
+    pub(super) fn networks_with(&self, flow: ControlFlow) -> impl Iterator<Item = NetworkAt<'_>> {
+        let count = if self.any.has(flow) {
+            self.networks.len()
+        } else {
+            0
+        };
+        let networks = (0..count).filter(move |&network| self.control_flow(network).has(flow));
+        networks.map(|network| self.networks.at(network))
+    }
+
     /// Whether a network is drawn and written without errors. Rules about its power are silent otherwise.
     pub(super) fn is_sound(&self, network: NetworkAt<'_>) -> bool {
         !network.broken && !self.unsound.contains(&self.networks.id(network.index))

@@ -15,13 +15,14 @@ pub(super) fn check(context: &Context, survey: &Survey<'_>, out: &mut Vec<Diagno
         return;
     }
     let mut open: Option<TextRange> = None;
-    for (index, network) in context.networks.iter().enumerate() {
+    for index in 0..context.networks.len() {
         if index == 0 || context.bodies[index] != context.bodies[index - 1] {
             out.extend(open.take().map(no_next));
         }
         if !survey.control_flow(index).has(loops) {
             continue;
         }
+        let network = context.networks.at(index);
         // A loop begins behind the network of its FOR and ends with that of the next NEXT.
         let of = |op| network.blocks().filter(move |bound| bound.op() == Some(op));
         let mut nexts = of(Op::Next);

@@ -16,10 +16,7 @@ pub(super) fn check(context: &Context, survey: &Survey<'_>, out: &mut Vec<Diagno
         return;
     }
     let mut called: FxHashSet<usize> = FxHashSet::default();
-    for (index, network) in context.networks.iter().enumerate() {
-        if !survey.control_flow(index).has(ControlFlow::CALL) {
-            continue;
-        }
+    for network in survey.networks_with(ControlFlow::CALL) {
         for bound in network.blocks().filter(|bound| bound.op() == Some(Op::Call)) {
             if let Some(NodeKind::Name(name)) = bound.facts.operands.first().map(|o| &o.value.kind) {
                 called.extend(context.function(&Name::new(name)));

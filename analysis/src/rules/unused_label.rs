@@ -19,16 +19,13 @@ pub(super) fn check(context: &Context, survey: &Survey<'_>, out: &mut Vec<Diagno
     let mut targets: FxHashSet<(usize, &Name)> = FxHashSet::default();
     // Labels that bodies of <$B> blocks jump to wherever such a block is.
     let mut outside: FxHashSet<Name> = FxHashSet::default();
-    for (index, network) in context.networks.iter().enumerate() {
-        if !survey.control_flow(index).has(ControlFlow::JUMP) {
-            continue;
-        }
+    for network in survey.networks_with(ControlFlow::JUMP) {
         for bound in network.blocks().filter(|bound| bound.op() == Some(Op::Jmp)) {
             let Some(NodeKind::Name(name)) = bound.facts.operands.first().map(|o| &o.value.kind) else {
                 continue;
             };
             let name = Name::new(name);
-            match context.jump_label(index, &name) {
+            match context.jump_label(network.index, &name) {
                 Some(target) => {
                     targets.insert(target);
                 }
@@ -39,20 +36,14 @@ pub(super) fn check(context: &Context, survey: &Survey<'_>, out: &mut Vec<Diagno
         }
     }
     // What a block of another file jumps to is looked up by unknown-label only.
-    let has_foreign_block: FxHashSet<Body> = (0..context.networks.len())
-        .filter(|&index| survey.control_flow(index).has(ControlFlow::FLOW_BLOCK))
-        .filter(|&index| {
-            context
-                .networks
-                .at(index)
-                .blocks()
-                .any(|bound| is_foreign(context, bound))
-        })
-        .map(|index| context.bodies[index])
+    let has_foreign_block: FxHashSet<Body> = survey
+        .networks_with(ControlFlow::FLOW_BLOCK)
+        .filter(|network| network.blocks().any(|bound| is_foreign(context, bound)))
+        .map(|network| context.bodies[network.index])
         .collect();
-    let has_flow_block: FxHashSet<Body> = (0..context.networks.len())
-        .filter(|&index| survey.control_flow(index).has(ControlFlow::FLOW_BLOCK))
-        .map(|index| context.bodies[index])
+    let has_flow_block: FxHashSet<Body> = survey
+        .networks_with(ControlFlow::FLOW_BLOCK)
+        .map(|network| context.bodies[network.index])
         .collect();
     for label in &context.labels {
         let body = context.bodies[label.network];
