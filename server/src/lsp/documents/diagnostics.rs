@@ -14,42 +14,44 @@ use tower_lsp::ls_types::{Diagnostic, DiagnosticSeverity, NumberOrString, Range}
 use super::{companions, folders, pull, settings_file, shown, typed};
 use crate::busy::Work;
 use crate::document::Revision;
-use crate::lsp::transport::blocking::blocking;
+use crate::lsp::transport::blocking::caught;
 use crate::lsp::{capabilities::Agreed, convert, shared::Shared};
 
 /// Sees to it that the newest text of the document gets its diagnostics.
 pub(crate) fn refresh(shared: &Arc<Shared>, uri: &str) {
     if let Some(revision) = shared.documents.begin_analysis(uri) {
-        tokio::spawn(analyse(shared.clone(), revision, shared.busy.begin()));
+        let (shared, work) = (shared.clone(), shared.busy.begin());
+        // All on one thread: what was allocated there is freed there, and a small edit costs less than a hop to another.
+        tokio::task::spawn_blocking(move || analyse(&shared, revision, work));
     }
 }
 
-async fn analyse(shared: Arc<Shared>, first: Arc<Revision>, _work: Work) {
+fn analyse(shared: &Arc<Shared>, first: Arc<Revision>, _work: Work) {
     let mut next = Some(first);
     while let Some(revision) = next {
-        if shared.documents.is_current(&revision) {
-            let (agreed, job) = (shared.agreed(), revision.clone());
-            let beside = shared.clone();
-            // All on one thread, the person first: what was allocated there is freed there.
-            let looked = blocking(move |_| {
-                // What is sent of the text before stays until then.
-                let wanted = || beside.documents.is_current(&job);
-                if job.fits() && job.analysis_while(&wanted).is_none() {
-                    return;
-                }
-                if !agreed.pulls_diagnostics {
-                    publish(&beside, agreed, &job);
-                }
-                tell_others(&beside, &job);
-                job.forget_superseded();
-            });
-            if let Err(error) = looked.await {
-                let message = format!("no diagnostics for {}: {}", revision.uri, error.message);
-                shared.outbox.log(message);
-            }
+        if shared.documents.is_current(&revision)
+            && let Err(error) = caught(|| look(shared, &revision))
+        {
+            let message = format!("no diagnostics for {}: {}", revision.uri, error.message);
+            shared.outbox.log(message);
         }
         next = shared.documents.analysed(&revision);
     }
+}
+
+/// Looks for what is wrong in a text: the person gets it first, then the other files. For a blocking thread.
+fn look(shared: &Arc<Shared>, revision: &Arc<Revision>) {
+    let agreed = shared.agreed();
+    // What is sent of the text before stays until then.
+    let wanted = || shared.documents.is_current(revision);
+    if revision.fits() && revision.analysis_while(&wanted).is_none() {
+        return;
+    }
+    if !agreed.pulls_diagnostics {
+        publish(shared, agreed, revision);
+    }
+    tell_others(shared, revision);
+    revision.forget_superseded();
 }
 
 /// Sends the diagnostics of a program. For a blocking thread.

@@ -1,5 +1,7 @@
 //! Work that takes longer than a moment, off the thread that reads and writes messages.
 
+use std::panic::{AssertUnwindSafe, catch_unwind};
+
 use tower_lsp::jsonrpc::{Error, Result};
 
 use super::guard::internal_error;
@@ -25,6 +27,11 @@ where
     }
 }
 
+/// Runs a job on this thread, which goes on if it panics.
+pub(crate) fn caught<T>(job: impl FnOnce() -> T) -> Result<T> {
+    catch_unwind(AssertUnwindSafe(job)).map_err(|panic| internal_error(panic.as_ref()))
+}
+
 #[cfg(test)]
 mod tests {
     use std::time::Duration;
@@ -39,6 +46,9 @@ mod tests {
         assert_eq!(error.code, ErrorCode::InternalError);
         assert!(error.message.contains("planted"));
         assert_eq!(blocking(|_| 7).await, Ok(7));
+        let error = caught(|| -> u32 { panic!("planted") }).unwrap_err();
+        assert_eq!(error.code, ErrorCode::InternalError);
+        assert_eq!(caught(|| 7), Ok(7));
     }
 
     #[tokio::test]
