@@ -43,7 +43,11 @@ fn rows_of(
             let key = (shape as u8, spelling);
             let start = INDEX.partition_point(|entry| (entry.shape, entry.spelling) < key);
             let rest = &INDEX[start..];
-            &rest[..rest.partition_point(|entry| (entry.shape, entry.spelling) == key)]
+            // One or two, of many hundreds.
+            let same = rest
+                .iter()
+                .take_while(|entry| (entry.shape, entry.spelling) == key);
+            &rest[..same.count()]
         }
         None => &[],
     };
