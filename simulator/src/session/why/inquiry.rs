@@ -97,13 +97,18 @@ impl Inquiry<'_> {
         self.open.is_empty() && self.jobs.is_empty()
     }
 
+    /// Whether further back there is nothing to find: scans that were passed by wait for the next way back.
+    fn is_done_before(&self, entry: usize) -> bool {
+        self.open.is_empty() && self.jobs.iter().all(|job| job.when.entry >= entry)
+    }
+
     /// One way back over the kept scans, as far as there is anything to find.
     fn go_back(&mut self, rewind: &mut Rewind<'_>) {
         loop {
             self.at_start(rewind);
             rewind.undo_given();
             self.at_end_before(rewind);
-            if self.is_done() || !rewind.undo_scan() {
+            if self.is_done_before(rewind.entry()) || !rewind.undo_scan() {
                 break;
             }
         }
