@@ -55,6 +55,36 @@ return function(t, messages)
     t.equal('the number of scans', 3, ladder.state().scan)
   end)
 
+  t.step('hovering over an operand shows its value while the program runs', function()
+    local bufnr = t.open('motor.clad')
+    vim.cmd('Ladder start')
+    vim.cmd('Ladder set start TRUE')
+    assert(ladder.wait(), 'no answer')
+    vim.cmd('Ladder run')
+    t.eventually('a run', function()
+      local state = ladder.state()
+      return state and state.status == 'running' and state.scan > 5
+    end)
+    local row, col = 1, 0
+    for number, text in ipairs(vim.api.nvim_buf_get_lines(bufnr, 0, -1, false)) do
+      local found = text:find('( warmup', 1, true)
+      if found then
+        row, col = number, found + 2
+      end
+    end
+    vim.api.nvim_win_set_cursor(0, { row, col })
+    vim.api.nvim_feedkeys('K', 'x', false)
+    local float = t.eventually('the hover window', function()
+      return vim.b[bufnr].lsp_floating_preview
+    end)
+    local text = table.concat(vim.api.nvim_buf_get_lines(vim.api.nvim_win_get_buf(float), 0, -1, false), '\n')
+    assert(text:find('warmup%.ET.- is ', 1), 'the window does not tell the value:\n' .. text)
+    t.equal('the status', 'running', ladder.state().status)
+    vim.api.nvim_win_close(float, true)
+    vim.cmd('Ladder stop')
+    assert(ladder.wait(), 'no answer')
+  end)
+
   t.step('values are beside their operands, where they can be seen', function()
     local bufnr = t.open('motor.clad')
     vim.cmd('Ladder start')

@@ -67,7 +67,7 @@ async function timeUntil(frame, act, pattern) {
     return shown[0] - began;
 }
 
-/** Looks at a run for a while: how busy the parts of the editor are, and how many states are shown. */
+/** Looks at a run, or at nothing that runs, for a while: how busy the parts of the editor are, and how many states are shown. */
 async function lookAtRun({ renderers, host }) {
     const work = () => [...renderers().map((id) => [id, mainThread(id)]), [host, allThreads(host)]];
     const began = Date.now();
@@ -108,6 +108,7 @@ async function measure(page, processes, name) {
     await lens.waitFor({ timeout: 60_000 });
     // What is asked when a file is opened comes first.
     await new Promise((resolve) => setTimeout(resolve, 3000));
+    row.rest = await lookAtRun(processes);
     const opened = Date.now();
     row.start = await timeUntil(page, () => lens.click(), /paused, scan 0/);
     row.serverStart = notesSince(tap, opened).find(({ what }) => what === 'start').ms;
@@ -185,6 +186,7 @@ function tell(rows) {
         ['pause, ms', ...rows.map(({ pause }) => ms(pause))],
         ['pause, beside the diagram', ...rows.map(({ pauseInDiagram }) => ms(pauseInDiagram))],
         ['why (the server), ms', ...rows.map(({ why }) => ms(why))],
+        ['page at rest, thread busy', ...rows.map(({ rest }) => share(rest.page))],
         ['thread of the page busy', ...rows.map(({ text }) => share(text.page))],
         ['... with the diagram', ...rows.map(({ diagram }) => share(diagram.page))],
         ['extension host busy', ...rows.map(({ text }) => share(text.host))],
