@@ -235,7 +235,8 @@ export function showPower(simulation: Simulation): vscode.Disposable {
             }
         }
     };
-    const all = new Pace(VALUES_EVERY, () => update(vscode.window.visibleTextEditors, true));
+    // The status bar sends its text a moment later, too: the page then shows both in one frame.
+    const all = new Pace(VALUES_EVERY, () => setTimeout(() => update(vscode.window.visibleTextEditors, true)));
     return vscode.Disposable.from(
         ...kinds,
         all,

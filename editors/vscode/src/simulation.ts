@@ -286,6 +286,8 @@ export class Simulation implements vscode.Disposable {
     async #hasShown(session: Session): Promise<void> {
         const began = Date.now();
         try {
+            // What is drawn with the status bar is sent a moment later.
+            await new Promise((resolve) => setTimeout(resolve));
             await vscode.commands.executeCommand('noop');
             const taken = Date.now() - began;
             if (taken > FRAME) {
