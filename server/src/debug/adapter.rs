@@ -398,8 +398,11 @@ impl<W: Write> Adapter<W> {
     }
 
     fn variables(&mut self, arguments: &Variables) -> Result<Json, String> {
-        let container = self.handles.get(arguments.reference)?;
         let target = self.target.as_ref().ok_or_else(no_program)?;
+        // A client may ask just as the program goes on. That is no mistake of a person, and asked again it is answered.
+        let Ok(container) = self.handles.get(arguments.reference) else {
+            return Ok(json!({"variables": []}));
+        };
         let window = (arguments.start.unwrap_or(0), arguments.count);
         let filter = arguments.filter.as_deref();
         let listed = variables::list(target, &container, filter, window, &mut self.handles);

@@ -158,6 +158,19 @@ fn a_program_that_ends_itself_is_shown_once_more() {
     assert_eq!(said[1]["body"]["exitCode"], 0);
 }
 
+/// An editor that asks a moment too late shows no error.
+#[test]
+fn variables_of_a_moment_that_is_over_are_none() {
+    let mut client = Client::launched("VAR n : INT; END_VAR\n+--[ADD]( n, n, 1 )--+\n");
+    client.body("stackTrace", json!({"threadId": 1}));
+    let scopes = client.body("scopes", json!({"frameId": 1}));
+    let reference = scopes["scopes"][0]["variablesReference"].clone();
+    let asked = json!({"variablesReference": reference});
+    assert_ne!(client.body("variables", asked.clone())["variables"], json!([]));
+    client.ask("next", json!({"threadId": 1}));
+    assert_eq!(client.body("variables", asked)["variables"], json!([]));
+}
+
 /// Nobody takes a scenario for passed that was only looked at.
 #[test]
 fn a_scenario_that_is_ended_by_hand_has_not_passed() {
