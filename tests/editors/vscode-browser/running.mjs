@@ -92,9 +92,20 @@ export async function running(page, { step, until, weights, row, screenshot }) {
         await until('the power of the line', 10, async () => (await bold('+--[ ]( out )')).startsWith('+--[](out)--'));
         assert.match(await status(), /^Ladder: running/);
     });
-    await step('the pointer shows a value while the program runs', async () => {
+    await step('one movement of the pointer shows a value while the program runs', async () => {
+        await page.mouse.move(0, 0);
+        const drawn = line('( out )--+').locator('> span');
+        const { x, y, width } = await drawn.boundingBox();
+        const letter = width / (await drawn.textContent()).length;
+        await page.mouse.move(x + letter * 32.5, y + 8);
+        await page.locator('.monaco-hover', { hasText: /out is 1/ }).first().waitFor({ timeout: 10_000 });
+        assert.match(await status(), /^Ladder: running/);
+        await page.keyboard.press('Escape');
+    });
+    await step('the pointer shows a value that changes while the program runs', async () => {
         const value = page.locator('.monaco-hover', { hasText: /since\.ET is (T#)?\d/ }).first();
-        // A line that is drawn anew just then takes the pointer's coming for its leaving: a hand does not hold as still.
+        // A line that the editor draws anew while it handles the pointer's coming it takes for one that the pointer has
+        // left. A hand does not hold as still.
         await until('the value', 20, async () => {
             await page.mouse.move(0, 0);
             await line('( since').getByText('since', { exact: false }).first().hover();
