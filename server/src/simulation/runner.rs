@@ -291,9 +291,8 @@ impl Runner {
             }
             self.simulation.scan();
             self.owes = true;
-            if reported.elapsed() >= self.report() {
+            if reported.elapsed() >= self.report() && self.publish() {
                 reported = Instant::now();
-                self.publish();
             }
         }
         let nobody = Cancel::default();
@@ -334,9 +333,9 @@ impl Runner {
             self.publish();
             return;
         }
-        if now - run.reported >= self.report() {
+        // To a client that is late the next state goes with the first scan behind its word that it has shown the last one.
+        if now - run.reported >= self.report() && self.publish() {
             run.reported = now;
-            self.publish();
         }
         self.run = Some(run);
     }
@@ -351,13 +350,15 @@ impl Runner {
     }
 
     /// Tells the client how things are; one that says what it shows only when it has shown what it was sent before.
-    fn publish(&mut self) {
+    /// Whether that was done.
+    fn publish(&mut self) -> bool {
         if self.simulation.engine.is_shown_in_part() && !self.has_shown.swap(false, Ordering::SeqCst) {
-            return;
+            return false;
         }
         self.owes = false;
         self.shown = Instant::now();
         self.states.send_replace(self.simulation.state(Telling::Picture));
+        true
     }
 }
 

@@ -64,6 +64,23 @@ export async function typing(page, { step, until, screenshot }) {
         await place(page, 1, `(${second + 1}|${second + 1 + 'second'.length})`);
         assert.deepEqual(await lines(page), before);
     });
+    await step('Tab takes the first proposal where none is chosen', async () => {
+        const before = await lines(page);
+        await page.locator('.editor-group-container.active .view-line span', { hasText: /^third$/ }).first().dblclick();
+        await page.keyboard.type('seco', { delay: 50 });
+        await page.locator('.suggest-widget.visible .monaco-list-row', { hasText: 'second' }).first().waitFor({ timeout: 5000 });
+        assert.equal(await page.locator('.suggest-widget.visible .monaco-list-row.focused').count(), 0);
+        await page.keyboard.press('Tab');
+        await until('the whole name', 5, async () => (await lines(page))[0].includes('( )( second )'));
+        await page.keyboard.press('Escape');
+        await until('the rung as it was', 10, async () => {
+            await page.keyboard.press('Control+Z');
+            return (await lines(page))[0] === before[0];
+        });
+        await page.keyboard.press('Control+Home');
+        await page.keyboard.press('Tab');
+        await page.keyboard.press('Tab');
+    });
     await step('a key draws a contact, and one undo takes it back', async () => {
         const before = await lines(page);
         await page.keyboard.press('Alt+L');
