@@ -129,10 +129,15 @@ export class TestExplorer implements vscode.Disposable {
         }
         const watcher = vscode.workspace.createFileSystemWatcher(WATCHED);
         let waits: NodeJS.Timeout | undefined;
+        let last: Promise<unknown> = Promise.resolve();
+        // One after the other: what an earlier text gave must not be shown behind what a later one did.
+        const next = () => {
+            last = last.catch(() => undefined).then(() => (token.isCancellationRequested ? undefined : this.#run(request, token, coverage)));
+        };
         // Several files are saved at once.
         const again = () => {
             clearTimeout(waits);
-            waits = setTimeout(() => void this.#run(request, token, coverage), 100);
+            waits = setTimeout(next, 100);
         };
         watcher.onDidChange(again);
         watcher.onDidCreate(again);

@@ -63,8 +63,6 @@ export async function scenarios(page, { step, until, screenshot }) {
         const tree = page.locator('.test-explorer-tree');
         const file = (result) => tree.locator('.monaco-list-row', { hasText: FILE }).locator(`.codicon-testing-${result}-icon`);
         await open(page, 'motor.clad');
-        // Other parts of the session may have typed into it.
-        await command(page, 'File: Revert File');
         // A motor that nothing stops is what the second scenario wants: its coil becomes one that sets.
         await cursorTo(page, 2, 49);
         await page.keyboard.press('Shift+ArrowRight');

@@ -14,7 +14,7 @@ import { command, open } from './palette.mjs';
 import { PROGRAMS, running } from './running.mjs';
 import { files as SCENARIOS, scenarios } from './scenarios.mjs';
 import { failures, step, tell } from './steps.mjs';
-import { NAME, RUNG, typing } from './typing.mjs';
+import { NAME, RUNG, typing, lines } from './typing.mjs';
 
 const { LADDER_BIN, LADDER_FIXTURES, LADDER_PACKAGES, LADDER_PARTS, LADDER_SCREENSHOTS } = process.env;
 const scratch = scratchFolder();
@@ -302,6 +302,9 @@ async function edit(page) {
             return before.length > 0 && after.length === before.length;
         });
         assert.equal(await page.getByText('before the errors in the text').count(), 0);
+        // The other parts find the program as it is on disk.
+        await page.keyboard.press('Control+Z');
+        await until('the program as it was', 5, async () => (await lines(page))[0].startsWith('#'));
     });
 }
 
