@@ -83,6 +83,8 @@ await session('ladder.vsix', async (page, scratch) => {
         await missing.getByRole('button', { name: 'Install...' }).click();
         const folder = page.locator('.quick-input-widget input').first();
         await folder.fill(`${LADDER_ROOT}/`);
+        // The button does nothing while the dialog reads the folder.
+        await page.locator('.quick-input-list .monaco-list-row', { hasText: 'analysis' }).first().waitFor({ timeout: 10_000 });
         await page.locator('.quick-input-widget').getByRole('button', { name: 'Build and Install' }).click();
         await squiggle(page).waitFor({ timeout: 30_000 });
         assert.equal(readFileSync(join(scratch, 'asked'), 'utf8'), `install --locked --path ${LADDER_ROOT}/cli\n`);
