@@ -28,12 +28,7 @@ pub(crate) struct Declares {
 impl Declares {
     /// The fix that adds it, without the place.
     pub(crate) fn fix(self) -> Fix {
-        // A typing mistake must not make a tag.
-        let mut fix = Fix::new(
-            Applicability::Unsafe,
-            title(self.section, &self.name, &self.ty),
-            Vec::new(),
-        );
+        let mut fix = fix(self.section, &self.name, &self.ty, Vec::new());
         fix.declares = Some(Box::new(self));
         fix
     }
@@ -58,8 +53,11 @@ impl PlacesOfScopes {
     }
 }
 
-fn title(section: SectionKind, name: &str, ty: &str) -> String {
-    format!("Declare `{name} : {ty}` in {}", section.keyword())
+/// The fix that declares a tag with these edits.
+fn fix(section: SectionKind, name: &str, ty: &str, edits: Vec<Edit>) -> Fix {
+    let title = format!("Declare `{name} : {ty}` in {}", section.keyword());
+    // A typing mistake must not make a tag.
+    Fix::new(Applicability::Unsafe, title, edits)
 }
 
 /// Where declarations of a scope go.
@@ -121,8 +119,7 @@ impl Places {
     /// not closed leaves no place for it.
     pub fn declare(&self, section: SectionKind, name: &str, ty: &str) -> Option<Fix> {
         let edits = self.declare_all(&[(section, name.to_owned(), ty.to_owned())])?;
-        // A typing mistake must not make a tag.
-        Some(Fix::new(Applicability::Unsafe, title(section, name, ty), edits))
+        Some(fix(section, name, ty, edits))
     }
 
     /// The edits that declare some tags, each with its section, name and type: those of one section together, in the

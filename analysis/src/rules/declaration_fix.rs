@@ -1,4 +1,4 @@
-//! Where a new declaration goes, and the text that puts it there.
+//! Which tags need a declaration; where it goes is for [`Places`] to say.
 
 use crate::context::Context;
 use crate::scope::SectionKind;
