@@ -174,10 +174,10 @@ impl Diagnostic {
         }
     }
 
-    /// Adds a fix, if there is one.
+    /// Adds a fix.
     #[must_use]
-    pub fn with(mut self, fix: Option<Fix>) -> Diagnostic {
-        self.fixes.extend(fix);
+    pub fn with(mut self, fix: Fix) -> Diagnostic {
+        self.fixes.push(fix);
         self
     }
 

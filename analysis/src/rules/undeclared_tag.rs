@@ -112,7 +112,7 @@ fn array(context: &Context, scope: usize, tag: &TagFacts, range: TextRange) -> D
         format!("the array `{name}` is not declared"),
     )
     .help(format!("declare it with its bounds: {name} : {ty};"))
-    .with(Some(declaring(scope, SectionKind::Var, name, ty)))
+    .with(declaring(scope, SectionKind::Var, name, ty))
 }
 
 /// The highest index that is written out, and the type of the elements, as far as the places say.
@@ -158,7 +158,7 @@ fn in_body(context: &Context, scope: usize, tag: &TagFacts, range: TextRange) ->
             );
         }
     }
-    found.with(Some(declare(scope, Role::Internal, tag)))
+    found.with(declare(scope, Role::Internal, tag))
 }
 
 /// In a file that declares tags.
@@ -181,7 +181,7 @@ fn forgotten(
         ),
         _ => found.help("declare it, so that a typing mistake cannot make a new tag"),
     };
-    found.with(Some(declare(0, tag.role, tag)))
+    found.with(declare(0, tag.role, tag))
 }
 
 /// Whether a tag needs a declaration, and its places say enough to make one.
