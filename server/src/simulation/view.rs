@@ -60,6 +60,7 @@ impl View {
                     let places = (sight.range(operand.range), sight.range(operand.block));
                     if let (Some(range), Some(block)) = places
                         && !self.told_lines.contains(&block.start.line)
+                        && !lines_told.contains(&block.start.line)
                     {
                         self.operands.push(messages::Operand {
                             range,

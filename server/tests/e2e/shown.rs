@@ -94,6 +94,23 @@ async fn only_what_is_shown_is_told() {
 }
 
 #[tokio::test]
+async fn lines_that_are_shown_twice_are_told_once() {
+    // The text shows the first two, a diagram beside it the last two.
+    let mut client = Client::new().await;
+    client.open(MOTOR).await;
+    let show = json!({"lines": [{"first": 0, "last": 1}, {"first": 1, "last": 3}]});
+    let start = json!({"uri": URI, "options": {"show": show}});
+    let state = client.simulate("start", start).await.unwrap()["state"].clone();
+    let operands = state["operands"].as_array().unwrap().iter();
+    let operands: Vec<&Value> = operands.map(|operand| &operand["tags"][0]).collect();
+    assert_eq!(
+        operands,
+        ["start", "stop", "run", "run", "run", "warm.ET", "lamp"]
+    );
+    client.finish().await;
+}
+
+#[tokio::test]
 async fn the_next_state_comes_when_the_client_has_shown_the_one_before() {
     let (mut client, s, _) = shown(MOTOR, [0, 3], json!([])).await;
     let run = json!({"session": s, "realTime": false});
