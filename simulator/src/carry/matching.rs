@@ -3,6 +3,7 @@
 //! Networks that do the same are the same, wherever they went. What is left of networks in the same gap between two
 //! of these was edited: there blocks are matched, first those that do the same, then those whose operands were changed.
 
+use super::renamed::Renamed;
 use super::signature::Signatures;
 use crate::places::BlockAt;
 use ladder_analysis::program::Program;
@@ -18,8 +19,9 @@ pub(super) struct Matching {
 }
 
 impl Matching {
-    pub(super) fn of(old: &Program, new: &Program) -> Matching {
-        let (old_signatures, new_signatures) = (Signatures::of(old), Signatures::of(new));
+    pub(super) fn of(old: &Program, new: &Program, renamed: &Renamed) -> Matching {
+        let old_signatures = Signatures::of(old, &Renamed::default());
+        let new_signatures = Signatures::of(new, renamed);
         let keys = |program: &Program, signatures: &Signatures<'_>| -> Vec<u64> {
             let networks = program.networks.iter();
             networks.map(|network| signatures.network(network)).collect()

@@ -1,10 +1,12 @@
 //! A change of the running program: the new program goes on where the old one stood.
 //!
-//! Tags keep their values by name and type, timers and counters with all that they remember; edges and whatever else
+//! Tags keep their values by name and type, timers and counters with all that they remember; a tag that has another name at
+//! all of its places is the same one. Edges and whatever else
 //! belongs to a block's place in the text go where that block went. The clock goes on. A change that leaves the code as it
 //! was (of comments, of the layout) is none: only places in the text are other ones.
 
 mod matching;
+mod renamed;
 mod signature;
 mod tags;
 
@@ -14,6 +16,8 @@ use crate::simulation::{Simulation, Status};
 use ladder_analysis::program::{BlockKind, Location};
 use ladder_instructions::{Instruction, Op};
 use matching::Matching;
+use renamed::Renamed;
+use std::borrow::Cow;
 use std::collections::{HashMap, HashSet};
 
 /// What a change of the running program came to.
@@ -39,28 +43,27 @@ pub struct Lost {
 
 /// Whether two programs are the same but for their places in the text.
 pub(crate) fn is_same(old: &Simulation, new: &Simulation) -> bool {
+    let mut names = old.program.tags.iter().zip(&new.program.tags);
+    does_the_same(old, new)
+        && old.compiled.retained == new.compiled.retained
+        && names.all(|(was, is)| was.name == is.name)
+}
+
+/// Whether two programs are the same but for their places in the text and the names of their tags.
+fn does_the_same(old: &Simulation, new: &Simulation) -> bool {
     let (was, is) = (&old.compiled, &new.compiled);
     let same_tags = || {
         let tags = old.program.tags.iter().zip(&new.program.tags);
         old.program.tags.len() == new.program.tags.len()
             && tags.clone().all(|(was, is)| {
                 (
-                    &was.name,
                     was.ty,
                     was.role,
                     was.retain,
                     was.constant,
                     &was.address,
                     was.block,
-                ) == (
-                    &is.name,
-                    is.ty,
-                    is.role,
-                    is.retain,
-                    is.constant,
-                    &is.address,
-                    is.block,
-                )
+                ) == (is.ty, is.role, is.retain, is.constant, &is.address, is.block)
             })
     };
     old.program.networks.len() == new.program.networks.len()
@@ -75,7 +78,12 @@ pub(crate) fn is_same(old: &Simulation, new: &Simulation) -> bool {
         && was.fused.code.operands == is.fused.code.operands
         && was.initial == is.initial
         && was.homes == is.homes
-        && was.retained == is.retained
+        && was.retained.len() == is.retained.len()
+        && was
+            .retained
+            .iter()
+            .zip(&is.retained)
+            .all(|(was, is)| was.lives_as(is))
         && was.places.remembered == is.places.remembered
         && was.elements.len() == is.elements.len()
         && same_tags()
@@ -83,15 +91,23 @@ pub(crate) fn is_same(old: &Simulation, new: &Simulation) -> bool {
 
 /// Lets a program that has not run yet go on where another is, between two scans.
 pub(crate) fn carry(old: &Simulation, new: &mut Simulation) -> (Vec<Lost>, Moved) {
-    let matching = Matching::of(&old.program, &new.program);
+    let renamed = Renamed::of(old, new);
+    let matching = Matching::of(&old.program, &new.program, &renamed);
     let mut lost = Vec::new();
     engine(old, new);
-    tags::carry(old, new, &matching, &mut lost);
+    tags::carry(old, new, &matching, &renamed, &mut lost);
     places(old, new, &matching, &mut lost);
     ports(old, new);
     powers(old, new, &matching);
-    forces(old, new, &mut lost);
-    (lost, Moved::of(old, new, &matching))
+    forces(old, new, &renamed, &mut lost);
+    (lost, Moved::of(old, new, &matching, renamed))
+}
+
+/// Where parts of a program are in a later form of it.
+pub(crate) fn moved(old: &Simulation, new: &Simulation) -> Moved {
+    let renamed = Renamed::of(old, new);
+    let matching = Matching::of(&old.program, &new.program, &renamed);
+    Moved::of(old, new, &matching, renamed)
 }
 
 /// Where parts of the old program are in the new one.
@@ -99,11 +115,15 @@ pub(crate) fn carry(old: &Simulation, new: &mut Simulation) -> (Vec<Lost>, Moved
 pub(crate) struct Moved {
     blocks: HashMap<Location, Location>,
     networks: HashMap<usize, usize>,
+    renamed: Renamed,
 }
 
 impl Moved {
-    fn of(old: &Simulation, new: &Simulation, matching: &Matching) -> Moved {
-        let mut moved = Moved::default();
+    fn of(old: &Simulation, new: &Simulation, matching: &Matching, renamed: Renamed) -> Moved {
+        let mut moved = Moved {
+            renamed,
+            ..Moved::default()
+        };
         for (number, network) in new.program.networks.iter().enumerate() {
             if let Some(was) = matching.networks[number] {
                 moved.networks.insert(was, number);
@@ -125,6 +145,11 @@ impl Moved {
     /// Where a block went.
     pub(crate) fn block(&self, was: Location) -> Option<Location> {
         self.blocks.get(&was).copied()
+    }
+
+    /// What a tag, or a part of one, is called now.
+    pub(crate) fn name<'n>(&self, was: &'n str) -> Cow<'n, str> {
+        self.renamed.name_now(was)
     }
 
     /// What number a network has now.
@@ -284,10 +309,10 @@ fn powers(old: &Simulation, new: &mut Simulation, matching: &Matching) {
 }
 
 /// Forces stay, and what waits underneath.
-fn forces(old: &Simulation, new: &mut Simulation, lost: &mut Vec<Lost>) {
+fn forces(old: &Simulation, new: &mut Simulation, renamed: &Renamed, lost: &mut Vec<Lost>) {
     for (name, force) in &old.forces {
         let value = old.value(&force.point);
-        match new.resolve(name) {
+        match new.resolve(&renamed.name_now(name)) {
             Ok(point) if point.ty == force.point.ty && !point.read_only => {
                 new.hold(point.clone(), value);
                 if let Some(held) = new.forces.get_mut(&point.name) {

@@ -1,6 +1,7 @@
 //! What a network and a block do, as numbers that are equal where they do the same: by the names of tags, whatever their
 //! places in the text and in memory.
 
+use super::renamed::Renamed;
 use ladder_analysis::program::{
     Argument, Block, BlockKind, Expr, ExprKind, Location, Network, Place, Program, RangeRef, TagId,
 };
@@ -15,10 +16,10 @@ pub(super) struct Signatures<'p> {
 }
 
 impl<'p> Signatures<'p> {
-    pub(super) fn of(program: &'p Program) -> Signatures<'p> {
+    pub(super) fn of(program: &'p Program, renamed: &Renamed) -> Signatures<'p> {
         let tags = program.tags.iter().map(|tag| {
             let mut hasher = DefaultHasher::new();
-            Name::new(&tag.name).hash(&mut hasher);
+            Name::new(renamed.former_name(tag)).hash(&mut hasher);
             tag.ty.hash(&mut hasher);
             tag.block
                 .map(|block| Name::new(&program.blocks[block].name))

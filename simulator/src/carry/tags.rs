@@ -2,6 +2,7 @@
 
 use super::Lost;
 use super::matching::Matching;
+use super::renamed::Renamed;
 use crate::compile::EdgeOf;
 use crate::layout::{Home, state_size};
 use crate::memory::{Bit, Memory, Word};
@@ -19,8 +20,14 @@ type Living<'p> = (&'p Tag, Home);
 type Pair<'p> = (Living<'p>, (Tag, Home));
 
 /// Copies what tags hold.
-pub(super) fn carry(old: &Simulation, new: &mut Simulation, matching: &Matching, lost: &mut Vec<Lost>) {
-    let (pairs, gone) = pairs(old, new, matching);
+pub(super) fn carry(
+    old: &Simulation,
+    new: &mut Simulation,
+    matching: &Matching,
+    renamed: &Renamed,
+    lost: &mut Vec<Lost>,
+) {
+    let (pairs, gone) = pairs(old, new, matching, renamed);
     let mut copied = Copied {
         old,
         memory: &mut new.machine.memory,
@@ -61,7 +68,12 @@ pub(super) fn carry(old: &Simulation, new: &mut Simulation, matching: &Matching,
 }
 
 /// Tags of both programs that are the same one, and those that are no more.
-fn pairs<'s>(old: &'s Simulation, new: &Simulation, matching: &Matching) -> (Vec<Pair<'s>>, Vec<Living<'s>>) {
+fn pairs<'s>(
+    old: &'s Simulation,
+    new: &Simulation,
+    matching: &Matching,
+    renamed: &Renamed,
+) -> (Vec<Pair<'s>>, Vec<Living<'s>>) {
     let mut pairs = Vec::new();
     let mut known: HashMap<Name, TagId> = HashMap::new();
     let olds = (0..).map(TagId).zip(&old.program.tags);
@@ -91,7 +103,7 @@ fn pairs<'s>(old: &'s Simulation, new: &Simulation, matching: &Matching) -> (Vec
         true
     };
     for (tag, &home) in new.program.tags.iter().zip(&new.compiled.homes) {
-        if tag.block.is_some() || match_tag(tag, home, &tag.name) {
+        if tag.block.is_some() || match_tag(tag, home, renamed.former_name(tag)) {
             continue;
         }
         // It has a name now, or another one, for the same address.

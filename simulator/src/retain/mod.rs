@@ -24,6 +24,11 @@ pub(crate) struct Retained {
 }
 
 impl Retained {
+    /// Whether it is at the same place as another, whatever their names are.
+    pub(crate) fn lives_as(&self, other: &Retained) -> bool {
+        (self.tag, self.home) == (other.tag, other.home)
+    }
+
     /// Copies the tag's value from a memory that was running until `then`. A timer goes on where it was: its
     /// instant is moved to before the new clock's zero.
     pub(crate) fn restore(&self, memory: &mut Memory, kept: &Memory, then: i64) {

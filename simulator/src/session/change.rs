@@ -84,7 +84,12 @@ impl Session {
             self.finish_scan();
         }
         let generation = self.newest_generation() + 1;
+        let unused = self.forget_unused();
         let lost = self.begin_era(new, generation);
+        if let Some(unused) = unused {
+            let moved = carry::moved(&unused.simulation, &self.simulation);
+            self.breakpoints = moved_breakpoints(&unused.breakpoints, &self.simulation, &moved);
+        }
         Ok(Changeover::Carried { lost })
     }
 
@@ -112,6 +117,16 @@ impl Session {
         }
     }
 
+    /// A program with which nothing has run, and that nothing was given to, is as none: what ran before it is there again,
+    /// with all that it held. Gives the one that is forgotten.
+    fn forget_unused(&mut self) -> Option<Era> {
+        if !self.later.is_empty() || self.history.behind() > 0 || self.changed {
+            return None;
+        }
+        let before = self.earlier.pop()?;
+        Some(self.enter(before))
+    }
+
     /// Lets a new program go on from here; what is not kept of the one that ran.
     fn begin_era(&mut self, mut new: Simulation, generation: u64) -> Vec<carry::Lost> {
         self.later.clear();
@@ -126,16 +141,7 @@ impl Session {
             .iter()
             .filter_map(|fault| moved_fault(fault, &self.simulation, &new, &moved));
         let faults = faults.collect();
-        let breakpoints = self
-            .breakpoints
-            .iter()
-            .filter_map(|breakpoint| match breakpoint {
-                Breakpoint::Network(network) => moved.network(*network).map(Breakpoint::Network),
-                // Where a block went is not known by its place alone: whoever set it sets it anew.
-                Breakpoint::Block(_) => None,
-                Breakpoint::Change(point) => new.resolve(&point.name).ok().map(Breakpoint::Change),
-            })
-            .collect();
+        let breakpoints = moved_breakpoints(&self.breakpoints, &new, &moved);
         let era = Era {
             simulation: std::mem::replace(&mut self.simulation, new),
             history: std::mem::replace(&mut self.history, history),
@@ -261,6 +267,20 @@ impl Session {
             }
         }
     }
+}
+
+/// The breakpoints whose places are still there.
+fn moved_breakpoints(breakpoints: &[Breakpoint], new: &Simulation, moved: &Moved) -> Vec<Breakpoint> {
+    let moved = breakpoints.iter().filter_map(|breakpoint| match breakpoint {
+        Breakpoint::Network(network) => moved.network(*network).map(Breakpoint::Network),
+        // Where a block went is not known by its place alone: whoever set it sets it anew.
+        Breakpoint::Block(_) => None,
+        Breakpoint::Change(point) => {
+            let point = new.resolve(&moved.name(&point.name)).ok();
+            point.map(Breakpoint::Change)
+        }
+    });
+    moved.collect()
 }
 
 /// A fault whose block is still there.

@@ -5,7 +5,7 @@ use expect_test::{Expect, expect};
 use ladder_analysis::program::{Program, Role};
 use ladder_analysis::value::Value;
 use ladder_simulator::value_text::{cell, parse};
-use ladder_simulator::{Breakpoint, Changeover, HistoryLimits, Session};
+use ladder_simulator::{Breakpoint, Changeover, HistoryLimits, Point, Session};
 use std::sync::Arc;
 
 fn program(text: &str) -> Arc<Program> {
@@ -162,6 +162,130 @@ fn what_cannot_be_kept_is_told() {
             n 22
         "#]],
     );
+}
+
+#[test]
+fn a_tag_with_another_name_is_the_same_one() {
+    check(
+        MOTOR,
+        "start _-____",
+        &MOTOR.replace("run", "running"),
+        "3",
+        "running t.ET warm c.CV",
+        expect![[r#"
+            running 1, t.ET 40, warm 0, c.CV 0
+            running 1, t.ET 50, warm 1, c.CV 1
+        "#]],
+    );
+    // A declared one, an edge of it, and what is forced.
+    let declared = "VAR total : INT := 3; END_VAR\n+--[ ]( go )--[OSR]--[ADD]( total, total, 1 )--+\n";
+    check(
+        declared,
+        "go _-",
+        &declared.replace("total", "Sum"),
+        "go -_-",
+        "Sum",
+        expect![[r#"
+            Sum 4
+            Sum 5
+        "#]],
+    );
+    let mut session = session(declared);
+    let total = session.simulation().resolve("total").unwrap();
+    session.force(&total, Value::Int(70)).unwrap();
+    session.add_breakpoint(Breakpoint::Change(total));
+    session.scan();
+    assert_eq!(change(&mut session, &declared.replace("total", "sum")), "");
+    assert_eq!(session.simulation().forced().count(), 1);
+    assert!(matches!(session.breakpoints(), [Breakpoint::Change(point)] if point.name == "sum"));
+}
+
+#[test]
+fn another_tag_is_not_one_with_another_name() {
+    // At one place only.
+    let latch = "+--[ ]( fire )--(S)( alarm )--+\n";
+    check(
+        latch,
+        "fire -",
+        &latch.replace("alarm", "horn"),
+        "fire _",
+        "horn",
+        expect![[r#"
+            -: alarm is no more, and what it held is gone
+            horn 0
+            horn 0
+        "#]],
+    );
+    // A tag that was there before, and one that is still there.
+    let seal = "+--[ ]( run )--( )( run )--+\n+--[ ]( a )--( )( b )--+\n";
+    check(
+        seal,
+        "run -",
+        &seal.replace("run", "b"),
+        "1",
+        "b",
+        expect![[r#"
+            -: run is no more, and what it held is gone
+            b 0
+            b 0
+        "#]],
+    );
+    check(
+        seal,
+        "run -",
+        &seal.replace("run", "x").replace("( a )", "( run )"),
+        "1",
+        "x",
+        expect![[r#"
+            x 0
+            x 0
+        "#]],
+    );
+    // More was changed than the name.
+    check(
+        seal,
+        "run -",
+        &seal.replace("run", "x").replace("[ ]( a", "[/]( a"),
+        "1",
+        "x",
+        expect![[r#"
+            -: run is no more, and what it held is gone
+            x 0
+            x 0
+        "#]],
+    );
+}
+
+#[test]
+fn what_was_changed_and_taken_back_before_a_scan_is_as_it_was() {
+    let mut session = session(MOTOR);
+    run(&mut session, "start _-____");
+    let before = held(&session, "run t.ET warm c.CV");
+    session.add_breakpoint(Breakpoint::Network(0));
+    // Letter by letter, and a timer that is another kind for a moment.
+    for text in ["[TO]", "[TOF]", "[TP]"] {
+        if let Some(other) = program_of(&MOTOR.replace("[TON]", text)) {
+            session.change(other).unwrap();
+        }
+    }
+    change(&mut session, "+--[ ]( all_else )--( )( is_gone )--+\n");
+    session.add_breakpoint(Breakpoint::Network(0));
+    assert_eq!(
+        change(
+            &mut session,
+            &format!("+--[ ]( all_else )--( )( is_gone )--+\n{MOTOR}")
+        ),
+        ""
+    );
+    assert_eq!(held(&session, "run t.ET warm c.CV"), before);
+    assert_eq!(session.breakpoints(), [Breakpoint::Network(0)]);
+    // What is given to it is not taken back.
+    change(&mut session, "+--[ ]( start )--( )( y )--+\n");
+    set(&mut session, "start", "1");
+    change(&mut session, MOTOR);
+    assert_eq!(held(&session, "start run"), "start 1, run 0");
+    session.step_back(100);
+    assert_eq!(session.scans_ahead(), 6);
 }
 
 const COUNTS: &str = "FUNCTION_BLOCK [$Count]\nVAR_INPUT up : BOOL; END_VAR\nVAR_OUTPUT n : INT; END_VAR\nVAR hold : TON; END_VAR\n\
@@ -404,10 +528,19 @@ impl Numbers {
     }
 }
 
+/// What the name of a tag begins with that is called otherwise for a while.
+const RENAMED: &str = "yy_";
+
+/// The name that a point has in the program as it is written.
+fn name_of(point: &Point) -> &str {
+    point.name.strip_prefix(RENAMED).unwrap_or(&point.name)
+}
+
 /// Gives inputs at random, the same in the same scan of the same program.
 pub(crate) fn give(session: &mut Session, seed: u64) {
     let mut numbers = Numbers(seed * 2 + 0x9E37_79B9_7F4A_7C15);
-    let points: Vec<_> = session.simulation().points().to_vec();
+    let mut points: Vec<_> = session.simulation().points().to_vec();
+    points.sort_by(|a, b| name_of(a).cmp(name_of(b)));
     for point in points
         .iter()
         .filter(|point| point.role == Role::Input && !point.name.starts_with("zz"))
@@ -432,7 +565,7 @@ fn picture(session: &Session, count: usize) -> String {
         .iter()
         .filter(|point| !point.name.starts_with("zz"));
     let mut values: Vec<String> = values
-        .map(|point| format!("{} {}", point.name, cell(&simulation.value(point), point.ty)))
+        .map(|point| format!("{} {}", name_of(point), cell(&simulation.value(point), point.ty)))
         .collect();
     values.sort();
     let power: String = simulation
@@ -465,58 +598,103 @@ pub(crate) fn programs() -> Vec<String> {
 
 #[test]
 fn there_and_back_the_trace_stays() {
-    const SCANS: u64 = 40;
     for (number, text) in (0u64..).zip(programs()) {
-        let count = simulation(&text).power().count();
-        let mut undisturbed = session(&text);
-        let mut changed = session(&text);
-        let mut numbers = Numbers(number + 77);
         let other = format!("{text}\n+--[ ]( zz_in )--[TON]( zz_t, T#50ms )--[OSR]--( )( zz_out )--+\n");
         // Some programs take no rung behind them.
-        let this = program(&text);
-        let other = program_of(&other).unwrap_or_else(|| this.clone());
-        let mut is_other = false;
-        for scan in 0..SCANS {
-            match numbers.next() % 6 {
-                0 => {
-                    let same = if is_other { &other } else { &this };
-                    assert_eq!(changed.change(same.clone()).unwrap(), Changeover::None);
-                }
-                1 | 2 => {
-                    changed.change(other.clone()).unwrap();
-                    is_other = numbers.next().is_multiple_of(2);
-                    if !is_other {
-                        changed.change(this.clone()).unwrap();
-                    }
-                }
-                3 => {
-                    changed.change(this.clone()).unwrap();
-                    is_other = false;
-                }
-                _ => {}
-            }
-            give(&mut undisturbed, scan + 1);
-            give(&mut changed, scan + 1);
-            undisturbed.scan();
-            changed.scan();
-            let (expected, is) = (picture(&undisturbed, count), picture(&changed, count));
-            assert_eq!(is, expected, "scan {scan} of\n{text}");
-        }
-        // Back over all changes, and forward again.
-        let end = picture(&changed, count);
-        loop {
-            let gone = changed.step_back(7);
-            if gone == 0 {
-                break;
-            }
-            undisturbed.step_back(gone);
-            assert_eq!(picture(&changed, count), picture(&undisturbed, count), "{text}");
-        }
-        while changed.scans_ahead() > 0 {
-            changed.scan();
-        }
-        assert_eq!(picture(&changed, count), end, "{text}");
+        let other = program_of(&other).unwrap_or_else(|| program(&text));
+        check_there_and_back(&text, &other, number);
     }
+}
+
+#[test]
+fn renamed_and_back_the_trace_stays() {
+    let mut tried = 0;
+    for (number, text) in (0u64..).zip(programs()) {
+        let tags = program(&text).tags.clone();
+        for tag in tags
+            .iter()
+            .filter(|tag| tag.address.is_none() && tag.block.is_none())
+        {
+            let other = program_of(&with_word(&text, &tag.name, &format!("{RENAMED}{}", tag.name)));
+            // A word that is at one place only may be another tag.
+            if let Some(other) = other.filter(|_| places(&text, &tag.name) > 1) {
+                check_there_and_back(&text, &other, number);
+                tried += 1;
+            }
+        }
+    }
+    assert!(tried > 100, "only {tried} tags were renamed");
+}
+
+/// A text with another word in the place of one.
+fn with_word(text: &str, word: &str, other: &str) -> String {
+    let mut written = String::new();
+    let mut rest = text;
+    while let Some(at) = rest.find(|it: char| it.is_alphanumeric() || it == '_') {
+        let end = rest[at..].find(|it: char| !it.is_alphanumeric() && it != '_');
+        let end = end.map_or(rest.len(), |length| at + length);
+        let found = &rest[at..end];
+        written.push_str(&rest[..at]);
+        written.push_str(if found == word { other } else { found });
+        rest = &rest[end..];
+    }
+    written + rest
+}
+
+fn places(text: &str, word: &str) -> usize {
+    with_word(text, word, "\u{1}").matches('\u{1}').count()
+}
+
+/// Runs a program, and it again while it is changed to another and back now and then: nothing may come of that.
+#[track_caller]
+fn check_there_and_back(text: &str, other: &Arc<Program>, seed: u64) {
+    const SCANS: u64 = 40;
+    let count = simulation(text).power().count();
+    let mut undisturbed = session(text);
+    let mut changed = session(text);
+    let mut numbers = Numbers(seed + 77);
+    let this = program(text);
+    let mut is_other = false;
+    for scan in 0..SCANS {
+        match numbers.next() % 6 {
+            0 => {
+                let same = if is_other { other } else { &this };
+                assert_eq!(changed.change(same.clone()).unwrap(), Changeover::None);
+            }
+            1 | 2 => {
+                changed.change(other.clone()).unwrap();
+                is_other = numbers.next().is_multiple_of(2);
+                if !is_other {
+                    changed.change(this.clone()).unwrap();
+                }
+            }
+            3 => {
+                changed.change(this.clone()).unwrap();
+                is_other = false;
+            }
+            _ => {}
+        }
+        give(&mut undisturbed, scan + 1);
+        give(&mut changed, scan + 1);
+        undisturbed.scan();
+        changed.scan();
+        let (expected, is) = (picture(&undisturbed, count), picture(&changed, count));
+        assert_eq!(is, expected, "scan {scan} of\n{text}");
+    }
+    // Back over all changes, and forward again.
+    let end = picture(&changed, count);
+    loop {
+        let gone = changed.step_back(7);
+        if gone == 0 {
+            break;
+        }
+        undisturbed.step_back(gone);
+        assert_eq!(picture(&changed, count), picture(&undisturbed, count), "{text}");
+    }
+    while changed.scans_ahead() > 0 {
+        changed.scan();
+    }
+    assert_eq!(picture(&changed, count), end, "{text}");
 }
 
 fn program_of(text: &str) -> Option<Arc<Program>> {
