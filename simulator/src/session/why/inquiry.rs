@@ -49,6 +49,8 @@ pub(super) struct Inquiry<'s> {
     history: &'s History,
     writers: &'s Writers,
     traces: usize,
+    /// So many kept scans were gone back over.
+    scans: usize,
     questions: Vec<Question>,
     /// Those whose last change is looked for on this way back.
     open: Vec<usize>,
@@ -56,13 +58,14 @@ pub(super) struct Inquiry<'s> {
 }
 
 impl Inquiry<'_> {
-    /// Why a point holds what it holds now. The simulation is left anywhere.
+    /// Why a point holds what it holds now, and how many kept scans were gone back over for it. The simulation is left
+    /// anywhere.
     pub(super) fn answer(
         simulation: &mut Simulation,
         history: &History,
         writers: &Writers,
         point: &Point,
-    ) -> Why {
+    ) -> (Why, usize) {
         let when = if simulation.is_open() {
             Some(When {
                 entry: history.here,
@@ -81,6 +84,7 @@ impl Inquiry<'_> {
             history,
             writers,
             traces: 0,
+            scans: 0,
             questions: Vec::new(),
             open: Vec::new(),
             jobs: Vec::new(),
@@ -90,7 +94,7 @@ impl Inquiry<'_> {
             inquiry.go_back(&mut present.clone());
         }
         let mut questions = inquiry.questions.into_iter().map(Some).collect::<Vec<_>>();
-        written_out(&mut questions, history, 0)
+        (written_out(&mut questions, history, 0), inquiry.scans)
     }
 
     fn is_done(&self) -> bool {
@@ -111,6 +115,7 @@ impl Inquiry<'_> {
             if self.is_done_before(rewind.entry()) || !rewind.undo_scan() {
                 break;
             }
+            self.scans += 1;
         }
         for question in std::mem::take(&mut self.open) {
             let change = if self.history.is_on() && self.history.base.scan == 0 {

@@ -8,6 +8,8 @@ mod inquiry;
 mod place;
 mod question;
 mod reasons;
+#[cfg(test)]
+mod tests;
 mod text;
 mod trace;
 mod writers;
@@ -102,6 +104,11 @@ pub struct Reason {
 impl Session {
     /// Why a point holds what it holds now.
     pub fn why(&mut self, point: &Point) -> Why {
+        self.inquire(point).0
+    }
+
+    /// The same, and how many kept scans were gone back over for it.
+    fn inquire(&mut self, point: &Point) -> (Why, usize) {
         let state = self.simulation.state();
         let faults = self.simulation.machine.faults.len();
         // The scans that are run again here came to their end before.
@@ -113,10 +120,10 @@ impl Session {
             ..
         } = self;
         let writers = writers.get_or_init(|| Writers::of(simulation));
-        let why = Inquiry::answer(simulation, history, writers, point);
+        let answer = Inquiry::answer(simulation, history, writers, point);
         self.simulation.restore(&state);
         self.simulation.machine.faults.truncate(faults);
         self.simulation.machine.brake = brake;
-        why
+        answer
     }
 }
