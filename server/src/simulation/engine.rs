@@ -49,6 +49,8 @@ pub(super) struct Engine {
     pub(super) view: Option<View>,
     /// What it said last.
     pub(super) shown: Option<messages::Shown>,
+    /// What the client is sent next is all of what it shows: what it knows is of another text, or of another program.
+    pub(super) is_anew: bool,
     /// The tags whose trace the client shows.
     pub(super) recorder: Recorder,
     /// How many breakpoints have stopped it.
@@ -102,6 +104,7 @@ impl Engine {
             drawing: OnceCell::new(),
             view: None,
             shown: None,
+            is_anew: false,
             recorder: Recorder::default(),
             hits: 0,
         };
@@ -120,6 +123,7 @@ impl Engine {
     /// Looks at the program that runs now, or at another text of it.
     pub(super) fn look_anew(&mut self, running: Arc<Revision>, shown: Arc<Revision>) {
         self.sight = Sight::new(running, shown);
+        self.is_anew = true;
         self.places = OnceCell::new();
         self.drawing = OnceCell::new();
         if self.view.is_some() {

@@ -260,7 +260,7 @@ impl Runner {
 
     fn follow(&mut self, revision: Arc<Revision>) {
         let is_another = self.simulation.engine.follow(revision);
-        self.simulation.whole = true;
+        self.simulation.engine.is_anew = true;
         if is_another {
             self.simulation.hit = None;
             // What was hung may go on.

@@ -58,7 +58,6 @@ impl Session {
             status: Status::Paused,
             hit: None,
             answers: 0,
-            whole: false,
         };
         let (states, receiver) = watch::channel(simulation.state(Telling::Picture));
         let has_shown = Arc::new(AtomicBool::new(true));

@@ -17,8 +17,6 @@ pub(super) struct Simulation {
     pub(super) id: String,
     pub(super) engine: Engine,
     pub(super) status: Status,
-    /// What the client is sent next is all of what it shows.
-    pub(super) whole: bool,
     /// The breakpoint that stopped the last run.
     pub(super) hit: Option<Hit>,
     /// How many answers were given.
@@ -48,7 +46,7 @@ impl Simulation {
     pub(super) fn state(&mut self, telling: Telling) -> State {
         let engine = &mut self.engine;
         let in_part = engine.is_shown_in_part();
-        let whole = telling == Telling::Picture && std::mem::take(&mut self.whole);
+        let whole = telling == Telling::Picture && std::mem::take(&mut engine.is_anew);
         let (tags, power, operands) = if in_part && telling == Telling::Answer {
             Default::default()
         } else {

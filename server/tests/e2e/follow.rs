@@ -170,6 +170,49 @@ async fn what_could_not_be_kept_is_listed() {
     client.finish().await;
 }
 
+/// The next state of which something holds, to a client that shows each at once.
+async fn next_shown(client: &mut Client, session: &str, wanted: impl Fn(&Value) -> bool) -> Value {
+    loop {
+        let state = client.notification("ladder/simulationState", |_| true).await;
+        client
+            .notify("ladder/simulationShown", json!({"session": session}))
+            .await;
+        if wanted(&state) {
+            return state;
+        }
+    }
+}
+
+#[tokio::test]
+async fn what_is_shown_is_told_whole_where_stepping_goes_across_a_change() {
+    let show = json!({"lines": [{"first": 0, "last": 3}]});
+    let (mut client, s) = running(json!({"show": show})).await;
+    client
+        .notify("ladder/simulationShown", json!({"session": s}))
+        .await;
+    client.change(2, &[([2, 16, 2, 19], "TOF")]).await;
+    next_shown(&mut client, &s, |state| state["version"] == 2).await;
+    let mut told = Vec::new();
+    for (command, scan) in [("step", 6), ("back", 5), ("back", 4), ("step", 5)] {
+        act(&mut client, command, json!({"session": s})).await;
+        let state = next_shown(&mut client, &s, |state| state["scan"] == scan).await;
+        let timer = live(&state).iter().any(|(line, _)| *line == 2);
+        told.push((command, state.get("delta").is_none(), timer));
+    }
+    // Before the change the line of the timer was another one: nothing is known of it.
+    let (in_part, whole) = (false, true);
+    assert_eq!(
+        told,
+        [
+            ("step", in_part, true),
+            ("back", in_part, false),
+            ("back", whole, false),
+            ("step", whole, true)
+        ]
+    );
+    client.finish().await;
+}
+
 #[tokio::test]
 async fn what_is_shown_is_told_whole_behind_a_change() {
     let show = json!({"lines": [{"first": 0, "last": 3}]});
@@ -178,15 +221,7 @@ async fn what_is_shown_is_told_whole_behind_a_change() {
         .notify("ladder/simulationShown", json!({"session": s}))
         .await;
     client.change(2, &[([0, 0, 0, 0], "# a motor #\n")]).await;
-    let state = loop {
-        let state = client.notification("ladder/simulationState", |_| true).await;
-        client
-            .notify("ladder/simulationShown", json!({"session": s}))
-            .await;
-        if state["version"] == 2 {
-            break state;
-        }
-    };
+    let state = next_shown(&mut client, &s, |state| state["version"] == 2).await;
     assert!(state.get("delta").is_none(), "{state}");
     assert!(live(&state).contains(&(1, 36)), "{state}");
     assert!(live(&state).iter().all(|(line, _)| *line > 0));
