@@ -171,6 +171,21 @@ return function(t)
     eventually('the edge', '^start .*▁▁╱▔▔▔▔.* 1$')
     vim.cmd('Ladder trace warmup.ET')
     eventually('the timer', '^warmup.ET .*▁.*20ms$')
+    -- Half of it, and all of it again.
+    local function last_time()
+      local axis = vim.api.nvim_buf_get_lines(0, 0, 1, false)[1]
+      local first = axis:match('│(%d+) ms')
+      return first and tonumber(first)
+    end
+    local whole = last_time()
+    vim.api.nvim_feedkeys('+', 'x', false)
+    t.eventually('the newer half', function()
+      return last_time() and last_time() > whole
+    end)
+    vim.api.nvim_feedkeys('-', 'x', false)
+    t.eventually('the whole', function()
+      return last_time() == whole
+    end)
     -- Two cursors: five columns apart.
     vim.api.nvim_feedkeys('0vlllll', 'x', false)
     eventually('the readings', '^start .* 1 +0 +1$')

@@ -198,6 +198,14 @@ function M.map(source, trace, hands)
       take_mouse(trace, hands)
     end,
   }
+  -- Neovim would select a word, a line, a block.
+  for clicks = 2, 4 do
+    actions[('<%d-LeftMouse>'):format(clicks)] = function() end
+    actions[('<%d-LeftRelease>'):format(clicks)] = function()
+      take_mouse(trace, hands)
+      go(source, trace)
+    end
+  end
   actions['<Left>'], actions['<Right>'] = actions.h, actions.l
   side_buffer.map(trace.bufnr, side_buffer.with_run(source, actions))
 end
