@@ -60,6 +60,8 @@ export interface State {
         readonly scan: number;
         readonly lost?: readonly { readonly message: string; readonly range?: Range }[];
     };
+    /** The number of the change that brought the program which runs; none for the first. With another one the tags may be others. */
+    readonly program?: number;
     /** Only what has changed is sent of the drawing. */
     readonly delta?: boolean;
     readonly status: 'paused' | 'running' | 'ended' | 'faulted';

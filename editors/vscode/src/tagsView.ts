@@ -24,6 +24,8 @@ class TagsProvider implements vscode.TreeDataProvider<Node>, vscode.Disposable {
     readonly #simulation: Simulation;
     readonly #open = new Set<string>();
     #session: Session | undefined;
+    /** Which of its programs the tags are of. */
+    #program = 0;
     /** Every tag of the session, as it was when it was listed. A row stays the same row from state to state. */
     #groups: readonly TagGroup[] = [];
     /** What each row showed when it was drawn. */
@@ -53,13 +55,17 @@ class TagsProvider implements vscode.TreeDataProvider<Node>, vscode.Disposable {
 
     async #draw(): Promise<void> {
         const session = this.#simulation.current;
-        if (session !== this.#session) {
+        const program = session?.state.program ?? 0;
+        if (session !== this.#session || program !== this.#program) {
+            if (session !== this.#session) {
+                this.#drawn.clear();
+                this.#open.clear();
+                this.#groups = [];
+            }
             this.#session = session;
-            this.#drawn.clear();
-            this.#open.clear();
-            this.#groups = [];
+            this.#program = program;
             const tags = session ? await this.#simulation.allTags() : [];
-            if (this.#session !== session) {
+            if (this.#session !== session || this.#program !== program) {
                 return;
             }
             this.#groups = tagGroups(tags);

@@ -229,6 +229,11 @@ fn is_false(it: &bool) -> bool {
     !it
 }
 
+#[expect(clippy::trivially_copy_pass_by_ref, reason = "serde asks for it")]
+fn is_zero(it: &u64) -> bool {
+    *it == 0
+}
+
 #[expect(clippy::ref_option, reason = "serde asks for it")]
 fn shortest_if_any<S: Serializer>(number: &Option<f64>, serializer: S) -> Result<S::Ok, S::Error> {
     match number {

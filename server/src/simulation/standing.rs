@@ -58,6 +58,7 @@ impl Simulation {
             version: engine.revision().version,
             stale: engine.texts.stale,
             change: engine.texts.change.clone(),
+            program: engine.session.generation(),
             status: self.status,
             scan: engine.scans(),
             time_ms: engine.time_ms(),

@@ -197,17 +197,23 @@ async fn what_is_shown_is_told_whole_where_stepping_goes_across_a_change() {
         act(&mut client, command, json!({"session": s})).await;
         let state = next_shown(&mut client, &s, |state| state["scan"] == scan).await;
         let timer = live(&state).iter().any(|(line, _)| *line == 2);
-        told.push((command, state.get("delta").is_none(), timer));
+        told.push((
+            command,
+            state.get("delta").is_none(),
+            timer,
+            state["program"].clone(),
+        ));
     }
     // Before the change the line of the timer was another one: nothing is known of it.
     let (in_part, whole) = (false, true);
+    let (first, second) = (Value::Null, json!(1));
     assert_eq!(
         told,
         [
-            ("step", in_part, true),
-            ("back", in_part, false),
-            ("back", whole, false),
-            ("step", whole, true)
+            ("step", in_part, true, second.clone()),
+            ("back", in_part, false, second.clone()),
+            ("back", whole, false, first),
+            ("step", whole, true, second)
         ]
     );
     client.finish().await;

@@ -19,6 +19,7 @@ local max_height = 14
 --- @class ladder.Panel
 --- @field bufnr integer
 --- @field session string|nil whose tags are listed
+--- @field program integer which of its programs they are of
 --- @field tags ladder.Tag[] as they were when they were listed
 --- @field drawn table<integer, string> what is in the lines that were drawn, by line from 1
 --- @field names integer the width of the names
@@ -129,12 +130,16 @@ local function refresh(source)
   end
   local session = sessions.of(source)
   local id = session and session.id
-  if panel.session ~= id then
-    panel.session = id
-    list(panel, {})
+  local program = session and session.state and session.state.program or 0
+  if panel.session ~= id or panel.program ~= program then
+    if panel.session ~= id then
+      list(panel, {})
+    end
+    panel.session, panel.program = id, program
     if id then
       simulation.ask(source, 'tags', {}, function(found)
-        if panels[source] == panel and panel.session == id and vim.api.nvim_buf_is_valid(panel.bufnr) then
+        local is_still = panels[source] == panel and panel.session == id and panel.program == program
+        if is_still and vim.api.nvim_buf_is_valid(panel.bufnr) then
           list(panel, found.tags)
           simulation.look(source)
           refresh(source)
@@ -214,7 +219,7 @@ end
 
 --- @param source integer
 function M.open(source)
-  local panel = { bufnr = create(source), tags = {}, drawn = {}, names = 4, types = 4 }
+  local panel = { bufnr = create(source), program = 0, tags = {}, drawn = {}, names = 4, types = 4 }
   panels[source] = panel
   shown.tags(source, function()
     local first, last = lines_shown(panel)

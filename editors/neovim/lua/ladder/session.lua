@@ -27,6 +27,7 @@ local M = {}
 --- @field version integer
 --- @field stale boolean the text has errors; the last program without any runs on
 --- @field change { number: integer, scan: integer, lost: { message: string }[]|nil }|nil
+--- @field program integer|nil the number of the change that brought the program which runs
 --- @field delta boolean|nil
 --- @field status 'paused'|'running'|'ended'|'faulted'
 --- @field scan integer

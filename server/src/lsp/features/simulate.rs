@@ -331,6 +331,7 @@ mod tests {
             version: 1,
             stale: false,
             change: None,
+            program: 0,
             status: Status::Paused,
             scan: 0,
             time_ms: 0.0,

@@ -3,7 +3,7 @@
 use serde::{Deserialize, Serialize};
 use serde_json::Value;
 
-use super::{Contact, Operand, is_false, shortest};
+use super::{Contact, Operand, is_false, is_zero, shortest};
 use crate::document::position::Range;
 
 /// How a simulation is: the answer of every other command, and the parameters of
@@ -22,6 +22,10 @@ pub struct State {
     /// The last change of the program while it ran.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub change: Option<ProgramChange>,
+    /// The number of the change that brought the program which runs: 0 for the first one, and another one than that of the
+    /// last change where it was stepped back over that.
+    #[serde(default, skip_serializing_if = "is_zero")]
+    pub program: u64,
     /// What it is doing.
     pub status: Status,
     /// How many scans are done.
