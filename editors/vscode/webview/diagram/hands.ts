@@ -32,7 +32,7 @@ export class Hands {
         view.addEventListener('focusin', (event) => {
             const found = page.find(event.target);
             if (found) {
-                page.selected = { line: found.drawing.first + found.part.at[0], character: found.part.at[1] };
+                page.hasFocus(found);
                 selected();
             }
         });

@@ -29,6 +29,9 @@ function span(className: string, text: string): HTMLSpanElement {
     return node;
 }
 
+/** A state that comes later than this after a slider was moved is no older one. In milliseconds. */
+const SETTLED = 500;
+
 export class Inspector {
     readonly #node: HTMLElement;
     readonly #send: (message: FromPage) => void;
@@ -131,10 +134,13 @@ export class Inspector {
         slider.setAttribute('aria-label', `Value of ${now().name}`);
         let span: Span | undefined;
         let isDragged = false;
+        /** What was sent last: until it comes back states are of the time before, and would move the slider back. */
+        let sent: { readonly value: number; readonly at: number } | undefined;
         slider.addEventListener('input', () => {
             isDragged = true;
             const { name, type, forced } = now();
             const value = type === 'REAL' || type === 'LREAL' ? Number(slider.value) : Math.round(Number(slider.value));
+            sent = { value, at: Date.now() };
             this.#send({ type: forced ? 'force' : 'set', tag: name, value });
         });
         slider.addEventListener('change', () => (isDragged = false));
@@ -152,7 +158,10 @@ export class Inspector {
                 }
                 span = next;
                 slider.setAttribute('aria-valuetext', showValue(tag));
-                if (!isDragged && typeof tag.value === 'number') {
+                if (sent && (tag.value === sent.value || Date.now() - sent.at > SETTLED)) {
+                    sent = undefined;
+                }
+                if (!isDragged && !sent && typeof tag.value === 'number') {
                     slider.value = String(tag.value);
                 }
             },

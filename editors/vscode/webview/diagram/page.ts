@@ -294,13 +294,18 @@ export class Page {
         return this.#selectedPart();
     }
 
-    /** Gives an element the focus. */
-    select({ drawing, part }: Found, scrolls = true): void {
+    /** The tabulator comes back to this element. */
+    hasFocus({ drawing, part }: Found): void {
         for (const node of this.#canvas.querySelectorAll('g.element[tabindex="0"]')) {
             node.setAttribute('tabindex', '-1');
         }
         part.node.setAttribute('tabindex', '0');
         this.selected = { line: drawing.first + part.at[0], character: part.at[1] };
+    }
+
+    /** Gives an element the focus. */
+    select({ drawing, part }: Found, scrolls = true): void {
+        this.hasFocus({ drawing, part });
         part.node.focus({ preventScroll: true });
         if (scrolls) {
             this.#bringIntoView({ drawing, part });
