@@ -38,6 +38,15 @@ test('the walkthrough leads to commands that exist, and its pictures are packed'
     }
 });
 
+test('the keys of a simulation are in the README', () => {
+    const [, listed = ''] = /^- The keys, while a program is simulated([^]*?)^- /m.exec(read('README.md')) ?? [];
+    const keys: { command: string; key: string }[] = manifest.contributes.keybindings;
+    const simulation = keys.filter(({ command }) => command.startsWith('ladder.simulation.'));
+    assert.ok(simulation.length >= 9);
+    const words = new Set(listed.toLowerCase().split(/[\s,.:]+/));
+    assert.deepEqual(simulation.filter(({ key }) => !words.has(key)), []);
+});
+
 test('the example is that of the documentation', async () => {
     const { EXAMPLE } = await import('../src/exampleText.ts');
     assert.equal(EXAMPLE, read('../../examples/motor.clad'));
