@@ -10,7 +10,7 @@ import { chromium } from 'playwright-core';
 const codeServer = fileURLToPath(import.meta.resolve('code-server/out/node/entry.js'));
 
 /** What every session has: nothing that comes in between, and nothing that goes out. */
-const QUIET = {
+export const QUIET = {
     'workbench.startupEditor': 'none',
     'workbench.secondarySideBar.defaultVisibility': 'hidden',
     'chat.disableAIFeatures': true,

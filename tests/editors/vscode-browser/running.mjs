@@ -115,11 +115,22 @@ export async function running(page, { step, until, weights, row, screenshot }) {
         await page.keyboard.press('Escape');
         await page.mouse.move(0, 0);
     });
-    await step('a run becomes slower while it goes', async () => {
+    const speed = async (text) => {
         await command(page, 'Ladder: Set Speed of the Simulation...');
         await page.locator('.quick-input-title', { hasText: 'Speed of the Simulation' }).waitFor({ timeout: 10_000 });
-        await page.keyboard.type('0.01x');
+        await page.keyboard.type(text);
         await page.keyboard.press('Enter');
+    };
+    await step('a run goes as fast as it can', async () => {
+        await speed('max');
+        await page.getByText('full speed').waitFor({ timeout: 10_000 });
+        const before = await scan();
+        await page.waitForTimeout(2000);
+        // In real time it would be 200.
+        assert.ok((await scan()) - before > 2000, `${(await scan()) - before} scans in two seconds`);
+    });
+    await step('a run becomes slower while it goes', async () => {
+        await speed('0.01x');
         await page.getByText('0.01x speed').waitFor({ timeout: 10_000 });
         const before = await scan();
         await page.waitForTimeout(2000);

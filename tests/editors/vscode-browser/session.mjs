@@ -4,8 +4,10 @@ import assert from 'node:assert/strict';
 import { cpSync, readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 
-import { openBrowser, removeScratch, scratchFolder, serve, until } from './codeServer.mjs';
+import { access, SEEN, SEEN_TEXT } from './access.mjs';
+import { openBrowser, QUIET, removeScratch, scratchFolder, serve, until } from './codeServer.mjs';
 import { book, emptyFiles } from './book.mjs';
+import { changing, CHANGING, CHANGING_TEXT } from './changing.mjs';
 import { debug, PROGRAM, TEXT } from './debug.mjs';
 import { diagram, programs } from './diagram.mjs';
 import { drawing, NAME as DRAWN, TEXT as DRAWN_TEXT } from './drawing.mjs';
@@ -13,10 +15,13 @@ import { live, LIVE, LIVE_TEXT } from './live.mjs';
 import { command, open } from './palette.mjs';
 import { PROGRAMS, running } from './running.mjs';
 import { files as SCENARIOS, scenarios } from './scenarios.mjs';
-import { failures, step, tell } from './steps.mjs';
+import { failures, step, tell, whenFailed } from './steps.mjs';
 import { NAME, RUNG, typing, lines } from './typing.mjs';
 
 const { LADDER_BIN, LADDER_FIXTURES, LADDER_PACKAGES, LADDER_PARTS, LADDER_SCREENSHOTS } = process.env;
+/** The parts that are asked for. Only the first of all needs what the probe leaves. */
+const wanted = LADDER_PARTS?.split(' ');
+const isProbed = !wanted || wanted.includes('simulation');
 const scratch = scratchFolder();
 const report = join(scratch, 'report');
 
@@ -32,6 +37,8 @@ function prepare() {
     writeFileSync(join(scratch, 'project/ladder.toml'), '');
     writeFileSync(join(scratch, 'project', PROGRAM), TEXT);
     writeFileSync(join(scratch, 'project', LIVE), LIVE_TEXT);
+    writeFileSync(join(scratch, 'project', CHANGING), CHANGING_TEXT);
+    writeFileSync(join(scratch, 'project', SEEN), SEEN_TEXT);
     writeFileSync(join(scratch, 'project', NAME), `${RUNG}\n`);
     writeFileSync(join(scratch, 'project/watch.clad'), '+--[TON]( clock, T#1h )--( )( late )--+\n');
     writeFileSync(join(scratch, 'project', DRAWN), DRAWN_TEXT);
@@ -314,6 +321,12 @@ async function screenshot(page, name) {
     }
 }
 
+/** Another theme: the editor follows its settings. */
+function useTheme(theme) {
+    const all = { ...QUIET, 'security.workspace.trust.enabled': false, ...settings, 'workbench.colorTheme': theme };
+    writeFileSync(join(scratch, 'data/Machine/settings.json'), JSON.stringify(all));
+}
+
 /** What is tried, in this order. */
 const parts = (page) => ({
     simulation: async () => {
@@ -324,6 +337,8 @@ const parts = (page) => ({
         await edit(page);
     },
     live: () => live(page, { step, until, weights, labels, operandBox, row }),
+    changing: () => changing(page, { step, until, weights, row, screenshot }),
+    access: () => access(page, { step, until, weights, row, screenshot, useTheme }),
     running: () => running(page, { step, until, weights, row, screenshot }),
     typing: () => typing(page, { step, until, screenshot }),
     drawing: () => drawing(page, { step, until }),
@@ -334,25 +349,38 @@ const parts = (page) => ({
     diagram: () => diagram(page, { step, until, screenshot }),
 });
 
+/** What the probe finds in the extension host. It leaves a simulation and the view of its tags. */
+async function probed() {
+    let told = 0;
+    await until('the probe to end', 150, () => {
+        const lines = readFileSync(report, 'utf8').trimEnd().split('\n').filter(Boolean).map((line) => JSON.parse(line));
+        for (const line of lines.slice(told)) {
+            told += 1;
+            if (!line.done) {
+                tell(line);
+            }
+        }
+        return lines.at(-1)?.done;
+    });
+}
+
+/** The same view, without a simulation. */
+async function unprobed(page) {
+    await page.locator('.monaco-workbench .explorer-folders-view').waitFor({ timeout: 60_000 });
+    await page.locator('.activitybar .action-label[aria-label="Ladder"]').click();
+}
+
 async function main() {
     prepare();
-    const extensions = ['ladder.vsix', 'probe.vsix'].map((name) => join(LADDER_PACKAGES, name));
+    const packages = ['ladder.vsix', ...(isProbed ? ['probe.vsix'] : [])];
+    const extensions = packages.map((name) => join(LADDER_PACKAGES, name));
     const { server, address } = await serve(scratch, { extensions, settings, env: { ...process.env, LADDER_REPORT: report } });
     const { browser, page } = await openBrowser(scratch, address);
+    whenFailed((name) => screenshot(page, `failed-${name.replaceAll(/\W+/g, '-').slice(0, 60)}`));
     try {
-        let told = 0;
-        await until('the probe to end', 60, () => {
-            const lines = readFileSync(report, 'utf8').trimEnd().split('\n').filter(Boolean).map((line) => JSON.parse(line));
-            for (const line of lines.slice(told)) {
-                told += 1;
-                if (!line.done) {
-                    tell(line);
-                }
-            }
-            return lines.at(-1)?.done;
-        });
+        await (isProbed ? probed() : unprobed(page));
         for (const [name, part] of Object.entries(parts(page))) {
-            if (!LADDER_PARTS || LADDER_PARTS.split(' ').includes(name)) {
+            if (!wanted || wanted.includes(name)) {
                 await part();
             }
         }

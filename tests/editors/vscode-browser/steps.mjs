@@ -1,6 +1,12 @@
 // Steps with a name, each reported as it passes or fails.
 
 let failed = 0;
+let look = async (name) => name;
+
+/** What is done when a step has failed, with its name: a picture of the page. */
+export function whenFailed(act) {
+    look = act;
+}
 
 export const failures = () => failed;
 
@@ -19,5 +25,6 @@ export async function step(name, check) {
         tell({ name, ok: true, ms: Date.now() - started });
     } catch (error) {
         tell({ name, ok: false, ms: Date.now() - started, message: error.message });
+        await look(name);
     }
 }
