@@ -1,5 +1,5 @@
 // Why a tag holds what it holds, as a tree to unfold: what each row says, and where it leads.
-import type { Reason, ReasonBlock, ReasonWrite } from './protocol.ts';
+import type { Power, Reason, ReasonBlock, ReasonWrite } from './protocol.ts';
 
 export interface WhyRow {
     readonly label: string;
@@ -64,4 +64,15 @@ export function whyRow(reason: Reason): WhyRow {
 export function stoppingBlocks(row: WhyRow): ReasonBlock['range'][] {
     const here = row.icon === 'circle-slash' && row.range && row.uri === undefined ? [row.range] : [];
     return [...here, ...row.children.flatMap(stoppingBlocks)];
+}
+
+/** Of blocks that stopped power those that do so still; of what is not shown it is not known. */
+export function stillStopping(
+    blocks: readonly ReasonBlock['range'][],
+    powerAt: (block: ReasonBlock['range']) => Power | undefined,
+): ReasonBlock['range'][] {
+    return blocks.filter((block) => {
+        const power = powerAt(block);
+        return power?.contact === undefined ? power?.on !== true : power.contact !== 'closed';
+    });
 }

@@ -4,7 +4,7 @@ import * as vscode from 'vscode';
 
 import type { Session } from './session.ts';
 import { type Simulation, toRange } from './simulation.ts';
-import { stoppingBlocks, type WhyRow, whyRow } from './whyTree.ts';
+import { stillStopping, stoppingBlocks, type WhyRow, whyRow } from './whyTree.ts';
 
 export class WhyView implements vscode.Disposable, vscode.TreeDataProvider<WhyRow> {
     readonly #simulation: Simulation;
@@ -19,6 +19,8 @@ export class WhyView implements vscode.Disposable, vscode.TreeDataProvider<WhyRo
     });
     #root: WhyRow | undefined;
     #session: Session | undefined;
+    /** The blocks that are marked. */
+    #stopping: ReturnType<typeof stoppingBlocks> = [];
     readonly #parents = new Map<WhyRow, WhyRow>();
 
     readonly onDidChangeTreeData = this.#changed.event;
@@ -34,6 +36,8 @@ export class WhyView implements vscode.Disposable, vscode.TreeDataProvider<WhyRo
             simulation.onDidChange(() => {
                 if (this.#session && (this.#simulation.current !== this.#session || this.#session.stale)) {
                     this.#show(undefined, undefined);
+                } else if (this.#session && this.#stopping.length > 0) {
+                    this.#follow(this.#session);
                 }
             }),
             vscode.window.onDidChangeVisibleTextEditors(() => this.#mark()),
@@ -64,13 +68,23 @@ export class WhyView implements vscode.Disposable, vscode.TreeDataProvider<WhyRo
     #show(session: Session | undefined, root: WhyRow | undefined): void {
         this.#session = session;
         this.#root = root;
+        this.#stopping = root ? stoppingBlocks(root) : [];
         this.#parents.clear();
         this.#changed.fire(undefined);
         this.#mark();
     }
 
+    /** What lets power through by now is not marked any more. */
+    #follow(session: Session): void {
+        const still = stillStopping(this.#stopping, ({ start }) => session.power.get(start.line)?.get(start.character));
+        if (still.length < this.#stopping.length) {
+            this.#stopping = still;
+            this.#mark();
+        }
+    }
+
     #mark(): void {
-        const ranges = this.#root ? stoppingBlocks(this.#root).map(toRange) : [];
+        const ranges = this.#stopping.map(toRange);
         for (const editor of vscode.window.visibleTextEditors) {
             editor.setDecorations(this.#stops, editor.document === this.#session?.document ? ranges : []);
         }

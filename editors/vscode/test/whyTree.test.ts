@@ -2,7 +2,7 @@ import assert from 'node:assert/strict';
 import { test } from 'node:test';
 
 import type { Reason } from '../src/protocol.ts';
-import { stoppingBlocks, type WhyRow, whyRow } from '../src/whyTree.ts';
+import { stillStopping, stoppingBlocks, type WhyRow, whyRow } from '../src/whyTree.ts';
 
 const range = (line: number) => ({ start: { line, character: 3 }, end: { line, character: 9 } });
 
@@ -44,4 +44,21 @@ test('the reasons are a tree, each with its place', () => {
 
 test('the blocks that stop power are found', () => {
     assert.deepEqual(stoppingBlocks(whyRow(run)).map(({ start }) => start.line), [1, 2]);
+});
+
+test('a block that lets power through by now stops none', () => {
+    const at = (line: number) => ({ start: { line, character: 3 }, end: { line, character: 9 } });
+    const blocks = [0, 1, 2, 3, 4].map(at);
+    const known = [
+        { on: false, contact: 'blocks' as const },
+        // Closed, though no power reaches it.
+        { on: false, contact: 'closed' as const },
+        { on: true },
+        { on: false },
+    ];
+    const still = stillStopping(blocks, (block) => {
+        const power = known[block.start.line];
+        return power && { range: block, ...power };
+    });
+    assert.deepEqual(still.map(({ start }) => start.line), [0, 3, 4]);
 });
