@@ -2,7 +2,7 @@
 import * as vscode from 'vscode';
 
 import { type Label, type Placed, placeLabels, roomFor } from './labels.ts';
-import { Pace } from './pace.ts';
+import { Pace, withTheRest } from './pace.ts';
 import { type Look, powerRanges } from './powerRanges.ts';
 import type { Session } from './session.ts';
 import { type Simulation, toRange } from './simulation.ts';
@@ -99,6 +99,7 @@ function draw(
 ): void {
     if (canvas.drawn.get(kind) !== key) {
         canvas.drawn.set(kind, key);
+        canvas.session.isDrawing = true;
         editor.setDecorations(kind, options as vscode.DecorationOptions[]);
     }
 }
@@ -235,14 +236,13 @@ export function showPower(simulation: Simulation): vscode.Disposable {
             }
         }
     };
-    // The status bar sends its text a moment later, too: the page then shows both in one frame.
-    const all = new Pace(VALUES_EVERY, () => setTimeout(() => update(vscode.window.visibleTextEditors, true)));
+    const all = new Pace(VALUES_EVERY, () => withTheRest(() => update(vscode.window.visibleTextEditors, true)));
     return vscode.Disposable.from(
         ...kinds,
         all,
         simulation.onDidChange((document) => {
             if (!all.news(simulation.of(document)?.state.status === 'running')) {
-                update(vscode.window.visibleTextEditors.filter((editor) => editor.document === document), false);
+                withTheRest(() => update(vscode.window.visibleTextEditors.filter((editor) => editor.document === document), false));
             }
         }),
         vscode.window.onDidChangeVisibleTextEditors(() => all.now()),

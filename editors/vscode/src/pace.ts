@@ -1,5 +1,13 @@
 // How often something is shown that changes with every state of a program.
 
+/**
+ * Draws a moment later, when the editor's status bar sends its text, too. What is sent to the page together costs it
+ * one message and one frame.
+ */
+export function withTheRest(draw: () => void): void {
+    setTimeout(draw);
+}
+
 /** A state of a program that runs comes sooner than this, in milliseconds. */
 const NEXT_STATE = 100;
 

@@ -28,6 +28,8 @@ export class Session {
     seen = 0;
     /** The number of the last hit that was told. */
     hits = 0;
+    /** The editor was given something of it to draw, and has not said yet that it has taken that. */
+    isDrawing = false;
     shown: Shown;
     speed: Speed = 1;
     /** The text is newer than what the server has answered about: its places are about an older one. */

@@ -6,6 +6,7 @@ import { breakpointLines, toggled } from './breakpoints.ts';
 import type { Lines } from './diagram/messages.ts';
 import type { Commands, Operand, Recorded, Shown, State, Tag, Why } from './protocol.ts';
 import { operandAt } from './operands.ts';
+import { withTheRest } from './pace.ts';
 import { Session, type Speed } from './session.ts';
 
 /** So many lines above and below an editor's part of the text are kept ready for scrolling. */
@@ -281,17 +282,20 @@ export class Simulation implements vscode.Disposable {
 
     /**
      * The server sends the next state when the editor has taken this one: what is drawn waits in front of a command that
-     * does nothing. An editor that is slow with it gets as much time again, for keys and the pointer.
+     * does nothing. An editor that is slow with it gets as much time again, for keys and the pointer. A state that looks
+     * like the one before needs no word from the page, which costs it as much as a small drawing.
      */
     async #hasShown(session: Session): Promise<void> {
         const began = Date.now();
         try {
-            // What is drawn with the status bar is sent a moment later.
-            await new Promise((resolve) => setTimeout(resolve));
-            await vscode.commands.executeCommand('noop');
-            const taken = Date.now() - began;
-            if (taken > FRAME) {
-                await new Promise((resolve) => setTimeout(resolve, Math.min(taken, LONGEST_REST)));
+            await new Promise<void>((resolve) => withTheRest(resolve));
+            if (session.isDrawing) {
+                session.isDrawing = false;
+                await vscode.commands.executeCommand('noop');
+                const taken = Date.now() - began;
+                if (taken > FRAME) {
+                    await new Promise((resolve) => setTimeout(resolve, Math.min(taken, LONGEST_REST)));
+                }
             }
         } finally {
             this.#server.hasShown(session.id);

@@ -19,6 +19,7 @@ export function showStatus(simulation: Simulation): vscode.Disposable {
             return;
         }
         const { text, tooltip, warning } = statusText(session.state, session.speed);
+        session.isDrawing = true;
         item.text = text;
         item.tooltip = tooltip;
         item.backgroundColor = warning ? new vscode.ThemeColor('statusBarItem.warningBackground') : undefined;

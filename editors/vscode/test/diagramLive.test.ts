@@ -56,6 +56,16 @@ test('a page is sent the lines that it shows, and then of what changes there', (
     assert.deepEqual([second.power, second.tags.map(({ name }) => name)], [[[1, 3, true, 'closed']], ['a1']]);
 });
 
+test('values may wait, but not those of lines that come into sight', () => {
+    const feed = new Feed();
+    const program = source([0, 1], [tag('a0', 1), tag('a1', 1)]);
+    const values = (last: number, withValues: boolean) =>
+        feed.news(program, { first: 0, last }, withValues).tags.map(({ name, value }) => `${name} ${value}`);
+    assert.deepEqual(values(0, false), ['a0 1']);
+    program.tags.set('a0', tag('a0', 2));
+    assert.deepEqual([values(0, false), values(1, false), values(1, true), values(1, true)], [[], ['a1 1'], ['a0 2'], []]);
+});
+
 test('of another text, and after it has forgotten, all is sent again', () => {
     const feed = new Feed();
     const program = source([0], [tag('a0', false)]);

@@ -38,6 +38,20 @@ export async function live(page, { step, until, weights, labels, operandBox, row
         const { visibleTo } = await operandBox(page, 'hold');
         assert.ok(box.left + box.width < visibleTo, 'it lies under the minimap');
     });
+    await step('while a program runs that looks the same from state to state the page is left alone', async () => {
+        const inspector = await page.context().newCDPSession(page);
+        let messages = 0;
+        inspector.on('Network.webSocketFrameReceived', () => (messages += 1));
+        await page.keyboard.press('F5');
+        await page.getByText('Ladder: running').waitFor({ timeout: 10_000 });
+        await inspector.send('Network.enable');
+        await new Promise((resolve) => setTimeout(resolve, 4000));
+        await inspector.detach();
+        await page.keyboard.press('F6');
+        await page.getByText('Ladder: paused').waitFor({ timeout: 10_000 });
+        // Values, the status bar and the view of tags come some five times a second; states come thirty times.
+        assert.ok(messages >= 8 && messages < 80, `${messages} messages in 4 s`);
+    });
     await step('a constant offers no force', async () => {
         await row(page, 'LIMIT').hover();
         assert.equal(await row(page, 'LIMIT').locator('.codicon-lock, .codicon-edit').count(), 0);

@@ -16,8 +16,11 @@ export class Feed {
         this.#source = undefined;
     }
 
-    /** @returns what to tell the page that shows these lines */
-    news(source: Source, lines: Lines): LiveUpdate {
+    /**
+     * @param withValues whether values that the page knows by others are told now; otherwise they wait
+     * @returns what to tell the page that shows these lines
+     */
+    news(source: Source, lines: Lines, withValues = true): LiveUpdate {
         const whole = this.#source !== source || this.#texts !== source.texts;
         if (whole) {
             this.#source = source;
@@ -49,7 +52,13 @@ export class Feed {
         }
         const tags = [...names].flatMap((name) => {
             const tag = source.tag(name);
-            return tag && isNews(`tag ${name}`, `${tag.value} ${tag.forced}`) ? [tag] : [];
+            const key = `tag ${name}`;
+            const known = withValues ? undefined : this.#sent.get(key);
+            if (known !== undefined) {
+                sent.set(key, known);
+                return [];
+            }
+            return tag && isNews(key, `${tag.value} ${tag.forced}`) ? [tag] : [];
         });
         this.#sent = sent;
         const { status, scan, timeMs, forced, faults, stale } = source.state;

@@ -1,13 +1,14 @@
 // One diagram of a program: draws what its page shows, tells it what runs, and does what a person asks there.
 import * as vscode from 'vscode';
 
+import { withTheRest } from '../pace.ts';
 import type { Server } from '../server.ts';
 import type { Simulation } from '../simulation.ts';
 import { Feed } from './feed.ts';
 import type { FromPage, Lines, LiveUpdate, Place, ToPage } from './messages.ts';
 
-/** The page is not notified more often that nothing has happened but scans. In milliseconds. */
-const SCANS_EVERY = 200;
+/** Nobody reads values and the number of scans more often. In milliseconds. */
+const VALUES_EVERY = 200;
 /** The place of the cursor is not sent more often. In milliseconds. */
 const CURSOR_EVERY = 50;
 
@@ -30,8 +31,8 @@ export class DiagramPanel implements vscode.Disposable {
     #owes = false;
     #later: NodeJS.Timeout | undefined;
     #soon: NodeJS.Timeout | undefined;
-    /** When the page was notified last. */
-    #notified = 0;
+    /** When values were sent last. */
+    #valued = 0;
     /** What the page itself has shown in the text: the cursor is there because of that. */
     #revealed: vscode.Range | undefined;
 
@@ -47,7 +48,7 @@ export class DiagramPanel implements vscode.Disposable {
             vscode.window.onDidChangeTextEditorSelection((event) => this.#cursor(event)),
             simulation.onDidChange((changed) => {
                 if (changed === document) {
-                    this.#tellLive();
+                    withTheRest(() => this.#tellLive());
                 }
             }),
             simulation.alsoShows((other) => (other === document && this.#panel.visible ? this.#lines : undefined)),
@@ -61,6 +62,7 @@ export class DiagramPanel implements vscode.Disposable {
     }
 
     dispose(): void {
+        this.#isReady = false;
         this.#subscriptions.dispose();
         this.#simulation.look();
     }
@@ -219,15 +221,22 @@ export class DiagramPanel implements vscode.Disposable {
             this.#feed.forget();
             this.#send({ type: 'live', update: undefined });
         } else if (!session.stale) {
-            const update = this.#feed.news(session, this.#lines ?? { first: 0, last: -1 });
-            const wait = isNews(update) || update.status !== 'running' ? 0 : SCANS_EVERY - (Date.now() - this.#notified);
+            const wait = session.state.status === 'running' ? VALUES_EVERY - (Date.now() - this.#valued) : 0;
+            const update = this.#feed.news(session, this.#lines ?? { first: 0, last: -1 }, wait <= 0);
             if (wait > 0) {
-                this.#soon ??= setTimeout(() => this.#tellLive(), wait);
-                return;
+                this.#soon ??= setTimeout(() => {
+                    this.#soon = undefined;
+                    this.#tellLive();
+                }, wait);
+                if (!isNews(update)) {
+                    return;
+                }
+            } else {
+                clearTimeout(this.#soon);
+                this.#soon = undefined;
+                this.#valued = Date.now();
             }
-            clearTimeout(this.#soon);
-            this.#soon = undefined;
-            this.#notified = Date.now();
+            session.isDrawing = true;
             this.#send({ type: 'live', update });
         } else {
             // Of a text that is newer than what is known nothing is sent until the server has seen it.
