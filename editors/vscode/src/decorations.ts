@@ -3,7 +3,9 @@ import * as vscode from 'vscode';
 
 import { type Label, type Placed, placeLabels, roomFor } from './labels.ts';
 import { Pace, withTheRest } from './pace.ts';
-import { type Look, powerRanges } from './powerRanges.ts';
+import { type Look, type PowerRanges, powerRanges } from './powerRanges.ts';
+import type { Power } from './protocol.ts';
+import { Restless } from './restless.ts';
 import type { Session } from './session.ts';
 import { type Simulation, toRange } from './simulation.ts';
 import { showValue } from './value.ts';
@@ -20,19 +22,14 @@ function style(options: vscode.DecorationRenderOptions): vscode.TextEditorDecora
 
 const powered = { color: new vscode.ThemeColor('ladder.powerOn') };
 
-/**
- * The lines of a text in bands: of each look every band has a kind of decoration of its own. The editor draws all lines
- * again that have decorations of a kind when one of them changes, and this way these are few.
- */
-const BAND_LINES = 1000;
-const BANDS = 10;
-
-function bandOf(line: number): number {
-    return Math.floor(line / BAND_LINES) % BANDS;
+/** The kinds of a look: of lines that change seldom, and of those that change often. */
+interface Kinds {
+    readonly calm: vscode.TextEditorDecorationType;
+    readonly restless: vscode.TextEditorDecorationType;
 }
 
-function banded(options: vscode.DecorationRenderOptions): readonly vscode.TextEditorDecorationType[] {
-    return Array.from({ length: BANDS }, () => style(options));
+function kindsOf(options: vscode.DecorationRenderOptions): Kinds {
+    return { calm: style(options), restless: style(options) };
 }
 
 // Weight and line beside the colours, so that all is seen without colours too: what has power is bold, a contact that
@@ -40,12 +37,12 @@ function banded(options: vscode.DecorationRenderOptions): readonly vscode.TextEd
 // The weight is in the style sheet beside the line: a decoration that names a weight itself makes the editor take the letters
 // for such of many widths, and measure each of them on the page whenever it is drawn.
 const BOLD = 'font-weight: bold';
-const looks: Readonly<Record<Look, readonly vscode.TextEditorDecorationType[]>> = {
-    on: banded({ ...powered, textDecoration: `none; ${BOLD}` }),
-    off: banded({ color: new vscode.ThemeColor('ladder.powerOff') }),
-    closedOn: banded({ ...powered, textDecoration: `underline; ${BOLD}` }),
-    closed: banded({ ...powered, textDecoration: 'underline' }),
-    blocks: banded({ color: new vscode.ThemeColor('ladder.blocks') }),
+const looks: Readonly<Record<Look, Kinds>> = {
+    on: kindsOf({ ...powered, textDecoration: `none; ${BOLD}` }),
+    off: kindsOf({ color: new vscode.ThemeColor('ladder.powerOff') }),
+    closedOn: kindsOf({ ...powered, textDecoration: `underline; ${BOLD}` }),
+    closed: kindsOf({ ...powered, textDecoration: 'underline' }),
+    blocks: kindsOf({ color: new vscode.ThemeColor('ladder.blocks') }),
 };
 const next = style({
     border: '1px solid',
@@ -54,7 +51,7 @@ const next = style({
 });
 const values = style({});
 
-const kinds = [...Object.values(looks).flat(), next, values];
+const kinds = [...Object.values(looks).flatMap(({ calm, restless }) => [calm, restless]), next, values];
 
 /** A value of an operand, and where it is. */
 interface ShownLabel {
@@ -72,6 +69,7 @@ interface Canvas {
     readonly texts: number;
     readonly drawn: Map<vscode.TextEditorDecorationType, string>;
     powerChanges: number;
+    readonly restless: Restless;
     labels: readonly ShownLabel[];
     /** Of what the labels were placed for: lines that are shown, and what is forced. */
     labelled: string;
@@ -85,7 +83,15 @@ function canvasOf(editor: vscode.TextEditor, session: Session): Canvas {
         return known;
     }
     // Of another text nothing is where it was drawn.
-    const canvas: Canvas = { session, texts: session.texts, drawn: new Map(), powerChanges: -1, labels: [], labelled: '' };
+    const canvas: Canvas = {
+        session,
+        texts: session.texts,
+        drawn: new Map(),
+        powerChanges: -1,
+        restless: new Restless(),
+        labels: [],
+        labelled: '',
+    };
     canvases.set(editor, canvas);
     return canvas;
 }
@@ -194,6 +200,17 @@ function clear(editor: vscode.TextEditor): void {
     }
 }
 
+/** How each line looks, as a text. */
+function linesOf(shown: PowerRanges): Map<number, string> {
+    const lines = new Map<number, string>();
+    for (const [look, ranges] of Object.entries(shown)) {
+        for (const { start, end } of ranges) {
+            lines.set(start.line, `${lines.get(start.line) ?? ''} ${look} ${start.character}-${end.character}`);
+        }
+    }
+    return lines;
+}
+
 function key(ranges: readonly vscode.Range[]): string {
     return ranges.map(({ start, end }) => `${start.line}:${start.character}-${end.character}`).join(' ');
 }
@@ -207,15 +224,15 @@ function paint(editor: vscode.TextEditor, session: Session, withValues: boolean)
     if (canvas.powerChanges !== session.powerChanges) {
         canvas.powerChanges = session.powerChanges;
         const elements = [...session.power.values()].flatMap((line) => [...line.values()]);
-        for (const [look, ranges] of Object.entries(powerRanges(elements))) {
-            const bands: vscode.Range[][] = Array.from({ length: BANDS }, () => []);
-            for (const range of ranges) {
-                bands[bandOf(range.start.line)]?.push(toRange(range));
-            }
-            looks[look as Look].forEach((kind, band) => {
-                const places = bands[band] ?? [];
+        const shown = powerRanges(elements);
+        const restless = canvas.restless.among(linesOf(shown), Date.now());
+        for (const [look, ranges] of Object.entries(shown)) {
+            const kinds = looks[look as Look];
+            for (const kind of [kinds.calm, kinds.restless]) {
+                const isOfKind = ({ start }: Power['range']) => restless.has(start.line) === (kind === kinds.restless);
+                const places = ranges.filter(isOfKind).map(toRange);
                 draw(editor, canvas, kind, places, key(places));
-            });
+            }
         }
     }
     const following = session.state.next ? [toRange(session.state.next)] : [];
