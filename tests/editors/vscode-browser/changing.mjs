@@ -88,5 +88,7 @@ export async function changing(page, { step, until, weights, row, screenshot }) 
         await until('its power', 10, async () => (await bold('+--[ ]( turns )')).startsWith('+--[](turns)--'));
         assert.match(await status(), /^Ladder: running/);
         await page.keyboard.press('Shift+F5');
+        // The other parts find nothing that is not saved.
+        await command(page, 'File: Revert File');
     });
 }
