@@ -119,6 +119,81 @@ return function(t)
     vim.cmd('Ladder stop')
   end)
 
+  t.step('the cursor of the diagram stays on its contact when the power changes', function()
+    local bufnr = t.open('motor.clad')
+    vim.cmd('Ladder start')
+    vim.cmd('Ladder diagram')
+    local drawing = vim.iter(vim.api.nvim_list_bufs()):find(function(buffer)
+      return vim.bo[buffer].filetype == 'ladder_diagram'
+    end)
+    local window = vim.fn.win_findbuf(drawing)[1]
+    local function rung(pattern)
+      return t.eventually(pattern, function()
+        return vim.iter(ipairs(vim.api.nvim_buf_get_lines(drawing, 0, -1, false))):find(function(_, line)
+          return line:find(pattern)
+        end)
+      end)
+    end
+    local function under_cursor()
+      local row, at = unpack(vim.api.nvim_win_get_cursor(window))
+      return vim.api.nvim_buf_get_lines(drawing, row - 1, row, false)[1]:sub(at + 1, at + 1)
+    end
+    local row = rung('^├.*/')
+    local line = vim.api.nvim_buf_get_lines(drawing, row - 1, row, false)[1]
+    local at = line:find('/', 1, true)
+    vim.api.nvim_set_current_win(window)
+    vim.api.nvim_win_set_cursor(window, { row, at - 1 })
+    t.equal('what the cursor is on', '/', under_cursor())
+    vim.cmd('Ladder set start 1')
+    vim.cmd('Ladder step')
+    -- A heavy line is written with more bytes than a blank.
+    rung('^┝.*━/━┝')
+    t.equal('what the cursor is on', '/', under_cursor())
+    vim.api.nvim_feedkeys('q', 'x', false)
+    t.equal('the buffer in the window', bufnr, vim.api.nvim_get_current_buf())
+    vim.cmd('Ladder stop | bwipeout!')
+  end)
+
+  t.step('a number is set in the diagram, and is above its operand', function()
+    local bufnr = t.open('motor.clad')
+    vim.api.nvim_buf_set_lines(bufnr, 0, -1, false, {
+      'VAR_INPUT  level : INT;  END_VAR',
+      '+--[GT]( level, 50 )--( )( high )--+',
+    })
+    vim.cmd('Ladder start')
+    assert(ladder.wait(bufnr), 'no answer')
+    vim.cmd('Ladder diagram')
+    local drawing = vim.iter(vim.api.nvim_list_bufs()):find(function(buffer)
+      return vim.bo[buffer].filetype == 'ladder_diagram'
+    end)
+    local window = vim.fn.win_findbuf(drawing)[1]
+    local function row_of(text)
+      return t.eventually(text, function()
+        return vim.iter(ipairs(vim.api.nvim_buf_get_lines(drawing, 0, -1, false))):find(function(_, line)
+          return line:find(text, 1, true)
+        end)
+      end)
+    end
+    local row = row_of('level')
+    vim.api.nvim_set_current_win(window)
+    local line = vim.api.nvim_buf_get_lines(drawing, row - 1, row, false)[1]
+    local at = line:find('level', 1, true)
+    vim.api.nvim_win_set_cursor(window, { row, at })
+    local ask = vim.ui.input
+    vim.ui.input = function(_, answer)
+      answer('60')
+    end
+    vim.api.nvim_feedkeys('c', 'x', false)
+    t.equal('the line of the value', row_of('level') - 1, row_of('60'))
+    vim.ui.input = ask
+    vim.api.nvim_feedkeys(vim.keycode('<F10>'), 'x', false)
+    t.eventually('the power behind it', function()
+      return t.values(bufnr, { 'high' }) == 'high=1'
+    end)
+    vim.api.nvim_feedkeys('q', 'x', false)
+    vim.cmd('Ladder stop | bwipeout!')
+  end)
+
   t.step('of a long program only the networks in sight are drawn', function()
     local bufnr = t.open('motor.clad')
     local rungs = {}

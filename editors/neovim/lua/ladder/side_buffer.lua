@@ -23,6 +23,17 @@ function M.map(bufnr, actions)
   end
 end
 
+--- Adds what a double click does, and two of them in a row. Neovim itself would select a word, a line, a block.
+--- @param actions table<string, function> by their keys
+--- @param act function
+function M.on_double_click(actions, act)
+  local function nothing() end
+  for clicks = 2, 4 do
+    actions[('<%d-LeftMouse>'):format(clicks)] = nothing
+    actions[('<%d-LeftRelease>'):format(clicks)] = clicks == 3 and nothing or act
+  end
+end
+
 --- The keys of a buffer with those that all buffers have which show a run: step, back, run and pause.
 --- @param source integer the buffer of the program
 --- @param actions table<string, function> by their keys

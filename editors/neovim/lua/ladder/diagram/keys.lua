@@ -88,6 +88,7 @@ function M.map(source, diagram, close)
     ['<F8>'] = send('back'),
     q = close,
   }
+  side_buffer.on_double_click(actions, toggle)
   side_buffer.map(diagram.bufnr, actions)
 end
 

@@ -36,8 +36,11 @@ function M.draw(source, diagram, drawn)
   diagram.drawn, diagram.blocks = drawn.drawn, drawn.blocks
   local cursors = {}
   for _, window in ipairs(side_buffer.windows(diagram.bufnr)) do
-    local row = vim.api.nvim_win_get_cursor(window)[1]
-    cursors[window] = before[row] and before[row].line
+    local row, at = unpack(vim.api.nvim_win_get_cursor(window))
+    if before[row] then
+      local column = vim.str_utfindex(before[row].text, 'utf-32', at, false)
+      cursors[window] = { line = before[row].line, row = row, column = column }
+    end
   end
   local bufnr = diagram.bufnr
   vim.bo[bufnr].modifiable = true
@@ -66,15 +69,20 @@ function M.draw(source, diagram, drawn)
   vim.bo[bufnr].modifiable = false
   -- Other lines are shown: the cursor stays on its rung.
   local moved = #before ~= #drawn.drawn or (before[1] and drawn.drawn[1] and before[1].line ~= drawn.drawn[1].line)
-  if moved then
-    for window, line in pairs(cursors) do
-      if window == vim.api.nvim_get_current_win() then
-        local row = cursor.row_of(diagram, line)
-        if row then
-          vim.api.nvim_win_set_cursor(window, { row, vim.api.nvim_win_get_cursor(window)[2] })
-        end
+  for window, was in pairs(cursors) do
+    local row = was.row
+    if moved then
+      row = window == vim.api.nvim_get_current_win() and cursor.row_of(diagram, was.line) or nil
+    end
+    -- A wire with power is longer in bytes: the cursor stays on its character.
+    if row and drawn.drawn[row] then
+      local place = { row, byte(drawn.drawn[row].text, was.column) }
+      if not vim.deep_equal(place, vim.api.nvim_win_get_cursor(window)) then
+        vim.api.nvim_win_set_cursor(window, place)
       end
     end
+  end
+  if moved then
     cursor.follow(source, diagram)
   end
 end

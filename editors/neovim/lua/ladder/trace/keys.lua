@@ -198,14 +198,10 @@ function M.map(source, trace, hands)
       take_mouse(trace, hands)
     end,
   }
-  -- Neovim would select a word, a line, a block.
-  for clicks = 2, 4 do
-    actions[('<%d-LeftMouse>'):format(clicks)] = function() end
-    actions[('<%d-LeftRelease>'):format(clicks)] = function()
-      take_mouse(trace, hands)
-      go(source, trace)
-    end
-  end
+  side_buffer.on_double_click(actions, function()
+    take_mouse(trace, hands)
+    go(source, trace)
+  end)
   actions['<Left>'], actions['<Right>'] = actions.h, actions.l
   side_buffer.map(trace.bufnr, side_buffer.with_run(source, actions))
 end
