@@ -12,19 +12,19 @@ use crate::infer;
 use crate::joined::Joined;
 use crate::kept::Kept;
 use crate::known_blocks::KnownBlocks;
-use crate::network;
+use crate::network::{self, Formal};
 use crate::networks::{BlockAt, NetworkAt, Networks};
 use crate::others::{Import, Others};
 use crate::profile;
 use crate::program::Role;
 use crate::reading::Reading;
-use crate::scope::{Origin, Scope, TagFacts, Use, Uses};
+use crate::scope::{Origin, Scope, TagFacts, Use, UseRef, Uses};
 use crate::shared;
 use crate::types::Scalar;
 use crate::types::Type;
 use crate::user_block::{self, UserBlockFacts};
 use crate::uses;
-use ladder_instructions::{Op, Profile, Shape};
+use ladder_instructions::{Accepts, Op, Profile, Shape};
 use ladder_syntax::wiring::PartKind;
 use ladder_syntax::{LineIndex, LineKind, Name, Parse, Structure, TextRange, TextSize};
 use std::collections::{BTreeSet, HashMap};
@@ -64,8 +64,6 @@ pub struct Context {
     pub(crate) mistyped: Vec<(usize, Name)>,
     /// If it is settled: the tags that no declaration names and on which a block keeps its state.
     pub(crate) undeclared_states: BTreeSet<Name>,
-    /// The places of each tag say by themselves what type it has.
-    pub(crate) typed_by_places: bool,
     /// Without it no network calls a function.
     pub(crate) may_call: bool,
     /// Without it no network jumps.
@@ -292,7 +290,7 @@ pub fn context_after(before: Option<&Context>, parse: &Arc<Parse>, name: &str, o
     let mut found = std::mem::take(&mut context.found);
     let of_declarations = found.len();
     shared::share(&mut context, &mut found);
-    context.typed_by_places = infer::infer(&mut context, &mut found);
+    infer::infer(&mut context);
     context.settled = found.len() == of_declarations && edited::may_settle(&context);
     if context.settled {
         let scopes = context.scopes.iter().enumerate();
@@ -305,16 +303,20 @@ pub fn context_after(before: Option<&Context>, parse: &Arc<Parse>, name: &str, o
             .scopes
             .iter()
             .flat_map(|scope| scope.tags.from(scope.declared));
-        let states = found.filter(|tag| keeps_state(tag));
+        let states = found.filter(|tag| keeps_state(&context.networks, tag));
         context.undeclared_states = states.map(|tag| Name::new(&tag.name)).collect();
     }
     context.found = found;
     context
 }
 
-/// Whether a block keeps its state on a tag.
-pub(crate) const fn keeps_state(tag: &TagFacts) -> bool {
-    matches!(tag.ty, Some(Type::State(_)))
+/// Whether a block keeps its state on a tag. The tag may be of another type: then that is a mistake.
+pub(crate) fn keeps_state(networks: &Networks, tag: &TagFacts) -> bool {
+    let is_state = |place: &UseRef| {
+        let formal = networks.formal_of(*place);
+        matches!(formal, Formal::Operand(row) if matches!(row.accepts, Accepts::State(_)))
+    };
+    matches!(tag.ty, Some(Type::State(_))) || tag.uses.0.iter().any(is_state)
 }
 
 /// The context before any use of a tag is looked at: declarations, blocks, networks, functions and labels.
@@ -375,7 +377,6 @@ pub(crate) fn skeleton(parse: &Arc<Parse>, name: &str, others: &Others, before: 
         settled: false,
         mistyped: Vec::new(),
         undeclared_states: BTreeSet::new(),
-        typed_by_places: false,
         may_call,
         may_jump,
         is_framed: parse.frame().is_whole(),
@@ -465,6 +466,7 @@ fn implicit(name: &str, at: TextRange) -> TagFacts {
         shared: None,
         foreign: None,
         mistyped: false,
+        by_company: false,
     }
 }
 

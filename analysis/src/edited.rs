@@ -5,12 +5,13 @@
 //! before, and only the plain numbers that say where networks are get copied. What comes out is what reading the whole
 //! text gives; where that is not certain there is no short way, and the whole text is read.
 
+use crate::company;
 use crate::context::{self, Body, Context, break_neighbours};
 use crate::control_flow::ControlFlow;
 use crate::declaring::PlacesOfScopes;
 use crate::edited_declarations;
 use crate::edited_lines::{Change, Lines, change, same_lines};
-use crate::infer;
+use crate::infer::{self, Entry};
 use crate::known_blocks::KnownBlocks;
 use crate::network::{self, NetworkFacts, UserBlocks};
 use crate::networks::{Networks, Spliced};
@@ -24,6 +25,7 @@ use crate::uses;
 use ladder_instructions::{Op, Shape};
 use ladder_syntax::{Line, LineKind, Name, Network, Parse, TextRange};
 use rustc_hash::{FxHashMap, FxHashSet};
+use smol_str::SmolStr;
 use std::ops::Range;
 use std::sync::{Arc, OnceLock};
 
@@ -98,6 +100,41 @@ impl EditedTags {
     pub(crate) fn touched(&mut self, name: &Name) {
         self.used.push((0, name.clone()));
         self.retyped.push((0, name.clone()));
+    }
+
+    /// Infers the types that depend on places. `before`: tags with their spelling and type before the edit, which may be gone;
+    /// `fresh`: tags that have come. None if they concern too many others.
+    pub(crate) fn infer_again(
+        &mut self,
+        context: &mut Context,
+        before: Vec<(usize, SmolStr, Option<Type>)>,
+        fresh: Vec<(usize, Name)>,
+    ) -> Option<()> {
+        let entry = |context: &Context, scope: usize, name: &Name| {
+            context.scopes[scope].find(name).map(|tag| (scope, tag))
+        };
+        let same = |context: &Context, (scope, spelled, ty): &(usize, SmolStr, Option<Type>)| {
+            let tag = entry(context, *scope, &Name::new(spelled));
+            tag.is_some_and(|(scope, tag)| {
+                let tag = &context.scopes[scope].tags[tag];
+                tag.ty == *ty && tag.name == *spelled
+            })
+        };
+        let other = before.iter().filter(|tag| !same(context, tag));
+        let other = other.map(|(scope, spelled, _)| (*scope, Name::new(spelled)));
+        let changed = other.chain(fresh);
+        let changed: Vec<Entry> = changed
+            .filter_map(|(scope, name)| entry(context, scope, &name))
+            .collect();
+        for (scope, tag) in company::infer_again(context, &changed)? {
+            let name = Name::new(&context.scopes[scope].tags[tag].name);
+            self.used.push((scope, name.clone()));
+            self.retyped.push((scope, name));
+        }
+        let other = before.iter().filter(|tag| !same(context, tag));
+        let other = other.map(|(scope, spelled, _)| (*scope, Name::new(spelled)));
+        self.retyped.extend(other);
+        Some(())
     }
 }
 
@@ -309,7 +346,7 @@ impl Edited {
         for (scope, name) in &tags.used {
             let facts = &context.scopes[*scope];
             let found = facts.find(name).filter(|tag| *tag >= facts.declared);
-            if found.is_some_and(|tag| context::keeps_state(&facts.tags[tag])) {
+            if found.is_some_and(|tag| context::keeps_state(&context.networks, &facts.tags[tag])) {
                 context.undeclared_states.insert(name.clone());
             } else {
                 context.undeclared_states.remove(name);
@@ -350,10 +387,6 @@ impl Edited {
                 new[at].uses.0.push(place);
             }
         }
-        // What a tag is compared with, or gets its value from, may have no type but from it.
-        if !new.is_empty() && !self.context.typed_by_places {
-            return None;
-        }
         let context = &mut self.context;
         let mut found: Vec<(usize, usize)> = Vec::new();
         let mut edited = EditedTags::default();
@@ -376,31 +409,24 @@ impl Edited {
                 found.push((scope, tag));
             }
         }
+        let mut before: Vec<(usize, SmolStr, Option<Type>)> = Vec::new();
         for &(scope, tag) in &found {
-            let spelled = context.scopes[scope].tags[tag].name.clone();
-            let before = context.scopes[scope].tags[tag].ty;
-            let after = if context.scopes[scope].tags[tag].uses.is_empty() {
-                None
-            } else {
+            let facts = &context.scopes[scope].tags[tag];
+            before.push((scope, facts.name.clone(), facts.ty));
+            if !facts.uses.is_empty() {
                 respelled(context, scope, tag);
-                let typed = typed(context, &context.scopes[scope].tags[tag])?;
+                let typed = typed(context, &context.scopes[scope].tags[tag]);
                 context.scopes[scope].tags[tag] = typed;
-                context.scopes[scope].tags[tag].ty
-            };
-            if before != after && !context.typed_by_places {
-                return None;
-            }
-            if before != after || spelled != context.scopes[scope].tags[tag].name {
-                edited.retyped.push((scope, Name::new(&spelled)));
             }
         }
-        edited.used.extend(new_names.into_keys().map(|name| (0, name)));
-        let new = new.iter().map(|tag| typed(context, tag).map(Arc::new));
-        let new: Vec<Arc<TagFacts>> = new.collect::<Option<_>>()?;
+        let new: Vec<Arc<TagFacts>> = new.iter().map(|tag| Arc::new(typed(context, tag))).collect();
         // Another first use may mean another place among the tags.
         let in_file = found.iter().filter(|(scope, _)| *scope == 0);
         let found = in_file.map(|(_, tag)| *tag).collect();
         place_found(&mut context.scopes[0], found, new, &context.networks);
+        let fresh = new_names.keys().map(|name| (0, name.clone())).collect();
+        edited.infer_again(context, before, fresh)?;
+        edited.used.extend(new_names.into_keys().map(|name| (0, name)));
         Some(edited)
     }
 }
@@ -501,19 +527,21 @@ fn respelled(context: &mut Context, scope: usize, tag: usize) {
     }
 }
 
-/// An undeclared tag with the type and the role that its places give it. None if they do not, or do not agree.
-pub(crate) fn typed(context: &Context, tag: &TagFacts) -> Option<TagFacts> {
+/// A tag with the type and the role that its places give it, if neither a declaration nor its name says them. It has no type yet
+/// if that is for its company to say.
+pub(crate) fn typed(context: &Context, tag: &TagFacts) -> TagFacts {
     let mut tag = tag.clone();
-    if tag.origin != Origin::Undeclared {
-        // Its name says both.
-        return tag.ty.is_some().then_some(tag);
+    if !tag.is_inferred() {
+        return tag;
     }
-    let mut conflicts = Vec::new();
-    tag.ty = Some(infer::answer(context, &tag, &mut conflicts)?);
-    tag.role = if tag.ty == Some(Type::BOOL) {
-        uses::role(&tag.uses, &context.networks)
-    } else {
-        Role::Internal
-    };
-    conflicts.is_empty().then_some(tag)
+    tag.by_company = false;
+    tag.ty = infer::answer(context, &tag);
+    if tag.origin == Origin::Undeclared {
+        tag.role = if tag.ty == Some(Type::BOOL) {
+            uses::role(&tag.uses, &context.networks)
+        } else {
+            Role::Internal
+        };
+    }
+    tag
 }

@@ -166,7 +166,8 @@ fn exchange(context: &mut Context, tags: Range<usize>, new: Vec<TagFacts>) -> Op
     let mut names: FxHashSet<Name> = FxHashSet::default();
     let mut comes: Vec<(Name, Arc<TagFacts>)> = Vec::new();
     let mut no_more_found: FxHashSet<Name> = FxHashSet::default();
-    let mut is_other = false;
+    // What is compared with a tag, or gets its value from it, may have no type but from it.
+    let mut fresh: Vec<(usize, Name)> = Vec::new();
     for mut new in new {
         let name = Name::new(&new.name);
         if !names.insert(name.clone()) {
@@ -183,13 +184,12 @@ fn exchange(context: &mut Context, tags: Range<usize>, new: Vec<TagFacts>) -> Op
             no_more_found.insert(name.clone());
         }
         if new.ty.is_none() {
-            new.ty = Some(infer::answer(context, &new, &mut Vec::new())?);
+            new.ty = infer::answer(context, &new);
         }
         let says = |tag: &TagFacts| (tag.name.clone(), tag.ty, tag.mistyped, tag.initial.clone());
         if old.as_ref().map(says) != Some(says(&new)) {
             edited.touched(&name);
-            let type_before = old.as_ref().and_then(|old| old.ty);
-            is_other |= type_before != new.ty && !new.uses.is_empty();
+            fresh.push((0, name.clone()));
         }
         comes.push((name, Arc::new(new)));
     }
@@ -197,18 +197,14 @@ fn exchange(context: &mut Context, tags: Range<usize>, new: Vec<TagFacts>) -> Op
     for (name, old) in gone {
         edited.touched(&name);
         if let Some(first) = old.uses.0.first() {
-            is_other = true;
+            fresh.push((0, name));
             let tag = uses::undeclared(spelled_at(context, *first), law);
             let tag = TagFacts {
                 uses: old.uses.clone(),
                 ..tag
             };
-            found.push(Arc::new(typed(context, &tag)?));
+            found.push(Arc::new(typed(context, &tag)));
         }
-    }
-    // What a tag is compared with, or gets its value from, may have no type but from it.
-    if is_other && !context.typed_by_places {
-        return None;
     }
     context
         .mistyped
@@ -233,5 +229,6 @@ fn exchange(context: &mut Context, tags: Range<usize>, new: Vec<TagFacts>) -> Op
     for (tag, name) in (tags.start..).zip(comes) {
         scope.rename(name, Some(tag));
     }
+    edited.infer_again(context, Vec::new(), fresh)?;
     Some(edited)
 }

@@ -17,16 +17,19 @@ pub enum Kind {
     UserBlocks,
     /// Every network names a tag that is not declared.
     Undeclared,
+    /// Every other network names numbers that have their types from what they are compared with.
+    Inferred,
 }
 
 /// All of them, by the names that people give.
-pub const KINDS: [(&str, Kind); 6] = [
+pub const KINDS: [(&str, Kind); 7] = [
     ("clean", Kind::Clean),
     ("warned", Kind::Warned),
     ("shared", Kind::Shared),
     ("twice", Kind::NamedTwice),
     ("blocks", Kind::UserBlocks),
     ("undeclared", Kind::Undeclared),
+    ("inferred", Kind::Inferred),
 ];
 
 /// A program.
@@ -90,6 +93,11 @@ impl Program {
                     "+--[ ]( start_{n} )--[$LATCH]( stop_{n}, run_{n} )--+\n\n\
                      +--[ ]( run_{n} )--[TON]( timer_{n}, T#5s )--( )( ready_{n} )--+\n"
                 ),
+                Kind::Inferred => writeln!(
+                    drawn,
+                    "+--[GT]( start_{n}_level, 2.5 )--[MOV]( start_{n}_level, last_{n} )--[TON]( timer_{n}, T#5s )--( )( run_{n} )--+\n\n\
+                     +--[ ]( start_{n} )--[/]( stop_{n} )--[LT]( last_{n}, least_{n} )--( )( ready_{n} )--+\n"
+                ),
                 Kind::Undeclared => writeln!(
                     drawn,
                     "+--[ ]( start_{n} )--[/]( stop_{n} )--[TON]( timer_{n}, T#5s )--( )( drive_{n} )--+\n\n\
@@ -122,6 +130,19 @@ impl Program {
             line,
             column,
             letter: "5",
+        }
+    }
+
+    /// In a name of which no place says the type: before a point, or in a comparison.
+    pub fn in_a_name_without_type(&self) -> Spot {
+        let with_member = |line: &str| line.contains("( timer_") && line.contains(".Q");
+        let compared = |line: &str| line.contains("( last_");
+        if self.text.lines().any(with_member) {
+            self.behind("( timer_", with_member)
+        } else if self.text.lines().any(compared) {
+            self.behind("( last_", compared)
+        } else {
+            self.in_a_name()
         }
     }
 

@@ -21,11 +21,28 @@ use std::sync::Arc;
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub(super) enum Source {
     Context,
+    /// The types that the places of tags ask for.
+    Types,
     Network,
     Names,
     Tag,
     Program,
     Text,
+}
+
+impl Source {
+    /// Who finds something that a tag owns.
+    pub(super) fn of_tag(found: &Anchored) -> Source {
+        if found.rule() == Rule::TypeMismatch {
+            Source::Types
+        } else {
+            Source::Tag
+        }
+    }
+
+    fn is_tag(self) -> bool {
+        matches!(self, Source::Types | Source::Tag)
+    }
 }
 
 /// The findings that are kept: all but those whose places are true for one text only.
@@ -169,7 +186,7 @@ impl Shelf {
         }
         for found in &new {
             if let Some(home) = homes_of(found) {
-                let item = Item::new(found, Source::Tag, &self.settings);
+                let item = Item::new(found, Source::of_tag(found), &self.settings);
                 homes.entry(home).or_default().push(item);
             }
         }
@@ -188,7 +205,7 @@ impl Shelf {
         let lines = (0..self.declared.len() as u32).map(Home::Declaration);
         for home in networks.chain(lines) {
             let mut items = self.items_of(home);
-            items.retain(|item| item.source != Source::Tag);
+            items.retain(|item| !item.source.is_tag());
             self.put(home, items);
         }
     }

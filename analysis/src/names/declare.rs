@@ -170,6 +170,7 @@ fn declaration(
             name: name.text().into(),
             ty,
             mistyped: ty.is_none(),
+            by_company: false,
             role: role(context.kind, address_role),
             origin: Origin::Declared(context.kind),
             retain: context.retain,

@@ -7,9 +7,7 @@
 
 use crate::constant::{natural_type, signed_literal};
 use crate::context::Context;
-use crate::diagnostic::Diagnostic;
 use crate::facts::{Node, NodeKind, Operator};
-use crate::mistakes::type_mismatch;
 use crate::network::{Formal, Meaning};
 use crate::networks::BlockAt;
 use crate::program::{Member, Role, SystemTag};
@@ -18,25 +16,38 @@ use crate::types::{Scalar, Type};
 use ladder_instructions::{Accepts, Law, StateType, States, Timing, TypeClass};
 use ladder_syntax::{Name, TextRange};
 
-/// Gives every tag its type, and says whether its places alone have given it.
-pub(crate) fn infer(context: &mut Context, out: &mut Vec<Diagnostic>) -> bool {
-    let law = context.profile.law();
-    by_place(context, out);
-    let mut tags = context.scopes.iter().flat_map(|scope| &scope.tags);
-    if tags.all(|tag| tag.ty.is_some()) {
-        internal_unless_bool(context);
-        return true;
-    }
-    by_company(context);
-    for scope in &mut context.scopes {
-        for tag in 0..scope.tags.len() {
-            if scope.tags[tag].ty.is_none() {
-                scope.tags[tag].ty = Some(Type::Scalar(Scalar::integer_of(law)));
-            }
-        }
-    }
+/// A scope, and a tag in it.
+pub(crate) type Entry = (usize, usize);
+
+/// Gives every tag its type.
+pub(crate) fn infer(context: &mut Context) {
+    by_place(context);
+    let untyped = tags_that(context, |tag| tag.ty.is_none());
+    settle(context, &untyped);
     internal_unless_bool(context);
-    false
+}
+
+/// The tags for which something holds.
+fn tags_that(context: &Context, holds: impl Fn(&TagFacts) -> bool) -> Vec<Entry> {
+    let scopes = context.scopes.iter().enumerate();
+    let tags = scopes.flat_map(|(scope, facts)| {
+        let tags = facts.tags.iter().enumerate();
+        tags.map(move |(index, tag)| ((scope, index), tag))
+    });
+    tags.filter(|(_, tag)| holds(tag))
+        .map(|(entry, _)| entry)
+        .collect()
+}
+
+/// Rules 2 and 3, for tags without a type that share no block with other ones of which rule 1 says nothing.
+pub(crate) fn settle(context: &mut Context, untyped: &[Entry]) {
+    by_company(context, untyped);
+    let integer = Type::Scalar(Scalar::integer_of(context.profile.law()));
+    for &(scope, tag) in untyped {
+        let tag = &mut context.scopes[scope].tags[tag];
+        tag.by_company = true;
+        tag.ty.get_or_insert(integer);
+    }
 }
 
 /// Only a BOOL without a declaration is an input or output.
@@ -77,18 +88,13 @@ fn asked(context: &Context, bound: BlockAt<'_>, formal: Formal) -> Option<Type> 
 }
 
 /// Rule 1. Only the places of tags without a type have a say.
-fn by_place(context: &mut Context, out: &mut Vec<Diagnostic>) {
-    // Of each tag its first answer.
-    let mut answers: Vec<(usize, usize, Type)> = Vec::new();
-    for (scope, facts) in context.scopes.iter().enumerate() {
-        for (index, tag) in facts.tags.iter().enumerate() {
-            if tag.ty.is_none()
-                && let Some(ty) = answer(context, tag, out)
-            {
-                answers.push((scope, index, ty));
-            }
-        }
-    }
+fn by_place(context: &mut Context) {
+    let untyped = tags_that(context, |tag| tag.ty.is_none());
+    let answers = untyped.into_iter().filter_map(|(scope, tag)| {
+        let ty = answer(context, &context.scopes[scope].tags[tag])?;
+        Some((scope, tag, ty))
+    });
+    let answers: Vec<(usize, usize, Type)> = answers.collect();
     for (scope, tag, ty) in answers {
         context.scopes[scope].tags[tag].ty = Some(ty);
     }
@@ -96,44 +102,53 @@ fn by_place(context: &mut Context, out: &mut Vec<Diagnostic>) {
 
 /// The type that a tag's places give it. One that is only in blocks that could not be read has neither places nor
 /// company that say anything.
-pub(crate) fn answer(context: &Context, tag: &TagFacts, out: &mut Vec<Diagnostic>) -> Option<Type> {
+pub(crate) fn answer(context: &Context, tag: &TagFacts) -> Option<Type> {
     let readable = |place: Use| !context.networks.at(place.network).block(place.block).faulty;
     let unread = || !context.uses(tag).any(readable);
     let unknown = Type::Scalar(Scalar::integer_of(context.profile.law()));
-    asked_by_places(context, tag, out).or_else(|| unread().then_some(unknown))
+    let asked = asked_by_places(context, tag).next().map(|(ty, _)| ty);
+    asked
+        .or_else(|| is_reset(context, tag).then_some(Type::BOOL))
+        .or_else(|| unread().then_some(unknown))
 }
 
-fn asked_by_places(context: &Context, tag: &TagFacts, out: &mut Vec<Diagnostic>) -> Option<Type> {
-    let mut first: Option<(Type, TextRange)> = None;
-    // `(R)` also takes timers and counters: it makes a tag BOOL only where no other place has a say.
-    let mut reset = false;
-    for place in context.uses(tag) {
+/// The places of a tag that ask for one type, with that type.
+fn asked_by_places<'c>(
+    context: &'c Context,
+    tag: &'c TagFacts,
+) -> impl Iterator<Item = (Type, TextRange)> + use<'c> {
+    let whole = whole_operands(context, tag);
+    whole.filter_map(|(bound, formal, at)| Some((asked(context, bound, formal)?, at)))
+}
+
+/// `(R)` also takes timers and counters: it makes a tag BOOL only where no other place has a say.
+fn is_reset(context: &Context, tag: &TagFacts) -> bool {
+    whole_operands(context, tag)
+        .any(|(_, formal, _)| matches!(formal, Formal::Operand(o) if o.accepts == Accepts::BoolRangeOrState))
+}
+
+/// The places where a tag is an operand, and not a part of one, in blocks that could be read.
+fn whole_operands<'c>(
+    context: &'c Context,
+    tag: &'c TagFacts,
+) -> impl Iterator<Item = (BlockAt<'c>, Formal, TextRange)> + use<'c> {
+    context.uses(tag).filter_map(|place| {
         let bound = context.networks.at(place.network).block(place.block);
         let value = &bound.facts.operands[place.operand].value;
-        if bound.faulty || !matches!(value.kind, NodeKind::Name(_) | NodeKind::Address(_)) {
-            continue;
-        }
-        let formal = bound.formals[place.operand];
-        if matches!(formal, Formal::Operand(o) if o.accepts == Accepts::BoolRangeOrState) {
-            reset = true;
-            continue;
-        }
-        let Some(ty) = asked(context, bound, formal) else {
-            continue;
-        };
-        match first {
-            None => first = Some((ty, place.range)),
-            Some((before, at)) if !agree(context.profile.law(), before, ty) && !tag.mistyped => {
-                out.push(type_mismatch::two_answers(
-                    &tag.name,
-                    (before, at),
-                    (ty, place.range),
-                ));
-            }
-            Some(_) => {}
-        }
-    }
-    first.map(|(ty, _)| ty).or(reset.then_some(Type::BOOL))
+        let is_whole = !bound.faulty && matches!(value.kind, NodeKind::Name(_) | NodeKind::Address(_));
+        is_whole.then(|| (bound, bound.formals[place.operand], place.range))
+    })
+}
+
+/// The first place of an undeclared tag that asks for a type, and each of those that ask for another one.
+pub(crate) fn disagreeing(context: &Context, tag: &TagFacts) -> Vec<((Type, TextRange), (Type, TextRange))> {
+    let mut asked = asked_by_places(context, tag);
+    let Some(first) = asked.next() else {
+        return Vec::new();
+    };
+    let law = context.profile.law();
+    let others = asked.filter(|(ty, _)| !agree(law, first.0, *ty));
+    others.map(|other| (first, other)).collect()
 }
 
 /// Whether a tag can be what two places ask for.
@@ -157,11 +172,12 @@ fn untyped(scope: &Scope, node: &Node) -> Option<usize> {
 
 /// Rule 2, until no type changes: a type that is found here may give another. After the first round only blocks
 /// that name a tag whose type has just been found can say more.
-fn by_company(context: &mut Context) {
+fn by_company(context: &mut Context, untyped: &[Entry]) {
     let law = context.profile.law();
-    let tags = context.scopes.iter().flat_map(|scope| &scope.tags);
+    let tags = untyped
+        .iter()
+        .map(|&(scope, tag)| &context.scopes[scope].tags[tag]);
     let mut blocks: Vec<(usize, usize)> = tags
-        .filter(|tag| tag.ty.is_none())
         .flat_map(|tag| context.uses(tag).map(|place| (place.network, place.block)))
         .collect();
     blocks.sort_unstable();

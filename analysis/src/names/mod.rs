@@ -6,6 +6,7 @@
 //!          --infer----> the types of undeclared ones
 //! ```
 
+pub(crate) mod company;
 pub(crate) mod declarations;
 pub(crate) mod declare;
 pub(crate) mod declaring;

@@ -188,6 +188,8 @@ pub struct TagFacts {
     /// Its declared type could not be read, or it is declared in two ways. No finding is about the type that it has
     /// at its places.
     pub mistyped: bool,
+    /// Its places alone say no type: it has that of its company, or of integers.
+    pub(crate) by_company: bool,
     /// Declared RETAIN.
     pub retain: bool,
     /// Declared CONSTANT.
@@ -207,6 +209,15 @@ pub struct TagFacts {
 }
 
 impl TagFacts {
+    /// Whether its places and company give it its type: neither a declaration nor its name does.
+    pub(crate) fn is_inferred(&self) -> bool {
+        match self.origin {
+            Origin::Undeclared => true,
+            Origin::Form => type_by_form(&self.name).is_none(),
+            Origin::Declared(_) | Origin::Implicit | Origin::Shared => false,
+        }
+    }
+
     /// Whether it has a declaration.
     pub const fn is_declared(&self) -> bool {
         matches!(self.origin, Origin::Declared(_))

@@ -94,6 +94,7 @@ fn import(
         role: global.role,
         origin: Origin::Shared,
         mistyped: global.ty.is_none(),
+        by_company: false,
         retain: global.retain,
         constant: global.constant,
         initial: global.initial.as_slice().into(),

@@ -226,6 +226,7 @@ pub(crate) fn undeclared(name: &str, law: &Law) -> TagFacts {
         shared: None,
         foreign: None,
         mistyped: false,
+        by_company: false,
     }
 }
 

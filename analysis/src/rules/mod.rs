@@ -57,6 +57,7 @@ mod shorted_branch;
 pub(crate) mod survey;
 pub(crate) mod syntax_errors;
 pub(crate) mod tag_summary;
+mod type_conflict;
 mod unbalanced_loop;
 mod unclosed_block;
 pub(crate) mod unclosed_comment;
@@ -190,6 +191,7 @@ pub(crate) fn of_tag(
     out: &mut Vec<Diagnostic>,
 ) {
     undeclared_tag::check(context, scope, tag, undeclaring, out);
+    type_conflict::check(context, tag, out);
     duplicate_timer::check(context, tag, out);
     double_coil::check(context, tag, &around.leaving, out);
     tag_summary::check(context, scope, tag, around.has_outputs, out);

@@ -1,14 +1,14 @@
 //! What an editor waits for: from a keystroke to its diagnostics, and from a request to its answer, over the real
 //! program and real pipes.
 //!
-//! Six kinds of programs are opened in `ladder lsp`. A letter is typed in the middle again and again, in a number, in the
+//! Seven kinds of programs are opened in `ladder lsp`. A letter is typed in the middle again and again, in a number, in the
 //! name of an operand and in a declaration, and lines of declarations and networks come and go; each time until the diagnostics of that very version arrive. Then everything
 //! else is asked, some of it at once behind the edit, as an editor does, some once the diagnostics are there. Beside it
 //! is the bare limit: the round trip of a request that the server does not know, which has the same framing, pipes and
 //! scheduling, and no work.
 //!
 //! Run with `cargo build --release -p ladder-cli --bins && cargo bench -p ladder-tests --bench language_server`. Numbers
-//! of rungs and kinds of programs (clean, warned, shared, twice, blocks, undeclared) may follow as arguments.
+//! of rungs and kinds of programs (clean, warned, shared, twice, blocks, undeclared, inferred) may follow as arguments.
 
 use ladder_tests::client::Server;
 use ladder_tests::typed_programs::{KINDS, Kind, Program, Spot};
@@ -124,6 +124,7 @@ fn measure(name: &str, kind: Kind, rungs: usize) {
     for (what, spot) in [
         ("edit of a number", program.in_a_number()),
         ("edit of a name", program.in_a_name()),
+        ("edit of a name without a type", program.in_a_name_without_type()),
         ("edit of a half-typed rung", program.half_typed()),
         ("edit of a declaration", program.in_a_declaration()),
         ("a line of declarations", program.with_a_declaration()),

@@ -38,9 +38,10 @@ fn work(kind: Kind, rungs: usize, spot: Place) -> [(Work, usize); 2] {
 
 #[test]
 fn does_not_grow_with_the_file() {
-    let spots: [(&str, Place); 8] = [
+    let spots: [(&str, Place); 9] = [
         ("a number", Program::in_a_number),
         ("a name", Program::in_a_name),
+        ("a name without a type", Program::in_a_name_without_type),
         ("a half-typed rung", Program::half_typed),
         ("a declaration", Program::in_a_declaration),
         ("a line of declarations", Program::with_a_declaration),
