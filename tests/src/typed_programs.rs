@@ -95,7 +95,7 @@ impl Program {
                 ),
                 Kind::Inferred => writeln!(
                     drawn,
-                    "+--[GT]( start_{n}_level, 2.5 )--[MOV]( start_{n}_level, last_{n} )--[TON]( timer_{n}, T#5s )--( )( run_{n} )--+\n\n\
+                    "+--[GT]( start_{n}_level, 2.5 )--[MOV]( last_{n}, start_{n}_level )--[TON]( timer_{n}, T#5s )--( )( run_{n} )--+\n\n\
                      +--[ ]( start_{n} )--[/]( stop_{n} )--[LT]( last_{n}, least_{n} )--( )( ready_{n} )--+\n"
                 ),
                 Kind::Undeclared => writeln!(

@@ -35,13 +35,13 @@ fn rung(dice: &mut Dice) -> String {
     let name = dice.of(&NAMES);
     match dice.below(9) {
         0 => format!("+--[GT]( {first}, {second} )--( )( done )--+\n\n"),
-        1 => format!("+--[MOV]( {first}, {name} )--+\n\n"),
-        2 => format!("+--[ADD]( {first}, {second}, {name} )--[EQ]( {name}, {third} )--( )( done )--+\n\n"),
+        1 => format!("+--[MOV]( {name}, {first} )--+\n\n"),
+        2 => format!("+--[ADD]( {name}, {first}, {second} )--[EQ]( {name}, {third} )--( )( done )--+\n\n"),
         3 => format!("+--[TON]( {name}, {first} )--( )( done )--+\n\n"),
         4 => format!("+--[ ]( {name} )--( )( done )--+\n\n"),
         5 => format!("+--[ ]( {name}.Q )--[GT]( {name}.ET, {first} )--( )( done )--+\n\n"),
         6 => format!("+--[ ]( done )--(R)( {name} )--+\n\n"),
-        7 => format!("+--[SQRT]( {first}, {name} )--+\n\n"),
+        7 => format!("+--[SQRT]( {name}, {first} )--+\n\n"),
         _ => format!("+--[CTU]( {name}, {second} )--(S)( {first} )--+\n\n"),
     }
 }
@@ -94,7 +94,7 @@ fn types_that_follow_from_others() {
 fn one_value_decides_about_a_chain() {
     let program = |first: &str, link: &str| {
         format!(
-            "+--[MOV]( {first}, a )--+\n\n+--[MOV]( a, b )--+\n\n+--[MOV]( {link}, c )--+\n\n+--[MOV]( c, d )--+\n\n\
+            "+--[MOV]( a, {first} )--+\n\n+--[MOV]( b, a )--+\n\n+--[MOV]( c, {link} )--+\n\n+--[MOV]( d, c )--+\n\n\
              +--[GT]( d, e )--( )( done )--+\n"
         )
     };
