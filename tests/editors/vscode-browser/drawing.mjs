@@ -1,5 +1,5 @@
 // The keys that draw: each changes the drawing as a person means it, and one undo takes it back.
-import { cursorTo, open } from './palette.mjs';
+import { command, cursorTo, open } from './palette.mjs';
 import { lines } from './typing.mjs';
 
 /** The program that is drawn in: its name in the project, and its text. */
@@ -119,30 +119,40 @@ const CASES = [
 ];
 
 export async function drawing(page, { step, until }) {
-    const shown = async () => (await lines(page)).join('\n').trimEnd();
-    const before = RUNGS.join('\n');
+    // To the last line: what an undo leaves behind may be an empty one.
+    const shown = async () => (await lines(page)).join('\n');
+    const isShown = (what, wanted) => until(`${what}\n${wanted}`, 5, async () => (await shown()) === wanted);
+    const text = (rungs) => `${rungs.join('\n')}\n`;
+    /** What another step has left behind is not this one's. */
+    const begin = async (line, column) => {
+        if ((await shown()) !== TEXT) {
+            await command(page, 'File: Revert File');
+            await isShown('the program', TEXT);
+        }
+        await cursorTo(page, line, column);
+    };
     await step('the keys that draw are tried on a program', async () => {
         await open(page, NAME);
-        await until('the program', 10, async () => (await shown()) === before);
+        await isShown('the program', TEXT);
     });
     for (const { name, line, column, selected = 0, key, drawn } of CASES) {
         await step(`a key ${name}, and one undo takes it back`, async () => {
-            await cursorTo(page, line, column);
+            await begin(line, column);
             for (let times = 0; times < selected; times += 1) {
                 await page.keyboard.press('Shift+ArrowRight');
             }
             await page.keyboard.press('Alt+L');
             await page.keyboard.press(key);
-            await until(`the drawing\n${drawn.join('\n')}`, 5, async () => (await shown()) === drawn.join('\n'));
+            await isShown('the drawing', text(drawn));
             await page.keyboard.press('Control+Z');
-            await until('the drawing as it was', 5, async () => (await shown()) === before);
+            await isShown('the drawing as it was', TEXT);
         });
     }
     await step('Enter begins a rung, and one undo takes all of that back', async () => {
-        await cursorTo(page, 4, APART.length + 1);
+        await begin(4, APART.length + 1);
         await page.keyboard.press('Enter');
-        await until('the beginning of a rung', 5, async () => (await lines(page))[4] === '+--');
+        await isShown('the beginning of a rung', text([...RUNGS, '+--']));
         await page.keyboard.press('Control+Z');
-        await until('the drawing as it was', 5, async () => (await shown()) === before);
+        await isShown('the drawing as it was', TEXT);
     });
 }
