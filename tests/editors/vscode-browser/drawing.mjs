@@ -1,5 +1,5 @@
 // The keys that draw: each changes the drawing as a person means it, and one undo takes it back.
-import { command, cursorTo, open } from './palette.mjs';
+import { cursorTo, open } from './palette.mjs';
 import { lines } from './typing.mjs';
 
 /** The program that is drawn in: its name in the project, and its text. */
@@ -125,9 +125,10 @@ export async function drawing(page, { step, until }) {
     const text = (rungs) => `${rungs.join('\n')}\n`;
     /** What another step has left behind is not this one's. */
     const begin = async (line, column) => {
-        if ((await shown()) !== TEXT) {
-            await command(page, 'File: Revert File');
-            await isShown('the program', TEXT);
+        await cursorTo(page, line, column);
+        for (let times = 0; times < 5 && (await shown()) !== TEXT; times += 1) {
+            await page.keyboard.press('Control+Z');
+            await page.waitForTimeout(300);
         }
         await cursorTo(page, line, column);
     };
