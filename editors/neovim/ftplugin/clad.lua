@@ -21,6 +21,7 @@ set.spell = false
 set.iskeyword:append('$')
 set.matchpairs = '(:),[:]'
 
+require('ladder.margin').keep()
 require('ladder.dap').register_if_there()
 require('ladder.completion').attach(vim.api.nvim_get_current_buf())
 
@@ -40,7 +41,7 @@ end
 
 vim.b.undo_ftplugin = table.concat({
   'setlocal commentstring< comments< wrap< expandtab< tabstop< shiftwidth< virtualedit<',
-  'setlocal textwidth< formatoptions< conceallevel< spell< iskeyword< matchpairs< completeopt<',
+  'setlocal textwidth< formatoptions< conceallevel< spell< iskeyword< matchpairs< completeopt< signcolumn<',
   "lua pcall(vim.api.nvim_del_augroup_by_name, 'ladder.completion.' .. vim.api.nvim_get_current_buf())",
   'silent! nunmap <buffer> gc',
   'silent! xunmap <buffer> gc',

@@ -12,7 +12,8 @@ set.expandtab = true
 set.virtualedit = 'block'
 set.textwidth = 0
 
+require('ladder.margin').keep()
 require('ladder.completion').attach(vim.api.nvim_get_current_buf())
 require('ladder.dap').register_if_there()
 
-vim.b.undo_ftplugin = 'setlocal commentstring< comments< wrap< expandtab< virtualedit< textwidth<'
+vim.b.undo_ftplugin = 'setlocal commentstring< comments< wrap< expandtab< virtualedit< textwidth< signcolumn<'

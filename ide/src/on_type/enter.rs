@@ -54,7 +54,7 @@ pub(super) fn enter(context: &Context, offset: TextSize, options: &Options) -> V
         Some(prefix) => replace(context, new_line, &prefix),
         None if line.kind == LineKind::Rung => {
             let mut edits = drawn_again(context, above, options).unwrap_or_default();
-            if is_finished(context, above) && !stands_below(context, offset) {
+            if is_finished(context, above) {
                 edits.extend(replace(context, new_line, RUNG));
             }
             edits
@@ -189,14 +189,6 @@ fn is_finished(context: &Context, line: usize) -> bool {
         && network.wiring.unpaired.is_empty()
         && rungs.iter().any(Rung::has_left_rail)
         && rungs.iter().any(Rung::has_right_rail)
-}
-
-/// Whether a rung is right below the line of an offset.
-fn stands_below(context: &Context, offset: TextSize) -> bool {
-    let parse = &context.parse;
-    let below = parse.line_at(offset).map(|line| line + 1);
-    let below = below.and_then(|below| parse.lines().get(below));
-    below.is_some_and(|line| line.kind == LineKind::Rung)
 }
 
 /// Enter that a client asks about again when the next line has already been written: nothing is begun there any more. What the

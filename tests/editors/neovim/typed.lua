@@ -243,6 +243,44 @@ return function(t)
     keys:close()
   end)
 
+  t.step('the first finding does not shift the text, and other files keep their margin', function()
+    local keys = typing.open(t, { '+--[ ]( a )------------------( )( y )--+', '' }, { 'set signcolumn=auto' })
+    local function margin()
+      return keys:lua('vim.cmd.redraw() return vim.fn.getwininfo(vim.fn.win_getid())[1].textoff')
+    end
+    local before = margin()
+    keys:press('Go+--\\--[ ]( b<Esc>')
+    t.eventually('the sign of a finding', function()
+      return keys:lua([[return #vim.fn.sign_getplaced('%', { group = '*' })[1].signs > 0 or
+        #vim.api.nvim_buf_get_extmarks(0, -1, 0, -1, { type = 'sign' }) > 0]])
+    end)
+    t.equal('the width of the margin', before, margin())
+    keys:press(':edit! ' .. vim.fs.dirname(keys.file) .. '/notes.txt<CR>')
+    t.equal("'signcolumn' of another file", 'auto', keys:lua('return vim.wo.signcolumn'))
+    keys:close()
+  end)
+
+  t.step('a margin that a person has chosen stays, and one for several signs keeps room for one', function()
+    for chosen, kept in pairs({ auto = 'yes', ['auto:1'] = 'yes', ['auto:3'] = 'auto:1-3', ['auto:1-2'] = 'auto:1-2', no = 'no', number = 'number' }) do
+      local keys = typing.open(t, { '' }, { 'set signcolumn=' .. chosen })
+      t.equal("'signcolumn' of " .. chosen, kept, keys:lua('return vim.wo.signcolumn'))
+      keys:close()
+    end
+  end)
+
+  t.step('Enter between two rungs that touch begins one, and leaving it there takes it back', function()
+    local first, last = '+--[ ]( a )------------------( )( y )--+', '+--[ ]( x )------------------( )( z )--+'
+    local keys = typing.open(t, { first, last })
+    typed(keys, {
+      { 'A<CR>', { first, '+--', last } },
+      { '<Esc>', { first, '', last } },
+      { 'u', { first, last } },
+      { 'ggo', { first, '+--', last } },
+      { '[/]( b )--( )( v )--+<Esc>', { first, '+--[/]( b )------------------( )( v )--+', last } },
+    })
+    keys:close()
+  end)
+
   t.step('keys draw: each is one step of undo', function()
     local before = { '+--[ ]( a )------------------( )( y )--+' }
     local keys = typing.open(t, before)

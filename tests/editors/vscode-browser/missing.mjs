@@ -4,7 +4,7 @@ import assert from 'node:assert/strict';
 import { chmodSync, existsSync, mkdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 
-import { openBrowser, removeScratch, scratchFolder, serve } from './codeServer.mjs';
+import { openBrowser, removeScratch, scratchFolder, serve, until } from './codeServer.mjs';
 import { command, open } from './palette.mjs';
 import { failures, step, tell } from './steps.mjs';
 
@@ -82,6 +82,8 @@ await session('ladder.vsix', async (page, scratch) => {
         await command(page, 'Ladder: Restart Language Server');
         await missing.getByRole('button', { name: 'Install...' }).click();
         const folder = page.locator('.quick-input-widget input').first();
+        // The dialog begins with the folder that is open, and would put that in front of what comes before it.
+        await until('the dialog', 10, async () => (await folder.inputValue()) === `${join(scratch, 'project')}/`);
         await folder.fill(`${LADDER_ROOT}/`);
         // The button does nothing while the dialog reads the folder.
         await page.locator('.quick-input-list .monaco-list-row', { hasText: 'analysis' }).first().waitFor({ timeout: 10_000 });
