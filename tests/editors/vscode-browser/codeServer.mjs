@@ -80,7 +80,7 @@ export async function openBrowser(scratch, address, options = {}) {
     });
     const page = await browser.newPage({ viewport: { width: 1400, height: 860 }, ...options });
     page.setDefaultTimeout(10_000);
-    await page.goto(new URL(`/?folder=${join(scratch, 'project')}`, address).href);
+    await page.goto(new URL(`/?folder=${join(scratch, 'project')}`, address).href, { timeout: 60_000 });
     return { browser, page };
 }
 

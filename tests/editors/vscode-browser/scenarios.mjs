@@ -3,7 +3,8 @@ import assert from 'node:assert/strict';
 
 import { command, cursorTo, open } from './palette.mjs';
 
-const FILE = 'motor.ladder-test';
+/** The scenarios that are run, one of which fails. */
+export const FILE = 'motor.ladder-test';
 
 /** Files besides: a program that calls another, and its scenarios. */
 export const files = {
@@ -12,7 +13,11 @@ export const files = {
     'counted.ladder-test': 'program counted.clad\n\nscenario "it counts"\n',
 };
 
-export async function scenarios(page, { step, until, screenshot }) {
+/**
+ * @param holdTest has the next run of scenarios take seconds after it has read the files; says whether it has begun, and how many
+ *     have ended since
+ */
+export async function scenarios(page, { step, until, screenshot, holdTest }) {
     const editor = page.locator('.editor-group-container .monaco-editor').first();
     await step('the scenarios of a file are tests, with marks beside them', async () => {
         await open(page, FILE);
@@ -54,25 +59,42 @@ export async function scenarios(page, { step, until, screenshot }) {
         await open(page, FILE);
         await editor.locator('.codicon-testing-failed-icon').first().waitFor({ timeout: 5000 });
     });
+    const tree = page.locator('.test-explorer-tree');
+    const result = (name) => tree.locator('.monaco-list-row', { hasText: FILE }).locator(`.codicon-testing-${name}-icon`);
+    /** A motor that nothing stops is what the second scenario wants: its coil becomes one that sets. */
+    const mend = async () => {
+        await cursorTo(page, 2, 49);
+        await page.keyboard.press('Shift+ArrowRight');
+        await page.keyboard.type('S');
+        await page.keyboard.press('Control+S');
+    };
+    const undo = async () => {
+        await page.keyboard.press('Control+Z');
+        await page.keyboard.press('Control+S');
+    };
     await step('with continuous run the result changes with the program that is saved', async () => {
         await command(page, 'View: Show Testing');
         await page.getByRole('button', { name: 'Start Continuous Run' }).first().click();
         const profiles = page.locator('.quick-input-widget');
         await profiles.getByRole('checkbox', { name: /^Run/ }).first().click();
         await profiles.getByRole('button', { name: 'OK' }).click();
-        const tree = page.locator('.test-explorer-tree');
-        const file = (result) => tree.locator('.monaco-list-row', { hasText: FILE }).locator(`.codicon-testing-${result}-icon`);
         await open(page, 'motor.clad');
-        // A motor that nothing stops is what the second scenario wants: its coil becomes one that sets.
-        await cursorTo(page, 2, 49);
-        await page.keyboard.press('Shift+ArrowRight');
-        await page.keyboard.type('S');
-        await page.keyboard.press('Control+S');
-        await file('passed').waitFor({ timeout: 15000 });
-        await page.keyboard.press('Control+Z');
-        await page.keyboard.press('Control+S');
-        await file('failed').waitFor({ timeout: 15000 });
+        await mend();
+        await result('passed').waitFor({ timeout: 15000 });
+        await undo();
+        await result('failed').waitFor({ timeout: 15000 });
         await screenshot(page, 'continuous');
+    });
+    await step('of two changes in quick succession the later one is shown, also where the earlier one takes longer', async () => {
+        const held = holdTest();
+        await mend();
+        await until('the run of the first change', 10, held.hasBegun);
+        await undo();
+        await until('both runs to end', 20, () => held.ended() === 2);
+        // What has ended is shown a moment later.
+        await page.waitForTimeout(1000);
+        await screenshot(page, 'succession');
+        assert.deepEqual([await result('failed').count(), await result('passed').count()], [1, 0]);
         await page.getByRole('button', { name: 'Stop Continuous Run' }).first().click();
     });
     await step('in a row the tags of a called file are proposed', async () => {

@@ -11,10 +11,11 @@ import { changing, CHANGING, CHANGING_TEXT } from './changing.mjs';
 import { debug, PROGRAM, TEXT } from './debug.mjs';
 import { diagram, programs } from './diagram.mjs';
 import { drawing, NAME as DRAWN, TEXT as DRAWN_TEXT } from './drawing.mjs';
+import { heldTest } from './heldTest.mjs';
 import { live, LIVE, LIVE_TEXT } from './live.mjs';
 import { command, open } from './palette.mjs';
 import { PROGRAMS, running } from './running.mjs';
-import { files as SCENARIOS, scenarios } from './scenarios.mjs';
+import { FILE as SCENARIO_FILE, files as SCENARIOS, scenarios } from './scenarios.mjs';
 import { failures, step, tell, whenFailed } from './steps.mjs';
 import { NAME, RUNG, typing, lines } from './typing.mjs';
 
@@ -25,8 +26,10 @@ const isProbed = !wanted || wanted.includes('simulation');
 const scratch = scratchFolder();
 const report = join(scratch, 'report');
 
+const { program, holdTest } = heldTest(scratch, LADDER_BIN, SCENARIO_FILE);
+
 const settings = {
-    'ladder.server.path': LADDER_BIN,
+    'ladder.server.path': program,
     'workbench.colorTheme': process.env.LADDER_THEME ?? 'Default Dark Modern',
 };
 
@@ -344,7 +347,7 @@ const parts = (page) => ({
     drawing: () => drawing(page, { step, until }),
     book: () => book(page, { step, until, project: join(scratch, 'project') }),
     debug: () => debug(page, { step, screenshot }),
-    scenarios: () => scenarios(page, { step, until, screenshot }),
+    scenarios: () => scenarios(page, { step, until, screenshot, holdTest }),
     // Its last step loads the page again.
     diagram: () => diagram(page, { step, until, screenshot }),
 });
