@@ -10,11 +10,11 @@ import { showReferences } from './lenses.ts';
 import { askValue, pickTag } from './prompts.ts';
 import { forceVariable, releaseVariable, startDebugging, stepBackScan } from './debugger.ts';
 import type { Tag } from './protocol.ts';
-import { runScenarios } from './scenarios.ts';
 import type { Server } from './server.ts';
 import type { Speed } from './session.ts';
 import type { Simulation } from './simulation.ts';
 import { goToStop } from './tabStops.ts';
+import type { TestExplorer } from './testExplorer.ts';
 import { toggleCommentInEditor } from './toggleComment.ts';
 import type { TraceView } from './trace/traceView.ts';
 import type { WhyRow } from './whyTree.ts';
@@ -151,7 +151,7 @@ export interface Views {
     readonly diagrams: DiagramEditors;
 }
 
-export function registerCommands(server: Server, simulation: Simulation, click: Click, views: Views): vscode.Disposable {
+export function registerCommands(server: Server, simulation: Simulation, click: Click, tests: TestExplorer, views: Views): vscode.Disposable {
     // A command comes with the tag of a row, a lens with the address of its file, the palette with nothing.
     const commands: Record<string, (given?: any) => unknown> = {
         'ladder.simulation.start': () => start(click, simulation),
@@ -176,7 +176,7 @@ export function registerCommands(server: Server, simulation: Simulation, click: 
         'ladder.simulation.forceOff': (tag) => forceTo(simulation, tag, false),
         'ladder.openDiagram': (uri) => views.diagrams.open(uri),
         'ladder.diagram.reveal': (context) => views.diagrams.reveal(context),
-        'ladder.test': (uri?: unknown) => runScenarios(server.program(), typeof uri === 'string' ? uri : undefined),
+        'ladder.test': (uri?: unknown) => tests.runFile(typeof uri === 'string' ? uri : undefined),
         'ladder.simulation.breakOnChange': (tag) => breakOnChange(simulation, tag),
         'ladder.simulation.why': (tag) => why(simulation, views.why, tag),
         'ladder.trace.add': (tag) => trace(simulation, views.trace, tag),

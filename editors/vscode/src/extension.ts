@@ -34,6 +34,7 @@ export async function activate(context: vscode.ExtensionContext): Promise<Api> {
     server = new Server(context.extensionPath, String(context.extension.packageJSON.version));
     const simulation = new Simulation(server);
     const click = new Click(server);
+    const tests = new TestExplorer(server);
     const fences = new Fences(
         (text) => server?.execute('ladder.fence', { text }) ?? Promise.reject(new Error('no server')),
         () => void vscode.commands.executeCommand('markdown.preview.refresh'),
@@ -52,10 +53,10 @@ export async function activate(context: vscode.ExtensionContext): Promise<Api> {
         views.why,
         views.trace,
         views.diagrams,
-        registerCommands(server, simulation, click, views),
+        registerCommands(server, simulation, click, tests, views),
         registerDebugger(server),
         registerTasks(server),
-        new TestExplorer(server),
+        tests,
         lensesFollow(server, simulation),
         showPower(simulation),
         showFaults(simulation),

@@ -52,6 +52,15 @@ export class TestExplorer implements vscode.Disposable {
         vscode.workspace.textDocuments.forEach((document) => this.#shown(document));
     }
 
+    /** Saves a file of scenarios, that of the active editor if none is named, and runs them all. */
+    async runFile(uri?: string): Promise<void> {
+        const document = uri === undefined ? vscode.window.activeTextEditor?.document : await vscode.workspace.openTextDocument(vscode.Uri.parse(uri));
+        if (document?.languageId === 'ladder-test') {
+            await document.save();
+            await this.#run(new vscode.TestRunRequest([this.#item(document.uri)]), false);
+        }
+    }
+
     dispose(): void {
         vscode.Disposable.from(...this.#disposables).dispose();
     }
@@ -124,7 +133,7 @@ export class TestExplorer implements vscode.Disposable {
     /** Runs what is asked for; with `continuous` again whenever a file is saved that may matter. */
     async #requested(request: vscode.TestRunRequest, token: vscode.CancellationToken, coverage: boolean): Promise<void> {
         if (!request.continuous) {
-            await this.#run(request, token, coverage);
+            await this.#run(request, coverage);
             return;
         }
         const watcher = vscode.workspace.createFileSystemWatcher(WATCHED);
@@ -132,7 +141,7 @@ export class TestExplorer implements vscode.Disposable {
         let last: Promise<unknown> = Promise.resolve();
         // One after the other: what an earlier text gave must not be shown behind what a later one did.
         const next = () => {
-            last = last.catch(() => undefined).then(() => (token.isCancellationRequested ? undefined : this.#run(request, token, coverage)));
+            last = last.catch(() => undefined).then(() => (token.isCancellationRequested ? undefined : this.#run(request, coverage)));
         };
         // Several files are saved at once.
         const again = () => {
@@ -172,8 +181,9 @@ export class TestExplorer implements vscode.Disposable {
         return new Map([...chosen].map(([file, items]) => [file, [...items]]));
     }
 
-    async #run(request: vscode.TestRunRequest, token: vscode.CancellationToken, coverage: boolean): Promise<void> {
+    async #run(request: vscode.TestRunRequest, coverage: boolean): Promise<void> {
         const run = this.#controller.createTestRun(request);
+        const { token } = run;
         try {
             const program = this.#server.program();
             // What is run is what is on disk; the editor saves before, as its setting `testing.saveBeforeTest` says.

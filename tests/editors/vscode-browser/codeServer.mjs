@@ -15,6 +15,8 @@ export const QUIET = {
     'workbench.secondarySideBar.defaultVisibility': 'hidden',
     'chat.disableAIFeatures': true,
     'telemetry.telemetryLevel': 'off',
+    // As text on the page, which can be read.
+    'terminal.integrated.gpuAcceleration': 'off',
 };
 
 /** Waits until something holds. */

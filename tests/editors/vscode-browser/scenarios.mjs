@@ -19,6 +19,7 @@ export const files = {
  */
 export async function scenarios(page, { step, until, screenshot, holdTest }) {
     const editor = page.locator('.editor-group-container .monaco-editor').first();
+    const terminal = page.locator('.xterm-rows > div');
     await step('the scenarios of a file are tests, with marks beside them', async () => {
         await open(page, FILE);
         await editor.locator('.testing-run-glyph').nth(1).waitFor({ timeout: 15000 });
@@ -40,11 +41,39 @@ export async function scenarios(page, { step, until, screenshot, holdTest }) {
         await editor.locator('.coverage-deco-gutter').first().waitFor({ timeout: 15000 });
         await screenshot(page, 'coverage');
     });
-    await step('checking the folder is a task', async () => {
-        // It is not run: terminals need a native part that the tests leave out.
-        await command(page, 'Tasks: Run Build Task');
-        await page.locator('.quick-input-list .monaco-list-row', { hasText: 'check' }).first().waitFor({ timeout: 10000 });
-        await page.keyboard.press('Escape');
+    await step('the lens above a program runs its scenarios in the Test Explorer', async () => {
+        await command(page, 'Test: Clear All Results');
+        await open(page, 'motor.clad');
+        await page.locator('.codelens-decoration a', { hasText: 'Run scenarios' }).click();
+        await open(page, FILE);
+        await editor.locator('.codicon-testing-failed-icon').first().waitFor({ timeout: 15000 });
+        assert.equal(await terminal.filter({ hasText: 'Executing task' }).count(), 0);
+    });
+    await step('the tasks run in a terminal, and what they find is under Problems once', async () => {
+        const problems = async (name) => {
+            await command(page, 'Problems: Focus on Problems View');
+            const filter = page.locator('.pane-composite-part.panel .viewpane-filter input, .part.panel .viewpane-filter input').first();
+            await filter.fill(name);
+            // The list is drawn anew a moment later.
+            await page.waitForTimeout(1000);
+            const rows = await page.locator('.markers-panel .monaco-list-row').allTextContents();
+            await filter.fill('');
+            return rows.filter((row) => row.includes(name)).map((row) => row.replaceAll('\u00a0', ' '));
+        };
+        const run = async (kind, name, last) => {
+            await command(page, kind);
+            await page.locator('.quick-input-list .monaco-list-row', { hasText: name }).first().click();
+            await terminal.filter({ hasText: last }).last().waitFor({ timeout: 20000 });
+        };
+        await run('Tasks: Run Build Task', 'check', /Checked \d+ files/);
+        const [unpaired, ...more] = await problems('unpaired-connector');
+        assert.match(unpaired, /has no partner/);
+        assert.deepEqual(more, []);
+        await run('Tasks: Run Test Task', 'test', /\d failed/);
+        const failed = await problems('run is FALSE in step 3');
+        assert.equal(failed.length, 1, failed.join('\n'));
+        assert.match(failed[0], /ladder test/);
+        await screenshot(page, 'tasks');
     });
     await step('a scenario that fails is debugged up to where it does', async () => {
         await open(page, FILE);

@@ -1,5 +1,5 @@
-// The tasks of the extension: what they start is run, and what it writes is read as VS Code's problem matchers read it. The
-// terminal of a task needs a native part that the tests leave out.
+// The tasks of the extension: what they start is run, and what it writes is read as VS Code's problem matchers read it.
+// The session runs them in a terminal.
 import assert from 'node:assert/strict';
 import { spawnSync } from 'node:child_process';
 import { cpSync, readFileSync, writeFileSync } from 'node:fs';
