@@ -54,11 +54,16 @@ export async function scenarios(page, { step, until, screenshot, holdTest }) {
             await command(page, 'Problems: Focus on Problems View');
             const filter = page.locator('.pane-composite-part.panel .viewpane-filter input, .part.panel .viewpane-filter input').first();
             await filter.fill(name);
-            // The list is drawn anew a moment later.
-            await page.waitForTimeout(1000);
-            const rows = await page.locator('.markers-panel .monaco-list-row').allTextContents();
+            let found = [];
+            await until(`"${name}" under Problems`, 10, async () => {
+                // The list is drawn anew a moment later.
+                await page.waitForTimeout(1000);
+                const rows = await page.locator('.markers-panel .monaco-list-row').allTextContents();
+                found = rows.filter((row) => row.includes(name)).map((row) => row.replaceAll('\u00a0', ' '));
+                return found.length > 0;
+            });
             await filter.fill('');
-            return rows.filter((row) => row.includes(name)).map((row) => row.replaceAll('\u00a0', ' '));
+            return found;
         };
         const run = async (kind, name, last) => {
             await command(page, kind);
