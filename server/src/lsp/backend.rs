@@ -12,7 +12,8 @@ use tower_lsp::ls_types::{
     CallHierarchyIncomingCall, CallHierarchyIncomingCallsParams, CallHierarchyItem,
     CallHierarchyOutgoingCall, CallHierarchyOutgoingCallsParams, CallHierarchyPrepareParams, DocumentLink,
     DocumentLinkParams, DocumentSymbolParams, DocumentSymbolResponse, FoldingRange, FoldingRangeParams,
-    SelectionRange, SelectionRangeParams, WorkspaceSymbolParams, WorkspaceSymbolResponse,
+    SelectionRange, SelectionRangeParams, WillSaveTextDocumentParams, WorkspaceSymbolParams,
+    WorkspaceSymbolResponse,
 };
 use tower_lsp::ls_types::{
     CodeActionParams, CodeActionResponse, DidChangeConfigurationParams, DidChangeTextDocumentParams,
@@ -136,6 +137,10 @@ impl LanguageServer for Backend {
             futures::join!(watch::register(&shared), configuration::register(&shared));
         });
         folders::index(&self.shared);
+    }
+
+    async fn will_save(&self, params: WillSaveTextDocumentParams) {
+        sync::will_save(&self.shared, &params);
     }
 
     async fn did_save(&self, params: DidSaveTextDocumentParams) {

@@ -23,7 +23,7 @@ async fn the_encoding_is_negotiated() {
         assert_eq!(result["capabilities"]["positionEncoding"], chosen);
         assert_eq!(
             result["capabilities"]["textDocumentSync"],
-            json!({"openClose": true, "change": 2, "save": {"includeText": false}})
+            json!({"openClose": true, "change": 2, "willSave": true, "save": {"includeText": false}})
         );
         assert_eq!(result["serverInfo"]["name"], "ladder");
         client.finish().await;

@@ -76,3 +76,52 @@ async fn what_stands_elsewhere_is_shown_at_once_and_so_is_all_where_no_cursor_is
     assert_eq!(lines(&client.diagnostics(3).await), [0]);
     client.finish().await;
 }
+
+#[tokio::test]
+async fn an_editor_that_saves_by_itself_ends_no_wait() {
+    const AFTER_DELAY: u8 = 2;
+    let mut client = Client::new().await;
+    client.open(SOUND).await;
+    client.diagnostics(1).await;
+    cursor(&mut client, json!(0)).await;
+    client.change(2, &[([0, 3, 0, 3], "\\")]).await;
+    assert_eq!(client.diagnostics(2).await, Vec::<Value>::new());
+    let document = json!({"uri": URI});
+    for (reason, shown) in [(AFTER_DELAY, false), (1, true)] {
+        let params = json!({"textDocument": document, "reason": reason});
+        client.notify("textDocument/willSave", params).await;
+        client
+            .notify("textDocument/didSave", json!({"textDocument": document}))
+            .await;
+        // An answer comes behind what was said before.
+        cursor(&mut client, json!(0)).await;
+        if shown {
+            assert_eq!(lines(&client.diagnostics(2).await), [0]);
+        } else {
+            assert!(client.arrived("textDocument/publishDiagnostics").is_empty());
+        }
+    }
+    client.finish().await;
+}
+
+#[tokio::test]
+async fn a_section_and_a_comment_that_are_not_closed_yet_wait() {
+    for (begun, next) in [
+        ("VAR\n    a, b : BOOL;\n", "    c : BO"),
+        ("# It is\n", "  a comm"),
+    ] {
+        let mut client = Client::new().await;
+        client.open("\n").await;
+        client.diagnostics(1).await;
+        cursor(&mut client, json!(0)).await;
+        client.change(2, &[([0, 0, 0, 0], begun)]).await;
+        assert_eq!(client.diagnostics(2).await, Vec::<Value>::new(), "{begun}");
+        let line = u32::try_from(begun.lines().count()).unwrap();
+        client.change(3, &[([line, 0, line, 0], next)]).await;
+        cursor(&mut client, json!(line)).await;
+        assert_eq!(client.diagnostics(3).await, Vec::<Value>::new(), "{next}");
+        cursor(&mut client, Value::Null).await;
+        assert!(lines(&client.diagnostics(3).await).contains(&0), "{begun}{next}");
+        client.finish().await;
+    }
+}

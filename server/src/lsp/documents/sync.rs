@@ -11,7 +11,7 @@ use tower_lsp::ls_types::{
     CancelParams, CreateFilesParams, DeleteFilesParams, DidChangeConfigurationParams,
     DidChangeTextDocumentParams, DidChangeWatchedFilesParams, DidChangeWorkspaceFoldersParams,
     DidCloseTextDocumentParams, DidOpenTextDocumentParams, DidSaveTextDocumentParams, RenameFilesParams,
-    TextDocumentContentChangeEvent,
+    TextDocumentContentChangeEvent, WillSaveTextDocumentParams,
 };
 
 use super::{companions, diagnostics, typed, watch};
@@ -95,6 +95,13 @@ pub(crate) fn closed(shared: &Arc<Shared>, params: &DidCloseTextDocumentParams) 
     }
 }
 
+/// A document is about to be saved.
+pub(crate) fn will_save(shared: &Shared, params: &WillSaveTextDocumentParams) {
+    shared
+        .typed
+        .will_save(params.text_document.uri.as_str(), params.reason);
+}
+
 /// A document was saved: for a client that does not report changed files.
 pub(crate) fn saved(shared: &Arc<Shared>, params: &DidSaveTextDocumentParams) {
     typed::saved(shared, params.text_document.uri.as_str());
@@ -136,6 +143,7 @@ pub(crate) fn misread(notification: &Request) -> Option<String> {
         "workspace/didRenameFiles" => RenameFilesParams::deserialize(params).err(),
         "workspace/didDeleteFiles" => DeleteFilesParams::deserialize(params).err(),
         "workspace/didChangeWatchedFiles" => DidChangeWatchedFilesParams::deserialize(params).err(),
+        "textDocument/willSave" => WillSaveTextDocumentParams::deserialize(params).err(),
         "textDocument/didSave" => DidSaveTextDocumentParams::deserialize(params).err(),
         "workspace/didChangeWorkspaceFolders" => DidChangeWorkspaceFoldersParams::deserialize(params).err(),
         "textDocument/didClose" => DidCloseTextDocumentParams::deserialize(params).err(),

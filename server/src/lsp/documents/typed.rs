@@ -1,17 +1,20 @@
-//! What a person is typing: the findings of a rung wait until the cursor has left it, or the file is saved.
+//! What a person is typing: the findings of a rung wait until the cursor has left it, or the person saves the file.
 //!
 //! A client that says where its cursor is (`ladder.cursor`) has its changes taken for typing. What is found in the network
-//! of the last change is held back, since half a rung is full of mistakes that nobody has made yet. A client that says
-//! nothing gets all findings at once.
+//! of the last change is held back, since half a rung is full of mistakes that nobody has made yet; so are half a section of
+//! declarations and half a comment. A client that says nothing gets all findings at once.
+//!
+//! An editor that saves by itself after a while does so in the middle of a rung: that ends nothing.
 
 use std::collections::HashMap;
+use std::mem;
 use std::sync::{Arc, Mutex, PoisonError};
 
 use ladder_analysis::Finding;
 use ladder_analysis::context::Context;
-use ladder_syntax::{TextRange, TextSize};
+use ladder_syntax::{LineKind, Parse, TextRange, TextSize};
 use tower_lsp::jsonrpc::Result;
-use tower_lsp::ls_types::{ExecuteCommandParams, LSPAny};
+use tower_lsp::ls_types::{ExecuteCommandParams, LSPAny, TextDocumentSaveReason};
 
 use super::{diagnostics, pull};
 use crate::document::Revision;
@@ -25,12 +28,24 @@ use crate::typing_messages::Cursor;
 /// The command by which a client says where its cursor is.
 pub(crate) const CURSOR: &str = "ladder.cursor";
 
-/// The documents whose client says where its cursor is, and the line of the change that waits to be looked at.
+/// A comment that is open for so many lines was forgotten.
+const LONGEST_COMMENT: u32 = 20;
+
+/// What is known of a document in which a person types.
 #[derive(Debug, Default)]
-pub(crate) struct Typed(Mutex<HashMap<String, Option<u32>>>);
+struct Typing {
+    /// The line of the change that waits to be looked at.
+    line: Option<u32>,
+    /// The editor is about to save the document by itself.
+    saves_itself: bool,
+}
+
+/// The documents whose client says where its cursor is.
+#[derive(Debug, Default)]
+pub(crate) struct Typed(Mutex<HashMap<String, Typing>>);
 
 impl Typed {
-    fn with<T>(&self, job: impl FnOnce(&mut HashMap<String, Option<u32>>) -> T) -> T {
+    fn with<T>(&self, job: impl FnOnce(&mut HashMap<String, Typing>) -> T) -> T {
         job(&mut self.0.lock().unwrap_or_else(PoisonError::into_inner))
     }
 
@@ -38,25 +53,47 @@ impl Typed {
     pub(crate) fn changed(&self, revision: &Revision) {
         let line = revision.line_of(revision.edited());
         self.with(|typed| {
-            if let Some(waiting) = typed.get_mut(&*revision.uri) {
-                *waiting = Some(line);
+            if let Some(typing) = typed.get_mut(&*revision.uri) {
+                typing.line = Some(line);
             }
         });
     }
 
     /// A client says where its cursor is in a document. Gives the line of the change that waits there.
     fn follow(&self, uri: &str) -> Option<u32> {
-        self.with(|typed| *typed.entry(uri.to_owned()).or_default())
+        self.with(|typed| typed.entry(uri.to_owned()).or_default().line)
     }
 
     /// The line of the change that waits.
     fn waiting(&self, uri: &str) -> Option<u32> {
-        self.with(|typed| typed.get(uri).copied().flatten())
+        self.with(|typed| typed.get(uri)?.line)
     }
 
     /// Nothing waits any longer; whether something did.
     fn release(&self, uri: &str) -> bool {
-        self.with(|typed| typed.get_mut(uri).is_some_and(|waiting| waiting.take().is_some()))
+        self.with(|typed| {
+            typed
+                .get_mut(uri)
+                .is_some_and(|typing| typing.line.take().is_some())
+        })
+    }
+
+    /// A document is about to be saved.
+    pub(crate) fn will_save(&self, uri: &str, reason: TextDocumentSaveReason) {
+        self.with(|typed| {
+            if let Some(typing) = typed.get_mut(uri) {
+                typing.saves_itself = reason == TextDocumentSaveReason::AFTER_DELAY;
+            }
+        });
+    }
+
+    /// A document was saved: whether its editor did that by itself.
+    fn saved_itself(&self, uri: &str) -> bool {
+        self.with(|typed| {
+            typed
+                .get_mut(uri)
+                .is_some_and(|typing| mem::take(&mut typing.saves_itself))
+        })
     }
 
     /// A document was closed.
@@ -65,17 +102,43 @@ impl Typed {
     }
 }
 
-/// The part of a text whose findings wait: the network of a line, or else the line.
-fn part(revision: &Revision, context: &Context, line: u32) -> TextRange {
-    let start = revision.offset(Position { line, character: 0 });
+/// Where the comment or the section begins that goes on in a line.
+fn begun_above(revision: &Revision, parse: &Parse, line: u32) -> Option<TextSize> {
+    let start = revision.line_start(line);
+    if let Some(open) = parse.unclosed_comment()
+        && open.start() <= start
+        && line - revision.line_of(open.start()) < LONGEST_COMMENT
+    {
+        return Some(open.start());
+    }
+    let mut above = (0..=parse.line_at(start)?).rev();
+    let header = above.find(|&line| {
+        let kind = parse.lines()[line].kind;
+        !matches!(
+            kind,
+            LineKind::Declaration | LineKind::Comment | LineKind::Blank | LineKind::Stray
+        )
+    })?;
+    (parse.lines()[header].kind == LineKind::SectionHeader).then(|| parse.line_start(header))
+}
+
+/// The part of a text whose findings wait: the network of a line, what is begun above it, or else the line.
+fn part(revision: &Revision, context: &Context, number: u32) -> TextRange {
+    let start = revision.offset(Position {
+        line: number,
+        character: 0,
+    });
     let end = revision.offset(Position {
-        line: line + 1,
+        line: number + 1,
         character: 0,
     });
     let line = TextRange::new(start, end.max(start));
+    if let Some(begun) = begun_above(revision, &context.parse, number) {
+        return TextRange::new(begun, line.end());
+    }
     let networks = &context.networks;
-    let number = networks.partition_point(|network| network.range.end() <= start);
-    match networks.get(number) {
+    let behind = networks.partition_point(|network| network.range.end() <= start);
+    match networks.get(behind) {
         Some(network) if network.range.start() <= start => network.range.cover(line),
         _ => line,
     }
@@ -95,9 +158,9 @@ pub(crate) fn without_waiting(shared: &Shared, revision: &Revision, found: &mut 
     });
 }
 
-/// A document was saved: what waits is shown.
+/// A document was saved: what waits is shown, if the person saved it.
 pub(crate) fn saved(shared: &Arc<Shared>, uri: &str) {
-    if shared.typed.release(uri) {
+    if !shared.typed.saved_itself(uri) && shared.typed.release(uri) {
         show(shared, uri);
     }
 }
