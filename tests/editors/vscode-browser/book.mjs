@@ -9,7 +9,7 @@ import { open } from './palette.mjs';
 
 const { LADDER_BIN, LADDER_ROOT } = process.env;
 
-const PAGES = ['first-program.md', 'for-programmers.md'];
+const PAGES = ['first-program.md', 'for-electricians.md', 'for-programmers.md'];
 
 /** Milliseconds behind a key: somebody who types faster than the answers come, whom the editor's own aids can still follow. */
 const KEY = 25;
