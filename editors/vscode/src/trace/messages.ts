@@ -72,7 +72,8 @@ export type ToPage =
 
 export type FromPage =
     | { readonly kind: 'ready' }
-    | { readonly kind: 'ask'; readonly asked: TraceAsked }
+    /** Of the session that the page knows: while it asked another may have come into sight. */
+    | { readonly kind: 'ask'; readonly session: string; readonly asked: TraceAsked }
     | { readonly kind: 'goTo'; readonly scan: number }
     | { readonly kind: 'choose' }
     | { readonly kind: 'remove'; readonly tag: string }

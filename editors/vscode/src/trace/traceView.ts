@@ -132,13 +132,14 @@ export class TraceView implements vscode.WebviewViewProvider, vscode.Disposable 
             await this.#tell();
             return;
         }
+        if (message.kind === 'ask') {
+            await (session?.id === message.session ? this.#ask(session, message.asked) : this.#refuse());
+            return;
+        }
         if (!session) {
             return;
         }
         switch (message.kind) {
-            case 'ask':
-                await this.#ask(session, message.asked);
-                return;
             case 'goTo':
                 await this.#simulation.command('goTo', { scan: message.scan });
                 return;
@@ -164,6 +165,12 @@ export class TraceView implements vscode.WebviewViewProvider, vscode.Disposable 
             // The simulation has ended meanwhile.
             this.#send({ kind: 'refused' });
         }
+    }
+
+    /** Another session is in sight than the one that was asked about, or was for a moment: the page asks again. */
+    async #refuse(): Promise<void> {
+        this.#send({ kind: 'refused' });
+        await this.#tell();
     }
 
     dispose(): void {
