@@ -7,7 +7,8 @@ import { BEGINNING, EVERYTHING, follows, panned, type ScanWindow, showing, zoome
 
 interface Kept {
     readonly window: ScanWindow;
-    readonly cursors: (number | undefined)[];
+    /** What is kept as JSON has null where a cursor is not set. */
+    readonly cursors: readonly (number | null | undefined)[];
 }
 
 declare function acquireVsCodeApi(): {
@@ -37,7 +38,9 @@ const columns = new Columns();
 const rows = new Map<string, Row>();
 let situation: Situation = { running: false, tags: [] };
 let traced: Traced | undefined;
-let { window: shown, cursors }: Kept = vscode.getState() ?? { window: BEGINNING, cursors: [undefined, undefined] };
+const kept: Kept = vscode.getState() ?? { window: BEGINNING, cursors: [undefined, undefined] };
+let shown = kept.window;
+let cursors = kept.cursors.map((scan) => scan ?? undefined);
 /** The cursor that keys move. */
 let active = 0;
 let selected: string | undefined;
@@ -65,7 +68,7 @@ function ask(): void {
     const span = shown.span ?? 0;
     const first = shown.last === undefined ? (traced?.first ?? 0) : Math.max(shown.last - span + 1, 1);
     const since = columns.since(asked, first, situation.tags);
-    send({ kind: 'ask', asked: since === undefined ? asked : { ...asked, since } });
+    send({ kind: 'ask', session: situation.session, asked: since === undefined ? asked : { ...asked, since } });
 }
 
 function show(window: ScanWindow): void {
