@@ -12,7 +12,7 @@ use std::sync::{Arc, Mutex, PoisonError};
 
 use ladder_analysis::Finding;
 use ladder_analysis::context::Context;
-use ladder_syntax::{LineKind, Parse, TextRange, TextSize};
+use ladder_syntax::{Parse, TextRange, TextSize};
 use tower_lsp::jsonrpc::Result;
 use tower_lsp::ls_types::{ExecuteCommandParams, LSPAny, TextDocumentSaveReason};
 
@@ -111,15 +111,17 @@ fn begun_above(revision: &Revision, parse: &Parse, line: u32) -> Option<TextSize
     {
         return Some(open.start());
     }
-    let mut above = (0..=parse.line_at(start)?).rev();
-    let header = above.find(|&line| {
-        let kind = parse.lines()[line].kind;
-        !matches!(
-            kind,
-            LineKind::Declaration | LineKind::Comment | LineKind::Blank | LineKind::Stray
-        )
-    })?;
-    (parse.lines()[header].kind == LineKind::SectionHeader).then(|| parse.line_start(header))
+    let line = parse.line_at(start)?;
+    let section = parse
+        .frame()
+        .sections
+        .iter()
+        .rev()
+        .find(|section| section.lines.start <= line)?;
+    section
+        .lines
+        .contains(&line)
+        .then(|| parse.line_start(section.lines.start))
 }
 
 /// The part of a text whose findings wait: the network of a line, what is begun above it, or else the line.
