@@ -25,16 +25,6 @@ impl Renamed {
         }
     }
 
-    /// The numbers to which the names lead for which something holds, in any order.
-    pub(crate) fn numbers_of(&self, holds: impl Fn(&Name) -> bool) -> Vec<u32> {
-        let is_changed = |name: &Name| self.changed.iter().any(|(changed, _)| changed == name);
-        let names = self.names.iter();
-        let unchanged = names.filter(|(name, _)| holds(name) && !is_changed(name));
-        let changed = self.changed.iter().filter(|(name, _)| holds(name));
-        let changed = changed.filter_map(|(_, number)| *number);
-        unchanged.map(|(_, number)| *number).chain(changed).collect()
-    }
-
     /// Adds a name before any has changed, if it is not there.
     pub(crate) fn add(&mut self, name: Name, number: u32) {
         Arc::make_mut(&mut self.names).entry(name).or_insert(number);

@@ -258,20 +258,6 @@ impl Scope {
         self.numbering.index(self.declared_names.get(name)?)
     }
 
-    /// The tags to which the names lead for which something holds, in their order. Of all others only the names are looked at,
-    /// which are side by side in memory.
-    pub fn tags_of_names(&self, holds: impl Fn(&Name) -> bool) -> Vec<usize> {
-        let declared = self.declared_names.numbers_of(&holds).into_iter();
-        let declared = declared.filter_map(|number| self.numbering.index(number));
-        let found = self.found_names.numbers_of(&holds).into_iter();
-        let found = found.filter_map(|number| Some(self.declared + self.found_numbering.index(number)?));
-        let mut tags: Vec<usize> = declared.chain(found).collect();
-        tags.sort_unstable();
-        // One with an address has two names.
-        tags.dedup();
-        tags
-    }
-
     /// Puts other declared tags in the place of some. Their names are for [`Scope::rename`] to say.
     pub(crate) fn exchange_declared(&mut self, old: Range<usize>, new: Vec<Arc<TagFacts>>) {
         if old.len() != new.len() {

@@ -5,7 +5,7 @@ use super::proposals::{MOST, Proposals};
 use crate::typing::{Operand, Typing};
 use crate::wanted::{Kind, Wanted, rank, scalar_rank};
 use ladder_analysis::program::{Role, SystemTag};
-use ladder_analysis::scope::{Access, Origin, Scope, SectionKind, TagFacts};
+use ladder_analysis::scope::{Access, Origin, SectionKind, TagFacts};
 use ladder_analysis::types::{Scalar, Type};
 use ladder_instructions::Law;
 use ladder_syntax::Name;
@@ -40,9 +40,9 @@ pub(super) fn propose(typing: &Typing<'_>, operand: &Operand, wanted: &Wanted, o
         }
         _ => tag.name.to_lowercase().starts_with(&lower),
     };
-    let mut tags: Vec<Ranked<'_>> = candidates(scope, prefix, out)
-        .into_iter()
-        .map(|tag| &scope.tags[tag])
+    let mut tags: Vec<Ranked<'_>> = scope
+        .tags
+        .iter()
         .filter(|tag| out.may_be(&tag.name) && !is_being_written(typing, tag))
         .filter_map(|tag| {
             let known = tag
@@ -76,16 +76,6 @@ pub(super) fn propose(typing: &Typing<'_>, operand: &Operand, wanted: &Wanted, o
         system(wanted, out);
         literals(wanted, out);
     }
-}
-
-/// The tags that can be meant by what is written, and perhaps others.
-fn candidates(scope: &Scope, prefix: &str, out: &Proposals<'_>) -> Vec<usize> {
-    if prefix.is_empty() {
-        return (0..scope.tags.len()).collect();
-    }
-    // Letters that are not ASCII may be others in a name as it is compared.
-    let is_plain = |name: &str| name.is_ascii() && prefix.is_ascii();
-    scope.tags_of_names(|name| !is_plain(name.as_str()) || out.may_be(name.as_str()))
 }
 
 /// Whether all that is known of a tag is the half of a name that is at the cursor.

@@ -180,8 +180,7 @@ fn tags(context: &Context) -> Vec<String> {
             let place = context.place_of(tag);
             format!("{what:?} {declared:?} {elsewhere:?} {place:?} {uses:?}")
         });
-        let named = scope.tags_of_names(|name| !name.as_str().ends_with('b'));
-        format!("{}\n{named:?}", tags.collect::<Vec<_>>().join("\n"))
+        tags.collect::<Vec<_>>().join("\n")
     };
     context.scopes.iter().map(of_scope).collect()
 }
