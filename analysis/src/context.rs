@@ -236,6 +236,12 @@ impl Context {
         writers.map(|place| self.networks.use_of(*place))
     }
 
+    /// A tag by its scope and name, if it is there.
+    pub(crate) fn find_tag(&self, (scope, name): &(usize, Name)) -> Option<&TagFacts> {
+        let scope = self.scopes.get(*scope)?;
+        scope.find(name).map(|tag| &scope.tags[tag])
+    }
+
     /// The tags of all scopes, each once.
     pub(crate) fn own_tags(&self) -> impl Iterator<Item = &TagFacts> {
         let tags = self.scopes.iter().flat_map(|scope| &scope.tags);

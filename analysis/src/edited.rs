@@ -107,33 +107,28 @@ impl EditedTags {
     pub(crate) fn infer_again(
         &mut self,
         context: &mut Context,
-        before: Vec<(usize, SmolStr, Option<Type>)>,
+        before: &[(usize, SmolStr, Option<Type>)],
         fresh: Vec<(usize, Name)>,
     ) -> Option<()> {
-        let entry = |context: &Context, scope: usize, name: &Name| {
-            context.scopes[scope].find(name).map(|tag| (scope, tag))
+        let others = |context: &Context| -> Vec<(usize, Name)> {
+            let named = before
+                .iter()
+                .map(|(scope, spelled, ty)| ((*scope, Name::new(spelled)), spelled, *ty));
+            let is_other = |(key, spelled, ty): &((usize, Name), &SmolStr, Option<Type>)| {
+                let tag = context.find_tag(key);
+                tag.is_none_or(|tag| tag.ty != *ty || tag.name != **spelled)
+            };
+            named.filter(is_other).map(|(key, ..)| key).collect()
         };
-        let same = |context: &Context, (scope, spelled, ty): &(usize, SmolStr, Option<Type>)| {
-            let tag = entry(context, *scope, &Name::new(spelled));
-            tag.is_some_and(|(scope, tag)| {
-                let tag = &context.scopes[scope].tags[tag];
-                tag.ty == *ty && tag.name == *spelled
-            })
-        };
-        let other = before.iter().filter(|tag| !same(context, tag));
-        let other = other.map(|(scope, spelled, _)| (*scope, Name::new(spelled)));
-        let changed = other.chain(fresh);
-        let changed: Vec<Entry> = changed
-            .filter_map(|(scope, name)| entry(context, scope, &name))
-            .collect();
+        let changed = others(context).into_iter().chain(fresh);
+        let changed = changed.filter_map(|(scope, name)| Some((scope, context.scopes[scope].find(&name)?)));
+        let changed: Vec<Entry> = changed.collect();
         for (scope, tag) in company::infer_again(context, &changed)? {
             let name = Name::new(&context.scopes[scope].tags[tag].name);
             self.used.push((scope, name.clone()));
             self.retyped.push((scope, name));
         }
-        let other = before.iter().filter(|tag| !same(context, tag));
-        let other = other.map(|(scope, spelled, _)| (*scope, Name::new(spelled)));
-        self.retyped.extend(other);
+        self.retyped.extend(others(context));
         Some(())
     }
 }
@@ -425,7 +420,7 @@ impl Edited {
         let found = in_file.map(|(_, tag)| *tag).collect();
         place_found(&mut context.scopes[0], found, new, &context.networks);
         let fresh = new_names.keys().map(|name| (0, name.clone())).collect();
-        edited.infer_again(context, before, fresh)?;
+        edited.infer_again(context, &before, fresh)?;
         edited.used.extend(new_names.into_keys().map(|name| (0, name)));
         Some(edited)
     }

@@ -229,6 +229,6 @@ fn exchange(context: &mut Context, tags: Range<usize>, new: Vec<TagFacts>) -> Op
     for (tag, name) in (tags.start..).zip(comes) {
         scope.rename(name, Some(tag));
     }
-    edited.infer_again(context, Vec::new(), fresh)?;
+    edited.infer_again(context, &[], fresh)?;
     Some(edited)
 }

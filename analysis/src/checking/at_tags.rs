@@ -125,7 +125,7 @@ impl AtTags {
             tags.remove(&key);
         }
         self.undeclared.forget(&key);
-        if let Some(tag) = find(context, &key).filter(|tag| tag.shared.is_none()) {
+        if let Some(tag) = context.find_tag(&key).filter(|tag| tag.shared.is_none()) {
             self.look_at(context, (key.0, tag), around);
         }
     }
@@ -203,12 +203,6 @@ impl AtTags {
     ) -> impl Iterator<Item = &'c TagFacts> + use<'c> {
         tags_of(context, &self.read_above)
     }
-}
-
-/// A tag, if it is there.
-pub(super) fn find<'c>(context: &'c Context, (scope, name): &TagKey) -> Option<&'c TagFacts> {
-    let tags = context.scopes.get(*scope)?;
-    tags.find(name).map(|tag| &tags.tags[tag])
 }
 
 /// Tags in their order.

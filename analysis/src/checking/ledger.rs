@@ -4,7 +4,7 @@
 //! only those are looked at again that the [`Change`] names, or whose surroundings changed in a
 //! way that matters; what the others own stays, and moves with them.
 
-use super::at_tags::{AtTags, find};
+use super::at_tags::AtTags;
 use super::part_notes::PartNotes;
 use super::shelf::Shelf;
 use super::still_wanted::StillWanted;
@@ -207,7 +207,9 @@ impl Ledger {
         let mut again: BTreeSet<usize> = change.networks.iter().copied().collect();
         again.extend(self.volatile.iter().map(|&id| context.networks.index_of(id)));
         for tag in &change.retyped {
-            let Some(tag) = find(context, tag) else { continue };
+            let Some(tag) = context.find_tag(tag) else {
+                continue;
+            };
             for place in &tag.uses.0 {
                 again.insert(context.networks.index_of(place.network));
             }

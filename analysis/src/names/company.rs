@@ -44,7 +44,7 @@ fn around(context: &Context, changed: &[Entry]) -> Option<FxHashSet<Entry>> {
     let mut next: Vec<Entry> = changed.to_vec();
     while let Some((scope, tag)) = next.pop() {
         let facts = &context.scopes[scope].tags[tag];
-        if (facts.by_company || facts.ty.is_none()) && !found.insert((scope, tag)) {
+        if facts.depends_on_company() && !found.insert((scope, tag)) {
             continue;
         }
         places += facts.uses.len();
@@ -60,11 +60,8 @@ fn around(context: &Context, changed: &[Entry]) -> Option<FxHashSet<Entry>> {
             let names = names.filter(|named| named.block as usize == place.block);
             let scope = network.scope;
             let tags = names.filter_map(|named| context.scopes[scope].find(&named.key));
-            let is_by_company = |tag: &usize| {
-                let tag = &context.scopes[scope].tags[*tag];
-                tag.by_company || tag.ty.is_none()
-            };
-            let company = tags.filter(is_by_company).map(|tag| (scope, tag));
+            let depends = |tag: &usize| context.scopes[scope].tags[*tag].depends_on_company();
+            let company = tags.filter(depends).map(|tag| (scope, tag));
             next.extend(company.filter(|entry| !found.contains(entry)));
         }
     }

@@ -21,22 +21,9 @@ pub(crate) type Entry = (usize, usize);
 
 /// Gives every tag its type.
 pub(crate) fn infer(context: &mut Context) {
-    by_place(context);
-    let untyped = tags_that(context, |tag| tag.ty.is_none());
+    let untyped = by_place(context);
     settle(context, &untyped);
     internal_unless_bool(context);
-}
-
-/// The tags for which something holds.
-fn tags_that(context: &Context, holds: impl Fn(&TagFacts) -> bool) -> Vec<Entry> {
-    let scopes = context.scopes.iter().enumerate();
-    let tags = scopes.flat_map(|(scope, facts)| {
-        let tags = facts.tags.iter().enumerate();
-        tags.map(move |(index, tag)| ((scope, index), tag))
-    });
-    tags.filter(|(_, tag)| holds(tag))
-        .map(|(entry, _)| entry)
-        .collect()
 }
 
 /// Rules 2 and 3, for tags without a type that share no block with other ones of which rule 1 says nothing.
@@ -87,17 +74,24 @@ fn asked(context: &Context, bound: BlockAt<'_>, formal: Formal) -> Option<Type> 
     }
 }
 
-/// Rule 1. Only the places of tags without a type have a say.
-fn by_place(context: &mut Context) {
-    let untyped = tags_that(context, |tag| tag.ty.is_none());
-    let answers = untyped.into_iter().filter_map(|(scope, tag)| {
-        let ty = answer(context, &context.scopes[scope].tags[tag])?;
-        Some((scope, tag, ty))
-    });
-    let answers: Vec<(usize, usize, Type)> = answers.collect();
-    for (scope, tag, ty) in answers {
+/// Rule 1. Only the places of tags without a type have a say. Gives the tags that have none behind it.
+fn by_place(context: &mut Context) -> Vec<Entry> {
+    let mut answers: Vec<(Entry, Type)> = Vec::new();
+    let mut untyped: Vec<Entry> = Vec::new();
+    for (scope, facts) in context.scopes.iter().enumerate() {
+        for (index, tag) in facts.tags.iter().enumerate() {
+            if tag.ty.is_none() {
+                match answer(context, tag) {
+                    Some(ty) => answers.push(((scope, index), ty)),
+                    None => untyped.push((scope, index)),
+                }
+            }
+        }
+    }
+    for ((scope, tag), ty) in answers {
         context.scopes[scope].tags[tag].ty = Some(ty);
     }
+    untyped
 }
 
 /// The type that a tag's places give it. One that is only in blocks that could not be read has neither places nor

@@ -218,6 +218,11 @@ impl TagFacts {
         }
     }
 
+    /// Whether no place of it says its type.
+    pub(crate) const fn depends_on_company(&self) -> bool {
+        self.by_company || self.ty.is_none()
+    }
+
     /// Whether it has a declaration.
     pub const fn is_declared(&self) -> bool {
         matches!(self.origin, Origin::Declared(_))

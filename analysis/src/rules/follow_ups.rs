@@ -102,11 +102,7 @@ impl Doubt {
             .for_each(|bound| doubt.block(bound));
         doubt.mistyped = if context.settled {
             let tags = context.mistyped.iter();
-            let found = tags.filter_map(|(scope, name)| {
-                let scope = &context.scopes[*scope];
-                scope.find(name).map(|tag| &scope.tags[tag])
-            });
-            blocks_that_name(context, found)
+            blocks_that_name(context, tags.filter_map(|tag| context.find_tag(tag)))
         } else {
             let tags = context.scopes.iter().flat_map(|scope| &scope.tags);
             blocks_that_name(context, tags.filter(|tag| tag.mistyped))

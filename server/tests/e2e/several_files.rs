@@ -219,7 +219,7 @@ async fn what_nobody_uses_follows_the_files_that_could() {
     replace(&mut client, &main, 2, "+--( )( z )--<CALL>( count )--+\n").await;
     let mut found = published(&mut client, &shared).await;
     if found == ["unused-function"] {
-        // The other file was opened while the first one told what it offers: then that is looked at once more.
+        // The other file was opened while the first one said what it offers: then that is looked at once more.
         found = published(&mut client, &shared).await;
     }
     assert_eq!(found, NONE);

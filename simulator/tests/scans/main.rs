@@ -2,6 +2,7 @@
 
 mod calc;
 mod change;
+mod change_and_back;
 mod click;
 mod conditions;
 mod counters;

@@ -1,6 +1,6 @@
 //! What a person did, as a scenario.
 
-use crate::change::{Numbers, give, programs};
+use crate::change_and_back::{Numbers, give, programs};
 use crate::support::{simulation, simulation_with};
 use expect_test::{Expect, expect};
 use ladder_analysis::value::Value;

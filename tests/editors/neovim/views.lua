@@ -1,4 +1,22 @@
 -- The tags, the diagram and the trace beside the program.
+
+--- The buffer of the diagram that is shown, and its window.
+local function diagram()
+  local window = vim.iter(vim.api.nvim_list_wins()):find(function(window)
+    return vim.bo[vim.api.nvim_win_get_buf(window)].filetype == 'ladder_diagram'
+  end)
+  return vim.api.nvim_win_get_buf(window), window
+end
+
+--- The row of a buffer that has a pattern in it, as soon as there is one.
+local function row_with(t, bufnr, pattern, what)
+  return t.eventually(what or pattern, function()
+    return vim.iter(ipairs(vim.api.nvim_buf_get_lines(bufnr, 0, -1, false))):find(function(_, line)
+      return line:find(pattern)
+    end)
+  end)
+end
+
 return function(t)
   local ladder = require('ladder')
 
@@ -54,16 +72,9 @@ return function(t)
     local bufnr = t.open('motor.clad')
     local text = vim.api.nvim_get_current_win()
     vim.cmd('Ladder diagram')
-    local diagram = vim.iter(vim.api.nvim_list_wins()):find(function(window)
-      return vim.bo[vim.api.nvim_win_get_buf(window)].filetype == 'ladder_diagram'
-    end)
-    local drawing = vim.api.nvim_win_get_buf(diagram)
+    local drawing, window = diagram()
     local function eventually(what, pattern)
-      return t.eventually(what, function()
-        return vim.iter(ipairs(vim.api.nvim_buf_get_lines(drawing, 0, -1, false))):find(function(_, line)
-          return line:find(pattern)
-        end)
-      end)
+      return row_with(t, drawing, pattern, what)
     end
     eventually('the drawing at rest', '^├──┬──┤   ├──┬──┤ / ├──')
     vim.cmd('Ladder start')
@@ -81,13 +92,13 @@ return function(t)
     local timer = vim.api.nvim_buf_get_lines(bufnr, 5, 6, false)[1]:find('[TON]', 1, true)
     vim.api.nvim_win_set_cursor(text, { 6, timer })
     vim.api.nvim_exec_autocmds('CursorMoved', { buffer = bufnr })
-    local row = vim.api.nvim_win_get_cursor(diagram)[1]
+    local row = vim.api.nvim_win_get_cursor(window)[1]
     assert(vim.api.nvim_buf_get_lines(drawing, row - 1, row, false)[1]:find('IN'), 'the cursor is in line ' .. row)
-    vim.api.nvim_set_current_win(diagram)
+    vim.api.nvim_set_current_win(window)
     local function cursor_to(pattern)
       local at = eventually(pattern, pattern)
       local line = vim.api.nvim_buf_get_lines(drawing, at - 1, at, false)[1]
-      vim.api.nvim_win_set_cursor(diagram, { at, line:find(pattern) - 1 })
+      vim.api.nvim_win_set_cursor(window, { at, line:find(pattern) - 1 })
     end
     cursor_to('stop')
     vim.api.nvim_feedkeys(vim.keycode('t<F10>'), 'x', false)
@@ -123,16 +134,9 @@ return function(t)
     local bufnr = t.open('motor.clad')
     vim.cmd('Ladder start')
     vim.cmd('Ladder diagram')
-    local drawing = vim.iter(vim.api.nvim_list_bufs()):find(function(buffer)
-      return vim.bo[buffer].filetype == 'ladder_diagram'
-    end)
-    local window = vim.fn.win_findbuf(drawing)[1]
+    local drawing, window = diagram()
     local function rung(pattern)
-      return t.eventually(pattern, function()
-        return vim.iter(ipairs(vim.api.nvim_buf_get_lines(drawing, 0, -1, false))):find(function(_, line)
-          return line:find(pattern)
-        end)
-      end)
+      return row_with(t, drawing, pattern)
     end
     local function under_cursor()
       local row, at = unpack(vim.api.nvim_win_get_cursor(window))
@@ -163,16 +167,9 @@ return function(t)
     vim.cmd('Ladder start')
     assert(ladder.wait(bufnr), 'no answer')
     vim.cmd('Ladder diagram')
-    local drawing = vim.iter(vim.api.nvim_list_bufs()):find(function(buffer)
-      return vim.bo[buffer].filetype == 'ladder_diagram'
-    end)
-    local window = vim.fn.win_findbuf(drawing)[1]
+    local drawing, window = diagram()
     local function row_of(text)
-      return t.eventually(text, function()
-        return vim.iter(ipairs(vim.api.nvim_buf_get_lines(drawing, 0, -1, false))):find(function(_, line)
-          return line:find(text, 1, true)
-        end)
-      end)
+      return row_with(t, drawing, vim.pesc(text))
     end
     local row = row_of('level')
     vim.api.nvim_set_current_win(window)
@@ -207,9 +204,7 @@ return function(t)
     vim.api.nvim_win_set_cursor(0, { 7000, 0 })
     vim.cmd('redraw')
     vim.api.nvim_exec_autocmds('WinScrolled', {})
-    local drawing = vim.iter(vim.api.nvim_list_bufs()):find(function(buffer)
-      return vim.bo[buffer].filetype == 'ladder_diagram'
-    end)
+    local drawing = diagram()
     local lines = t.eventually('the networks around line 7000', function()
       local lines = vim.api.nvim_buf_get_lines(drawing, 0, -1, false)
       return table.concat(lines, '\n'):find('in7000 ', 1, true) and lines

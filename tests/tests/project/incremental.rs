@@ -233,6 +233,14 @@ pub(crate) fn edited(text: &str, dice: &mut Dice) -> String {
     text
 }
 
+/// Puts one of the letters behind the first one of an operand.
+pub(crate) fn type_in_an_operand(rung: &mut String, letters: &[&str], dice: &mut Dice) {
+    let places: Vec<usize> = rung.match_indices("( ").map(|(at, _)| at + 3).collect();
+    if let Some(place) = places.get(dice.below(places.len().max(1))) {
+        rung.insert_str(*place, dice.of(letters));
+    }
+}
+
 fn steps(mode: Mode, seeds: std::ops::Range<u64>, count: usize) {
     for seed in seeds {
         let mut dice = Dice::new(seed);

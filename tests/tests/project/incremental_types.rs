@@ -1,6 +1,6 @@
 //! The same for tags whose types follow from their places and their company: an edit of one gives others another type.
 
-use crate::incremental::{Document, asked, settings};
+use crate::incremental::{Document, asked, settings, type_in_an_operand};
 use ladder_tests::generator::Dice;
 
 const NAMES: [&str; 9] = [
@@ -63,13 +63,7 @@ fn types_that_follow_from_others() {
                     rungs.remove(at);
                 }
                 2 => rungs[at] = rung(&mut dice),
-                3 => {
-                    // A letter more in a name, or a digit in a number.
-                    let places: Vec<usize> = rungs[at].match_indices("( ").map(|(at, _)| at + 3).collect();
-                    if let Some(place) = places.get(dice.below(places.len().max(1))) {
-                        rungs[at].insert_str(*place, dice.of(&["a", "t", "1", ".5", " "]));
-                    }
-                }
+                3 => type_in_an_operand(&mut rungs[at], &["a", "t", "1", ".5", " "], &mut dice),
                 _ => {
                     // A line of declarations comes and goes.
                     let lines: Vec<&str> = document.text.split_inclusive('\n').collect();

@@ -1,7 +1,7 @@
 //! The same for names that no declaration has: what is said of one depends on others that are near to it, on how many there
 //! are, and on whether the file declares any.
 
-use crate::incremental::{Document, asked, settings};
+use crate::incremental::{Document, asked, settings, type_in_an_operand};
 use ladder_tests::generator::Dice;
 
 /// Names that are a letter or two away from each other.
@@ -55,13 +55,7 @@ fn names_that_come_and_go() {
                     rungs.remove(at);
                 }
                 2 => rungs[at] = rung(&mut dice),
-                3 => {
-                    // A letter more in a name.
-                    let places: Vec<usize> = rungs[at].match_indices("( ").map(|(at, _)| at + 3).collect();
-                    if let Some(place) = places.get(dice.below(places.len().max(1))) {
-                        rungs[at].insert_str(*place, dice.of(&["a", "t", "s", "1"]));
-                    }
-                }
+                3 => type_in_an_operand(&mut rungs[at], &["a", "t", "s", "1"], &mut dice),
                 4 => {
                     let names = [
                         "    lamp : BOOL;\n",

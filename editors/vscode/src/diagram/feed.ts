@@ -17,7 +17,7 @@ export class Feed {
     }
 
     /**
-     * @param withValues whether values that the page knows by others are told now; otherwise they wait
+     * @param withValues whether values that the page knows by others are sent now; otherwise they wait
      * @returns what to tell the page that shows these lines
      */
     news(source: Source, lines: Lines, withValues = true): LiveUpdate {
