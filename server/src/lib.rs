@@ -22,6 +22,7 @@
 //!   messages of that.
 //! - `debug` is the debug adapter, `ladder dap`, over the same engine.
 //! - `settling` gives memory back when the server has come to rest.
+//! - `standard_input` reads what the client sends, on a thread of its own.
 //! - `recording` and `replay` keep what a client sent, and play it again.
 //! - `lsp` speaks the protocol. It is the only folder that names `tower-lsp`, and its page has the rules that
 //!   keep a server on it alive, in order and answering.
@@ -46,6 +47,7 @@ mod recording;
 mod replay;
 mod settling;
 mod simulation;
+mod standard_input;
 pub mod typing_messages;
 
 use std::path::Path;
@@ -67,7 +69,10 @@ const WORKERS: usize = 2;
 ///
 /// The exit status is 0 after `shutdown`, else 1, as the protocol asks; 2 if the server could not start.
 pub fn run_stdio(mirror: Option<&Path>) -> ExitCode {
-    let input = tokio::io::stdin();
+    let input = match standard_input::StandardInput::start() {
+        Ok(input) => input,
+        Err(error) => return cannot_start(&error),
+    };
     let Some(mirror) = mirror else {
         return run(serve(input, tokio::io::stdout()));
     };
@@ -113,6 +118,11 @@ pub fn run_replay(recorded: &Path, speed: Option<f64>) -> ExitCode {
     }
 }
 
+fn cannot_start(error: &std::io::Error) -> ExitCode {
+    eprintln!("the language server cannot start: {error}");
+    ExitCode::from(2)
+}
+
 fn run(session: impl Future<Output = Ending>) -> ExitCode {
     let settling = settling::Settling::default();
     let ended = settling.clone();
@@ -124,14 +134,11 @@ fn run(session: impl Future<Output = Ending>) -> ExitCode {
         .build()
     {
         Ok(runtime) => runtime,
-        Err(error) => {
-            eprintln!("the language server cannot start: {error}");
-            return ExitCode::from(2);
-        }
+        Err(error) => return cannot_start(&error),
     };
     runtime.spawn(settling.watch());
     let ending = runtime.block_on(session);
-    // A read of standard input cannot be interrupted: waiting for that thread would wait for the client.
+    // Work that is still under way is for nobody.
     runtime.shutdown_background();
     match ending {
         Ending::Clean => ExitCode::SUCCESS,

@@ -7,7 +7,7 @@ use serde::{Serialize, Serializer};
 use tower_lsp::jsonrpc::Result;
 use tower_lsp::ls_types::{
     DocumentSymbol, DocumentSymbolParams, DocumentSymbolResponse, Location, SymbolInformation, SymbolKind,
-    Uri, WorkspaceSymbolParams, WorkspaceSymbolResponse,
+    WorkspaceSymbolParams, WorkspaceSymbolResponse,
 };
 
 use super::asked::{Asked, Places, about};
@@ -42,9 +42,20 @@ pub(crate) async fn document_symbols(
             return String::from_utf8(json).ok();
         }
         let mut flat = Vec::new();
-        let uri = convert::uri(&asked.revision.uri)?;
-        flatten(&positions, &uri, &found, None, &mut flat);
-        serde_json::to_string(&flat).ok()
+        flatten(&found, None, &mut flat);
+        let uri = &asked.revision.uri;
+        let flat = flat.into_iter().map(|(item, container_name)| FlatSymbol {
+            name: &item.name,
+            kind: kind(item.kind),
+            location: FlatLocation {
+                uri,
+                range: positions.range(item.range),
+            },
+            container_name,
+        });
+        let mut json = Vec::with_capacity(asked.revision.len() * 3);
+        serde_json::Serializer::new(&mut json).collect_seq(flat).ok()?;
+        String::from_utf8(json).ok()
     });
     match text.await? {
         Some(text) => prepared::answer(text),
@@ -130,6 +141,23 @@ struct Symbol<'s> {
     children: Option<Symbols<'s>>,
 }
 
+/// As [`SymbolInformation`], for clients that know no tree.
+#[derive(Serialize)]
+#[serde(rename_all = "camelCase")]
+struct FlatSymbol<'s> {
+    name: &'s str,
+    kind: SymbolKind,
+    location: FlatLocation<'s>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    container_name: Option<&'s str>,
+}
+
+#[derive(Serialize)]
+struct FlatLocation<'s> {
+    uri: &'s str,
+    range: crate::Range,
+}
+
 /// The names of all workspaces that have an open document.
 pub(crate) async fn symbols(
     shared: &Arc<Shared>,
@@ -169,21 +197,15 @@ pub(crate) async fn symbols(
     .await
 }
 
-fn flatten(
-    positions: &Positions,
-    uri: &Uri,
-    items: &[Outlined],
-    container: Option<&str>,
-    out: &mut Vec<SymbolInformation>,
+/// Each item with the name of the one that holds it.
+fn flatten<'o>(
+    items: &'o [Outlined],
+    container: Option<&'o str>,
+    out: &mut Vec<(&'o Outlined, Option<&'o str>)>,
 ) {
     for item in items {
-        let location = Location {
-            uri: uri.clone(),
-            range: convert::range(positions.range(item.range)),
-        };
-        let of = container.map(str::to_owned);
-        out.push(information(item.name.clone(), item.kind, location, of));
-        flatten(positions, uri, &item.children, Some(&item.name), out);
+        out.push((item, container));
+        flatten(&item.children, Some(&item.name), out);
     }
 }
 
