@@ -1,6 +1,7 @@
 // Power flow and values drawn over the text; nothing is ever put between its characters.
 import * as vscode from 'vscode';
 
+import { Flicker } from './flicker.ts';
 import { type Label, type Placed, placeLabels, roomFor } from './labels.ts';
 import { Pace, withTheRest } from './pace.ts';
 import { type Look, type PowerRanges, powerRanges } from './powerRanges.ts';
@@ -33,7 +34,8 @@ function kindsOf(options: vscode.DecorationRenderOptions): Kinds {
 }
 
 // Weight and line beside the colours, so that all is seen without colours too: what has power is bold, a contact that
-// lets it through is underlined, one that does not is neither. Bold letters are as wide as others in a fixed font.
+// lets it through is underlined, one that does not is neither; what changes too fast to follow has a dotted line. Bold
+// letters are as wide as others in a fixed font.
 // The weight is in the style sheet beside the line: a decoration that names a weight itself makes the editor take the letters
 // for such of many widths, and measure each of them on the page whenever it is drawn.
 const BOLD = 'font-weight: bold';
@@ -43,6 +45,7 @@ const looks: Readonly<Record<Look, Kinds>> = {
     closedOn: kindsOf({ ...powered, textDecoration: `underline; ${BOLD}` }),
     closed: kindsOf({ ...powered, textDecoration: 'underline' }),
     blocks: kindsOf({ color: new vscode.ThemeColor('ladder.blocks') }),
+    flickers: kindsOf({ ...powered, textDecoration: 'underline dotted' }),
 };
 const next = style({
     border: '1px solid',
@@ -69,6 +72,9 @@ interface Canvas {
     readonly texts: number;
     readonly drawn: Map<vscode.TextEditorDecorationType, string>;
     powerChanges: number;
+    readonly flicker: Flicker;
+    /** Whether anything flickers: it may have come to rest without a word of it. */
+    flickers: boolean;
     readonly restless: Restless;
     labels: readonly ShownLabel[];
     /** Of what the labels were placed for: lines that are shown, and what is forced. */
@@ -88,6 +94,8 @@ function canvasOf(editor: vscode.TextEditor, session: Session): Canvas {
         texts: session.texts,
         drawn: new Map(),
         powerChanges: -1,
+        flicker: new Flicker(),
+        flickers: false,
         restless: new Restless(),
         labels: [],
         labelled: '',
@@ -148,22 +156,39 @@ function placeAll(session: Session): ShownLabel[] {
 }
 
 /**
+ * The place in the text that a label hangs on, and where the label is from there. If it is shown on a blank line it hangs on
+ * that: the editor makes the line anew with each value, and takes one under the pointer for one that the pointer has left.
+ */
+function hangsOn(document: vscode.TextDocument, { line, character, placed }: ShownLabel) {
+    const { side, column } = placed;
+    const other = line + { above: -1, below: 1, between: 0 }[side];
+    if (side === 'between' || other < 0 || other >= document.lineCount || !document.lineAt(other).isEmptyOrWhitespace) {
+        const start = new vscode.Position(line, character);
+        return { range: new vscode.Range(start, start.translate(0, 1)), isApart: false, shift: column - character };
+    }
+    const start = document.lineAt(other).range.end;
+    return { range: new vscode.Range(start, start), isApart: true, shift: column - start.character };
+}
+
+/**
  * A label is over the text, out of its flow: it takes no room in its line. On a blank line it is as large as the
  * text; between two lines it is as large as the gap.
  */
 function labelOptions(session: Session, label: ShownLabel): vscode.DecorationOptions {
-    const { side, column } = label.placed;
+    const { side } = label.placed;
     const text = textOf(session, label.tag);
     const tag = session.tag(label.tag);
+    const { range, isApart, shift } = hangsOn(session.document, label);
+    // A cell of the label is as much smaller than one of the text.
+    const size = side === 'between' ? 0.68 : 0.9;
     const place = {
-        above: 'top: -100%; font-size: 0.9em',
-        below: 'top: 100%; font-size: 0.9em',
-        between: 'top: -0.6em; font-size: 0.68em; line-height: 1',
+        above: `top: ${isApart ? 0 : '-100%'}`,
+        below: `top: ${isApart ? 0 : '100%'}`,
+        between: 'top: -0.6em; line-height: 1',
     }[side];
     const color = tag?.forced ? 'ladder.forced' : tag?.value === true ? 'ladder.powerOn' : 'ladder.value';
-    const start = new vscode.Position(label.line, label.character);
     return {
-        range: new vscode.Range(start, start.translate(0, 1)),
+        range,
         renderOptions: {
             before: {
                 // The page would make one blank of two. Below, it could be one of the next line.
@@ -171,8 +196,8 @@ function labelOptions(session: Session, label: ShownLabel): vscode.DecorationOpt
                 color: new vscode.ThemeColor(color),
                 fontWeight: side === 'between' ? 'bold' : 'normal',
                 fontStyle: 'normal',
-                margin: `0 0 0 ${column - label.character}ch`,
-                textDecoration: `none; position: absolute; z-index: 2; pointer-events: none; white-space: pre; ${place};`,
+                margin: `0 0 0 ${shift / size}ch`,
+                textDecoration: `none; position: absolute; z-index: 2; pointer-events: none; white-space: pre; font-size: ${size}em; ${place};`,
             },
         },
     };
@@ -221,10 +246,12 @@ function paint(editor: vscode.TextEditor, session: Session, withValues: boolean)
         return;
     }
     const canvas = canvasOf(editor, session);
-    if (canvas.powerChanges !== session.powerChanges) {
+    if (canvas.powerChanges !== session.powerChanges || canvas.flickers) {
         canvas.powerChanges = session.powerChanges;
         const elements = [...session.power.values()].flatMap((line) => [...line.values()]);
-        const shown = powerRanges(elements);
+        const flickering = canvas.flicker.among(elements, session.state.status === 'running', Date.now());
+        canvas.flickers = flickering.size > 0;
+        const shown = powerRanges(elements, flickering);
         const restless = canvas.restless.among(linesOf(shown), Date.now());
         for (const [look, ranges] of Object.entries(shown)) {
             const kinds = looks[look as Look];

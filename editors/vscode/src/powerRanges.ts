@@ -3,8 +3,11 @@ import type { Power } from './protocol.ts';
 
 type Range = Power['range'];
 
-/** How an element looks: with power, without, a contact that lets it through with and without power, one that stops it. */
-export type Look = 'on' | 'off' | 'closedOn' | 'closed' | 'blocks';
+/**
+ * How an element looks: with power, without, a contact that lets it through with and without power, one that stops it, and
+ * what changes faster than anybody can follow.
+ */
+export type Look = 'on' | 'off' | 'closedOn' | 'closed' | 'blocks' | 'flickers';
 
 export type PowerRanges = Readonly<Record<Look, readonly Range[]>>;
 
@@ -23,10 +26,10 @@ function inTextOrder(a: Power, b: Power): number {
     return a.range.start.line - b.range.start.line || a.range.start.character - b.range.start.character;
 }
 
-export function powerRanges(power: readonly Power[]): PowerRanges {
-    const ranges: Record<Look, Range[]> = { on: [], off: [], closedOn: [], closed: [], blocks: [] };
+export function powerRanges(power: readonly Power[], flickering: ReadonlySet<Power> = new Set()): PowerRanges {
+    const ranges: Record<Look, Range[]> = { on: [], off: [], closedOn: [], closed: [], blocks: [], flickers: [] };
     for (const element of power.toSorted(inTextOrder)) {
-        const list = ranges[look(element)];
+        const list = ranges[flickering.has(element) ? 'flickers' : look(element)];
         const last = list.at(-1);
         // Two contacts side by side stay two.
         if (last && !element.contact && touches(last, element.range)) {

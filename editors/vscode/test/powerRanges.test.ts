@@ -45,5 +45,12 @@ test('contacts look by what they do, and two of them stay two', () => {
         'closedOn 0:0-0:5 0:5-0:10',
         'closed 0:15-0:20',
         'blocks 0:10-0:15',
+        'flickers ',
     ]);
+});
+
+test('what flickers is of its own kind, whatever it is now', () => {
+    const [first, second, third] = [piece(0, 0, 2, true), piece(0, 2, 4, false), piece(0, 4, 6, true)];
+    const { on, off, flickers } = powerRanges([first, second, third], new Set([first, second]));
+    assert.deepEqual([show(on), show(off), show(flickers)], [['0:4-0:6'], [], ['0:0-0:4']]);
 });

@@ -12,6 +12,7 @@ import { debug, PROGRAM, TEXT } from './debug.mjs';
 import { diagram, programs } from './diagram.mjs';
 import { drawing, NAME as DRAWN, TEXT as DRAWN_TEXT } from './drawing.mjs';
 import { heldTest } from './heldTest.mjs';
+import { HOVERED, HOVERED_TEXT, hovering } from './hovering.mjs';
 import { live, LIVE, LIVE_TEXT } from './live.mjs';
 import { command, open } from './palette.mjs';
 import { PROGRAMS, running } from './running.mjs';
@@ -41,6 +42,7 @@ function prepare() {
     writeFileSync(join(scratch, 'project', PROGRAM), TEXT);
     writeFileSync(join(scratch, 'project', LIVE), LIVE_TEXT);
     writeFileSync(join(scratch, 'project', CHANGING), CHANGING_TEXT);
+    writeFileSync(join(scratch, 'project', HOVERED), HOVERED_TEXT);
     writeFileSync(join(scratch, 'project', SEEN), SEEN_TEXT);
     writeFileSync(join(scratch, 'project', NAME), `${RUNG}\n`);
     writeFileSync(join(scratch, 'project/watch.clad'), '+--[TON]( clock, T#1h )--( )( late )--+\n');
@@ -75,7 +77,7 @@ function labels(page, text) {
             const style = getComputedStyle(span, '::before');
             if (style.content === `"${wanted}"` && style.position === 'absolute') {
                 const { left, top } = span.getBoundingClientRect();
-                found.push({ left, top: top + parseFloat(style.top), width: parseFloat(style.width) });
+                found.push({ left: left + parseFloat(style.marginLeft), top: top + parseFloat(style.top), width: parseFloat(style.width) });
             }
         }
         return found;
@@ -343,6 +345,7 @@ const parts = (page) => ({
     changing: () => changing(page, { step, until, weights, row, screenshot }),
     access: () => access(page, { step, until, weights, row, screenshot, useTheme }),
     running: () => running(page, { step, until, weights, row, screenshot }),
+    hovering: () => hovering(page, { step, screenshot }),
     typing: () => typing(page, { step, until, screenshot }),
     drawing: () => drawing(page, { step, until }),
     book: () => book(page, { step, until, project: join(scratch, 'project') }),

@@ -1,0 +1,70 @@
+// A value under the pointer while a program runs as fast as it goes. A line that the editor draws anew while the pointer
+// comes it takes for one that the pointer has left, and shows nothing: a hand that then holds still sees no value.
+import assert from 'node:assert/strict';
+
+import { command, open } from './palette.mjs';
+
+const ROW = (name) => `+--[/]( ${name} )--( )( ${name} )--+`;
+
+/** The program: its name in the project, and its text. Every contact and coil changes with each scan. */
+export const HOVERED = 'flicker.clad';
+export const HOVERED_TEXT = `${Array.from({ length: 12 }, (_, number) => ROW(`flip${number}`)).join('\n')}
+
++--[/]( late )--[TON]( since, T#1h )--( )( late )--+
+
+${ROW('last')}
+`;
+
+/** So often the pointer comes, once each time. */
+const TIMES = 20;
+
+export async function hovering(page, { step, screenshot }) {
+    const line = (text) => page.locator('.editor-instance .view-line', { hasText: text }).first();
+    const hover = (text) => page.locator('.monaco-hover:visible', { hasText: text }).first();
+    /** Where a text is on the page. */
+    const placeOf = async (name) => {
+        const span = line(`( ${name}`).locator('> span');
+        const { x, y, width } = await span.boundingBox();
+        const text = await span.textContent();
+        return { x: x + (width / text.length) * (text.indexOf(name) + 1.5), y: y + 9 };
+    };
+    /** How often a value is shown of all the times that the pointer comes to a name. */
+    const shown = async (name, value) => {
+        const { x, y } = await placeOf(name);
+        let count = 0;
+        for (let time = 0; time < TIMES; time += 1) {
+            await page.mouse.move(2, 2);
+            await page.keyboard.press('Escape');
+            await page.waitForTimeout(300);
+            await page.mouse.move(x, y);
+            count += await hover(value).waitFor({ timeout: 2500 }).then(() => 1, () => 0);
+        }
+        await page.mouse.move(2, 2);
+        return count;
+    };
+    await open(page, HOVERED);
+    await line('since').click();
+    await command(page, 'Ladder: Start Simulation');
+    await page.getByText('Ladder: paused, scan 0').waitFor({ timeout: 10_000 });
+    await line('since').click();
+    await command(page, 'Ladder: Set Speed of the Simulation...');
+    await page.locator('.quick-input-title', { hasText: 'Speed of the Simulation' }).waitFor({ timeout: 10_000 });
+    await page.keyboard.type('max');
+    await page.keyboard.press('Enter');
+    await line('since').click();
+    await page.keyboard.press('F5');
+    await page.getByText('full speed').waitFor({ timeout: 10_000 });
+    await page.waitForTimeout(2000);
+    await screenshot(page, 'flicker');
+    for (const [what, name, value] of [
+        ['contact that changes with each scan', 'flip6', /flip6 is [01]/],
+        ['timer whose value is above its line', 'since', /since\.ET is (T#)?\d/],
+    ]) {
+        await step(`one movement of the pointer shows the value of a ${what}, each of ${TIMES} times`, async () => {
+            assert.equal(await shown(name, value), TIMES);
+        });
+    }
+    await page.getByText('full speed').waitFor({ timeout: 10_000 });
+    await line('since').click();
+    await page.keyboard.press('Shift+F5');
+}
